@@ -24,8 +24,10 @@ from app.record import root_path
 from app.registry import CALCULATIONS
 from app.sources import ISO_286
 from app.units import api_value, from_si, to_si
-from core.checks.kinds import CHECK_SOURCES, CHECKS, NOT_CONSIDERED, REASONS
+from app.worked import api_name
+from core.checks.kinds import CHECK_SOURCES, CHECKS, NOT_CONSIDERED
 from core.checks.kinds import GROUPS as CHECK_GROUPS
+from core.codes import CODES, REFUSALS, WARNINGS, WAS, Code
 from core.contact_life import LifeCurve
 from core.errors import PLACES
 from core.materials import (
@@ -38,10 +40,10 @@ from core.materials import (
     TableMaterial,
     Verified,
 )
-from core.notices import NOTICES
 from core.results import METHODS
 from core.tolerance.iso286 import CLASSES, GRADES, SIZES, class_limits
 from core.work_precision.study import SETTINGS
+from core.worked import words as worked_words
 
 CLASS_NAMES = tuple(f"{letter}{grade}" for letter in CLASSES for grade in GRADES)
 CLASS_VARIABLES = [("hole_", "shaft_")[each.islower()] + each for each in CLASS_NAMES]
@@ -71,7 +73,7 @@ class LimitOut(ResponseModel):
         description="Whether it was read in its standard or in two secondary sources."
     )
     life_curve: Maybe[LifeCurve] = Field(
-        default=None, description="How it falls over the life, where that is known."
+        description="How it falls over the life, where that is known."
     )
 
 
@@ -85,22 +87,22 @@ class MaterialOut(ResponseModel):
     youngs_modulus_GPa: float = Field(description="Young's modulus.")
     poissons_ratio: float = Field(description="Poisson's ratio.")
     allowable_pressure_MPa: Maybe[float] = Field(
-        default=None, description="Endurance limit of the contact pressure, where there is one."
+        description="Endurance limit of the contact pressure, where there is one."
     )
     limits: list[LimitOut]
     source: str = Field(description="Where Young's modulus and Poisson's ratio come from.")
-    tensile_strength_MPa: Maybe[float] = Field(default=None, description="Tensile strength.")
+    tensile_strength_MPa: Maybe[float] = Field(description="Tensile strength.")
     yield_strength_MPa: Maybe[float] = Field(
-        default=None, description="Yield strength Re or Rp0.2, or yield stress of a plastic."
+        description="Yield strength Re or Rp0.2, or yield stress of a plastic."
     )
     valid_diameter_mm: Maybe[float] = Field(
-        default=None, description="Largest diameter or wall that the strengths hold for."
+        description="Largest diameter or wall that the strengths hold for."
     )
     strength_source: Maybe[str] = Field(
-        default=None, description="Where they come from: a standard, as in two secondary sources."
+        description="Where they come from: a standard, as in two secondary sources."
     )
-    density_kg_m3: Maybe[float] = Field(default=None, description="Density.")
-    density_source: Maybe[str] = Field(default=None, description="Where it comes from.")
+    density_kg_m3: Maybe[float] = Field(description="Density.")
+    density_source: Maybe[str] = Field(description="Where it comes from.")
 
     @classmethod
     def of(cls, entry: TableMaterial) -> "MaterialOut":
@@ -178,7 +180,7 @@ class CalculationOut(ResponseModel):
     name: str = Field(description="Its one name: in paths, batches, studies and examples.")
     title: str = Field(description="What it is.")
     path: str = Field(description="Path of its endpoint.")
-    chart: Maybe[str] = Field(default=None, description="Path of its figure.")
+    chart: Maybe[str] = Field(description="Path of its figure.")
     batched: bool = Field(description="Whether batches take it.")
     sources: list[str] = Field(description="Where its formulas come from.")
     model: list[NeglectedOut] = Field(
@@ -242,13 +244,6 @@ class ClassList(ResponseModel):
     tolerances: list[ClassOut]
 
 
-class CheckWords(ResponseModel):
-    """What a check says."""
-
-    title: str = Field(description="What it is.")
-    why: str = Field(description="What is wrong where it does not hold.")
-
-
 class NoticeWords(ResponseModel):
     """What a warning says, and what is to be known of it."""
 
@@ -258,9 +253,38 @@ class NoticeWords(ResponseModel):
     why: str = Field(description="Why it matters.")
     mend: str = Field(description="What to do about it.")
 
+    @classmethod
+    def of(cls, code: Code) -> "NoticeWords":
+        """Words of a code."""
+        words = asdict(code)
+        del words["kind"]
+        return cls(**words)
+
+
+class CheckWords(ResponseModel):
+    """What a check says."""
+
+    title: str = Field(description="What it is.")
+    why: str = Field(description="What is wrong where it does not hold.")
+    warning: Maybe[NoticeWords] = Field(
+        default=None, description="What answers without checks say by its code."
+    )
+    refusal: Maybe[str] = Field(default=None, description="What a refusal says by its code.")
+
+    @classmethod
+    def of(cls, code: str) -> "CheckWords":
+        """Words of a check."""
+        said: dict[str, Any] = {}
+        if code in WARNINGS:
+            said["warning"] = NoticeWords.of(WARNINGS[code])
+        elif code in REFUSALS:
+            said["refusal"] = REFUSALS[code].text
+        return cls(title=CHECKS[code].title, why=CHECKS[code].why, **said)
+
 
 class Words(ResponseModel):
-    """What the service says by code, in English, a table for each kind of code.
+    """What the service says by code, in English, a table for each kind of code; a code of a
+    refusal, a warning, a check or a reason is in one of theirs, whichever of them says it.
 
     A name in braces is that of a parameter of the refusal, the warning or the figure, whose value
     is put there; with its unit, where the name ends in one.
@@ -274,7 +298,13 @@ class Words(ResponseModel):
     notices: dict[str, NoticeWords] = Field(description="Warnings, `code` of `warnings`.")
     checks: dict[str, CheckWords] = Field(description="Checks, by `code`.")
     check_groups: dict[str, str] = Field(description="What a check is about, `group`.")
-    reasons: dict[str, str] = Field(description="Why a check stands as it does, `reason.code`.")
+    reasons: dict[str, str] = Field(
+        description="Why a check stands as it does, `reason.code`, where nothing else says that."
+    )
+    was: dict[str, dict[str, str]] = Field(
+        description="The code that a code of `errors`, of `warnings` and of `reasons` of checks "
+        "replaces; for one release."
+    )
     sources: dict[str, str] = Field(
         description="Where a check or a limit comes from, `source_code`."
     )
@@ -282,6 +312,12 @@ class Words(ResponseModel):
     verified: dict[str, str] = Field(description="How the source of a limit was seen.")
     not_considered: dict[str, str] = Field(description="What a verdict does not look at.")
     methods: dict[str, str] = Field(description="How numbers were got, `method_code`.")
+    worked_values: dict[str, str] = Field(
+        description="Values on the way of worked steps, `code` of `worked`."
+    )
+    worked_notes: dict[str, str] = Field(description="`note` and `method` of worked steps.")
+    worked_errata: dict[str, str] = Field(description="`erratum` of worked steps.")
+    worked_sources: dict[str, str] = Field(description="`source` of worked steps.")
     settings: dict[str, str] = Field(description="Settings of methods, `setting_code`.")
     figures: dict[str, str] = Field(
         description="Texts of figures, by the id in `layout.meta.words`; an id that starts with "
@@ -389,22 +425,27 @@ async def examples() -> ExampleList:
 
 @cache
 def _words() -> Packed:
-    words = {
-        "refusals": TEXTS,
-        "places": {api_value(name, 0.0)[0]: text for name, text in PLACES.items()},
-        "notices": {code: asdict(kind) for code, kind in NOTICES.items()},
-        "checks": {code: {"title": kind.title, "why": kind.why} for code, kind in CHECKS.items()},
-        "check_groups": CHECK_GROUPS,
-        "reasons": REASONS,
-        "sources": CHECK_SOURCES | LIMIT_SOURCES,
-        "criteria": CRITERIA,
-        "verified": VERIFIED,
-        "not_considered": NOT_CONSIDERED,
-        "methods": METHODS,
-        "settings": SETTINGS,
-        "figures": theme.TEXTS,
-    }
-    return Packed(orjson.dumps(Words.model_validate(_named(words)).model_dump()), JSON)
+    words = Words(
+        refusals={code: text for code, text in TEXTS.items() if code not in CHECKS},
+        places={api_value(name, 0.0)[0]: text for name, text in PLACES.items()},
+        notices={c: NoticeWords.of(each) for c, each in WARNINGS.items() if c not in CHECKS},
+        checks={code: CheckWords.of(code) for code in CHECKS},
+        check_groups=CHECK_GROUPS,
+        reasons={code: each.text for code, each in CODES.items() if each.kind == "unknown"},
+        was=WAS,
+        sources=CHECK_SOURCES | LIMIT_SOURCES,
+        criteria=CRITERIA,
+        verified=VERIFIED,
+        not_considered=NOT_CONSIDERED,
+        methods=METHODS,
+        worked_values={api_name(code): text for code, text in worked_words.VALUES.items()},
+        worked_notes=worked_words.NOTES,
+        worked_errata=worked_words.ERRATA,
+        worked_sources=worked_words.SOURCES,
+        settings=SETTINGS,
+        figures=theme.TEXTS,
+    )
+    return Packed(orjson.dumps(_named(words.model_dump(exclude_none=True))), JSON)
 
 
 @router.get("/words", operation_id="words", response_model=Words)

@@ -91,7 +91,6 @@ class BatchRequest(RequestModel):
     ]
 
     ids: Maybe[list[Name]] = Field(
-        default=None,
         min_length=1,
         max_length=MAX_REQUESTS,
         description="A name of each request, which comes back with its answer.",
@@ -117,10 +116,10 @@ class BatchRequest(RequestModel):
 class BatchItem(ResponseModel):
     """What became of one request: its result, or its problem with pointers into that request."""
 
-    index: Maybe[int] = Field(default=None, description="Its place, from 0; in lines alone.")
-    id: Maybe[str] = Field(default=None, description="Its name, where the batch has `ids`.")
+    index: Maybe[int] = Field(description="Its place, from 0; in lines alone.")
+    id: Maybe[str] = Field(description="Its name, where the batch has `ids`.")
     result: Maybe[dict[str, Any]] = Field(
-        default=None, description="What the calculation's own endpoint answers."
+        description="What the calculation's own endpoint answers."
     )
     problem: Maybe[ProblemOut] = None
 

@@ -5,7 +5,18 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property, lru_cache
 from itertools import chain
-from typing import Annotated, Any, ClassVar, NamedTuple, Self, TypeVar, cast, get_args, get_origin
+from typing import (
+    Annotated,
+    Any,
+    ClassVar,
+    Literal,
+    NamedTuple,
+    Self,
+    TypeVar,
+    cast,
+    get_args,
+    get_origin,
+)
 
 from pydantic import (
     BaseModel,
@@ -27,7 +38,7 @@ from app.units import (
     shown_unit,
     to_si_converter,
 )
-from core.notices import NOTICES
+from core.codes import WARNINGS, WAS
 from core.results import METHODS, Accuracy, Notice
 
 SMALLEST = 1e-12
@@ -370,7 +381,7 @@ def quantity(
     )
 
 
-def result(meaning: str, *, symbol: str = "", equation: str = "", default: Any = ...) -> Any:
+def result(meaning: str, *, symbol: str = "", equation: str = "") -> Any:
     """A field of an answer with what it means; its unit follows from its name.
 
     Parameters
@@ -381,12 +392,24 @@ def result(meaning: str, *, symbol: str = "", equation: str = "", default: Any =
         Symbol of the nomenclature.
     equation : str
         Source with the number of its equation.
-    default : None, optional
-        Where it may be absent.
     """
     shown = {"x-symbol": symbol, "x-equation": equation}
     extra = {key: value for key, value in shown.items() if value}
-    return Field(default=default, description=meaning, json_schema_extra=cast(Any, extra))
+    return Field(description=meaning, json_schema_extra=cast(Any, extra))
+
+
+class WorkedFields(RequestModel):
+    """A request that can ask how its answer follows."""
+
+    include: list[Literal["worked"]] = Field(
+        default=[], max_length=1, description="Optional results: what is not named is not computed."
+    )
+
+    def to_core(self) -> dict[str, Any]:
+        """The given fields as the core's arguments, without what is asked."""
+        own = super().to_core()
+        own.pop("include", None)
+        return own
 
 
 def field_error(name: str, code: str, **params: Any) -> PydanticCustomError:
@@ -443,6 +466,9 @@ class ResponseModel(BaseModel):
 
     model_config = ConfigDict(json_schema_extra=_complete_schema, allow_inf_nan=False)
 
+    BESIDE: ClassVar[tuple[str, ...]] = ()
+    """Fields that are no attributes of the result: said beside it, else absent."""
+
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:
         _register(cls)
@@ -458,7 +484,7 @@ class ResponseModel(BaseModel):
         run_time_us : float, optional
             What the calculation cost, for `accuracy`.
         **given
-            Fields that are not read from the result; None for none.
+            Fields that are said here, not read from the result; absent where None.
         """
         values: Values = {}
         for name, value in given.items():
@@ -475,47 +501,37 @@ class ResponseModel(BaseModel):
         return values
 
 
+def _leave_to_checks(values: Values, checks: list[Values]) -> None:
+    """Leave out of an answer and its sections the warnings that its checks say."""
+    said = {each["code"] for each in checks}
+    said |= {each["reason"]["code"] for each in checks if "reason" in each}
+    for part in (values, *values.values()):
+        if isinstance(part, dict) and "warnings" in part:
+            kept = [each for each in part.pop("warnings") if each["code"] not in said]
+            part |= {"warnings": kept} if kept else {}
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Calculation:
-    """A calculation as the service offers it; `app.registry` lists all of them.
+    """A calculation as the service offers it; `app.registry` lists all of them."""
 
-    Attributes
-    ----------
-    name : str
-        Its path below the API's prefix; its one name in batches, studies and examples too.
-    title : str
-        What it is, for people.
-    tag : str
-        Its chapter in the API's description.
-    request : type
-        Model of its request, or an annotated union of models.
-    answer : type of ResponseModel
-        Model that describes its answer.
-    solve : callable
-        A function of a module: the values of the answer to a request.
-    figure : callable, optional
-        A function of a module: the Plotly figure of a request and a theme.
-    sources : tuple of str
-        Where its formulas come from.
-    neglects : tuple of str
-        What its model leaves out with all of its sections given, keys of `NEGLECTED`.
-    batched : bool
-        Whether batches take it.
-    reporting : callable, optional
-        As `solve`, of what may take long: with a function that is told how much of it is done, from
-        0 to 1.
-    """
-
+    # Its path below the API's prefix; its one name in batches, studies and examples too.
     name: str
-    title: str
-    tag: str
-    request: Any
-    answer: type["ResponseModel"]
-    solve: Callable[[Any], Values]
+    title: str  # what it is, for people
+    tag: str  # its chapter in the API's description
+    request: Any  # model of its request, or an annotated union of models
+    answer: type["ResponseModel"]  # model that describes its answer
+    solve: Callable[[Any], Values]  # a function of a module: the values of the answer to a request
+    # A function of a module: the Plotly figure of a request and a theme.
     figure: Callable[[Any, Any], dict[str, Any]] | None = None
-    sources: tuple[str, ...] = ()
+    sources: tuple[str, ...] = ()  # where its formulas come from
+    # What its model leaves out with all of its sections given, keys of `NEGLECTED`.
     neglects: tuple[str, ...] = ()
-    batched: bool = True
+    batched: bool = True  # whether batches take it
+    # A function of a module: the worked steps of a request, as `app.worked` makes them.
+    worked: Callable[[Any], list[Values]] | None = None
+    # As `solve`, of what may take long: with a function that is told how much of it is done, from 0
+    # to 1.
     reporting: Callable[[Any, Callable[[float], None]], Values] | None = None
 
     def answered(self, body: Any, report: Callable[[float], None] | None = None) -> Values:
@@ -538,8 +554,12 @@ class Calculation:
             for path, value in body.assumed()
         ]:
             values["assumed"] = assumed
+        if self.worked is not None and "worked" in (body.include or ()):
+            values["worked"] = self.worked(body)
         if notices := body.notices():
             values["warnings"] = [*map(warning, notices), *values.get("warnings", ())]
+        if checks := values.get("checks"):
+            _leave_to_checks(values, checks)
         return values
 
 
@@ -588,7 +608,7 @@ def _plan(model: type[ResponseModel], *given: str) -> _Plan:
         [
             (name, core_name(name), _inner_values(field.annotation) or from_si_converter(name))
             for name, field in fields.items()
-            if name not in ("accuracy", "warnings", "assumed", *given)
+            if name not in ("accuracy", "warnings", "assumed", "worked", *model.BESIDE, *given)
         ],
         "warnings" in fields,
         "accuracy" in fields,
@@ -638,29 +658,86 @@ class AssumedOut(BaseModel):
     pointer: str = Field(description="JSON pointer to the field.")
     value: float | str | dict[str, Any] = Field(description="What is taken for it.")
     without: Maybe[dict[str, float]] = Field(
-        default=None,
-        description="Of the number of satellites: the peak force of one, by the ideal forces.",
+        description="Of the number of satellites: the peak force of one, by the ideal forces."
     )
 
 
-class AssumingResponse(ResponseModel):
+class StepOut(BaseModel):
+    """How one number of an answer follows from others."""
+
+    model_config = ConfigDict(json_schema_extra=_complete_schema)
+
+    section: str = Field(description="What of the answer it belongs to.")
+    code: str = Field(
+        description="What is worked out: a field of the section, or a value on the way to one; its "
+        "name ends in its unit."
+    )
+    symbol: str = Field(description="How it is called in the formulas of later steps.")
+    formula: Maybe[str] = Field(
+        default=None,
+        description="Infix over `names`: + - * / ^ ( ), sqrt sin cos tan asin acos atan abs min "
+        "max, pi. It holds in SI units, angles in rad.",
+    )
+    method: Maybe[str] = Field(
+        default=None,
+        description="How it was got in the place of a formula, by code: what is searched, solved, "
+        "counted or given.",
+    )
+    names: dict[str, str] = Field(
+        description="What each name of the formula is, with its unit at its end."
+    )
+    values: dict[str, float] = Field(description="Its value, in that unit.")
+    result: float = Field(description="The result, in `unit`.")
+    unit: str = Field(description="Unit of the result as shown; empty for plain numbers.")
+    source: Maybe[str] = Field(default=None, description="Where the formula stands, by code.")
+    equation: Maybe[str] = Field(default=None, description="Number of its equation there.")
+    erratum: Maybe[str] = Field(default=None, description="What the print has wrong, by code.")
+    note: Maybe[str] = Field(default=None, description="What is to be known of it, by code.")
+    params: Maybe[dict[str, Any]] = Field(
+        default=None, description="What the text of `note` or `method` names."
+    )
+
+
+def worked_steps() -> Any:
+    """The field of an answer that has its worked steps."""
+    return Field(
+        default=None,
+        description="How its numbers follow from each other, where asked; words by code are in "
+        "`GET /words`.",
+    )
+
+
+class WorkedResponse(ResponseModel):
+    """An answer that can be worked step by step."""
+
+    worked: Maybe[list[StepOut]] = worked_steps()
+
+
+class AssumingResponse(WorkedResponse):
     """An answer that says what it assumes."""
 
     assumed: Maybe[list[AssumedOut]] = Field(
-        default=None, description="What was not given and decides; absent where all was."
+        description="What was not given and decides; absent where all was."
     )
+
+
+REPLACED = "The code that this one replaces; for one release."
 
 
 class WarningOut(BaseModel):
     """A limit of validity that the result strains; the number is given all the same."""
 
-    code: str = Field(description="Which limit.", json_schema_extra={"enum": [*NOTICES]})
+    code: str = Field(description="Which limit.", json_schema_extra={"enum": [*WARNINGS]})
     params: dict[str, Any] = Field(description="What the text names: numbers and fields.")
     detail: str = Field(description="The same in English.")
+    was: Maybe[str] = Field(default=None, description=REPLACED)
 
 
 def warning(notice: Notice) -> Values:
     """Warning of a core notice; the API's names stand in for the core's."""
     params = api_params(notice.params)
-    detail = NOTICES[notice.code].text.format(**params)
-    return {"code": notice.code, "params": params, "detail": detail}
+    values = {"code": notice.code, "params": params}
+    values["detail"] = WARNINGS[notice.code].text.format(**params)
+    if was := WAS["warnings"].get(notice.code):
+        values["was"] = was
+    return values

@@ -13,10 +13,11 @@ from pydantic_core import ErrorDetails
 from starlette.exceptions import HTTPException
 
 from app.jobs import Busy, CannotRun, Stopped, TooLong
-from app.model import UNION_TAGS, api_params
+from app.model import REPLACED, UNION_TAGS, Maybe, api_params
 from app.record import root_path
 from app.units import api_value
-from core.errors import IMPOSSIBLE, REFUSALS, ImpossibleMechanism
+from core.codes import CODES, REFUSALS, WAS
+from core.errors import ImpossibleMechanism
 
 MEDIA_TYPE = "application/problem+json"
 
@@ -33,59 +34,53 @@ MAX_NAME = 64
 """Most letters of a name in a pointer; longer ones are cut."""
 
 
-TEXTS = (
-    REFUSALS
-    | IMPOSSIBLE
-    | {
-        "below_working": "must be at least {limit:.9g}, the torque times its factor",
-        "cannot_assemble": "Pins and holes press: pin {pin} and its hole of satellite "
-        "{satellite} lack {missing_length_mm:.4g} mm of room; holes of a radius of "
-        "{needed_length_mm:.6g} mm would do",
-        "bool_type": "must be true or false",
-        "dict_type": "must be an object",
-        "different_sum": "must have lengths that add up to {field} and {other}, "
-        "{needed_length_mm:.9g} mm, not {given_length_mm:.9g} mm",
-        "dust": "must be 0 or at least {limit:g} in size",
-        "extra_forbidden": "is not a known field",
-        "float_type": "must be a number",
-        "greater_than": "must be greater than {limit:.15g}",
-        "greater_than_equal": "must be at least {limit:.15g}",
-        "hole_disagrees": "must be pin radius + eccentricity + clearance, "
-        "{expected_mm:.15g} mm, or left out",
-        "int_type": "must be a whole number",
-        "json_invalid": "is not valid JSON: {error}",
-        "less_than": "must be less than {limit:.15g}",
-        "less_than_equal": "must be at most {limit:.15g}",
-        "list_type": "must be a list",
-        "literal_error": "must be one of {expected}",
-        "missing": "is needed",
-        "multiple_of": "must be a multiple of {limit:.15g}",
-        "needed": "is needed: this or {field}",
-        "needed_beside": "is needed beside {field}",
-        "needed_for": "is needed for {section}",
-        "no_class_of_size": "is known for diameters up to {limit_mm:g} mm only",
-        "no_mechanism": "Holes of a radius of {given_length_mm:.6g} mm do not hold their pins, "
-        "which could pass from one into the next: it must be less than {limit_length_mm:.6g} mm",
-        "not_there": "names no number in {field}",
-        "not_valid": "is not valid",
-        "of_another_kind": "does not belong to the kind {kind}",
-        "only_one": "excludes {field}: give one of them",
-        "ratio_below_one": "must be at least {limit}: the crank turns faster than the output, its "
-        "inverse is {offered:.9g}; a coupling without reduction is not calculated yet",
-        "ratio_of_teeth": "must be at most {limit}, twice {field}: with more the ratio is below 1",
-        "service_limit": "must be at most {limit}: this service takes no more",
-        "string_type": "must be a text",
-        "string_unicode": "is not valid text",
-        "teeth_disagree": "must be {expected}, ring teeth less satellite teeth, or left out",
-        "to_be_drawn": "must be at most {limit:.3g} to be drawn",
-        "too_long": "must have at most {limit} entries",
-        "too_nested": "must hold at most {limit} lists and objects",
-        "too_short": "must have at least {limit} entries",
-        "with_real_forces": "must be at most 1 with clearance, deviations or elasticity: forces "
-        "are solved then, not assumed",
-        "with_rollers": "must be at most {limit}, with {rollers} rollers",
-    }
-)
+OF_REQUESTS = {
+    "bool_type": "must be true or false",
+    "dict_type": "must be an object",
+    "dust": "must be 0 or at least {limit:g} in size",
+    "extra_forbidden": "is not a known field",
+    "float_type": "must be a number",
+    "hole_disagrees": "must be pin radius + eccentricity + clearance, "
+    "{expected_mm:.15g} mm, or left out",
+    "int_type": "must be a whole number",
+    "json_invalid": "is not valid JSON: {error}",
+    "list_type": "must be a list",
+    "literal_error": "must be one of {expected}",
+    "missing": "is needed",
+    "multiple_of": "must be a multiple of {limit:.15g}",
+    "needed_beside": "is needed beside {field}",
+    "needed_for": "is needed for {section}",
+    "no_class_of_size": "is known for diameters up to {limit_mm:g} mm only",
+    "not_there": "names no number in {field}",
+    "not_valid": "is not valid",
+    "of_another_kind": "does not belong to the kind {kind}",
+    "ratio_below_one": "must be at least {limit}: the crank turns faster than the output, its "
+    "inverse is {offered:.9g}; a coupling without reduction is not calculated yet",
+    "ratio_of_teeth": "must be at most {limit}, twice {field}: with more the ratio is below 1",
+    "service_limit": "must be at most {limit}: this service takes no more",
+    "string_type": "must be a text",
+    "string_unicode": "is not valid text",
+    "teeth_disagree": "must be {expected}, ring teeth less satellite teeth, or left out",
+    "to_be_drawn": "must be at most {limit:.3g} to be drawn",
+    "too_long": "must have at most {limit} entries",
+    "too_nested": "must hold at most {limit} lists and objects",
+    "with_real_forces": "must be at most 1 with clearance, deviations or elasticity: forces "
+    "are solved then, not assumed",
+    "with_rollers": "must be at most {limit}, with {rollers} rollers",
+}
+"""What is wrong with a request before anything is calculated, in the form of `core.codes`."""
+
+IN_MILLIMETRES = {
+    "cannot_assemble": "Pins and holes press: pin {pin} and its hole of satellite {satellite} lack "
+    "{missing_length_mm:.4g} mm of room; holes of a radius of {needed_length_mm:.6g} mm would do",
+    "different_sum": "must have lengths that add up to {field} and {other}, "
+    "{needed_length_mm:.9g} mm, not {given_length_mm:.9g} mm",
+    "no_mechanism": "Holes of a radius of {given_length_mm:.6g} mm do not hold their pins, "
+    "which could pass from one into the next: it must be less than {limit_length_mm:.6g} mm",
+}
+"""What the core says with lengths, in the API's unit."""
+
+TEXTS = {code: each.text for code, each in REFUSALS.items()} | OF_REQUESTS | IN_MILLIMETRES
 """What is wrong, by code: the rest of a sentence that starts with the field; the page has its own
 words for each code."""
 
@@ -178,39 +173,36 @@ class FieldProblem:
     detail: Annotated[
         str, Field(description="The same in English: a sentence that starts with the field.")
     ]
+    was: Annotated[Maybe[str], Field(description=REPLACED)] = None
+
+    def body(self) -> dict[str, Any]:
+        """The same as JSON."""
+        said = {each.name: getattr(self, each.name) for each in fields(self)}
+        return {name: value for name, value in said.items() if value is not None}
 
 
 def wrong(pointer: str, code: str, **params: Any) -> FieldProblem:
     """What is wrong with the field at a pointer: a key of `TEXTS`, and what its text names."""
-    return FieldProblem(pointer, code, params, TEXTS[code].format(**params))
+    detail = TEXTS[code].format(**params)
+    return FieldProblem(pointer, code, params, detail, WAS["errors"].get(code))
+
+
+def sentence(code: str, params: dict[str, Any]) -> str:
+    """What a code of the core says, with the API's names."""
+    return (IN_MILLIMETRES.get(code) or CODES[code].text).format(**params)
 
 
 @dataclass(slots=True)
 class Problem(Exception):
-    """A refusal, ready to be sent.
+    """A refusal, ready to be sent."""
 
-    Attributes
-    ----------
-    kind : str
-        Last part of the problem's type, a key of `KINDS`.
-    detail : str
-        This occurrence, for people.
-    errors : list of FieldProblem
-        The fields it is about.
-    more : int
-        How many fields besides are wrong.
-    where : dict
-        Position at which it happens, by API names.
-    headers : dict
-        Headers of the answer.
-    """
-
-    kind: str
-    detail: str
-    errors: list[FieldProblem] = field(default_factory=list)
-    more: int = 0
+    kind: str  # last part of the problem's type, a key of `KINDS`
+    detail: str  # this occurrence, for people
+    errors: list[FieldProblem] = field(default_factory=list)  # the fields it is about
+    more: int = 0  # how many fields besides are wrong
+    # Position at which it happens, by API names.
     where: dict[str, float] = field(default_factory=dict)
-    headers: dict[str, str] = field(default_factory=dict)
+    headers: dict[str, str] = field(default_factory=dict)  # of the answer
 
     @property
     def status(self) -> int:
@@ -233,7 +225,7 @@ class Problem(Exception):
             "title": self.title,
             "status": self.status,
             "detail": self.detail,
-            "errors": self.errors,
+            "errors": [each.body() for each in self.errors],
         }
         if self.more:
             body["more"] = self.more
@@ -366,7 +358,7 @@ def impossible(error: ImpossibleMechanism, place: str = "") -> Problem:
     where = dict(api_value(name, value) for name, value in error.where.items())
     at = ", ".join(f"{name} = {value:.10g}" for name, value in where.items())
     params = api_params(error.params)
-    what = TEXTS[error.code].format(**error.where | params)
+    what = sentence(error.code, error.where | params)
     return Problem(
         "impossible-mechanism",
         f"{what} at {at}" if at else what,

@@ -17,46 +17,27 @@ async def _nothing_more() -> Any:
 
 @dataclass(slots=True)
 class Record:
-    """One request: who asks, and where its time goes.
+    """One request: who asks, and where its time goes."""
 
-    Attributes
-    ----------
-    settings : Settings
-        Limits of the service that answers.
-    request_id : str
-        The client's own, or one made.
-    headers : dict of bytes to bytes
-        What it sent with its body, by names in lower case.
-    receive : callable
-        The client: what it sends next, which after its body is that it has gone.
-    client : str
-        Its address, as the service or a trusted proxy sees it; `unix` over a Unix socket.
-    places : Semaphore
-        The worker's places for what is large.
-    has_place : bool
-        Whether it has one of them, until it has been answered.
-    started, received, calculated, answered : float
-        When the request came, its body was whole, its last calculation was done, its answer
-        started; seconds of `time.perf_counter`, 0 where it has not happened.
-    status : int
-        HTTP status of the answer; 0 where there is none yet.
-    calculation_us : float
-        Run time of its calculations, microseconds.
-    """
-
-    settings: Settings = field(default_factory=current)
-    request_id: str = ""
+    settings: Settings = field(default_factory=current)  # limits of the service that answers
+    request_id: str = ""  # the client's own, or one made
+    # What the client sent with its body, by names in lower case.
     headers: dict[bytes, bytes] = field(default_factory=dict)
+    # The client: what it sends next, which after its body is that it has gone.
     receive: Callable[[], Awaitable[Any]] = _nothing_more
+    # Its address, as the service or a trusted proxy sees it; `unix` over a Unix socket.
     client: str = ""
+    # The worker's places for what is large.
     places: Semaphore = field(default_factory=lambda: Semaphore(current().max_large))
-    has_place: bool = False
+    has_place: bool = False  # whether it has one of them, until it has been answered
+    # When the request came, its body was whole, its last calculation was done, its answer started:
+    # seconds of `time.perf_counter`, 0 where it has not happened.
     started: float = field(default_factory=time.perf_counter)
     received: float = 0.0
     calculated: float = 0.0
     answered: float = 0.0
-    status: int = 0
-    calculation_us: float = 0.0
+    status: int = 0  # of HTTP; 0 where there is none yet
+    calculation_us: float = 0.0  # run time of its calculations, microseconds
 
     def calculation_took(self, run_time_us: float) -> None:
         """Note a calculation that has just been done."""

@@ -141,21 +141,11 @@ _TEXTS = (
 
 
 class Amount(NamedTuple):
-    """A number in a text, or Plotly's placeholder of one (``%{y:.4g}``), with its unit.
+    """A number in a text, or Plotly's placeholder of one (``%{y:.4g}``), with its unit."""
 
-    Attributes
-    ----------
-    value : float or str
-        The number or the placeholder.
-    unit : str
-        Its unit, empty for none.
-    digits : int
-        Significant digits to show of a number.
-    """
-
-    value: float | str
-    unit: str = ""
-    digits: int = 6
+    value: float | str  # the number or the placeholder
+    unit: str = ""  # empty for none
+    digits: int = 6  # significant ones to show of a number
 
     def __format__(self, _: str) -> str:
         number = self.value if isinstance(self.value, str) else f"{self.value:.{self.digits}g}"

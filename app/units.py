@@ -19,6 +19,8 @@ UNITS: dict[str, tuple[str, float]] = {
     "m_per_s": ("m/s", 1.0),
     "mm3_per_Nm": ("mm³/(N·m)", 1e-9),
     "N_per_mm": ("N/mm", 1e3),
+    "mm_per_N": ("mm/N", 1e-3),
+    "mrad_per_N": ("mrad/N", 1e-3),
     "kg_mm": ("kg·mm", 1e-3),
     "mm": ("mm", 1e-3),
     "Nm": ("N·m", 1.0),

@@ -2,8 +2,10 @@
 
 A corpus of requests (tests/corpus) is asked of that revision, in a work tree of its own, and of
 this one. Codes, verdicts, pointers and all that is no number have to be the same, numbers within
-the errors that both state; texts for people are counted only. What the description of the API says
-otherwise is printed. It ends with 1 where anything differs.
+the errors that both state; texts for people are counted only. A code that says by `was` that it is
+the other one is the same, and a warning that a check of the answer says instead is none: both are
+counted. What the description of the API says otherwise is printed. It ends with 1 where anything
+differs.
 """
 
 import argparse
@@ -14,6 +16,7 @@ import math
 import subprocess
 import sys
 import tempfile
+from collections import Counter
 from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
@@ -27,6 +30,9 @@ COSTS = {"run_time_us", "evaluations"}
 
 TEXTS = {"detail", "title", "why", "formula", "source", "method"}
 """What is said to people: it is counted where it differs."""
+
+NAMED = {"params", "pointer"}
+"""What such a text names: it is counted where only one of both says it beside its text."""
 
 LEAST, TOO_MUCH, INSTEAD = 1e-12, 1e-3, 1e-6
 """Relative differences that are rounding; stated errors that hide too much, and what is allowed in
@@ -53,7 +59,9 @@ async def _answers(requests: list[dict[str, Any]]) -> dict[str, Any]:
             answer = await client.post(each["path"], content=sent, headers=kind)
             found.append({"status": answer.status_code, "answer": answer.json()})
         description = (await client.get("openapi.json")).json()
-    return {"answers": found, "description": description}
+        words = (await client.get("words")).json()
+    was = words.get("was", {}).get("warnings", {})
+    return {"answers": found, "description": description, "was": was}
 
 
 def ask(requests: str) -> None:
@@ -74,7 +82,7 @@ def answers(folder: Path, requests: Path) -> dict[str, Any]:
     Returns
     -------
     dict
-        Its `answers`, and its `description` of the API.
+        Its `answers`, its `description` of the API, and what codes of warnings `was` before.
     """
     run = partial(
         subprocess.run,
@@ -93,20 +101,30 @@ def answers(folder: Path, requests: Path) -> dict[str, Any]:
 class Difference:
     """What two answers say otherwise.
 
+    Parameters
+    ----------
+    was : dict of str to str, optional
+        Which code of warnings a code replaces.
+
     Attributes
     ----------
     differences : list of str
         What has to be the same and is not, by its place.
     numbers, worded : int
         Numbers that were compared, and texts that differ.
+    renamed, left_to_checks : Counter of str
+        Codes that are called otherwise now, and warnings that checks say.
     loose : list of str
         Numbers whose stated error is too large to compare by.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, was: dict[str, str] | None = None) -> None:
+        self.now = {old: code for code, old in (was or {}).items()}
         self.differences: list[str] = []
         self.loose: list[str] = []
         self.numbers = self.worded = 0
+        self._said: set[str] = set()
+        self.renamed, self.left_to_checks = Counter[str](), Counter[str]()
 
     def compare(self, before: Any, after: Any, place: str = "", error: float = LEAST) -> None:
         """Compare two parts of answers.
@@ -122,10 +140,14 @@ class Difference:
         """
         if isinstance(before, dict) and isinstance(after, dict):
             error = self._stated(before, after, place, error)
+            after = self._as_before(before, after)
+            before = self._unrepeated(before, after)
             for name in {**before, **after}:
                 if name in COSTS:
                     continue
-                if name not in before or name not in after:
+                if name in NAMED and "detail" in before and (name in before) != (name in after):
+                    self.worded += 1
+                elif name not in before or name not in after:
                     where = "after" if name in after else "before"
                     self.differences.append(f"{place}/{name}: only {where}")
                 elif name in TEXTS and isinstance(before[name], str):
@@ -141,6 +163,34 @@ class Difference:
                 self.differences.append(f"{place}: {before!r} -> {after!r}")
         elif before != after:
             self.differences.append(f"{place}: {before!r} -> {after!r}"[:300])
+
+    def _as_before(self, before: Any, after: Any) -> Any:
+        """What is coded, by the code that it was called before, where it says that."""
+        if "was" not in after or "was" in before:
+            return after
+        known = {name: value for name, value in after.items() if name != "was"}
+        if before.get("code") == after["was"]:
+            self.renamed[f"{after['was']} -> {after['code']}"] += 1
+            known["code"] = after["was"]
+        return known
+
+    def _unrepeated(self, before: Any, after: Any) -> Any:
+        """An answer, or a section of one, without warnings that checks of the other say."""
+        for each in after.get("checks") or ():
+            self._said |= {each["code"], each.get("reason", each)["code"]}
+        warnings = before.get("warnings")
+        if not isinstance(warnings, list):
+            return before
+        left = {each.get("was", each["code"]) for each in after.get("warnings", ())}
+        kept = []
+        for each in warnings:
+            code = each["code"]
+            if code not in left and self.now.get(code, code) in self._said:
+                self.left_to_checks[code] += 1
+            else:
+                kept.append(each)
+        others = {name: value for name, value in before.items() if name != "warnings"}
+        return others | ({"warnings": kept} if kept else {})
 
     def _stated(self, before: Any, after: Any, place: str, error: float) -> float:
         stated = [each["accuracy"] for each in (before, after) if "accuracy" in each]
@@ -182,12 +232,14 @@ def main(base: str, smallest: bool = False) -> int:
             finally:
                 subprocess.run([*git, "remove", "--force", str(other)], check=True)
     numbers = worded = different = 0
+    renamed, left_to_checks = Counter[str](), Counter[str]()
     loose: dict[str, int] = {}
     pairs = zip(requests, before["answers"], after["answers"], strict=True)
     for index, (request, one, two) in enumerate(pairs):
-        found = Difference()
+        found = Difference(after["was"])
         found.compare(one, two)
         numbers, worded = numbers + found.numbers, worded + found.worded
+        renamed, left_to_checks = renamed + found.renamed, left_to_checks + found.left_to_checks
         for place in found.loose:
             loose[request["path"] + place] = loose.get(request["path"] + place, 0) + 1
         if found.differences:
@@ -202,6 +254,7 @@ def main(base: str, smallest: bool = False) -> int:
     print(f"{len(requests)} requests, {answered} answered, {numbers} numbers compared")
     print(f"{worded} texts differ, {len(lines)} lines of the description; stated errors above "
           f"{TOO_MUCH:g} in {loose or 'none'}")  # fmt: skip
+    print(f"renamed: {dict(renamed) or 'none'}; warnings that checks say: {dict(left_to_checks)}")
     print(f"{different} requests answered otherwise")
     return 1 if different else 0
 

@@ -9,7 +9,7 @@ import sys
 import numpy as np
 
 from benchmarks.options import options
-from tests.oracles.misfits import drawn
+from tests.inputs.misfits import drawn
 from tests.oracles.room import room
 
 TOLERANCE = 3e-8

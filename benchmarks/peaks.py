@@ -27,7 +27,7 @@ from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.satellite_support import CrankSupport, ElasticMesh, SatelliteSupport, Shares
 from core.output.sharing_kernel import FORCE
 from core.output.turn import Turn
-from tests.oracles.real_mechanisms import STEEL
+from tests.inputs.real_mechanisms import STEEL
 
 DESIGNS, POSITIONS = 250, 60_000
 

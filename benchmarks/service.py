@@ -264,11 +264,11 @@ def start_up() -> float:
         return time.perf_counter() - service.started
 
 
-def main(rounds: int = ROUNDS, starts: int = 3, loops: int = LOOPS) -> None:
+def main(rounds: int = ROUNDS, starts: int = 4, loops: int = LOOPS) -> None:
     """Print the table, the times of the parts, and how long the service takes to start."""
     os.sched_setaffinity(0, {CLIENT})
     uvloop.run(in_process(rounds))
-    warm = [start_up() for _ in range(starts + 1)][1:]
+    started = [start_up() for _ in range(starts)]
     with (
         running("uvicorn", "benchmarks.service:bare", *QUIET) as bare_one,
         running("uvicorn", "benchmarks.service:empty", "--factory", *QUIET) as empty_one,
@@ -289,7 +289,7 @@ def main(rounds: int = ROUNDS, starts: int = 3, loops: int = LOOPS) -> None:
         curves = post(f"{API}/contact-force", CURVES)
         print("beside the least that an ASGI application can answer:")
         print_compared("curves", compared(bare_one, post("/", {}), service, curves, rounds))
-    print(f"from start to first answer: {min(warm):.2f} s")
+    print(f"from start to first answer: {min(started):.2f} s")
     print("\nparts of a request, microseconds")
     print(f"{'request':24s} {'read':>6s} {'answer':>6s} {'encode':>6s}")
     for name, (given, _) in MODELS.items():

@@ -1,7 +1,7 @@
 """Twenty minutes of mixed traffic on the running service: what of its memory and processes stays.
 
 Clients of four kinds ask at once, each as fast as it is answered: extreme and hostile bodies
-(tests/oracles/fuzz_requests.py), figures, batches by lines, and requests that are given up within
+(tests/inputs/fuzz_requests.py), figures, batches by lines, and requests that are given up within
 0.3 s. Two workers answer. Every second the processes of the service, their memory and their
 descriptors are counted; at the end drawn in docs/soak.svg, with tables on the output. Ends with 1
 where the last third has more processes, or more than 10 % more memory or descriptors, than the
@@ -24,7 +24,7 @@ import httpx
 from app.examples import EXAMPLES, REQUESTS
 from benchmarks.load import service
 from benchmarks.options import options
-from tests.oracles.fuzz_requests import Draw, random_request
+from tests.inputs.fuzz_requests import Draw, random_request
 
 MINUTES = 20
 DRAWN = Path(__file__).parent.parent / "docs" / "soak.svg"
@@ -111,10 +111,10 @@ async def run(service_pid: int, url: str, minutes: float) -> tuple[list[Sample],
     async with asyncio.TaskGroup() as group:
         for seed, kind in enumerate(kinds):
             group.create_task(traffic(url, kind, seed, end, answers))
-        while time.monotonic() < end:
+        while time.monotonic() < end or len(samples) < 3:
             minute = (time.monotonic() - start) / 60
             samples.append(await asyncio.to_thread(sample, service_pid, minute))
-            await asyncio.sleep(1)
+            await asyncio.sleep(min(1, 12 * minutes))
     return samples, answers
 
 
@@ -176,4 +176,4 @@ def main(minutes: float, write: bool) -> int:
 
 if __name__ == "__main__":
     asked = options(__doc__, minutes=MINUTES)
-    sys.exit(main(0.2, False) if asked.smallest else main(asked.minutes, True))
+    sys.exit(main(0.05, False) if asked.smallest else main(asked.minutes, True))

@@ -1,6 +1,6 @@
 """Stiff and extreme cases: our error, the stated one, and that of the papers' literal forms.
 
-Writes docs/numerics.md; run by `make accuracy`. The cases (tests/oracles/hard_cases.py) also run
+Writes docs/numerics.md; run by `make accuracy`. The cases (tests/inputs/hard_cases.py) also run
 with the tests.
 """
 
@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 from benchmarks.options import options
-from tests.oracles.hard_cases import Case, Row, cases, run
+from tests.inputs.hard_cases import Case, Row, cases, run
 
 REPORT = Path(__file__).parent.parent / "docs" / "numerics.md"
 

@@ -17,10 +17,10 @@ pin and hole; everything else is beside or below them.
 
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------
+codes               what is refused, strained, not known: a code for each fact, its words
 errors              what a calculation refuses, and why
 derived             what follows from a design, worked out once, or why it is not known
 arrays              one function for a number and for arrays of designs; types
-notices             what a strained limit of validity means, by code
 results             accuracy and validity notices that every result carries
 contact_life        how the limit of a pressure falls with the number of loads
 materials           elastic materials, effective modulus, a small table with sources
@@ -38,5 +38,6 @@ exploration         an input solved for a result
 design              the design of a reducer as its JSON is nested, and what follows from it
 checks              results against limits: checks of each machine element and their verdict
 fixes               what cures a check
+worked              how each number follows from others, formula by formula
 work_precision      error against run time of the methods above
 """

@@ -249,7 +249,7 @@ def refuse(name: str, value: Any, allowed: Any, code: str, **params: object) -> 
     allowed : bool or array of bool
         Where it is allowed.
     code : str
-        What is wrong with it, see `core.errors.REFUSALS`.
+        What is wrong with it, see `core.codes.CODES`.
     **params : object
         What its text names; of an array the entry there.
 

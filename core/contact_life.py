@@ -15,22 +15,12 @@ nodular cast iron; nitrocarburised steel."""
 
 @dataclass(frozen=True, slots=True)
 class CurveOfLife:
-    """The life factor over the number of loads: level, a line in logarithms, a flatter one.
+    """The life factor over the number of loads: level, a line in logarithms, a flatter one."""
 
-    Attributes
-    ----------
-    most : float
-        Life factor of few loads.
-    knee : float
-        Loads at which the factor is 1 and the line bends.
-    before, beyond : float
-        Exponents of the line before and beyond that.
-    """
-
-    most: float
-    knee: float
-    before: float
-    beyond: float
+    most: float  # life factor of few loads
+    knee: float  # loads at which the factor is 1 and the line bends
+    before: float  # exponent of the line before the knee
+    beyond: float  # and beyond it
 
 
 CURVES: dict[LifeCurve, CurveOfLife] = {

@@ -41,7 +41,7 @@ LOW_CYCLES = 1e3
 ENDURING = 1e6
 """Cycles at which it ends, at the endurance limit."""
 
-_KPSI = 6.894757293168361e6
+KPSI = 6.894757293168361e6
 """1000 pounds a square inch, Pa."""
 
 NOTCH_STRENGTHS = 340.0, 1700.0
@@ -50,7 +50,7 @@ NOTCH_STRENGTHS = 340.0, 1700.0
 SIZES = 2.79, 254.0
 """Diameters that the factor of the size is stated for, mm."""
 
-LINE_STRENGTHS = 70 * _KPSI / 1e6, 200 * _KPSI / 1e6
+LINE_STRENGTHS = 70 * KPSI / 1e6, 200 * KPSI / 1e6
 """Tensile strengths that the fit of the line of finite life is made for, MPa."""
 
 
@@ -79,20 +79,12 @@ def beyond_range(*, code: str, value: float, ends: tuple[float, float]) -> tuple
 
 @dataclass(frozen=True, slots=True)
 class EnduranceFactors:
-    """What makes the endurance limit of a part out of that of a polished specimen.
+    """What makes the endurance limit of a part out of that of a polished specimen."""
 
-    Attributes
-    ----------
-    surface, size, reliability : float or array
-        Factors ka, kb, ke of the limit, <= 1.
-    notch : float or array
-        Fatigue notch factor Kf, >= 1, by which it is divided.
-    """
-
-    surface: Number
-    size: Number
-    reliability: Number
-    notch: Number
+    surface: Number  # ka, <= 1
+    size: Number  # kb, <= 1
+    reliability: Number  # ke, <= 1
+    notch: Number  # fatigue notch factor Kf, >= 1, by which the limit is divided
 
     @property
     def product(self) -> Number:
@@ -336,7 +328,7 @@ def strength_fraction(*, tensile_strength: float) -> float:
     >>> round(strength_fraction(tensile_strength=120*6.894757e6), 3)
     0.823
     """
-    strength = min(max(tensile_strength / _KPSI, 70.0), 200.0)
+    strength = min(max(tensile_strength / KPSI, 70.0), 200.0)
     return 1.06 - 2.8e-3 * strength + 6.9e-6 * strength**2
 
 
@@ -447,33 +439,15 @@ def finite_strength(
 
 @dataclass(frozen=True, slots=True)
 class FatigueStrength:
-    """What the fatigue of a part is judged by.
+    """What the fatigue of a part is judged by."""
 
-    Attributes
-    ----------
-    endurance_limit : float
-        Endurance limit Se, Pa.
-    tensile_strength : float
-        Tensile strength Rm, Pa.
-    yield_strength : float or None
-        Yield strength Re, Pa.
-    criterion : {"goodman", "gerber", "soderberg", "fkm_haigh"}
-        How the mean stress counts.
-    factors : EnduranceFactors or None
-        What the limit was made of; None where it was given.
-    cycles : float or None
-        Cycles that the part has to stand; None: as many as there are.
-    notices : tuple of Notice
-        Ranges of formulas that the limit is outside of.
-    """
-
-    endurance_limit: float
-    tensile_strength: float
-    yield_strength: float | None = None
-    criterion: Criterion = "goodman"
-    factors: EnduranceFactors | None = None
-    cycles: float | None = None
-    notices: tuple[Notice, ...] = ()
+    endurance_limit: float  # Se, Pa
+    tensile_strength: float  # Rm, Pa
+    yield_strength: float | None = None  # Re, Pa
+    criterion: Criterion = "goodman"  # how the mean stress counts
+    factors: EnduranceFactors | None = None  # what the limit was made of; None where given
+    cycles: float | None = None  # that the part has to stand; None: however many there are
+    notices: tuple[Notice, ...] = ()  # ranges of formulas that the limit is outside of
 
     def __post_init__(self) -> None:
         for name in ("endurance_limit", "tensile_strength"):
@@ -508,38 +482,18 @@ class FatigueStrength:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CycleFatigue:
-    """A stress cycle of a part, and how it is judged.
+    """A stress cycle of a part, and how it is judged."""
 
-    Attributes
-    ----------
-    max_stress, min_stress : float
-        Largest and least stress, Pa.
-    amplitude, mean : float
-        Of the cycle, Pa.
-    endurance_limit : float
-        Endurance limit Se, Pa.
-    finite_strength : float or None
-        Strength for the cycles that it has to stand, Pa, where that is more.
-    factors : EnduranceFactors or None
-        What the limit was made of.
-    safety_factor : float
-        By the criterion: all stresses may grow by this factor.
-    cycles : float or None
-        Cycles that the part stands; None within the endurance limit: as many as there are.
-    notices : tuple of Notice
-        Ranges of formulas that it is outside of.
-    """
-
-    max_stress: float
-    min_stress: float
-    amplitude: float
-    mean: float
-    endurance_limit: float
-    finite_strength: float | None
-    factors: EnduranceFactors | None
-    safety_factor: float
-    cycles: float | None
-    notices: tuple[Notice, ...] = ()
+    max_stress: float  # Pa
+    min_stress: float  # Pa
+    amplitude: float  # Pa
+    mean: float  # Pa
+    endurance_limit: float  # Se, Pa
+    finite_strength: float | None  # for the cycles that it has to stand, Pa, where more than Se
+    factors: EnduranceFactors | None  # what the limit was made of
+    safety_factor: float  # by the criterion: all stresses may grow by this factor
+    cycles: float | None  # that it stands; None, within the endurance limit: however many
+    notices: tuple[Notice, ...] = ()  # ranges of formulas that it is outside of
 
 
 def judge_cycle(*, strength: FatigueStrength, largest: float, least: float) -> CycleFatigue:

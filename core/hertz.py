@@ -57,21 +57,12 @@ width of the contact, by a series solution of disc and hole (see the tests)."""
 
 
 class BodySafety(NamedTuple):
-    """One body of a contact, judged by the limit of its own material.
+    """One body of a contact, judged by the limit of its own material."""
 
-    Attributes
-    ----------
-    body : {"pin", "hole"}
-        Which.
-    limit : ContactLimit
-        The limit of its contact pressure.
-    safety_factor : float or array
-        Limit over the governing pressure, dimensionless. A ratio of pressures: the load may grow
-        with its square. NaN in an array where it is not known.
-    """
-
-    body: Literal["pin", "hole"]
-    limit: ContactLimit
+    body: Literal["pin", "hole"]  # which one
+    limit: ContactLimit  # of its contact pressure
+    # Limit over the governing pressure: a ratio of pressures, so the load may grow with its square.
+    # NaN in an array where it is not known.
     safety_factor: Number
 
 
@@ -80,57 +71,27 @@ class HertzContact(NamedTuple):
 
     What does not apply or is not known is None; in an array it is NaN, or None where it is so
     for all.
-
-    Attributes
-    ----------
-    max_pressure : float or array
-        Hertz pressure p0 in the middle, Pa.
-    mean_pressure : float or array
-        Mean pressure ``pi/4*p0``, Pa.
-    half_width : float or array
-        Half-width a of the contact, m.
-    half_width_ratio : float or array
-        Half-width over pin radius a/r, dimensionless: Hertz asks for a/r << 1.
-    max_shear : float or array
-        Largest shear stress below the surface ``0.300*p0``, Pa.
-    max_shear_depth : float or array
-        Its depth ``0.786*a``, m.
-    reduced_radius : float or array
-        Reduced radius of curvature rho, m.
-    effective_modulus : float or array
-        Effective modulus E*, Pa.
-    conformal_pressure : float, array or None
-        Largest pressure of the conformal contact, Pa, where it applies (see `hertz`).
-    conformal_half_angle : float, array or None
-        Half of the angle over which the conformal contact extends, rad; as before.
-    conformal_error : float, array or None
-        Bound of the relative error of the conformal pressure by the difference of the two
-        materials, dimensionless: 0 for identical ones; as before.
-    governing_pressure : float, array or None
-        The pressure to be judged, Pa: the conformal one where it applies, else Hertz's; not known
-        where neither theory holds.
-    safety : tuple of BodySafety
-        The bodies whose limit is known, under the governing pressure.
-    safety_factor : float, array or None
-        The smaller safety factor of the two bodies, where both are known.
-    accuracy : Accuracy
-        Of every number.
     """
 
-    max_pressure: Number
-    mean_pressure: Number
-    half_width: Number
-    half_width_ratio: Number
-    max_shear: Number
-    max_shear_depth: Number
-    reduced_radius: Number
-    effective_modulus: Number
+    max_pressure: Number  # Hertz pressure p0 in the middle, Pa
+    mean_pressure: Number  # pi/4*p0, Pa
+    half_width: Number  # a of the contact, m
+    half_width_ratio: Number  # a/r, r the pin radius: Hertz asks for a/r << 1
+    max_shear: Number  # largest shear stress below the surface, 0.300*p0, Pa
+    max_shear_depth: Number  # 0.786*a, m
+    reduced_radius: Number  # rho of the curvatures, m
+    effective_modulus: Number  # E*, Pa
+    # Largest pressure of the conformal contact, Pa, where it applies (see `hertz`).
     conformal_pressure: Number | None
-    conformal_half_angle: Number | None
+    conformal_half_angle: Number | None  # half of the angle over which that contact extends, rad
+    # Bound of the relative error of the conformal pressure by the difference of the two materials:
+    # 0 for identical ones.
     conformal_error: Number | None
+    # The pressure to be judged, Pa: the conformal one where it applies, else Hertz's; not known
+    # where neither theory holds.
     governing_pressure: Number | None
-    safety: tuple[BodySafety, ...]
-    safety_factor: Number | None
+    safety: tuple[BodySafety, ...]  # bodies whose limit is known, under the governing pressure
+    safety_factor: Number | None  # the smaller one of both bodies, where both are known
     accuracy: Accuracy
 
     @property
@@ -141,7 +102,7 @@ class HertzContact(NamedTuple):
         if ratio <= HALF_WIDTH_RATIO_LIMIT:
             return unknown
         possible = self.conformal_pressure is not None or ratio <= 1
-        code = "hertz_half_width" if possible else "hertz_impossible"
+        code = "contact_conformity" if possible else "hertz_impossible"
         return (Notice(code, {"ratio": float(ratio)}), *unknown)
 
 

@@ -27,27 +27,14 @@ from core.results import ROUNDING
 
 @dataclass(frozen=True, slots=True)
 class LoadSharing:
-    """How contacts in parallel share a load.
+    """How contacts in parallel share a load."""
 
-    Attributes
-    ----------
-    forces : tuple of float or array
-        Force F_i of each contact, N, in the order of the gaps.
-    largest_force : float or array
-        The largest of them, N: that of the contact with the smallest gap.
-    displacement : float or array
-        Common displacement Delta, m, from the same zero as the gaps.
-    loaded : int or array of int
-        Number of contacts that carry a force.
-    relative_error : float or array
-        Bound of the error of each force over the largest force, and of the displacement over the
-        larger of it and the largest gap, dimensionless.
-    """
-
-    forces: tuple[Number, ...]
-    largest_force: Number
-    displacement: Number
-    loaded: int | IntArray
+    forces: tuple[Number, ...]  # F_i of each contact, N, in the order of the gaps
+    largest_force: Number  # of the contact with the smallest gap, N
+    displacement: Number  # Delta, of all contacts, m, from the same zero as the gaps
+    loaded: int | IntArray  # number of contacts that carry a force
+    # Bound of the error of each force over the largest force, and of the displacement over the
+    # larger of it and the largest gap.
     relative_error: Number
 
 

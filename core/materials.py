@@ -69,27 +69,13 @@ LIMITS_VERIFIED: dict[str, Verified] = {"iso_76": "standard"}
 
 @dataclass(frozen=True, slots=True)
 class ContactLimit:
-    """Limit of the contact pressure of a material, by one criterion.
-
-    Attributes
-    ----------
-    criterion : Criterion
-        What it guards against.
-    pressure : float or array
-        The limit, Pa, > 0; NaN in an array where none is known.
-    source : str
-        Where it comes from, a key of `LIMIT_SOURCES`; empty where it is given.
-    curve : {"hardened", "nitrided", "nitrocarburised"} or None
-        How it falls with the number of loads; None where that is not known.
-    loads : float or None
-        Loads over the life that it is wanted for; None where they are not known.
-    """
+    """Limit of the contact pressure of a material, by one criterion."""
 
     criterion: Criterion
-    pressure: Number
-    source: str = ""
-    curve: LifeCurve | None = None
-    loads: float | None = None
+    pressure: Number  # the limit, Pa, > 0; NaN in an array where none is known
+    source: str = ""  # a key of `LIMIT_SOURCES`; empty where it is given
+    curve: LifeCurve | None = None  # how it falls with the number of loads; None where not known
+    loads: float | None = None  # over the life that it is wanted for; None where not known
 
     @property
     def life_factor(self) -> float | None:
@@ -112,31 +98,16 @@ class ContactLimit:
 
 @dataclass(frozen=True, slots=True)
 class ElasticMaterial:
-    """Isotropic elastic material, of one body or of an array of them.
+    """Isotropic elastic material, of one body or of an array of them; None is not known."""
 
-    Attributes
-    ----------
-    youngs_modulus : float or array
-        Young's modulus E, Pa, > 0.
-    poissons_ratio : float or array
-        Poisson's ratio, 0 <= v < 0.5.
-    limit : ContactLimit, optional
-        What its contact pressure is judged by; None where nothing is known.
-    yield_strength : float, optional
-        Yield strength Re, Pa; None where it is not known.
-    yield_governs : bool
-        Whether yield below the surface says anything: not of hardened surfaces, whose core it is
-        the strength of, nor of bronzes, whose tested limits lie above it.
-    static_pressure : float, optional
-        Contact pressure under a load at rest up to which nothing is set for good, Pa; None where it
-        is not known.
-    """
-
-    youngs_modulus: Number
-    poissons_ratio: Number
-    limit: ContactLimit | None = None
-    yield_strength: float | None = None
+    youngs_modulus: Number  # E, Pa, > 0
+    poissons_ratio: Number  # v, 0 <= v < 0.5
+    limit: ContactLimit | None = None  # what its contact pressure is judged by, where known
+    yield_strength: float | None = None  # Re, Pa
+    # Whether yield below the surface says anything: not of hardened surfaces, whose core it is the
+    # strength of, nor of bronzes, whose tested limits lie above it.
     yield_governs: bool = True
+    # Contact pressure under a load at rest up to which nothing is set for good, Pa.
     static_pressure: float | None = None
 
     def __post_init__(self) -> None:
@@ -247,61 +218,28 @@ def mismatch(*, first: ElasticMaterial, second: ElasticMaterial) -> tuple[Number
 
 @dataclass(frozen=True, slots=True)
 class Strength:
-    """Strength of a material, as far as it is known.
+    """Strength of a material, as far as it is known."""
 
-    Attributes
-    ----------
-    tensile : float or None
-        Tensile strength Rm, Pa.
-    yield_strength : float or None
-        Yield strength Re or Rp0.2, Pa.
-    valid_diameter : float or None
-        Largest diameter or wall that they hold for, m; None where their source names none.
-    source : str
-        Where they come from.
-    """
-
-    tensile: float | None = None
-    yield_strength: float | None = None
+    tensile: float | None = None  # Rm, Pa
+    yield_strength: float | None = None  # Re or Rp0.2, Pa
+    # Largest diameter or wall that they hold for, m; None where their source names none.
     valid_diameter: float | None = None
-    source: str = ""
+    source: str = ""  # where they come from
 
 
 @dataclass(frozen=True, slots=True)
 class TableMaterial:
-    """A material of the table.
+    """A material of the table."""
 
-    Attributes
-    ----------
-    name : str
-        Stable name, for programs.
-    title : str
-        Name for people.
-    group : str
-        Kind of material, a key of `GROUPS`.
-    material : ElasticMaterial
-        Its values at room temperature, judged by its endurance limit where it has one.
-    limits : tuple of ContactLimit
-        Limits of its contact pressure, at most one for each criterion.
-    source : str
-        Where the elastic values come from.
-    strength : Strength
-        Its strength.
-    density : float or None
-        Density, kg/m^3.
-    density_source : str
-        Where that comes from.
-    """
-
-    name: str
-    title: str
-    group: str
-    material: ElasticMaterial
-    limits: tuple[ContactLimit, ...]
-    source: str
+    name: str  # for programs, stable
+    title: str  # name for people
+    group: str  # a key of `GROUPS`
+    material: ElasticMaterial  # at room temperature, judged by its endurance limit where it has one
+    limits: tuple[ContactLimit, ...]  # of its contact pressure, at most one for each criterion
+    source: str  # where the elastic values come from
     strength: Strength
-    density: float | None
-    density_source: str
+    density: float | None  # kg/m^3
+    density_source: str  # where that comes from
 
 
 def _entry(

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 from core.arrays import Number
-from core.notices import NOTICES
+from core.codes import CODES
 
 ROUNDING = 2.0**-52
 """Spacing of the doubles next to 1: the unit in which rounding errors are counted."""
@@ -68,41 +68,28 @@ METHODS = {
 class Accuracy(NamedTuple):
     """How a number was got, how wrong it may be, and what it took.
 
-    Attributes
-    ----------
-    method : str
-        How, a key of `METHODS`.
-    relative_error : float or array
-        Bound or honest estimate of the relative error against the exact value for the input
-        as given, dimensionless: rounding, truncation and the input's own condition together.
-    evaluations : int
-        How many times the function behind the method was evaluated (1 for a formula).
+    Of all numbers of the result that carries it, where that says nothing else.
     """
 
-    method: str
+    method: str  # how, a key of `METHODS`
+    # Bound or honest estimate of the relative error against the exact value for the input as given:
+    # rounding, truncation and the input's own condition together.
     relative_error: Number
-    evaluations: int
+    evaluations: int  # how often the function behind the method was evaluated; 1 for a formula
 
 
 @dataclass(frozen=True)
 class Notice:
-    """A limit of validity that the result strains; the number is given all the same.
+    """A limit of validity that the result strains; the number is given all the same."""
 
-    Attributes
-    ----------
-    code : str
-        Stable name of the limit, a key of `core.notices.NOTICES`.
-    params : dict of str to object
-        What its text names: dimensionless numbers, and names of core parameters.
-    """
-
-    code: str
+    code: str  # of the limit, a key of `core.codes.CODES`
+    # What its text names: dimensionless numbers, and names of core parameters.
     params: dict[str, Any] = field(default_factory=dict)
 
     @property
     def detail(self) -> str:
         """What is strained and what it means, in English, with the core's names."""
-        return NOTICES[self.code].text.format(**self.params)
+        return CODES[self.code].text.format(**self.params)
 
 
 HARDLY_KNOWN = 1e-2

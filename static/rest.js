@@ -16,12 +16,12 @@ import { createWanted } from "./views/wanted.js";
 import { createWorked } from "./views/worked.js";
 
 /**
- * `workedSteps` are the calculator's; `figures` those of the report, which the wanted groups join. `on.opened(input, labels,
+ * `figures` are those of the report, which the wanted groups join. `on.opened(input, labels,
  * claim)` takes a design over, `on.applied(sets)` values, `on.compared()` follows the kept designs, `on.told(text)`
  * says what was done, `on.themed(theme)` has the figures drawn anew, with none given as they were.
  */
-export function createRest({ store, inputs, outputs, client, designs, version, calculation, calculations, figures, figureOf, workedSteps, on }) {
-  const { calculator, model, titles, catalogues, materialOf } = store.state.about;
+export function createRest({ store, inputs, outputs, client, designs, version, calculation, calculations, figures, figureOf, on }) {
+  const { calculator, model, titles, catalogues } = store.state.about;
   const sizing = createSizing({ calculator, client, titles, on: { applied: on.applied } });
   const wanted = createWanted({ calculator, store, inputs, client, titles, figures, calculations });
   const compare = createCompare({
@@ -46,11 +46,7 @@ export function createRest({ store, inputs, outputs, client, designs, version, c
     },
   });
   const results = createResults({ calculator, titles });
-  const worked = createWorked({
-    workedSteps,
-    materialOf,
-    on: { print: () => report.print(), save: () => report.save() },
-  });
+  const worked = createWorked({ calculator, client, titles, on: { print: () => report.print(), save: () => report.save() } });
   const measured = calculator.figures.filter(({ measures }) => measures).map(figureOf);
   const accuracy = createAccuracy({ calculator, about: calculation, figures: measured });
   const rest = element(html`<div class="rest"></div>`);
@@ -76,6 +72,7 @@ export function createRest({ store, inputs, outputs, client, designs, version, c
       sizing.close();
       report.close();
       wanted.close();
+      worked.close();
       for (const figure of measured) figure.close();
     },
   };

@@ -12,7 +12,7 @@ const FIELDS = ["field", "other"]; // parameters that are names of fields
 const LIMITS = ["limit", "low", "high", "value"]; // and values of the field that the text is about
 
 /** What the service says in English, by kind and code: its words, and what its other descriptions name. */
-export function englishOf([openapi, { examples }, { materials }, { calculations }, words]) {
+export function englishOf([openapi, { examples }, { materials }, { calculations }, { was, ...words }]) {
   const named = (list, code, text) => Object.fromEntries(list.map((one) => [one[code], one[text]]));
   return {
     ...words,
@@ -37,14 +37,26 @@ function parameter(name, value, unit, titles) {
   return LIMITS.includes(name) ? formatQuantity(value, unit, 12) : formatNumber(value, Number.isInteger(value) ? 15 : 3);
 }
 
-/** The words of a refusal or a warning; a code that is new to page and service alike speaks as its answer does. */
-function inWords(kind, { code, params, detail }, name, titles) {
+/** What a code says, whichever says it; every code has one place. */
+function textOf(code, values) {
+  const check = said("checks", code, values);
+  return said("refusals", code, values) ?? said("notices", code, values)?.text ?? said("reasons", code, values)
+    ?? check?.warning?.text ?? check?.refusal;
+}
+
+/**
+ * The words of a refusal, a warning or a reason; a code that is new to page and service alike speaks as what it was
+ * before, or else as its answer does.
+ */
+function inWords({ code, was, params, detail }, name, titles) {
   const unit = name ? unitOf(name) : "";
   const values = Object.fromEntries(Object.entries(params ?? {}).map(([key, value]) => [key, parameter(key, value, unit, titles)]));
-  const own = said(kind, code, values);
-  const words = own?.text ?? own ?? detail;
+  const words = textOf(code, values) ?? textOf(was, values) ?? detail;
   return words.charAt(0).toUpperCase() + words.slice(1);
 }
+
+/** What a warning tests, why it matters, how to mend it; none of a code of a newer service. */
+export const explained = (code) => said("notices", code) ?? said("checks", code)?.warning;
 
 /** What is wrong with something that has a title, as part of a sentence. */
 export function ofTitle(title, words) {
@@ -96,7 +108,7 @@ export function refusalTexts(refusal, shown, titles) {
   for (const error of refusal.errors) {
     const field = fieldAtPointer(shown, error.pointer);
     const about = named(error.pointer);
-    const words = inWords("refusals", error, about.name, titles);
+    const words = inWords(error, about.name, titles);
     if (field) at[field.path] ??= atBox(field, error.pointer, words);
     else elsewhere.push(ofPointer(about, words, titles) + (error.pointer === "" ? placeText(refusal.where) : ""));
   }
@@ -122,12 +134,13 @@ export function passingText(problem, titles) {
 }
 
 export function warningText(warning, titles) {
-  return inWords("notices", warning, warning.params?.field, titles);
+  return inWords(warning, warning.params?.field, titles);
 }
 
-/** Why a check stands as it does. */
+/** Why a check stands as it does, and of which field that is said. */
 export function reasonText(reason, titles) {
-  return inWords("reasons", reason, reason.params?.field, titles);
+  const about = named(reason.pointer ?? "");
+  return ofPointer(about, inWords(reason, about.name, titles), titles);
 }
 
 /** A number of a figure, or Plotly's placeholder of one, with its unit as it is shown. */

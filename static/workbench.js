@@ -25,13 +25,12 @@ import { createNumbers, createVerdict } from "./views/verdict.js";
 
 const AGAIN_MS = 4000; // until the rest of the page is asked for again
 
-const rests = new Map(); // what makes the rest of a calculator's page, by its id, once loaded
+let makeRest = null; // what makes the rest of a calculator's page (rest.js), once loaded
 
-/** Load what stands under the figures (rest.js), with the calculator's worked steps. */
-async function loadRest({ id, worked }) {
-  const [{ createRest }, { workedSteps }] = await Promise.all([import("./rest.js"), worked()]);
-  rests.set(id, (parts) => createRest({ ...parts, workedSteps }));
-}
+/** Load what stands under the figures. */
+const loadRest = async () => {
+  ({ createRest: makeRest } = await import("./rest.js"));
+};
 
 /** A field lights its dimension in the drawing, and a dimension its field. */
 function lightEachOther(form, drawing) {
@@ -222,7 +221,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   let rest = null; // once there is time for it
   const addRest = () => {
     if (listening.signal.aborted) return;
-    rest = rests.get(calculator.id)({
+    rest = makeRest({
       store, inputs, outputs, client, designs, version, calculation, calculations, figures: [...figures], figureOf,
       on: {
         opened: (input, labels, claim) => take(stateOf(input, labels), claim),
@@ -233,9 +232,9 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       },
     });
   };
-  const load = () => loadRest(calculator).then(addRest, () => setTimeout(load, AGAIN_MS));
+  const load = () => loadRest().then(addRest, () => setTimeout(load, AGAIN_MS));
   const begun = answered.then(() => Promise.all(figures.map((figure) => figure.settled())));
-  if (rests.has(calculator.id)) addRest();
+  if (makeRest) addRest();
   else begun.finally(load);
 
   return {

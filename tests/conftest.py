@@ -18,12 +18,16 @@ SLOW = {
         "service",  # starts the service
         "benchmarks",
         "app/test_batch_api.py",
+        "app/test_compiled.py",
         "app/test_fuzz.py",
         "app/test_jobs.py",
         "app/test_openapi_conformance.py",
         "app/test_processes.py",
         "app/test_tolerance_study_api.py",
         "app/test_work_precision_api.py",
+        "core/test_check_inputs.py",
+        "core/test_compiled.py",
+        "core/test_moving_sharing.py",
     )
 }
 """Folders and files that take seconds each; `make check` leaves them out."""

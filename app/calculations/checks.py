@@ -8,6 +8,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field
 
 from app.model import (
+    REPLACED,
     AssumingResponse,
     Maybe,
     RequestModel,
@@ -15,16 +16,18 @@ from app.model import (
     Shape,
     Size,
     Values,
+    api_params,
     core_paths,
     given_paths,
     quantity,
     result,
 )
-from app.problems import pointer
-from app.running import path_of
+from app.problems import pointer, sentence
+from app.running import named, path_of
 from app.units import from_si, shown_unit
 from core.checks.check import STATUSES, Check, Outcome, Status, Verdict
-from core.checks.kinds import CHECK_SOURCES, CHECKS, GROUPS, NOT_CONSIDERED, REASONS
+from core.checks.kinds import CHECK_SOURCES, CHECKS, GROUPS, NOT_CONSIDERED
+from core.codes import CODES, WAS
 from core.design.sections import Requirements
 from core.fixes.fix import Fix, FixStatus
 from core.materials import LIMIT_SOURCES, Criterion, Verified
@@ -82,8 +85,8 @@ class JudgedFields(RequestModel):
     """What a request may ask beside the result itself."""
 
     requirements: RequirementsFields = Field(default_factory=RequirementsFields)
-    include: list[Literal["checks", "fixes"]] = Field(
-        default=[], max_length=2, description="Optional results: what is not named is not computed."
+    include: list[Literal["checks", "fixes", "worked"]] = Field(
+        default=[], max_length=3, description="Optional results: what is not named is not computed."
     )
     fixes_for: FixesFor = Field(
         default="governing", description="Which checks the section fixes is to cure."
@@ -101,17 +104,22 @@ _JUDGING = frozenset(JudgedFields.model_fields)
 class ReasonOut(ResponseModel):
     """Why a status is what it is."""
 
-    code: str = Field(description="By code.", json_schema_extra={"enum": [*REASONS]})
+    code: str = Field(description="By code.", json_schema_extra={"enum": [*CODES]})
     detail: str = Field(description="The same in English.")
+    pointer: Maybe[str] = Field(
+        default=None, description="JSON pointer to the field that it is about, where it is one."
+    )
+    params: Maybe[dict[str, Any]] = Field(default=None, description="What the text names.")
+    was: Maybe[str] = Field(default=None, description=REPLACED)
 
 
 class PlaceOut(ResponseModel):
     """Where a value is reached."""
 
-    satellite: Maybe[int] = result("Satellite.", default=None)
-    bearing: Maybe[int] = result("Bearing of the crankshaft: 1 or 2.", default=None)
-    pin: Maybe[int] = result("Pin.", default=None)
-    crank_angle_deg: Maybe[float] = result("Crank angle.", default=None)
+    satellite: Maybe[int] = result("Satellite.")
+    bearing: Maybe[int] = result("Bearing of the crankshaft: 1 or 2.")
+    pin: Maybe[int] = result("Pin.")
+    crank_angle_deg: Maybe[float] = result("Crank angle.")
 
 
 class CheckOut(ResponseModel):
@@ -254,6 +262,24 @@ def _inputs(shape: Shape) -> dict[str, list[str]]:
     }
 
 
+def _reason(check: Check, body: RequestModel) -> Values:
+    """Why a check stands as it does; what is refused to who asks for it, in the same words."""
+    values: Values = {"code": check.reason}
+    if check.refusal is None:
+        params = api_params({**check.params})
+        values["detail"] = sentence(check.reason, params)
+    else:
+        refused = named(check.refusal, body)
+        (error,) = refused.errors
+        values |= {"detail": refused.detail, "pointer": error.pointer}
+        params = error.params
+    if params:
+        values["params"] = params
+    if was := WAS["reasons"].get(check.reason):
+        values["was"] = was
+    return values
+
+
 def check_values(check: Check, body: RequestModel, inputs: list[str]) -> Values:
     """Values of a check, with its inputs as pointers into a request."""
     kind = check.kind
@@ -269,7 +295,7 @@ def check_values(check: Check, body: RequestModel, inputs: list[str]) -> Values:
         "utilisation": check.utilisation,
         "margin": from_si(unit, check.margin),
         "torque_reserve": check.torque_reserve,
-        "reason": {"code": check.reason, "detail": REASONS[check.reason]} if check.reason else None,
+        "reason": _reason(check, body) if check.reason else None,
         "source": SOURCES[source or "user"],
         "source_code": source or "user",
         "criterion": check.criterion or None,

@@ -7,7 +7,7 @@ from typing import Any, ClassVar, Literal
 import numpy as np
 from pydantic import Field
 
-from app.calculations.mechanism import MechanismFields
+from app.calculations.mechanism import MechanismFields, PairOut
 from app.model import (
     AccuracyOut,
     AssumingResponse,
@@ -40,6 +40,7 @@ from app.theme import (
     vertical_line,
 )
 from app.units import from_si, rounded, to_si
+from app.worked import worked
 from core.arrays import FloatArray
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.contact_force import (
@@ -55,8 +56,12 @@ from core.output.pin_forces import (
     output_torque_from_input,
     reference_force,
 )
+from core.worked.mechanism import force_steps
+from core.worked.step import Step
 
 ForceSection = Literal["curves", "equal_sharing", "approximation"]
+
+RequestSection = Literal["curves", "equal_sharing", "approximation", "worked"]
 
 MAX_SAMPLES = 10_001
 
@@ -102,6 +107,18 @@ class TorqueFields(RequestModel, group="load"):
     """Radius of the circle of pin centres."""
     force_exponent: float = quantity("Force exponent", "v", default=1.0, step=0.1, ge=0, le=1e6)
     """Force ∝ approach^v: 0 equal sharing, 1 linear, 10/9 and 3/2 the usual contact laws."""
+
+    def force_given(self, mechanism: Mechanism) -> dict[str, Any]:
+        """The load as the worked steps of the force take it."""
+        driven_by = None
+        if self.input_torque_Nm is not None and self.efficiency is not None:
+            driven_by = self.input_torque_Nm, self.efficiency
+        return {
+            "output_torque": self.torque(mechanism),
+            "pin_circle_radius": to_si("pin_circle_radius_mm", self.pin_circle_radius_mm),
+            "force_exponent": self.force_exponent,
+            "driven_by": driven_by,
+        }
 
     def torque(self, mechanism: Mechanism) -> float:
         """Torque on the output link, N*m."""
@@ -228,16 +245,18 @@ class ContactForceRequest(MechanismFields, LoadFields):
         """The peak force of one satellite, where their number is assumed."""
         return force_of_one(self, self)
 
+    include: list[RequestSection] = Field(  # type: ignore[assignment]
+        default=[], max_length=4, description="Optional results: what is not named is not computed."
+    )
+
     def solve(self) -> ContactForce:
         """Contact force of the mechanism under the load."""
         return self.solve_for(self.mechanism())
 
-
-class PairOut(ResponseModel):
-    """A pair of hole and pin by number."""
-
-    satellite: int = result("Number of the satellite, from 1.", symbol="j")
-    pin: int = result("Number of the pin, from 1.", symbol="n")
+    def steps(self) -> list[Step]:
+        """Worked steps of the force."""
+        mechanism = self.mechanism()
+        return force_steps(mechanism=mechanism, found=self.solve(), **self.force_given(mechanism))
 
 
 class ForceCurvesOut(ResponseModel):
@@ -272,24 +291,16 @@ class ContactForceResponse(AssumingResponse):
     )
     peak_crank_angle_deg: float = result("Crank angle of the peak.", symbol="φ")
     peak_pair: PairOut = result("The pair that carries the peak.")
-    curves: Maybe[ForceCurvesOut] = result(
-        "Force of every pair over the turn, where asked.", default=None
-    )
+    curves: Maybe[ForceCurvesOut] = result("Force of every pair over the turn, where asked.")
     equal_sharing_peak_N: Maybe[float] = result(
-        "Largest force if all driving pairs carried alike.",
-        default=None,
-        symbol="F_max",
-        equation="Zyl, eq. 1",
+        "Largest force if all driving pairs carried alike.", symbol="F_max", equation="Zyl, eq. 1"
     )
     approximate_peak_N: Maybe[float] = result(
         "Largest force by the approximate formula for 3 to 5 pins.",
-        default=None,
         symbol="F_max",
         equation="2018, eq. 5",
     )
-    approximate_peak_error: Maybe[float] = result(
-        "The approximation over the exact peak, less 1.", default=None
-    )
+    approximate_peak_error: Maybe[float] = result("The approximation over the exact peak, less 1.")
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None
 
@@ -371,6 +382,12 @@ def figure(body: ContactForceRequest, theme: Theme = "light") -> Figure:
     return contact_force_figure(answer, from_si("switching_deg", switching), theme)
 
 
+def work(body: ContactForceRequest) -> list[Values]:
+    """Worked steps of the contact force."""
+    steps, _ = run(body, body.steps)
+    return worked(contact_force=steps)
+
+
 CALCULATION = Calculation(
     name="contact-force",
     title="Contact force",
@@ -378,6 +395,7 @@ CALCULATION = Calculation(
     request=ContactForceRequest,
     answer=ContactForceResponse,
     solve=solve,
+    worked=work,
     figure=figure,
     sources=(YANCHEVSKIY_2021, YANCHEVSKY_2018, ZYL),
     neglects=("clearance", "deviations", "friction", "pin_bending", "equal_discs"),

@@ -14,12 +14,14 @@ from app.model import (
     Values,
     WarningOut,
     Whole,
+    WorkedResponse,
     quantity,
     result,
 )
 from app.running import run
 from app.sources import KHATETOVSKY_2020
 from app.theme import INK, Amount, Figure, Theme, axis, curve, layout, series_style, text
+from app.worked import worked
 from core.errors import InvalidInput
 from core.precession.contact_line import (
     ContactLines,
@@ -27,6 +29,8 @@ from core.precession.contact_line import (
     contact_lines,
     contact_points,
 )
+from core.worked.precession import line_steps
+from core.worked.step import Step
 
 MAX_POINT_VALUES = 200_000
 """Most points of all contact lines together."""
@@ -37,8 +41,8 @@ class ContactLineRequest(GearFields, group="load"):
 
     torque_sign: Maybe[Literal[-1, 1]] = quantity("Sign of the torque")
     """Chooses the loaded flank of rollers whose limits are given in z."""
-    include: list[Literal["points"]] = Field(
-        default=[], max_length=1, description="Optional results: what is not named is not computed."
+    include: list[Literal["points", "worked"]] = Field(
+        default=[], max_length=2, description="Optional results: what is not named is not computed."
     )
     samples: Whole = quantity(
         "Samples", group="rollers", default=61, step=1, advanced=True, ge=2, le=10_001
@@ -68,6 +72,11 @@ class ContactLineRequest(GearFields, group="load"):
                 rollers=len(lines.lines),
             )
         return lines, [contact_points(line=line, samples=self.samples) for line in lines.lines]
+
+    def steps(self) -> list[Step]:
+        """Worked steps of the contact lines."""
+        lines, _ = self.model_copy(update={"include": []}).solve()
+        return line_steps(gear=self.gear(), found=lines, by_angle=self.by_angle)
 
 
 class PointsOut(ResponseModel):
@@ -101,10 +110,10 @@ class ContactLineOut(ResponseModel):
     )
     length_mm: float = result("Length of the line.", symbol="s_i", equation="2020, eq. 4")
     relative_error: float = Field(description="Bound of the relative error of its length.")
-    points: Maybe[PointsOut] = result("Points of the line, where asked.", default=None)
+    points: Maybe[PointsOut] = result("Points of the line, where asked.")
 
 
-class ContactLineResponse(ResponseModel):
+class ContactLineResponse(WorkedResponse):
     """Contact lines of all rollers."""
 
     lines: list[ContactLineOut] = result("The lines, in the order of the rollers.")
@@ -269,6 +278,12 @@ def figure(body: ContactLineRequest, theme: Theme = "light") -> Figure:
     return contact_line_figure(lines, body.roller_circle_radius_mm, body.roller_radius_mm, theme)
 
 
+def work(body: ContactLineRequest) -> list[Values]:
+    """Worked steps of the contact lines."""
+    steps, _ = run(body, body.steps)
+    return worked(contact_line=steps)
+
+
 CALCULATION = Calculation(
     name="precession/contact-line",
     title="Contact lines of the precessional gear",
@@ -276,6 +291,7 @@ CALCULATION = Calculation(
     request=ContactLineRequest,
     answer=ContactLineResponse,
     solve=solve,
+    worked=work,
     figure=figure,
     sources=(KHATETOVSKY_2020,),
     neglects=("deviations", "elasticity"),

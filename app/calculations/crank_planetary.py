@@ -17,12 +17,12 @@ from app.calculations.checks import (
 )
 from app.calculations.contact_force import ContactForceResponse, contact_force_figure
 from app.calculations.crankshaft import CrankshaftFields, CrankshaftResponse
-from app.calculations.cyclogram import CyclogramRequest, CyclogramResponse, cyclogram_figure
+from app.calculations.cyclogram import CyclogramFields, CyclogramResponse, cyclogram_figure
 from app.calculations.design import DesignFields, SatelliteBodyFields
 from app.calculations.fatigue import PinFatigueFields
 from app.calculations.hertz import HertzResponse
 from app.calculations.load_sharing_answer import FitOut, OverTurnOut
-from app.calculations.mechanism import MAX_PAIRS
+from app.calculations.mechanism import MAX_PAIRS, PairOut
 from app.calculations.output_efficiency import FrictionFields, OutputEfficiencyResponse
 from app.calculations.pin_strength import PinStrengthResponse
 from app.calculations.ring import RingFields
@@ -57,12 +57,13 @@ from app.sources import (
 )
 from app.theme import Figure, Theme
 from app.units import from_si, to_si
+from app.worked import worked
 from core.arrays import FloatArray
 from core.checks.crank_planetary import crank_checks
 from core.checks.largest_torque import exact_torque
 from core.derived import if_known
 from core.design.real_forces import RealForces
-from core.design.results import MOST_BEARING_PAIRS, MOST_PIN_PAIRS
+from core.design.results import MOST_BEARING_PAIRS, MOST_PIN_PAIRS, Results
 from core.fixes.crank import crank_fixes
 from core.output.contact_force import ContactForce
 from core.output.loaded_position import loaded_position
@@ -72,6 +73,12 @@ from core.output.pin_geometry import (
     pin_geometry,
 )
 from core.output.sampled_turn import WAYS
+from core.worked.crank import bearing_steps, shaft_steps
+from core.worked.hertz import judged_steps
+from core.worked.losses import loss_steps
+from core.worked.mechanism import clearance_steps, cyclogram_steps, force_steps
+from core.worked.pins import strength_steps
+from core.worked.step import Step
 
 Section = Literal[
     "cyclogram",
@@ -85,6 +92,7 @@ Section = Literal[
     "geometry",
     "checks",
     "fixes",
+    "worked",
 ]
 
 SECTIONS: tuple[Section, ...] = get_args(Section)
@@ -104,6 +112,7 @@ _NEEDS: dict[Section, tuple[str, ...]] = {
     "geometry": _TOUCHING,
     "checks": (),
     "fixes": (),
+    "worked": (),
 }
 """Which parts of the request each section of the answer needs, and which of their fields."""
 
@@ -114,6 +123,13 @@ STRENGTH: tuple[Section, ...] = (
     "crankshaft",
 )
 """Sections of strength and life."""
+
+STEPS: dict[Section, Callable[[Results], list[Step]]] = {
+    "output_efficiency": loss_steps,
+    "satellite_bearing": bearing_steps,
+    "crankshaft": shaft_steps,
+}
+"""Worked steps of those that are worked from the results of a design alone."""
 
 AS_MADE = ("hertz", "geometry", *STRENGTH)
 """Sections that follow from the forces of the mechanism as it is made, where it is given so."""
@@ -132,7 +148,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     The forces that are judged are those of `DesignFields`.
     """
 
-    mechanism: CyclogramRequest
+    mechanism: CyclogramFields
     fatigue: Maybe[PinFatigueFields] = None
     friction: Maybe[FrictionFields] = None
     gear: Maybe[RingFields] = None
@@ -143,7 +159,6 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     crank_angle_deg: Angle = quantity("Crank angle", "φ", default=0.0, step=5, advanced=True)
     """Crank angle of the section geometry."""
     include: Maybe[list[Section]] = Field(
-        default=None,
         min_length=1,
         max_length=len(_NEEDS),
         description="Sections of the answer: what is not named is not computed. Where it is "
@@ -198,6 +213,10 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         """Sections of the answer."""
         if self.include is not None:
             return [each for each in self.include if not self._unfit(each)]
+        return self.usual_sections()
+
+    def usual_sections(self) -> list[Section]:
+        """Sections where none are named."""
         usual: tuple[Section, ...] = ("cyclogram", "contact_force", "hertz", *STRENGTH)
         allowed = [each for each in usual if all(map(self._has, _NEEDS[each]))]
         allowed = [
@@ -255,6 +274,41 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         )
         return {name: value for name, value in values.items() if value is not None}
 
+    def cyclogram_steps(self) -> list[Step]:
+        """Worked steps of the cyclogram."""
+        found, _ = self.mechanism.solve()
+        return cyclogram_steps(found=found, **self.mechanism.cyclogram_given())
+
+    def force_steps(self) -> list[Step]:
+        """Worked steps of the ideal force."""
+        assert self.load is not None
+        return force_steps(
+            mechanism=self.design.driven,
+            found=self.solve_force(),
+            **self.load.force_given(self.built),
+        )
+
+    def hertz_steps(self) -> list[Step]:
+        """Worked steps of the contact that is judged."""
+        return judged_steps(self.results)
+
+    def clearance_steps(self) -> list[Step]:
+        """Worked steps of the clearance."""
+        fit, pair = self.solve_fit(), self.design.contact.pair
+        assert fit is not None
+        return clearance_steps(
+            clearance=fit.clearance,
+            pin_radius=pair.pin_radius,
+            hole_radius=pair.hole_radius,
+            eccentricity=fit.eccentricity,
+        )
+
+    def strength_steps(self, section: Section) -> list[Step]:
+        """Worked steps of a section of strength and life."""
+        if section == "pin_strength":
+            return strength_steps(results=self.results, found=self.results.pin_strength)
+        return STEPS[section](self.results)
+
     def solve_geometry(self) -> tuple[PinGeometry, FloatArray]:
         """Pins and holes at the crank angle, and the force of each pair there, N."""
         assert self.load is not None and self.contact is not None
@@ -272,6 +326,16 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         return geometry, forces
 
 
+WORKED: dict[Section, Callable[[CrankPlanetaryRequest], list[Step]]] = {
+    "cyclogram": CrankPlanetaryRequest.cyclogram_steps,
+    "contact_force": CrankPlanetaryRequest.force_steps,
+    "hertz": CrankPlanetaryRequest.hertz_steps,
+    "geometry": CrankPlanetaryRequest.clearance_steps,
+    **{each: partial(CrankPlanetaryRequest.strength_steps, section=each) for each in STRENGTH},
+}
+"""What works the sections of the answer; the others are solved over the turn."""
+
+
 class PointOut(ResponseModel):
     """A pin with its centre."""
 
@@ -281,11 +345,9 @@ class PointOut(ResponseModel):
     )
 
 
-class PairGeometryOut(ResponseModel):
+class PairGeometryOut(PairOut):
     """Hole, contact point and pressure angle of one pair."""
 
-    satellite: int = result("Number of the satellite, from 1.", symbol="j")
-    pin: int = result("Number of the pin, from 1.", symbol="n")
     hole_centre_mm: tuple[float, float] = result(
         "Centre of the hole, X and Y.", symbol="B_jn", equation="2021, before eq. 6"
     )
@@ -357,7 +419,6 @@ class LoadSharingOut(OverTurnOut):
     judged_force_N: Maybe[float] = result(
         "Force with the largest pressure under the dynamic load: that of the section hertz and of "
         "the checks.",
-        default=None,
         symbol="F",
     )
     accuracy: AccuracyOut
@@ -367,8 +428,7 @@ class LoadSharingOut(OverTurnOut):
     def values(cls, result: RealForces, run_time_us: float | None = None, **given: Any) -> Values:
         """Values of the forces over the turn; `judged_force_N` is given."""
         direction = next(name for name, ways in WAYS.items() if ways == (result.way,))
-        own: Values = {"torque_direction": direction, "pressure_MPa": None}
-        return super().values(result.turn, run_time_us, **(own | given))
+        return super().values(result.turn, run_time_us, torque_direction=direction, **given)
 
 
 class DesignHertzOut(HertzResponse):
@@ -377,7 +437,6 @@ class DesignHertzOut(HertzResponse):
     line_load_factor: Maybe[float] = result(
         "Largest line load over the even one of the force, where pins bend: by how they share the "
         "load, and by their slope. All else is said of that line load.",
-        default=None,
         symbol="K_b",
     )
 
@@ -385,46 +444,37 @@ class DesignHertzOut(HertzResponse):
 class CrankPlanetaryResponse(JudgedResponse):
     """One section for each that was asked, and always the verdict."""
 
-    cyclogram: Maybe[CyclogramResponse] = result("As `/cyclogram` answers.", default=None)
-    contact_force: Maybe[ContactForceResponse] = result(
-        "As `/contact-force` answers.", default=None
-    )
-    load_sharing: Maybe[LoadSharingOut] = result(
-        "As `/load-sharing` answers over the turn.", default=None
-    )
+    cyclogram: Maybe[CyclogramResponse] = result("As `/cyclogram` answers.")
+    contact_force: Maybe[ContactForceResponse] = result("As `/contact-force` answers.")
+    load_sharing: Maybe[LoadSharingOut] = result("As `/load-sharing` answers over the turn.")
     hertz: Maybe[DesignHertzOut] = result(
         "As `/hertz` answers, under the peak of the contact force; with clearance, deviations or a "
         "law of contact of the pair and under the force with the largest pressure; with bending "
-        "pins under the largest line load.",
-        default=None,
+        "pins under the largest line load."
     )
     pin_strength: Maybe[PinStrengthResponse] = result(
         "As `/pin-strength` answers, with the deflection: under the torque times its factor, the "
-        "static safety under the peak torque.",
-        default=None,
+        "static safety under the peak torque."
     )
     output_efficiency: Maybe[OutputEfficiencyResponse] = result(
-        "As `/output-efficiency` answers, under the torque without its factor.", default=None
+        "As `/output-efficiency` answers, under the torque without its factor."
     )
     satellite_bearing: Maybe[SatelliteBearingResponse] = result(
         "As `/satellite-bearing` answers, under the torque without its factor, the static safety "
-        "under the peak torque.",
-        default=None,
+        "under the peak torque."
     )
     crankshaft: Maybe[CrankshaftResponse] = result(
-        "As `/crankshaft` answers, under the torque without its factor.", default=None
+        "As `/crankshaft` answers, under the torque without its factor."
     )
     fit: Maybe[FitOut] = result(
         "How the pins fit into their holes, whichever sections are asked, where their sizes and "
-        "their circle are given.",
-        default=None,
+        "their circle are given."
     )
-    geometry: Maybe[GeometryOut] = result("Pins and holes at the crank angle asked.", default=None)
+    geometry: Maybe[GeometryOut] = result("Pins and holes at the crank angle asked.")
     warnings: Maybe[list[WarningOut]] = Field(
-        default=None,
         description="How pins and holes fit, whichever sections are asked: `interference`, "
-        "`holes_overlap`, `pins_overlap` (such a mechanism is not possible), `clearance`, "
-        "`eccentricity_assumed`.",
+        "`wall_holes`, `pins_apart` (such a mechanism is not possible), `clearance`, "
+        "`eccentricity_assumed`; not what `checks` say.",
     )
 
 
@@ -519,6 +569,22 @@ def solve(body: CrankPlanetaryRequest) -> Values:
     return judged | sections
 
 
+def work(body: CrankPlanetaryRequest) -> list[Values]:
+    """Worked steps of the sections that are named; where none is, of all usual ones that can be."""
+    sections, _ = run(body, lambda: body.sections)
+    named = [each for each in sections if each in WORKED]
+    if named:
+        return worked(**{each: run(body, partial(WORKED[each], body))[0] for each in named})
+    usual, _ = run(body, body.usual_sections)
+    found = {}
+    for each in usual:
+        if each in WORKED:
+            steps, _ = run(body, partial(if_known, partial(WORKED[each], body)))
+            if steps is not None:
+                found[each] = steps
+    return worked(**found)
+
+
 def figure(body: CrankPlanetaryRequest, theme: Theme = "light") -> Figure:
     """Cyclogram and, where a load is given, forces over one angle axis, as a Plotly figure."""
     run(body, body.mechanism.refuse_undrawable)
@@ -544,6 +610,7 @@ CALCULATION = Calculation(
     request=CrankPlanetaryRequest,
     answer=CrankPlanetaryResponse,
     solve=solve,
+    worked=work,
     figure=figure,
     sources=(
         YANCHEVSKIY_2021,

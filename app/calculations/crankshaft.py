@@ -26,9 +26,12 @@ from app.running import run
 from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si
+from app.worked import worked
 from core.crank.crankshaft import Crankshaft, ReactionCurves
 from core.design.curves import design_reactions
 from core.design.sections import RollingBearing, Shaft
+from core.worked.crank import shaft_steps
+from core.worked.step import Step
 
 Place = Annotated[float, Field(ge=-1e12, le=1e12)]
 
@@ -47,7 +50,6 @@ class CrankshaftFields(RequestModel, group="crankshaft"):
     satellite_mass_kg: Maybe[Size] = quantity("Mass of a satellite", "m", step=0.1)
     """With its bearing; without it no balance is answered."""
     bearings: Maybe[list[ShaftBearingFields]] = Field(
-        default=None,
         min_length=2,
         max_length=2,
         description="Both bearings, in the housing; ball bearings where not given.",
@@ -76,6 +78,10 @@ class CrankshaftRequest(CrankedRequest):
         """Reactions and balance."""
         return self.with_fit(self.results.crankshaft)
 
+    def steps(self) -> list[Step]:
+        """Worked steps of reactions, lives and balance."""
+        return shaft_steps(self.results)
+
     def solve_for_drawing(self) -> tuple[Crankshaft, ReactionCurves]:
         """The same, and curves over the turn."""
         angles, _ = self.drawn_angles()
@@ -90,7 +96,6 @@ class ShaftBearingOut(ResponseModel):
     basic_life_h: Maybe[float] = result(
         "Time that 90 % of such bearings in the housing reach, (C/P)ᵖ million turns.",
         symbol="L_10h",
-        default=None,
     )
 
 
@@ -188,6 +193,12 @@ def figure(body: CrankshaftRequest, theme: Theme = "light") -> Figure:
     return reaction_figure(curves, theme)
 
 
+def work(body: CrankshaftRequest) -> list[Values]:
+    """Worked steps of the crankshaft."""
+    steps, _ = run(body, body.steps)
+    return worked(crankshaft=steps)
+
+
 CALCULATION = Calculation(
     name="crankshaft",
     title="Crankshaft",
@@ -195,6 +206,7 @@ CALCULATION = Calculation(
     request=CrankshaftRequest,
     answer=CrankshaftResponse,
     solve=solve,
+    worked=work,
     figure=figure,
     sources=(YANCHEVSKIY_2021, ISO_281),
     neglects=("friction", "bearing_elasticity", "centrifugal_forces"),

@@ -2,7 +2,7 @@
 
 import math
 
-from app.calculations.mechanism import MechanismFields
+from app.calculations.mechanism import MechanismFields, PairOut
 from app.model import (
     AccuracyOut,
     AssumingResponse,
@@ -12,6 +12,7 @@ from app.model import (
     ResponseModel,
     Values,
     WarningOut,
+    WorkedFields,
     quantity,
     result,
 )
@@ -19,9 +20,12 @@ from app.running import run
 from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018
 from app.theme import INK, Amount, Figure, Theme, axis, hover, layout, series_style, text
 from app.units import UNITS
+from app.worked import worked
 from core.errors import InvalidInput
 from core.output.cyclogram import Cyclogram, cyclogram
 from core.output.mechanism import AssemblyAngle, assembly_angles
+from core.worked.mechanism import cyclogram_steps
+from core.worked.step import Step
 
 Range = tuple[float, float]
 
@@ -45,7 +49,7 @@ class RangeFields(RequestModel, group="mechanism"):
     """Length of the cyclogram, in turns of the crank."""
 
 
-class CyclogramRequest(MechanismFields, RangeFields):
+class CyclogramFields(MechanismFields, RangeFields):
     """A mechanism and the range of its cyclogram."""
 
     def cost(self) -> float:
@@ -81,11 +85,18 @@ class CyclogramRequest(MechanismFields, RangeFields):
         return cyclogram(mechanism=mechanism, revolutions=self.revolutions), assembly
 
 
-class DrivingPairOut(ResponseModel):
+class CyclogramRequest(CyclogramFields, WorkedFields):
+    """A mechanism and the range of its cyclogram, and whether it is worked."""
+
+    def steps(self) -> list[Step]:
+        """Worked steps of the cyclogram."""
+        found, _ = self.solve()
+        return cyclogram_steps(found=found, **self.cyclogram_given())
+
+
+class DrivingPairOut(PairOut):
     """When one pair drives."""
 
-    satellite: int = result("Number of the satellite, from 1.", symbol="j")
-    pin: int = result("Number of the pin, from 1.", symbol="n")
     driving_deg: list[Range] = result(
         "Ranges of crank angle within a period in which it drives.",
         symbol="φ",
@@ -127,12 +138,9 @@ class CyclogramResponse(AssumingResponse):
     max_driving: int = result("Most pairs that drive together.")
     mean_driving: float = result("Mean number of driving pairs.")
     dead_centres_deg: list[float] = result("Crank angles at which no pair drives.")
-    dead_zones_deg: Maybe[list[Range]] = result(
-        "Ranges of crank angle in which no pair drives.", default=None
-    )
+    dead_zones_deg: Maybe[list[Range]] = result("Ranges of crank angle in which no pair drives.")
     assembly: Maybe[list[AssemblyAngleOut]] = result(
-        "How the satellites' holes stand against their teeth, where the teeth are given.",
-        default=None,
+        "How the satellites' holes stand against their teeth, where the teeth are given."
     )
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None
@@ -323,6 +331,12 @@ def figure(body: CyclogramRequest, theme: Theme = "light") -> Figure:
     return cyclogram_figure(solve(body), theme)
 
 
+def work(body: CyclogramRequest) -> list[Values]:
+    """Worked steps of the cyclogram."""
+    steps, _ = run(body, body.steps)
+    return worked(cyclogram=steps)
+
+
 CALCULATION = Calculation(
     name="cyclogram",
     title="Cyclogram",
@@ -330,6 +344,7 @@ CALCULATION = Calculation(
     request=CyclogramRequest,
     answer=CyclogramResponse,
     solve=solve,
+    worked=work,
     figure=figure,
     sources=(YANCHEVSKIY_2021, YANCHEVSKY_2018),
     neglects=("clearance", "deviations", "elasticity"),

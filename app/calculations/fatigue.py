@@ -90,5 +90,5 @@ class CycleOut(ResponseModel):
     factors: Maybe[FactorsOut] = None
     safety_factor: float = result("By the criterion: all stresses may grow so much.", symbol="n")
     cycles: Maybe[float] = result(
-        "Cycles that it stands; absent within the endurance limit.", symbol="N", default=None
+        "Cycles that it stands; absent within the endurance limit.", symbol="N"
     )

@@ -121,6 +121,11 @@ class GearFields(RequestModel, group="gear"):
         assert self.wheel is not None
         return wheel_rollers(**self.wheel.to_core())
 
+    @property
+    def by_angle(self) -> bool:
+        """Whether the first line is given by its polar angles."""
+        return isinstance(self.all_rollers()[0], RollerByAngle)
+
     def positions(self) -> list[float]:
         """Position angles, rad, of all rollers of the wheel, in mesh or not; those of a list."""
         if self.rollers is not None:

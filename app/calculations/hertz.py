@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from functools import lru_cache, partial
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from pydantic import Discriminator, Field, Tag, field_validator
 
@@ -17,6 +17,7 @@ from app.model import (
     Size,
     Values,
     WarningOut,
+    WorkedFields,
     no_dust,
     quantity,
     result,
@@ -26,6 +27,7 @@ from app.running import run
 from app.sources import JOHNSON_1985, PERSSON_1964, YANCHEVSKY_2018
 from app.theme import INK, Amount, Figure, Theme, axis, curve, hover, layout, text
 from app.units import from_si, to_si
+from app.worked import worked
 from core.arrays import FloatArray
 from core.contact_life import CURVES, LifeCurve
 from core.hertz import (
@@ -37,6 +39,8 @@ from core.hertz import (
 )
 from core.materials import LIMIT_SOURCES, MATERIALS, ContactLimit, Criterion, ElasticMaterial
 from core.results import Notice
+from core.worked.hertz import hertz_steps
+from core.worked.step import Step
 
 if TYPE_CHECKING:
     MaterialName = str
@@ -150,7 +154,7 @@ MAX_FORCE_N = 1e50
 some 1e12 times that are refused as dead centres."""
 
 
-class HertzRequest(ContactFields, group="contact"):
+class HertzRequest(ContactFields, WorkedFields, group="contact"):
     """Pin, hole and the force between them."""
 
     force_N: float = quantity("Contact force", "F", step=100, ge=0, le=MAX_FORCE_N)
@@ -162,18 +166,27 @@ class HertzRequest(ContactFields, group="contact"):
         """Next to nothing: formulas of one contact."""
         return 0.0
 
+    @property
+    def pressed(self) -> dict[str, Any]:
+        """The contact as the core's arguments."""
+        return {
+            "force": self.force_N,
+            "contact_length": to_si("contact_length_mm", self.contact_length_mm),
+            "pin_radius": to_si("pin_radius_mm", self.pin_radius_mm),
+            "hole_radius": to_si("hole_radius_mm", self.hole_radius_mm),
+            "pin_material": material_of(self.pin_material),
+            "hole_material": material_of(self.hole_material),
+            "dynamic_factor": self.dynamic_factor,
+            "distribution_factor": self.distribution_factor,
+        }
+
     def solve(self) -> HertzContact:
         """Contact under the force."""
-        return hertz(
-            force=self.force_N,
-            contact_length=to_si("contact_length_mm", self.contact_length_mm),
-            pin_radius=to_si("pin_radius_mm", self.pin_radius_mm),
-            hole_radius=to_si("hole_radius_mm", self.hole_radius_mm),
-            pin_material=material_of(self.pin_material),
-            hole_material=material_of(self.hole_material),
-            dynamic_factor=self.dynamic_factor,
-            distribution_factor=self.distribution_factor,
-        )
+        return hertz(**self.pressed)
+
+    def steps(self) -> list[Step]:
+        """Worked steps of the contact."""
+        return hertz_steps(found=self.solve(), **self.pressed)
 
     def solve_profiles(self) -> list[tuple[str, FloatArray, FloatArray]]:
         """Pressure distributions: name, places along the arc of the pin, m, pressures, Pa."""
@@ -218,13 +231,10 @@ class SafetyOut(ResponseModel):
     body: Literal["pin", "hole"] = result("The body that is judged.")
     limit_MPa: float = result("Limit of the pressure.", symbol="p_P")
     criterion: Criterion = result("What the limit is for.")
-    source: Maybe[str] = result(
-        "Where the limit comes from; absent where it was given.", default=None
-    )
-    source_code: Maybe[str] = result("The same by code.", default=None)
+    source: Maybe[str] = result("Where the limit comes from; absent where it was given.")
+    source_code: Maybe[str] = result("The same by code.")
     life: Maybe[LifeOut] = Field(
-        default=None,
-        description="How the limit falls over the life; absent where speed or curve are not known.",
+        description="How the limit falls over the life; absent where speed or curve are not known."
     )
     safety_factor: float = Field(
         description="Limit over governing pressure, with the life factor where there is one. A "
@@ -280,32 +290,27 @@ class HertzResponse(AssumingResponse):
     )
     conformal_pressure_MPa: Maybe[float] = result(
         "Largest pressure of bodies that fit closely; absent where that theory does not apply.",
-        default=None,
         symbol="p_c",
         equation="Persson 1964",
     )
     conformal_half_angle_deg: Maybe[float] = result(
-        "Half of the angle of their contact.", default=None, symbol="ε", equation="Persson 1964"
+        "Half of the angle of their contact.", symbol="ε", equation="Persson 1964"
     )
     conformal_error: Maybe[float] = result(
         "Bound of the relative error of the conformal pressure by the difference of the materials.",
-        default=None,
         equation="Dundurs 1969",
     )
     governing_pressure_MPa: Maybe[float] = Field(
-        default=None,
         description="The pressure that is judged: the conformal one where it applies, else "
-        "Hertz's; absent where neither theory holds.",
+        "Hertz's; absent where neither theory holds."
     )
     safety: Maybe[list[SafetyOut]] = Field(
-        default=None,
-        description="The bodies whose limit is known, each by its own; absent where none is.",
+        description="The bodies whose limit is known, each by its own; absent where none is."
     )
     safety_factor: Maybe[float] = Field(
-        default=None,
         description="The smaller of both bodies' safety factors; absent where one is not known. A "
         "ratio of pressures: the reserve of the load is its square, as long as Hertz's pressure "
-        "governs.",
+        "governs."
     )
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None
@@ -323,19 +328,11 @@ class HertzResponse(AssumingResponse):
 
 @dataclass(frozen=True, slots=True)
 class PressureCurve:
-    """One pressure distribution to draw.
+    """One pressure distribution to draw."""
 
-    Attributes
-    ----------
-    name : str
-        Whose it is, an id of `app.theme.TEXTS`.
-    place_mm, pressure_MPa : array
-        Places along the arc of the pin and pressure there.
-    """
-
-    name: str
-    place_mm: FloatArray
-    pressure_MPa: FloatArray
+    name: str  # whose it is, an id of `app.theme.TEXTS`
+    place_mm: FloatArray  # along the arc of the pin
+    pressure_MPa: FloatArray  # there
 
 
 def hertz_figure(curves: list[PressureCurve], limits_MPa: dict[str, float], theme: Theme) -> Figure:
@@ -414,6 +411,12 @@ def figure(body: HertzRequest, theme: Theme = "light") -> Figure:
     )
 
 
+def work(body: HertzRequest) -> list[Values]:
+    """Worked steps of the contact."""
+    steps, _ = run(body, body.steps)
+    return worked(hertz=steps)
+
+
 CALCULATION = Calculation(
     name="hertz",
     title="Hertz contact of pin and hole",
@@ -421,6 +424,7 @@ CALCULATION = Calculation(
     request=HertzRequest,
     answer=HertzResponse,
     solve=solve,
+    worked=work,
     figure=figure,
     sources=(YANCHEVSKY_2018, PERSSON_1964, JOHNSON_1985),
     neglects=("edge_pressure", "friction", "misalignment"),

@@ -25,6 +25,7 @@ from app.settings import Settings
 from app.sources import HARRIS, JOHNSON_1985, YANCHEVSKIY_2021
 from app.theme import Figure, Theme
 from app.units import from_si, to_si
+from app.worked import stated
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.alternating import worse_curves, worse_position, worse_turn
 from core.output.contact_force import drawing_angles, force_curves, force_peak
@@ -37,7 +38,9 @@ from core.output.real_curves import RealCurves, StiffnessCurve, real_curves, sti
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.results import Accuracy, Notice
 
-Section = Literal["positions", "over_turn", "curves", "stiffness_curve", "pressure", "ideal"]
+Section = Literal[
+    "positions", "over_turn", "curves", "stiffness_curve", "pressure", "ideal", "worked"
+]
 
 MAX_TURN_PAIRS = 1000
 """Most pairs over the turn: thousands of positions are solved, which takes a second."""
@@ -77,9 +80,10 @@ class LoadSharingRequest(CurveFields, RealDesignFields, group="positions"):
     include: list[Section] = Field(
         default=["positions"],
         min_length=1,
-        max_length=6,
+        max_length=7,
         description="Results: what is not named is not computed. `pressure` is that of every pair, "
-        "in the positions and over the turn.",
+        "in the positions and over the turn; `worked` says how the numbers of those two were got, "
+        "of the positions where it is asked alone.",
     )
 
     def refuse_beyond(self, settings: Settings) -> None:
@@ -134,7 +138,7 @@ class LoadSharingRequest(CurveFields, RealDesignFields, group="positions"):
         """What is asked for."""
         real = self.real()
         fit = solvable(real)
-        asked, solved = {*self.include}, Solved()
+        asked, solved = {*self.include} - {"worked"} or {"positions"}, Solved()
         solved.notices |= {each.code: each for each in self.fit_notices(fit)}
         try:
             self.solve_sections(real, asked, solved)
@@ -291,12 +295,33 @@ class Solved:
         return values
 
 
+BOUNDS = frozenset(
+    f"{name}_error{unit}"
+    for name, unit in (
+        ("angle", "_arcmin"),
+        ("force", "_N"),
+        ("pair", ""),
+        ("play", "_arcmin"),
+        ("ripple", "_Nm"),
+        ("rotation", "_arcmin"),
+        ("stiffness", ""),
+    )
+)
+"""Errors of results, which have no worked step."""
+
+
 def solve(body: LoadSharingRequest) -> Values:
     """Forces, lag, play and stiffness of the output mechanism with clearance, deviations and
     elasticity, at crank angles and over the turn.
     """
     solved, run_time_us = run(body, body.solve_all)
-    return solved.answer(run_time_us)
+    values = solved.answer(run_time_us)
+    if "worked" in body.include:
+        steps = stated("over_turn", values.get("over_turn", {}), "solved", BOUNDS)
+        for position in values.get("positions", ()):
+            steps += stated("positions", position, "solved", BOUNDS)
+        values["worked"] = steps
+    return values
 
 
 def figure(body: LoadSharingRequest, theme: Theme = "light") -> Figure:

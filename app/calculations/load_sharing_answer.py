@@ -1,8 +1,9 @@
 """Answer of the load sharing with clearance and errors."""
 
+from functools import partial
 from typing import Any, Literal
 
-from app.calculations.contact_force import PairOut
+from app.calculations.mechanism import PairOut
 from app.model import (
     AccuracyOut,
     AssumingResponse,
@@ -17,9 +18,15 @@ from core.output.fit import Fit
 
 Direction = Literal["driving", "reverse"]
 
+worse_direction = partial(
+    result, "Where the torque alternates: the direction with the larger force, which is given."
+)
+
 
 class PositionOut(ResponseModel):
     """The mechanism at one crank angle under load."""
+
+    BESIDE = ("pressure_MPa",)
 
     crank_angle_deg: float = result("Crank angle.", symbol="φ")
     rotation_arcmin: float = result(
@@ -34,23 +41,16 @@ class PositionOut(ResponseModel):
     )
     satellite_rotation_arcmin: Maybe[list[float]] = result(
         "Lag of the output behind each satellite, where these turn against each other.",
-        default=None,
         symbol="θ_j",
     )
-    torque_direction: Maybe[Direction] = result(
-        "Where the torque alternates: the direction with the larger force, which is given.",
-        default=None,
-    )
+    torque_direction: Maybe[Direction] = worse_direction()
     loaded_pairs: int = result("Number of pairs with a force.")
     play_arcmin: Maybe[list[float]] = result(
         "From where to where the unloaded output can turn; absent where pairs press without load.",
-        default=None,
         symbol="θ₋, θ₊",
     )
     interference_mm: Maybe[float] = result(
-        "Smallest possible worst approach of the unloaded pairs, where they press.",
-        default=None,
-        symbol="δ",
+        "Smallest possible worst approach of the unloaded pairs, where they press.", symbol="δ"
     )
     stiffness_Nm_per_arcmin: float = result(
         "Torque over rotation of the output mechanism alone.", symbol="dT/dθ"
@@ -61,7 +61,7 @@ class PositionOut(ResponseModel):
         equation="Johnson 4.2",
     )
     pressure_MPa: Maybe[list[list[float]]] = result(
-        "Largest Hertz pressure of each pair, where asked.", default=None, symbol="p_0"
+        "Largest Hertz pressure of each pair, where asked.", symbol="p_0"
     )
     rotation_error_arcmin: float = result("Bound of the error of the rotation.")
     play_error_arcmin: float = result("Bound of the error of the play.")
@@ -71,14 +71,15 @@ class PositionOut(ResponseModel):
 class OverTurnOut(ResponseModel):
     """Extremes over the turn of the wave; the accuracy of the answer is that of the peak force."""
 
+    BESIDE = ("pressure_MPa",)
+
     peak_force_N: float = result("Largest force of all pairs over the turn.", symbol="F_max")
     peak_force_ratio: float = result("The same over F₀ = T/R.", symbol="f")
     peak_crank_angle_deg: float = result("First crank angle at which it occurs.", symbol="φ")
     peak_pair: PairOut = result("The pair that carries it there.")
     torque_direction: Maybe[Direction] = result(
         "Where the torque alternates: the direction of the peak; every other number is the worse "
-        "of both.",
-        default=None,
+        "of both."
     )
     backlash_max_arcmin: float = result(
         "Largest play of the unloaded output, 0 where pairs press; of uniform clearance and an "
@@ -102,9 +103,7 @@ class OverTurnOut(ResponseModel):
         "Largest Hertz pressure.", symbol="p_0", equation="Johnson 4.2"
     )
     pressure_MPa: Maybe[list[list[float]]] = result(
-        "Largest Hertz pressure of each pair, a list for each satellite, where asked.",
-        default=None,
-        symbol="p_0",
+        "Largest Hertz pressure of each pair, a list for each satellite, where asked.", symbol="p_0"
     )
     input_torque_ripple_Nm: float = result(
         "Largest less least torque that turns the crank, without friction.",
@@ -124,10 +123,7 @@ class RealCurvesOut(ResponseModel):
 
     crank_angle_deg: list[float] = result("Crank angles.", symbol="φ")
     force_N: list[list[float]] = result("Forces, a list for each pair.", symbol="F_jn")
-    torque_direction: Maybe[Direction] = result(
-        "Where the torque alternates: the direction with the larger force, which is given.",
-        default=None,
-    )
+    torque_direction: Maybe[Direction] = worse_direction()
     pairs: list[PairOut] = result("The pairs, in the order of the forces.")
     rotation_arcmin: list[float] = result("Lag under the torque.", symbol="θ")
     reverse_rotation_arcmin: list[float] = result("Lag under the torque the other way.", symbol="θ")
@@ -156,9 +152,7 @@ class IdealOut(ResponseModel):
         symbol="F_max",
         equation="2021, eq. 10",
     )
-    ratio: Maybe[float] = result(
-        "Real peak over the ideal one, where the turn is asked.", default=None
-    )
+    ratio: Maybe[float] = result("Real peak over the ideal one, where the turn is asked.")
 
 
 class BindingOut(PairOut):
@@ -182,20 +176,19 @@ class FitOut(ResponseModel):
         equation="max over θ of min(C − |P·exp(−iθ) − H|)",
     )
     least_room_crank_angle_deg: Maybe[float] = result(
-        "First crank angle at which it is least; absent where it is the same at all.", default=None
+        "First crank angle at which it is least; absent where it is the same at all."
     )
     binding: Maybe[list[BindingOut]] = result(
-        "The pairs that limit it there; absent where all do alike.", default=None
+        "The pairs that limit it there; absent where all do alike."
     )
     needed_hole_radius_mm: Maybe[float] = result(
-        "Radius of all holes with which the parts just fit, where they do not.", default=None
+        "Radius of all holes with which the parts just fit, where they do not."
     )
     blocked_crank_deg: Maybe[list[list[float]]] = result(
-        "Stretches of the crank's turn in which the parts jam, where they go together in others.",
-        default=None,
+        "Stretches of the crank's turn in which the parts jam, where they go together in others."
     )
     renumbered: Maybe[list[int]] = result(
-        "By how many holes each satellite is put on the pins further, where one is.", default=None
+        "By how many holes each satellite is put on the pins further, where one is."
     )
 
     @classmethod
@@ -226,11 +219,11 @@ class FitOut(ResponseModel):
 class LoadSharingResponse(AssumingResponse):
     """What is asked of the mechanism as it is made."""
 
-    positions: Maybe[list[PositionOut]] = result("At the crank angles.", default=None)
-    over_turn: Maybe[OverTurnOut] = result("Over the turn.", default=None)
-    curves: Maybe[RealCurvesOut] = result("Curves over the turn.", default=None)
-    stiffness_curve: Maybe[StiffnessCurveOut] = result("Lag over torque.", default=None)
-    ideal: Maybe[IdealOut] = result("Without clearance and deviations.", default=None)
+    positions: Maybe[list[PositionOut]] = result("At the crank angles.")
+    over_turn: Maybe[OverTurnOut] = result("Over the turn.")
+    curves: Maybe[RealCurvesOut] = result("Curves over the turn.")
+    stiffness_curve: Maybe[StiffnessCurveOut] = result("Lag over torque.")
+    ideal: Maybe[IdealOut] = result("Without clearance and deviations.")
     fit: FitOut = result("How the pins fit into their holes.")
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None

@@ -10,30 +10,15 @@ from core.output.real_curves import RealCurves, StiffnessCurve
 
 @dataclass(frozen=True, slots=True)
 class Drawn:
-    """What the figure shows, in SI units.
+    """What the figure shows, in SI units."""
 
-    Attributes
-    ----------
-    curves : RealCurves
-        Forces and lags over the crank angle.
-    ideal : array
-        Forces without clearance and deviations, as those of the curves.
-    pairs : list of (int, int)
-        Satellite and pin of each force.
-    pressure : array
-        Largest pressure at each crank angle.
-    lag_curve : StiffnessCurve
-        Lag over torque.
-    play : (float, float) or None
-        Ends of the play at its crank angle, through which the lag moves without torque; None where
-        parts are pressed together.
-    """
-
-    curves: RealCurves
-    ideal: FloatArray
-    pairs: list[tuple[int, int]]
-    pressure: FloatArray
-    lag_curve: StiffnessCurve
+    curves: RealCurves  # forces and lags over the crank angle
+    ideal: FloatArray  # forces without clearance and deviations, as those of the curves
+    pairs: list[tuple[int, int]]  # satellite and pin of each force
+    pressure: FloatArray  # the largest at each crank angle
+    lag_curve: StiffnessCurve  # lag over torque
+    # Ends of the play at its crank angle, through which the lag moves without torque; None where
+    # parts are pressed together.
     play: tuple[float, float] | None
 
 

@@ -4,7 +4,17 @@ from typing import Any, ClassVar, Self
 
 from pydantic import model_validator
 
-from app.model import Angle, Forms, Maybe, RequestModel, Whole, field_error, quantity
+from app.model import (
+    Angle,
+    Forms,
+    Maybe,
+    RequestModel,
+    ResponseModel,
+    Whole,
+    field_error,
+    quantity,
+    result,
+)
 from app.settings import Settings
 from app.units import to_si
 from core.design.sections import MechanismSection
@@ -100,6 +110,17 @@ class MechanismFields(RequestModel, group="mechanism"):
         teeth = (self.ring_teeth or 1) / (self.satellite_teeth or 1)
         return of_each * self.pins * self.satellites**2 * teeth
 
+    def cyclogram_given(self) -> dict[str, Any]:
+        """The mechanism as the worked steps of the cyclogram take it."""
+        teeth = None
+        if self.satellite_teeth is not None and self.ring_teeth is not None:
+            teeth = self.satellite_teeth, self.ring_teeth
+        return {
+            "mechanism": self.mechanism(),
+            "teeth": teeth,
+            "satellite_teeth": self.satellite_teeth,
+        }
+
     def most_pins(self, pairs: int) -> dict[str, int]:
         """Most pins that so many pairs allow, for a refusal."""
         return {"limit": pairs // self.satellites, "satellites": self.satellites}
@@ -172,3 +193,10 @@ class MechanismFields(RequestModel, group="mechanism"):
     def mechanism(self) -> Mechanism:
         """The mechanism in SI units."""
         return self.section().built
+
+
+class PairOut(ResponseModel):
+    """A pair of hole and pin by number."""
+
+    satellite: int = result("Number of the satellite, from 1.", symbol="j")
+    pin: int = result("Number of the pin, from 1.", symbol="n")

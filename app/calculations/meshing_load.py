@@ -11,9 +11,10 @@ from app.model import (
     AccuracyOut,
     Calculation,
     Maybe,
-    ResponseModel,
     Values,
     WarningOut,
+    WorkedFields,
+    WorkedResponse,
     no_dust,
     quantity,
     result,
@@ -22,12 +23,15 @@ from app.running import run
 from app.sources import KHATETOVSKY_2020
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si, to_si
+from app.worked import worked
 from core.arrays import FloatArray, Vector
 from core.errors import InvalidInput
 from core.precession.meshing_load import MeshingLoad, line_load, meshing_load
+from core.worked.precession import load_steps
+from core.worked.step import Step
 
 
-class MeshingLoadRequest(GearFields, group="load"):
+class MeshFields(GearFields, group="load"):
     """A mesh and its torque."""
 
     torque_Nm: float = quantity("Torque", "M₁", step=1, ge=-1e12, le=1e12)
@@ -37,14 +41,21 @@ class MeshingLoadRequest(GearFields, group="load"):
 
     _sizes = field_validator("torque_Nm", "reference_z_mm")(no_dust)
 
+    @property
+    def loaded_by(self) -> dict[str, float]:
+        """Torque, N*m, and place of C, m."""
+        return {
+            "torque": self.torque_Nm,
+            "reference_z": to_si("reference_z_mm", self.reference_z_mm),
+        }
+
     def solve_load(self) -> MeshingLoad:
         """Load of the mesh."""
         try:
             return meshing_load(
                 **self.gear(),
                 rollers=self.all_rollers(),
-                torque=self.torque_Nm,
-                reference_z=to_si("reference_z_mm", self.reference_z_mm),
+                **self.loaded_by,
             )
         except InvalidInput as error:
             raise self.about_the_wheel(error) from error
@@ -59,7 +70,15 @@ class MeshingLoadRequest(GearFields, group="load"):
         return curves
 
 
-class MeshingLoadResponse(ResponseModel):
+class MeshingLoadRequest(MeshFields, WorkedFields):
+    """A mesh and its torque, and whether its load is worked."""
+
+    def steps(self) -> list[Step]:
+        """Worked steps of the load."""
+        return load_steps(gear=self.gear(), found=self.solve_load(), **self.loaded_by)
+
+
+class MeshingLoadResponse(WorkedResponse):
     """Resultants of the mesh, moment about the point C."""
 
     force_N: Vector = result(
@@ -129,6 +148,12 @@ def figure(body: MeshingLoadRequest, theme: Theme = "light") -> Figure:
     return meshing_load_figure(curves, theme)
 
 
+def work(body: MeshingLoadRequest) -> list[Values]:
+    """Worked steps of the load of the mesh."""
+    steps, _ = run(body, body.steps)
+    return worked(meshing_load=steps)
+
+
 CALCULATION = Calculation(
     name="precession/meshing-load",
     title="Load of the precessional mesh",
@@ -136,6 +161,7 @@ CALCULATION = Calculation(
     request=MeshingLoadRequest,
     answer=MeshingLoadResponse,
     solve=solve,
+    worked=work,
     figure=figure,
     sources=(KHATETOVSKY_2020,),
     neglects=("deviations", "elasticity", "friction"),

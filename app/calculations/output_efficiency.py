@@ -45,10 +45,13 @@ from app.theme import (
     vertical_line,
 )
 from app.units import from_si
+from app.worked import worked
 from core.arrays import FloatArray
 from core.design.curves import design_losses
 from core.design.sections import Friction
 from core.output.losses import LossCurves, PinLosses
+from core.worked.losses import loss_steps
+from core.worked.step import Step
 
 
 class SlidingContactFields(PinContactFields, group="contact"):
@@ -91,8 +94,8 @@ class OutputEfficiencyRequest(CurveFields, DesignFields):
     contact: SlidingContactFields
     friction: WornFields
     pin: Maybe[SleevedPinFields] = None
-    include: list[Literal["curves"]] = Field(
-        default=[], max_length=1, description="Optional results: what is not named is not computed."
+    include: list[Literal["curves", "worked"]] = Field(
+        default=[], max_length=2, description="Optional results: what is not named is not computed."
     )
 
     def cost(self) -> float:
@@ -103,6 +106,10 @@ class OutputEfficiencyRequest(CurveFields, DesignFields):
     def solve(self) -> PinLosses:
         """Losses, and how pins and holes fit."""
         return self.with_fit(self.results.output_efficiency)
+
+    def steps(self) -> list[Step]:
+        """Worked steps of friction and wear."""
+        return loss_steps(self.results)
 
     def solve_all(self) -> tuple[PinLosses, LossCurves | None]:
         """Losses, and their curves over a turn where they are asked."""
@@ -150,7 +157,7 @@ class OutputEfficiencyResponse(AssumingResponse):
         "Of the pin in the hole, e·ω; with a sleeve of the pin in it, e·ω·r_p/r_s.",
     )
     sleeve_speed_rpm: Maybe[float] = result(
-        "Speed of the sleeves", "n_s", "Of the sleeves against their pins, n·e/r_s.", default=None
+        "Speed of the sleeves", "n_s", "Of the sleeves against their pins, n·e/r_s."
     )
     output_power_W: float = result("Output power", "P₂", "T·ω₁/u.")
     peak_force_N: float = result("Peak force", "F_max", "Largest contact force over the turn.")
@@ -179,13 +186,11 @@ class OutputEfficiencyResponse(AssumingResponse):
         "Wear of the pin",
         "h_in",
         "Depth where it is deepest, k·F_max·e/(b·r) in each turn of the relative speed.",
-        default=None,
     )
     hole_wear_mm: Maybe[float] = result(
         "Wear of the hole",
         "h_out",
         "The same of the hole, k·F_max·e/(b·r_out); absent with sleeves, which roll in it.",
-        default=None,
     )
     friction_couple: float = result(
         "Couple of the friction",
@@ -289,6 +294,12 @@ def figure(body: OutputEfficiencyRequest, theme: Theme = "light") -> Figure:
     return loss_figure(losses, curves, from_si("switching_deg", switching), theme)
 
 
+def work(body: OutputEfficiencyRequest) -> list[Values]:
+    """Worked steps of friction and wear."""
+    steps, _ = run(body, body.steps)
+    return worked(output_efficiency=steps)
+
+
 CALCULATION = Calculation(
     name="output-efficiency",
     title="Efficiency of the output mechanism",
@@ -296,6 +307,7 @@ CALCULATION = Calculation(
     request=OutputEfficiencyRequest,
     answer=OutputEfficiencyResponse,
     solve=solve,
+    worked=work,
     figure=figure,
     sources=(YANCHEVSKIY_2021, WANG_2016, ARCHARD_1953),
     neglects=(

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
-from typing import Any, Literal, Self
+from typing import Literal, Self
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -32,10 +32,13 @@ from app.running import run
 from app.sources import SHIGLEY, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si
+from app.worked import worked
 from core.design.document import changed
 from core.design.results import Results
 from core.output.pin_beam import Support
 from core.output.pin_strength import PinStrength
+from core.worked.pins import strength_steps
+from core.worked.step import Step
 
 ALONE = ("diameter_mm", "contact_length_mm", "material")
 """What a pin has to say where there is no contact that does."""
@@ -55,8 +58,8 @@ class PinStrengthRequest(DesignFields):
     load: DesignLoadFields
     pin: DesignPinFields
     fatigue: Maybe[PinFatigueFields] = None
-    include: list[Literal["deflection", "locus", "support_bounds"]] = Field(
-        default=[], max_length=3, description="Optional results: what is not named is not computed."
+    include: list[Literal["deflection", "locus", "support_bounds", "worked"]] = Field(
+        default=[], max_length=4, description="Optional results: what is not named is not computed."
     )
 
     @model_validator(mode="after")
@@ -82,6 +85,10 @@ class PinStrengthRequest(DesignFields):
         found = self.results.judged_pins(locus=locus or "locus" in self.include)
         return self._asked(self.with_fit(found))
 
+    def steps(self) -> list[Step]:
+        """Worked steps of the strength."""
+        return strength_steps(results=self.results, found=self.solve())
+
     def _asked(self, strength: PinStrength) -> PinStrength:
         return strength if "deflection" in self.include else replace(strength, deflection=None)
 
@@ -106,7 +113,6 @@ class PinFatigueOut(ResponseModel):
         "Direction of the worst point of the section from the tangential one, towards growing "
         "pressure angles; absent where the pin rotates.",
         symbol="χ",
-        default=None,
     )
     position_mm: float = result("Its section, from the carrier's face.", symbol="x")
     max_stress_MPa: float = result("Largest stress there.", symbol="σ_max")
@@ -118,7 +124,6 @@ class PinFatigueOut(ResponseModel):
         "Strength for the cycles of the life that is asked, where they are fewer than a million: "
         "it stands for the endurance limit in the safety.",
         symbol="S_f",
-        default=None,
     )
     factors: Maybe[FactorsOut] = None
     safety_factor: float = result("By the criterion: all stresses may grow so much.", symbol="n")
@@ -126,10 +131,9 @@ class PinFatigueOut(ResponseModel):
         "Cycles that it stands, one a turn of the crank against the output; absent within the "
         "endurance limit.",
         symbol="N",
-        default=None,
     )
     life_h: Maybe[float] = result(
-        "The same as time; absent within the endurance limit or without a speed.", default=None
+        "The same as time; absent within the endurance limit or without a speed."
     )
 
 
@@ -169,7 +173,7 @@ class PinStrengthOut(ResponseModel):
         "Largest equivalent stress (Mises) of any section.", symbol="σ_v"
     )
     static_safety_factor: Maybe[float] = result(
-        "Yield strength over it at the peak torque, where that is known.", symbol="S", default=None
+        "Yield strength over it at the peak torque, where that is known.", symbol="S"
     )
     fatigue: Maybe[PinFatigueOut] = None
     deflection: Maybe[PinDeflectionOut] = None
@@ -186,18 +190,14 @@ class SupportBoundOut(PinStrengthOut):
 class PinStrengthResponse(PinStrengthOut, AssumingResponse):
     """Bending, shear, static safety, fatigue and deflection of the pins."""
 
+    BESIDE = ("support_bounds",)
+
     forces: ForcesUsed = forces_used()
     locus: Maybe[MomentLocusOut] = None
     support_bounds: Maybe[list[SupportBoundOut]] = result(
         "Of pins held at both ends: free to tilt, then built in, whatever their support is; the "
-        "truth of a cage lies between them, and the worse is on the safe side.",
-        default=None,
+        "truth of a cage lies between them, and the worse is on the safe side."
     )
-
-    @classmethod
-    def values(cls, result: Any, run_time_us: float | None = None, **given: Any) -> Values:
-        """Values of the strength; `support_bounds` are given."""
-        return super().values(result, run_time_us, **({"support_bounds": None} | given))
 
 
 def strength_figure(found: PinStrength, theme: Theme) -> Figure:
@@ -271,6 +271,12 @@ def figure(body: PinStrengthRequest, theme: Theme = "light") -> Figure:
     return strength_figure(found, theme)
 
 
+def work(body: PinStrengthRequest) -> list[Values]:
+    """Worked steps of the strength of the pins."""
+    steps, _ = run(body, body.steps)
+    return worked(pin_strength=steps)
+
+
 CALCULATION = Calculation(
     name="pin-strength",
     title="Strength of the pins",
@@ -278,6 +284,7 @@ CALCULATION = Calculation(
     request=PinStrengthRequest,
     answer=PinStrengthResponse,
     solve=solve,
+    worked=work,
     figure=figure,
     sources=(YANCHEVSKIY_2021, SHIGLEY),
     neglects=(

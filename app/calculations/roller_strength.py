@@ -40,6 +40,7 @@ from app.theme import (
     vertical_line,
 )
 from app.units import from_si, to_si
+from app.worked import worked
 from core.checks.check import Verdict
 from core.checks.rollers import roller_checks
 from core.fatigue import CycleFatigue
@@ -47,6 +48,8 @@ from core.fixes.plain import plain_fixes
 from core.results import Notice
 from core.rollers.roller_curves import RollerCurves, roller_curves
 from core.rollers.roller_strength import RollerStrength, roller_fatigue, roller_strength
+from core.worked.rollers import roller_steps
+from core.worked.step import Step
 
 MAX_ROLLERS = 1000
 """Most rollers of one mechanism."""
@@ -148,7 +151,7 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
         if asked is not None and self.stress_concentration > 1:
             for name in NOTCHES:
                 if getattr(asked, name) is not None:
-                    raise field_error(f"fatigue/{name}", "exclusive", field="stress_concentration")
+                    raise field_error(f"fatigue/{name}", "only_one", field="stress_concentration")
         return self
 
     def cost(self) -> float:
@@ -188,6 +191,25 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
         if isinstance(strength, Notice):
             return strength
         return roller_fatigue(bending_stress=stress, strength=strength, rotates=self.roller_rotates)
+
+    def steps(self) -> list[Step]:
+        """Worked steps of the rollers."""
+        found = self.solve()
+        cycle = self.tired(found, self.design["diameter"])
+        judged = None
+        if self.fatigue is not None:
+            judged = {
+                "basis": self.fatigue.section(),
+                "tensile_strength": to_si("tensile_strength_MPa", self.tensile_strength_MPa),
+                "yield_strength": to_si("yield_strength_MPa", self.yield_strength_MPa),
+                "rotates": self.roller_rotates,
+            }
+        return roller_steps(
+            found=found,
+            **self.design,
+            cycle=cycle if isinstance(cycle, CycleFatigue) else None,
+            judged=judged,
+        )
 
     def judge(self, result: RollerStrength, tired: CycleFatigue | Notice | None) -> dict[str, Any]:
         """Verdict of a result and its fatigue, and checks and fixes where asked."""
@@ -438,6 +460,12 @@ def figure(body: RollerStrengthRequest, theme: Theme = "light") -> Figure:
     return roller_figure(curves, body.design["diameter"], body.design["youngs_modulus"], theme)
 
 
+def work(body: RollerStrengthRequest) -> list[Values]:
+    """Worked steps of the rollers."""
+    steps, _ = run(body, body.steps)
+    return worked(roller_strength=steps)
+
+
 CALCULATION = Calculation(
     name="roller-strength",
     title="Strength of swinging rollers",
@@ -445,6 +473,7 @@ CALCULATION = Calculation(
     request=RollerStrengthRequest,
     answer=RollerStrengthResponse,
     solve=solve,
+    worked=work,
     figure=figure,
     sources=(OVSYANNIKOV_2019, SHIGLEY),
     neglects=("contact_compliance", "roller_tilt", "equal_discs"),

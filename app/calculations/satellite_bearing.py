@@ -24,6 +24,7 @@ from app.model import (
     Size,
     Values,
     WarningOut,
+    WorkedFields,
     quantity,
     result,
 )
@@ -31,10 +32,13 @@ from app.running import run
 from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
 from app.units import from_si
+from app.worked import worked
 from core.arrays import FloatArray
 from core.crank.satellite_bearing import BearingCurves, SatelliteBearings
 from core.design.curves import design_bearings
 from core.design.sections import RollingBearing
+from core.worked.crank import bearing_steps
+from core.worked.step import Step
 
 OF_PINS = ("contact_law", "deviations", "pin", "crank_support", "satellite_coupling")
 """Sections that say something of pins and holes."""
@@ -68,7 +72,7 @@ class BearingFields(ShaftBearingFields, group="bearing"):
         return RollingBearing(**self.to_core())
 
 
-class CrankedRequest(DesignFields):
+class CrankedRequest(DesignFields, WorkedFields):
     """Mechanism, load, crank and ring; pins and holes where the forces follow from them too."""
 
     load: DrivenLoadFields
@@ -92,6 +96,10 @@ class SatelliteBearingRequest(CrankedRequest):
         """Loads and lives."""
         return self.with_fit(self.results.satellite_bearing)
 
+    def steps(self) -> list[Step]:
+        """Worked steps of the bearing that is loaded most."""
+        return bearing_steps(self.results)
+
     def solve_for_drawing(self) -> tuple[SatelliteBearings, BearingCurves, FloatArray]:
         """The same, curves over the turn, and the switching angles, rad."""
         angles, switching = self.drawn_angles()
@@ -109,13 +117,11 @@ class SatelliteBearingOut(ResponseModel):
         "Largest resultant of the ring's forces on the satellite, W·√(1 + ρ²).", symbol="F_r"
     )
     basic_life_h: Maybe[float] = result(
-        "Time that 90 % of such bearings reach, (C/P)ᵖ million turns.",
-        symbol="L_10h",
-        default=None,
+        "Time that 90 % of such bearings reach, (C/P)ᵖ million turns.", symbol="L_10h"
     )
-    life_h: Maybe[float] = result("The same at the reliability asked.", symbol="L_nh", default=None)
+    life_h: Maybe[float] = result("The same at the reliability asked.", symbol="L_nh")
     static_safety_factor: Maybe[float] = result(
-        "Static rating over the largest load at the peak torque.", symbol="S₀", default=None
+        "Static rating over the largest load at the peak torque.", symbol="S₀"
     )
 
 
@@ -131,14 +137,13 @@ class SatelliteBearingResponse(AssumingResponse):
         symbol="ρ",
     )
     operating_pressure_angle_deg: Maybe[float] = result(
-        "Operating pressure angle of involute teeth.", symbol="α_w", default=None
+        "Operating pressure angle of involute teeth.", symbol="α_w"
     )
     satellites: list[SatelliteBearingOut]
     system_life_h: Maybe[float] = result(
         "Time that such reducers reach at the reliability asked without a failure of any of these "
         "bearings; where the slope of the distribution is given.",
         symbol="L_s",
-        default=None,
     )
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None
@@ -251,6 +256,12 @@ def figure(body: SatelliteBearingRequest, theme: Theme = "light") -> Figure:
     return load_figure(found, curves, from_si("switching_deg", switching), theme)
 
 
+def work(body: SatelliteBearingRequest) -> list[Values]:
+    """Worked steps of the bearing that is loaded most."""
+    steps, _ = run(body, body.steps)
+    return worked(satellite_bearing=steps)
+
+
 CALCULATION = Calculation(
     name="satellite-bearing",
     title="Bearings of the satellites",
@@ -258,6 +269,7 @@ CALCULATION = Calculation(
     request=SatelliteBearingRequest,
     answer=SatelliteBearingResponse,
     solve=solve,
+    worked=work,
     figure=figure,
     sources=(YANCHEVSKIY_2021, ISO_281),
     neglects=("friction", "bearing_elasticity", "centrifugal_forces"),

@@ -7,7 +7,7 @@ from typing import Any, ClassVar, cast
 from app.calculations.checks import JudgedFields, JudgedResponse, codes_to_fix, judgement
 from app.calculations.fatigue import STEEL_GPA, CycleOut, FatigueFields
 from app.calculations.hertz import Material, material_of
-from app.calculations.meshing_load import MeshingLoadRequest
+from app.calculations.meshing_load import MeshFields
 from app.model import (
     AccuracyOut,
     Calculation,
@@ -26,6 +26,7 @@ from app.running import run
 from app.sources import JOHNSON_1985, KHATETOVSKY_2020, SHIGLEY
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
 from app.units import core_name, from_si, to_si
+from app.worked import worked
 from core.checks.check import Verdict
 from core.checks.shaft import shaft_checks
 from core.fatigue import FatigueStrength
@@ -37,6 +38,8 @@ from core.precession.shaft import ShaftDiagram, ShaftSection, shaft_diagram
 from core.precession.shaft_deflection import ShaftDeflection, shaft_deflection
 from core.precession.shaft_strength import ShaftStrength, shaft_strength
 from core.results import Notice
+from core.worked.precession import shaft_steps
+from core.worked.step import Step
 
 Plane = tuple[float, float]
 Limit = Callable[[float], FatigueStrength]
@@ -73,7 +76,7 @@ _GEAR = ("roller_radius_mm", "roller_circle_radius_mm")
 """What a fix may change of the gear."""
 
 
-class ShaftDeflectionRequest(MeshingLoadRequest, JudgedFields, group="shaft"):
+class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
     """A mesh, its torque and the shaft that carries it."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("shaft_diameter_mm",), ("shaft_sections",)),)
@@ -174,6 +177,35 @@ class ShaftDeflectionRequest(MeshingLoadRequest, JudgedFields, group="shaft"):
             roller_material=roller,
             mating_material=mating,
             load_error=float(load.accuracy.relative_error),
+        )
+
+    def steps(self) -> list[Step]:
+        """Worked steps of the shaft."""
+        load, found = self.solve_all()
+        contact, touching = self.contact(load), None
+        if contact is not None and self.line_contact is not None:
+            touching = (
+                contact,
+                {
+                    "roller_radius": to_si("radius_mm", self.roller_radius_mm),
+                    "mating_radius": to_si("radius_mm", self.line_contact.mating_radius_mm),
+                    "materials": self.line_contact.materials(),
+                },
+            )
+        return shaft_steps(
+            load=load,
+            found=found,
+            sections=self.sections(),
+            bearing_distance=to_si("distance_mm", self.bearing_distance_mm),
+            overhang=to_si("overhang_mm", self.overhang_mm),
+            youngs_modulus=to_si("youngs_modulus_GPa", self.youngs_modulus_GPa),
+            strength=self.strength(found),
+            judged={
+                "basis": self.fatigue and self.fatigue.section(),
+                "tensile_strength": to_si("tensile_strength_MPa", self.tensile_strength_MPa),
+                "yield_strength": to_si("yield_strength_MPa", self.yield_strength_MPa),
+            },
+            contact=touching,
         )
 
     def judge(self, load: MeshingLoad, result: ShaftDeflection) -> dict[str, Any]:
@@ -279,12 +311,10 @@ class ShaftStrengthOut(ResponseModel):
     peak_stress_MPa: float = result("Largest bending stress, 32·M/(π·d³).", symbol="σ")
     peak_stress_position_mm: float = result("Its section, from C towards the clamp.")
     static_safety_factor: Maybe[float] = result(
-        "Yield strength over it, where that is given.", symbol="S", default=None
+        "Yield strength over it, where that is given.", symbol="S"
     )
     fatigue: Maybe[CycleOut] = None
-    cycle_position_mm: Maybe[float] = result(
-        "Section of that cycle, from C towards the clamp.", default=None
-    )
+    cycle_position_mm: Maybe[float] = result("Section of that cycle, from C towards the clamp.")
 
 
 class LineContactOut(ResponseModel):
@@ -295,9 +325,9 @@ class LineContactOut(ResponseModel):
     reduced_radius_mm: float = result("Reduced radius of curvature.", symbol="ρ")
     effective_modulus_GPa: float = result("Effective modulus.", symbol="E*")
     roller_safety: Maybe[float] = result(
-        "Limit of the roller's material over the pressure, where it is known.", default=None
+        "Limit of the roller's material over the pressure, where it is known."
     )
-    mating_safety: Maybe[float] = result("The same of the satellite's material.", default=None)
+    mating_safety: Maybe[float] = result("The same of the satellite's material.")
     accuracy: AccuracyOut
 
 
@@ -320,17 +350,16 @@ class ShaftDeflectionResponse(JudgedResponse):
     slope_C_mrad: DeflectionOut = result("Slope at C.", symbol="θ_C", equation="Mohr")
     simplified_deflection_B_mm: Maybe[DeflectionOut] = result(
         "Deflection at B of a shaft of one diameter, where the shaft has steps.",
-        default=None,
         symbol="Δ_B",
         equation="2020, eq. 34, 36",
     )
     simplified_deflection_C_mm: Maybe[DeflectionOut] = result(
-        "The same at C.", default=None, symbol="Δ_C", equation="2020, eq. 33, 35"
+        "The same at C.", symbol="Δ_C", equation="2020, eq. 33, 35"
     )
     simplification_error_B: Maybe[float] = result(
-        "The simplified deflection at B over the exact one, less 1.", default=None
+        "The simplified deflection at B over the exact one, less 1."
     )
-    simplification_error_C: Maybe[float] = result("The same at C.", default=None)
+    simplification_error_C: Maybe[float] = result("The same at C.")
     strength: Maybe[ShaftStrengthOut] = None
     line_contact: Maybe[LineContactOut] = None
     accuracy: AccuracyOut
@@ -452,6 +481,12 @@ def figure(body: ShaftDeflectionRequest, theme: Theme = "light") -> Figure:
     return shaft_figure(diagram, body.bearing_distance_mm, theme)
 
 
+def work(body: ShaftDeflectionRequest) -> list[Values]:
+    """Worked steps of reactions, deflections, strength and contact."""
+    steps, _ = run(body, body.steps)
+    return worked(shaft_deflection=steps)
+
+
 CALCULATION = Calculation(
     name="precession/shaft-deflection",
     title="Shaft of the precessional gear",
@@ -459,6 +494,7 @@ CALCULATION = Calculation(
     request=ShaftDeflectionRequest,
     answer=ShaftDeflectionResponse,
     solve=solve,
+    worked=work,
     figure=figure,
     sources=(KHATETOVSKY_2020, JOHNSON_1985, SHIGLEY),
     neglects=("shear", "bearing_elasticity", "friction"),

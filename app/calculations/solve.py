@@ -24,12 +24,15 @@ from app.model import (
     RequestModel,
     ResponseModel,
     Values,
+    WorkedFields,
+    WorkedResponse,
     accuracy_values,
     result,
 )
 from app.problems import Problem, invalid_input, refusal, wrong_fields
 from app.running import named, run
 from app.settings import Settings
+from app.worked import stated
 from core.errors import CalculationError, InvalidInput
 from core.exploration.solve import (
     MOST_WHOLE,
@@ -93,9 +96,9 @@ class TargetFields(RequestModel):
         description="JSON pointer into the answer; a check by its code: "
         "`/checks/contact_pressure_hole/torque_reserve`.",
     )
-    at_least: Maybe[float] = Field(default=None, description="Least value.")
-    at_most: Maybe[float] = Field(default=None, description="Largest value.")
-    equals: Maybe[float] = Field(default=None, description="The value itself.")
+    at_least: Maybe[float] = Field(description="Least value.")
+    at_most: Maybe[float] = Field(description="Largest value.")
+    equals: Maybe[float] = Field(description="The value itself.")
 
     @property
     def wanted(self) -> tuple[Sense, float]:
@@ -108,7 +111,7 @@ class TargetFields(RequestModel):
         return "equals", self.equals
 
 
-class SolveRequest(RequestModel):
+class SolveRequest(WorkedFields):
     """A calculation with its input, the field that may change, and the result that is wanted."""
 
     calculation: Literal[
@@ -311,26 +314,23 @@ class BestOut(ResponseModel):
     target: float = result("Its result.")
 
 
-class SolveResponse(ResponseModel):
+class SolveResponse(WorkedResponse):
     """Where the target is met."""
 
     status: SolveStatus = Field(
         description="`always` where the whole range meets it, `several` where more than one "
         "stretch does, `infeasible` where none."
     )
-    value: Maybe[float] = result("The input that meets the target, as wanted.", default=None)
+    value: Maybe[float] = result("The input that meets the target, as wanted.")
     sets: Maybe[dict[str, float]] = Field(
-        default=None, description="All that it sets, by JSON pointer into `input`."
+        description="All that it sets, by JSON pointer into `input`."
     )
-    bracket: Maybe[tuple[float, float]] = result(
-        "The neighbours that the edge lies between.", default=None
-    )
+    bracket: Maybe[tuple[float, float]] = result("The neighbours that the edge lies between.")
     intervals: list[tuple[float, float]] = result("Stretches that meet the target.")
     best: Maybe[BestOut] = None
     monotone: bool = result("Whether the result only grows or only falls, as sampled.")
     standard_size: Maybe[float] = result(
-        "The next size of a standard pin (ISO 2338) that meets the target, as the input has it.",
-        default=None,
+        "The next size of a standard pin (ISO 2338) that meets the target, as the input has it."
     )
     linked: list[str] = Field(description="JSON pointers to inputs that follow the variable.")
     accuracy: AccuracyOut = Field(
@@ -343,7 +343,7 @@ def solve(body: SolveRequest) -> Values:
     """The smallest or largest value of an input with which a result is what is wanted."""
     (found, sets, linked), run_time_us = run(body, body.solve)
     accuracy = Accuracy("bracketing", TOLERANCE, found.evaluations)
-    values = {
+    values: Values = {
         "status": found.status,
         "value": found.value,
         "sets": sets or None,
@@ -355,6 +355,9 @@ def solve(body: SolveRequest) -> Values:
         "linked": linked,
         "accuracy": accuracy_values(accuracy, run_time_us),
     }
+    if "worked" in body.include:
+        name = body.variable.pointer.rpartition("/")[2]
+        values["worked"] = stated("solve", {name: found.value}, "root")
     return {name: value for name, value in values.items() if value is not None}
 
 

@@ -45,12 +45,10 @@ class ContributionOut(ResponseModel):
     first: float = result("Share of the variance that it explains alone.", symbol="S_1")
     first_error: float = result("Standard error of the same.")
     percentile_without: Maybe[PercentileOut] = result(
-        "The highest percentile asked, with this tolerance at the middle of its limits.",
-        default=None,
+        "The highest percentile asked, with this tolerance at the middle of its limits."
     )
     fits_without: Maybe[EstimateOut] = result(
-        "Share of the pieces that fit, with this tolerance at the middle of its limits.",
-        default=None,
+        "Share of the pieces that fit, with this tolerance at the middle of its limits."
     )
 
 
@@ -58,9 +56,9 @@ class QuantityOut(ResponseModel):
     """One quantity of the pieces that fit; its name says the unit."""
 
     nominal: Maybe[float] = result(
-        "Of the piece at the middle of all limits; absent where that does not fit.", default=None
+        "Of the piece at the middle of all limits; absent where that does not fit."
     )
-    mean: Maybe[float] = result("Mean; absent where no piece fits.", default=None)
+    mean: Maybe[float] = result("Mean; absent where no piece fits.")
     percentiles: list[PercentileOut] = result(
         "Percentiles of the pieces that fit, in the order asked; without those for which too few "
         "fit."
@@ -71,33 +69,26 @@ class QuantityOut(ResponseModel):
         "over the highest peaks, which come out too low; of the others against four times as many "
         "angles."
     )
-    kept: Maybe[YieldOut] = Field(
-        default=None, alias="yield", description="Yield, where a limit is given."
-    )
-    yield_of_fitting: Maybe[YieldOut] = result("The same of the pieces that fit.", default=None)
-    histogram: Maybe[HistogramOut] = result("Histogram, where asked.", default=None)
+    kept: Maybe[YieldOut] = Field(alias="yield", description="Yield, where a limit is given.")
+    yield_of_fitting: Maybe[YieldOut] = result("The same of the pieces that fit.")
+    histogram: Maybe[HistogramOut] = result("Histogram, where asked.")
     contributions: Maybe[list[ContributionOut]] = result(
         "What each tolerance does, the largest first, where asked: of the first quantity. Where "
-        "the totals add up to more than 1, tolerances act together.",
-        default=None,
+        "the totals add up to more than 1, tolerances act together."
     )
 
 
 class QuantitiesOut(ResponseModel):
     """What is asked, over the turn of each piece."""
 
-    peak_force_N: Maybe[QuantityOut] = result("Largest force of all pairs.", default=None)
-    max_pressure_MPa: Maybe[QuantityOut] = result("Largest Hertz pressure.", default=None)
-    transmission_error_arcmin: Maybe[QuantityOut] = result(
-        "Largest less least lag under load.", default=None
-    )
-    backlash_max_arcmin: Maybe[QuantityOut] = result(
-        "Largest play of the unloaded output.", default=None
-    )
+    peak_force_N: Maybe[QuantityOut] = result("Largest force of all pairs.")
+    max_pressure_MPa: Maybe[QuantityOut] = result("Largest Hertz pressure.")
+    transmission_error_arcmin: Maybe[QuantityOut] = result("Largest less least lag under load.")
+    backlash_max_arcmin: Maybe[QuantityOut] = result("Largest play of the unloaded output.")
     lost_motion_arcmin: Maybe[QuantityOut] = result(
-        "Largest rotation between the two directions of a share of the torque.", default=None
+        "Largest rotation between the two directions of a share of the torque."
     )
-    stiffness_min_Nm_per_arcmin: Maybe[QuantityOut] = result("Least stiffness.", default=None)
+    stiffness_min_Nm_per_arcmin: Maybe[QuantityOut] = result("Least stiffness.")
 
 
 class StudyAccuracyOut(AccuracyOut):
@@ -133,8 +124,7 @@ class ToleranceStudyResponse(AssumingResponse):
     )
     fit_contributions: Maybe[list[ContributionOut]] = result(
         "What each tolerance does to whether the pieces fit, the largest first: in the place of "
-        "the contributions to a quantity, where fewer than 95 % of the pieces fit.",
-        default=None,
+        "the contributions to a quantity, where fewer than 95 % of the pieces fit."
     )
     accuracy: StudyAccuracyOut
     warnings: Maybe[list[WarningOut]] = None

@@ -32,6 +32,7 @@ from app.settings import Settings
 from app.sources import ISO_286, JANSEN_1999, YANCHEVSKIY_2021
 from app.theme import Figure, Theme
 from app.units import core_name, from_si, to_si
+from app.worked import stated
 from core.arrays import FloatArray
 from core.errors import InvalidInput
 from core.output.real_mechanism import Deviations
@@ -112,9 +113,9 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
     )
     """Percentages of the percentiles; a rare one needs many samples: 95 % takes 72, 99 % 368."""
     limits: Maybe[LimitsFields] = None
-    include: list[Literal["histogram", "contributions"]] = Field(
+    include: list[Literal["histogram", "contributions", "worked"]] = Field(
         default=[],
-        max_length=2,
+        max_length=3,
         description="Results besides. `contributions` of G tolerances to the first quantity take "
         "2·G + 2 times as many pieces more.",
     )
@@ -240,6 +241,10 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
         sampling = max(self._sampling_error(name, quantities, found) for name in self.names)
         grid = max(found.angle_grid_error.values())
         values["accuracy"] = {"sampling_error": sampling, "angle_grid_error": grid}
+        if "worked" in self.include:
+            means = {name: each.get("mean") for name, each in quantities.items()}
+            counts = {name: values[name] for name in ("samples", "fits", "cannot_work")}
+            values["worked"] = stated("tolerance_study", means | counts, "simulated")
         notices = self._few(found)
         if notices:
             values["warnings"] = [*map(warning, notices)]

@@ -1,5 +1,6 @@
 """Error against run time: request, answer, figure."""
 
+from functools import partial
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
@@ -47,6 +48,8 @@ from core.work_precision.tolerance import COST, tolerance_sampling_study
 MAX_ROLLERS = 24
 """Most rollers of a study: its reference is calculated for each."""
 
+compared = partial(Field, description="Whose methods are compared.")
+
 
 class Study(RequestModel):
     """A study of one calculation, which repeats every method."""
@@ -55,9 +58,7 @@ class Study(RequestModel):
 class PeakForceStudy(Study):
     """Peak of the contact force."""
 
-    calculation: Literal["contact-force", "peak_force"] = Field(
-        description="Whose methods are compared."
-    )
+    calculation: Literal["contact-force", "peak_force"] = compared()
     input: ContactForceRequest
 
     def solve(self) -> WorkPrecision:
@@ -70,7 +71,7 @@ class PeakForceStudy(Study):
 class TotalForceStudy(Study):
     """Mean of the total force, to which the mean loss is proportional."""
 
-    calculation: Literal["output-efficiency"] = Field(description="Whose methods are compared.")
+    calculation: Literal["output-efficiency"] = compared()
     input: OutputEfficiencyRequest
 
     def solve(self) -> WorkPrecision:
@@ -85,7 +86,7 @@ class PinStrengthStudy(Study):
     that the satellites share equally.
     """
 
-    calculation: Literal["pin-strength"] = Field(description="Whose methods are compared.")
+    calculation: Literal["pin-strength"] = compared()
     input: PinStrengthRequest
     quantity: Literal["bending_stress", "slope", "edge_load"] = Field(
         default="bending_stress",
@@ -124,7 +125,7 @@ def _turning(results: Results) -> dict[str, Any]:
 class SatelliteBearingStudy(Study):
     """Equivalent load of the satellites' bearings, by ideal forces that these share equally."""
 
-    calculation: Literal["satellite-bearing"] = Field(description="Whose methods are compared.")
+    calculation: Literal["satellite-bearing"] = compared()
     input: SatelliteBearingRequest
 
     def solve(self) -> WorkPrecision:
@@ -138,7 +139,7 @@ class CrankshaftStudy(Study):
     equally.
     """
 
-    calculation: Literal["crankshaft"] = Field(description="Whose methods are compared.")
+    calculation: Literal["crankshaft"] = compared()
     input: CrankshaftRequest
 
     def solve(self) -> WorkPrecision:
@@ -158,9 +159,7 @@ class CrankshaftStudy(Study):
 class ContactLineStudy(Study):
     """Total length of the contact lines."""
 
-    calculation: Literal["precession/contact-line", "contact_line_length"] = Field(
-        description="Whose methods are compared."
-    )
+    calculation: Literal["precession/contact-line", "contact_line_length"] = compared()
     input: ContactLineRequest
 
     def solve(self) -> WorkPrecision:
@@ -173,9 +172,7 @@ class ContactLineStudy(Study):
 class MeshingLoadStudy(Study):
     """Force of the mesh."""
 
-    calculation: Literal["precession/meshing-load", "meshing_load"] = Field(
-        description="Whose methods are compared."
-    )
+    calculation: Literal["precession/meshing-load", "meshing_load"] = compared()
     input: MeshingLoadRequest
 
     def solve(self) -> WorkPrecision:
@@ -193,9 +190,7 @@ class MeshingLoadStudy(Study):
 class RollerSharingStudy(Study):
     """Forces of the swinging rollers."""
 
-    calculation: Literal["roller-strength", "roller_sharing"] = Field(
-        description="Whose methods are compared."
-    )
+    calculation: Literal["roller-strength", "roller_sharing"] = compared()
     input: RollerStrengthRequest
 
     def solve(self) -> WorkPrecision:
@@ -215,9 +210,7 @@ class RollerSharingStudy(Study):
 class ShaftDeflectionStudy(Study):
     """Deflection of the shaft at C."""
 
-    calculation: Literal["precession/shaft-deflection", "shaft_deflection"] = Field(
-        description="Whose methods are compared."
-    )
+    calculation: Literal["precession/shaft-deflection", "shaft_deflection"] = compared()
     input: ShaftDeflectionRequest
 
     def solve(self) -> WorkPrecision:
@@ -236,7 +229,7 @@ class ShaftDeflectionStudy(Study):
 class LoadSharingStudy(Study):
     """Peak force with clearance and errors; of a torque that alternates its driving direction."""
 
-    calculation: Literal["load-sharing"] = Field(description="Whose methods are compared.")
+    calculation: Literal["load-sharing"] = compared()
     input: LoadSharingRequest
 
     def solve(self) -> WorkPrecision:
@@ -247,7 +240,7 @@ class LoadSharingStudy(Study):
 class ToleranceSamplingStudy(Study):
     """The highest percentile asked of the first quantity, its mean where none is."""
 
-    calculation: Literal["tolerance-study"] = Field(description="Whose methods are compared.")
+    calculation: Literal["tolerance-study"] = compared()
     input: ToleranceStudyRequest
 
     def refuse_beyond(self, settings: Settings) -> None:

@@ -31,13 +31,14 @@ class Fault:
     """What is wrong with one field.
 
     `pointer` is the JSON pointer of the field (empty: the request as a whole), `code` and `params`
-    are for programs, `detail` is for people.
+    are for programs, `detail` is for people; `was` is the code that this one replaces.
     """
 
     pointer: str
     code: str
     params: dict[str, Any]
     detail: str
+    was: str = ""
 
 
 class Refused(Exception):
@@ -49,7 +50,13 @@ class Refused(Exception):
         self.status: int = problem["status"]
         self.where: dict[str, float] = problem.get("where", {})
         self.faults = [
-            Fault(each["pointer"], each["code"], each["params"], each["detail"])
+            Fault(
+                each["pointer"],
+                each["code"],
+                each["params"],
+                each["detail"],
+                each.get("was", ""),
+            )
             for each in problem["errors"]
         ]
 
@@ -161,6 +168,11 @@ class Client:
         if answer.headers.get("content-type") == "application/problem+json":
             raise Refused(answer.json())
         answer.raise_for_status()
+
+
+def is_called(said: Mapping[str, Any], code: str) -> bool:
+    """Whether a warning or a reason has a code: its own, or the one that it replaces."""
+    return code in (said["code"], said.get("was"))
 
 
 def _cut(requests: Iterable[str], at_once: int, most_bytes: int) -> Iterator[list[str]]:

@@ -7,7 +7,7 @@ from typing import Any, Literal, NamedTuple, get_args
 
 from core.checks.kinds import CHECKS, Kind
 from core.derived import UNKNOWN
-from core.errors import ImpossibleMechanism, NotKnown
+from core.errors import ImpossibleMechanism, InvalidInput, NotKnown
 from core.output.pin_geometry import FIT_TOLERANCE
 from core.results import ROUNDING
 
@@ -44,7 +44,11 @@ class Check(NamedTuple):
     warning : bool
         Whether the check can be marginal at worst.
     reason : str
-        Why the status is so, where the numbers do not say it: a key of `REASONS`.
+        Why the status is so, where the numbers do not say it: a key of `core.codes.CODES`.
+    params : mapping
+        What the words of the reason name, in SI units; of a warning as its notice has it.
+    refusal : InvalidInput or None
+        The reason as the refusal of who asks for what the check looks at, where it is one.
     limit_source, criterion, verified : str
         Of the limit of a material: source, criterion, how that was seen.
     life_factor : float or None
@@ -65,6 +69,8 @@ class Check(NamedTuple):
     impossible: bool = False
     warning: bool = False
     reason: str = ""
+    params: Mapping[str, Any] = {}
+    refusal: InvalidInput | None = None
     limit_source: str = ""
     criterion: str = ""
     verified: str = ""
@@ -86,14 +92,6 @@ class Check(NamedTuple):
         return -over if self.kind.keep == "below" else over
 
 
-UNSOLVED = {
-    "cannot_assemble": "cannot_assemble",
-    "dead_centre": "dead_centre",
-    "beyond_hertz": "no_pressure",
-}
-"""Why forces are not known, as the reason of a check, where there is one of its own."""
-
-
 def not_checked(code: str, why: NotKnown | ImpossibleMechanism, **more: Any) -> Check:
     """A check that could not be made.
 
@@ -111,9 +109,10 @@ def not_checked(code: str, why: NotKnown | ImpossibleMechanism, **more: Any) -> 
     Check
     """
     if isinstance(why, ImpossibleMechanism):
-        reason = UNSOLVED.get(why.code, "no_balance")
-        return Check(code=code, status="not_checked", reason=reason, **more)
-    return Check(code=code, status="not_checked", reason=why.code, missing=why.missing, **more)
+        more |= {"params": why.where | why.params}
+    else:
+        more |= {"missing": why.missing, "refusal": why.refusal}
+    return Check(code=code, status="not_checked", reason=why.code, **more)
 
 
 def attempt(code: str, check: Callable[[], Check], **more: Any) -> Check:

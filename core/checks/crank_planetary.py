@@ -64,9 +64,15 @@ def _interference(design: Design, results: Results) -> Check:
             return judged(code, clearance, 0.0)._replace(utilisation=None)
         if not design.load:
             raise
-        if clearance < 0:
-            return Check(code=code, status="fail", value=clearance, limit=0.0,
-                         impossible=True, reason="cannot_assemble")  # fmt: skip
+        if clearance < 0:  # of all pairs alike
+            lacking = {
+                "satellite": 1,
+                "pin": 1,
+                "missing_length": -clearance,
+                "needed_length": design.contact.pair.hole_radius - clearance,
+            }
+            found = Check(code=code, status="fail", value=clearance, limit=0.0, impossible=True)
+            return found._replace(reason="cannot_assemble", params=lacking)
         return not_checked(code, why, limit=0.0)
     at: dict[str, float] = {}
     if fit.room.binding:
@@ -84,6 +90,7 @@ def _interference(design: Design, results: Results) -> Check:
         value=0.0 if status == "pass" and fit.room.least < 0 else fit.room.least,
         limit=0.0,
         reason=misfit,
+        params=fit.refusal().params if misfit == "cannot_assemble" else {},
         impossible=status == "fail" and misfit != "pressed_without_load",
         at=at,
     )
@@ -104,7 +111,8 @@ def _clearance(design: Design, results: Results) -> Check:
     ]
     if wanted and all(wanted):  # as much play as is asked for
         return Check(code=code, status="pass", value=share, limit=MOST_PLAY)
-    return judged(code, share, MOST_PLAY, warning="clearance_like_eccentricity")
+    ratio = {"ratio": share}
+    return judged(code, share, MOST_PLAY, warning="clearance_like_eccentricity", params=ratio)
 
 
 def _between(code: str, design: Design, radius: float, least: float | None = None) -> Check:

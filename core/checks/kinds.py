@@ -1,4 +1,4 @@
-"""What is checked, why and by which formula; reasons, sources and what is left out, by code."""
+"""What is checked, why and by which formula; sources and what is left out, by code."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -87,72 +87,6 @@ CHECK_SOURCES = {
     "yanchevsky_2018": "Yanchevsky et al. 2018, eq. 2",
 }
 """Where the formulas of checks come from, in English, by code."""
-
-REASONS = {
-    "beyond_size": "The strengths of the material do not hold for so thick a pin: enter those of "
-    "its size",
-    "cannot_assemble": "The parts cannot be put together at any crank angle: pins and holes press "
-    "by more than they stand",
-    "clearance_like_eccentricity": "The clearance is nearly as large as the eccentricity: what "
-    "moves so is hardly meant",
-    "conformal_solution": "The pressure is that of the conformal contact, which asks for no narrow "
-    "one",
-    "cranks_deviate": "The balance is known of cranks without deviations only",
-    "dead_centre": "The mechanism has a dead centre: the forces are not bounded",
-    "different_parts": "Satellites differ in how their holes lie against their teeth: each needs a "
-    "drawing of its own",
-    "discs_out_of_phase": "Each satellite by itself goes onto the pins, all together do not: the "
-    "holes of one are turned against those of another",
-    "eccentricity_missing": "No eccentricity is given: it is taken as hole radius minus pin radius",
-    "endurance_unknown": "No endurance limit is known for this material: enter one, or its tensile "
-    "strength where it is a steel",
-    "fits_by_bearing_clearance": "The parts go together only as far as the clearance of the "
-    "bearings on the cranks lets the satellites move",
-    "finite_life": "The strength is that for the cycles of the life, one a turn of the satellite "
-    "against its crank",
-    "jams": "The parts go together, but jam in a part of the turn",
-    "life_of_teeth": "The limit is that for the loads over the life, by the curves of ISO 6336-2, "
-    "which are meant for teeth",
-    "life_without_speed": "No input speed is given: how the limit falls over the life is left out",
-    "limit_unknown": "No limit of the pressure is known for this material: enter one",
-    "mass_unknown": "No mass of a satellite is given",
-    "no_balance": "The forces with clearance and deviations find no balance: the contacts are too "
-    "soft for the load, or the clearance is too large",
-    "no_bush": "The pv is that of a bush: a bare pin touches its wider hole along a narrow strip",
-    "no_involute": "It is one of involute teeth",
-    "no_life_curve": "How the limit falls over the life is not known for this material: it is left "
-    "out",
-    "no_limit": "No limit was asked",
-    "no_pressure": "The contact is wider than the pin: no pressure is known",
-    "no_teeth": "No teeth or pins of the ring are given",
-    "notch_unknown": "Neither a notch nor its factor is given; 1 says that there is none",
-    "one_only": "There is one only",
-    "plastic_first": "The first turns yield below the surface; the contact settles after that",
-    "pressed_without_load": "With these deviations pins and holes press without load",
-    "pressure_error": "The limit lies within the error of the value",
-    "rating_unknown": "No load rating of the bearing is given",
-    "roots_unknown": "The roots of the satellite's teeth are not known: enter their radius, or the "
-    "one of the ring's pins",
-    "rough_guide": "The contact is too wide for Hertz, and the materials too different for a "
-    "conformal pressure: the pressure is a rough guide",
-    "section_missing": "A part of the design that it needs is not given",
-    "size_missing": "A size that it needs is not given",
-    "speed_missing": "No input speed is given",
-    "steep_mesh": "The ring presses the satellite along the crank far more than it turns it",
-    "steady_load": "The load turns with the shaft and bends it one way all the time",
-    "tested_limit": "The tested limit of this material counts, not its yield strength",
-    "tilted": "Rollers are usually tilted by about 12° at most: the forces take them as parallel "
-    "to the axis",
-    "too_large": "There are more pairs of pin and hole than it is calculated for",
-    "too_many_pairs": "The forces with clearance are solved for 100 pairs of pin and hole at most",
-    "unbalanced": "The satellites need a counterweight",
-    "uneven": "Not every roller carries",
-    "unloaded": "The loads cancel: nothing presses the bearings",
-    "value_unknown": "Nothing is known of the value: its error is as large as it is, or has no end",
-    "wear_unknown": "No wear coefficient is given",
-    "yield_unknown": "No yield strength is known: enter one",
-}
-"""Why a status is what it is, where numbers do not say it, in English, by code."""
 
 NOT_CONSIDERED = {
     "bearing": "bearings of the satellites",
@@ -297,7 +231,8 @@ CHECKS = {
     "dead_centre": Kind(
         "Dead centres", "mechanism", "", "Δθ < 180°",
         "There no pair drives, and no torque is transmitted.",
-        ("mechanism.pins", "mechanism.satellites", "mechanism.crank_spacing", "mechanism.crank_angles"), "yanchevskiy_2021",
+        ("mechanism.pins", "mechanism.satellites", "mechanism.crank_spacing",
+         "mechanism.crank_angles"), "yanchevskiy_2021",
     ),
     "crank_balance": Kind(
         "Static balance of the crank spacing", "mechanism", "", "|Σ e^(i·α_j)|/K = 0",
@@ -307,7 +242,8 @@ CHECKS = {
     "assembly": Kind(
         "Satellites that differ", "mechanism", "", "ψ_j = 0",
         "Otherwise they are different parts that can be exchanged by mistake.",
-        ("mechanism.satellite_teeth", "mechanism.ring_teeth", "mechanism.pins", "mechanism.crank_spacing", "mechanism.crank_angles"),
+        ("mechanism.satellite_teeth", "mechanism.ring_teeth", "mechanism.pins",
+         "mechanism.crank_spacing", "mechanism.crank_angles"),
         "yanchevskiy_2021",
     ),
     **_contact_kinds("pin"),
@@ -335,31 +271,37 @@ CHECKS = {
     "lost_motion": Kind(
         "Lost motion of the output mechanism", "play", "arcmin", "θ(+3 % T) − θ(−3 % T) ≤ Δφ",
         "Otherwise the output gives way by more than is asked when the torque turns.",
-        ("load.output_torque", "load.pin_circle_radius", "mechanism.pins", "mechanism.satellites", *_SHARING,
+        ("load.output_torque", "load.pin_circle_radius", "mechanism.pins", "mechanism.satellites",
+         *_SHARING,
          "requirements.max_lost_motion"), "load_sharing",
     ),
     "wall_holes": Kind(
         "Wall between holes", "geometry", "mm", "2·R·sin(π/N) − 2·r_out ≥ w",
         "Otherwise the holes overlap, or the satellite is weak between them.",
-        ("mechanism.pins", "load.pin_circle_radius", "contact.hole_radius", "requirements.min_wall"), "wang_2016", keep="above",
+        ("mechanism.pins", "load.pin_circle_radius", "contact.hole_radius",
+         "requirements.min_wall"), "wang_2016", keep="above",
     ),
     "pins_apart": Kind(
         "Space between pins", "geometry", "mm", "2·R·sin(π/N) − 2·r_in > 0",
-        "Otherwise the pins overlap.", ("mechanism.pins", "load.pin_circle_radius", "contact.pin_radius"), keep="above",
+        "Otherwise the pins overlap.", ("mechanism.pins", "load.pin_circle_radius",
+         "contact.pin_radius"), keep="above",
     ),
     "holes_off_centre": Kind(
         "Holes beside the centre", "geometry", "mm", "R − r_out > 0",
-        "Otherwise the holes reach the axis.", ("load.pin_circle_radius", "contact.hole_radius"), keep="above",
+        "Otherwise the holes reach the axis.", ("load.pin_circle_radius", "contact.hole_radius"),
+        keep="above",
     ),
     "wall_rim": Kind(
         "Wall to the rim", "body", "mm", "r_f − R − r_out ≥ w",
         "Otherwise the holes break through the rim of the satellite.",
-        (*_ROOTS, "load.pin_circle_radius", "contact.hole_radius", "requirements.min_wall"), "wang_2016", keep="above",
+        (*_ROOTS, "load.pin_circle_radius", "contact.hole_radius", "requirements.min_wall"),
+        "wang_2016", keep="above",
     ),
     "wall_bore": Kind(
         "Wall to the bore", "body", "mm", "R − r_out − r_b ≥ w",
         "Otherwise the holes break into the bore of the satellite.",
-        ("satellite_body.bore_radius", "load.pin_circle_radius", "contact.hole_radius", "requirements.min_wall"), "wang_2016", keep="above",
+        ("satellite_body.bore_radius", "load.pin_circle_radius", "contact.hole_radius",
+         "requirements.min_wall"), "wang_2016", keep="above",
     ),
     "outer_diameter": Kind(
         "Diameter of the space of the satellites", "body", "mm", "2·(r_o + e) ≤ D_max",
@@ -378,7 +320,8 @@ CHECKS = {
     ),
     "pin_deflection": Kind(
         "Deflection of the pins", "pin", "mm", "w ≤ Δ_max",
-        "Above it the satellites share the load unevenly.", (*_PIN, "requirements.max_deflection"), "beam",
+        "Above it the satellites share the load unevenly.", (*_PIN, "requirements.max_deflection"),
+        "beam",
     ),
     "pin_slope": Kind(
         "Slope of the pins in the satellites", "pin", "mrad", "θ ≤ θ_max",
@@ -393,17 +336,20 @@ CHECKS = {
     "sliding_speed": Kind(
         "Sliding speed", "friction", "m_per_s", "v ≤ v_max",
         "Above it the surfaces get hot.",
-        (*_TURNING, "friction.sleeve", "pin.diameter", "contact.pin_radius", "requirements.max_sliding_speed"), "user",
+        (*_TURNING, "friction.sleeve", "pin.diameter", "contact.pin_radius",
+         "requirements.max_sliding_speed"), "user",
     ),
     "pv": Kind(
         "Pressure times sliding speed", "friction", "MPa_m_per_s", "p·v ≤ (pv)_all",
         "Above it the surfaces get hot and wear fast.",
-        (*_FORCES, "load.input_speed", "mechanism.ratio", "friction.sleeve", "requirements.max_pv"), "user",
+        (*_FORCES, "load.input_speed", "mechanism.ratio", "friction.sleeve", "requirements.max_pv"),
+        "user",
     ),
     "wear": Kind(
         "Wear of pins and holes", "friction", "mm", "h ≤ h_max",
         "Above it the output has more play than is asked before the end of its life.",
-        (*_FORCES, *_LIFE, "mechanism.ratio", "friction.wear_rate", "friction.life", "requirements.max_wear"),
+        (*_FORCES, *_LIFE, "mechanism.ratio", "friction.wear_rate", "friction.life",
+         "requirements.max_wear"),
         "archard_1953",
     ),
     "pressure_angle": Kind(
@@ -426,7 +372,8 @@ CHECKS = {
     "bearing_static": Kind(
         "Static load of the satellites' bearings", "bearing", "", "C₀/Q_max ≥ S_0",
         "Otherwise rolling elements dent their tracks.",
-        (*_BEARING, "load.peak_torque", "bearing.static_rating", "requirements.static_safety"), "iso_76_rating",
+        (*_BEARING, "load.peak_torque", "bearing.static_rating", "requirements.static_safety"),
+        "iso_76_rating",
         keep="above",
     ),
     "system_life": Kind(

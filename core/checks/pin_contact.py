@@ -31,7 +31,9 @@ def _against(design: Design, results: Results, code: str, warning: str = "", **m
         return not_checked(code, why, limit=limit, **more)
     pressure = contact.governing_pressure
     if pressure is None:
-        return not_checked(code, NotKnown("no_pressure"), limit=limit, **more)
+        ratio = {"ratio": float(contact.half_width_ratio)}
+        beyond = NotKnown("hertz_impossible")
+        return not_checked(code, beyond, limit=limit, params=ratio, **more)
     return judged(
         code,
         pressure,

@@ -8,9 +8,6 @@ from core.design.results import Results
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength
 
-NO_BASIS = {"fatigue_no_basis": "endurance_unknown", "fatigue_no_notch": "notch_unknown"}
-"""Why there is no endurance limit, as the reason of a check."""
-
 HARDENED = 1400e6
 """Tensile strength above which a steel hardly yields before it breaks, Pa."""
 
@@ -21,11 +18,16 @@ def _of_size(results: Results, check: Check) -> Check:
     """
     if not results.size_notices:
         return check
+    (thick,) = results.size_notices
     if check.status == "fail":
         return check._replace(torque_reserve=None)
     missing = ("pin.material",)
     return check._replace(
-        status="not_checked", torque_reserve=None, reason="beyond_size", missing=missing
+        status="not_checked",
+        torque_reserve=None,
+        reason=thick.code,
+        params=thick.params,
+        missing=missing,
     )
 
 
@@ -57,7 +59,7 @@ def _fatigue(design: Design, results: Results) -> Check:
     if found.fatigue is None:
         judged_by = results.fatigue_strength
         assert not isinstance(judged_by, FatigueStrength) and judged_by is not None
-        reason = NO_BASIS[judged_by.code]
+        reason = judged_by.code
         missing: tuple[str, ...] = ("fatigue.fatigue_notch_factor",)
         if reason == "endurance_unknown":
             missing = ("pin.material.tensile_strength",)

@@ -8,11 +8,11 @@ from core.fatigue import CycleFatigue
 from core.results import Notice
 from core.rollers.roller_strength import RollerStrength, roller_gaps
 
-NO_FATIGUE = {
-    "fatigue_no_basis": ("endurance_unknown", ("tensile_strength",)),
-    "fatigue_no_notch": ("notch_unknown", ("fatigue.fatigue_notch_factor",)),
+MISSING = {
+    "endurance_unknown": ("tensile_strength",),
+    "notch_unknown": ("fatigue.fatigue_notch_factor",),
 }
-"""Why a fatigue is not known, as the reason of a check, and what is missing."""
+"""What is missing where a fatigue is not known, by the code that says why."""
 
 ROLLER_LENGTH = 10.0
 """Usual least length of a swinging roller, from end to end, over the eccentricity."""
@@ -167,12 +167,11 @@ def fatigue_check(
     Check
     """
     if isinstance(fatigue, Notice):
-        reason, missing = NO_FATIGUE[fatigue.code]
         return Check(
             code=code,
             status="not_checked",
             limit=safety,
-            reason=reason,
-            missing=missing,
+            reason=fatigue.code,
+            missing=MISSING[fatigue.code],
         )
     return judged(code, fatigue.safety_factor, safety, reserve=reserve, error=error)

@@ -27,68 +27,37 @@ from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 @dataclass(frozen=True, slots=True)
 class Correction:
-    """What balances the shaft in the plane of a bearing.
+    """What balances the shaft in the plane of a bearing."""
 
-    Attributes
-    ----------
-    unbalance : float
-        Mass times radius, kg*m.
-    angle : float
-        Its direction in the sense of the crank's rotation, as the crank angles are counted, rad.
-    """
-
-    unbalance: float
-    angle: float
+    unbalance: float  # mass times radius, kg*m
+    angle: float  # its direction, counted as the crank angles, rad
 
 
 @dataclass(frozen=True, slots=True)
 class Balance:
-    """Centrifugal forces of the satellites on the shaft.
+    """Centrifugal forces of the satellites on the shaft."""
 
-    Attributes
-    ----------
-    unbalance : float
-        Mass times radius that is left, kg*m.
-    force : float
-        Its force at the speed of the crank, N.
-    couple : float
-        Couple of the satellites about the middle of the bearings, N*m.
-    corrections : tuple of Correction
-        In the planes of both bearings; together they balance force and couple.
-    """
-
-    unbalance: float
-    force: float
-    couple: float
+    unbalance: float  # mass times radius that is left, kg*m
+    force: float  # its force at the speed of the crank, N
+    couple: float  # of the satellites about the middle of the bearings, N*m
+    # In the planes of both bearings; together they balance force and couple.
     corrections: tuple[Correction, Correction]
 
 
 @dataclass(frozen=True, slots=True)
 class Crankshaft:
-    """Reactions and balance of a crankshaft.
+    """Reactions and balance of a crankshaft."""
 
-    Attributes
-    ----------
-    peak_reaction, equivalent_reaction : array, shape (2,)
-        Largest reaction of each bearing over the turn, and its equivalent load, N; without the
-        centrifugal forces. 0 where forces that cancel leave nothing but rounding.
-    basic_life : tuple of float or None
-        Time that 90 % of such bearings in the housing reach, s, where rating and speed are known
-        and there is a load.
-    balance : Balance or None
-        Where mass and speed are given.
-    accuracy : Accuracy
-        Of all numbers; those of the balance over the sum of the sizes that they are made of.
-    notices : tuple of Notice
-        Those of the ring.
-    """
-
+    # Largest reaction of each bearing over the turn, N, shape (2,), without the centrifugal forces;
+    # 0 where forces that cancel leave nothing but rounding.
     peak_reaction: FloatArray
-    equivalent_reaction: FloatArray
+    equivalent_reaction: FloatArray  # equivalent load of each, N, shape (2,), likewise
+    # Time that 90 % of such bearings in the housing reach, s, where rating and speed are known and
+    # there is a load.
     basic_life: tuple[float | None, ...]
-    balance: Balance | None
-    accuracy: Accuracy
-    notices: tuple[Notice, ...]
+    balance: Balance | None  # where mass and speed are given
+    accuracy: Accuracy  # of all numbers; of the balance over the sum of the sizes it is made of
+    notices: tuple[Notice, ...]  # those of the ring
 
 
 def crankshaft(
@@ -433,18 +402,11 @@ def moved_reactions(
 
 @dataclass(frozen=True, slots=True)
 class ReactionCurves:
-    """Reactions at crank angles, in the crank's frame.
+    """Reactions at crank angles, in the crank's frame."""
 
-    Attributes
-    ----------
-    crank_angle : array, shape (n,)
-        Crank angles, rad.
-    reaction : array of complex, shape (n, 2)
-        Of both bearings: along the direction from which crank angles are counted, and i times
-        that ahead of it, N.
-    """
-
-    crank_angle: FloatArray
+    crank_angle: FloatArray  # rad, shape (n,)
+    # Of both bearings, N, shape (n, 2): along the direction from which crank angles are counted,
+    # and i times that ahead of it.
     reaction: ComplexArray
 
 

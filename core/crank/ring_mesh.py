@@ -23,23 +23,11 @@ TERMS = 30
 
 @dataclass(frozen=True, slots=True)
 class RingMesh:
-    """The ratio rho of the ring's force along the crank to that across it.
+    """The ratio rho of the ring's force along the crank to that across it."""
 
-    Attributes
-    ----------
-    radial_force_ratio : float or array
-        rho, dimensionless.
-    operating_pressure_angle : float, array or None
-        alpha_w of involute teeth, rad.
-    error : float
-        Relative error of ratio and angle by rounding: large where the angle is small.
-    notices : tuple of Notice
-        Assumptions that are strained.
-    """
-
-    radial_force_ratio: Number
-    operating_pressure_angle: Number | None = None
-    error: float = 0.0
+    radial_force_ratio: Number  # rho
+    operating_pressure_angle: Number | None = None  # alpha_w of involute teeth, rad
+    error: float = 0.0  # relative, of both, by rounding: large where the angle is small
     notices: tuple[Notice, ...] = ()
 
 

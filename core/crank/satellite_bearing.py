@@ -45,50 +45,28 @@ CONVERGED = 1e-14
 
 @dataclass(frozen=True, slots=True)
 class SatelliteBearings:
-    """Load and life of the satellites' bearings; the last axis counts the satellites.
+    """Load and life of the satellites' bearings; the last axis counts the satellites."""
 
-    Attributes
-    ----------
-    relative_speed : float or array, shape (...), or None
-        Speed of a bearing's rings against each other, rad/s, where that of the crank is given.
-    radial_force_ratio : float or array, shape (...)
-        Ratio rho of the ring's force along the crank to that across it.
-    operating_pressure_angle : float, array or None
-        Of involute teeth, rad.
-    peak_load, min_load : array, shape (..., K)
-        Largest and least load over the turn, N.
-    equivalent_load : array, shape (..., K)
-        Equivalent load P, the factor of the rings in it, N.
-    peak_ring_force : array, shape (..., K)
-        Largest resultant of the ring's forces on the satellite, N.
-    basic_life : array, shape (..., K) or None
-        Time that 90 % of such bearings reach, s, where rating and speed are known; infinite of a
-        satellite that carries nothing.
-    life : array, shape (..., K) or None
-        The same at the reliability asked.
-    static_safety_factor : array, shape (..., K) or None
-        Static rating over the largest load, where that rating is known; infinite likewise.
-    system_life : array, shape (...) or None
-        Life of all of them together at that reliability, s, where the slope of the distribution is
-        given.
-    accuracy : Accuracy
-        Of all numbers, over those of the satellite that carries most; where there are lives, the
-        error of the loads times their exponent.
-    notices : tuple of Notice
-        Assumptions that are strained.
-    """
-
+    # Of a bearing's rings against each other, rad/s, where that of the crank is given.
     relative_speed: Number | None
-    radial_force_ratio: Number
-    operating_pressure_angle: Number | None
-    peak_load: FloatArray
-    min_load: FloatArray
-    equivalent_load: FloatArray
-    peak_ring_force: FloatArray
+    radial_force_ratio: Number  # rho of the ring's force along the crank to that across it
+    operating_pressure_angle: Number | None  # of involute teeth, rad
+    peak_load: FloatArray  # largest over the turn, N, shape (..., K)
+    min_load: FloatArray  # least, N, shape (..., K)
+    equivalent_load: FloatArray  # P, the factor of the rings in it, N, shape (..., K)
+    peak_ring_force: FloatArray  # largest resultant of the ring on each, N, shape (..., K)
+    # Time that 90 % of such bearings reach, s, shape (..., K), where rating and speed are known;
+    # infinite of a satellite that carries nothing.
     basic_life: FloatArray | None
-    life: FloatArray | None
+    life: FloatArray | None  # the same at the reliability asked, s, shape (..., K)
+    # Static rating over the largest load, shape (..., K), where that rating is known; infinite
+    # likewise.
     static_safety_factor: FloatArray | None
+    # Life of all of them together at that reliability, s, shape (...), where the slope of the
+    # distribution is given.
     system_life: Number | None
+    # Of all numbers, over those of the satellite that carries most; where there are lives, the
+    # error of the loads times their exponent.
     accuracy: Accuracy
     notices: tuple[Notice, ...]
 
@@ -352,19 +330,12 @@ def _made_loads(turns: list[SampledTurn], arm: float, mesh: RingMesh, exponent: 
 
 @dataclass(frozen=True, slots=True)
 class MadeParts:
-    """Forces on the satellites of a mechanism as it is made, N, in the frame of each crank.
+    """Forces on the satellites of a mechanism as it is made, N, in the frame of each crank."""
 
-    Attributes
-    ----------
-    load : array of complex, shape (K, n)
-        Of pins and ring: along the crank towards the axis, and i times that across, back against
-        the rotation of the crank under a driving torque.
-    ring : array, shape (K, n)
-        Of the ring across the crank.
-    """
-
+    # Of pins and ring, shape (K, n): along the crank towards the axis, and i times that across,
+    # back against the rotation of the crank under a driving torque.
     load: ComplexArray
-    ring: FloatArray
+    ring: FloatArray  # of the ring across the crank, shape (K, n)
 
 
 def made_parts(*, turn: SampledTurn, arm: float, radial_force_ratio: float) -> MadeParts:
@@ -561,22 +532,12 @@ def shared_mean(
 
 @dataclass(frozen=True, slots=True)
 class BearingCurves:
-    """Load of the satellites' bearings at crank angles, in the crank's frame.
+    """Load of the satellites' bearings at crank angles, in the crank's frame."""
 
-    Attributes
-    ----------
-    crank_angle : array, shape (n,)
-        Crank angles, rad.
-    across, along : array, shape (n, K)
-        Parts across the crank, and along it towards the reducer's axis, N.
-    load : array, shape (n, K)
-        Both together, N.
-    """
-
-    crank_angle: FloatArray
-    across: FloatArray
-    along: FloatArray
-    load: FloatArray
+    crank_angle: FloatArray  # rad, shape (n,)
+    across: FloatArray  # part across the crank, N, shape (n, K)
+    along: FloatArray  # part along it towards the reducer's axis, N, shape (n, K)
+    load: FloatArray  # both together, N, shape (n, K)
 
 
 def bearing_curves(

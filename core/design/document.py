@@ -186,7 +186,7 @@ class Design:
         """The eccentricity, which has to be given, m."""
         eccentricity = self.contact.eccentricity if self.contact else None
         if eccentricity is None:
-            raise NotKnown("eccentricity_missing", "contact.eccentricity")
+            raise NotKnown("eccentricity_assumed", "contact.eccentricity")
         return eccentricity
 
     @property
@@ -194,7 +194,7 @@ class Design:
         """The clearance, which needs the eccentricity, m."""
         clearance = self.contact.clearance
         if clearance is None:
-            raise NotKnown("eccentricity_missing", "contact.eccentricity")
+            raise NotKnown("eccentricity_assumed", "contact.eccentricity")
         return clearance
 
     @property
@@ -205,15 +205,13 @@ class Design:
             raise NotKnown("speed_missing", "load.input_speed")
         return speed
 
-    def too_many(self, most: int, code: str = "too_large") -> NotKnown:
+    def too_many(self, most: int) -> NotKnown:
         """What is not calculated of so many pairs.
 
         Parameters
         ----------
         most : int
             Most pairs of which it is.
-        code : str
-            The reason.
 
         Returns
         -------
@@ -221,7 +219,8 @@ class Design:
         """
         given = self.mechanism
         limit = {"limit": most // given.satellites, "satellites": given.satellites}
-        refusal = InvalidInput("mechanism.pins", given.pins, "too_many_pairs", **limit)
+        code = "too_many_pairs"
+        refusal = InvalidInput("mechanism.pins", given.pins, code, **limit)
         return NotKnown(code, refusal=refusal)
 
     @cached_property

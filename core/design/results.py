@@ -82,14 +82,14 @@ class Results:
         radius, pair = design.load.pin_circle_radius, design.contact.pair
         most = MOST_REAL_PAIRS if design.support is None else MOST_GIVING_PAIRS
         if design.mechanism.pairs > most:
-            raise design.too_many(most, "too_many_pairs")
+            raise design.too_many(most)
         eccentricity = design.contact.eccentricity
         if eccentricity is None:
             eccentricity = pair.hole_radius - pair.pin_radius
         if eccentricity >= radius:  # holes around the centre
             than = {"field": "pin_circle_radius", "limit": radius}
             refusal = InvalidInput("contact.eccentricity", None, "smaller_than", **than)
-            raise NotKnown("no_balance", refusal=refusal)
+            raise NotKnown(refusal.code, refusal=refusal)
         bends = design.pin and design.pin.satellite_positions
         return RealMechanism(
             mechanism=design.mechanism.built,
@@ -265,7 +265,7 @@ class Results:
         if not (pin and basis):
             return None
         if basis.criterion == "soderberg" and pin.material.yield_strength is None:
-            return Notice("fatigue_no_basis")
+            return Notice("endurance_unknown")
         found = named(design, "fatigue", lambda: basis.strength(pin))
         if isinstance(found, Notice) or not pin.steel or pin.rotates:  # then no cycles are counted
             return found
@@ -327,7 +327,7 @@ class Results:
         valid = pin.valid_diameter if pin else None
         if valid is None or pin.diameter <= valid:
             return ()
-        return (Notice("strength_beyond_size", {"limit": valid * 1e3}),)
+        return (Notice("beyond_size", {"limit": valid * 1e3}),)
 
     @derived
     def hertz(self) -> HertzContact:

@@ -334,7 +334,7 @@ class FatigueBasis:
         """
         tensile, yields = tensile_strength, yield_strength
         if tensile is None or (self.endurance_limit is None and not steel):
-            return Notice("fatigue_no_basis")
+            return Notice("endurance_unknown")
         if self.criterion == "soderberg" and yields is None:
             raise InvalidInput("yield_strength", None, "needed_beside", field="criterion")
         if self.endurance_limit is not None:
@@ -353,7 +353,7 @@ class FatigueBasis:
                 )
             )
         if notch is None:
-            return Notice("fatigue_no_notch")
+            return Notice("notch_unknown")
         surface = self.surface_factor
         if surface is None:
             assert self.surface is not None

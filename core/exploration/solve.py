@@ -34,33 +34,17 @@ TOLERANCE = 2.0**-50
 
 @dataclass(frozen=True, slots=True)
 class Solution:
-    """Where a target is met.
+    """Where a target is met."""
 
-    Attributes
-    ----------
-    status : SolveStatus
-        `always` where the whole range meets it, `several` where more than one stretch does.
-    value : float or None
-        The smallest or the largest input that meets the target, as wanted.
-    bracket : tuple of float or None
-        The neighbours that the edge at `value` lies between, the lower first.
-    intervals : tuple of tuple of float
-        Stretches that meet the target, from and to.
-    best : tuple of float or None
-        Where nothing meets it, the input that comes closest and its result.
-    monotone : bool
-        Whether the result, as sampled, only grows or only falls.
-    evaluations : int
-        How often the function was evaluated.
-    """
-
+    # `always` where the whole range meets it, `several` where more than one stretch does.
     status: SolveStatus
-    value: float | None
-    bracket: tuple[float, float] | None
-    intervals: tuple[tuple[float, float], ...]
+    value: float | None  # smallest or largest input that meets the target, as wanted
+    bracket: tuple[float, float] | None  # neighbours on both sides of that edge, the lower first
+    intervals: tuple[tuple[float, float], ...]  # that meet the target, from and to
+    # Where nothing meets it, the input that comes closest and its result.
     best: tuple[float, float] | None
-    monotone: bool
-    evaluations: int
+    monotone: bool  # whether the result, as sampled, only grows or only falls
+    evaluations: int  # how often the function was evaluated
 
 
 def solve_for(

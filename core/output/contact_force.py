@@ -21,79 +21,38 @@ from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 
 class PairNumber(NamedTuple):
-    """A pair of hole and pin.
+    """A pair of hole and pin."""
 
-    Attributes
-    ----------
-    satellite, pin : int
-        Numbers, from 1.
-    """
-
-    satellite: int
-    pin: int
+    satellite: int  # from 1
+    pin: int  # from 1
 
 
 @dataclass(frozen=True, slots=True)
 class ForceCurves:
-    """Contact force of every pair over the turn.
+    """Contact force of every pair over the turn."""
 
-    Attributes
-    ----------
-    pairs : tuple of PairNumber
-        The pairs, satellite by satellite.
-    crank_angle : array, shape (n,)
-        Crank angles, rad.
-    force : array, shape (K*N, n)
-        Force of each pair, N, satellite by satellite.
-    """
-
-    pairs: tuple[PairNumber, ...]
-    crank_angle: FloatArray
-    force: FloatArray
+    pairs: tuple[PairNumber, ...]  # satellite by satellite
+    crank_angle: FloatArray  # rad, shape (n,)
+    force: FloatArray  # N, shape (K*N, n), in the order of the pairs
 
 
 @dataclass(frozen=True, slots=True)
 class ContactForce:
-    """Contact force of the pairs.
+    """Contact force of the pairs."""
 
-    Attributes
-    ----------
-    reference_force : float
-        F0 = T/R, N.
-    peak_force : float
-        Exact peak over the turn, N.
-    peak_force_ratio : float
-        Peak over F0, dimensionless.
-    peak_crank_angle : float
-        Smallest crank angle >= 0 of the peak, rad.
-    peak_pair : PairNumber
-        The pair that carries it there.
-    curves : ForceCurves or None
-        Forces over one turn of the crank, where asked.
-    equal_sharing_peak : float or None
-        Peak if all driving pairs carried the same (Zyl), N, where asked.
-    approximate_peak : float or None
-        Peak by Yanchevsky et al. 2018, eq. (5), N, where asked.
-    approximate_peak_error : float or None
-        Its relative error against the exact peak, dimensionless, signed.
-    accuracy : Accuracy
-        Of the forces and their ratio; `approximate_peak_error` is known to that, absolutely, and
-        a smooth peak's angle to its root.
-    notices : tuple of Notice
-        Limits that the approximation breaks, where it was asked; that hardly anything is known.
-    """
-
-    reference_force: float
-    peak_force: float
-    peak_force_ratio: float
-    peak_crank_angle: float
-    peak_pair: PairNumber
-    curves: ForceCurves | None
-    equal_sharing_peak: float | None
-    approximate_peak: float | None
-    approximate_peak_error: float | None
+    reference_force: float  # F0 = T/R, N
+    peak_force: float  # F_max over the turn, exact, N
+    peak_force_ratio: float  # F_max/F0
+    peak_crank_angle: float  # smallest one >= 0, rad
+    peak_pair: PairNumber  # the one that carries it there
+    curves: ForceCurves | None  # where asked, like the three that follow
+    equal_sharing_peak: float | None  # if all driving pairs carried the same (Zyl), N
+    approximate_peak: float | None  # Yanchevsky et al. 2018, eq. (5), N
+    approximate_peak_error: float | None  # relative to the exact peak, signed
+    # Of the forces and their ratio; `approximate_peak_error` is known to that, absolutely, and a
+    # smooth peak's angle to its root.
     accuracy: Accuracy
-    notices: tuple[Notice, ...]
+    notices: tuple[Notice, ...]  # limits that the approximation breaks; hardly anything known
 
 
 @lru_cache(maxsize=1024)

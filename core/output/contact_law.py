@@ -19,34 +19,18 @@ LOG_EXPONENT = 10 / 9
 
 @dataclass(frozen=True, slots=True)
 class LinearLaw:
-    """``F = k*delta``.
+    """``F = k*delta``."""
 
-    Attributes
-    ----------
-    stiffness : float
-        Stiffness k of a pair, N/m, > 0.
-    """
-
-    stiffness: float
+    stiffness: float  # k of a pair, N/m, > 0
 
 
 @dataclass(frozen=True, slots=True)
 class PowerLaw:
-    """``F = F_ref*(delta/delta_ref)^n``.
+    """``F = F_ref*(delta/delta_ref)^n``."""
 
-    Attributes
-    ----------
-    exponent : float
-        Exponent n, from `MIN_EXPONENT` to `MAX_EXPONENT`.
-    reference_force : float
-        Force F_ref, N, > 0.
-    reference_approach : float
-        Its approach delta_ref, m, > 0.
-    """
-
-    exponent: float
-    reference_force: float
-    reference_approach: float
+    exponent: float  # n, from `MIN_EXPONENT` to `MAX_EXPONENT`
+    reference_force: float  # F_ref, N, > 0
+    reference_approach: float  # delta_ref, m, > 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,16 +40,11 @@ class PalmgrenLaw:
 
 @dataclass(frozen=True, slots=True)
 class HertzLaw:
-    """Hertz line contact: ``delta = F*(A - B*ln F)``.
+    """Hertz line contact: ``delta = F*(A - B*ln F)``."""
 
-    Attributes
-    ----------
-    reference_depth : float, optional
-        Depth t below the hole's surface to which its approach is counted, m; the nominal hole
-        radius where not given. A plane contact has no scale of its own: the approach depends on it,
-        by its logarithm.
-    """
-
+    # Depth t below the hole's surface to which its approach is counted, m; the nominal hole radius
+    # where not given. A plane contact has no scale of its own: the approach depends on it, by its
+    # logarithm.
     reference_depth: float | None = None
 
 
@@ -74,27 +53,13 @@ ContactLaw = LinearLaw | PowerLaw | PalmgrenLaw | HertzLaw
 
 @dataclass(frozen=True, slots=True)
 class PinSupport:
-    """How the pins are held, and where the satellites load them.
+    """How the pins are held, and where the satellites load them."""
 
-    Attributes
-    ----------
-    support : {"cantilever", "supported", "fixed"}
-        Held at one end, simply supported at both, clamped at both.
-    diameter : float
-        Diameter d of the pin itself, m, > 0.
-    satellite_positions : tuple of float
-        Distance z_j of the middle of each satellite from the support, m, > 0.
-    material : ElasticMaterial
-        The pin's material.
-    span : float, optional
-        Distance L of the supports, m; needed with two.
-    """
-
-    support: Support
-    diameter: float
-    satellite_positions: tuple[float, ...]
-    material: ElasticMaterial
-    span: float | None = None
+    support: Support  # held at one end, simply supported at both, clamped at both
+    diameter: float  # d of the pin itself, m, > 0
+    satellite_positions: tuple[float, ...]  # z_j of their middles from the support, m, > 0
+    material: ElasticMaterial  # of the pin
+    span: float | None = None  # L of the supports, m; needed with two
 
 
 def pin_compliance(pin: PinSupport) -> tuple[float, ...]:

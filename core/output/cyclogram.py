@@ -20,76 +20,39 @@ MAX_DRIVING_PHASES = 40_000
 
 
 class DrivingPair(NamedTuple):
-    """When one pair drives.
+    """When one pair drives."""
 
-    Attributes
-    ----------
-    satellite, pin : int
-        Numbers of the pair, from 1.
-    driving : tuple of (float, float)
-        Crank angles from and to which the pair drives, rad, cut at the ends of the range.
-    """
-
-    satellite: int
-    pin: int
+    satellite: int  # from 1
+    pin: int  # from 1
+    # Crank angles from and to which the pair drives, rad, cut at the ends of the range.
     driving: tuple[tuple[float, float], ...]
 
 
 class CountInterval(NamedTuple):
-    """A range of crank angle with one number of driving pairs.
+    """A range of crank angle with one number of driving pairs."""
 
-    Attributes
-    ----------
-    start, end : float
-        Crank angles, rad.
-    pairs : int
-        Number of driving pairs.
-    """
-
-    start: float
-    end: float
-    pairs: int
+    start: float  # crank angle, rad
+    end: float  # crank angle, rad
+    pairs: int  # how many drive
 
 
 @dataclass(frozen=True, slots=True)
 class Cyclogram:
-    """Which pairs drive, when, and how many together.
+    """Which pairs drive, when, and how many together."""
 
-    Attributes
-    ----------
-    working_phase : float
-        Crank angle through which a pair drives without a break, rad.
-    period : float
-        Crank angle after which each pair drives again, rad: twice the working phase.
-    pattern_period : float
-        Crank angle after which the whole pattern repeats with other pairs, rad.
-    pairs : tuple of DrivingPair
-        All pairs, satellite by satellite.
-    driving_count : tuple of CountInterval
-        Number of driving pairs over the range, neighbours with the same number joined.
-    min_driving, max_driving : int
-        Smallest and largest number of driving pairs, over the whole pattern.
-    mean_driving : float
-        Mean over the whole pattern: half of all pairs, always.
-    dead_centres : tuple of float
-        Crank angles in the range at which no pair drives, rad; both ends of each dead zone.
-    dead_zones : tuple of (float, float)
-        Ranges in which no pair drives, rad; those of no width are in `dead_centres` only.
-    accuracy : Accuracy
-        Of the angles and of the total through which a pair drives, relative to the range shown.
-    """
-
-    working_phase: float
-    period: float
-    pattern_period: float
-    pairs: tuple[DrivingPair, ...]
+    working_phase: float  # crank angle through which a pair drives without a break, rad
+    period: float  # crank angle after which each pair drives again, rad: twice that
+    pattern_period: float  # crank angle after which all repeats with other pairs, rad
+    pairs: tuple[DrivingPair, ...]  # all, satellite by satellite
+    # Number of driving pairs over the range, neighbours with the same number joined.
     driving_count: tuple[CountInterval, ...]
-    min_driving: int
-    max_driving: int
-    mean_driving: float
-    dead_centres: tuple[float, ...]
+    min_driving: int  # least number of pairs, over the whole pattern
+    max_driving: int  # largest number
+    mean_driving: float  # over the whole pattern: half of all pairs, always
+    dead_centres: tuple[float, ...]  # crank angles in the range, rad; both ends of each dead zone
+    # Ranges in which no pair drives, rad; those of no width are in `dead_centres` only.
     dead_zones: tuple[tuple[float, float], ...]
-    accuracy: Accuracy
+    accuracy: Accuracy  # of angles and of the total through which a pair drives, over the range
 
     @property
     def notices(self) -> tuple[Notice, ...]:

@@ -19,37 +19,19 @@ from core.results import ROUNDING
 
 @dataclass(frozen=True, slots=True)
 class PinRun:
-    """Neighbouring pins that drive, of all satellites of one phase.
+    """Neighbouring pins that drive, of all satellites of one phase."""
 
-    Attributes
-    ----------
-    middle : float
-        Phase of the middle of the run against the best placed pair, in turns.
-    count : int
-        Number of pins, at least 1.
-    weight : int
-        Number of satellites.
-    """
-
-    middle: float
-    count: int
-    weight: int
+    middle: float  # phase of its middle against the best placed pair, in turns
+    count: int  # of pins, at least 1
+    weight: int  # number of satellites
 
 
 @dataclass(frozen=True, slots=True)
 class DrivingSet:
-    """The pairs that drive over one segment.
+    """The pairs that drive over one segment."""
 
-    Attributes
-    ----------
-    pins : int
-        Number of pins N: neighbours are an N-th of a turn apart.
-    runs : tuple of PinRun
-        The driving pins, phase by phase.
-    """
-
-    pins: int
-    runs: tuple[PinRun, ...]
+    pins: int  # N: neighbours are an N-th of a turn apart
+    runs: tuple[PinRun, ...]  # the driving pins, phase by phase
 
     @property
     def number(self) -> int:
@@ -123,22 +105,12 @@ class DrivingSet:
 
 @dataclass(frozen=True, slots=True)
 class Segment:
-    """A part of the turn with one driving set and one best placed pair.
+    """A part of the turn with one driving set and one best placed pair."""
 
-    Attributes
-    ----------
-    phase : float
-        Phase of the best placed pair, in turns.
-    low, high : float
-        Range of its pressure angle, in turns.
-    driving : DrivingSet
-        The pairs that drive there.
-    """
-
-    phase: float
-    low: float
-    high: float
-    driving: DrivingSet
+    phase: float  # of the best placed pair, in turns
+    low: float  # least pressure angle of that pair, in turns
+    high: float  # its largest
+    driving: DrivingSet  # the pairs that drive there
 
 
 def segments(phases: WavePhases) -> Iterator[Segment]:

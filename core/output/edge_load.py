@@ -21,26 +21,15 @@ STEPS, SETTLED = 50, 1e-13
 
 @dataclass(frozen=True, slots=True)
 class EdgeLoad:
-    """The contact with the largest line load at an end of its length, where the pins slope.
+    """The contact with the largest line load at an end of its length, where the pins slope."""
 
-    Attributes
-    ----------
-    force : float
-        Even force that would have this line load, N: the contact's own times its
-        `core.output.pin_beam.face_load_factor`.
-    satellite : int
-        Number of the satellite, from 1.
-    pin : int or None
-        Number of the pin, from 1; None where all are alike.
-    own, slope : float
-        The contact's own force, N, and the rotation of its pin in the plane of it, rad.
-    """
-
+    # Even force that would have this line load, N: the contact's own times its
+    # `core.output.pin_beam.face_load_factor`.
     force: float
-    satellite: int
-    pin: int | None
-    own: float
-    slope: float
+    satellite: int  # from 1
+    pin: int | None  # from 1; None where all are alike
+    own: float  # the contact's own force, N
+    slope: float  # rotation of its pin in the plane of the force, rad
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,22 +38,12 @@ class SlopingContacts:
 
     The slope that counts is that in the plane of the force; the pin's turn across it skews the
     contact, which moves its ends apart by the second order only.
-
-    Attributes
-    ----------
-    pin : LoadedPin
-        The pin.
-    loads : list of PinLoads
-        Its loads by each sharing, or those of each pin.
-    contact_length : float
-        Length b of a contact, m, > 0.
-    compliance : callable
-        Approach of a level contact over its force, m/N, of forces, N.
     """
 
-    pin: LoadedPin
-    loads: list[PinLoads]
-    contact_length: float
+    pin: LoadedPin  # as a beam
+    loads: list[PinLoads]  # of the pin by each sharing, or those of each pin
+    contact_length: float  # b, m, > 0
+    # Approach of a level contact over its force, m/N, as a function of the force, N.
     compliance: Callable[[Number], Number]
 
     def even(self, force: Number, slope: Number) -> Number:

@@ -16,7 +16,7 @@ Misfit = Literal[
     "", "fits_by_bearing_clearance", "pressed_without_load", "jams", "discs_out_of_phase",
     "cannot_assemble",
 ]  # fmt: skip
-"""What does not fit, a key of the reasons of checks; empty where all does."""
+"""What does not fit, a key of `core.codes.CODES`; empty where all does."""
 
 NO_TORQUE = 1e-9
 """Part of the torque at the elastic limit that stands for none."""
@@ -24,15 +24,9 @@ NO_TORQUE = 1e-9
 
 @dataclass(frozen=True)
 class Fit:
-    """How the pins of a mechanism fit into their holes, over the turn.
+    """How the pins of a mechanism fit into their holes, over the turn."""
 
-    Attributes
-    ----------
-    real : RealMechanism
-        The mechanism; its torque is not asked.
-    """
-
-    real: RealMechanism
+    real: RealMechanism  # its torque is not asked
 
     @cached_property
     def rooms(self) -> Rooms:

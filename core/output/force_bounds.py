@@ -25,31 +25,17 @@ HALVINGS = 50
 
 
 class Look(NamedTuple):
-    """What is known at one place; all dimensionless.
+    """What is known at one place; all dimensionless."""
 
-    Attributes
-    ----------
-    tangent : float
-        t, tangent of the pressure angle of the best placed pair.
-    force : float
-        Force ratio f.
-    slope, change : float
-        ``t*B + (1 + v)*L`` and its derivative by t.
-    total, lead, balance : float
-        T, L and B.
-    falling, rising : float
-        Sums of ``sin(d)^2*u^(v - 1)`` over the pairs whose u falls and rises with t.
-    """
-
-    tangent: float
-    force: float
-    slope: float
-    change: float
-    total: float
-    lead: float
-    balance: float
-    falling: float
-    rising: float
+    tangent: float  # t, tangent of the pressure angle of the best placed pair
+    force: float  # force ratio f
+    slope: float  # t*B + (1 + v)*L
+    change: float  # its derivative by t
+    total: float  # T
+    lead: float  # L
+    balance: float  # B
+    falling: float  # sum of sin(d)^2*u^(v - 1) over the pairs whose u falls with t
+    rising: float  # the same over those whose u rises
 
 
 def least_total(left: Look, right: Look, exponent: float) -> float:

@@ -48,33 +48,15 @@ Arms = Callable[[FloatArray], tuple[FloatArray, ...]]
 
 @dataclass(frozen=True, slots=True)
 class PinLoads:
-    """Forces on a pin over a turn.
+    """Forces on a pin over a turn."""
 
-    Attributes
-    ----------
-    turn : PinTurn or PinSamples
-        Forces in a unit.
-    unit : float
-        The unit, N; negative where they act the other way.
-    error : float
-        Relative error of samples, at which a search of them ends.
-    alternates : bool
-        Whether they also act the other way.
-    sharing : {"equal", "stiffness"} or None
-        How satellites share the load, of ideal forces.
-    pin : int
-        Number of the pin, from 1.
-    wave : array or None
-        Wave angles of samples, rad.
-    """
-
-    turn: PinTurn | PinSamples
-    unit: float
-    error: float = NEAR
-    alternates: bool = False
-    sharing: Sharing | None = None
-    pin: int = 1
-    wave: FloatArray | None = None
+    turn: PinTurn | PinSamples  # forces in a unit
+    unit: float  # N; negative where they act the other way
+    error: float = NEAR  # relative, of samples, at which a search of them ends
+    alternates: bool = False  # whether they also act the other way
+    sharing: Sharing | None = None  # how satellites share the load, of ideal forces
+    pin: int = 1  # from 1
+    wave: FloatArray | None = None  # wave angles of samples, rad
 
     @property
     def closed(self) -> PinTurn | None:
@@ -90,21 +72,11 @@ class PinLoads:
 
 @dataclass(frozen=True)
 class LoadedPin:
-    """A pin as a beam, and where satellites load it.
+    """A pin as a beam, and where satellites load it."""
 
-    Attributes
-    ----------
-    beam : PinBeam
-        In its supports.
-    diameter : float
-        Diameter d, m.
-    positions : array, shape (K,)
-        Middle planes of the satellites, m.
-    """
-
-    beam: PinBeam
-    diameter: float
-    positions: FloatArray
+    beam: PinBeam  # in its supports
+    diameter: float  # d, m
+    positions: FloatArray  # middle planes of the satellites, m, shape (K,)
 
     @property
     def area(self) -> float:

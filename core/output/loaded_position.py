@@ -24,54 +24,26 @@ DEPTHS = 0.5, 1.5
 
 @dataclass(frozen=True, slots=True)
 class LoadedPosition:
-    """The mechanism at one crank angle under load.
+    """The mechanism at one crank angle under load."""
 
-    Attributes
-    ----------
-    crank_angle : float
-        As asked, rad.
-    rotation : float
-        Lag of the output behind its ideal angle, rad; negative in reverse.
-    force : tuple of tuple of float, K x N
-        Force of each pair, N.
-    satellite_torque : tuple of float, K
-        Share of each satellite in the torque, N*m; negative where others drag it.
-    satellite_rotation : tuple of float, K, or None
-        Lag of the output behind each satellite, rad, where these turn against each other.
-    loaded_pairs : int
-        Number of pairs with a force.
-    play : (float, float) or None
-        Least and largest lag of the unloaded output, rad; None where pairs press without load.
-    interference : float or None
-        Smallest possible worst approach of the unloaded pairs, m, where they press.
-    stiffness : float
-        Torque over rotation dT/dtheta, N*m/rad.
-    max_pressure : float or None
-        Largest Hertz pressure of the pairs, Pa, where the materials are known.
-    rotation_error, play_error : float
-        Bounds of the errors of rotation and play, rad.
-    force_error : float
-        Bound of the error of each force, N.
-    accuracy : Accuracy
-        Of the forces, over the largest.
-    notices : tuple of Notice
-        Limits that are strained.
-    """
-
-    crank_angle: float
-    rotation: float
-    force: tuple[tuple[float, ...], ...]
+    crank_angle: float  # as asked, rad
+    rotation: float  # lag of the output behind its ideal angle, rad; negative in reverse
+    force: tuple[tuple[float, ...], ...]  # of each pair, N, K x N
+    # Share of each satellite in the torque, N*m, K values; negative where others drag it.
     satellite_torque: tuple[float, ...]
+    # Lag of the output behind each satellite, rad, K values, where these turn against each other.
     satellite_rotation: tuple[float, ...] | None
-    loaded_pairs: int
+    loaded_pairs: int  # number of pairs with a force
+    # Least and largest lag of the unloaded output, rad; None where pairs press without load.
     play: tuple[float, float] | None
+    # Smallest possible worst approach of the unloaded pairs, m, where they press.
     interference: float | None
-    stiffness: float
-    max_pressure: float | None
-    rotation_error: float
-    play_error: float
-    force_error: float
-    accuracy: Accuracy
+    stiffness: float  # dT/dtheta, N*m/rad
+    max_pressure: float | None  # largest Hertz pressure, Pa, where the materials are known
+    rotation_error: float  # bound, rad
+    play_error: float  # bound, rad
+    force_error: float  # bound, of each force, N
+    accuracy: Accuracy  # of the forces, over the largest
     notices: tuple[Notice, ...]
 
 

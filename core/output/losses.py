@@ -45,22 +45,14 @@ ZOOMS = 8
 
 @dataclass(frozen=True, slots=True)
 class TotalForce:
-    """Sum of the contact forces of all pairs over F0, over the turn.
+    """Sum of the contact forces of all pairs over F0, over the turn of the wave.
 
-    Attributes
-    ----------
-    mean : float
-        Mean over the turn of the wave, dimensionless.
-    least, largest : float
-        Least and largest, dimensionless; ranges shorter than `SAME_PHASE` are none. For v > 0
-        where pairs switch neither of them drives; for v = 0 both do.
-    accuracy : Accuracy
-        Of all three.
+    Where pairs switch neither of them drives for v > 0; for v = 0 both do.
     """
 
-    mean: float
-    least: float
-    largest: float
+    mean: float  # over the whole turn
+    least: float  # ranges shorter than `SAME_PHASE` are left out
+    largest: float  # likewise
     accuracy: Accuracy
 
 
@@ -270,58 +262,27 @@ def _rounding(parts: list[_Sums], phases: WavePhases, extremes: list[Extreme]) -
 
 @dataclass(frozen=True, slots=True)
 class PinLosses:
-    """Friction of the pins in the holes, or on their sleeves.
+    """Friction of the pins in the holes, or on their sleeves."""
 
-    Attributes
-    ----------
-    relative_speed : float or array
-        Speed w of the crank against the output link, rad/s.
-    sliding_speed : float or array
-        Speed v at which the pin slides in the hole, or in its sleeve, m/s.
-    sleeve_speed : float, array or None
-        Speed of the sleeves against their pins, rad/s, where there are sleeves.
-    output_power : float or array
-        Power that the output link gives, W.
-    mean_total_force_ratio : float or array
-        Mean of the sum of all contact forces over F0, dimensionless.
-    mean_loss : float or array
-        Mean power that friction takes, W.
-    efficiency, min_efficiency, max_efficiency : float or array
-        Output over output and loss, of the means, and the least and largest over the turn.
-    peak_force : float or array
-        Largest contact force, N.
-    peak_pv, mean_pv : float or array
-        Pressure on the projected area times sliding speed, Pa*m/s: under the largest force, and
-        under the mean one of all pairs over the turn.
-    pin_wear, hole_wear : float, array or None
-        Depth of wear where it is deepest, m, where wear rate and life are given; of the hole
-        without sleeves only, in which they roll.
-    friction_couple : float or array
-        Couple of the friction over the output torque, which it helps to carry: about the share by
-        which the loss is too large.
-    accuracy : Accuracy
-        Of all numbers.
-    notices : tuple of Notice
-        That the pressure is not that of a bush.
-    """
-
-    relative_speed: Number
-    sliding_speed: Number
-    sleeve_speed: Number | None
-    output_power: Number
-    mean_total_force_ratio: Number
-    mean_loss: Number
-    efficiency: Number
-    min_efficiency: Number
-    max_efficiency: Number
-    peak_force: Number
-    peak_pv: Number
-    mean_pv: Number
-    pin_wear: Number | None
-    hole_wear: Number | None
+    relative_speed: Number  # w of the crank against the output link, rad/s
+    sliding_speed: Number  # v of the pin in the hole, or in its sleeve, m/s
+    sleeve_speed: Number | None  # of the sleeves against their pins, rad/s, where there are any
+    output_power: Number  # W
+    mean_total_force_ratio: Number  # mean sum of all contact forces over F0
+    mean_loss: Number  # power that friction takes, W
+    efficiency: Number  # output over output and loss, of the means
+    min_efficiency: Number  # least over the turn
+    max_efficiency: Number  # largest over the turn
+    peak_force: Number  # N
+    peak_pv: Number  # pressure on projected area times speed, under the largest force, Pa*m/s
+    mean_pv: Number  # the same under the mean force of all pairs over the turn, Pa*m/s
+    pin_wear: Number | None  # depth where it is deepest, m, where wear rate and life are given
+    hole_wear: Number | None  # the same, without sleeves only, in which pins roll
+    # Couple of the friction over the output torque, which it helps to carry: about the share by
+    # which the loss is too large.
     friction_couple: Number
     accuracy: Accuracy
-    notices: tuple[Notice, ...]
+    notices: tuple[Notice, ...]  # that the pressure is not that of a bush
 
 
 def pin_losses(
@@ -475,21 +436,11 @@ def pin_losses(
 
 @dataclass(frozen=True, slots=True)
 class LossCurves:
-    """Loss and efficiency over the turn.
+    """Loss and efficiency over the turn."""
 
-    Attributes
-    ----------
-    crank_angle : array, shape (n,)
-        Crank angles, rad.
-    loss : array, shape (n,)
-        Power that friction takes, W.
-    efficiency : array, shape (n,)
-        Output over output and loss, dimensionless.
-    """
-
-    crank_angle: FloatArray
-    loss: FloatArray
-    efficiency: FloatArray
+    crank_angle: FloatArray  # rad, shape (n,)
+    loss: FloatArray  # power that friction takes, W, shape (n,)
+    efficiency: FloatArray  # output over output and loss, shape (n,)
 
 
 def loss_curves(

@@ -29,27 +29,17 @@ SAME_PHASE = 1e-12
 class Mechanism:
     """Parallel-crank mechanism: pins of the output link in the holes of satellites on cranks.
 
-    Attributes
-    ----------
-    pins : int
-        Number of pins N, at least 1.
-    crank_angles : tuple of float
-        Angle alpha_j of each satellite's crank, rad; their number is the number of satellites K.
-    ratio : float
-        Ratio u = z2/(z3 - z2) > 0 of crank speed to output speed.
-    initial_crank_angle : float
-        Wave angle at crank angle 0, rad. Half a turn (pi) gives the sign of Yanchevsky et al.
-        2018, and is also what reversing the torque does.
-
     Raises
     ------
     InvalidInput
         If there is no pin, no satellite, or the ratio is not a positive number.
     """
 
-    pins: int
-    crank_angles: tuple[float, ...]
-    ratio: float
+    pins: int  # N, at least 1
+    crank_angles: tuple[float, ...]  # alpha_j, rad: one for each of the K satellites
+    ratio: float  # u = z2/(z3 - z2) > 0, crank speed over output speed
+    # Wave angle at crank angle 0, rad. Half a turn gives the sign of Yanchevsky et al. 2018, and is
+    # also what reversing the torque does.
     initial_crank_angle: float = 0.0
 
     def __post_init__(self) -> None:
@@ -128,29 +118,16 @@ class WavePhases:
 
     The pins make the set of phases repeat every N-th of a turn, so it is enough to know the
     satellites' phases within one such sector.
-
-    Attributes
-    ----------
-    pins : int
-        Number of pins N.
-    satellite_phase : tuple of float
-        Phase of the pair (satellite j, pin 1), in turns, in [0, 1), snapped to `sector_phases`.
-    sector_phases : tuple of float
-        The different phases within a sector [0, 1/N), in turns, ascending.
-    multiplicity : tuple of int
-        How many satellites share each of them.
-    symmetry : int
-        How many times the pattern repeats within a sector.
-    error : float
-        Largest distance by which merging, symmetry or the rounding of angles beyond a turn takes a
-        phase to be elsewhere, in turns.
     """
 
-    pins: int
+    pins: int  # N
+    # Phase of the pair (satellite j, pin 1), in turns, in [0, 1), snapped to `sector_phases`.
     satellite_phase: tuple[float, ...]
-    sector_phases: tuple[float, ...]
-    multiplicity: tuple[int, ...]
-    symmetry: int
+    sector_phases: tuple[float, ...]  # the different ones within [0, 1/N), in turns, ascending
+    multiplicity: tuple[int, ...]  # how many satellites share each of them
+    symmetry: int  # repeats of the pattern within a sector
+    # Largest distance by which merging, symmetry or the rounding of angles beyond a turn takes a
+    # phase to be elsewhere, in turns.
     error: float
 
     @classmethod
@@ -292,21 +269,11 @@ def far_angle_error(angle: float) -> float:
 
 @dataclass(frozen=True, slots=True)
 class AssemblyAngle:
-    """How far the holes of one satellite are turned against its teeth.
+    """How far the holes of one satellite are turned against its teeth."""
 
-    Attributes
-    ----------
-    satellite : int
-        Number of the satellite, from 1.
-    hole_rotation : float
-        Smallest rotation of the holes against the teeth, against satellite 1, rad.
-    identical : bool
-        Whether the satellite is the same part as satellite 1.
-    """
-
-    satellite: int
-    hole_rotation: float
-    identical: bool
+    satellite: int  # from 1
+    hole_rotation: float  # smallest, of the holes against the teeth, relative to satellite 1, rad
+    identical: bool  # whether it is the same part as satellite 1
 
 
 def assembly_angles(*, mechanism: Mechanism, satellite_teeth: int) -> tuple[AssemblyAngle, ...]:

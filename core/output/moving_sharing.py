@@ -62,27 +62,14 @@ class SharedPinTurn(PinTurn):
 
 @dataclass(frozen=True)
 class MovingSharing:
-    """The stiffness of the pairs of satellites under a torque and under others.
+    """The stiffness of the pairs of satellites under a torque and under others."""
 
-    Attributes
-    ----------
-    stiffness : tuple of float, K
-        Of the pairs of each satellite under the torque, contact and pin in series, N/m.
-    compliance : callable
-        Approach of a contact over its force, m/N, of forces, N.
-    force : float
-        Force of the contacts under the torque, N.
-    mechanism : Mechanism
-        Pins, satellites, ratio; without a dead centre.
-    force_exponent : float
-        Exponent v of the force over the approach.
-    """
-
-    stiffness: tuple[float, ...]
+    stiffness: tuple[float, ...]  # K values, N/m, contact and pin in series, under the torque
+    # Approach of a contact over its force, m/N, as a function of the force, N.
     compliance: Callable[[Number], Number]
-    force: float
-    mechanism: Mechanism
-    force_exponent: float
+    force: float  # of the contacts under the torque, N
+    mechanism: Mechanism  # without a dead centre
+    force_exponent: float  # v of the force over the approach
 
     @cached_property
     def pin_turn(self) -> SharedPinTurn:

@@ -41,74 +41,31 @@ LOOKED_AGAIN = 461
 
 @dataclass(frozen=True, slots=True)
 class OverTurn:
-    """Extremes over the turn of the wave.
+    """Extremes over the turn of the wave."""
 
-    Attributes
-    ----------
-    peak_force : float
-        Largest force of all pairs, N.
-    peak_force_ratio : float
-        Over F0 = T/R, dimensionless.
-    peak_crank_angle : float
-        First crank angle >= 0 at which it occurs, rad.
-    peak_pair : PairNumber
-        The pair that carries it there.
-    backlash_max, backlash_min : float
-        Largest and least play of the unloaded output, rad; 0 where pairs press.
-    lost_motion : float
-        Largest difference of the lags under a share of the torque in both directions, rad.
-    transmission_error : float
-        Largest less least lag under load, rad.
-    unloaded_transmission_error : float
-        The same of the lag at which the first pair touches, rad.
-    stiffness_min, stiffness_max : float
-        Least and largest torsional stiffness, N*m/rad.
-    loaded_pairs_min, loaded_pairs_max : int
-        Least and largest number of pairs that carry.
-    max_pressure : float or None
-        Largest Hertz pressure, Pa, where the materials are known.
-    pair_force : tuple of tuple of float, K x N
-        Largest force of each pair, N.
-    input_torque_ripple : float
-        Largest less least torque that turns the crank, without friction, N*m.
-    pressed_without_load : bool
-        Whether pairs press without load anywhere.
-    angle_error : float
-        Estimate of the error of backlash, lost motion and transmission errors, rad.
-    stiffness_error : float
-        Estimate of the relative error of the stiffnesses, dimensionless.
-    pair_error : float
-        Estimate of the relative error of the pairs' forces, over the peak, dimensionless.
-    ripple_error : float
-        Estimate of the error of the ripple, N*m.
-    accuracy : Accuracy
-        Of the peak force: what twice as many positions change, what a second look at other
-        positions found above, and rounding. An honest estimate, no proof.
-    notices : tuple of Notice
-        Limits that are strained.
-    """
-
-    peak_force: float
-    peak_force_ratio: float
-    peak_crank_angle: float
-    peak_pair: PairNumber
-    backlash_max: float
-    backlash_min: float
-    lost_motion: float
-    transmission_error: float
-    unloaded_transmission_error: float
-    stiffness_min: float
-    stiffness_max: float
-    loaded_pairs_min: int
-    loaded_pairs_max: int
-    max_pressure: float | None
-    pair_force: tuple[tuple[float, ...], ...]
-    input_torque_ripple: float
-    pressed_without_load: bool
-    angle_error: float
-    stiffness_error: float
-    pair_error: float
-    ripple_error: float
+    peak_force: float  # F_max of all pairs, N
+    peak_force_ratio: float  # F_max/F0, F0 = T/R
+    peak_crank_angle: float  # first one >= 0, rad
+    peak_pair: PairNumber  # the one that carries it there
+    backlash_max: float  # largest play of the unloaded output, rad; 0 where pairs press
+    backlash_min: float  # least play, rad
+    lost_motion: float  # largest difference of lags under a share of the torque both ways, rad
+    transmission_error: float  # largest less least lag under load, rad
+    unloaded_transmission_error: float  # the same of the lag at which the first pair touches, rad
+    stiffness_min: float  # least torsional stiffness, N*m/rad
+    stiffness_max: float  # largest, N*m/rad
+    loaded_pairs_min: int  # least number of pairs that carry
+    loaded_pairs_max: int  # largest number
+    max_pressure: float | None  # largest Hertz pressure, Pa, where the materials are known
+    pair_force: tuple[tuple[float, ...], ...]  # largest force of each pair, N, K x N
+    input_torque_ripple: float  # largest less least torque of the crank, without friction, N*m
+    pressed_without_load: bool  # whether pairs press so anywhere
+    angle_error: float  # estimate, of backlash, lost motion and transmission errors, rad
+    stiffness_error: float  # estimate, relative
+    pair_error: float  # estimate, of the pairs' forces, over the peak
+    ripple_error: float  # estimate, N*m
+    # Of the peak force: what twice as many positions change, what a second look at other positions
+    # found above, and rounding. An honest estimate, no proof.
     accuracy: Accuracy
     notices: tuple[Notice, ...]
 

@@ -25,25 +25,13 @@ turns, and its place within a sector."""
 
 @dataclass(frozen=True, slots=True)
 class PeakForce:
-    """Largest contact force of any pair over the turn.
+    """Largest contact force of any pair over the turn."""
 
-    Attributes
-    ----------
-    peak_force_ratio : float
-        Peak force over the reference force F0, dimensionless.
-    peak_crank_angle : float
-        Smallest crank angle >= 0 at which it is reached, rad.
-    peak_satellite, peak_pin : int
-        Numbers of the pair that carries it there, from 1.
-    accuracy : Accuracy
-        Of `peak_force_ratio`.
-    """
-
-    peak_force_ratio: float
-    peak_crank_angle: float
-    peak_satellite: int
-    peak_pin: int
-    accuracy: Accuracy
+    peak_force_ratio: float  # F_max/F0
+    peak_crank_angle: float  # smallest one >= 0, rad
+    peak_satellite: int  # from 1
+    peak_pin: int  # from 1
+    accuracy: Accuracy  # of `peak_force_ratio`
 
 
 def peak_force(*, mechanism: Mechanism, force_exponent: float = 1.0) -> PeakForce:

@@ -69,27 +69,13 @@ def check_apart(*, name: str, positions: Sequence[float], width: float) -> None:
 
 @dataclass(frozen=True, slots=True)
 class PinBeam:
-    """A round pin in its supports.
-
-    Attributes
-    ----------
-    support : {"cantilever", "supported", "fixed"}
-        How it is held.
-    contact_length : float or array
-        Length b of each load, m, > 0.
-    rigidity : float or array
-        E*I, N*m^2, > 0.
-    shear_area : float or array
-        ``k*E*I/(G*A)``, m^2, > 0: what shear adds.
-    span : float, array or None
-        Distance L of the two supports, m; None of a cantilever.
-    """
+    """A round pin in its supports; x and z of its methods are those of the module, m."""
 
     support: Support
-    contact_length: Number
-    rigidity: Number
-    shear_area: Number
-    span: Number = None
+    contact_length: Number  # b of each load, m, > 0
+    rigidity: Number  # E*I, N*m^2, > 0
+    shear_area: Number  # k*E*I/(G*A), m^2, > 0: what shear adds
+    span: Number = None  # L of the two supports, m; None of a cantilever
 
     @classmethod
     def round(
@@ -149,18 +135,7 @@ class PinBeam:
         return where(y >= half, after, inside)
 
     def reactions(self, z: Number) -> tuple[Number, Number]:
-        """Shear force and moment at x = 0 under a unit force.
-
-        Parameters
-        ----------
-        z : float or array
-            Middle plane of the load, m.
-
-        Returns
-        -------
-        shear, moment : float or array
-            Dimensionless, and m.
-        """
+        """Shear force, dimensionless, and moment, m, at x = 0 under a unit force at z."""
         if self.support == "cantilever":
             return 1.0 + 0.0 * z, 1.0 * z
         length = self.span
@@ -176,66 +151,22 @@ class PinBeam:
         return shear, shear * length / 2 - third / length
 
     def moment(self, x: Number, z: Number) -> Number:
-        """Bending moment at x under a unit force at z.
-
-        Parameters
-        ----------
-        x, z : float or array
-            Section, and middle plane of the load, m.
-
-        Returns
-        -------
-        float or array
-            m, positive as a cantilever's.
-        """
+        """Bending moment at x under a unit force at z, m, positive as a cantilever's."""
         shear, moment = self.reactions(z)
         return moment - shear * x + self._integral(2, x, z)
 
     def shear(self, x: Number, z: Number) -> Number:
-        """Shear force at x under a unit force at z.
-
-        Parameters
-        ----------
-        x, z : float or array
-            Section, and middle plane of the load, m.
-
-        Returns
-        -------
-        float or array
-            Dimensionless.
-        """
+        """Shear force at x under a unit force at z, dimensionless."""
         return self.reactions(z)[0] - self._integral(1, x, z)
 
     def slope(self, x: Number, z: Number) -> Number:
-        """Rotation of the section at x under a unit force at z.
-
-        Parameters
-        ----------
-        x, z : float or array
-            Section, and middle plane of the load, m.
-
-        Returns
-        -------
-        float or array
-            rad/N.
-        """
+        """Rotation of the section at x under a unit force at z, rad/N."""
         shear, moment = self.reactions(z)
         bent = moment * x - shear * x * x / 2 + self._integral(3, x, z)
         return (bent + self._start(z)) / self.rigidity
 
     def deflection(self, x: Number, z: Number) -> Number:
-        """Deflection at x under a unit force at z.
-
-        Parameters
-        ----------
-        x, z : float or array
-            Section, and middle plane of the load, m.
-
-        Returns
-        -------
-        float or array
-            m/N.
-        """
+        """Deflection at x under a unit force at z, m/N."""
         shear, _ = self.reactions(z)
         sheared = self.shear_area * (shear * x - self._integral(2, x, z))
         return (self._bent(x, z) + self._start(z) * x + sheared) / self.rigidity

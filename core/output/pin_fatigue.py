@@ -13,38 +13,13 @@ __all__ = ["FatigueStrength", "PinFatigue", "judged"]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PinFatigue(CycleFatigue):
-    """The worst stress cycle of a pin; one a turn of the crank against the output.
+    """The worst stress cycle of a pin; one a turn of the crank against the output."""
 
-    Attributes
-    ----------
-    max_stress, min_stress : float
-        Largest and least stress there over the turn, Pa.
-    amplitude, mean : float
-        Of the cycle, Pa.
-    endurance_limit : float
-        Endurance limit Se, Pa.
-    finite_strength : float or None
-        Strength for the cycles that it has to stand, Pa, where that is more.
-    factors : EnduranceFactors or None
-        What the limit was made of.
-    safety_factor : float
-        By the criterion: all stresses may grow by this factor.
-    cycles : float or None
-        Cycles that it stands; None within the endurance limit: as many as there are.
-    notices : tuple of Notice
-        Ranges of formulas that it is outside of.
-    direction : float or None
-        Direction chi of the point of the section's edge from the tangential one, towards growing
-        pressure angles, rad, 0 to 2*pi; None where the pin rotates and all are alike.
-    position : float
-        Distance of the section from the carrier's face, m.
-    life : float or None
-        Its cycles as time, s, where they are finite and the speed is known.
-    """
-
+    # Direction chi of the point of the section's edge from the tangential one, towards growing
+    # pressure angles, rad, 0 to 2*pi; None where the pin rotates and all are alike.
     direction: float | None
-    position: float
-    life: float | None
+    position: float  # of the section from the carrier's face, m
+    life: float | None  # its cycles as time, s, where finite and the speed is known
 
 
 def judged(

@@ -46,22 +46,11 @@ def felt(*, clearance: float, hole_radius: float) -> float:
 
 @dataclass(frozen=True, slots=True)
 class PinFit:
-    """How pins and holes fit by their sizes alone, at any crank angle.
+    """How pins and holes fit by their sizes alone, at any crank angle."""
 
-    Attributes
-    ----------
-    eccentricity : float
-        Eccentricity e of the cranks, m: the given one, or what leaves no clearance.
-    clearance : float
-        ``r_out - r_in - e``, m: clearance above 0, interference below; 0 within
-        `FIT_TOLERANCE`.
-    notices : tuple of Notice
-        Clearance, interference, parts that overlap, an eccentricity that is assumed.
-    """
-
-    eccentricity: float
-    clearance: float
-    notices: tuple[Notice, ...]
+    eccentricity: float  # e, m: the given one, or what leaves no clearance
+    clearance: float  # r_out - r_in - e, m; < 0 interference, 0 within `FIT_TOLERANCE`
+    notices: tuple[Notice, ...]  # clearance, interference, parts that overlap, assumed eccentricity
 
 
 def pin_fit(
@@ -107,7 +96,7 @@ def pin_fit(
     >>> fit = pin_fit(pins=12, pin_radius=0.008, hole_radius=0.010, eccentricity=0.0025,
     ...               pin_circle_radius=0.010)
     >>> [notice.code for notice in fit.notices]
-    ['interference', 'holes_overlap', 'pins_overlap']
+    ['interference', 'wall_holes', 'pins_apart']
     """
     check_single(
         pin_radius=pin_radius,
@@ -136,8 +125,8 @@ def pin_fit(
         "eccentricity_assumed": assumed,
         "clearance": clearance > 0,
         "interference": clearance < 0,
-        "holes_overlap": between_holes <= tolerance,
-        "pins_overlap": between_pins <= tolerance,
+        "wall_holes": between_holes <= tolerance,
+        "pins_apart": between_pins <= tolerance,
     }
     needed = {"limit": 1e3 * (pin_radius + eccentricity)}
     notices = tuple(
@@ -219,38 +208,19 @@ def slip_notices(
 
 @dataclass(frozen=True, slots=True)
 class PinGeometry:
-    """Pins and holes at one crank angle, in the fixed frame (Y up through pin 1, X right).
+    """Pins and holes at one crank angle, in the fixed frame (Y up through pin 1, X right)."""
 
-    Attributes
-    ----------
-    pin_centres : array, shape (N, 2)
-        Centres M_n of the pins, m.
-    hole_centres : array, shape (K, N, 2)
-        Centres B_jn of the holes, m.
-    contact_points : array, shape (K, N, 2)
-        Points E_jn of the pins nearest to the wall of their hole, m: the contact points where
-        there is no clearance.
-    pressure_angles : array, shape (K, N)
-        Pressure angles gamma_jn, rad, from -pi to pi; a pair drives within +-pi/2.
-    driving : array of bool, shape (K, N)
-        Whether the pair drives.
-    clearance : float
-        ``r_out - r_in - e``, m: clearance above 0, interference below; 0 within
-        `FIT_TOLERANCE`.
-    accuracy : Accuracy
-        Of the coordinates, relative to the sum of pin circle radius, pin radius and eccentricity.
-    notices : tuple of Notice
-        Those of `pin_fit`.
-    """
-
-    pin_centres: FloatArray
-    hole_centres: FloatArray
+    pin_centres: FloatArray  # M_n, m, shape (N, 2)
+    hole_centres: FloatArray  # B_jn, m, shape (K, N, 2)
+    # Points E_jn of the pins nearest to the wall of their hole, m, shape (K, N, 2): the contact
+    # points where there is no clearance.
     contact_points: FloatArray
+    # Pressure angles gamma_jn, rad, from -pi to pi, shape (K, N); a pair drives within +-pi/2.
     pressure_angles: FloatArray
-    driving: NDArray[np.bool_]
-    clearance: float
-    accuracy: Accuracy
-    notices: tuple[Notice, ...]
+    driving: NDArray[np.bool_]  # whether the pair drives, shape (K, N)
+    clearance: float  # as that of `PinFit`, m
+    accuracy: Accuracy  # of the coordinates over R + r_in + e
+    notices: tuple[Notice, ...]  # those of `pin_fit`
 
 
 def pin_geometry(

@@ -101,22 +101,12 @@ Value = Callable[..., tuple[FloatArray, Sequence[IntArray]]]
 
 @dataclass(frozen=True, slots=True)
 class Summits:
-    """Summits of samples over the turn, that may hold the largest value.
+    """Summits of samples over the turn, that may hold the largest value."""
 
-    Attributes
-    ----------
-    row : array of int, shape (n,)
-        Which row of the arms.
-    arc : array of int, shape (n,)
-        Which arc of the turn.
-    place, width : array, shape (n,)
-        Where on it, as a part of the way, and the distance of the farther neighbour.
-    """
-
-    row: IntArray
-    arc: IntArray
-    place: FloatArray
-    width: FloatArray
+    row: IntArray  # which row of the arms, shape (n,)
+    arc: IntArray  # which arc of the turn, shape (n,)
+    place: FloatArray  # where on it, as a part of the way, shape (n,)
+    width: FloatArray  # distance of the farther neighbour, shape (n,)
 
     def of(self, index: IntArray) -> "Summits":
         """Some of them, or some several times."""
@@ -428,26 +418,14 @@ def _column(limit: FloatArray | float) -> FloatArray | float:
 
 @dataclass(frozen=True, slots=True)
 class Points:
-    """Points of the pin's edge about which a largest value may lie.
+    """Points of the pin's edge about which a largest value may lie."""
 
-    Attributes
-    ----------
-    section, direction : array, shape (rows,)
-        Distance from the carrier's face, m; rad.
-    length : array, shape (rows,)
-        Distance of neighbouring sections, m.
-    angle : float
-        Of neighbouring directions, rad.
-    low, high : array, shape (rows,)
-        Ends of the stretch of the pin on which the section lies, m.
-    """
-
-    section: FloatArray
-    direction: FloatArray
-    length: FloatArray
-    angle: float
-    low: FloatArray
-    high: FloatArray
+    section: FloatArray  # distance from the carrier's face, m, shape (rows,)
+    direction: FloatArray  # rad, shape (rows,)
+    length: FloatArray  # distance of neighbouring sections, m, shape (rows,)
+    angle: float  # between neighbouring directions, rad
+    low: FloatArray  # start of the stretch of the pin that has the section, m, shape (rows,)
+    high: FloatArray  # its end, m, shape (rows,)
 
     def of(self, index: IntArray | slice) -> "Points":
         """Some of them, or some several times."""

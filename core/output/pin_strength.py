@@ -42,142 +42,69 @@ def _is_smooth(loads: PinLoads) -> bool:
 class PinDeflection:
     """Deflection and slope of a pin in the middle planes of satellites, each where it is largest:
     between two supports a pin slopes least where it deflects most.
-
-    Attributes
-    ----------
-    satellite : int
-        Number of the satellite where it deflects most, from 1.
-    deflection : float
-        Largest deflection over the turn, m.
-    slope_satellite : int
-        Number of the satellite where it slopes most.
-    slope : float
-        Largest rotation of the section over the turn, rad; of one satellite between two supports it
-        may be small, and is as good as the deflection over the distance to the nearer one.
     """
 
-    satellite: int
-    deflection: float
-    slope_satellite: int
+    satellite: int  # where it deflects most, from 1
+    deflection: float  # largest over the turn, m
+    slope_satellite: int  # where it slopes most, from 1
+    # Largest rotation of the section over the turn, rad; of one satellite between two supports it
+    # may be small, and is as good as the deflection over the distance to the nearer one.
     slope: float
 
 
 @dataclass(frozen=True, slots=True)
 class MomentLocus:
-    """Bending moment of a section of pin 1 over a turn of the crank against the output.
+    """Bending moment of a section of pin 1 over a turn of the crank against the output."""
 
-    Attributes
-    ----------
-    position : float
-        Distance of the section from the carrier's face, m.
-    crank_angle : array, shape (n,)
-        Crank angles, rad; both sides of every switching angle.
-    tangential, radial : array, shape (n,)
-        Moment by the tangential and by the radial forces, N*m.
-    stress : array, shape (n,)
-        Stress in the worst direction of the fatigue, else in that of the largest moment, Pa.
-    """
-
-    position: float
-    crank_angle: FloatArray
-    tangential: FloatArray
-    radial: FloatArray
+    position: float  # of the section from the carrier's face, m
+    crank_angle: FloatArray  # rad, shape (n,); both sides of every switching angle
+    tangential: FloatArray  # moment by the tangential forces, N*m, shape (n,)
+    radial: FloatArray  # moment by the radial forces, N*m, shape (n,)
+    # Stress in the worst direction of the fatigue, else in that of the largest moment, Pa, shape
+    # (n,).
     stress: FloatArray
 
 
 @dataclass(frozen=True, slots=True)
 class PinStrength:
-    """Strength of a pin over the turn.
+    """Strength of a pin over the turn."""
 
-    Attributes
-    ----------
-    peak_force : float
-        Largest contact force, N.
-    peak_moment : float
-        Largest bending moment of any section, N*m.
-    peak_moment_position : float
-        Distance of that section from the carrier's face, m.
-    peak_bending_stress : float
-        Its bending stress, Pa.
-    peak_shear_force : float
-        Largest shear force of any section, N.
-    peak_shear_stress : float
-        Largest shear stress, 4/3 of its mean, Pa.
-    peak_equivalent_stress : float
-        Largest equivalent stress (Mises) of any section, Pa.
-    static_stress : float
-        The same under the peak torque, Pa.
-    static_safety_factor : float or None
-        Yield strength over the latter, where it is known.
-    fatigue : PinFatigue or None
-        The worst stress cycle, where it was asked.
-    deflection : PinDeflection or None
-        Where it was asked.
-    locus : MomentLocus or None
-        Of the section of the worst cycle, else of the largest moment, where it was asked.
-    sharing : {"equal", "stiffness"} or None
-        By which sharing of the satellites the fatigue, else the equivalent stress, is worst; None
-        where the forces are those of the mechanism as it is made.
-    pin : int
-        The pin of which it is, from 1; those of an ideal mechanism are alike.
-    accuracy : Accuracy
-        Of all numbers but direction, amplitude, mean and life of the fatigue: the first three are
-        good to `FLAT`, as the utilisation is flat there; the life has the error of the safety times
-        the slope of its line.
-    notices : tuple of Notice
-        Limits of validity that are strained.
-    """
-
-    peak_force: float
-    peak_moment: float
-    peak_moment_position: float
-    peak_bending_stress: float
-    peak_shear_force: float
-    peak_shear_stress: float
-    peak_equivalent_stress: float
-    static_stress: float
-    static_safety_factor: float | None
-    fatigue: PinFatigue | None
-    deflection: PinDeflection | None
+    peak_force: float  # largest contact force, N
+    peak_moment: float  # largest bending moment of any section, N*m
+    peak_moment_position: float  # of that section from the carrier's face, m
+    peak_bending_stress: float  # of that section, Pa
+    peak_shear_force: float  # largest of any section, N
+    peak_shear_stress: float  # largest, 4/3 of its mean, Pa
+    peak_equivalent_stress: float  # largest of any section (Mises), Pa
+    static_stress: float  # the same under the peak torque, Pa
+    static_safety_factor: float | None  # Re over it, where that is known
+    fatigue: PinFatigue | None  # the worst stress cycle, where asked
+    deflection: PinDeflection | None  # where asked
+    # Of the section of the worst cycle, else of the largest moment, where it was asked.
     locus: MomentLocus | None
+    # By which sharing of the satellites the fatigue, else the equivalent stress, is worst; None
+    # where the forces are those of the mechanism as it is made.
     sharing: Sharing | None
-    pin: int
+    pin: int  # the pin of which it is, from 1; those of an ideal mechanism are alike
+    # Of all numbers but direction, amplitude, mean and life of the fatigue: the first three are
+    # good to `FLAT`, as the utilisation is flat there; the life has the error of the safety times
+    # the slope of its line.
     accuracy: Accuracy
     notices: tuple[Notice, ...]
 
 
 @dataclass(frozen=True, slots=True)
 class PinStresses:
-    """Stresses of the pins over the turn, from which their strength follows.
+    """Stresses of the pins over the turn, from which their strength follows."""
 
-    Attributes
-    ----------
-    pin : LoadedPin
-        The pin.
-    mechanism : Mechanism
-        Its mechanism.
-    material : ElasticMaterial
-        Its material.
-    cases : list
-        Largest stresses by each sharing of the load, or of each pin.
-    static : float
-        Largest equivalent stress under the peak torque over that of the cases.
-    method : str
-        How they were found.
-    error : float
-        Relative error of all stresses.
-    evaluations : int
-        How often forces were evaluated.
-    """
-
-    pin: LoadedPin
+    pin: LoadedPin  # as a beam
     mechanism: Mechanism
-    material: ElasticMaterial
-    cases: list["_Stresses"]
-    static: float
-    method: str
-    error: float
-    evaluations: int
+    material: ElasticMaterial  # of the pin
+    cases: list["_Stresses"]  # largest stresses by each sharing of the load, or of each pin
+    static: float  # largest equivalent stress under the peak torque over that of the cases
+    method: str  # how they were found
+    error: float  # relative, of all stresses
+    evaluations: int  # how often forces were evaluated
 
     @property
     def loads(self) -> list[PinLoads]:

@@ -233,17 +233,7 @@ class Turn:
 
 
 class PinTurn(Turn):
-    """Forces of the satellites on a pin over F0, tangential + i*radial.
-
-    Parameters
-    ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio; without a dead centre.
-    force_exponent : float
-        Exponent v of the force over the approach.
-    stiffness : tuple of float, optional
-        Stiffness of the pairs of each satellite, of any scale; all alike where not given.
-    """
+    """Forces of the satellites on a pin over F0, tangential + i*radial; made as `AllPairs`."""
 
     def __init__(
         self,
@@ -323,16 +313,8 @@ class PinTurn(Turn):
 
 
 class SatelliteTurn(Turn):
-    """What the satellites do: their shares ``T_j/T`` of the torque, then their pins' ``S_j/F0``.
-
-    Parameters
-    ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio; without a dead centre.
-    force_exponent : float
-        Exponent v of the force over the approach.
-    stiffness : tuple of float, optional
-        Stiffness of the pairs of each satellite, of any scale; all alike where not given.
+    """What the satellites do: their shares ``T_j/T`` of the torque, then their pins' ``S_j/F0``;
+    made as `AllPairs`.
     """
 
     def __init__(
@@ -565,67 +547,11 @@ def combine(*, arms: NDArray[Any], forces: NDArray[Any]) -> NDArray[Any]:
     return found.view(np.complex128) if doubled else found
 
 
-@lru_cache(maxsize=256)
-def all_pairs(
-    mechanism: Mechanism, force_exponent: float, stiffness: tuple[float, ...] | None = None
-) -> AllPairs:
-    """All pairs of a mechanism that drive over the turn, looked at once.
+all_pairs = lru_cache(maxsize=256)(AllPairs)
+"""All pairs of a mechanism that drive over the turn, looked at once."""
 
-    Parameters
-    ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio; without a dead centre.
-    force_exponent : float
-        Exponent v of the force over the approach.
-    stiffness : tuple of float, optional
-        Stiffness of the pairs of each satellite, of any scale; all alike where not given.
+pin_turn = lru_cache(maxsize=256)(PinTurn)
+"""The forces on a pin of a mechanism, looked at once."""
 
-    Returns
-    -------
-    AllPairs
-    """
-    return AllPairs(mechanism, force_exponent, stiffness)
-
-
-@lru_cache(maxsize=256)
-def pin_turn(
-    mechanism: Mechanism, force_exponent: float, stiffness: tuple[float, ...] | None = None
-) -> PinTurn:
-    """The forces on a pin of a mechanism, looked at once.
-
-    Parameters
-    ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio; without a dead centre.
-    force_exponent : float
-        Exponent v of the force over the approach.
-    stiffness : tuple of float, optional
-        Stiffness of the pairs of each satellite, of any scale; all alike where not given.
-
-    Returns
-    -------
-    PinTurn
-    """
-    return PinTurn(mechanism, force_exponent, stiffness)
-
-
-@lru_cache(maxsize=256)
-def satellite_turn(
-    mechanism: Mechanism, force_exponent: float, stiffness: tuple[float, ...] | None = None
-) -> SatelliteTurn:
-    """What the satellites of a mechanism do, looked at once.
-
-    Parameters
-    ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio; without a dead centre.
-    force_exponent : float
-        Exponent v of the force over the approach.
-    stiffness : tuple of float, optional
-        Stiffness of the pairs of each satellite, of any scale; all alike where not given.
-
-    Returns
-    -------
-    SatelliteTurn
-    """
-    return SatelliteTurn(mechanism, force_exponent, stiffness)
+satellite_turn = lru_cache(maxsize=256)(SatelliteTurn)
+"""What the satellites of a mechanism do, looked at once."""

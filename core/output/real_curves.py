@@ -14,36 +14,19 @@ from core.results import Accuracy
 
 @dataclass(frozen=True, slots=True)
 class RealCurves:
-    """The mechanism under load at crank angles.
+    """The mechanism under load at crank angles."""
 
-    Attributes
-    ----------
-    crank_angle : array, M
-        Crank angles, rad.
-    force : array, K*N x M
-        Force of each pair, satellite by satellite, N.
-    rotation, reverse_rotation : array, M
-        Lag of the output under the torque, and under the same torque the other way, rad.
-    play_from, play_to : array, M
-        Limits of the play of the unloaded output, rad; the middle between them, twice, where pairs
-        press without load.
-    stiffness : array, M
-        Torque over rotation, N*m/rad.
-    input_torque : array, M
-        Torque that turns the crank, without friction, N*m.
-    accuracy : Accuracy
-        Of the forces, over the largest.
-    """
-
-    crank_angle: FloatArray
-    force: FloatArray
-    rotation: FloatArray
-    reverse_rotation: FloatArray
+    crank_angle: FloatArray  # rad, shape (M,)
+    force: FloatArray  # N, shape (K*N, M), satellite by satellite
+    rotation: FloatArray  # lag of the output under the torque, rad, shape (M,)
+    reverse_rotation: FloatArray  # under the same torque the other way, rad, shape (M,)
+    # Limits of the play of the unloaded output, rad, shape (M,); the middle between them, twice,
+    # where pairs press without load.
     play_from: FloatArray
-    play_to: FloatArray
-    stiffness: FloatArray
-    input_torque: FloatArray
-    accuracy: Accuracy
+    play_to: FloatArray  # rad, shape (M,)
+    stiffness: FloatArray  # torque over rotation, N*m/rad, shape (M,)
+    input_torque: FloatArray  # of the crank, without friction, N*m, shape (M,)
+    accuracy: Accuracy  # of the forces, over the largest
 
 
 def real_curves(
@@ -117,27 +100,13 @@ def real_curves(
 
 @dataclass(frozen=True, slots=True)
 class StiffnessCurve:
-    """Lag over torque at one crank angle.
+    """Lag over torque at one crank angle."""
 
-    Attributes
-    ----------
-    crank_angle : float
-        Crank angle, rad.
-    torque : tuple of float, M
-        Torques, N*m.
-    rotation : tuple of float, M
-        Lag under each, rad.
-    stiffness : tuple of float, M
-        Slope of the torque over the lag at each, N*m/rad.
-    accuracy : Accuracy
-        Of the lags, over the largest.
-    """
-
-    crank_angle: float
-    torque: tuple[float, ...]
-    rotation: tuple[float, ...]
-    stiffness: tuple[float, ...]
-    accuracy: Accuracy
+    crank_angle: float  # rad
+    torque: tuple[float, ...]  # N*m, shape (M,)
+    rotation: tuple[float, ...]  # lag under each, rad, shape (M,)
+    stiffness: tuple[float, ...]  # slope of the torque over the lag at each, N*m/rad, shape (M,)
+    accuracy: Accuracy  # of the lags, over the largest
 
 
 def stiffness_curve(

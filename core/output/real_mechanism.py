@@ -69,28 +69,17 @@ class Deviations:
     """What a piece deviates from its nominal sizes; empty tuples are zeros.
 
     Positive: outward, in the driving sense, larger, ahead. N pins, K satellites.
-
-    Attributes
-    ----------
-    pin_radial, pin_tangential, pin_radius : tuple of float, N
-        Place and radius of each pin, m.
-    hole_radial, hole_tangential, hole_radius : tuple of tuple of float, K x N
-        The same of each hole, m.
-    eccentricity : tuple of float, K
-        Of each crank, m.
-    crank_phase, disc_phase : tuple of float, K
-        Angle of each crank, and of each disc's holes against its teeth, rad.
     """
 
-    pin_radial: tuple[float, ...] = ()
-    pin_tangential: tuple[float, ...] = ()
-    pin_radius: tuple[float, ...] = ()
-    hole_radial: tuple[tuple[float, ...], ...] = ()
-    hole_tangential: tuple[tuple[float, ...], ...] = ()
-    hole_radius: tuple[tuple[float, ...], ...] = ()
-    eccentricity: tuple[float, ...] = ()
-    crank_phase: tuple[float, ...] = ()
-    disc_phase: tuple[float, ...] = ()
+    pin_radial: tuple[float, ...] = ()  # place of each pin, m, N values
+    pin_tangential: tuple[float, ...] = ()  # m, N
+    pin_radius: tuple[float, ...] = ()  # m, N
+    hole_radial: tuple[tuple[float, ...], ...] = ()  # the same of each hole, m, K x N
+    hole_tangential: tuple[tuple[float, ...], ...] = ()  # m, K x N
+    hole_radius: tuple[tuple[float, ...], ...] = ()  # m, K x N
+    eccentricity: tuple[float, ...] = ()  # of each crank, m, K
+    crank_phase: tuple[float, ...] = ()  # angle of each crank, rad, K
+    disc_phase: tuple[float, ...] = ()  # of each disc's holes against its teeth, rad, K
 
     def rows(self, pins: int, satellites: int) -> Errors[Row]:
         """Flat rows for the kernel.
@@ -183,42 +172,22 @@ class Deviations:
 
 @dataclass(frozen=True)
 class RealMechanism:
-    """A mechanism with its sizes, clearance, deviations and elasticity.
-
-    Attributes
-    ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio.
-    pin_circle_radius, pin_radius, eccentricity, contact_length : float
-        R, r_p, e and b, m, > 0.
-    law : ContactLaw
-        Law of contact of each pair.
-    clearance : float
-        Radial clearance c, m: hole less pin radius less eccentricity; negative is interference.
-    pin_material, hole_material : ElasticMaterial, optional
-        Needed for `HertzLaw` and for pressures.
-    pin : PinSupport, optional
-        How the pins are held; rigid where not given.
-    deviations : Deviations
-        Of this piece.
-    exact : bool
-        Exact geometry; else first order in lag and deviations, with fixed lines of action.
-    support : SatelliteSupport, optional
-        What the satellites' bearings or mesh give, in first order; rigid where not given.
-    """
+    """A mechanism with its sizes, clearance, deviations and elasticity."""
 
     mechanism: Mechanism
-    pin_circle_radius: float
-    pin_radius: float
-    eccentricity: float
-    contact_length: float
-    law: ContactLaw
-    clearance: float = 0.0
-    pin_material: ElasticMaterial | None = None
-    hole_material: ElasticMaterial | None = None
-    pin: PinSupport | None = None
+    pin_circle_radius: float  # R, m, > 0
+    pin_radius: float  # r_p, m, > 0
+    eccentricity: float  # e, m, > 0
+    contact_length: float  # b, m, > 0
+    law: ContactLaw  # of contact of each pair
+    clearance: float = 0.0  # radial, c, m: hole less pin radius less e; < 0 is interference
+    pin_material: ElasticMaterial | None = None  # needed for `HertzLaw` and for pressures
+    hole_material: ElasticMaterial | None = None  # likewise
+    pin: PinSupport | None = None  # how the pins are held; rigid where not given
     deviations: Deviations = field(default_factory=Deviations)
+    # Exact geometry; else first order in lag and deviations, fixed lines of action.
     exact: bool = True
+    # What the satellites' bearings or mesh give, in first order; rigid where not given.
     support: SatelliteSupport | None = None
 
     def __post_init__(self) -> None:

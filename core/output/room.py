@@ -53,61 +53,33 @@ TIE = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class Binding:
-    """A pair that limits the room.
+    """A pair that limits the room."""
 
-    Attributes
-    ----------
-    satellite, pin : int
-        Its numbers, from 1.
-    side : {"driving", "reverse", "radial"}
-        In which sense of the output it holds; radial where it holds in none.
-    """
-
-    satellite: int
-    pin: int
-    side: Side
+    satellite: int  # from 1
+    pin: int  # from 1
+    side: Side  # in which sense of the output it holds; radial where in none
 
 
 @dataclass(frozen=True, slots=True)
 class DiscRoom:
-    """One satellite by itself.
+    """One satellite by itself."""
 
-    Attributes
-    ----------
-    satellite : int
-        Its number, from 1.
-    least : float
-        Its least room over the turn, m.
-    turned : float
-        By how much its holes are turned ahead of the pins, rad, in the mean of least squares.
-    """
-
-    satellite: int
-    least: float
-    turned: float
+    satellite: int  # from 1
+    least: float  # its least room over the turn, m
+    turned: float  # its holes ahead of the pins, rad, in the mean of least squares
 
 
 @dataclass(frozen=True, slots=True)
 class TurnRoom:
-    """The room over the turn.
+    """The room over the turn."""
 
-    Attributes
-    ----------
-    state : {"fits", "binds_in_turning", "does_not_fit", "no_bound"}
-        Whether there is room at all crank angles, at some, or at none; without a bound where no
-        hole holds its pin.
-    least : float
-        Least room, m: by how much all pins might grow, or below 0 must shrink, until they just fit.
-    crank_angle : float or None
-        Where the room is least, rad; None where it is the same at all angles.
-    binding : tuple of Binding
-        The pairs that limit it there; none where all do alike.
-    """
-
+    # Whether there is room at all crank angles, at some, or at none; without a bound where no hole
+    # holds its pin.
     state: State
+    # Least room, m: by how much all pins might grow, or below 0 must shrink, until they just fit.
     least: float
-    crank_angle: float | None
-    binding: tuple[Binding, ...]
+    crank_angle: float | None  # where it is least, rad; None where it is the same at all
+    binding: tuple[Binding, ...]  # the pairs that limit it there; none where all do alike
 
 
 class _Pairs(NamedTuple):
@@ -160,18 +132,6 @@ def _best_of_two(
 class Rooms:
     """Pins in their holes, over the turn.
 
-    Attributes
-    ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio.
-    pin_circle_radius, pin_radius, eccentricity : float
-        R, r_p and e, m, > 0.
-    clearance : float
-        Radial clearance c, m; negative is interference.
-    deviations : Deviations
-        Of the piece, its holes numbered as they come onto the pins
-        (`Deviations.at_next_holes`).
-
     Examples
     --------
     Two equal discs of 20 lobes with four holes, put on their cranks half a turn apart: the holes of
@@ -187,10 +147,11 @@ class Rooms:
     """
 
     mechanism: Mechanism
-    pin_circle_radius: float
-    pin_radius: float
-    eccentricity: float
-    clearance: float
+    pin_circle_radius: float  # R, m, > 0
+    pin_radius: float  # r_p, m, > 0
+    eccentricity: float  # e, m, > 0
+    clearance: float  # radial, c, m; negative is interference
+    # Of the piece, its holes numbered as they come onto the pins (`Deviations.at_next_holes`).
     deviations: Deviations = field(default_factory=Deviations)
 
     @cached_property

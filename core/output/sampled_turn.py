@@ -25,39 +25,24 @@ WAYS: dict[Direction, tuple[float, ...]] = {
 
 @dataclass(frozen=True, eq=False, slots=True)
 class SampledTurn:
-    """Forces on pins and satellites under one torque.
+    """Forces on pins and satellites under one torque."""
 
-    Attributes
-    ----------
-    wave : array, shape (n,)
-        Wave angles, rad, ascending within a turn.
-    on_pins : array of complex, shape (K, N or 1, n)
-        Force of each satellite on each pin, N: tangential + i*radial, in the carrier's frame; one
-        pin where all are alike.
-    on_satellites : array of complex, shape (K, n)
-        Resultant of the pins on each satellite, N: along its crank towards the axis, and i times
-        that across, back against the crank's rotation under a driving torque.
-    total : array, shape (n,)
-        Sum of the sizes of all forces, N.
-    couple : array, shape (K, n)
-        Couple of the pins about the satellite's centre, N*m; as the torque on the output link.
-    crank_angles : tuple of float
-        Angle of each crank with its deviation, rad.
-    error : float
-        Estimate of the relative error of the forces, over the largest: how far samples lie off the
-        straight line between their neighbours, and that of the positions. Honest, no proof.
-    evaluations : int
-        Positions that were solved.
-    """
-
-    wave: FloatArray
+    wave: FloatArray  # wave angles, rad, ascending within a turn, shape (n,)
+    # Force of each satellite on each pin, N, shape (K, N or 1, n): tangential + i*radial, in the
+    # carrier's frame; one pin where all are alike.
     on_pins: ComplexArray
+    # Resultant of the pins on each satellite, N, shape (K, n): along its crank towards the axis,
+    # and i times that across, back against the crank's rotation under a driving torque.
     on_satellites: ComplexArray
-    total: FloatArray
+    total: FloatArray  # sum of the sizes of all forces, N, shape (n,)
+    # Couple of the pins about the satellite's centre, N*m, shape (K, n); as the torque on the
+    # output link.
     couple: FloatArray
-    crank_angles: tuple[float, ...]
+    crank_angles: tuple[float, ...]  # of each crank with its deviation, rad
+    # Estimate of the relative error of the forces, over the largest: how far samples lie off the
+    # straight line between their neighbours, and that of the positions. Honest, no proof.
     error: float
-    evaluations: int
+    evaluations: int  # positions that were solved
 
     def mean(self, values: FloatArray) -> FloatArray:
         """Mean of values over the turn.
@@ -108,15 +93,9 @@ class SampledTurn:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class PinSamples:
-    """Forces of the satellites on one pin, N, as `SampledTurn.on_pins`.
+    """Forces of the satellites on one pin, N, as `SampledTurn.on_pins`."""
 
-    Attributes
-    ----------
-    forces : array of complex, shape (K, n)
-        At samples.
-    """
-
-    forces: ComplexArray
+    forces: ComplexArray  # at samples, shape (K, n)
 
 
 Made = Callable[[float], SampledTurn]

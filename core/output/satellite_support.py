@@ -31,69 +31,36 @@ SUM_ERROR = 1e-12
 
 @dataclass(frozen=True, slots=True)
 class CrankSupport:
-    """Bearing of each satellite on its crank.
+    """Bearing of each satellite on its crank."""
 
-    Attributes
-    ----------
-    stiffness : float
-        Radial stiffness k_b of one bearing, N/m; infinite where not given.
-    radial_clearance : float
-        Radial internal clearance G, m: the inner ring moves by G/2 to either side of its middle.
-    """
-
-    stiffness: float = math.inf
-    radial_clearance: float = 0.0
+    stiffness: float = math.inf  # k_b of one bearing, radial, N/m; infinite where not given
+    radial_clearance: float = 0.0  # G, m: the inner ring moves by G/2 to either side of its middle
 
 
 @dataclass(frozen=True, slots=True)
 class ElasticMesh:
-    """Mesh of each satellite with the ring, which lets the disc turn under its torque.
+    """Mesh of each satellite with the ring, which lets the disc turn under its torque."""
 
-    Attributes
-    ----------
-    stiffness : float
-        Torque over rotation k_D of one disc, N*m/rad.
-    """
-
-    stiffness: float
+    stiffness: float  # torque over rotation k_D of one disc, N*m/rad
 
 
 @dataclass(frozen=True, slots=True)
 class Shares:
     """Torque that is shared as given, whatever the discs need to turn for it.
 
-    Its methods stand for the functions of the same names of `core.output.sharing_kernel`.
-
-    Attributes
-    ----------
-    shares : tuple of float, K
-        Share w_j of each satellite, > 0, of sum 1.
+    Its methods stand for the functions of the same names of `core.output.sharing_kernel`: at a
+    wave angle psi, rad, of the design in first order with the torque's direction, the constants of
+    its pairs, and the room that takes forces, levers and stiffnesses of the pairs and the lags of
+    the satellites.
     """
 
-    shares: tuple[float, ...]
+    shares: tuple[float, ...]  # w_j of each of the K satellites, > 0, of sum 1
 
     def solve(self, psi: float, torque: float, setup: Setup, pairs: Pairs, room: Room) -> Position:
-        """Every satellite under its share of the torque; the lags of the satellites are left in the
-        room too.
+        """Every satellite under its share of the torque, N*m, > 0.
 
-        Parameters
-        ----------
-        psi : float
-            Wave angle, rad.
-        torque : float
-            Size of the torque, N*m, > 0.
-        setup : Setup
-            The design in first order, with the torque's direction.
-        pairs : Pairs
-            Constants of the pairs.
-        room : Room
-            Takes forces, levers and stiffnesses of the pairs, and the lags of the satellites.
-
-        Returns
-        -------
-        Position
-            Its lag, stiffness and play are those of a linkage that shares the torque so: the mean
-            lag of the satellites, weighted by the shares.
+        Lag, stiffness and play of the position are those of a linkage that shares the torque so:
+        the mean lag of the satellites, weighted by the shares.
         """
         shares, found = self.shares, []
         for j, (one, own_pairs, own) in enumerate(_each(setup, pairs, room)):
@@ -131,23 +98,7 @@ class Shares:
         )
 
     def played(self, psi: float, setup: Setup, pairs: Pairs, room: Room) -> tuple[float, float]:
-        """Limits of the play at a wave angle, rad; the first is larger where pairs press.
-
-        Parameters
-        ----------
-        psi : float
-            Wave angle, rad.
-        setup : Setup
-            The design, with the torque's direction.
-        pairs : Pairs
-            Constants of the pairs.
-        room : Room
-            Scratch.
-
-        Returns
-        -------
-        low, high : float
-        """
+        """Limits of the play at a wave angle, rad; the first is larger where pairs press."""
         ends = []
         for one, own_pairs, own in _each(setup, pairs, room):
             at(psi, one, own_pairs, own)
@@ -157,21 +108,6 @@ class Shares:
     def interference(self, psi: float, setup: Setup, pairs: Pairs, room: Room) -> float:
         """Smallest possible worst approach of the unloaded pairs at a wave angle, m: each satellite
         turns for itself.
-
-        Parameters
-        ----------
-        psi : float
-            Wave angle, rad.
-        setup : Setup
-            The design.
-        pairs : Pairs
-            Constants of the pairs.
-        room : Room
-            Scratch.
-
-        Returns
-        -------
-        float
         """
         far, worst = setup.eccentricity / setup.radius, []
         for one, own_pairs, own in _each(setup, pairs, room):
@@ -182,45 +118,15 @@ class Shares:
     def limit_torque(self, psi: float, setup: Setup, pairs: Pairs, room: Room) -> float:
         """Torque under which the first pair is pressed in by what is allowed.
 
-        Parameters
-        ----------
-        psi : float
-            Wave angle, rad.
-        setup : Setup
-            The design, with the torque's direction.
-        pairs : Pairs
-            Constants of the pairs.
-        room : Room
-            Scratch.
-
-        Returns
-        -------
-        float
-            N*m; 0 where a pair is pressed as far without load. Where a satellite would lag by the
-            eccentricity before, the torque that brings it there.
+        N*m; 0 where a pair is pressed as far without load. Where a satellite would lag by the
+        eccentricity before, the torque that brings it there.
         """
         each = zip(self.shares, _each(setup, pairs, room), strict=True)
         return min(limit_torque(psi, *own) / share for share, own in each)
 
     def wave_torque(self, psi: float, lag: float, setup: Setup, pairs: Pairs, room: Room) -> float:
-        """Torque of the forces on the wave, N*m, as `solve` left the room.
-
-        Parameters
-        ----------
-        psi : float
-            Wave angle, rad.
-        lag : float
-            Not used: each satellite has its own.
-        setup : Setup
-            The design, with the torque's direction.
-        pairs : Pairs
-            Constants of the pairs.
-        room : Room
-            As `solve` left it.
-
-        Returns
-        -------
-        float
+        """Torque of the forces on the wave, N*m, as `solve` left the room; each satellite has its
+        own lag there, and the one that is given is not used.
         """
         each = zip(room.own_lag, _each(setup, pairs, room), strict=False)
         return sum(wave_torque(psi, own_lag, *own) for own_lag, own in each)

@@ -18,38 +18,20 @@ ZOOMED = 3
 
 @dataclass(frozen=True, slots=True)
 class Summit:
-    """A summit, narrowed.
+    """A summit, narrowed."""
 
-    Attributes
-    ----------
-    place, height : float
-        Where it is, rad, and how high.
-    error : float
-        How much higher a kink within the last width may be.
-    alike : tuple of float
-        Where others look the same, rad.
-    """
-
-    place: float
-    height: float
-    error: float
-    alike: tuple[float, ...]
+    place: float  # rad
+    height: float  # in the unit of what is sampled
+    error: float  # how much higher a kink within the last width may be
+    alike: tuple[float, ...]  # places where others look the same, rad
 
 
 @dataclass(frozen=True, slots=True)
 class Grid:
-    """Values over one turn.
+    """Values over one turn."""
 
-    Attributes
-    ----------
-    places : array
-        Where, rad, in their order.
-    heights : array
-        How high.
-    """
-
-    places: FloatArray
-    heights: FloatArray
+    places: FloatArray  # rad, in their order
+    heights: FloatArray  # in the unit of what is sampled
 
 
 def _height(summit: Summit) -> float:

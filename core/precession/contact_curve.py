@@ -24,38 +24,21 @@ from core.results import ROUNDING
 
 
 class LinePoint(NamedTuple):
-    """An end of a contact line.
+    """An end of a contact line."""
 
-    Attributes
-    ----------
-    y, z : float
-        Place from the steepest point of the curve, and from the precession centre, m.
-    error : float
-        Bound of the error of z on the curve as given, m.
-    """
-
-    y: float
-    z: float
-    error: float
+    y: float  # from the steepest point of the curve, m
+    z: float  # from the precession centre, m
+    error: float  # bound of the error of z on the curve as given, m
 
 
 class Limits(NamedTuple):
-    """Between what a contact line runs.
+    """Between what a contact line runs."""
 
-    Attributes
-    ----------
-    start, end : LinePoint
-        Its ends, z growing.
-    extent : float
-        ``z_max - z_min``, m, to more digits than the difference has.
-    in_phi : bool
-        Whether the limits are given in phi, so that all places of the line move with the curve,
-        which is not known exactly; else in z, under which the curve moves.
-    """
-
-    start: LinePoint
-    end: LinePoint
-    extent: float
+    start: LinePoint  # the end with the smaller z
+    end: LinePoint  # that with the larger
+    extent: float  # z_max - z_min, m, to more digits than the difference has
+    # Whether the limits are given in phi, so that all places of the line move with the curve, which
+    # is not known exactly; else in z, under which the curve moves.
     in_phi: bool
 
 
@@ -65,53 +48,27 @@ class Places:
 
     The two ends come first and last. They stand for no length, but the length by which they may
     move counts as an error there: that of the integral is ``sum |g|*ds_error``, besides g's own.
-
-    Attributes
-    ----------
-    y, z : array, shape (n,)
-        Place from the steepest point of the curve, and from the precession centre, m.
-    ds : array, shape (n,)
-        Length of the line that a place stands for, m.
-    ds_error : array, shape (n,)
-        Bound of its error, m.
-    z_error : array, shape (n,)
-        By how much a place may lie elsewhere on the curve as given, m.
-    direction_error : array, shape (n,)
-        Error of (y, w)/sin(phi1) over its size, for the place taken.
     """
 
-    y: FloatArray
-    z: FloatArray
-    ds: FloatArray
-    ds_error: FloatArray
-    z_error: FloatArray
+    y: FloatArray  # from the steepest point of the curve, m, shape (n,)
+    z: FloatArray  # from the precession centre, m, shape (n,)
+    ds: FloatArray  # length of the line that a place stands for, m, shape (n,)
+    ds_error: FloatArray  # bound of its error, m, shape (n,)
+    z_error: FloatArray  # how far a place may lie elsewhere on the curve as given, m, shape (n,)
+    # Of (y, w)/sin(phi1) over its size, for the place taken, shape (n,).
     direction_error: FloatArray
 
 
 @dataclass(frozen=True, slots=True)
 class ContactCurve:
-    """The curve of all contact points of one roller.
+    """The curve of all contact points of one roller."""
 
-    Attributes
-    ----------
-    roller_circle_radius, roller_radius : float
-        R_C and rho, m.
-    position_angle : float
-        phi1, rad.
-    angle_error : float
-        Bound of the error of phi1, rad.
-    scale : float
-        ``A = R_C*(cos(theta) - u12)/sin(theta)``, m.
-    scale_error : float
-        Relative error of A, the condition of the input included.
-    """
-
-    roller_circle_radius: float
-    roller_radius: float
-    position_angle: float
-    angle_error: float
-    scale: float
-    scale_error: float
+    roller_circle_radius: float  # R_C, m
+    roller_radius: float  # rho, m
+    position_angle: float  # phi1, rad
+    angle_error: float  # bound of the error of phi1, rad
+    scale: float  # A = R_C*(cos(theta) - u12)/sin(theta), m
+    scale_error: float  # relative, the condition of the input included
 
     @property
     def sine(self) -> float:

@@ -23,37 +23,17 @@ from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 @dataclass(frozen=True, slots=True)
 class ContactLine:
-    """Contact line of one roller.
+    """Contact line of one roller."""
 
-    Attributes
-    ----------
-    curve : ContactCurve
-        The curve that the line is a part of.
-    limits : Limits
-        Between what it runs.
-    places : Places
-        Places at which to integrate along it.
-    phi_min, phi_max : float
-        Smallest and largest polar angle, rad, reached at its two ends.
-    length : float
-        Length s, m.
-    relative_error : float
-        Of the length.
-    arm_sign : int
-        Sign of the arm ``-R_C*sin(phi)`` about the axis; 0 where the line reaches phi = 0.
-    flank : int
-        Half-turns by which this flank lies from the one that the curve's polar angle gives.
-    """
-
-    curve: ContactCurve
-    limits: Limits
-    places: Places
-    phi_min: float
-    phi_max: float
-    length: float
-    relative_error: float
-    arm_sign: int
-    flank: int
+    curve: ContactCurve  # that the line is a part of
+    limits: Limits  # between what it runs
+    places: Places  # at which to integrate along it
+    phi_min: float  # smallest polar angle, rad, at one of its ends
+    phi_max: float  # largest, rad, at the other
+    length: float  # s, m
+    relative_error: float  # of the length
+    arm_sign: int  # of the arm -R_C*sin(phi) about the axis; 0 where the line reaches phi = 0
+    flank: int  # half-turns by which it lies from the one that the curve's polar angle gives
 
     @property
     def position_angle(self) -> float:
@@ -73,23 +53,11 @@ class ContactLine:
 
 @dataclass(frozen=True, slots=True)
 class ContactLines:
-    """Contact lines of the rollers.
+    """Contact lines of the rollers."""
 
-    Attributes
-    ----------
-    lines : tuple of ContactLine
-        One for each roller, in their order.
-    total_length : float
-        Sum of the lengths, m.
-    accuracy : Accuracy
-        Of `total_length`; each line states its own.
-    notices : tuple of Notice
-        Whether it is hardly known.
-    """
-
-    lines: tuple[ContactLine, ...]
-    total_length: float
-    accuracy: Accuracy
+    lines: tuple[ContactLine, ...]  # one for each roller, in their order
+    total_length: float  # of all of them, m
+    accuracy: Accuracy  # of `total_length`; each line states its own
     notices: tuple[Notice, ...]
 
 
@@ -286,23 +254,13 @@ def _sine_and_cosine_of_sum(first: float, second: float) -> tuple[float, float]:
 
 @dataclass(frozen=True, slots=True)
 class ContactPoints:
-    """Points of a contact line, for drawing.
+    """Points of a contact line, for drawing."""
 
-    Attributes
-    ----------
-    z : array, shape (samples,)
-        Along the axis, m, growing.
-    phi : array, shape (samples,)
-        Polar angle on the roller, rad.
-    x : array, shape (samples,)
-        Arc ``rho*phi`` of the unrolled roller, m.
-    position : array, shape (samples, 3)
-        Place in the wheel's frame, m: the roller's axis stands at ``R_C*(-sin, cos)(phi1)``.
-    """
-
-    z: FloatArray
-    phi: FloatArray
-    x: FloatArray
+    z: FloatArray  # along the axis, m, growing, shape (samples,)
+    phi: FloatArray  # polar angle on the roller, rad, shape (samples,)
+    x: FloatArray  # arc rho*phi of the unrolled roller, m, shape (samples,)
+    # Place in the wheel's frame, m, shape (samples, 3); the roller's axis stands at
+    # ``R_C*(-sin, cos)(phi1)``.
     position: FloatArray
 
 

@@ -12,34 +12,16 @@ from core.results import ROUNDING, Accuracy, Notice
 
 @dataclass(frozen=True, slots=True)
 class LineContact:
-    """Contact of a roller and the tooth that it presses on, where the line load is largest.
+    """Contact of a roller and the tooth that it presses on, where the line load is largest."""
 
-    Attributes
-    ----------
-    max_pressure : float
-        Largest pressure p0, Pa.
-    half_width : float
-        Half-width a of the contact, m.
-    reduced_radius : float
-        Reduced radius of curvature, m.
-    effective_modulus : float
-        Effective modulus E*, Pa.
-    roller_safety, mating_safety : float or None
-        Limit of the body's own material over the pressure, where it is known.
-    accuracy : Accuracy
-        Of all numbers.
-    notices : tuple of Notice
-        Where the contact is wide for Hertz.
-    """
-
-    max_pressure: float
-    half_width: float
-    reduced_radius: float
-    effective_modulus: float
-    roller_safety: float | None
-    mating_safety: float | None
+    max_pressure: float  # p0, Pa
+    half_width: float  # a of the contact, m
+    reduced_radius: float  # of curvature, m
+    effective_modulus: float  # E*, Pa
+    roller_safety: float | None  # limit of its own material over the pressure, where known
+    mating_safety: float | None  # the same of the tooth
     accuracy: Accuracy
-    notices: tuple[Notice, ...]
+    notices: tuple[Notice, ...]  # where the contact is wide for Hertz
 
 
 def line_contact(

@@ -26,36 +26,17 @@ SMALL_ARM = 0.1
 
 @dataclass(frozen=True, slots=True)
 class MeshingLoad:
-    """Load of the precessional gear's mesh.
+    """Load of the precessional gear's mesh."""
 
-    Attributes
-    ----------
-    force : tuple of float, shape (3,)
-        Force F on the satellite and, through it, on the input shaft, N.
-    moment : tuple of float, shape (3,)
-        Its moment M_C about the point ``z = reference_z`` of the axis, N*m; its z is M1.
-    max_line_load : float
-        Largest load per length, N/m.
-    total_length : float
-        Sum of the lengths of the contact lines, m.
-    lines : tuple of ContactLine
-        The lines, on their loaded flanks.
-    force_error, moment_error : float
-        Bounds of the error of `force` and `moment`, N and N*m.
-    accuracy : Accuracy
-        Of `force` over its size, or over M1/R_C where that is larger because the rollers'
-        forces cancel out; of `moment` over its size, of `max_line_load` and `total_length`.
-    notices : tuple of Notice
-        Assumptions that the load strains.
-    """
-
-    force: Vector
-    moment: Vector
-    max_line_load: float
-    total_length: float
-    lines: tuple[ContactLine, ...]
-    force_error: float
-    moment_error: float
+    force: Vector  # F on the satellite and, through it, on the input shaft, N
+    moment: Vector  # M_C about the point z = reference_z of the axis, N*m; its z is M1
+    max_line_load: float  # largest load per length, N/m
+    total_length: float  # of the contact lines, m
+    lines: tuple[ContactLine, ...]  # on their loaded flanks
+    force_error: float  # bound, N
+    moment_error: float  # bound, N*m
+    # Of `force` over its size, or over M1/R_C where that is larger because the rollers' forces
+    # cancel out; of `moment` over its size, of `max_line_load` and `total_length`.
     accuracy: Accuracy
     notices: tuple[Notice, ...]
 

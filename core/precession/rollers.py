@@ -16,42 +16,23 @@ ANGLE_ROUNDING = 1.5 * ROUNDING
 
 @dataclass(frozen=True, slots=True)
 class RollerByLength:
-    """A roller and its working length.
+    """A roller and its working length."""
 
-    Attributes
-    ----------
-    position_angle : float
-        Position angle phi1, rad.
-    z_min, z_max : float
-        Ends of the working length, m from the precession centre.
-    position_error : float
-        Error of phi1 besides its own rounding, rad: that of the terms that it is the sum of.
-    """
-
-    position_angle: float
-    z_min: float
-    z_max: float
+    position_angle: float  # phi1, rad
+    z_min: float  # ends of the working length, m from the precession centre
+    z_max: float  # m
+    # Error of phi1 besides its own rounding, rad: that of the terms that it is the sum of.
     position_error: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
 class RollerByAngle:
-    """A roller and the polar angles at which its contact line begins and ends.
+    """A roller and the polar angles at which its contact line begins and ends."""
 
-    Attributes
-    ----------
-    position_angle : float
-        Position angle phi1, rad.
-    phi_min, phi_max : float
-        Polar angles of the ends, rad.
-    position_error : float
-        As that of `RollerByLength`.
-    """
-
-    position_angle: float
-    phi_min: float
-    phi_max: float
-    position_error: float = 0.0
+    position_angle: float  # phi1, rad
+    phi_min: float  # polar angles of the ends, rad
+    phi_max: float  # rad
+    position_error: float = 0.0  # as that of `RollerByLength`
 
 
 Roller = RollerByLength | RollerByAngle

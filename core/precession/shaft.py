@@ -25,40 +25,21 @@ SAME_LENGTH = 16 * ROUNDING
 
 @dataclass(frozen=True, slots=True)
 class ShaftSection:
-    """A stretch of the shaft of one diameter.
+    """A stretch of the shaft of one diameter."""
 
-    Attributes
-    ----------
-    length : float
-        Length, m, > 0.
-    diameter : float
-        Diameter, m, > 0.
-    """
-
-    length: float
-    diameter: float
+    length: float  # m, > 0
+    diameter: float  # m, > 0
 
 
 @dataclass(frozen=True, slots=True)
 class ShaftDiagram:
-    """Shear force, bending moment and deflection along the shaft.
+    """Shear force, bending moment and deflection along the shaft."""
 
-    Attributes
-    ----------
-    position : array, shape (n,)
-        Place along the shaft from C to the clamp, m; B occurs twice, before and after its load.
-    shear_force : array, shape (n, 2)
-        In the two planes, N: sum of the satellite's forces from C up to the place.
-    bending_moment : array, shape (n, 2)
-        In the two planes, N*m: moment of those forces about the place.
-    deflection : array, shape (n, 2)
-        In the two planes, m.
-    """
-
+    # From C to the clamp, m, shape (n,); B occurs twice, before and after its load.
     position: FloatArray
-    shear_force: FloatArray
-    bending_moment: FloatArray
-    deflection: FloatArray
+    shear_force: FloatArray  # N, shape (n, 2), in both planes: sum of the satellite's forces from C
+    bending_moment: FloatArray  # N*m, shape (n, 2): moment of those forces about the place
+    deflection: FloatArray  # m, shape (n, 2)
 
 
 def bearing_reactions(
@@ -138,7 +119,7 @@ def shaft_stretches(
             raise InvalidInput("shaft_diameter", shaft_diameter, "greater_than", limit=0)
         return [ShaftSection(length, shaft_diameter)]
     if shaft_diameter is not None:
-        raise InvalidInput("shaft_sections", shaft_sections, "exclusive", field="shaft_diameter")
+        raise InvalidInput("shaft_sections", shaft_sections, "only_one", field="shaft_diameter")
     for index, section in enumerate(shaft_sections):
         for name, value in (("length", section.length), ("diameter", section.diameter)):
             if not value > 0:
@@ -160,26 +141,15 @@ def shaft_stretches(
 
 
 class ShaftPiece(NamedTuple):
-    """A stretch of the shaft of one diameter, with no load inside it.
+    """A stretch of the shaft of one diameter, with no load inside it."""
 
-    Attributes
-    ----------
-    behind_b : bool
-        Whether it lies between B and the clamp, not between C and B.
-    near, far : float
-        Its ends, m from the bearing in front of it: from B for a piece behind B, else from C.
-    length, diameter : float
-        Its sizes, m; the length to more digits than the difference of its ends.
-    from_b : float
-        Distance of its farther end from B, m.
-    """
-
-    behind_b: bool
+    behind_b: bool  # whether it lies between B and the clamp, not between C and B
+    # Its ends, m from the bearing in front of it: from B for a piece behind B, else from C.
     near: float
-    far: float
-    length: float
-    diameter: float
-    from_b: float
+    far: float  # the other one, m
+    length: float  # m, to more digits than the difference of the ends
+    diameter: float  # m
+    from_b: float  # distance of its farther end from B, m
 
 
 def shaft_pieces(

@@ -25,72 +25,29 @@ LARGE_DEFLECTION = 0.1
 
 @dataclass(frozen=True, slots=True)
 class Deflection:
-    """Deflection of a place on the shaft.
+    """Deflection of a place on the shaft, m, or its slope, rad, in the two planes."""
 
-    Attributes
-    ----------
-    x, y : float
-        In the two planes, m.
-    total : float
-        ``sqrt(x^2 + y^2)``, m.
-    """
-
-    x: float
-    y: float
-    total: float
-
-
-@dataclass(frozen=True, slots=True)
-class Slope:
-    """Slope of a place on the shaft.
-
-    Attributes
-    ----------
-    x, y : float
-        In the two planes, rad.
-    total : float
-        ``sqrt(x^2 + y^2)``, rad.
-    """
-
-    x: float
-    y: float
-    total: float
+    x: float  # in the plane xz
+    y: float  # in the plane yz
+    total: float  # sqrt(x^2 + y^2)
 
 
 @dataclass(frozen=True, slots=True)
 class ShaftDeflection:
-    """Reactions and deflection of the shaft.
+    """Reactions and deflection of the shaft."""
 
-    Attributes
-    ----------
-    reaction_B, reaction_C : tuple of float, shape (2,)
-        Reactions (x, y) of the shaft on the satellite, N.
-    deflection_B, deflection_C : Deflection
-        Deflection of the shaft at B and C, in the direction of the satellite's forces on it.
-    slope_B, slope_C : Slope
-        Slope of the shaft at B and C.
-    simplified_deflection_B, simplified_deflection_C : Deflection or None
-        The same deflections with the smallest diameter everywhere; None for a shaft of one
-        diameter.
-    simplification_error_B, simplification_error_C : float or None
-        Relative error of those, dimensionless.
-    accuracy : Accuracy
-        Of reactions, slopes and deflections, the simplified ones too, each as a vector over its
-        size.
-    notices : tuple of Notice
-        Assumptions that the shaft strains.
-    """
-
-    reaction_B: Plane
-    reaction_C: Plane
-    deflection_B: Deflection
-    deflection_C: Deflection
-    slope_B: Slope
-    slope_C: Slope
+    reaction_B: Plane  # (x, y) of the shaft on the satellite, N
+    reaction_C: Plane  # likewise
+    deflection_B: Deflection  # in the direction of the satellite's forces on the shaft
+    deflection_C: Deflection  # likewise
+    slope_B: Deflection  # of the shaft at B
+    slope_C: Deflection  # at C
+    # The same deflection with the smallest diameter everywhere; None for a shaft of one diameter.
     simplified_deflection_B: Deflection | None
-    simplified_deflection_C: Deflection | None
-    simplification_error_B: float | None
-    simplification_error_C: float | None
+    simplified_deflection_C: Deflection | None  # likewise
+    simplification_error_B: float | None  # relative error of that
+    simplification_error_C: float | None  # likewise
+    # Of reactions, slopes and deflections, the simplified ones too, each as a vector over its size.
     accuracy: Accuracy
     notices: tuple[Notice, ...]
 
@@ -213,8 +170,8 @@ def shaft_deflection(
         reaction_C=reaction_c,
         deflection_B=at_b,
         deflection_C=at_c,
-        slope_B=Slope(turn_b.x, turn_b.y, turn_b.total),
-        slope_C=Slope(turn_c.x, turn_c.y, turn_c.total),
+        slope_B=turn_b,
+        slope_C=turn_c,
         simplified_deflection_B=simplified_b,
         simplified_deflection_C=simplified_c,
         simplification_error_B=_simplification_error(simplified_b, at_b),

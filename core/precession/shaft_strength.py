@@ -10,31 +10,15 @@ from core.precession.shaft import Plane, ShaftSection, shaft_pieces
 
 @dataclass(frozen=True, slots=True)
 class ShaftStrength:
-    """Bending stress of the shaft; its torsion is not in it.
+    """Bending stress of the shaft; its torsion is not in it."""
 
-    Attributes
-    ----------
-    bending_moment_B, bending_moment_clamp : float
-        Bending moment at B and at the clamp, N*m.
-    peak_stress : float
-        Largest bending stress, Pa, without a notch.
-    peak_stress_position : float
-        Its section, m from C towards the clamp.
-    static_safety_factor : float or None
-        Yield strength over that stress, where it is known.
-    fatigue : CycleFatigue or None
-        Of the section that has the least safety, where the load turns round the shaft.
-    cycle_position : float or None
-        That section, m from C.
-    """
-
-    bending_moment_B: float
-    bending_moment_clamp: float
-    peak_stress: float
-    peak_stress_position: float
-    static_safety_factor: float | None
-    fatigue: CycleFatigue | None
-    cycle_position: float | None
+    bending_moment_B: float  # N*m
+    bending_moment_clamp: float  # N*m
+    peak_stress: float  # largest bending stress, Pa, without a notch
+    peak_stress_position: float  # its section, m from C towards the clamp
+    static_safety_factor: float | None  # Re over that stress, where it is known
+    fatigue: CycleFatigue | None  # of the section of least safety, where the load turns round it
+    cycle_position: float | None  # that section, m from C
 
 
 def shaft_strength(

@@ -19,34 +19,18 @@ SAMPLES = 121
 
 @dataclass(frozen=True, slots=True)
 class RollerCurves:
-    """Curves through a design.
+    """Curves through a design."""
 
-    Attributes
-    ----------
-    design : RollerStrength
-        The design itself.
-    limit : float
-        delta from which on one roller carries everything.
-    length_ratio, relative_stiffness : array, shape (n,)
-        l/d, and c/(b*E) over it.
-    position_error : array, shape (n,)
-        delta.
-    nonuniformity : dict of int to array, shape (n,)
-        Psi over delta by the number of rollers.
-    stress : dict of float to array, shape (n,)
-        Bending stress over l/d, Pa, by the position tolerance, m, or by the factor of the gaps.
-    scales_gaps : bool
-        Whether the stress is by the factor of the design's own gaps: where these are given and
-        differ.
-    """
-
-    design: RollerStrength
-    limit: float
-    length_ratio: FloatArray
-    relative_stiffness: FloatArray
-    position_error: FloatArray
-    nonuniformity: dict[int, FloatArray]
+    design: RollerStrength  # the design itself
+    limit: float  # delta from which on one roller carries everything
+    length_ratio: FloatArray  # l/d, shape (n,)
+    relative_stiffness: FloatArray  # c/(b*E) over it, shape (n,)
+    position_error: FloatArray  # delta, shape (n,)
+    nonuniformity: dict[int, FloatArray]  # Psi over delta by the number of rollers
+    # Bending stress over l/d, Pa, by the position tolerance, m, or by the factor of the gaps.
     stress: dict[float, FloatArray]
+    # Whether the stress is by the factor of the design's own gaps: where these are given and
+    # differ.
     scales_gaps: bool
 
 

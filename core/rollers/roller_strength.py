@@ -28,67 +28,32 @@ LARGE_DEFLECTION = 0.1
 
 @dataclass(frozen=True, slots=True)
 class RollerStrength:
-    """Load sharing and strength of the swinging rollers of one design, or of an array of them.
+    """Load sharing and strength of the swinging rollers of one design, or of an array of them."""
 
-    Attributes
-    ----------
-    stiffness : float or array
-        Stiffness c of one end of a roller, N/m.
-    relative_stiffness : float or array
-        ``c/(b*E)``, dimensionless.
-    mean_force : float or array
-        Mean force F_avg on one end of a roller, N.
-    relative_position_error : float or array
-        delta, dimensionless: ``c*chi/F_avg``; for a list of gaps, that of the tolerance with
-        the same mean gap.
-    load_nonuniformity : float or array
-        Psi: largest force over the mean one, from 1 to the number of rollers.
-    max_force : float or array
-        Largest force F_1 on one end of a roller, N.
-    centre_force : float or array
-        Force ``F_0 = 2*F_1`` on the middle of that roller, N.
-    forces : tuple of float or array
-        Force on one end of each roller, N. With a tolerance the first is the roller ahead.
-    displacement : float or array
-        Displacement Delta of the disc's holes against the satellites', m, from the zero of the
-        gaps; with a tolerance, from the first contact.
-    bending_moment : float or array
-        Bending moment of the most loaded roller beside its middle sphere, N*m.
-    bending_stress : float or array
-        Stress there, Pa.
-    relative_stress : float or array
-        ``sigma/E``, dimensionless, as the source's fig. 6 shows it.
-    loaded_rollers : int or array of int
-        Number of rollers that carry a force.
-    length_ratio, sphere_ratio : float or array
-        Length of the cylinder and diameter of a sphere over the cylinder's diameter.
-    width_ratio : float or array
-        Width of a sphere over its diameter.
-    deflection_ratio : float or array
-        Deflection of the most loaded roller over its length.
-    accuracy : Accuracy
-        Of every number against its own size; of single forces against the largest; of the
-        displacement and of the relative position error against what the largest gap makes of
-        them, where that is more.
-    """
-
-    stiffness: Number
-    relative_stiffness: Number
-    mean_force: Number
+    stiffness: Number  # c of one end of a roller, N/m
+    relative_stiffness: Number  # c/(b*E)
+    mean_force: Number  # F_avg on one end of a roller, N
+    # delta = c*chi/F_avg; for a list of gaps, that of the tolerance with the same mean gap.
     relative_position_error: Number
-    load_nonuniformity: Number
-    max_force: Number
-    centre_force: Number
+    load_nonuniformity: Number  # Psi, largest over mean force, from 1 to the number of rollers
+    max_force: Number  # F_1, largest on one end of a roller, N
+    centre_force: Number  # F_0 = 2*F_1 on the middle of that roller, N
+    # Force on one end of each roller, N. With a tolerance the first is the roller ahead.
     forces: tuple[Number, ...]
+    # Delta of the disc's holes against the satellites', m, from the zero of the gaps; with a
+    # tolerance, from the first contact.
     displacement: Number
-    bending_moment: Number
-    bending_stress: Number
-    relative_stress: Number
-    loaded_rollers: int | IntArray
-    length_ratio: Number
-    sphere_ratio: Number
-    width_ratio: Number
-    deflection_ratio: Number
+    bending_moment: Number  # of the most loaded roller beside its middle sphere, N*m
+    bending_stress: Number  # sigma there, Pa
+    relative_stress: Number  # sigma/E, as the source's fig. 6 shows it
+    loaded_rollers: int | IntArray  # number that carry a force
+    length_ratio: Number  # length of the cylinder over its diameter
+    sphere_ratio: Number  # diameter of a sphere over that of the cylinder
+    width_ratio: Number  # width of a sphere over its diameter
+    deflection_ratio: Number  # deflection of the most loaded roller over its length
+    # Of every number against its own size; of single forces against the largest; of the
+    # displacement and of the relative position error against what the largest gap makes of them,
+    # where that is more.
     accuracy: Accuracy
 
     @property
@@ -407,7 +372,7 @@ def modulus_ratio(
         check_poissons_ratio(poissons_ratio)
         return 2 * (1 + poissons_ratio)
     if poissons_ratio is not None or shear_modulus is None:
-        raise InvalidInput("shear_modulus", shear_modulus, "exclusive", field="poissons_ratio")
+        raise InvalidInput("shear_modulus", shear_modulus, "only_one", field="poissons_ratio")
     check_positive(shear_modulus=shear_modulus)
     return youngs_modulus / shear_modulus
 
@@ -443,7 +408,7 @@ def roller_gaps(
     """
     if gaps is not None:
         if position_tolerance is not None:
-            raise InvalidInput("gaps", gaps, "exclusive", field="position_tolerance")
+            raise InvalidInput("gaps", gaps, "only_one", field="position_tolerance")
         if len(gaps) != rollers:
             raise InvalidInput("gaps", gaps, "different_length", expected=rollers, actual=len(gaps))
         return gaps

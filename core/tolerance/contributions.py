@@ -13,27 +13,14 @@ from core.tolerance.study import Study
 
 @dataclass(frozen=True, slots=True)
 class Contribution:
-    """What one source does to a quantity.
+    """What one source does to a quantity."""
 
-    Attributes
-    ----------
-    source : str
-        Its name.
-    total, total_error : float
-        Total index S_T, what of the variance would be left without all others, and its standard
-        error.
-    first, first_error : float
-        Index S_1, what the source explains alone, and its standard error.
-    without : Estimate
-        With this source at the middle of its limits: the percentile, or the share of pieces that
-        fit.
-    """
-
-    source: str
-    total: float
-    total_error: float
-    first: float
-    first_error: float
+    source: str  # name of the source
+    total: float  # total index S_T, what of the variance would be left without all others
+    total_error: float  # its standard error
+    first: float  # index S_1, what the source explains alone
+    first_error: float  # its standard error
+    # With this source at the middle of its limits: the percentile, or the share of pieces that fit.
     without: Estimate
 
 

@@ -63,22 +63,13 @@ def uniforms(*, seed: int, kind: int, index: int, samples: int, first: int = 0) 
 
 @dataclass(frozen=True, slots=True)
 class Spread:
-    """How a size or an angle varies.
+    """How a size or an angle varies."""
 
-    Attributes
-    ----------
-    lower, upper : float
-        Limits of its deviation, m or rad.
-    distribution : {"normal", "uniform"}
-        Normal: cut off at the limits, which are three standard deviations off the middle.
-    common : bool
-        Whether all parts of a piece have the same.
-    """
-
-    lower: float
-    upper: float
+    lower: float  # least deviation, m or rad
+    upper: float  # largest deviation
+    # Normal: cut off at the limits, which are three standard deviations off the middle.
     distribution: Distribution = "normal"
-    common: bool = False
+    common: bool = False  # whether all parts of a piece have the same
 
     def __post_init__(self) -> None:
         check_finite(lower=self.lower, upper=self.upper)

@@ -33,16 +33,10 @@ CLASSES = ("f", "g", "h", "js", "m", "F", "G", "H", "JS")
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """Limits of a size.
+    """Limits of a size."""
 
-    Attributes
-    ----------
-    lower, upper : float
-        Limit deviations of the diameter, m.
-    """
-
-    lower: float
-    upper: float
+    lower: float  # lower limit deviation of the diameter, m
+    upper: float  # upper one, m
 
 
 def class_limits(*, size: float, tolerance_class: str) -> Limits:

@@ -15,17 +15,11 @@ CONFIDENCE = 0.95
 
 @dataclass(frozen=True, slots=True)
 class Estimate:
-    """A number with its interval.
+    """A number with its 95 % interval."""
 
-    Attributes
-    ----------
-    value, low, high : float
-        The number, and the ends of its 95 % interval.
-    """
-
-    value: float
-    low: float
-    high: float
+    value: float  # the number
+    low: float  # lower end of the interval
+    high: float  # upper end
 
 
 REACH = 12.0

@@ -51,56 +51,29 @@ quantities."""
 
 @dataclass(frozen=True, slots=True)
 class Evaluation:
-    """What of each piece is asked, and where.
+    """What of each piece is asked, and where."""
 
-    Attributes
-    ----------
-    quantities : tuple of str
-        Of `QUANTITIES`.
-    output_torque : float
-        Torque T on the output link, N*m, not 0; negative in reverse.
-    positions : int
-        Even positions of the wave.
-    lost_motion_share : float
-        Share of the torque under which the lost motion is taken.
-    """
-
-    quantities: tuple[str, ...]
-    output_torque: float
-    positions: int = 60
-    lost_motion_share: float = 0.03
+    quantities: tuple[str, ...]  # of `QUANTITIES`
+    output_torque: float  # T on the output link, N*m, not 0; negative in reverse
+    positions: int = 60  # of the wave, evenly spaced
+    lost_motion_share: float = 0.03  # of the torque under which the lost motion is taken
 
 
 @dataclass(frozen=True, slots=True)
 class ToleranceStudy:
-    """Many pieces.
+    """Many pieces."""
 
-    Attributes
-    ----------
-    quantities : tuple of str
-        What was asked.
-    values : array, shape (samples, quantities)
-        SI units; NaN where a piece does not fit or cannot work.
-    fits : array of bool, shape (samples,)
-        Which pieces have room at all positions of the turn.
-    binds : array of bool, shape (samples,)
-        Which have it at some positions only: they go together, and jam in turning.
-    nominal : dict of str to float
-        Of the piece at the middle of all limits; nothing where that does not fit.
-    cannot_assemble : Estimate
-        Share of the pieces that do not fit at all positions.
-    angle_grid_error : dict of str to float
-        How much the positions miss of each quantity, relative: a bias, of the largest values always
-        low. Of the peak force the mean over the highest samples, each summit narrowed; of the
-        others the mean over the first samples at four times the positions.
-    """
-
-    quantities: tuple[str, ...]
+    quantities: tuple[str, ...]  # what was asked
+    # SI units, shape (samples, quantities); NaN where a piece does not fit or cannot work.
     values: FloatArray
-    fits: BoolArray
-    binds: BoolArray
+    fits: BoolArray  # which pieces have room at all positions of the turn, shape (samples,)
+    binds: BoolArray  # which have it at some only: they go together, and jam in turning
+    # Of the piece at the middle of all limits; nothing where that does not fit.
     nominal: dict[str, float]
-    cannot_assemble: Estimate
+    cannot_assemble: Estimate  # share of the pieces that do not fit at all positions
+    # How much the positions miss of each quantity, relative: a bias, of the largest values always
+    # low. Of the peak force the mean over the highest samples, each summit narrowed; of the others
+    # the mean over the first samples at four times the positions.
     angle_grid_error: dict[str, float]
 
     def column(self, quantity: str) -> FloatArray:
@@ -158,33 +131,16 @@ class ToleranceStudy:
 
 @dataclass(frozen=True, slots=True)
 class Study:
-    """A design, its tolerances, and what is asked.
+    """A design, its tolerances, and what is asked."""
 
-    Attributes
-    ----------
-    real : RealMechanism
-        The nominal design; its own deviations are not used.
-    tolerances : Tolerances
-        What its parts are made to.
-    asked : Evaluation
-        Quantities, torque, positions.
-    samples : int
-        How many pieces.
-    seed : int
-        Of the draws.
-    progress : callable, optional
-        Called with the number of pieces done.
-    threads : int
-        How many calculate, where the loops are compiled; 0 for one to a processor.
-    """
-
-    real: RealMechanism
+    real: RealMechanism  # the nominal design; its own deviations are not used
     tolerances: Tolerances
-    asked: Evaluation
-    samples: int = 4096
-    seed: int = 0
+    asked: Evaluation  # quantities, torque, positions
+    samples: int = 4096  # how many pieces
+    seed: int = 0  # of the draws
+    # Called with the number of pieces done.
     progress: Callable[[int], None] = field(default=lambda done: None)
-    threads: int = 0
+    threads: int = 0  # how many, where the loops are compiled; 0 for one to a processor
 
     def pieces(
         self, *, tolerances: Tolerances | None = None, other: Sequence[str] = ()

@@ -13,25 +13,15 @@ from core.tolerance.draws import KINDS, OTHER, Spread, uniforms, zone_places
 
 @dataclass(frozen=True, slots=True)
 class Tolerances:
-    """What the parts are made to; None is exact.
+    """What the parts are made to; None is exact."""
 
-    Attributes
-    ----------
-    pin_position, hole_position : float, optional
-        Diameters of the zones of the centres, m.
-    pin_radius, hole_radius, eccentricity : Spread, optional
-        Deviations, m; of radii, not of diameters.
-    crank_phase, disc_phase : Spread, optional
-        Angles, rad.
-    """
-
-    pin_position: float | None = None
-    hole_position: float | None = None
-    pin_radius: Spread | None = None
-    hole_radius: Spread | None = None
-    eccentricity: Spread | None = None
-    crank_phase: Spread | None = None
-    disc_phase: Spread | None = None
+    pin_position: float | None = None  # diameter of the zone of the centres, m
+    hole_position: float | None = None  # likewise
+    pin_radius: Spread | None = None  # deviation of the radius, not of the diameter, m
+    hole_radius: Spread | None = None  # likewise
+    eccentricity: Spread | None = None  # deviation, m
+    crank_phase: Spread | None = None  # rad
+    disc_phase: Spread | None = None  # rad
 
     def __post_init__(self) -> None:
         zones = {"pin_position": self.pin_position, "hole_position": self.hole_position}

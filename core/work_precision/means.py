@@ -46,27 +46,13 @@ pairs, a list for each satellite."""
 
 
 class Turning(TypedDict):
-    """What presses the cranks over the turn.
-
-    Attributes
-    ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio.
-    force_exponent : float
-        Exponent v of the force over the approach.
-    pin_circle_radius : float
-        Radius R of the circle of pin centres, m, > 0.
-    eccentricity : float
-        Eccentricity e of the cranks, m, > 0.
-    mesh : RingMesh
-        The ring's force along the crank.
-    """
+    """What presses the cranks over the turn."""
 
     mechanism: Mechanism
-    force_exponent: float
-    pin_circle_radius: float
-    eccentricity: float
-    mesh: RingMesh
+    force_exponent: float  # v of the force over the approach
+    pin_circle_radius: float  # R, m, > 0
+    eccentricity: float  # e of the cranks, m, > 0
+    mesh: RingMesh  # the ring's force along the crank
 
 
 def turn_mean_study(

@@ -14,24 +14,12 @@ Integrand = Callable[[FloatArray], FloatArray]
 
 @dataclass(frozen=True, slots=True)
 class Rule:
-    """A quadrature rule at one setting.
+    """A quadrature rule at one setting."""
 
-    Attributes
-    ----------
-    code : str
-        Which.
-    setting : Setting
-        Its setting: number of points, or level.
-    nodes : array, shape (n,)
-        Places on [-1, 1].
-    weights : array, shape (n,)
-        Their weights.
-    """
-
-    code: str
-    setting: Setting
-    nodes: FloatArray
-    weights: FloatArray
+    code: str  # which rule
+    setting: Setting  # number of points, or level
+    nodes: FloatArray  # places on [-1, 1], shape (n,)
+    weights: FloatArray  # shape (n,)
 
     def integral(self, integrand: Integrand, start: float, end: float) -> FloatArray:
         """Integral of every component, shape (m,), of an integrand from places, shape (n,), to its

@@ -43,84 +43,40 @@ _BUDGET_S = 0.02
 
 @dataclass(frozen=True, slots=True)
 class Method:
-    """A way to calculate a quantity, at one or several settings.
+    """A way to calculate a quantity, at one or several settings."""
 
-    Attributes
-    ----------
-    code : str
-        Which, a key of `core.results.METHODS`.
-    settings : sequence of Setting
-        What it is run at.
-    function : callable
-        `Outcome` at the value of a setting.
-    chosen : bool
-        Whether the calculators use it.
-    """
-
-    code: str
-    settings: Sequence[Setting]
-    function: Callable[[Any], Outcome]
-    chosen: bool = False
+    code: str  # a key of `core.results.METHODS`
+    settings: Sequence[Setting]  # what it is run at
+    function: Callable[[Any], Outcome]  # `Outcome` at the value of a setting
+    chosen: bool = False  # whether the calculators use it
 
 
 @dataclass(frozen=True, slots=True)
 class WorkPoint:
-    """One method at one setting.
+    """One method at one setting."""
 
-    Attributes
-    ----------
-    method : str
-        Which, a key of `core.results.METHODS`.
-    setting : Setting
-        Its setting: number of samples, nodes, steps.
-    relative_error : float
-        Measured relative error against the reference, dimensionless.
-    run_time : float
-        Median run time, s.
-    evaluations : int
-        Evaluations of the function behind the method.
-    """
-
-    method: str
-    setting: Setting
-    relative_error: float
-    run_time: float
-    evaluations: int
+    method: str  # a key of `core.results.METHODS`
+    setting: Setting  # number of samples, nodes or steps
+    relative_error: float  # measured against the reference
+    run_time: float  # median, s
+    evaluations: int  # how often the function behind the method was evaluated
 
 
 @dataclass(frozen=True, slots=True)
 class Reference:
-    """What the errors are measured against.
+    """What the errors are measured against."""
 
-    Attributes
-    ----------
-    method : str
-        How it was got, a key of `core.results.METHODS`.
-    digits : int
-        Digits it was calculated with.
-    """
-
-    method: str
-    digits: int = REFERENCE_DIGITS
+    method: str  # a key of `core.results.METHODS`
+    digits: int = REFERENCE_DIGITS  # with which it was calculated
 
 
 @dataclass(frozen=True, slots=True)
 class WorkPrecision:
-    """Error against run time of the methods of a calculation.
-
-    Attributes
-    ----------
-    reference : Reference
-        What the errors are measured against.
-    points : tuple of WorkPoint
-        All methods at all settings that can be had.
-    chosen : WorkPoint
-        The one that the calculators use.
-    """
+    """Error against run time of the methods of a calculation."""
 
     reference: Reference
-    points: tuple[WorkPoint, ...]
-    chosen: WorkPoint
+    points: tuple[WorkPoint, ...]  # all methods at all settings that can be had
+    chosen: WorkPoint  # the one that the calculators use
 
 
 def work_precision(

@@ -2,7 +2,7 @@
 import { message } from "../messages/index.js";
 import { quantityParts, shownDigits } from "./format.js";
 
-const IMPOSSIBLE = ["interference", "holes_overlap", "pins_overlap"];
+const IMPOSSIBLE = ["interference", "wall_holes", "pins_apart"];
 
 /**
  * A cell, `{ label, value, unit, note, level }`; of a section without answer the label alone.
@@ -21,6 +21,12 @@ export function stated({ accuracy }, value, unit, most) {
 export function warningsOf(answer) {
   const all = [answer, ...Object.values(answer)].flatMap((part) => part?.warnings ?? []);
   return [...new Map(all.map((warning) => [`${warning.code} ${warning.detail}`, warning])).values()];
+}
+
+/** Codes that an answer warns of, and those by which its checks could not be made or cannot be kept. */
+export function codesOf(answer, checks = []) {
+  const said = checks.flatMap(({ code, impossible, reason }) => reason?.code ?? (impossible ? code : []));
+  return [...new Set([...warningsOf(answer).map(({ code }) => code), ...said])];
 }
 
 /** How bad it is: "bad" for what cannot be built, else "warning". */

@@ -45,9 +45,11 @@ export function message(key, values = {}) {
 
 /** Words of the service by kind and code, a record of them where there are several; undefined for a code without words. */
 export function said(kind, code, values = {}) {
-  const words = wordsOf(kind, code);
-  if (typeof words !== "object") return words && filled(words, values);
-  return Object.fromEntries(Object.entries(words).map(([name, one]) => [name, filled(one, values)]));
+  const allOf = (words) => {
+    if (typeof words !== "object" || words.other) return words && filled(words, values);
+    return Object.fromEntries(Object.entries(words).map(([name, one]) => [name, allOf(one)]));
+  };
+  return allOf(wordsOf(kind, code));
 }
 
 /** Title and symbol of a quantity of an answer by its name, or by section and name where sections differ. */

@@ -1,12 +1,14 @@
-/** The verdict in plain words, and of every warning what it tests, why it matters, how to mend it. */
+/** The verdict in plain words, and of every warning, or what a check says in its place, what it tests, why it matters, how to mend it. */
+import { judgedOf } from "../lib/checks.js";
 import { element, fill, html } from "../lib/html.js";
-import { levelOf, warningsOf } from "../lib/verdict.js";
-import { message, said } from "../messages/index.js";
+import { codesOf, levelOf } from "../lib/verdict.js";
+import { message } from "../messages/index.js";
+import { explained } from "../service_texts.js";
 import { following } from "../store.js";
 import { sign } from "./parts.js";
 
 function warningMarkup(code) {
-  const words = said("notices", code);
+  const words = explained(code);
   const part = (name) => html`<div><dt>${message(`words.${name}`)}</dt><dd>${words[name]}</dd></div>`;
   return html`<li class="explained ${levelOf(code)}" data-code="${code}">
     <h3>${sign(levelOf(code))}${words.title}</h3>
@@ -22,7 +24,7 @@ export function createExplanation({ calculator, materialOf }) {
     update: following(({ shown }) => [shown], ({ shown }) => {
       if (!shown) return;
       const sentences = calculator.sentences(shown.answer, { input: shown.filled, materialOf }).filter(Boolean);
-      const codes = [...new Set(warningsOf(shown.answer).map(({ code }) => code))].filter((code) => said("notices", code)); // not of a newer service
+      const codes = codesOf(shown.answer, judgedOf(calculator, shown.answer)?.checks).filter(explained); // not of a newer service
       fill(host, html`<ul class="sentences">${sentences.map(([level, text]) => html`<li>${sign(level)}${text}</li>`)}</ul>
         ${codes.length > 0 && html`<ul class="explanations">${codes.map(warningMarkup)}</ul>`}`);
     }),

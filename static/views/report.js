@@ -121,7 +121,7 @@ export function createReport({ calculator, model, catalogues, version, outputs, 
   }, { signal: listening.signal });
 
   async function file() {
-    const css = await styles();
+    const [css] = await Promise.all([styles(), worked.ready()]);
     const pictures = await Promise.all(figures.map(async (figure) =>
       [figure.id, figure.drawn() ? svgOf(await figure.picture("svg", PAPER_WIDTH)) : null]));
     prepare({ whole: true });

@@ -27,7 +27,7 @@ export function createWanted({ calculator, ...parts }) {
     group.view = createView({ ...parts, ...group, logic });
     group.place.append(group.view.root);
     if (group.view.controls) parts.inputs.querySelector(`[data-group="${group.id}"] .wanted-fields`).append(group.view.controls);
-    parts.store.apply(besided, group.id, { steps: logic.steps });
+    parts.store.apply(besided, group.id, {});
   }
 
   function update(state) {

@@ -1,18 +1,24 @@
-/** Every result worked from its formula: a section each, folded, built when it is opened. */
-import { formatNumber, formatQuantity, quantityParts, resultDigits } from "../lib/format.js";
+/** Every result worked from its formula: a section each, folded; asked of the service and built when it is opened. */
+import { newestOnly } from "../lib/api.js";
+import { formatNumber, formatQuantity, quantityParts, resultDigits, unitOf } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { message, quantityWords, said } from "../messages/index.js";
 import { mathml, mathSymbol, plainSymbol, plainText } from "../lib/formula/mathml.js";
 import { parse } from "../lib/formula/notation.js";
 import { shownAsIs } from "../lib/units.js";
+import { passingText } from "../service_texts.js";
 import { following } from "../store.js";
+
+const CODES = { criterion: "criteria", source: "sources" }; // parameters of a note that have words of their own
+const AFTER = "after "; // before the number of an equation that a formula follows
 
 function math(content, said) {
   return html`<math aria-label="${said}"><mrow>${content}</mrow></math>`;
 }
 
 /** `symbol = formula`, `= numbers`, `= value`: a formula each, so that lines break between them. */
-function formulas({ symbol, formula, values, value, unit }, digits) {
+function formulas({ symbol, formula, names, values: given, code, result: value }, digits) {
+  const unit = unitOf(code);
   const name = mathSymbol(symbol);
   const spoken = plainSymbol(symbol);
   const shown = quantityParts(value, unit, Number.isInteger(value) && shownAsIs(unit) ? 15 : digits);
@@ -21,39 +27,40 @@ function formulas({ symbol, formula, values, value, unit }, digits) {
   const equal = html`<mo form="infix">=</mo>`;
   if (!formula) return math(html`${name}${equal}${result}`, `${spoken} = ${resultSaid}`);
   const tree = parse(formula);
+  const values = Object.fromEntries(Object.entries(given).map(([own, amount]) => [own, { value: amount, unit: unitOf(names[own]) }]));
   const numbers = { values, withNumbers: true, digits };
   return html`
-    ${math(html`${name}${equal}${mathml(tree, { values })}`, `${spoken} = ${plainText(tree, { values })}`)}
-    ${!tree.name && math(html`${equal}${mathml(tree, numbers)}`, `= ${plainText(tree, numbers)}`)}
+    ${math(html`${name}${equal}${mathml(tree)}`, `${spoken} = ${plainText(tree)}`)}
+    ${math(html`${equal}${mathml(tree, numbers)}`, `= ${plainText(tree, numbers)}`)}
     ${math(html`${equal}${result}`, `= ${resultSaid}`)}`;
 }
 
-function noteText({ note, noteValues = {} }) {
-  const texts = {
-    object: (value) => formatQuantity(...value),
-    number: (value) => formatNumber(value, 15),
-    string: (value, name) => said({ criterion: "criteria", source: "sources" }[name], value) ?? value,
+function noteText(code, params = {}) {
+  const words = ([name, value]) => {
+    if (typeof value === "string") return said(CODES[name], value) ?? value;
+    return unitOf(name) ? formatQuantity(value, unitOf(name)) : formatNumber(value, 15);
   };
-  const values = Object.entries(noteValues).map(([name, value]) => [name, texts[typeof value](value, name)]);
-  return message(`worked.note.${note}`, Object.fromEntries(values));
+  return said("worked_notes", code, Object.fromEntries(Object.entries(params).map((param) => [param[0], words(param)])));
 }
 
-function sourceText({ source, equation: number, after }) {
-  const words = message(`worked.source.${source}`);
+function sourceText({ source, equation = "" }) {
+  const words = said("worked_sources", source);
+  const after = equation.startsWith(AFTER);
+  const number = after ? equation.slice(AFTER.length) : equation;
   return number ? message(after ? "worked.after" : "worked.equation", { source: words, number }) : words;
 }
 
 function stepMarkup(step, section, accuracy) {
-  const { name, intermediate, source, erratum, note } = step;
-  const title = intermediate ? message(`worked.value.${name}`) : quantityWords(name, section).title;
+  const { code, source, erratum, params } = step;
+  const note = step.note ?? step.method;
   return html`
-    <li class="step" data-name="${name}">
-      <p class="step-head"><span class="step-title">${title}</span>
+    <li class="step" data-name="${code}">
+      <p class="step-head"><span class="step-title">${said("worked_values", code) ?? quantityWords(code, section).title}</span>
         ${source && html`<span class="step-source">${sourceText(step)}</span>`}</p>
-      <div class="formulas">${formulas(step, resultDigits(name, accuracy))}</div>
-      ${note && html`<p class="step-note">${noteText(step)}</p>`}
+      <div class="formulas">${formulas(step, resultDigits(code, accuracy))}</div>
+      ${note && html`<p class="step-note">${noteText(note, params)}</p>`}
       ${erratum && html`<p class="step-note erratum">${message("worked.corrected", {
-        words: message(`worked.erratum.${erratum}`),
+        words: said("worked_errata", erratum),
       })}</p>`}
     </li>`;
 }
@@ -67,8 +74,16 @@ export function groupMarkup({ section, steps }, accuracy) {
     })}</p>`;
 }
 
-/** `on.print()` and `on.save()` ask for the report; `materialOf(path, given)` gives a material's values. */
-export function createWorked({ workedSteps, materialOf, on }) {
+/** What was asked for the results on the screen, once more for the steps of some of their sections. */
+export async function askSteps({ requests }, sections, client, signal) {
+  const answers = await Promise.all(requests.map(({ path, body }) => client.post(path.slice(client.base.length), {
+    ...body, include: [...(body.include ?? []).filter((id) => sections.includes(id)), "worked"],
+  }, { signal })));
+  return answers.flatMap(({ worked = [] }) => worked);
+}
+
+/** `on.print()` and `on.save()` ask for the report. */
+export function createWorked({ calculator, client, titles, on }) {
   const root = element(html`
     <section class="card worked" aria-label="${message("worked.title")}">
       <div class="worked-head"><h2>${message("worked.title")}</h2>
@@ -79,49 +94,74 @@ export function createWorked({ workedSteps, materialOf, on }) {
   const host = root.querySelector(".worked-groups");
   root.querySelector(".print").addEventListener("click", () => on.print());
   root.querySelector(".save-report").addEventListener("click", () => on.save());
-  let shown = null; // { answer, groups } of the results on the screen
+  const newest = newestOnly();
+  let shown = null; // the results on the screen
+  let known = new Map(); // their steps, by section
   let opened = []; // for paper only
 
+  const all = () => [...host.querySelectorAll("details")];
+  const sectionOf = ({ dataset }) => dataset.section;
+
   function build(details) {
-    const group = shown.groups.find(({ section }) => section === details.dataset.section);
-    fill(details.querySelector(".worked-steps"), groupMarkup(group, shown.answer[group.section].accuracy));
+    const section = sectionOf(details);
+    details.removeAttribute("aria-busy");
+    fill(details.querySelector(".worked-steps"), groupMarkup({ section, steps: known.get(section) }, shown.answer[section].accuracy));
   }
 
-  host.addEventListener("toggle", ({ target }) => {
-    if (target.open) build(target);
-  }, true);
+  /** Ask for the steps of these that are not known yet, and build them; what was not to be had is said there. */
+  async function show(groups) {
+    const missing = groups.filter((details) => !known.has(sectionOf(details)));
+    for (const details of groups) {
+      if (known.has(sectionOf(details))) build(details);
+      else details.setAttribute("aria-busy", "true");
+    }
+    if (missing.length === 0) return;
+    const sections = missing.map(sectionOf);
+    const { answer, problem, superseded } = await newest.ask((signal) => askSteps(shown, sections, client, signal));
+    if (superseded) return;
+    const found = answer?.filter((step) => calculator.worked?.(step, shown.answer) ?? true);
+    for (const section of answer ? [...sections, ...answer.map((step) => step.section)] : []) {
+      known.set(section, found.filter((step) => step.section === section));
+    }
+    for (const details of missing.filter((each) => each.isConnected)) {
+      details.removeAttribute("aria-busy");
+      if (answer) build(details);
+      else fill(details.querySelector(".worked-steps"), html`<p class="note">${passingText(problem, titles)}</p>`);
+    }
+  }
 
-  const all = () => [...host.querySelectorAll("details")];
+  const unfolded = () => all().filter((details) => details.open);
+  host.addEventListener("toggle", ({ target }) => {
+    if (target.open) show(unfolded());
+  }, true);
 
   return {
     root,
-    update: following(({ shown, besides }) => [shown, ...Object.values(besides).map(({ steps }) => steps)], ({ shown: now, besides }) => {
+    update: following(({ shown }) => [shown], ({ shown: now }) => {
       if (!now) return;
-      const { filled: input, answer } = now;
-      const open = new Set(all().filter((details) => details.open).map(({ dataset }) => dataset.section));
-      const more = Object.fromEntries(Object.entries(besides).map(([id, { steps }]) => [id, steps]));
-      shown = { answer, groups: workedSteps({ input, answer, materialOf, more }) };
-      fill(host, html`${shown.groups.map(({ section, steps }) => html`
-        <details data-section="${section}"><summary>${message("worked.group", {
-          section: message(`section.${section}`), count: steps.length,
-        })}</summary><div class="worked-steps"></div></details>`)}`);
-      for (const details of all()) {
-        details.open = open.has(details.dataset.section);
-        if (details.open) build(details);
-        else fill(details.querySelector(".worked-steps"), html``);
+      [shown, known] = [now, new Map()];
+      newest.cancel();
+      const sections = calculator.sections.filter((id) => now.answer[id]);
+      if (all().map(sectionOf).join() !== sections.join()) {
+        const open = unfolded().map(sectionOf);
+        fill(host, html`${sections.map((section) => html`
+          <details data-section="${section}"><summary>${message(`section.${section}`)}</summary><div class="worked-steps"></div></details>`)}`);
+        for (const details of all()) details.open = open.includes(sectionOf(details));
       }
+      for (const details of all().filter(({ open }) => !open)) fill(details.querySelector(".worked-steps"), html``);
+      show(unfolded());
     }),
-    /** Build and open everything for paper; `fold` undoes it. */
+    /** Have all steps, for a report with everything. */
+    ready: () => show(all()),
+    /** Open everything whose steps are there, for paper; `fold` undoes it. */
     unfold() {
-      opened = all().filter((details) => !details.open);
-      for (const details of opened) {
-        build(details);
-        details.open = true;
-      }
+      opened = all().filter((details) => !details.open && known.has(sectionOf(details)));
+      for (const details of opened) details.open = true;
     },
     fold() {
       for (const details of opened) details.open = false;
       opened = [];
     },
+    close: () => newest.cancel(),
   };
 }

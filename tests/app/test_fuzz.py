@@ -2,16 +2,21 @@
 
 import pytest
 
-from tests.oracles.fuzz import Fuzz
-from tests.oracles.fuzz_requests import Request
+from tests.inputs.fuzz import Fuzz
+from tests.inputs.fuzz_requests import Request
 
 pytestmark = pytest.mark.anyio
 
 HERTZ = {"force_N": 5000, "contact_length_mm": 20, "pin_radius_mm": 8, "hole_radius_mm": 10}
 
 
-async def test_nothing_breaks_the_service():
-    report = await Fuzz().run(requests=1000, seed=0)
+@pytest.fixture(scope="module")
+def fuzz():
+    return Fuzz()
+
+
+async def test_nothing_breaks_the_service(fuzz):
+    report = await fuzz.run(requests=1000, seed=0)
     assert report.failures == []
     assert {status for _, status in report.answers} == {200, 413, 415, 422}
 
@@ -26,8 +31,7 @@ async def test_nothing_breaks_the_service():
         (HERTZ | {"force_N": -1}, b"/problems/invalid", b"/problems/unknown"),
     ],
 )
-async def test_the_fuzz_sees_what_is_wrong(body, before, after):
-    fuzz = Fuzz()
+async def test_the_fuzz_sees_what_is_wrong(fuzz, monkeypatch, body, before, after):
     await fuzz.check(Request("hertz", body))
     send = fuzz.send
 
@@ -36,6 +40,6 @@ async def test_the_fuzz_sees_what_is_wrong(body, before, after):
         assert before in content
         return status, headers, content.replace(before, after)
 
-    fuzz.send = tampered
+    monkeypatch.setattr(fuzz, "send", tampered)
     with pytest.raises((AssertionError, ValueError, KeyError)):
         await fuzz.check(Request("hertz", body))

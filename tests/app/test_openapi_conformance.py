@@ -7,7 +7,7 @@ import re
 import schemathesis
 
 from app.main import create_app
-from core.errors import IMPOSSIBLE
+from core.codes import CODES
 
 CONFIG = schemathesis.Config.from_dict(
     {
@@ -29,7 +29,8 @@ CONFIG = schemathesis.Config.from_dict(
 schema = schemathesis.openapi.from_asgi("/openapi.json", create_app(), config=CONFIG)
 
 
-PHYSICAL = {*IMPOSSIBLE} | {
+PHYSICAL = {code for code, each in CODES.items() if each.kind == "impossible"} | {
+    "dead_centre",
     "at_most",
     "below_working",
     "beyond_support",
@@ -74,7 +75,7 @@ together, is too much, or too little to be meant."""
 UNDESCRIBED = re.compile("/input/|/requests/")
 """Of another calculation, which the body names."""
 
-BETWEEN_FIELDS = {"exclusive", "first_order_only", "needed_for"}
+BETWEEN_FIELDS = {"first_order_only", "needed_for"}
 """Codes of rules between fields, which stand in their validators only."""
 
 NEEDED = {"needed", "needed_beside", "only_one"}
@@ -86,6 +87,8 @@ OF_OTHER_FIELDS = (
     "/contact/eccentricity_mm",
     "/contact/hole_radius_mm",
     "/contact/pin_radius_mm",
+    "/fatigue/fatigue_notch_factor",
+    "/fatigue/notch",
     "/gear/teeth_difference",
     "/load/application_factor",
     "/pin",

@@ -91,7 +91,7 @@ async def test_what_the_geometry_forbids_is_a_warning(api):
     body = changed(contact={"hole_radius_mm": 9.5, "pin_radius_mm": 7.8}, mechanism={"pins": 40})
     warnings = (await api.post(PATH, json=body)).json()["warnings"]
     codes = [each["code"] for each in warnings]
-    assert codes == ["interference", "holes_overlap", "pins_overlap"]
+    assert codes == ["interference", "wall_holes", "pins_apart"]
 
 
 async def test_the_figure_has_both_curves_with_their_means(api):

@@ -123,9 +123,9 @@ async def test_a_life_that_is_asked_raises_the_strength(api):
 @pytest.mark.parametrize(
     ("body", "code"),
     [
-        (judged(surface="ground"), "fatigue_no_notch"),
-        (changed(pin={"material": "brass"}), "fatigue_no_basis"),
-        (changed(pin={"material": "steel_bearing"}), "fatigue_no_basis"),
+        (judged(surface="ground"), "notch_unknown"),
+        (changed(pin={"material": "brass"}), "endurance_unknown"),
+        (changed(pin={"material": "steel_bearing"}), "endurance_unknown"),
         (changed(pin={"diameter_mm": 31.0}), "short_pin"),
     ],
 )

@@ -10,7 +10,7 @@ from app.examples import REQUESTS
 from app.main import create_app
 from app.problems import MAX_NAME, TEXTS, pointer
 from app.settings import Settings
-from core.notices import NOTICES
+from core.codes import WARNINGS
 
 pytestmark = pytest.mark.anyio
 
@@ -124,7 +124,7 @@ def test_no_limit_is_said_in_words_alone():
     """Of all refusals and warnings that compare; two diameters that were typed are no limit."""
     compares = re.compile(r"(must be|is) (at (most|least)|(larger|smaller|greater|less)\b)")
     number = re.compile(r"{(limit|error|ratio|share|value)[:}]|\d|a (tenth|half|right angle)")
-    texts = TEXTS | {code: kind.text for code, kind in NOTICES.items()}
+    texts = TEXTS | {code: kind.text for code, kind in WARNINGS.items()}
     compared = {code for code, text in texts.items() if compares.search(text)}
     assert len(compared) > 20
     assert {code for code in compared if not number.search(texts[code])} == {"sphere_below_roller"}

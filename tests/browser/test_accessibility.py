@@ -108,6 +108,11 @@ def test_axe_finds_nothing(open_page: Page, service: str, calculator: str) -> No
     settled(page, "wrong")
     page.locator(".show-table").first.click()
     assert violations(page, ".answer", ".inputs", "figure:has(.figure-table:not([hidden]))") == []
+
+
+def test_axe_finds_nothing_in_what_opens(open_page: Page, service: str) -> None:
+    page = open_page
+    show(page, service, "crank-planetary")
     for name in ("Settings", "Take along", "Help"):
         page.get_by_role("button", name=name).click()
         assert violations(page, OPENED) == [], name

@@ -18,7 +18,7 @@ from core.design.results import Results
 from core.design.sections import FatigueBasis, Ring, RollingBearing
 from core.errors import CalculationError
 from core.materials import MATERIALS
-from tests.oracles.checks import WHOLE, having
+from tests.inputs.checks import WHOLE, having
 
 assert WHOLE.pin and WHOLE.bearing and WHOLE.crankshaft and WHOLE.friction and WHOLE.gear
 STEEL = MATERIALS["steel_case_hardened"].material

@@ -25,17 +25,8 @@ from core.output.contact_law import LinearLaw
 from core.output.loaded_position import loaded_position
 from core.output.pin_strength import PinStrength
 from core.output.real_mechanism import Deviations
-from tests.oracles.checks import (
-    HOLE,
-    MODULUS,
-    PIN,
-    REF,
-    check_of,
-    design_of,
-    fixes_of,
-    having,
-    says,
-)
+from tests.inputs.checks import HOLE, PIN, REF, check_of, design_of, fixes_of, having, says
+from tests.oracles.checks import MODULUS
 
 A = design_of(
     pins=8,
@@ -244,16 +235,16 @@ def test_play_without_clearance() -> None:
     for code, limit in (("backlash", 1e-6), ("lost_motion", 1e-3)):
         unknown = check_of(code, having(asked, eccentricity=None))
         says(
-            unknown, status="not_checked", value=None, limit=limit, reason="eccentricity_missing",
+            unknown, status="not_checked", value=None, limit=limit, reason="eccentricity_assumed",
             missing=("contact.eccentricity",),
         )  # fmt: skip
 
 
 UNSOLVED: dict[str, tuple[dict[str, Any], str]] = {
     "too many pairs": ({"pins": MOST_REAL_PAIRS + 1}, "too_many_pairs"),
-    "too soft": ({"contact_law": LinearLaw(stiffness=1e3)}, "no_balance"),
-    "too wide": ({"contact_law": None, "output_torque": 1e5}, "no_pressure"),
-    "holes around the centre": ({"eccentricity": 0.021, "hole_radius": 0.0245}, "no_balance"),
+    "too soft": ({"contact_law": LinearLaw(stiffness=1e3)}, "not_stable"),
+    "too wide": ({"contact_law": None, "output_torque": 1e5}, "beyond_hertz"),
+    "holes around the centre": ({"eccentricity": 0.021, "hole_radius": 0.0245}, "smaller_than"),
 }
 
 

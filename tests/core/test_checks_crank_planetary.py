@@ -13,7 +13,7 @@ from core.design.sections import Ring
 from core.errors import NotKnown
 from core.output.contact_force import ContactForce
 from core.output.real_mechanism import Deviations
-from tests.oracles.checks import REF, WHOLE, check_of, having, says
+from tests.inputs.checks import REF, WHOLE, check_of, having, says
 
 
 @pytest.mark.parametrize("clearance", [-3e-5, -2e-11, -5e-12, 0.0, 5e-12, 2e-11, 3e-5])
@@ -38,7 +38,7 @@ def test_fit(clearance: float) -> None:
 
 @pytest.mark.parametrize("code", ["interference", "clearance"])
 def test_no_fit_without_the_eccentricity(code: str) -> None:
-    unknown = {"status": "not_checked", "value": None, "reason": "eccentricity_missing"}
+    unknown = {"status": "not_checked", "value": None, "reason": "eccentricity_assumed"}
     found = check_of(code, having(REF, eccentricity=None))
     says(found, missing=("contact.eccentricity",), **unknown)
     assert check_of("contact_pressure_pin", having(REF, eccentricity=None)).status == "pass"

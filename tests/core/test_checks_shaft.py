@@ -10,7 +10,7 @@ from core.checks.check import Verdict
 from core.checks.shaft import shaft_checks
 from core.fatigue import FatigueStrength, judge_cycle
 from core.results import Notice
-from tests.oracles.checks import says
+from tests.inputs.checks import says
 
 
 def shaft(
@@ -124,7 +124,7 @@ def test_fatigue_of_the_shaft() -> None:
         assert found.torque_reserve == pytest.approx(safety / 1.5)
     steady = shaft(strength=bent(), fatigue_asked=True)["shaft_fatigue"]
     assert (steady.status, steady.reason) == ("not_applicable", "steady_load")
-    unknown = {"fatigue_asked": True, "no_fatigue": Notice("fatigue_no_notch")}
+    unknown = {"fatigue_asked": True, "no_fatigue": Notice("notch_unknown")}
     found = shaft(strength=bent(), **unknown)["shaft_fatigue"]
     assert (found.status, found.reason) == ("not_checked", "notch_unknown")
 

@@ -19,7 +19,7 @@ from core.output.turn import Turn
 from core.tolerance.draws import Spread
 from core.tolerance.study import QUANTITIES, Evaluation, Study
 from core.tolerance.tolerances import Tolerances, deviations
-from tests.oracles.real_mechanisms import LAWS, STEEL, design
+from tests.inputs.real_mechanisms import LAWS, STEEL, design
 
 
 @pytest.fixture(autouse=True)
@@ -38,7 +38,8 @@ WIDE = Tolerances(
     crank_phase=Spread(-3e-4, 3e-4),
     disc_phase=Spread(-3e-4, 3e-4),
 )
-SUPPORTS = [None, "cantilever", "supported", "fixed"]
+SUPPORTS = [None, "fixed"]
+"""How a pin is held is nothing but a number to the loops."""
 
 
 def pair_of_discs(**changes: object) -> RealMechanism:

@@ -196,6 +196,7 @@ def test_exponents_that_mean_nothing_are_refused(exponent: float) -> None:
     with pytest.raises(InvalidInput) as refusal:
         peak_force(mechanism=mechanism, force_exponent=exponent)
     assert refusal.value.parameter == "force_exponent"
+    assert exponent >= 0 or "must be at least 0" in str(refusal.value)
     with pytest.raises(InvalidInput):
         force_ratios(mechanism=mechanism, crank_angles=np.zeros(1), force_exponent=exponent)
 

@@ -12,7 +12,8 @@ from core.crank.ring_mesh import RingMesh, involute_mesh
 from core.crank.satellite_bearing import bearing_curves, satellite_bearings
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.mechanism import Mechanism
-from tests.oracles.satellites import exponents, forces, mechanisms
+from tests.inputs.satellites import exponents, mechanisms
+from tests.oracles.satellites import forces
 
 LOAD = {"output_torque": 500.0, "pin_circle_radius": 0.05, "eccentricity": 2e-3}
 MESH = involute_mesh(

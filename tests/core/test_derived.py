@@ -9,7 +9,7 @@ from core.derived import derived, if_known
 from core.design.results import Results
 from core.errors import ImpossibleMechanism, InvalidInput, NotKnown
 from core.output.real_mechanism import RealMechanism
-from tests.oracles.checks import REF, having
+from tests.inputs.checks import REF, having
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,11 @@ def test_a_value_is_worked_out_once_for_each_design() -> None:
 
 @pytest.mark.parametrize(
     "why",
-    [NotKnown("too_large"), ImpossibleMechanism("dead_centre"), InvalidInput("r", 0, "not_zero")],
+    [
+        NotKnown("too_many_pairs"),
+        ImpossibleMechanism("dead_centre"),
+        InvalidInput("r", 0, "not_zero"),
+    ],
 )
 def test_a_refusal_is_kept_as_it_is(why: Exception) -> None:
     design = Design(why)
@@ -56,7 +60,7 @@ def test_a_fault_of_the_program_is_no_result() -> None:
 
 def test_what_is_not_known_is_none_where_that_is_asked() -> None:
     assert if_known(lambda: Design().result) == 7
-    assert if_known(lambda: Design(NotKnown("too_large")).result) is None
+    assert if_known(lambda: Design(NotKnown("too_many_pairs")).result) is None
     with pytest.raises(InvalidInput):
         assert if_known(lambda: Design(InvalidInput("r", 0, "not_zero")).result)
 
@@ -73,4 +77,4 @@ def test_a_turn_that_cannot_be_solved_is_not_solved_for_each_check(
     monkeypatch.setattr("core.design.real_forces.over_turn", over_turn)
     found = crank_checks(Results(having(REF, hole_radius=0.01002)))
     assert turns == [REF.load.output_torque]
-    assert sum(check.reason == "no_balance" for check in found.checks) >= 4
+    assert sum(check.reason == "not_stable" for check in found.checks) >= 4

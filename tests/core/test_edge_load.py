@@ -25,9 +25,10 @@ from core.output.edge_load import SlopingContacts
 from core.output.mechanism import Mechanism
 from core.output.pin_strength import PinStresses, pin_stresses
 from core.output.real_turn import made
-from tests.oracles.checks import PRESSURE, WHOLE, check_of, compliance, having
+from tests.inputs.checks import WHOLE, check_of, having
+from tests.inputs.real_mechanisms import UNLIKE
+from tests.oracles.checks import PRESSURE, compliance
 from tests.oracles.pin import bend
-from tests.oracles.real_mechanisms import UNLIKE
 
 LENGTH, PIN, HOLE, E, NU = 0.02, 0.008, 0.010, 210e9, 0.3
 PEAK = 1e4 / 3

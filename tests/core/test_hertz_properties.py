@@ -19,6 +19,7 @@ from core.hertz import (
     conformal_pressure,
     conformal_pressure_ratio,
     hertz,
+    pressure_profile,
 )
 from core.materials import MATERIALS, ContactLimit, ElasticMaterial, mismatch
 
@@ -49,6 +50,21 @@ def contacts(draw: st.DrawFn) -> dict[str, object]:
 
 def calculate(contact: dict[str, object], **changes: object) -> HertzContact:
     return hertz(**(contact | changes))  # type: ignore[arg-type]
+
+
+@given(contacts())
+def test_the_pressure_over_the_width_carries_the_load(contact: dict[str, object]) -> None:
+    """From end to end, where it is nothing: an ellipse of the area of the load per length."""
+    found = calculate(contact)
+    x, pressure = pressure_profile(contact=found, samples=2001)
+    assert x[[0, -1]] == pytest.approx([-found.half_width, found.half_width], rel=1e-15)
+    assert pressure[[0, -1]] == pytest.approx([0, 0], abs=1e-15 * found.max_pressure)
+    load = math.prod(
+        contact[each]  # type: ignore[misc]
+        for each in ("force", "dynamic_factor", "distribution_factor")
+    )
+    carried = np.trapezoid(pressure, x) * contact["contact_length"]
+    assert carried == pytest.approx(load, rel=1e-5)
 
 
 @given(contacts(), st.floats(0.01, 100.0))

@@ -9,13 +9,13 @@ import pytest
 from numpy.typing import NDArray
 
 from core.arrays import FloatArray
+from core.output.mechanism import Mechanism
 from core.output.pin_search import (
     ENOUGH,
     JOINT_ROUNDS,
     JOINT_SMOOTH,
     NEAR_AROUND,
     Points,
-    _tops,
     _vertex,
     climbed,
     first_of,
@@ -23,7 +23,7 @@ from core.output.pin_search import (
     narrowed,
     summits,
 )
-from core.output.pin_turn import _nodes
+from core.output.pin_turn import PinTurn
 
 TOPS = np.array([[0.3, -2.0], [0.9, 4.0], [0.05, 30.0]])
 
@@ -80,14 +80,8 @@ def test_a_variable_that_has_no_width_stays() -> None:
     assert (y == 0).all()
 
 
-def test_tops_of_samples() -> None:
-    values = np.array([3.0, 1.0, 2.0, 4.0, 4.0, 2.0, 5.0])
-    chosen, drop = _tops(values)
-    assert chosen.tolist() == [True, False, False, True, True, False, True]
-    assert drop[chosen].tolist() == [2.0, 2.0, 2.0, 3.0]
-
-
-NODES, GAPS = _nodes(1.0, False)
+TURN = PinTurn(Mechanism.evenly_spaced(pins=3, satellites=1, ratio=20.0), 1.0, (1.0,))
+NODES, GAPS = TURN.nodes, TURN.gaps
 MIDDLE = (NODES - 0.5) ** 2
 END = NODES[1]
 BESIDE = MIDDLE[len(NODES) // 2 + 1 : len(NODES) // 2 + 3]

@@ -30,7 +30,7 @@ from core.output.pin_fatigue import FatigueStrength, judged
 from core.output.pin_search import largest
 from core.output.pin_strength import PinStrength, pin_strength, pin_stresses
 from core.output.pin_turn import pin_turn
-from tests.oracles.real_mechanisms import PIN, REFERENCE, STRENGTH
+from tests.inputs.real_mechanisms import PIN, REFERENCE, STRENGTH
 
 
 def spaced(pins: int, satellites: int, degrees: float | None = None) -> Mechanism:

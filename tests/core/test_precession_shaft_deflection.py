@@ -73,6 +73,14 @@ def test_scaling(size: float, factor: float) -> None:
     assert scaled.reaction_C == pytest.approx([factor * c for c in base.reaction_C], rel=1e-12)
 
 
+def test_what_acts_along_the_shaft_bends_nothing_and_blurs_nothing() -> None:
+    base = shaft_deflection(**LOAD, **SHAFT, shaft_sections=STEPPED)
+    along = {"force": (*LOAD["force"][:2], 1e9), "moment": (*LOAD["moment"][:2], -1e9)}
+    found = shaft_deflection(**along, **SHAFT, shaft_sections=STEPPED)
+    assert (found.deflection_B, found.deflection_C) == (base.deflection_B, base.deflection_C)
+    assert found.accuracy == base.accuracy
+
+
 def test_one_diameter_in_pieces_is_one_diameter() -> None:
     whole = shaft_deflection(**LOAD, **SHAFT, shaft_diameter=0.02)
     pieces = shaft_deflection(

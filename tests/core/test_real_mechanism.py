@@ -24,7 +24,7 @@ from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_curves import RealCurves, real_curves
 from core.output.real_mechanism import Deviations, RealMechanism
-from tests.oracles.real_mechanisms import (
+from tests.inputs.real_mechanisms import (
     STEEL,
     crank_angles,
     design,

@@ -138,6 +138,16 @@ def test_curves_go_through_the_design(sharing: dict[str, Any]) -> None:
     )
 
 
+@pytest.mark.parametrize(
+    ("length", "first", "last"), [(0.004, 0.2, 4.0), (0.02, 0.5, 4.0), (0.05, 0.5, 7.5)]
+)
+def test_short_and_long_rollers_have_room_on_both_sides(
+    length: float, first: float, last: float
+) -> None:
+    curves = roller_curves(**DESIGN | {"cylinder_length": length})
+    assert curves.length_ratio[[0, -1]] == pytest.approx([first, last], rel=1e-15)
+
+
 def test_equal_gaps_have_the_curves_of_tolerances() -> None:
     curves = roller_curves(**without("position_tolerance"), gaps=[1e-5] * DESIGN["rollers"])
     assert not curves.scales_gaps

@@ -18,7 +18,8 @@ from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.mechanism import Mechanism
 from core.output.pin_geometry import pin_geometry
 from core.output.pin_turn import SatelliteTurn
-from tests.oracles.satellites import exponents, forces, mechanisms
+from tests.inputs.satellites import exponents, mechanisms
+from tests.oracles.satellites import forces
 
 LOAD = {"output_torque": 500.0, "pin_circle_radius": 0.05, "eccentricity": 2e-3}
 INVOLUTE = involute_mesh(

@@ -21,7 +21,7 @@ from core.output.satellite_support import (
     SatelliteSupport,
     Shares,
 )
-from tests.oracles.real_mechanisms import (
+from tests.inputs.real_mechanisms import (
     STEEL,
     crank_angles,
     design,

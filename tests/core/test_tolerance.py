@@ -19,7 +19,7 @@ from core.tolerance.iso286 import GRADES, NEAREST, SIZES, class_limits
 from core.tolerance.quantiles import percentile, refuse_few, share
 from core.tolerance.study import QUANTITIES, Evaluation, Study, tolerance_study
 from core.tolerance.tolerances import Tolerances
-from tests.oracles.real_mechanisms import STEEL, design
+from tests.inputs.real_mechanisms import STEEL, design
 
 UNIT = {5: 7, 6: 10, 7: 16, 8: 25, 9: 40, 10: 64, 11: 100}
 

@@ -11,11 +11,11 @@ from pathlib import Path
 from typing import Any
 
 from app.examples import EXAMPLES, REQUESTS
+from tests.inputs.fuzz_requests import DESIGNS, mutated
+from tests.inputs.fuzz_requests import Draw as Wide
+from tests.inputs.in_process import Service
 from tests.oracles.answers import CALCULATIONS
 from tests.oracles.answers.calculation import Draw
-from tests.oracles.fuzz_requests import DESIGNS, mutated
-from tests.oracles.fuzz_requests import Draw as Wide
-from tests.oracles.in_process import Service
 
 HERE = Path(__file__).parent
 CORPUS = HERE / "requests.json"

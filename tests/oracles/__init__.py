@@ -1,22 +1,26 @@
-"""What tests and benchmarks know beforehand: exact answers, random cases, checks of any answer.
+"""Exact answers, found another way than in core, of which nothing is imported here.
 
-Both import from here, and never from each other.
+Tests and benchmarks import from here and from ``tests.inputs``, and never from each other.
 
 Modules
 -------
 balls              between mpmath's numbers and Arb's balls, for long sums
 crank_planetary    peak force, driving pairs and intervals by a search at 40 digits
-hertz              line contact and Persson's conformal contact
+load_sharing       the mechanism with clearance and errors by false position
+room               pins in their holes by plain distances
+pin, pin_turn      a pin as finite elements, and what it feels over the turn
+satellites         what satellites do at many angles, with
+satellite_turn     their sums and shares over the turn
+turns              what is largest over the turn of a mechanism as made, by bisection
+losses, teeth      friction in pins and holes; whether teeth can exist
+hertz, dissimilar  line contact and Persson's conformal contact
+checks             the contact of the reference design of the checks, by hand
 rollers            compliance and load sharing of swinging rollers
 precession         contact lines and meshing load by Carlson's integrals and quadrature
 shaft              deflection by Mohr's integral
-turns              what is largest over the turn of a mechanism as made, by bisection
-cases              random mechanisms, gears and rollers, awkward ones well represented
-hard_cases         stiff and extreme cases, each with its exact answer
-fuzz               sends requests and checks every answer, with
-fuzz_requests      random designs, hostile numbers and broken bodies, and
+condition, work    what rounding of the input may do to a result, and what work something is
+seeds              how many random cases are tried
 fuzz_invariants    what the mechanics demands of any answer
-in_process         the service in this process, as a client sees it
 answers            requests as people type them, and the exact value of every number of the answer
 """
 

@@ -7,12 +7,9 @@ series by bisection. Of satellites that give the place or the angle is sought in
 """
 
 from dataclasses import dataclass
+from typing import Any
 
 from mpmath import mp, mpc, mpf
-
-from core.output.contact_law import HertzLaw, LinearLaw, PalmgrenLaw, PowerLaw
-from core.output.real_mechanism import RealMechanism
-from core.output.satellite_support import CrankSupport, ElasticMesh, Shares
 
 DIGITS = 45
 SAME = mpf("1e-25")
@@ -29,19 +26,19 @@ class Exact:
     torques: list[mpf]
 
 
-def exact_position(real: RealMechanism, crank_angle: float, torque: float) -> Exact:
+def exact_position(real: Any, crank_angle: float, torque: float) -> Exact:
     """A position; the torque may be negative."""
     with mp.workdps(DIGITS):
         return _position(real, mpf(crank_angle), mpf(torque))
 
 
-def _position(real: RealMechanism, crank_angle: mpf, torque: mpf) -> Exact:
+def _position(real: Any, crank_angle: mpf, torque: mpf) -> Exact:
     held, far = (
         _held(real),
         (mpf(real.eccentricity) + max(real.clearance, 0)) / real.pin_circle_radius * 3,
     )
     satellites = _pairs(real, crank_angle)
-    if isinstance(held, Shares):
+    if hasattr(held, "shares"):
         shares = [*map(mpf, held.shares)]
         apart = [
             _balanced(real, [each], share * torque, far)
@@ -59,11 +56,11 @@ def _position(real: RealMechanism, crank_angle: mpf, torque: mpf) -> Exact:
     return _balanced(real, satellites, torque, far)
 
 
-def _held(real: RealMechanism) -> CrankSupport | ElasticMesh | Shares | None:
+def _held(real: Any) -> Any:
     return getattr(real, "support", None)
 
 
-def _balanced(real: RealMechanism, satellites: list, torque: mpf, far: mpf) -> Exact:
+def _balanced(real: Any, satellites: list, torque: mpf, far: mpf) -> Exact:
     def loaded(lag: mpf) -> list:
         return [_loaded(real, pairs, lag) for pairs in satellites]
 
@@ -89,7 +86,7 @@ def _balanced(real: RealMechanism, satellites: list, torque: mpf, far: mpf) -> E
     return Exact(forces, lag, play, [own for _, own in found])
 
 
-def _loaded(real: RealMechanism, pairs: list, lag: mpf) -> tuple[list[mpf], mpf]:
+def _loaded(real: Any, pairs: list, lag: mpf) -> tuple[list[mpf], mpf]:
     """Forces and torque of one satellite at a lag of the output."""
 
     def forces(lag: mpf, back: mpf) -> tuple[list[mpf], mpf]:
@@ -98,12 +95,12 @@ def _loaded(real: RealMechanism, pairs: list, lag: mpf) -> tuple[list[mpf], mpf]
         return own, mp.fsum(f * lever for f, (_, _, lever) in zip(own, state, strict=True))
 
     held = _held(real)
-    if isinstance(held, CrankSupport):
+    if hasattr(held, "radial_clearance"):
         gives, none = 1 / mpf(held.stiffness), mpf(0)  # the crank's bearing goes back
         most = max(none, *(approach for _, approach, _ in _state(real, pairs, lag)))
         back = _root(lambda x: x - gives * mp.fsum(forces(lag, x)[0]), none, most)
         return forces(lag, back)
-    if isinstance(held, ElasticMesh):
+    if hasattr(held, "stiffness"):
         gives = 1 / mpf(held.stiffness)  # the disc turns back in the ring's mesh
         low, high = sorted((lag, lag - gives * forces(lag, mpf(0))[1]))
         own = _root(lambda x: x + gives * forces(x, mpf(0))[1] - lag, low, high)
@@ -156,7 +153,7 @@ def _least(f, low: mpf, high: mpf) -> mpf:
     return (low + high) / 2
 
 
-def _pairs(real: RealMechanism, crank_angle: mpf) -> list:
+def _pairs(real: Any, crank_angle: mpf) -> list:
     """Of each pair, satellite by satellite: the law of its force, pin and hole and how far their
     centres may be apart; in first order lever and gap.
     """
@@ -248,10 +245,10 @@ def pin_give(pin) -> list[mpf]:
     return found
 
 
-def _state(real: RealMechanism, pairs: list, lag: mpf) -> list:
+def _state(real: Any, pairs: list, lag: mpf) -> list:
     """Of each pair its law, its approach and its lever."""
     held = _held(real)
-    loose = mpf(held.radial_clearance) / 2 if isinstance(held, CrankSupport) else mpf(0)
+    loose = mpf(held.radial_clearance) / 2 if hasattr(held, "radial_clearance") else mpf(0)
     if not real.exact:
         return [(law, lever * lag - gap - loose, lever) for law, lever, gap, _ in pairs]
     found, turn = [], mp.expj(-lag)
@@ -263,22 +260,22 @@ def _state(real: RealMechanism, pairs: list, lag: mpf) -> list:
     return found
 
 
-def _law(real: RealMechanism, radius: mpf, reach: mpf, bent: mpf):
+def _law(real: Any, radius: mpf, reach: mpf, bent: mpf):
     law, length = real.law, mpf(real.contact_length)
     match law:
-        case LinearLaw(stiffness=k):
+        case object(stiffness=k):
             return lambda a: a / (1 / mpf(k) + bent) if a > 0 else mpf(0)
-        case PowerLaw(exponent=n, reference_force=f, reference_approach=ref):
+        case object(exponent=n, reference_force=f, reference_approach=ref):
             n = mpf(n)
             return _in_series(
                 lambda a: f * (a / ref) ** n, lambda f_: ref * (f_ / f) ** (1 / n), bent
             )
-        case PalmgrenLaw():
+        case object(reference_depth=depth):  # Hertz
+            pass
+        case _:  # Palmgren
             k = mpf("3.84e-5") / (1000 * length) ** mpf("0.8") / 1000
             n = mpf(10) / 9
             return _in_series(lambda a: (a / k) ** n, lambda f_: k * f_ ** (1 / n), bent)
-        case HertzLaw(reference_depth=depth):
-            pass
     (e1, v1), (e2, v2) = (
         (mpf(each.youngs_modulus), mpf(each.poissons_ratio))
         for each in (real.pin_material, real.hole_material)

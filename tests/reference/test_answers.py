@@ -6,12 +6,12 @@ service, against the exact values of their decimals; practical ones (even seeds)
 
 import pytest
 
+from tests.inputs.outcome import outcome
 from tests.oracles.answers import CALCULATIONS
 from tests.oracles.answers.calculation import Calculation, Number, pattern, typed
-from tests.oracles.answers.outcome import outcome
 from tests.oracles.seeds import seeds
 
-SLOW = {"pin-strength": 3}  # whose oracle takes seconds
+SLOW = {"pin-strength": 2}  # whose oracle takes seconds
 CASES = [(each, seed) for each in CALCULATIONS for seed in seeds(SLOW.get(each.path, 8))]
 
 

@@ -20,7 +20,7 @@ from core.output.contact_force import contact_force, drawing_angles
 from core.output.mechanism import Mechanism
 from core.output.peak_force import peak_force
 from core.output.pin_forces import force_ratios
-from tests.oracles.cases import EXPONENTS, random_mechanism
+from tests.inputs.cases import EXPONENTS, random_mechanism
 from tests.oracles.crank_planetary import (
     cosines,
     forces,

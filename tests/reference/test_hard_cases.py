@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.oracles.hard_cases import Case, cases, run
+from tests.inputs.hard_cases import Case, cases, run
 
 
 @pytest.mark.parametrize("case", list(cases()), ids=lambda case: f"{case.calculation}, {case.name}")

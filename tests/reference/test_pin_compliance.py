@@ -4,8 +4,8 @@ import pytest
 
 from core.output.contact_law import PinSupport, pin_compliance
 from core.output.pin_beam import Support
+from tests.inputs.real_mechanisms import STEEL
 from tests.oracles.load_sharing import pin_give
-from tests.oracles.real_mechanisms import STEEL
 
 
 @pytest.mark.parametrize("support", ["cantilever", "supported", "fixed"])

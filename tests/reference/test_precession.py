@@ -18,7 +18,7 @@ from core.precession.meshing_load import meshing_load
 from core.precession.rollers import RollerByAngle, RollerByLength
 from core.precession.shaft import ShaftSection, shaft_diagram
 from core.precession.shaft_deflection import shaft_deflection
-from tests.oracles.cases import curve_scale, random_gear, random_interval, random_position
+from tests.inputs.cases import curve_scale, random_gear, random_interval, random_position
 from tests.oracles.condition import meant
 from tests.oracles.precession import (
     length_by_angle,

@@ -9,8 +9,7 @@ from core.errors import ImpossibleMechanism
 from core.output.contact_law import LinearLaw, PinSupport, PowerLaw, pin_compliance
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import RealMechanism
-from tests.oracles.load_sharing import exact_position
-from tests.oracles.real_mechanisms import (
+from tests.inputs.real_mechanisms import (
     STEEL,
     crank_angles,
     design,
@@ -19,6 +18,7 @@ from tests.oracles.real_mechanisms import (
     solved,
     torques,
 )
+from tests.oracles.load_sharing import exact_position
 
 
 @given(reals(), crank_angles, torques)

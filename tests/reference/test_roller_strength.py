@@ -7,7 +7,7 @@ from mpmath import mp, mpf
 
 from core.load_sharing import share_load
 from core.rollers.roller_strength import roller_strength
-from tests.oracles.cases import random_rollers
+from tests.inputs.cases import random_rollers
 from tests.oracles.rollers import exact_compliance, exact_forces
 from tests.oracles.seeds import seeds
 

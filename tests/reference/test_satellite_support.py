@@ -11,8 +11,8 @@ from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.satellite_support import CrankSupport, ElasticMesh
+from tests.inputs.real_mechanisms import crank_angles, flat, held, solved, torques
 from tests.oracles.load_sharing import exact_position
-from tests.oracles.real_mechanisms import crank_angles, flat, held, solved, torques
 
 ARCMIN = math.pi / 10800
 DESIGN = RealMechanism(

@@ -10,7 +10,7 @@ import httpx
 import khv_calc
 import numpy as np
 import pytest
-from khv_calc import Client, Fault, Refused
+from khv_calc import Client, Fault, Refused, is_called
 
 from app.examples import EXAMPLES, REQUESTS
 from app.settings import Settings
@@ -46,6 +46,15 @@ def test_what_the_service_says_about_itself(calc):
 
 def test_a_figure(calc):
     assert calc.ask("contact-force/chart", FORCE).keys() >= {"data", "layout"}
+
+
+def test_a_warning_is_known_by_its_old_code_too(calc):
+    body = REQUESTS["output-efficiency"]
+    crowded = body | {"mechanism": body["mechanism"] | {"pins": 50}}
+    warnings = calc.ask("output-efficiency", crowded)["warnings"]
+    for code in ("wall_holes", "holes_overlap", "pins_apart", "pins_overlap"):
+        assert sum(is_called(each, code) for each in warnings) == 1
+    assert not any(is_called(each, "interference") for each in warnings)
 
 
 def test_numbers_of_numpy(calc):

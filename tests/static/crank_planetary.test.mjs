@@ -3,7 +3,7 @@ import { test } from "node:test";
 
 import { flatValues } from "../../static/lib/exports.js";
 import calculator from "../../static/calculators/crank-planetary/index.js";
-import { warningsOf } from "../../static/lib/verdict.js";
+import { codesOf, warningsOf } from "../../static/lib/verdict.js";
 
 const ACCURACY = { method: "closed form", relative_error: 1e-15, evaluations: 1, run_time_us: 10 };
 const CYCLOGRAM = {
@@ -88,11 +88,21 @@ test("a small clearance and an interference are said at the hole", () => {
 
 test("a notice that stands at the answer and at its section is one, and the file of results has it", () => {
   const twice = { code: "clearance", detail: "The hole" };
-  const answer = { geometry: { warnings: [twice] }, warnings: [twice, { code: "pins_overlap", detail: "Pins" }] };
-  assert.deepEqual(warningsOf(answer).map(({ code }) => code), ["clearance", "pins_overlap"]);
+  const answer = { geometry: { warnings: [twice] }, warnings: [twice, { code: "pins_apart", detail: "Pins" }] };
+  assert.deepEqual(warningsOf(answer).map(({ code }) => code), ["clearance", "pins_apart"]);
   assert.deepEqual(flatValues({}, answer).map(({ section, name, value }) => [section, name, value]), [
-    ["warnings", "clearance", "The hole"], ["warnings", "pins_overlap", "Pins"],
+    ["warnings", "clearance", "The hole"], ["warnings", "pins_apart", "Pins"],
   ]);
+});
+
+test("what is explained is warned of, or is why a check is not kept", () => {
+  const checks = [
+    { code: "pins_apart", impossible: true }, { code: "wall_holes" }, { code: "pin_fatigue", reason: { code: "notch_unknown" } },
+    { code: "interference", impossible: true, reason: { code: "jams" } },
+  ];
+  const answer = { warnings: [{ code: "short_pin", detail: "" }], hertz: { warnings: [{ code: "short_pin", detail: "" }] } };
+  assert.deepEqual(codesOf(answer, checks), ["short_pin", "pins_apart", "notch_unknown", "jams"]);
+  assert.deepEqual(codesOf({}), []);
 });
 
 test("a dead centre is named with its places, never passed over", () => {

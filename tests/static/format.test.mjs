@@ -4,7 +4,6 @@ import { test } from "node:test";
 import {
   formatAngle, formatDuration, formatNumber, formatQuantity, parseNumber, parseNumbers, shownDigits, tidy, unitOf,
 } from "../../static/lib/format.js";
-import { speedStep } from "../../static/calculators/crank-planetary/bearings.js";
 import { valuesMarkup } from "../../static/views/results.js";
 import { groupMarkup } from "../../static/views/worked.js";
 
@@ -94,8 +93,11 @@ test("what follows from the request alone keeps its digits beside numbers of a l
   const section = { relative_speed_rpm: 1514.117647, peak_load_N: 13099.5928, accuracy: { relative_error: 4e-3 } };
   const shown = valuesMarkup("satellite_bearing", section, [], {}).toString().match(/(?<=class="value[^>]*>)[^<]+/g);
   assert.deepEqual(shown, [formatNumber(1514.12), formatNumber(13000)]);
-  const steps = [speedStep(section, { load: { input_speed_rpm: 1430.25 }, mechanism: { ratio: 17.0625 } })];
-  const worked = groupMarkup({ steps }, section.accuracy).toString();
+  const steps = [{
+    section: "satellite_bearing", code: "relative_speed_rpm", symbol: "n", formula: "n_1*(1+1/u)", names: { n_1: "input_speed_rpm", u: "ratio" },
+    values: { n_1: 1430.25, u: 17.0625 }, result: section.relative_speed_rpm, unit: "rpm",
+  }];
+  const worked = groupMarkup({ section: "satellite_bearing", steps }, section.accuracy).toString();
   for (const number of [1514.12, 1430.25, 17.0625]) assert.ok(worked.includes(`<mn>${formatNumber(number)}</mn>`), worked);
 });
 

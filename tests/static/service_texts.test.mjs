@@ -3,7 +3,7 @@ import { afterEach, test } from "node:test";
 
 import { Problem } from "../../static/lib/api.js";
 import { LANGUAGES, message, setEnglish, useLanguage } from "../../static/messages/index.js";
-import { problemText, refusalTexts, warningText } from "../../static/service_texts.js";
+import { explained, problemText, reasonText, refusalTexts, warningText } from "../../static/service_texts.js";
 import { english } from "./service.mjs";
 
 afterEach(() => useLanguage("en"));
@@ -73,12 +73,17 @@ test("every place of a refusal is said in words, in every language, whether or n
   }
 });
 
-test("every refusal and every warning has words in every language, with all its places filled", async () => {
+test("every refusal, warning and reason has words in every language, with all its places filled", async () => {
   for (const language of Object.keys(LANGUAGES)) {
     await useLanguage(language);
-    for (const [kind, say] of [["refusals", (one) => problemText(refusalOf({ ...one, pointer: "" }), TITLES)],
-      ["notices", (one) => warningText(one, TITLES)]]) {
-      for (const [code, text] of Object.entries(english[kind]).map(([code, words]) => [code, words.text ?? words])) {
+    const { refusals, notices, reasons, checks } = english;
+    const warnings = { ...notices, ...Object.fromEntries(Object.entries(checks).flatMap(([code, { warning }]) => (warning ? [[code, warning]] : []))) };
+    for (const [table, say] of [
+      [{ ...refusals, dead_centre: checks.dead_centre.refusal }, (one) => problemText(refusalOf({ ...one, pointer: "" }), TITLES)],
+      [warnings, (one) => warningText(one, TITLES)],
+      [{ ...reasons, ...refusals, ...warnings }, (one) => reasonText(one, TITLES)],
+    ]) {
+      for (const [code, text] of Object.entries(table).map(([code, words]) => [code, words.text ?? words])) {
         const params = Object.fromEntries([...text.matchAll(/\{(\w+)\}/g)].map(([, name]) =>
           [name, ["field", "other"].includes(name) ? "ratio" : name === "names" || name === "section" || name === "error" || name === "expected" ? "x" : 2.5]));
         const words = say({ code, params, detail: "" });
@@ -96,6 +101,20 @@ test("a code that a language does not know is said in English: as the service wo
   await useLanguage("uk");
   assert.equal(warningText(warning, TITLES), "Must stay below 1,5");
   setEnglish(english);
+});
+
+test("a code is said by its old name where the new one is not known, and explained whatever it is of", () => {
+  const told = { code: "a_newer_name", was: "short_pin", params: {}, detail: "in English" };
+  assert.equal(warningText(told, TITLES), english.notices.short_pin.text);
+  assert.equal(explained("short_pin").mend, english.notices.short_pin.mend);
+  assert.equal(explained("wall_holes").mend, english.checks.wall_holes.warning.mend);
+  assert.equal(explained("pin_static"), undefined);
+});
+
+test("a reason that is about a field says its title", () => {
+  const reason = { code: "too_many_pairs", pointer: "/mechanism/pins", params: { limit: 50, satellites: 2 }, detail: "" };
+  assert.equal(reasonText(reason, TITLES), "Number of pins: must be at most 50, with 2 satellites");
+  assert.equal(reasonText({ code: "steep_mesh", params: {}, detail: "" }, TITLES), english.notices.steep_mesh.text);
 });
 
 test("what is no refusal of a field says what it says", async () => {

@@ -197,7 +197,6 @@ export default {
       starts: () => ({ "line_contact.roller_material": "steel_bearing", "line_contact.mating_material": "steel_case_hardened" }),
     },
   ],
-  worked: () => import("./worked.js"),
   sentences,
   notes: ["khatetovsky"],
 };

@@ -29,7 +29,7 @@ function stressCell(section) {
 }
 
 /** The gaps that a tolerance means at worst: one roller ahead of the others by four times as much. */
-export function gapsOf(count, tolerance) {
+function gapsOf(count, tolerance) {
   return Array.from({ length: count }, (_, i) => (i === 0 ? 0 : 4 * tolerance));
 }
 
@@ -92,7 +92,6 @@ export default {
   ],
 
   wanted: [enduranceOf(PATH, ["notch_factor", "notch", "endurance_limit"], { tensile_strength_MPa: {}, roller_rotates: {} })],
-  worked: () => import("./worked.js"),
   sentences,
   notes: ["ovsyannikov"],
 };

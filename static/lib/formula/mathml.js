@@ -1,14 +1,22 @@
-/** Formulas written as MathML, with symbols or with numbers put in; and as plain text. No DOM. */
+/**
+ * Formulas written as MathML, with symbols or with numbers put in; and as plain text. No DOM.
+ *
+ * `values` are `{ name: { value, unit } }` of a formula's names, in canonical units. A name is written as its symbol: a Greek
+ * letter by its name, then after `_` what stands below, `star` and `prime` above: `Delta_prime_B`, `E_star`, `gamma_1_2`.
+ */
 import { formatNumber, quantityParts } from "../format.js";
 import { html } from "../html.js";
-import { picked, termCount } from "./evaluate.js";
 
 const ADD = 1;
 const MULTIPLY = 2;
 const POWER = 3;
 const ATOM = 4;
-const WRITTEN_TERMS = 4; // of a sum with numbers; of a longer one, and of integrals, some and the last
-const FUNCTION_NAMES = { atan: "arctan", acos: "arccos" };
+const WRITTEN_TERMS = 4; // of a sum of terms alike; of a longer one the first two and the last
+const FUNCTION_NAMES = { asin: "arcsin", acos: "arccos", atan: "arctan" };
+const GREEK = {
+  alpha: "α", gamma: "γ", delta: "δ", Delta: "Δ", eps: "ε", epsilon: "ε", eta: "η", theta: "θ", lambda: "λ", mu: "μ", nu: "ν", pi: "π",
+  rho: "ρ", sigma: "σ", tau: "τ", phi: "φ", chi: "χ", psi: "ψ", Psi: "Ψ",
+};
 
 /** The two ways of writing: what each part becomes, given its written parts. */
 const MATHML = {
@@ -29,9 +37,7 @@ const MATHML = {
   absolute: (inner) => html`<mrow><mo>|</mo>${inner}<mo>|</mo></mrow>`,
   call: (name, args) => html`<mi>${name}</mi><mo>\u2061</mo><mrow><mo>(</mo>${args.map((arg, i) =>
     html`${i > 0 && html`<mo separator="true">;</mo><mspace width="0.3em"></mspace>`}${arg}`)}<mo>)</mo></mrow>`,
-  sum: (inner) => html`<munder><mo>∑</mo><mi>i</mi></munder>${inner}`,
   gap: (first, last) => html`${first}<mo>+</mo><mo>…</mo><mo>+</mo>${last}`,
-  integral: (inner, from, to, name) => html`<msubsup><mo>∫</mo><mrow>${from}</mrow><mrow>${to}</mrow></msubsup>${inner}<mspace width="0.2em"></mspace><mi>d</mi><mi>${name}</mi>`,
 };
 const PLAIN = {
   number: (text, unit) => text + (unit === "°" ? "°" : unit && ` ${unit}`),
@@ -45,16 +51,25 @@ const PLAIN = {
   root: (inner) => `√(${inner})`,
   absolute: (inner) => `|${inner}|`,
   call: (name, args) => `${name}(${args.join("; ")})`,
-  sum: (inner) => `∑ ${inner}`,
   gap: (first, last) => `${first} + … + ${last}`,
-  integral: (inner, from, to, name) => `∫[${from} … ${to}] ${inner} d${name}`,
 };
 
-/** `E*_1` as its letter, what stands below and what above. */
-function symbolParts(symbol, index) {
-  const [name, below = ""] = symbol.split("_");
-  const base = name.replace("*", "");
-  return [base, index === undefined ? below : below.replace(/\bi\b/, index + 1), name === base ? "" : "*"];
+const letterOf = (name) => GREEK[name] ?? name;
+
+/** A name as its letter, what stands below and what above. */
+function symbolParts(name) {
+  const [letter, ...rest] = name.split("_");
+  const base = letterOf(letter) + (rest.includes("prime") ? "′" : "");
+  const below = rest.filter((part) => !["prime", "star"].includes(part)).map(letterOf).join(",");
+  return [base, below, rest.includes("star") ? "*" : ""];
+}
+
+/** What two terms have in common that differ only in the numbers of their names. */
+const shapeOf = (tree) => JSON.stringify(tree).replace(/_\d+/g, "");
+
+/** The terms of a sum, in their order. */
+function termsOf(tree) {
+  return tree.operator === "+" ? [...termsOf(tree.of[0]), tree.of[1]] : [tree];
 }
 
 function writer(style, { values, withNumbers, digits }) {
@@ -70,16 +85,23 @@ function writer(style, { values, withNumbers, digits }) {
     return value < 0 ? atom(style.negative(written), ADD, true) : plain;
   }
 
-  function name(tree, known) {
-    const value = known[tree.name];
-    if (!value) return atom(style.symbol(tree.name, "", ""));
-    if (withNumbers && !value.formula) return amount(value.value, value.unit);
-    return atom(style.symbol(...symbolParts(value.symbol, withNumbers ? value.index : undefined)));
+  function name({ name: own }) {
+    const known = values[own];
+    return withNumbers && known ? amount(known.value, known.unit) : atom(style.symbol(...symbolParts(own)));
   }
 
-  function operation({ operator, of }, known) {
-    if (operator === "neg") return atom(style.negative(within(write(of[0], known), MULTIPLY)), ADD);
-    const [left, right] = of.map((part) => write(part, known));
+  /** A sum of many terms alike: the first two and the last. */
+  function gapped(terms) {
+    const part = (i) => within(write(terms[i]), i === 0 ? ADD : MULTIPLY);
+    return atom(style.gap(style.operator(part(0), "+", part(1)), part(terms.length - 1)), ADD);
+  }
+
+  function operation(tree) {
+    const { operator, of } = tree;
+    if (operator === "neg") return atom(style.negative(within(write(of[0]), MULTIPLY)), ADD);
+    const terms = termsOf(tree);
+    if (terms.length > WRITTEN_TERMS && new Set(terms.map(shapeOf)).size === 1) return gapped(terms);
+    const [left, right] = of.map(write);
     switch (operator) {
       case "+": return atom(style.operator(left.written, "+", within(right, right.number ? MULTIPLY : ADD)), ADD);
       case "-": return atom(style.operator(left.written, "\u2212", within(right, MULTIPLY)), ADD);
@@ -93,52 +115,29 @@ function writer(style, { values, withNumbers, digits }) {
     }
   }
 
-  function sum(term, known) {
-    if (!withNumbers) return atom(style.sum(within(write(term, known), MULTIPLY)), ADD);
-    const count = termCount(term, known);
-    const at = (i) => {
-      const part = write(term, picked(known, i));
-      return i === 0 ? part.written : within(part, MULTIPLY);
-    };
-    const plus = (from, to) => Array.from({ length: to - from }, (_, i) => at(from + i))
-      .reduce((left, right) => style.operator(left, "+", right));
-    if (count === 1) return write(term, picked(known, 0));
-    const integrals = term.call === "integral";
-    if (count <= (integrals ? 2 : WRITTEN_TERMS)) return atom(plus(0, count), ADD);
-    const first = plus(0, integrals ? 1 : 2);
-    return atom(style.gap(first, at(count - 1)), ADD);
-  }
-
-  function call({ call: named, of, bound }, known) {
-    if (named === "sum") return sum(of[0], known);
-    if (named === "integral") {
-      const { [bound]: _, ...inner } = known;
-      return atom(style.integral(
-        within(write(of[0], inner), MULTIPLY), write(of[1], known).written, write(of[2], known).written, bound,
-      ), MULTIPLY);
-    }
-    const args = of.map((part) => write(part, known).written);
+  function call({ call: named, of }) {
+    const args = of.map((part) => write(part).written);
     if (named === "sqrt") return atom(style.root(args[0]));
     if (named === "abs") return atom(style.absolute(args[0]));
     return atom(style.call(FUNCTION_NAMES[named] ?? named, args), POWER);
   }
 
-  function write(tree, known) {
+  function write(tree) {
     if (tree.number !== undefined) return atom(style.number(formatNumber(tree.number, 15), ""), ATOM, true);
-    if (tree.name) return name(tree, known);
-    return tree.operator ? operation(tree, known) : call(tree, known);
+    if (tree.name) return name(tree);
+    return tree.operator ? operation(tree) : call(tree);
   }
 
-  return (tree) => write(tree, values).written;
+  return (tree) => write(tree).written;
 }
 
 /** A tree as the inside of a `<math>` element. */
-export function mathml(tree, { values, withNumbers = false, digits = 6 }) {
+export function mathml(tree, { values = {}, withNumbers = false, digits = 6 } = {}) {
   return writer(MATHML, { values, withNumbers, digits })(tree);
 }
 
 /** A tree in one line of text, for those who hear it. */
-export function plainText(tree, { values, withNumbers = false, digits = 6 }) {
+export function plainText(tree, { values = {}, withNumbers = false, digits = 6 } = {}) {
   return writer(PLAIN, { values, withNumbers, digits })(tree);
 }
 

@@ -1,13 +1,9 @@
 /**
- * Formulas as trees, read from a line like `sqrt(w*E/(π*ρ))`. No DOM, no texts.
+ * Formulas as trees, read from a line of the service like `sqrt(w*E_star/(pi*rho))`. No DOM, no texts.
  *
- * The same tree is written as MathML (mathml.js) and computed (evaluate.js), so that what a worked
- * step shows is what was checked. Names are keys of the step's values. Functions: sqrt, sin, cos,
- * abs, min, max, ln, atan, acos, and
- * `sum(term)`, over the values of the term that are lists, and
- * `integral(term; z; from; to)`, where `z` is bound in the term.
+ * Infix over names, with `+ - * / ^ ( )` and functions, whose arguments a comma parts.
  */
-const TOKEN = /\s*(?:(\d+(?:\.\d+)?)|([\p{L}_∞][\p{L}\p{N}_′]*)|(.))/uy;
+const TOKEN = /\s*(?:(\d+(?:\.\d+)?)|([A-Za-z_]\w*)|(.))/y;
 const POWERS = { "+": 1, "-": 1, "*": 2, "/": 2, "^": 4 };
 const SIGN = 1; // takes the whole product after it
 
@@ -21,7 +17,7 @@ function tokens(text) {
   return found;
 }
 
-/** `{ number }`, `{ name }`, `{ call, of: [trees], bound }` or `{ operator, of: [trees] }`. */
+/** `{ number }`, `{ name }`, `{ call, of: [trees] }` or `{ operator, of: [trees] }`. */
 export function parse(text) {
   const rest = tokens(text);
   const at = (mark) => rest[0]?.mark === mark;
@@ -33,14 +29,12 @@ export function parse(text) {
   function call(name) {
     take("(");
     const of = [expression(0)];
-    while (!at(")")) {
+    while (at(",")) {
       rest.shift();
       of.push(expression(0));
     }
     take(")");
-    if (name !== "integral") return { call: name, of };
-    const [term, bound, from, to] = of;
-    return { call: name, of: [term, from, to], bound: bound.name };
+    return { call: name, of };
   }
 
   function operand() {

@@ -5,8 +5,6 @@ from typing import Any
 
 from mpmath import mp, mpf
 
-from core.output.contact_law import HertzLaw, LinearLaw, PalmgrenLaw, PowerLaw
-from core.output.satellite_support import CrankSupport, ElasticMesh, Shares
 from tests.oracles.answers.calculation import (
     GIVEN,
     Body,
@@ -127,14 +125,17 @@ def _real(body: Body) -> tuple[Any, mpf, mpf]:
 
     match law["kind"]:
         case "linear":
-            own: Any = LinearLaw(typed(law["stiffness_N_per_mm"]) * 1000)
+            own = SimpleNamespace(stiffness=typed(law["stiffness_N_per_mm"]) * 1000)
         case "power":
-            force, approach = typed(law["reference_force_N"]), mm(law["reference_approach_mm"])
-            own = PowerLaw(typed(law["exponent"]), force, approach)
+            own = SimpleNamespace(
+                exponent=typed(law["exponent"]),
+                reference_force=typed(law["reference_force_N"]),
+                reference_approach=mm(law["reference_approach_mm"]),
+            )
         case "palmgren":
-            own = PalmgrenLaw()
+            own = SimpleNamespace()
         case _:
-            own = HertzLaw()
+            own = SimpleNamespace(reference_depth=None)
     steel = SimpleNamespace(youngs_modulus=mpf("210e9"), poissons_ratio=mpf("0.3"))
     phases = [mp.radians(typed(each)) for each in given.get("crank_phase_deg", ())]
     deviations = {
@@ -168,16 +169,18 @@ def _real(body: Body) -> tuple[Any, mpf, mpf]:
     return real, mp.radians(typed(body["crank_angle_deg"][0])), sign * torque
 
 
-def _support(body: Body) -> CrankSupport | ElasticMesh | Shares | None:
+def _support(body: Body) -> SimpleNamespace | None:
     """What the satellites give, in decimals."""
     if bearings := body.get("crank_support"):
         loose = typed(bearings["radial_clearance_mm"]) / 1000
-        return CrankSupport(typed(bearings["stiffness_N_per_mm"]) * 1000, loose)
+        stiffness = typed(bearings["stiffness_N_per_mm"]) * 1000
+        return SimpleNamespace(stiffness=stiffness, radial_clearance=loose)
     coupling = body.get("satellite_coupling", {"kind": "rigid"})
     if coupling["kind"] == "elastic":
-        return ElasticMesh(typed(coupling["stiffness_Nm_per_arcmin"]) * 10800 / mp.pi)
+        stiffness = typed(coupling["stiffness_Nm_per_arcmin"]) * 10800 / mp.pi
+        return SimpleNamespace(stiffness=stiffness)
     if coupling["kind"] == "shares":
-        return Shares(tuple(map(typed, coupling["shares"])))
+        return SimpleNamespace(shares=[*map(typed, coupling["shares"])])
     return None
 
 

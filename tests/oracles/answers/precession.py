@@ -19,7 +19,7 @@ from tests.oracles.answers.calculation import (
     typed,
 )
 from tests.oracles.answers.fatigue import CYCLES, Strength, basis
-from tests.oracles.answers.hertz import material, table
+from tests.oracles.answers.hertz import MATERIALS, material
 from tests.oracles.precession import length_by_z, load_integrals, scale, z_of_angle
 from tests.oracles.shaft import exact_deflection
 
@@ -391,7 +391,7 @@ def touching_numbers(body: Body, answer: Any) -> Numbers:
     """Two cylinders under the largest line load: Johnson, by the sum of the curvatures."""
     given = body["line_contact"]
     bodies = [
-        table()[each] if isinstance(each, str) else each
+        MATERIALS[each] if isinstance(each, str) else each
         for each in (given["roller_material"], given["mating_material"])
     ]
     soft = mp.fsum(

@@ -15,9 +15,9 @@ import jsonschema_rs
 
 from app.main import create_app
 from app.settings import Settings
+from tests.inputs.fuzz_requests import MODELS, Body, Draw, Request, random_request
+from tests.inputs.in_process import API, exchange
 from tests.oracles.fuzz_invariants import INVARIANTS, check_accuracy
-from tests.oracles.fuzz_requests import MODELS, Body, Draw, Request, random_request
-from tests.oracles.in_process import API, exchange
 
 SLOW_S = 1.0
 FIELDS = {name for model in MODELS.values() for name in model.get("properties", ())}

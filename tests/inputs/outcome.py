@@ -4,8 +4,8 @@ from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
+from tests.inputs.in_process import Service
 from tests.oracles.answers.calculation import Calculation, Draw
-from tests.oracles.in_process import Service
 
 HALF_ULP = 2.0**-54
 """Smaller measured errors count as this: no double can be nearer on average."""

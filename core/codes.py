@@ -1,32 +1,165 @@
-"""What the notices say: the limit that a result strains, why it matters and how to mend it."""
+"""All codes that the service says, one for each fact, with one kind and its words in English.
+
+Where a refusal, a warning and the reason of a check are the same fact, they have the same code and
+the same words. A code comes with parameters, so that whoever shows it can say it in another
+language and with other names; here it has the core's names and SI units (in warnings, mm). The
+parameters `field` and `other` are names of core parameters. What a check is called and why it is
+made stands at the check (`core.checks.kinds`).
+"""
 
 from dataclasses import dataclass
+from functools import partial
+from typing import Literal
+
+Kind = Literal["invalid", "impossible", "limit", "unknown", "check"]
 
 
 @dataclass(frozen=True, slots=True)
-class NoticeKind:
-    """What a notice of one code says, in English.
+class Code:
+    """What is said under one code, in English.
 
     Attributes
     ----------
+    kind : Kind
+        `invalid`: one parameter is wrong. `impossible`: all are allowed, and yet there is no such
+        mechanism. `limit`: a result strains a limit of validity, or lacks what it is judged by; it
+        is given all the same. `unknown`: why a check stands as it does, where numbers do not say
+        it. `check`: a check of designs, of which calculations that have no checks warn or refuse.
     text : str
-        What is strained and what it means; what a notice names stands in braces.
-    title : str
-        Its name.
-    tests : str
-        What is looked at.
-    why : str
-        Why it matters.
-    mend : str
-        What to do about it.
+        Of what is invalid the rest of a sentence that starts with the parameter's name; of what is
+        impossible or unknown a sentence without its full stop. What a text names stands in braces.
+    title, tests, why, mend : str
+        Of a warning its name, what is looked at, why it matters, and what to do about it.
     """
 
+    kind: Kind
     text: str
-    title: str
-    tests: str
-    why: str
-    mend: str
+    title: str = ""
+    tests: str = ""
+    why: str = ""
+    mend: str = ""
 
+
+_limit, _check = partial(Code, "limit"), partial(Code, "check")
+
+_INVALID = {
+    "at_most": "must be at most {field}, {limit:.9g}",
+    "below_working": "must be at least {limit:.9g}, the torque times its factor",
+    "beyond_support": "must be at most {limit:.9g}, half a contact length from the end of {field}",
+    "different_length": "must have {expected} entries, has {actual}",
+    "different_sum": "must have lengths that add up to {field} and {other}, {needed_length:g} m, "
+    "not {given_length:g} m",
+    "finite_number": "must be a finite number",
+    "first_order_only": "must be of first order beside {field}: what satellites give is not known "
+    "in exact geometry",
+    "greater_than": "must be greater than {limit:.15g}",
+    "greater_than_equal": "must be at least {limit:.15g}",
+    "in_carrier": "must be at least half of {field}, {limit:.9g}: the contact would reach into the "
+    "carrier",
+    "infinite_line": "must not lie at a pole, a multiple of half a turn less {field}: the line is "
+    "infinitely long there",
+    "larger_than": "must be larger than {field}, {limit:.9g}",
+    "less_than": "must be less than {limit:.15g}",
+    "less_than_equal": "must be at most {limit:.15g}",
+    "needed": "is needed: this or {field}",
+    "no_arm": "must not be a multiple of half a turn: there the contact has no arm",
+    "no_class": "must be an ISO 286 class of the table, such as m6 or H7",
+    "no_conformal_pressure": "must have a conformal pressure",
+    "no_cycloid": "must be larger than the eccentricity times 1 more than {field}, {limit:.9g}: "
+    "there is no such cycloid",
+    "no_mesh": "must be at least {limit:.9g}: teeth of this {field} do not mesh any nearer",
+    "no_reaction": "must leave the bearings a load: the forces of the satellites cancel",
+    "no_sleeve": "must be smaller than twice {field}, {limit:.9g}: there is no room for a sleeve",
+    "not_in_table": "must be one of {values}",
+    "not_single": "must be one number, not an array",
+    "not_zero": "must not be 0",
+    "only_one": "excludes {field}: give one of them",
+    "other_branch": "must lie on the same side of the pole, a multiple of half a turn less "
+    "{other}, as {field}: the line is infinitely long there",
+    "other_pitch": "must be {limit:.9g} from the place of the first satellite, as on the pins",
+    "right_angle": "must be smaller than a right angle",
+    "roller_without_arm": "puts roller {roller} at a multiple of half a turn: there its "
+    "contact has no arm",
+    "smaller_than": "must be smaller than {field}, {limit:.9g}",
+    "sum_not_one": "must add up to 1, not to {sum:.15g}",
+    "too_few": "needs a sample of at least {limit:d}",
+    "too_many_pairs": "must be at most {limit:d}, with {satellites} satellites",
+    "too_many_phases": "must be smaller: there would be more than {limit:d} driving phases",
+    "too_near": "must be at least {field}, {limit:.9g}, from the places of the other satellites",
+    "too_short": "must have at least {limit} entries",
+    "too_short_range": "must be larger than {limit:.3g}: no driving phase is that short",
+    "too_thick": "must be at most twice {field}, {limit:.9g}: thicker, the pin itself would touch "
+    "the hole",
+}
+"""What is wrong with one parameter."""
+
+_IMPOSSIBLE = {
+    "beyond_first_order": "The output would turn by more than a radian, of which first order says "
+    "nothing: the contacts are too soft or the position is a dead centre",
+    "beyond_hertz": "The contact of satellite {satellite} and pin {pin} would be as wide as the "
+    "pin: Hertz's law of contact does not reach so far",
+    "cannot_assemble": "Pins and holes press: pin {pin} does not fit into its hole of satellite "
+    "{satellite}, and no force of the contacts makes it",
+    "no_contact_line": "There is no contact line: the cosine of {field} equals {other}",
+    "no_lever": "The contact line of roller {roller} cannot carry a torque: it reaches phi = 0, "
+    "at z = 0, where the load has no arm about the axis; keep both its ends on one side of it",
+    "no_mechanism": "The holes do not hold their pins, which could pass from one into the next: "
+    "they are too large",
+    "no_room_in_hole": "The hole of satellite {satellite} is not larger than pin {pin}, or a "
+    "deviation leaves nothing of a radius",
+    "not_balanced": "The forces cannot be balanced within the range of numbers",
+    "not_stable": "The forces do not hold the output: its torque falls as it turns on",
+    "overflow": "The numbers given leave the range of numbers: {names} would not be finite",
+}
+"""What cannot be."""
+
+_UNKNOWN = {
+    "conformal_solution": "The pressure is that of the conformal contact, which asks for no narrow "
+    "one",
+    "cranks_deviate": "The balance is known of cranks without deviations only",
+    "different_parts": "Satellites differ in how their holes lie against their teeth: each needs a "
+    "drawing of its own",
+    "discs_out_of_phase": "Each satellite by itself goes onto the pins, all together do not: the "
+    "holes of one are turned against those of another",
+    "finite_life": "The strength is that for the cycles of the life, one a turn of the satellite "
+    "against its crank",
+    "fits_by_bearing_clearance": "The parts go together only as far as the clearance of the "
+    "bearings on the cranks lets the satellites move",
+    "jams": "The parts go together, but jam in a part of the turn",
+    "life_of_teeth": "The limit is that for the loads over the life, by the curves of ISO 6336-2, "
+    "which are meant for teeth",
+    "life_without_speed": "No input speed is given: how the limit falls over the life is left out",
+    "limit_unknown": "No limit of the pressure is known for this material: enter one",
+    "mass_unknown": "No mass of a satellite is given",
+    "no_bush": "The pv is that of a bush: a bare pin touches its wider hole along a narrow strip",
+    "no_involute": "It is one of involute teeth",
+    "no_life_curve": "How the limit falls over the life is not known for this material: it is left "
+    "out",
+    "no_limit": "No limit was asked",
+    "no_teeth": "No teeth or pins of the ring are given",
+    "one_only": "There is one only",
+    "plastic_first": "The first turns yield below the surface; the contact settles after that",
+    "pressure_error": "The limit lies within the error of the value",
+    "rating_unknown": "No load rating of the bearing is given",
+    "roots_unknown": "The roots of the satellite's teeth are not known: enter their radius, or the "
+    "one of the ring's pins",
+    "rough_guide": "The contact is too wide for Hertz, and the materials too different for a "
+    "conformal pressure: the pressure is a rough guide",
+    "section_missing": "A part of the design that it needs is not given",
+    "size_missing": "A size that it needs is not given",
+    "speed_missing": "No input speed is given",
+    "steady_load": "The load turns with the shaft and bends it one way all the time",
+    "tested_limit": "The tested limit of this material counts, not its yield strength",
+    "tilted": "Rollers are usually tilted by about 12° at most: the forces take them as parallel "
+    "to the axis",
+    "unbalanced": "The satellites need a counterweight",
+    "uneven": "Not every roller carries",
+    "unloaded": "The loads cancel: nothing presses the bearings",
+    "value_unknown": "Nothing is known of the value: its error is as large as it is, or has no end",
+    "wear_unknown": "No wear coefficient is given",
+    "yield_unknown": "No yield strength is known: enter one",
+}
+"""Why a check stands as it does."""
 
 _APPROXIMATION = {
     "tests": "Whether the approximate peak is asked for where it is stated: 3 to 5 pins, 1 or 2 "
@@ -35,33 +168,31 @@ _APPROXIMATION = {
     "mend": "Use the exact peak force; the approximation is only shown beside it.",
 }
 
-NOTICES = {
-    "approximation_exponent": NoticeKind(
+_LIMITS = {
+    "approximation_exponent": _limit(
         "The approximation is made for linear contacts, exponent 1.",
         title="Approximation for other contacts",
         **_APPROXIMATION,
     ),
-    "approximation_range": NoticeKind(
+    "approximation_range": _limit(
         "The approximation is stated for {field} from {low} to {high} only; here it is {value}.",
         title="Approximation outside its range",
         **_APPROXIMATION,
     ),
-    "approximation_spacing": NoticeKind(
+    "approximation_spacing": _limit(
         "The approximation is made for two cranks half a turn apart.",
         title="Approximation for other cranks",
         **_APPROXIMATION,
     ),
-    "clearance": NoticeKind(
-        "The hole is larger than pin and eccentricity need, {limit:.9g} mm: no pair touches until "
-        "the output has turned through the lost motion, and the load sharing differs.",
-        title="Clearance of pin and hole",
-        tests="Whether the hole is larger than pin radius and eccentricity together.",
-        why="No pair touches until the output has turned through the lost motion, and fewer pairs "
-        "share the load than calculated.",
-        mend="Make the hole radius the sum of pin radius and eccentricity, or keep the clearance "
-        "small against the elastic approach.",
+    "beyond_size": _limit(
+        "The strengths of the material hold up to {limit:.4g} mm of diameter: thicker pins are "
+        "weaker.",
+        title="Strength beyond its size",
+        tests="Whether the pin is as thin as the strengths of its material hold for.",
+        why="Thicker steel hardens less deep: it is weaker than the table says.",
+        mend="Give the strengths of the material at this size.",
     ),
-    "clearance_like_eccentricity": NoticeKind(
+    "clearance_like_eccentricity": _limit(
         "The clearance is {ratio:.3g} of the eccentricity: such mechanisms move, with very much "
         "play; clearances of working ones are near a hundredth.",
         title="Clearance like the eccentricity",
@@ -69,7 +200,7 @@ NOTICES = {
         why="Such mechanisms move, with very much play; mostly one of the sizes is a slip.",
         mend="Look at radii and eccentricity; make the hole smaller.",
     ),
-    "cycloid_difference": NoticeKind(
+    "cycloid_difference": _limit(
         "The ring has {difference} pins more than a satellite has lobes: where the branches of "
         "such a curve cross, its tips are cut off, so that fewer pins carry than the ratio of the "
         "ring's forces is made for.",
@@ -79,7 +210,7 @@ NOTICES = {
         "fewer pins carry, and the ratio of the ring's forces is another.",
         mend="Choose a difference of 1, or give the ratio of the forces.",
     ),
-    "diameters_as_radii": NoticeKind(
+    "diameters_as_radii": _limit(
         "Are diameters given as radii? With radii of {pin:.6g} and {hole:.6g} mm the parts fit.",
         title="Diameters as radii?",
         tests="Whether half of the radii would fit where these leave a clearance like the "
@@ -87,7 +218,7 @@ NOTICES = {
         why="Drawings say diameters; typed as radii they double every size.",
         mend="If they are diameters, halve both.",
     ),
-    "eccentricity_assumed": NoticeKind(
+    "eccentricity_assumed": _limit(
         "The eccentricity is taken as hole less pin radius: clearance or interference would not be "
         "seen.",
         title="Eccentricity assumed",
@@ -96,7 +227,7 @@ NOTICES = {
         "interference would not be seen.",
         mend="Enter the eccentricity of the cranks.",
     ),
-    "eccentricity_doubled": NoticeKind(
+    "eccentricity_doubled": _limit(
         "Is the eccentricity given twice as large, as the stroke? With {eccentricity:.6g} mm the "
         "parts fit.",
         title="Eccentricity doubled?",
@@ -104,14 +235,14 @@ NOTICES = {
         why="The stroke of a crank is twice its eccentricity.",
         mend="If it is the stroke, halve it.",
     ),
-    "eccentricity_forgotten": NoticeKind(
+    "eccentricity_forgotten": _limit(
         "Is the eccentricity left out of the hole? With a radius of {hole:.6g} mm the parts fit.",
         title="Eccentricity left out?",
         tests="Whether the hole's radius with the eccentricity would fit.",
         why="The pin moves in its hole on a circle of the eccentricity: the hole is larger by it.",
         mend="Make the hole larger by the eccentricity.",
     ),
-    "fatigue_no_basis": NoticeKind(
+    "endurance_unknown": _limit(
         "Fatigue is not checked: no endurance limit is known. That of a steel follows from its "
         "tensile strength; else give the limit, and the tensile strength with it.",
         title="Fatigue not checked: no limit",
@@ -120,16 +251,7 @@ NOTICES = {
         "irons and plastics there is no such rule.",
         mend="Give the endurance limit, and the tensile strength where it is not known.",
     ),
-    "fatigue_no_notch": NoticeKind(
-        "Fatigue is not checked: neither a notch nor its factor is given, and the edge of a press "
-        "fit alone takes half of the strength and more.",
-        title="Fatigue not checked: no notch factor",
-        tests="Whether a notch or its factor is given.",
-        why="The edge of a press fit alone takes half of the strength and more: a part without any "
-        "notch is not to be assumed.",
-        mend="Give the fatigue notch factor of the seat, the notch itself, or the endurance limit.",
-    ),
-    "hardly_known": NoticeKind(
+    "hardly_known": _limit(
         "Hardly anything is known of the result: its relative error may be {error:.2g}, because "
         "rounding of the input is magnified so much.",
         title="Hardly anything is known",
@@ -139,17 +261,7 @@ NOTICES = {
         mend="Move the sizes away from where they nearly cancel: a ratio from cos θ, a limit from "
         "its neighbour, an angle from its pole.",
     ),
-    "hertz_half_width": NoticeKind(
-        "The half-width of the contact is {ratio:.4g} of the pin's radius; Hertz assumes a narrow "
-        "contact and is off by more than 1 %: use the conformal pressure, or where there is none, "
-        "for very different materials, take it as a rough guide.",
-        title="Contact too wide for Hertz",
-        tests="Whether the half-width of the contact stays small against the pin radius.",
-        why="Hertz's theory assumes a narrow contact; here its pressure is off by more than 1 %.",
-        mend="Use the pressure of the conformal contact where it is given; else take the number as "
-        "a guide, enlarge the hole or lower the load.",
-    ),
-    "hertz_impossible": NoticeKind(
+    "hertz_impossible": _limit(
         "The half-width of the contact is {ratio:.4g} of the pin's radius: wider than the pin, so "
         "that Hertz does not apply at all, and for very different materials no conformal solution "
         "is at hand: make the hole larger or the load smaller.",
@@ -159,7 +271,7 @@ NOTICES = {
         "solution is known; the pressure means nothing.",
         mend="Enlarge the hole, lower the load or use one material for both.",
     ),
-    "hertz_line_width": NoticeKind(
+    "hertz_line_width": _limit(
         "The half-width of the contact is {ratio:.4g} of the roller's radius: Hertz is off by more "
         "than 1 %.",
         title="Wide contact of the roller",
@@ -167,29 +279,14 @@ NOTICES = {
         why="Hertz assumes a narrow contact.",
         mend="Enlarge the radius of the teeth or the roller, or lower the load.",
     ),
-    "hole_diameter_as_radius": NoticeKind(
+    "hole_diameter_as_radius": _limit(
         "Is the hole's diameter given as its radius? With {hole:.6g} mm the parts fit.",
         title="Hole: diameter as radius?",
         tests="Whether half of the hole's radius would fit.",
         why="Only the hole is then twice as large.",
         mend="If it is the diameter, halve it.",
     ),
-    "holes_overlap": NoticeKind(
-        "Neighbouring holes of a satellite overlap: there is no material between them.",
-        title="Holes overlap",
-        tests="Whether there is material left between neighbouring holes of a satellite.",
-        why="Overlapping holes leave no wall to carry the force.",
-        mend="Enlarge the pin circle, or take fewer pins or smaller holes.",
-    ),
-    "interference": NoticeKind(
-        "The hole is smaller than pin radius + eccentricity, {limit:.9g} mm: pin and satellite "
-        "interfere and cannot be assembled.",
-        title="Hole too small",
-        tests="Whether the hole is smaller than pin radius and eccentricity together.",
-        why="Pin and satellite cut into each other: the mechanism cannot be assembled.",
-        mend="Enlarge the hole, or take a smaller pin or eccentricity.",
-    ),
-    "large_deflection": NoticeKind(
+    "large_deflection": _limit(
         "The most loaded part bends by more than a tenth of its length: the formulas are those of "
         "small deflections.",
         title="Large deflection",
@@ -198,7 +295,7 @@ NOTICES = {
         "about 1 %.",
         mend="Lower the load, shorten the part or make it thicker.",
     ),
-    "large_rotation": NoticeKind(
+    "large_rotation": _limit(
         "The output turns by {share:.2g} of the eccentricity under load: clearance or compliance "
         "is large for such a mechanism.",
         title="Large rotation under load",
@@ -207,7 +304,7 @@ NOTICES = {
         "the parts are meant to bear.",
         mend="Lower the clearance or the load, or stiffen the contacts.",
     ),
-    "life_beyond_strength": NoticeKind(
+    "life_beyond_strength": _limit(
         "The line of finite life is a fit for tensile strengths of {low:.4g} to {high:.4g} MPa; of "
         "{value:.4g} MPa its end is taken.",
         title="Life beyond its range",
@@ -216,7 +313,15 @@ NOTICES = {
         "fit: life and finite strength are a rough guide.",
         mend="Give a strength within the range, or judge by the endurance limit alone.",
     ),
-    "next_hole": NoticeKind(
+    "low_cycle_fatigue": _limit(
+        "The pin stands fewer than 1000 cycles: so few that the line of its life does not hold.",
+        title="Few cycles",
+        tests="Whether the pin stands 1000 cycles.",
+        why="The line of finite life holds from 1000 to a million cycles; below it the pin yields "
+        "in every turn.",
+        mend="Thicken the pin or lower the load.",
+    ),
+    "next_hole": _limit(
         "A satellite is turned by more than half the pitch of its holes: it is put on the pins by "
         "the holes next to them.",
         title="Other holes",
@@ -224,7 +329,7 @@ NOTICES = {
         why="Turned by more than half the pitch of its holes it goes on by the next ones.",
         mend="Nothing, if it is meant so.",
     ),
-    "no_piece_fits": NoticeKind(
+    "no_piece_fits": _limit(
         "None of the pieces fits: more of them would not help; larger clearances or smaller "
         "tolerances do.",
         title="No piece fits",
@@ -232,7 +337,7 @@ NOTICES = {
         why="Percentiles of what cannot be put together say nothing.",
         mend="Enlarge the clearance, or tighten what does most to the fit.",
     ),
-    "no_ring_force": NoticeKind(
+    "no_ring_force": _limit(
         "The ring's force along the crank is left out: with involute teeth bearings carry more, "
         "with a ring of pins less.",
         title="Ring left out",
@@ -241,7 +346,7 @@ NOTICES = {
         "it: the life differs several times.",
         mend="Give the teeth, the circle of the ring's pins, or the ratio of the forces.",
     ),
-    "notch_beyond_strength": NoticeKind(
+    "notch_beyond_strength": _limit(
         "The factor of the notch is a fit for tensile strengths of {low:.4g} to {high:.4g} MPa; of "
         "{value:.4g} MPa its end is taken.",
         title="Notch beyond its range",
@@ -249,14 +354,16 @@ NOTICES = {
         why="Below and above, the sensitivity to the notch is that of the nearest end of the fit.",
         mend="Give the fatigue notch factor itself.",
     ),
-    "pin_diameter_as_radius": NoticeKind(
-        "Is the pin's diameter given as its radius? With {pin:.6g} mm the parts fit.",
-        title="Pin: diameter as radius?",
-        tests="Whether half of the pin's radius would fit.",
-        why="Only the pin is then twice as thick.",
-        mend="If it is the diameter, halve it.",
+    "notch_unknown": _limit(
+        "Fatigue is not checked: neither a notch nor its factor is given, and the edge of a press "
+        "fit alone takes half of the strength and more.",
+        title="Fatigue not checked: no notch factor",
+        tests="Whether a notch or its factor is given.",
+        why="The edge of a press fit alone takes half of the strength and more: a part without any "
+        "notch is not to be assumed.",
+        mend="Give the fatigue notch factor of the seat, the notch itself, or the endurance limit.",
     ),
-    "pin_bending_uncoupled": NoticeKind(
+    "pin_bending_uncoupled": _limit(
         "A pin is loaded by several satellites at once: how each bends it for the others is left "
         "out, 1 to 2 % of the largest force.",
         title="Pin bent by several satellites",
@@ -265,22 +372,14 @@ NOTICES = {
         "the largest force.",
         mend="Keep the difference in mind, or stiffen the pins.",
     ),
-    "low_cycle_fatigue": NoticeKind(
-        "The pin stands fewer than 1000 cycles: so few that the line of its life does not hold.",
-        title="Few cycles",
-        tests="Whether the pin stands 1000 cycles.",
-        why="The line of finite life holds from 1000 to a million cycles; below it the pin yields "
-        "in every turn.",
-        mend="Thicken the pin or lower the load.",
+    "pin_diameter_as_radius": _limit(
+        "Is the pin's diameter given as its radius? With {pin:.6g} mm the parts fit.",
+        title="Pin: diameter as radius?",
+        tests="Whether half of the pin's radius would fit.",
+        why="Only the pin is then twice as thick.",
+        mend="If it is the diameter, halve it.",
     ),
-    "pins_overlap": NoticeKind(
-        "Neighbouring pins overlap: there is no room for them on their circle.",
-        title="Pins overlap",
-        tests="Whether neighbouring pins keep apart on their circle.",
-        why="Two pins cannot stand in one place.",
-        mend="Enlarge the pin circle, or take fewer or thinner pins.",
-    ),
-    "pressed_without_load": NoticeKind(
+    "pressed_without_load": _limit(
         "Pins and holes press without load: there is no play, and the mechanism can be assembled "
         "only by force.",
         title="Pressed without load",
@@ -289,7 +388,7 @@ NOTICES = {
         "force.",
         mend="Enlarge the clearance, or tighten the tolerances of place.",
     ),
-    "ratio_not_whole": NoticeKind(
+    "ratio_not_whole": _limit(
         "The ratio {ratio:.6g} is no whole number: a cycloid disc with one lobe less than the ring "
         "has pins has as many lobes as its ratio says.",
         title="Ratio of a cycloid",
@@ -298,7 +397,7 @@ NOTICES = {
         why="Such a disc has as many lobes as its ratio says.",
         mend="Give the teeth, or a whole ratio.",
     ),
-    "ratio_sign": NoticeKind(
+    "ratio_sign": _limit(
         "The ratio is taken as {ratio:.6g}: its sign says that the output turns the other way, "
         "which that of every such mechanism does.",
         title="Sign of the ratio",
@@ -306,7 +405,7 @@ NOTICES = {
         why="The output of every such mechanism turns against the crank: the sign is known.",
         mend="Nothing, if it is meant so.",
     ),
-    "reference_depth": NoticeKind(
+    "reference_depth": _limit(
         "The reference depth is {ratio:.3g} times the hole's radius; from {low} to {high} a "
         "half-space stands for a hole.",
         title="Reference depth out of range",
@@ -315,7 +414,7 @@ NOTICES = {
         why="A half-space stands for the hole only there; the stiffness is off elsewhere.",
         mend="Take a depth of half to one and a half hole radii, or leave it out.",
     ),
-    "sand_cast": NoticeKind(
+    "sand_cast": _limit(
         "The bronze is the sand-cast CuSn12-C-GS, whose limit is not known; the centrifugally cast "
         "CuSn12-C-GZ is a material of its own.",
         title="Sand-cast bronze",
@@ -324,15 +423,7 @@ NOTICES = {
         "carries less, how much is not known.",
         mend="Take the centrifugally cast bronze, or enter a limit of your own.",
     ),
-    "size_beyond_range": NoticeKind(
-        "The factor of the size is stated for diameters of {low:.4g} to {high:.4g} mm; it is "
-        "{value:.4g} mm.",
-        title="Size beyond its range",
-        tests="Whether the diameter is one that the factor of the size is stated for.",
-        why="Outside, the factor is extended, not tested: thick parts may be weaker.",
-        mend="Give the endurance limit of the part itself.",
-    ),
-    "satellite_idle": NoticeKind(
+    "satellite_idle": _limit(
         "Satellite {satellite} carries nothing over the whole turn, as others touch before it: its "
         "bearing has no life, and that of all together is theirs.",
         title="A satellite that carries nothing",
@@ -342,7 +433,7 @@ NOTICES = {
         mend="Tighten the tolerances of place, turn the disc to the others, or let the satellites "
         "give way.",
     ),
-    "short_pin": NoticeKind(
+    "short_pin": _limit(
         "A satellite lies within half a pin diameter of the carrier: shear governs such a short "
         "pin, and its seat gives way more than it bends.",
         title="Short pin",
@@ -350,7 +441,7 @@ NOTICES = {
         why="So close to its seat a pin is sheared more than bent, and the seat gives way.",
         mend="Take the bending for a rough guide and look at the equivalent stress.",
     ),
-    "short_roller": NoticeKind(
+    "short_roller": _limit(
         "The cylinder is shorter than its diameter: a beam that short deforms mostly by shear and "
         "at its clamping, so the stiffness is a rough guide.",
         title="Short roller",
@@ -359,7 +450,7 @@ NOTICES = {
         "guide.",
         mend="Lengthen the roller, or check its stiffness by finite elements.",
     ),
-    "short_shaft": NoticeKind(
+    "short_shaft": _limit(
         "The shaft is short for its diameter: shear, which the formulas leave out, adds more than "
         "5 % to its deflection.",
         title="Short shaft",
@@ -367,7 +458,15 @@ NOTICES = {
         why="Shear, which the formulas leave out, then adds more than 5 % to the deflection.",
         mend="Add the deflection by shear, or take the number as a lower limit.",
     ),
-    "small_arm": NoticeKind(
+    "size_beyond_range": _limit(
+        "The factor of the size is stated for diameters of {low:.4g} to {high:.4g} mm; it is "
+        "{value:.4g} mm.",
+        title="Size beyond its range",
+        tests="Whether the diameter is one that the factor of the size is stated for.",
+        why="Outside, the factor is extended, not tested: thick parts may be weaker.",
+        mend="Give the endurance limit of the part itself.",
+    ),
+    "small_arm": _limit(
         "A contact line comes close to phi = 0, where the load has no arm: the line load is "
         "concentrated there, more than elastic rollers would let it be.",
         title="Small arm of the load",
@@ -376,7 +475,7 @@ NOTICES = {
         "than elastic rollers would let it.",
         mend="Move the end of the line away from the precession centre.",
     ),
-    "sphere_below_roller": NoticeKind(
+    "sphere_below_roller": _limit(
         "The sphere is smaller than the cylinder: the formulas take the sphere for rigid and the "
         "cylinder for the weak section.",
         title="Sphere smaller than the roller",
@@ -384,22 +483,14 @@ NOTICES = {
         why="The formulas take the sphere for rigid and the cylinder for the weak section.",
         mend="Enlarge the sphere or take a thinner cylinder.",
     ),
-    "sphere_too_wide": NoticeKind(
+    "sphere_too_wide": _limit(
         "The sphere is wider than its diameter: no sphere is.",
         title="Sphere wider than its diameter",
         tests="Whether the width of a sphere stays below its diameter.",
         why="No sphere is wider than its diameter: the sizes contradict each other.",
         mend="Correct the width or the diameter of the sphere.",
     ),
-    "strength_beyond_size": NoticeKind(
-        "The strengths of the material hold up to {limit:.4g} mm of diameter: thicker pins are "
-        "weaker.",
-        title="Strength beyond its size",
-        tests="Whether the pin is as thin as the strengths of its material hold for.",
-        why="Thicker steel hardens less deep: it is weaker than the table says.",
-        mend="Give the strengths of the material at this size.",
-    ),
-    "steep_mesh": NoticeKind(
+    "steep_mesh": _limit(
         "The operating pressure angle of the teeth is above 55°: the ring presses the satellites "
         "more than it turns them.",
         title="Steep teeth",
@@ -408,7 +499,7 @@ NOTICES = {
         "apart more than it turns them.",
         mend="Make the eccentricity smaller or the module larger.",
     ),
-    "thin_without_sleeve": NoticeKind(
+    "thin_without_sleeve": _limit(
         "The pin is thinner than what touches the holes, and there is no sleeve on it: losses and "
         "wear are those of a bare pin as thick as the contact.",
         title="Thin pin without a sleeve",
@@ -417,14 +508,14 @@ NOTICES = {
         "is wrong, or there is a sleeve, which slides less.",
         mend="Say that there is a sleeve, or give the pin the diameter of its contact.",
     ),
-    "too_few_fit": NoticeKind(
+    "too_few_fit": _limit(
         "Percentiles are left out for which {fits} pieces that fit are too few.",
         title="Too few fit",
         tests="Whether enough pieces fit for every percentile.",
         why="A rare percentile needs many pieces.",
         mend="Draw more pieces, or make more of them fit.",
     ),
-    "twice_the_eccentricity": NoticeKind(
+    "twice_the_eccentricity": _limit(
         "Is twice the eccentricity in the radius of the hole? It takes it once: {hole:.6g} mm; "
         "twice is meant of diameters.",
         title="Twice the eccentricity?",
@@ -432,7 +523,7 @@ NOTICES = {
         why="The diameter of a hole takes twice the eccentricity, its radius takes it once.",
         mend="If so, take the eccentricity off once.",
     ),
-    "unloaded_flank": NoticeKind(
+    "unloaded_flank": _limit(
         "The limits of roller {roller} lie on the flank that the torque unloads: the loaded one is "
         "half a turn of phi further, with the same force.",
         title="Limits on the unloaded flank",
@@ -441,4 +532,96 @@ NOTICES = {
         mend="Add or take away 180° at both limits, or reverse the torque.",
     ),
 }
-"""Limits of validity, by code."""
+"""Limits of validity that results strain."""
+
+_CHECKS = {
+    "clearance": _check(
+        "The hole is larger than pin and eccentricity need, {limit:.9g} mm: no pair touches until "
+        "the output has turned through the lost motion, and the load sharing differs.",
+        title="Clearance of pin and hole",
+        tests="Whether the hole is larger than pin radius and eccentricity together.",
+        why="No pair touches until the output has turned through the lost motion, and fewer pairs "
+        "share the load than calculated.",
+        mend="Make the hole radius the sum of pin radius and eccentricity, or keep the clearance "
+        "small against the elastic approach.",
+    ),
+    "contact_conformity": _check(
+        "The half-width of the contact is {ratio:.4g} of the pin's radius; Hertz assumes a narrow "
+        "contact and is off by more than 1 %: use the conformal pressure, or where there is none, "
+        "for very different materials, take it as a rough guide.",
+        title="Contact too wide for Hertz",
+        tests="Whether the half-width of the contact stays small against the pin radius.",
+        why="Hertz's theory assumes a narrow contact; here its pressure is off by more than 1 %.",
+        mend="Use the pressure of the conformal contact where it is given; else take the number as "
+        "a guide, enlarge the hole or lower the load.",
+    ),
+    "dead_centre": _check("The mechanism cannot transmit torque: no pair drives"),
+    "interference": _check(
+        "The hole is smaller than pin radius + eccentricity, {limit:.9g} mm: pin and satellite "
+        "interfere and cannot be assembled.",
+        title="Hole too small",
+        tests="Whether the hole is smaller than pin radius and eccentricity together.",
+        why="Pin and satellite cut into each other: the mechanism cannot be assembled.",
+        mend="Enlarge the hole, or take a smaller pin or eccentricity.",
+    ),
+    "pins_apart": _check(
+        "Neighbouring pins overlap: there is no room for them on their circle.",
+        title="Pins overlap",
+        tests="Whether neighbouring pins keep apart on their circle.",
+        why="Two pins cannot stand in one place.",
+        mend="Enlarge the pin circle, or take fewer or thinner pins.",
+    ),
+    "wall_holes": _check(
+        "Neighbouring holes of a satellite overlap: there is no material between them.",
+        title="Holes overlap",
+        tests="Whether there is material left between neighbouring holes of a satellite.",
+        why="Overlapping holes leave no wall to carry the force.",
+        mend="Enlarge the pin circle, or take fewer pins or smaller holes.",
+    ),
+}
+"""Checks of which calculations without checks warn, and the one by which they refuse."""
+
+CODES: dict[str, Code] = {
+    **{code: Code("invalid", text) for code, text in _INVALID.items()},
+    **{code: Code("impossible", text) for code, text in _IMPOSSIBLE.items()},
+    **{code: Code("unknown", text) for code, text in _UNKNOWN.items()},
+    **_LIMITS,
+    **_CHECKS,
+}
+"""Every code, but for checks that are said by their design alone."""
+
+WARNINGS = {code: each for code, each in CODES.items() if each.title}
+"""Of these, what warnings say."""
+
+REFUSALS = {
+    code: each for code, each in CODES.items() if each.kind != "unknown" and code not in WARNINGS
+}
+"""And what refusals say."""
+
+WAS = {
+    "errors": {
+        "only_one": "exclusive",
+    },
+    "warnings": {
+        "beyond_size": "strength_beyond_size",
+        "contact_conformity": "hertz_half_width",
+        "endurance_unknown": "fatigue_no_basis",
+        "notch_unknown": "fatigue_no_notch",
+        "pins_apart": "pins_overlap",
+        "wall_holes": "holes_overlap",
+    },
+    "reasons": {
+        "beyond_first_order": "no_balance",
+        "beyond_hertz": "no_pressure",
+        "eccentricity_assumed": "eccentricity_missing",
+        "hertz_impossible": "no_pressure",
+        "no_mechanism": "no_balance",
+        "no_room_in_hole": "no_balance",
+        "not_balanced": "no_balance",
+        "not_stable": "no_balance",
+        "overflow": "no_balance",
+        "smaller_than": "no_balance",
+        "too_many_pairs": "too_large",
+    },
+}
+"""Which code of refusals, of warnings and of reasons of checks a code replaces; for one release."""

@@ -1,0 +1,162 @@
+"""Worked steps of an answer: the steps of core under the API's names, in its units."""
+
+import math
+from collections.abc import Collection, Iterable
+from functools import cache
+from typing import Any
+
+from app.model import Values
+from app.units import core_name, from_si, shown_unit
+from core.worked.step import Step
+
+QUANTITIES: dict[str, str] = {
+    "mm": "arm bearing_distance bearing_position bolt_radius clearance contact_length "
+    "contact_width couple_arm cycle_position cylinder_length deflection deflection_B deflection_C "
+    "diameter displacement eccentricity gap half_width hole_circle_radius hole_radius hole_wear "
+    "length mating_radius max_shear_depth module overhang peak_moment_position "
+    "peak_stress_position pin_circle_radius pin_radius pin_wear position position_tolerance radius "
+    "reduced_radius reference_z ring_pin_circle_radius roller_circle_radius roller_radius "
+    "satellite_position scale simplified_deflection_B simplified_deflection_C span "
+    "sphere_diameter sphere_width total_length unit_moment z z_max z_min",
+    "deg": "angle conformal_half_angle crank_angle direction full_turn half_turn hole_rotation "
+    "initial_crank_angle nutation_angle operating_pressure_angle pattern_period "
+    "peak_crank_angle period phi_max phi_min polar_angle position_angle pressure_angle "
+    "reference_pressure_angle right_angle working_phase",
+    "N": "across_force approximate_peak balance_force centre_force dynamic_rating "
+    "equal_sharing_peak equivalent equivalent_load force max_force mean_force min_load peak "
+    "peak_force peak_load peak_ring_force peak_shear_force pin_force pins_force reaction_B "
+    "reaction_C reaction_part reference_force static_rating",
+    "Nm": "bending_moment bending_moment_B bending_moment_clamp couple input_torque moment "
+    "output_torque peak_moment satellite_torque torque",
+    "MPa": "amplitude bending_stress conformal_pressure endurance_limit finite_strength "
+    "governing_pressure limit max_pressure max_shear max_stress mean mean_pressure min_stress "
+    "notch_strength peak_bending_stress peak_equivalent_stress peak_shear_stress peak_stress "
+    "tensile_strength yield_strength",
+    "GPa": "effective_modulus shear_modulus youngs_modulus",
+    "N_per_mm": "full_arm_load line_load max_line_load pair_stiffness stiffness",
+    "mm_per_N": "bending_compliance contact_compliance shear_compliance unit_deflection",
+    "mrad_per_N": "unit_slope",
+    "mrad": "slope",
+    "rpm": "input_speed relative_speed sleeve_speed",
+    "h": "basic_life fatigue_life life system_life",
+    "W": "mean_loss output_power",
+    "kg": "satellite_mass",
+    "kg_mm": "unbalance",
+    "m_per_s": "sliding_speed",
+    "MPa_m_per_s": "mean_pv peak_pv",
+    "mm3_per_Nm": "wear_rate",
+    "": "approximate_peak_error coefficient cycles decades_left distribution_factor "
+    "dynamic_factor efficiency exponent factor fatigue_safety_factor fit_exponent fit_scale "
+    "force_exponent friction_coefficient friction_couple half_turns half_width_ratio life_cycles "
+    "life_factor line_load_factor load_nonuniformity load_parameter load_parameter_again "
+    "loaded_rollers loads logarithm mating_safety max_driving max_efficiency mean_driving "
+    "mean_total_force_ratio min_driving min_efficiency neuber_root notch peak_force_ratio pin pins "
+    "pitches poissons_ratio radial_force_ratio ratio ratio_u12 relative_position_error "
+    "relative_stiffness relative_stress reliability repeats ring_teeth roller_safety rollers "
+    "safety_factor safety_hole safety_pin satellite_teeth satellites shortening sides "
+    "simplification_error_B simplification_error_C size static_rating_safety static_safety_factor "
+    "strength_fraction stress_concentration stress_ratio surface teeth_difference "
+    "theoretical_factor torque_share turns unit_shear",
+}
+"""Quantities of steps as core names them, by the suffix of their unit."""
+
+_SUFFIX = {name: unit for unit, names in QUANTITIES.items() for name in names.split()}
+
+
+@cache
+def api_name(quantity: str) -> str:
+    """Name of a quantity of core in the API: with its unit behind it.
+
+    Examples
+    --------
+    >>> api_name("pin_radius"), api_name("ratio")
+    ('pin_radius_mm', 'ratio')
+    """
+    return f"{quantity}_{_SUFFIX[quantity]}".removesuffix("_")
+
+
+def _params(params: Iterable[tuple[str, Any]]) -> Values:
+    """Parameters of a step's texts, numbers in the unit of their name."""
+    found: Values = {}
+    for name, value in params:
+        field = "gap_deg" if name == "gap_angle" else name
+        found[field] = from_si(field, value) if isinstance(value, float) else value
+    return found
+
+
+def step_values(section: str, step: Step) -> Values:
+    """Values of a step of a section."""
+    code = api_name(step.code)
+    names = {symbol: api_name(amount.quantity) for symbol, amount in step.values.items()}
+    values: Values = {
+        "section": section,
+        "code": code,
+        "symbol": step.symbol,
+        "names": names,
+        "values": {
+            symbol: from_si(names[symbol], amount.value) for symbol, amount in step.values.items()
+        },
+        "result": from_si(code, step.result),
+        "unit": shown_unit(code),
+    }
+    for name in ("formula", "method", "source", "equation", "erratum", "note"):
+        if text := getattr(step, name):
+            values[name] = text
+    if step.params:
+        values["params"] = _params(step.params.items())
+    return values
+
+
+def worked(**sections: list[Step]) -> list[Values]:
+    """Steps of an answer by its sections, one after the other.
+
+    Parameters
+    ----------
+    **sections
+        Steps, by the name of what they work out.
+
+    Returns
+    -------
+    list of dict
+        What does not end (a life without a load) has no step.
+    """
+    return [
+        step_values(section, step)
+        for section, steps in sections.items()
+        for step in steps
+        if math.isfinite(step.result)
+    ]
+
+
+def stated(section: str, values: Values, method: str, aside: Collection[str] = ()) -> list[Values]:
+    """Steps of numbers that follow from each other by no formula.
+
+    Parameters
+    ----------
+    section : str
+        What of the answer they belong to.
+    values : dict
+        Fields of the answer; those that are no numbers have no step.
+    method : str
+        How they were got, a key of `core.worked.words.NOTES`.
+    aside : collection of str
+        Fields that are none of its results.
+
+    Returns
+    -------
+    list of dict
+    """
+    return [
+        {
+            "section": section,
+            "code": name,
+            "symbol": core_name(name),
+            "names": {},
+            "values": {},
+            "result": float(value),
+            "unit": shown_unit(name),
+            "method": method,
+        }
+        for name, value in values.items()
+        if isinstance(value, (int, float)) and not isinstance(value, bool) and name not in aside
+    ]

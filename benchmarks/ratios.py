@@ -1,0 +1,193 @@
+"""What this revision takes beside another one, as ratios in one run.
+
+`make ratios BASE=rev` runs the service of both and asks them the same, in turn and in rounds: small
+requests, curves and figures, whole designs, batches of 1,000, and the page in Chromium until its
+first figure is drawn. What counts is the processor time of all processes of a service, of the page
+the time that passes. Ends with 1 where the median of all ratios is above 1.05, or one of them above
+1.2.
+"""
+
+import argparse
+import itertools
+import json
+import os
+import shutil
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager, suppress
+from pathlib import Path
+from typing import Any
+
+import httpx
+
+from app.about import API
+from app.examples import REQUESTS
+from benchmarks.batches import TOGETHER
+from benchmarks.page import first_figure
+from benchmarks.revision import ROOT, extract
+from benchmarks.service import BODIES, CURVES
+from benchmarks.soak import family
+from benchmarks.speed import SECTIONS
+
+MEDIAN, WORST = 1.05, 1.2
+"""Most that all take of what they took, and that one of them takes."""
+
+ROUNDS, FEW = 15, 5
+"""Rounds of each, and of what takes more than a second."""
+
+AT_LEAST_S = 0.1
+"""Processor time from which a turn of a round is no matter of chance."""
+
+BATCHES = ("hertz", "contact-force", "cyclogram", "crank-planetary", "roller-strength")
+WHOLE = SECTIONS | {
+    "include": ["checks", "cyclogram", "contact_force", "hertz", "pin_strength",
+                "output_efficiency", "satellite_bearing", "crankshaft"],
+}  # fmt: skip
+
+Asked = dict[str, tuple[str, Callable[[int], dict[str, Any]]]]
+
+
+def whole(number: int) -> dict[str, Any]:
+    """A whole design, each another one, so that nothing is known of it."""
+    return WHOLE | {"mechanism": SECTIONS["mechanism"] | {"ratio": 20 + 1e-7 * number}}
+
+
+def batch(calculation: str, size: int) -> tuple[str, Callable[[int], dict[str, Any]]]:
+    body = {"calculation": calculation, "requests": [REQUESTS[calculation]] * size}
+    return "batch", lambda _: body
+
+
+def requests(together: int) -> Asked:
+    """What is asked: its path, and its body by the number of the request."""
+    small = {name: (name, lambda _, name=name: BODIES[name]) for name in BODIES}
+    asked: Asked = small | {
+        "curves": ("contact-force", lambda _: CURVES),
+        "figure": ("contact-force/chart", lambda _: BODIES["contact-force"]),
+        "load sharing": ("load-sharing", lambda _: REQUESTS["load-sharing"]),
+        "crank-planetary": ("crank-planetary", lambda _: REQUESTS["crank-planetary"]),
+        "whole design": ("crank-planetary", whole),
+    }
+    return asked | {f"batch of {name}": batch(name, together) for name in BATCHES}
+
+
+class Running:
+    """The service of a revision."""
+
+    def __init__(self, folder: Path) -> None:
+        environment = os.environ | {"PYTHONPATH": "."}
+        subprocess.run([sys.executable, "-m", "app.compiled"], cwd=folder, env=environment)
+        self.folder = folder
+        self.process = subprocess.Popen(
+            [sys.executable, "-m", "app.serve", "--port", "0"],
+            cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+            text=True,
+        )  # fmt: skip
+        assert self.process.stdout
+        line = next(each for each in self.process.stdout if "running on http" in each)
+        self.url = line.split("running on ")[1].split()[0].rstrip('",')
+        subprocess.Popen(["cat"], stdin=self.process.stdout, stdout=subprocess.DEVNULL)
+        self.client = httpx.Client(base_url=f"{self.url}{API}/", timeout=600)
+        while self.client.get(f"{self.url}/readyz").status_code != 200:
+            time.sleep(0.1)
+
+    def seconds(self) -> float:
+        """Processor time of all its processes."""
+        spent = 0
+        for pid in family(self.process.pid):
+            with suppress(FileNotFoundError, ProcessLookupError):
+                for task in Path(f"/proc/{pid}/task").iterdir():
+                    spent += int((task / "schedstat").read_text().split()[0])
+        return spent / 1e9
+
+    def cost(self, path: str, bodies: list[bytes]) -> float:
+        """Processor time of requests, each of which has to be answered."""
+        before = self.seconds()
+        for body in bodies:
+            answer = self.client.post(
+                path, content=body, headers={"content-type": "application/json"}
+            )
+            if answer.status_code != 200:
+                raise RuntimeError(f"{self.folder}: {path}: {answer.text[:300]}")
+        return self.seconds() - before
+
+
+@contextmanager
+def running(folder: Path) -> Iterator[Running]:
+    """Start a service; stop it at the end."""
+    service = Running(folder)
+    try:
+        yield service
+    finally:
+        service.client.close()
+        service.process.terminate()
+        service.process.wait(60)
+
+
+def measured(both: list[Running], asked: Asked, rounds: int) -> Iterator[tuple[str, float, float]]:
+    """Of each its name, what it takes of the first, and the median ratio of the second."""
+    numbers = itertools.count()
+    for name, (path, body) in asked.items():
+
+        def bodies(times: int, body: Callable[[int], Any] = body) -> list[bytes]:
+            return [json.dumps(body(next(numbers))).encode() for _ in range(times)]
+
+        once = max(both[0].cost(path, bodies(3)) / 3, both[1].cost(path, bodies(3)) / 3, 1e-5)
+        times = 1 if rounds == 1 else max(1, round(AT_LEAST_S / once))
+        took = []
+        for number in range(rounds if once < 1 else min(rounds, FEW)):
+            sent = bodies(times)
+            order = (0, 1) if number % 2 else (1, 0)
+            costs = {place: both[place].cost(path, sent) / times for place in order}
+            took.append((costs[0], costs[1]))
+        first = statistics.median(each[0] for each in took)
+        yield name, first, statistics.median(new / old for old, new in took)
+
+
+def until_the_figure(both: list[Running], rounds: int) -> tuple[str, float, float]:
+    """The same of the time until the page has its first figure, by turns."""
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(
+            executable_path=shutil.which("chromium"), args=["--no-proxy-server", "--no-sandbox"]
+        )
+        took = [[first_figure(browser, each.url, 1) / 1e3 for each in both] for _ in range(rounds)]
+        browser.close()
+    first = statistics.median(each[0] for each in took)
+    return "first figure", first, statistics.median(new / old for old, new in took)
+
+
+def main(base: str, smallest: bool = False) -> int:
+    """Print the table; 1 if this revision takes longer than it may."""
+    rounds = 1 if smallest else ROUNDS
+    with tempfile.TemporaryDirectory() as temporary, ExitStack() as stack:
+        other = Path(temporary)
+        if not smallest:
+            extract(base, other)
+        own = stack.enter_context(running(ROOT))
+        both = [own if smallest else stack.enter_context(running(other)), own]
+        asked = requests(10 if smallest else TOGETHER)
+        if smallest:
+            asked = {name: asked[name] for name in ("hertz", "whole design", "batch of hertz")}
+        print(f"{'asked':26s} {'before, ms':>10s} {'ratio':>6s}")
+        ratios = []
+        found = measured(both, asked, rounds)
+        pages = [until_the_figure] if shutil.which("chromium") and not smallest else []
+        for name, before, ratio in itertools.chain(found, (page(both, rounds) for page in pages)):
+            print(f"{name:26s} {1e3 * before:10.3f} {ratio:6.3f}", flush=True)
+            ratios.append(ratio)
+    median, worst = statistics.median(ratios), max(ratios)
+    print(f"median {median:.3f} (at most {MEDIAN}), worst {worst:.3f} (at most {WORST})")
+    return int(not smallest and (median > MEDIAN or worst > WORST))
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("base", nargs="?", default="HEAD", help="the revision to compare with")
+    parser.add_argument("--smallest", action="store_true", help="a few, of this revision alone")
+    given = parser.parse_args()
+    sys.exit(main(given.base, given.smallest))

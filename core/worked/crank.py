@@ -1,0 +1,343 @@
+"""Worked steps of the satellites' bearings, of the crankshaft and of its balance."""
+
+import math
+from typing import Literal
+
+import numpy as np
+
+from core.arrays import ComplexArray, FloatArray
+from core.crank.bearing_life import EXPONENTS, Bearing
+from core.crank.crankshaft import Balance
+from core.crank.satellite_bearing import SatelliteBearings
+from core.design.results import Results
+from core.output.sampled_turn import WAYS
+from core.worked.pins import static_step
+from core.worked.sharing import Shares, Sharing, sharing_steps
+from core.worked.step import MOST_TERMS, Sheet, Step, total
+from core.worked.turn import IdealTurn, Measure, Position, is_at, worst
+
+ROUNDING = 1e-9
+
+MOST_SATELLITES = 4
+"""Satellites whose forces on the crankshaft are worked."""
+
+LETTERS: tuple[Literal["A"], Literal["B"]] = ("A", "B")
+
+
+def _take(sheet: Sheet, results: Results) -> None:
+    """Let the load and what turns be known."""
+    sheet.take("T", "output_torque", results.design.load.output_torque)
+    sheet.take("R", "pin_circle_radius", results.design.load.pin_circle_radius)
+    sheet.take("e", "eccentricity", results.design.contact.eccentricity)
+    sheet.take("u", "ratio", results.design.mechanism.ratio)
+    sheet.take("n_1", "input_speed", results.design.load.input_speed)
+
+
+def _life(
+    sheet: Sheet, kind: Bearing, rating: float | None, value: float | None, load: str, speed: str
+) -> None:
+    """Basic life of a bearing of some rolling elements under its equivalent load."""
+    sheet.take("C", "dynamic_rating", rating)
+    sheet.take("p", "exponent", EXPONENTS[kind])
+    formula = f"1000000*2*pi/{speed}*(C/{load})^p"
+    sheet.work("basic_life", "L_10", value, formula, source="iso281", note="turns_in_radians")
+
+
+class _Loads:
+    """What the ideal forces do at the satellites: W across the crank, S of the pins, N."""
+
+    def __init__(self, results: Results) -> None:
+        design, torque = results.design, results.design.load.output_torque
+        self.across = torque / (design.known_eccentricity * design.mechanism.ratio)
+        self.along = torque / design.load.pin_circle_radius
+
+    def of(self, at: Position, satellite: int) -> tuple[FloatArray, FloatArray]:
+        """W and S of a satellite, shape (n,)."""
+        return self.across * at.share(satellite), self.along * at.pins(satellite)
+
+    def steps(self, sheet: Sheet, shares: Shares, satellite: int, torque: float) -> None:
+        """Steps to W and S of a satellite at a position."""
+        across, pins = (float(each[0]) for each in self.of(shares.at, satellite))
+        index = satellite + 1
+        share = float(shares.at.share(satellite)[0])
+        sheet.work(
+            "satellite_torque",
+            f"T_{index}",
+            torque * share,
+            f"T*{shares.share(satellite)}",
+            **shares.said,
+        )
+        sheet.work("across_force", f"W_{index}", across, f"T_{index}/(e*u)")
+        formula = f"T/R*{shares.pins(satellite)}"
+        sheet.work("pins_force", f"S_{index}", pins, formula, **shares.said)
+
+
+def _ring(sheet: Sheet, results: Results, found: SatelliteBearings) -> None:
+    """The ring's force along the crank over that across it."""
+    gear, ratio = results.design.gear, float(found.radial_force_ratio)
+    if gear.kind == "cycloid":
+        sheet.take("R_p", "ring_pin_circle_radius", gear.ring_pin_circle_radius)
+        k = sheet.known["e"].value * (results.design.mechanism.ratio + 1) / sheet.known["R_p"].value
+        sheet.work("shortening", "k", k, "e*(u+1)/R_p")
+        sheet.state("logarithm", "l", 2 * math.atanh(k), "logarithm_of_shortening")
+        # The series of small k loses no digits; the closed form is the same.
+        closed = -(2 - (1 - k * k) / k * 2 * math.atanh(k)) / (math.pi * k)
+        formula = "-(2-(1-k^2)/k*l)/(pi*k)"
+        if math.isclose(closed, ratio, rel_tol=ROUNDING):
+            sheet.work("radial_force_ratio", "rho", ratio, formula, note="shortened")
+        else:
+            sheet.state("radial_force_ratio", "rho", ratio, "shortened")
+        return
+    if gear.kind != "involute" or found.operating_pressure_angle is None:
+        sheet.state("radial_force_ratio", "rho", ratio, "given")
+        return
+    sheet.take("m", "module", gear.module)
+    sheet.take("z_d", "teeth_difference", gear.teeth_difference)
+    sheet.take("alpha", "reference_pressure_angle", gear.reference_pressure_angle)
+    angle, formula = found.operating_pressure_angle, "acos(m*z_d*cos(alpha)/(2*e))"
+    sheet.work("operating_pressure_angle", "alpha_w", angle, formula)
+    formula = "sqrt((2*e/(m*z_d*cos(alpha)))^2-1)"
+    sheet.work("radial_force_ratio", "rho", ratio, formula)
+
+
+def worst_bearing(found: SatelliteBearings) -> int:
+    """The satellite, from 0, whose bearing has the largest equivalent load.
+
+    Parameters
+    ----------
+    found : SatelliteBearings
+        The bearings of one design.
+
+    Returns
+    -------
+    int
+    """
+    most, loads = 0, found.equivalent_load.tolist()
+    for index, load in enumerate(loads):
+        if load > loads[most] * (1 + ROUNDING):
+            most = index
+    return most
+
+
+def bearing_steps(results: Results) -> list[Step]:
+    """Steps of the bearing that is loaded most.
+
+    Parameters
+    ----------
+    results : Results
+        Results of a design with bearings.
+
+    Returns
+    -------
+    list of Step
+    """
+    sheet, bearing, found = Sheet(), results.design.bearing, results.satellite_bearing
+    _take(sheet, results)
+    sheet.work("relative_speed", "n", found.relative_speed, "n_1*(1+1/u)")
+    _ring(sheet, results, found)
+    j = worst_bearing(found)
+    where = {"params": {"satellite": j + 1}}
+    sharing = sharing_steps(sheet, results=results)
+    peak, ring = float(found.peak_load[j]), float(found.peak_ring_force[j])
+    if sharing is None:
+        sheet.state("peak_load", "Q_max", peak, "bearing_load", **where)
+    else:
+        _peak_load(sheet, results, sharing, j, peak)
+    sheet.state("min_load", "Q_min", found.min_load[j], "bearing_load", **where)
+    if sharing is None:
+        sheet.state("peak_ring_force", "F_r", ring, "bearing_load", **where)
+    else:
+        _ring_force(sheet, results, sharing, j, ring)
+    sheet.state("equivalent_load", "P", found.equivalent_load[j], "equivalent_load", **where)
+    if found.basic_life is not None and found.life is not None:
+        basic = float(found.basic_life[j])
+        _life(sheet, bearing.kind, bearing.dynamic_rating, basic, "P", "n")
+        percent = {"params": {"percent": bearing.reliability_percent}}
+        sheet.state("life", "L_n", found.life[j], "reliable", **percent)
+    sheet.take("C_0", "static_rating", bearing.static_rating)
+    static_step(
+        sheet,
+        results=results,
+        code="static_rating_safety",
+        symbol="S_0",
+        value=None if found.static_safety_factor is None else float(found.static_safety_factor[j]),
+        limit="C_0",
+        load="Q_max",
+        share=results.design.static_torque / results.design.load.output_torque,
+        source="iso76",
+    )
+    sheet.state("system_life", "L_s", found.system_life, "together")
+    return sheet.steps
+
+
+def _peak_load(sheet: Sheet, results: Results, sharing: Sharing, j: int, peak: float) -> None:
+    """The largest load of a bearing, of pins and ring together."""
+    loads, rho = _Loads(results), sheet.known["rho"].value
+
+    def size(at: Position) -> FloatArray:
+        across, pins = loads.of(at, j)
+        found: FloatArray = np.hypot(across, rho * across + pins)
+        return found
+
+    turn, at = worst(sharing.turns, measure=size)
+    where = {"params": {"satellite": j + 1}}
+    if not is_at(at, measure=size, value=peak):
+        sheet.state("peak_load", "Q_max", peak, "bearing_load", **where)
+        return
+    loads.steps(sheet, Shares(sheet, turn, at), j, results.design.load.output_torque)
+    w, s = f"W_{j + 1}", f"S_{j + 1}"
+    sheet.work("peak_load", "Q_max", peak, f"sqrt({w}^2+(rho*{w}+{s})^2)",
+               note="bearing_load", **where)  # fmt: skip
+
+
+def _ring_force(sheet: Sheet, results: Results, sharing: Sharing, j: int, ring: float) -> None:
+    """The largest force of the ring on the satellite."""
+    loads, rho = _Loads(results), sheet.known["rho"].value
+
+    def size(at: Position) -> FloatArray:
+        return loads.of(at, j)[0] * math.hypot(1, rho)
+
+    turn, at = worst(sharing.turns, measure=size)
+    if not is_at(at, measure=size, value=ring):
+        sheet.state("peak_ring_force", "F_r", ring, "bearing_load", params={"satellite": j + 1})
+        return
+    shares = Shares(sheet, turn, at)
+    formula = f"T/(e*u)*{shares.share(j)}*sqrt(1+rho^2)"
+    sheet.work("peak_ring_force", "F_r", ring, formula, **shares.said)
+
+
+def shaft_steps(results: Results) -> list[Step]:
+    """Steps of the crankshaft: reactions, lives, balance.
+
+    Parameters
+    ----------
+    results : Results
+        Results of a design with a crankshaft.
+
+    Returns
+    -------
+    list of Step
+    """
+    sheet, shaft, found = Sheet(), results.design.crankshaft, results.crankshaft
+    _take(sheet, results)
+    sheet.take("rho", "radial_force_ratio", results.ring_mesh.radial_force_ratio)
+    for letter, place in zip(LETTERS, shaft.bearing_positions, strict=True):
+        sheet.take(f"z_{letter}", "bearing_position", place)
+    sharing = sharing_steps(sheet, results=results)
+    for i, letter in enumerate(LETTERS):
+        peak, equivalent = float(found.peak_reaction[i]), float(found.equivalent_reaction[i])
+        if sharing is None or not _reaction(sheet, results, sharing, i, peak):
+            sheet.state("peak", f"R_{letter}", peak, "reaction")
+        kind: Bearing = "ball" if shaft.bearings is None else shaft.bearings[i].kind
+        load = f"P_{letter}"
+        sheet.state("equivalent", load, equivalent, "equivalent_reaction")
+        if shaft.bearings is not None:
+            rating = shaft.bearings[i].dynamic_rating
+            _life(sheet, kind, rating, found.basic_life[i], load, "n_1")
+    if found.balance is not None:
+        _balance(sheet, results, found.balance)
+    return sheet.steps
+
+
+def _summed(
+    loads: _Loads, at: Position, arms: ComplexArray, rho: float, way: float
+) -> ComplexArray:
+    """Reaction along and across the first crank: what the satellites do, each by its arm."""
+    reaction = np.zeros(len(at.angle), dtype=complex)
+    for j, arm in enumerate(arms):
+        across, pins = loads.of(at, j)
+        reaction += arm * (rho * across + pins + 1j * way * across)
+    return reaction
+
+
+def _reaction(sheet: Sheet, results: Results, sharing: Sharing, i: int, peak: float) -> bool:
+    """Reaction of a bearing by moments about the other; whether it is written out."""
+    if peak == 0:
+        return False
+    shaft, mechanism = results.design.crankshaft, results.design.mechanism.built
+    first, last = shaft.bearing_positions
+    places = np.array(shaft.satellite_positions)
+    carried = (last - places if i == 0 else places - first) / (last - first)
+    cranks: ComplexArray = np.exp(1j * np.array(mechanism.crank_angles))
+    loads, rho = _Loads(results), sheet.known["rho"].value
+
+    def measure(way: float) -> Measure:
+        return lambda at: np.abs(_summed(loads, at, carried * cranks, rho, way))
+
+    best: tuple[float, float, IdealTurn, Position] | None = None
+    for way in WAYS[results.design.load.torque_direction]:
+        size = measure(way)
+        turn, at = worst(sharing.turns, measure=size)
+        value = float(size(at)[0])
+        if best is None or value > best[0] * (1 + 1e-12):
+            best = value, way, turn, at
+    assert best is not None
+    _, way, turn, at = best
+    written = is_at(at, measure=measure(way), value=peak)
+    if not written or mechanism.satellites > MOST_SATELLITES:
+        return False
+    shares = Shares(sheet, turn, at)
+    minus, plus = ("-", "+") if way > 0 else ("+", "-")
+    along, across = [], []
+    for j in range(mechanism.satellites):
+        loads.steps(sheet, shares, j, results.design.load.output_torque)
+        n = j + 1
+        sheet.take(f"z_{n}", "satellite_position", places[j])
+        sheet.take(f"alpha_{n}", "crank_angle", mechanism.crank_angles[j])
+        share = f"(z_B-z_{n})/(z_B-z_A)" if i == 0 else f"(z_{n}-z_A)/(z_B-z_A)"
+        own, w, angle = f"(rho*W_{n}+S_{n})", f"W_{n}", f"alpha_{n}"
+        along.append(f"{share}*({own}*cos({angle}){minus}{w}*sin({angle}))")
+        across.append(f"{share}*({own}*sin({angle}){plus}{w}*cos({angle}))")
+    letter, reaction = LETTERS[i], complex(_summed(loads, at, carried * cranks, rho, way)[0])
+    for axis, part, terms in (("X", reaction.real, along), ("Y", reaction.imag, across)):
+        sheet.work("reaction_part", f"{axis}_{letter}", part, "+".join(terms), note="equilibrium")
+    sheet.work("peak", f"R_{letter}", peak, f"sqrt(X_{letter}^2+Y_{letter}^2)")
+    return True
+
+
+def _balance(sheet: Sheet, results: Results, balance: Balance) -> None:
+    """Unbalance of the satellites, force and couple, and what balances it in A and B."""
+    shaft, cranks = results.design.crankshaft, results.design.mechanism.built.crank_angles
+    first, last = shaft.bearing_positions
+    sheet.take("m", "satellite_mass", shaft.satellite_mass)
+    marks = [str(j + 1) for j in range(len(cranks))]
+    for mark, angle, place in zip(marks, cranks, shaft.satellite_positions, strict=True):
+        sheet.take(f"alpha_{mark}", "crank_angle", angle)
+        sheet.take(f"z_{mark}", "satellite_position", place)
+    many = len(cranks) > MOST_TERMS
+
+    def vector(term: str) -> str:
+        along, across = (total(f"{term}{way}(alpha_#)", marks=marks) for way in ("cos", "sin"))
+        return f"sqrt({along}^2+{across}^2)"
+
+    turns = {"note": "turns_in_radians"}
+    if many:
+        sheet.state("unbalance", "U", balance.unbalance, "many_satellites")
+    else:
+        sheet.work("unbalance", "U", balance.unbalance, f"m*e*{vector('')}")
+    sheet.work("balance_force", "F", balance.force, "U*n_1^2", **turns)
+    middle = (first + last) / 2
+    arms = np.array(shaft.satellite_positions) - middle
+    arm = abs(complex((arms * np.exp(1j * np.array(cranks))).sum()))
+    if arm <= ROUNDING * np.abs(arms).sum():
+        arm = 0.0
+    if many:
+        sheet.state("couple_arm", "d", arm, "many_satellites")
+    else:
+        formula = vector("(z_#-(z_A+z_B)/2)*")
+        sheet.work("couple_arm", "d", arm, formula, note="about_middle")
+    sheet.work("couple", "M", balance.couple, "m*e*d*n_1^2", **turns)
+    for letter, term, correction in zip(
+        LETTERS,
+        ("(z_B-z_#)/(z_B-z_A)*", "(z_#-z_A)/(z_B-z_A)*"),
+        balance.corrections,
+        strict=True,
+    ):
+        said = {"params": {"letter": letter}}
+        symbol = f"U_{letter}"
+        if many:
+            sheet.state("unbalance", symbol, correction.unbalance, "carried", **said)
+        else:
+            formula = f"m*e*{vector(term)}"
+            sheet.work("unbalance", symbol, correction.unbalance, formula, note="carried", **said)
+        sheet.state("angle", f"alpha_{letter}", correction.angle, "opposite")

@@ -1,0 +1,213 @@
+"""Worked steps of the contact of pin and hole."""
+
+import math
+from typing import Any
+
+from core.contact_life import CURVES, LifeCurve
+from core.design.real_forces import RealForces
+from core.design.results import Results
+from core.hertz import SHEAR_DEPTH, SHEAR_RATIO, HertzContact
+from core.materials import ElasticMaterial
+from core.worked.step import Sheet, Step
+
+PAPER = {"source": "yanchevsky2018", "equation": "2"}
+JOHNSON = {"source": "johnson"}
+PERSSON = {"source": "persson"}
+
+MODULUS = "1/((1-nu_1^2)/E_1+(1-nu_2^2)/E_2)"
+
+
+def take_materials(sheet: Sheet, *, first: ElasticMaterial, second: ElasticMaterial) -> None:
+    """Let E_1, nu_1 and E_2, nu_2 be known.
+
+    Parameters
+    ----------
+    sheet : Sheet
+        Where.
+    first, second : ElasticMaterial
+        The materials.
+    """
+    for index, each in ((1, first), (2, second)):
+        sheet.take(f"E_{index}", "youngs_modulus", float(each.youngs_modulus))
+        sheet.take(f"nu_{index}", "poissons_ratio", float(each.poissons_ratio))
+
+
+def hertz_steps(
+    *,
+    found: HertzContact,
+    force: float,
+    contact_length: float,
+    pin_radius: float,
+    hole_radius: float,
+    pin_material: ElasticMaterial,
+    hole_material: ElasticMaterial,
+    dynamic_factor: float = 1.0,
+    distribution_factor: float = 1.0,
+    line_load_factor: float = 1.0,
+    turning: tuple[float, float, float] | None = None,
+) -> list[Step]:
+    """Steps of the contact.
+
+    Parameters
+    ----------
+    found : HertzContact
+        The contact.
+    force, contact_length, pin_radius, hole_radius : float
+        F, N, b, r_in and r_out, m.
+    pin_material, hole_material : ElasticMaterial
+        Materials, their limits wanted for the loads over the life.
+    dynamic_factor, distribution_factor, line_load_factor : float
+        K_A, K_alpha, and K_b of pins that bend.
+    turning : tuple of float, optional
+        Speed of the crank, rad/s, life, s, and ratio, where limits fall over the life.
+
+    Returns
+    -------
+    list of Step
+    """
+    sheet = Sheet()
+    sheet.take("F", "force", force)
+    sheet.take("b", "contact_length", contact_length)
+    sheet.take("K_A", "dynamic_factor", dynamic_factor)
+    sheet.take("K_alpha", "distribution_factor", distribution_factor)
+    load, formula = force / contact_length * dynamic_factor * distribution_factor, "F/b*K_A*K_alpha"
+    if line_load_factor != 1.0:
+        sheet.state("line_load_factor", "K_b", line_load_factor, "edge")
+        load, formula = load * line_load_factor, formula + "*K_b"
+    sheet.work("line_load", "w", load, formula, **PAPER)
+    sheet.take("r_in", "pin_radius", pin_radius)
+    sheet.take("r_out", "hole_radius", hole_radius)
+    formula = "r_out*r_in/(r_out-r_in)"
+    sheet.work("reduced_radius", "rho", found.reduced_radius, formula, **PAPER)
+    take_materials(sheet, first=pin_material, second=hole_material)
+    sheet.work("effective_modulus", "E_star", found.effective_modulus, MODULUS, **PAPER)
+    sheet.work("max_pressure", "p_0", found.max_pressure, "sqrt(w*E_star/(pi*rho))", **PAPER)
+    sheet.take("k_m", "factor", math.pi / 4)
+    sheet.work("mean_pressure", "p_m", found.mean_pressure, "k_m*p_0", **JOHNSON)
+    sheet.work("half_width", "a", found.half_width, "sqrt(4*w*rho/(pi*E_star))", **JOHNSON)
+    sheet.work("half_width_ratio", "a_r", found.half_width_ratio, "a/r_in", note="narrow")
+    sheet.take("k_tau", "factor", SHEAR_RATIO)
+    sheet.work("max_shear", "tau", found.max_shear, "k_tau*p_0", **JOHNSON)
+    sheet.take("k_z", "factor", SHEAR_DEPTH)
+    sheet.work("max_shear_depth", "z", found.max_shear_depth, "k_z*a", **JOHNSON)
+    if found.conformal_half_angle is not None:
+        _conformal(sheet, found)
+    _safety(sheet, found, turning)
+    return sheet.steps
+
+
+def _conformal(sheet: Sheet, found: HertzContact) -> None:
+    """Persson's contact: its angle is the root of an equation."""
+    assert found.conformal_half_angle is not None
+    modulus = sheet.known["E_star"].value
+    left = 2 * modulus * (sheet.known["r_out"].value - sheet.known["r_in"].value)
+    left /= sheet.known["w"].value
+    formula = "2*E_star*(r_out-r_in)/w"
+    sheet.work("load_parameter", "lambda", left, formula, **PERSSON)
+    angle = float(found.conformal_half_angle)
+    b = math.tan(angle / 2)
+    sheet.state("conformal_half_angle", "eps", angle, "conformal_angle", **PERSSON)
+    sheet.state("logarithm", "l_1", math.log1p(b * b), "conformal_logarithm", **PERSSON)
+    t = "tan(eps/2)"
+    formula = f"(2-l_1-2*{t}^4)/(pi*{t}^2*(1+{t}^2))"
+    again = (2 - math.log1p(b * b) - 2 * b**4) / (math.pi * b * b * (1 + b * b))
+    sheet.work("load_parameter_again", "lambda", again, formula, **PERSSON)
+    second = 2 * math.atanh(b / math.sqrt(1 + b * b))
+    sheet.state("logarithm", "l_2", second, "conformal_logarithm_of_pressure", **PERSSON)
+    formula = f"w/sqrt(r_out*r_in)*(2*{t}/(pi*sqrt(1+{t}^2))+l_2/(2*pi*{t}^2*(1+{t}^2)))"
+    sheet.work("conformal_pressure", "p_c", found.conformal_pressure, formula, **PERSSON)
+
+
+def _safety(
+    sheet: Sheet,
+    found: HertzContact,
+    turning: tuple[float, float, float] | None,
+) -> None:
+    """Each body with a limit by this, under the pressure that governs; the smaller of both."""
+    if found.governing_pressure is None:
+        return
+    by = "governs_hertz" if found.conformal_pressure is None else "governs_conformal"
+    sheet.state("governing_pressure", "p_g", found.governing_pressure, by)
+    for each in found.safety:
+        index, limit = (1 if each.body == "pin" else 2), each.limit
+        formula = f"p_P{index}/p_g"
+        if limit.curve is not None and limit.loads is not None and turning is not None:
+            _life(sheet, index, limit.curve, limit.loads, turning)
+            formula = f"p_P{index}*Z_NT{index}/p_g"
+        sheet.take(f"p_P{index}", "limit", float(limit.pressure))
+        said: dict[str, Any] = {"note": "limit_given"}
+        if limit.source:
+            params = {"criterion": limit.criterion, "source": limit.source}
+            said = {"note": "limit", "params": params}
+        sheet.work(f"safety_{each.body}", f"S_{index}", each.safety_factor, formula, **said)
+    if found.safety_factor is not None:
+        sheet.work("safety_factor", "S", found.safety_factor, "min(S_1,S_2)", note="smaller")
+
+
+def _life(
+    sheet: Sheet, index: int, curve: LifeCurve, loads: float, turning: tuple[float, float, float]
+) -> None:
+    """How the limit of a body falls over the life."""
+    speed, life, ratio = turning
+    sheet.take("n_1", "input_speed", speed)
+    sheet.take("L", "life", life)
+    sheet.take("u", "ratio", ratio)
+    formula = "n_1*(1+1/u)*L/(2*pi)"
+    sheet.work("loads", "N_L", loads, formula, note="turns_over_life")
+    line = CURVES[curve]
+    sheet.take("Z_m", "factor", line.most)
+    sheet.take("N_k", "loads", line.knee)
+    power = line.before if loads < line.knee else line.beyond
+    sheet.take("m", "exponent", power)
+    factor = min(line.most, (line.knee / loads) ** power)
+    sheet.work(
+        "life_factor",
+        f"Z_NT{index}",
+        factor,
+        "min(Z_m,(N_k/N_L)^m)",
+        source="iso6336",
+        note="life_of_teeth",
+    )
+
+
+SAME = 1e-9
+"""Difference of radii that is rounding, as a part of them."""
+
+
+def judged_steps(results: Results) -> list[Step]:
+    """Steps of the contact of a design that is judged.
+
+    Parameters
+    ----------
+    results : Results
+        Results of a design with a load and a contact.
+
+    Returns
+    -------
+    list of Step
+    """
+    design, found, force = results.design, results.hertz, results.judged_forces
+    load, contact, life = design.load, design.contact, design.requirements.life
+    length, radius, hole = contact.pair
+    real = isinstance(force, RealForces)
+    if real:  # with what deviates of them
+        own = float(found.half_width / found.half_width_ratio)
+        wide = float(found.reduced_radius * own / (found.reduced_radius - own))
+        radius = radius if math.isclose(radius, own, rel_tol=SAME) else own
+        hole = hole if math.isclose(hole, wide, rel_tol=SAME) else wide
+    turning = None
+    if load.input_speed is not None and math.isfinite(life):
+        turning = load.input_speed, life, design.mechanism.ratio
+    return hertz_steps(
+        found=found,
+        force=force.force if isinstance(force, RealForces) else force.peak_force,
+        contact_length=length,
+        pin_radius=radius,
+        hole_radius=hole,
+        pin_material=design.lasting["pin"],
+        hole_material=design.lasting["hole"],
+        dynamic_factor=1.0 if real else design.load_factor,
+        distribution_factor=1.0 if real else contact.distribution_factor,
+        line_load_factor=results.line_load_factor if design.pin else 1.0,
+        turning=turning,
+    )

@@ -1,0 +1,58 @@
+"""Worked steps of friction and wear of the pins."""
+
+from core.design.results import Results
+from core.worked.step import Sheet, Step
+
+
+def loss_steps(results: Results) -> list[Step]:
+    """Steps of friction and wear.
+
+    Parameters
+    ----------
+    results : Results
+        Results of a design with friction.
+
+    Returns
+    -------
+    list of Step
+    """
+    sheet, found, design = Sheet(), results.output_efficiency, results.design
+    load, contact, friction = design.load, design.contact, design.friction
+    radius = "r_in" if found.sleeve_speed is None else "r_s"
+    slow = "" if found.sleeve_speed is None else "*r_p/r_s"
+    sheet.take("n_1", "input_speed", load.input_speed)
+    sheet.take("u", "ratio", design.mechanism.ratio)
+    sheet.take("e", "eccentricity", contact.eccentricity)
+    sheet.take("R", "pin_circle_radius", load.pin_circle_radius)
+    sheet.take("T", "output_torque", load.output_torque)
+    sheet.take("b", "contact_length", contact.contact_length)
+    sheet.take(radius, "pin_radius", contact.pin_radius)
+    sheet.take("r_p", "bolt_radius", design.pin.diameter / 2 if design.pin else None)
+    sheet.take("r_out", "hole_radius", contact.hole_radius)
+    sheet.take("mu", "coefficient", friction.coefficient)
+    sheet.take("N", "pins", design.mechanism.pins)
+    sheet.take("K", "satellites", design.mechanism.satellites)
+    sheet.take("k", "wear_rate", friction.wear_rate)
+    sheet.take("t", "life", design.requirements.life if friction.life is None else friction.life)
+    turns = {"note": "turns_in_radians"}
+    sheet.work("relative_speed", "n", found.relative_speed, "n_1*(1+1/u)")
+    sheet.work("sliding_speed", "v", found.sliding_speed, f"e*n{slow}", **turns)
+    sheet.work("sleeve_speed", "n_s", found.sleeve_speed, f"n*e/{radius}")
+    sheet.state("peak_force", "F", found.peak_force, "search")
+    sheet.state("mean_total_force_ratio", "f", found.mean_total_force_ratio, "mean_of_turn")
+    sheet.work("output_power", "P_2", found.output_power, "T*n_1/u", **turns)
+    sheet.work("mean_loss", "P", found.mean_loss, "mu*v*f*T/R")
+    sheet.work("efficiency", "eta", found.efficiency, "P_2/(P_2+P)")
+    sheet.state("min_efficiency", "eta_min", found.min_efficiency, "over_turn")
+    sheet.state("max_efficiency", "eta_max", found.max_efficiency, "over_turn")
+    sheet.work("peak_pv", "p_v", found.peak_pv, f"F/(2*{radius}*b)*e*n")
+    sheet.work("mean_pv", "p_m", found.mean_pv, f"f*T/(R*N*K)/(2*{radius}*b)*e*n")
+    worn = {"source": "archard", **turns}
+    for code, symbol, depth, swept in (
+        ("pin_wear", "h_in", found.pin_wear, radius),
+        ("hole_wear", "h_out", found.hole_wear, "r_out"),
+    ):
+        sheet.work(code, symbol, depth, f"k*F/(b*{swept})*e*n*t/(2*pi)", **worn)
+    couple = f"mu*f*{radius}/R{slow}"
+    sheet.work("friction_couple", "c", found.friction_couple, couple, note="couple")
+    return sheet.steps

@@ -1,0 +1,191 @@
+"""Where over a turn of the ideal forces a value is largest, and which pairs drive there.
+
+A turn of the wave is cut where a pair starts or stops driving; between two such places the same
+pairs drive. All pins pass through one pitch of it, which is all that is looked at.
+"""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from core.arrays import FloatArray
+from core.output.mechanism import Mechanism
+from core.worked.step import MOST_TERMS
+
+SHORT = 1e-9
+"""Segment that only rounding makes, rad."""
+
+STEPS, ROUNDS = 24, 9
+"""Steps of a segment between which the largest value is sought, and how often."""
+
+
+@dataclass(frozen=True, slots=True)
+class Position:
+    """Driving pairs at a place of the wave.
+
+    Attributes
+    ----------
+    satellite, pin : array of int, shape (m,)
+        Numbers of the driving pairs, from 0.
+    angle : array, shape (n, m)
+        Their pressure angles at n places of the wave, rad, within half a turn.
+    weight : array, shape (m,)
+        Stiffness of each against the others.
+    force : array, shape (n, m)
+        Their forces over T/R.
+    """
+
+    satellite: FloatArray
+    pin: FloatArray
+    angle: FloatArray
+    weight: FloatArray
+    force: FloatArray
+
+    def share(self, satellite: int) -> FloatArray:
+        """Part of the torque that a satellite carries, shape (n,)."""
+        own = self.satellite == satellite
+        found: FloatArray = (self.force * np.cos(self.angle))[:, own].sum(axis=1)
+        return found
+
+    def pins(self, satellite: int) -> FloatArray:
+        """Sum of the forces of its pins over T/R, shape (n,)."""
+        found: FloatArray = self.force[:, self.satellite == satellite].sum(axis=1)
+        return found
+
+
+Measure = Callable[[Position], FloatArray]
+
+FOUND = 1e-10
+"""Relative difference from the largest value that core has found up to which a position is that of
+the value: peaks of large force exponents are narrower than what is looked at here."""
+
+
+def is_at(at: Position, *, measure: Measure, value: float) -> bool:
+    """Whether a largest value is that of a position, which few enough pairs drive at to be written.
+
+    Parameters
+    ----------
+    at : Position
+        Of one place.
+    measure : callable
+        Values of positions.
+    value : float
+        The largest value.
+
+    Returns
+    -------
+    bool
+    """
+    return len(at.pin) <= MOST_TERMS and math.isclose(float(measure(at)[0]), value, rel_tol=FOUND)
+
+
+class IdealTurn:
+    """Ideal forces over a turn of the wave.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, cranks, ratio; without a dead centre.
+    exponent : float
+        Exponent v of the force over the approach.
+    stiffness : tuple of float, optional
+        Stiffness of the pairs of each satellite; all alike where not given.
+    """
+
+    def __init__(
+        self,
+        mechanism: Mechanism,
+        exponent: float,
+        stiffness: Sequence[float] | None = None,
+    ) -> None:
+        pins, cranks = mechanism.pins, np.array(mechanism.crank_angles)
+        self.exponent, self.stiffness = exponent, stiffness
+        self.pitch = 2 * math.pi / pins
+        self.satellite = np.repeat(np.arange(len(cranks)), pins)
+        self.pin = np.tile(np.arange(pins), len(cranks))
+        self.phase = cranks[self.satellite] + self.pin * self.pitch + math.pi / 2
+        weights = np.ones(len(cranks)) if stiffness is None else np.array(stiffness)
+        self.weight = weights[self.satellite]
+
+    @property
+    def segments(self) -> list[tuple[float, float]]:
+        """Places of the wave between which the same pairs drive, rad."""
+        cuts = np.concatenate((math.pi / 2 - self.phase, -math.pi / 2 - self.phase)) % self.pitch
+        ends = np.concatenate(([0.0], np.sort(cuts), [self.pitch])).tolist()
+        return [(low, high) for low, high in pairwise(ends) if high - low > SHORT]
+
+    def at(self, wave: FloatArray, within: float) -> Position:
+        """Driving pairs of the segment that a place is within, at places of it.
+
+        Parameters
+        ----------
+        wave : array, shape (n,)
+            Places, rad.
+        within : float
+            Place that says which pairs drive, rad.
+
+        Returns
+        -------
+        Position
+        """
+        drives = np.cos(within + self.phase) > 0
+        angle = np.remainder(wave[:, None] + self.phase[drives] + math.pi, 2 * math.pi) - math.pi
+        cosine, weight = np.maximum(np.cos(angle), 0.0), self.weight[drives]
+        support = (weight * cosine ** (1 + self.exponent)).sum(axis=1, keepdims=True)
+        force = weight * cosine**self.exponent / support
+        return Position(self.satellite[drives], self.pin[drives], angle, weight, force)
+
+    def largest(self, measure: Measure) -> tuple[float, Position]:
+        """The largest value over the turn, and the position where it is.
+
+        Parameters
+        ----------
+        measure : callable
+            Values of positions, shape (n,).
+
+        Returns
+        -------
+        value : float
+        position : Position
+            Of one place.
+        """
+        best: tuple[float, Position] | None = None
+        for low, high in self.segments:
+            middle, ends = (low + high) / 2, (low, high)
+            for _ in range(ROUNDS):
+                places = np.linspace(low, high, STEPS + 1)
+                values = measure(self.at(places, middle))
+                top = int(values.argmax())
+                if best is None or values[top] > best[0] * (1 + 1e-12):
+                    best = float(values[top]), self.at(places[top : top + 1], middle)
+                step = (high - low) / STEPS
+                low = max(ends[0], float(places[top]) - step)
+                high = min(ends[1], float(places[top]) + step)
+        assert best is not None
+        return best
+
+
+def worst(turns: Sequence[IdealTurn], *, measure: Measure) -> tuple[IdealTurn, Position]:
+    """Of some turns the one in which a value is largest, and the position.
+
+    Parameters
+    ----------
+    turns : sequence of IdealTurn
+        The same mechanism, its satellites sharing in different ways.
+    measure : callable
+        Values of positions.
+
+    Returns
+    -------
+    turn : IdealTurn
+    position : Position
+    """
+    found = [(turn, *turn.largest(measure)) for turn in turns]
+    most = found[0]
+    for each in found[1:]:
+        if each[1] > most[1] * (1 + 1e-12):
+            most = each
+    return most[0], most[2]

@@ -1,0 +1,193 @@
+"""What worked steps say, in English, by code."""
+
+VALUES = {
+    "ratio": "Ratio",
+    "output_torque": "Output torque",
+    "pressure_angle": "Pressure angle of the pair of the peak",
+    "line_load": "Line load",
+    "load_parameter": "Load parameter",
+    "loads": "Loads over the life",
+    "life_factor": "Life factor",
+    "life_cycles": "Cycles over the life",
+    "strength_fraction": "Share of the tensile strength at 1000 cycles",
+    "load_parameter_again": "The same from the half-angle",
+    "shear_modulus": "Shear modulus",
+    "bending_compliance": "Compliance in bending",
+    "shear_compliance": "Compliance in shear",
+    "scale": "Length A of the contact lines",
+    "full_arm_load": "Line load where the arm is R_C",
+    "couple_arm": "Arm of the cranks' couple",
+    "neuber_root": "Root of Neuber's length, in √mm",
+    "contact_width": "Half-width of the contact where satellites share alike",
+    "contact_compliance": "Compliance of the contact",
+    "unit_shear": "Shear force at the carrier by a unit force",
+    "unit_moment": "Moment at the carrier by a unit force",
+    "unit_deflection": "Deflection by a unit force",
+    "unit_slope": "Slope by a unit force",
+    "pair_stiffness": "Stiffness of contact and pin",
+    "pin_force": "Force of the satellite on the pin",
+    "satellite_torque": "Torque of the satellite",
+    "pins_force": "Resultant of the pins on the satellite",
+    "across_force": "Force of the ring across the crank",
+    "notch_strength": "Tensile strength within the range of the fit",
+    "decades_left": "Part of the decades left to a million cycles",
+    "logarithm": "Natural logarithm",
+    "shortening": "Shortening of the cycloid",
+    "reaction_part": "Part of the reaction",
+}
+"""Values on the way to a result, by the code of their step."""
+
+NOTES = {
+    "working": "A pair drives while the cosine of its pressure angle is positive: half of its "
+    "period.",
+    "repeats": "m: how many times the phases of the satellites repeat within a sector of the pins.",
+    "counted": "Counted between the switching angles. Neighbouring phases lie at most {gap_deg} "
+    "apart; from 180° on there is a dead centre.",
+    "half": "Every pair drives half of the time.",
+    "search": "Between neighbouring switching angles the same pairs drive and every force is "
+    "smooth. The ends and the stationary points of every such segment are compared; the largest "
+    "force and its first place are these.",
+    "pressure_angle": "Satellite {satellite}, pin {pin}, at the crank angle of the peak; k takes "
+    "whole turns away.",
+    "driving": "The sum runs over the {count} pairs that drive there, each with its pressure "
+    "angle.",
+    "least_support": "The sum runs over the driving pairs at the switching angle where it is "
+    "smallest.",
+    "narrow": "Hertz's theory asks for a contact much narrower than the pin.",
+    "conformal_angle": "Found by Newton's method so that λ before and after agree.",
+    "governs_hertz": "Hertz's pressure governs.",
+    "governs_conformal": "The conformal pressure governs: Hertz's is off by more than 1 %.",
+    "limit": "The limit of its own material ({criterion}): {source}.",
+    "limit_given": "The limit of its own material, as given.",
+    "turns_over_life": "Turns of a satellite against its crank over the life: in each a place of "
+    "pin or hole is loaded once.",
+    "life_of_teeth": "A curve for teeth: how the limit falls with the number of loads. Lubricant, "
+    "speed and roughness are left out.",
+    "in_kpsi": "R_k is a thousand pounds a square inch; the ratio is held to 70 to 200.",
+    "smaller": "The smaller of the two. A ratio of pressures: the load reserve is its square as "
+    "long as Hertz's pressure governs.",
+    "mean_gap": "That of the tolerance with the same mean gap.",
+    "sharing": "The rollers close in the order of their gaps; as many carry as the force needs.",
+    "gaps": "The sum runs over the gaps of the rollers that carry. A tolerance means one roller "
+    "ahead of the others by 4χ.",
+    "quadrature": "∫ √(1 + (ρ·A·sin φ₁ / (A² + 2·A·z·cos φ₁ + z²))²) dz between its ends. It has "
+    "no pole; here it is computed numerically. The first roller; the others go the same way.",
+    "others": "The sum runs over all rollers.",
+    "flank": "The first roller; k half-turns lead to the flank that carries.",
+    "no_axial": "The normals of the rollers have no part along the axis.",
+    "least_arm": "At the end of a line where the arm is smallest.",
+    "stretches": "The sums run over the stretches of one diameter, from one x to the next, "
+    "counted from C and parted at B.",
+    "smallest": "The smallest diameter everywhere.",
+    "section": "Forces of all satellites added as vectors in every section and at every crank "
+    "angle; the largest is this.",
+    "equivalent": "By Mises, of bending and shear at the same point; over the section, the pin "
+    "and the turn the largest.",
+    "edge": "By the slope of the bent pin in its hole, and by how satellites share the load by "
+    "the stiffness of the pins.",
+    "shared": "The worse of equal sharing among the satellites and sharing by the stiffness of "
+    "the bent pins.",
+    "given": "As given.",
+    "tabled": "By the reliability asked.",
+    "in_stress": "The stress concentration is in the stress already; it counts once.",
+    "comes_and_goes": "The stress comes and goes: from nothing to its largest.",
+    "most_bent": "Of both ends of every stretch the one that is bent most.",
+    "worst_section": "Of both ends of every stretch the one that uses most of its fatigue "
+    "strength.",
+    "worst_cycle": "Of all sections and directions the one that uses most of the fatigue strength.",
+    "criterion": "By the criterion chosen.",
+    "finite_life": "By the line from 1000 cycles to a million.",
+    "turns_in_radians": "A speed counts in radians a second here: 2·π for each turn.",
+    "deflected": "Of the loaded beam with its shear, at satellite {satellite}; the largest over "
+    "the turn.",
+    "mean_of_turn": "Mean over the turn of the sum of all contact forces, as a share of T/R.",
+    "over_turn": "Over the turn.",
+    "couple": "By so much the loss is too large: this share of the torque does no sliding.",
+    "bearing_load": "Of the pins and the ring together over the turn; satellite {satellite}, "
+    "whose bearing is loaded most.",
+    "equivalent_load": "The mean over the turn of the load to the power p, its root; satellite "
+    "{satellite}.",
+    "reliable": "L₁₀ times the factor of ISO 281 for {percent} %.",
+    "together": "That none of the bearings fails before.",
+    "shortened": "k = e·(u + 1)/R_p, of many pins that share as linear contacts do.",
+    "reaction": "From the balance of the shaft, crank by crank, over the turn.",
+    "equivalent_reaction": "The mean over the turn of the reaction to the power p, its root.",
+    "carried": "Each satellite counts by the share that {letter} carries, by its place between "
+    "the bearings.",
+    "peak_torque": "k is the peak torque over the torque of this load.",
+    "under_peak": "Solved anew under the peak torque: these forces do not grow in proportion.",
+    "about_middle": "Each satellite counts at its distance from the middle of the bearings.",
+    "opposite": "Opposite to what it balances; counted as the crank angles are.",
+    "level": "Along a pin that is not bent, under the peak force with the dynamic factor.",
+    "unit_force": "At satellite {at}, by a force at satellite {from}, spread evenly over b: "
+    "bending and, with the coefficient 10/9, shear.",
+    "alike": "Where the value sought is largest, satellites sharing alike; the sum below runs "
+    "over all pairs that drive there.",
+    "by_stiffness": "Where the value sought is largest, satellites sharing by the stiffness of "
+    "contact and pin, which is worse than alike; the sum below runs over all pairs that drive "
+    "there.",
+    "equilibrium": "Moments about the other bearing, of the satellites' W and S where the "
+    "reaction is largest, turned by their cranks.",
+    "along_x": "q_C times the sum over the lines of ∫ A/z ds, computed numerically; s is the "
+    "length along each line.",
+    "along_y": "−q_C times the sum over the lines of ∫ y/(z·sin φ₁) ds, computed numerically; y = "
+    "z + A·cos φ₁, s is the length along each line.",
+    "about_x": "q_C times the sum over the lines of ∫ y·(z − l)/(z·sin φ₁) ds, computed "
+    "numerically; y = z + A·cos φ₁, s is the length along each line.",
+    "about_y": "q_C times the sum over the lines of ∫ A·(z − l)/z ds, computed numerically; s is "
+    "the length along each line.",
+    "own_torque": "The torque itself.",
+    "conformal_logarithm": "ln(1 + tan²(ε/2)).",
+    "conformal_logarithm_of_pressure": "ln((√(1 + b²) + b)/(√(1 + b²) − b)) with b = tan(ε/2).",
+    "logarithm_of_pin": "ln(4·r_in/a_c).",
+    "logarithm_of_hole": "ln(2·r_out/a_c).",
+    "logarithm_of_shortening": "ln((1 + k)/(1 − k)).",
+    "decades_left": "ln(10⁶/N_L)/ln 1000: at a million cycles nothing is left, and the strength "
+    "is the endurance limit.",
+    "many": "The formula of the source, its sum over the {count} pairs that drive there.",
+    "many_satellites": "The sum over all satellites, as vectors.",
+    "of_bending": "The bending stress.",
+    "solved": "Solved with clearance, deviations and elasticity as they are given.",
+    "simulated": "Counted over random pieces.",
+    "root": "Found by narrowing a range until the result is what is wanted.",
+    "felt": "Less than decimals lose: taken as none.",
+    "law_end": "Held where the law of line contact ends: beyond, the approach would fall.",
+}
+"""What is to be known of a step, and how a number was got in the place of a formula."""
+
+ERRATA = {
+    "assembly": "printed with j·α, which would turn the first satellite against itself.",
+    "arcsin": "printed with an arcsine whose argument passes 1 by rounding; the pin radius "
+    "cancels out of it.",
+    "below1": "the remark that f stays below 1 is false for one satellite.",
+    "zyl": "the sum is taken where it is smallest; at a dead centre the printed form gives a "
+    "number by rounding, here it is refused.",
+    "approximation": "holds to 2 % for 3 to 5 pins and 1 or 2 satellites only.",
+    "intersection": "the root C₁ of the intersection cancels to zero where pin and hole touch; "
+    "the clearance decides instead.",
+    "compliance": "in (11) to (13) the number of rollers must multiply the shear term too.",
+    "single": "one roller carries all from δ = n/4 on; the printed 1 is that of four rollers.",
+    "slope": "the printed slope (5) is a difference that cancels; this is its simplified form.",
+    "normal": "(10) must read n₁y = −cos φ, and (24) end with a plus; else the arm depends on the "
+    "frame.",
+    "reaction": "printed C_x = F_x − B_x; with it the forces do not balance.",
+    "mohr": "(33) to (36) exchange the unit loads of B and C; as printed Maxwell's reciprocity "
+    "fails.",
+}
+"""What the print of a source has wrong."""
+
+SOURCES = {
+    "yanchevsky2018": "Yanchevsky et al. 2018",
+    "yanchevskiy2021": "Yanchevskiy, Niekhoroshykh 2021",
+    "zyl": "Zyl",
+    "ovsyannikov2019": "Ovsyannikov et al. 2019",
+    "khatetovsky2020": "Khatetovsky et al. 2020",
+    "johnson": "Johnson, Contact Mechanics, 4.2",
+    "persson": "Persson 1964",
+    "shigley": "Shigley, Mechanical Engineering Design, 6",
+    "archard": "Archard 1953",
+    "iso6336": "ISO 6336-2",
+    "iso281": "ISO 281",
+    "iso76": "ISO 76",
+}
+"""Where formulas stand."""

@@ -1,0 +1,264 @@
+"""Worked steps: each formula, evaluated, is what core has calculated, whichever input moves."""
+
+import ast
+import json
+import math
+from collections.abc import Iterator
+from copy import deepcopy
+from pathlib import Path
+from typing import Any
+
+import pytest
+from pydantic import TypeAdapter, ValidationError
+
+from app.about import _words
+from app.examples import EXAMPLES
+from app.problems import Problem
+from app.registry import CALCULATIONS
+from app.units import to_si
+from app.worked import QUANTITIES, api_name
+from core.worked import words
+from core.worked.step import names_of
+from tests.app.worked_designs import REQUESTS
+from tests.oracles.formula import value_of
+
+ROOT = Path(__file__).parents[2]
+CASES = REQUESTS | {
+    each["id"]: (each["calculation"], each["input"])
+    for each in EXAMPLES
+    if CALCULATIONS[each["calculation"]].worked is not None
+}
+LONG = ("loose", "skew", "three")  # a second and more each time: their inputs are not moved
+LEFT = 1e-15  # of what cancels, in SI units, in the place of 0
+
+
+def steps_of(calculation: str, body: dict[str, Any]) -> list[dict[str, Any]]:
+    asked = CALCULATIONS[calculation]
+    include = [*body.get("include", []), "worked"]
+    if calculation == "crank-planetary" and "include" not in body:
+        include = ["worked"]
+    request = TypeAdapter(asked.request).validate_json(json.dumps(body | {"include": include}))
+    found: list[dict[str, Any]] = asked.answered(request)["worked"]
+    return found
+
+
+def check(steps: list[dict[str, Any]]) -> None:
+    """Each step is a formula of two names or more that gives its result, or a method."""
+    for step in steps:
+        words_of = f"{step['section']} {step['code']} {step['symbol']}"
+        assert ("formula" in step) != ("method" in step), words_of
+        if "method" in step:
+            continue
+        names, formula = step["names"], step["formula"]
+        assert formula.isascii() and len(names) >= 2, words_of
+        assert set(names) == set(step["values"]) == set(names_of(formula)), words_of
+        values = {name: to_si(names[name], value) for name, value in step["values"].items()}
+        wanted = to_si(step["code"], step["result"])
+        found = value_of(formula, values)
+        left = 0.0 if wanted else LEFT
+        assert math.isclose(found, wanted, rel_tol=1e-9, abs_tol=left), (words_of, found, wanted)
+
+
+def numbers(body: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
+    """Paths of the numbers of a request that may move a little."""
+    items = body.items() if isinstance(body, dict) else enumerate(body)
+    for key, value in items:
+        if isinstance(value, float):
+            yield (*path, key)
+        elif isinstance(value, (dict, list)):
+            yield from numbers(value, (*path, key))
+
+
+def moved(body: dict[str, Any], path: tuple[Any, ...]) -> dict[str, Any]:
+    """The request with one number a hundredth larger."""
+    other = deepcopy(body)
+    place: Any = other
+    for key in path[:-1]:
+        place = place[key]
+    place[path[-1]] *= 1.01
+    return other
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_every_formula_gives_the_result(case: str) -> None:
+    check(steps_of(*CASES[case]))
+
+
+@pytest.mark.parametrize("case", [case for case in REQUESTS if case not in LONG])
+def test_every_formula_follows_the_inputs(case: str) -> None:
+    """Where an input moves by a hundredth, core's numbers move, and the formulas with them."""
+    calculation, body = REQUESTS[case]
+    paths, refused = [*numbers(body)], 0
+    for path in paths:
+        try:
+            steps = steps_of(calculation, moved(body, path))
+        except (ValidationError, Problem):  # no such reliability, lengths that do not add up
+            refused += 1
+            continue
+        check(steps)
+    assert 4 * refused < len(paths)
+
+
+def test_a_wrong_formula_is_found() -> None:
+    steps = steps_of(*REQUESTS["force"])
+    first = next(step for step in steps if step.get("formula") == "T/R")
+    first["formula"] = "T*R"
+    with pytest.raises(AssertionError):
+        check(steps)
+
+
+def test_a_step_has_what_the_answer_has() -> None:
+    asked = CALCULATIONS["hertz"]
+    body = REQUESTS["hertz"][1] | {"include": ["worked"]}
+    answer = asked.answered(TypeAdapter(asked.request).validate_json(json.dumps(body)))
+    worked = {step["code"]: step["result"] for step in answer["worked"]}
+    results = {name for name in answer if isinstance(answer[name], float)}
+    assert results <= {*worked, "conformal_error"}
+    for name in results & set(worked):
+        assert worked[name] == answer[name], name
+
+
+@pytest.mark.parametrize("calculation", CALCULATIONS)
+def test_nothing_is_worked_unless_asked(calculation: str) -> None:
+    for name, body in REQUESTS.values():
+        if name == calculation:
+            asked = CALCULATIONS[name]
+            request = TypeAdapter(asked.request).validate_json(json.dumps(body))
+            if name != "crank-planetary" or "include" in body:
+                assert "worked" not in asked.answered(request)
+
+
+def test_what_cannot_be_is_not_worked() -> None:
+    """A mechanism with a dead centre has its cyclogram and no force."""
+    body = {
+        "mechanism": {"pins": 1, "satellites": 2, "ratio": 61.0, "crank_spacing_deg": 90.0},
+        "load": {"output_torque_Nm": 50.0, "pin_circle_radius_mm": 30.0},
+        "include": ["checks"],
+    }
+    assert {step["section"] for step in steps_of("crank-planetary", body)} == {"cyclogram"}
+
+
+def test_a_narrow_peak_is_not_written_with_the_angles_of_another() -> None:
+    """By a force exponent of 10,000 the largest slope lies where no step of the search does."""
+    _, body = REQUESTS["pins"]
+    narrow = body | {
+        "mechanism": {
+            "pins": 5,
+            "satellites": 3,
+            "ratio": 20.0,
+            "crank_angles_deg": [288.0, 324.0, 360.0],
+        },
+        "load": {"output_torque_Nm": 500.0, "pin_circle_radius_mm": 50.0, "force_exponent": 1e4},
+        "pin": body["pin"] | {"satellite_positions_mm": [15.0, 37.0, 59.0], "diameter_mm": 15.0},
+        "fatigue": {"endurance_limit_MPa": 300.0},
+    }
+    narrow.pop("contact")
+    narrow["pin"]["contact_length_mm"] = 20.0
+    steps = steps_of("pin-strength", narrow)
+    check(steps)
+    assert any(step["code"] == "slope_mrad" for step in steps)
+
+
+def test_the_sum_of_many_pairs_is_not_written_out() -> None:
+    body = {"pins": 5000, "satellites": 2, "ratio": 20.0, "output_torque_Nm": 1e3,
+            "pin_circle_radius_mm": 1e3, "include": ["equal_sharing"]}  # fmt: skip
+    steps = steps_of("contact-force", body)
+    check(steps)
+    assert max(len(step["names"]) for step in steps) < 20
+    by_code = {step["code"]: step for step in steps}
+    assert by_code["peak_force_N"]["method"] == "many"
+
+
+def _said(folder: Path) -> dict[str, set[str]]:
+    """Texts of a kind that the steps of core name in their source, by kind."""
+    found: dict[str, set[str]] = {kind: set() for kind in ("text", "quantity")}
+    for file in folder.glob("*.py"):
+        if file.name == "words.py":
+            continue
+        for node in ast.walk(ast.parse(file.read_text())):
+            if isinstance(node, ast.Constant) and isinstance(node.value, str):
+                found["text"].add(node.value)
+            match node:
+                case ast.Call(func=ast.Attribute(attr="take"), args=[_, ast.Constant(name), _]):
+                    found["quantity"].add(name)
+                case ast.Call(func=ast.Attribute(attr="work" | "state"), args=[code, *_]):
+                    if isinstance(code, ast.Constant):
+                        found["quantity"].add(code.value)
+    return found
+
+
+def test_every_quantity_has_its_unit_and_every_text_is_used() -> None:
+    said = _said(ROOT / "core" / "worked")
+    known = {name for names in QUANTITIES.values() for name in names.split()}
+    assert said["quantity"] <= known, said["quantity"] - known
+    texts = said["text"] | {"solved", "simulated", "root"}  # of app.worked.stated
+    for table in (words.VALUES, words.NOTES, words.ERRATA, words.SOURCES):
+        assert set(table) <= texts, set(table) - texts
+
+
+def test_every_code_has_words() -> None:
+    titles = json.loads(_words().plain.body)
+    for calculation, body in REQUESTS.values():
+        for step in steps_of(calculation, body):
+            for field in ("note", "method"):
+                if field in step:
+                    assert step[field] in titles["worked_notes"]
+            if "source" in step:
+                assert step["source"] in titles["worked_sources"]
+            if "erratum" in step:
+                assert step["erratum"] in titles["worked_errata"]
+    assert all(api_name(code) in titles["worked_values"] for code in words.VALUES)
+
+
+PLAY = {
+    "mechanism": {"pins": 3, "satellites": 1, "ratio": 20.0},
+    "load": {"output_torque_Nm": 50.0, "pin_circle_radius_mm": 30.0},
+    "contact": {
+        "contact_length_mm": 10.0,
+        "pin_radius_mm": 5.0,
+        "hole_radius_mm": 7.02,
+        "eccentricity_mm": 2.0,
+    },
+}
+SOLVED: dict[str, tuple[dict[str, Any], str, str]] = {
+    "load-sharing": (PLAY, "rotation_arcmin", "solved"),
+    "tolerance-study": (
+        PLAY
+        | {
+            "tolerances": {"pin_position_mm": 0.01},
+            "quantities": ["peak_force_N"],
+            "samples": 20,
+            "crank_angles": 12,
+        },
+        "peak_force_N",
+        "simulated",
+    ),
+    "solve": (
+        {
+            "calculation": "hertz",
+            "input": REQUESTS["hertz"][1],
+            "variable": {"pointer": "/pin_radius_mm", "from": 5.0, "to": 9.0},
+            "target": {"pointer": "/max_pressure_MPa", "at_most": 600.0},
+        },
+        "pin_radius_mm",
+        "root",
+    ),
+}
+
+
+@pytest.mark.parametrize("calculation", SOLVED)
+def test_what_is_solved_says_how(calculation: str) -> None:
+    body, code, method = SOLVED[calculation]
+    steps = steps_of(calculation, body)
+    check(steps)
+    assert {step["method"] for step in steps} == {method}
+    assert code in {step["code"] for step in steps}
+    assert method in words.NOTES
+
+
+def test_every_calculation_is_worked() -> None:
+    """But the studies of methods, which are about the numbers of the others."""
+    for name, calculation in CALCULATIONS.items():
+        fields = getattr(calculation.request, "model_fields", {})
+        assert ("worked" in str(fields.get("include"))) == (name != "work-precision"), name
+        assert ("worked" in calculation.answer.model_fields) == (name != "work-precision"), name

@@ -1,0 +1,15 @@
+"""What tests and benchmarks ask core and the service: designs known or drawn, and who asks.
+
+Modules
+-------
+checks             a design whose checks are known by hand, and what a check says
+satellites         random mechanisms
+real_mechanisms    mechanisms with clearance, deviations and elasticity
+misfits            mechanisms with misfits, for core and for plain distances
+cases              random mechanisms, gears and rollers, awkward ones well represented
+hard_cases         stiff and extreme cases, each with its exact answer
+outcome            a random case asked of the service, and held against its exact answer
+fuzz               sends requests and checks every answer, with
+fuzz_requests      random designs, hostile numbers and broken bodies
+in_process         the service in this process, as a client sees it
+"""
