@@ -309,6 +309,10 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
             return strength_steps(results=self.results, found=self.results.pin_strength)
         return STEPS[section](self.results)
 
+    def strength(self, section: Section) -> Any:
+        """Result of a section of strength and life."""
+        return getattr(self.results, section)
+
     def solve_geometry(self) -> tuple[PinGeometry, FloatArray]:
         """Pins and holes at the crank angle, and the force of each pair there, N."""
         assert self.load is not None and self.contact is not None
@@ -550,7 +554,7 @@ def solve(body: CrankPlanetaryRequest) -> Values:
         sections["hertz"] = DesignHertzOut.values(contact, hertz_us, line_load_factor=factor)
     for name, answer in ANSWERS.items():
         if name in asked:
-            found, run_us = run(body, partial(getattr, body.results, name))
+            found, run_us = run(body, partial(body.strength, name))
             sections[name] = answer(found, run_us, forces=body.forces)
     if "geometry" in asked:
         sections["geometry"] = GeometryOut.values(*run(body, body.solve_geometry))

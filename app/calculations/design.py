@@ -34,7 +34,7 @@ from app.units import to_si
 from core.arrays import FloatArray
 from core.design.document import Design
 from core.design.results import Results
-from core.design.sections import DesignPin, Load, Requirements
+from core.design.sections import DesignPin, Load, Requirements, SatelliteBody
 from core.output.contact_force import drawing_angles
 from core.output.mechanism import Mechanism
 from core.output.pin_geometry import PinFit, pin_fit
@@ -253,3 +253,7 @@ class SatelliteBodyFields(RequestModel, group="satellite_body"):
     """Radius at the root of the satellite's teeth."""
     bore_radius_mm: Maybe[Size] = quantity("Bore radius", "r_b", step=1)
     """Radius of the satellite's bore."""
+
+    def section(self, _: Any) -> SatelliteBody:
+        """The same in SI units."""
+        return SatelliteBody(**self.to_core())

@@ -90,19 +90,19 @@ class Design:
         ring overlap.
     """
 
-    mechanism: MechanismSection
+    mechanism: MechanismSection  # pins, satellites, cranks, ratio
     load: Load = _optional("load")
     contact: Contact = _optional("contact")
     contact_law: ContactLaw | None = None
     deviations: Deviations | None = None
     crank_support: CrankSupport | None = None
     satellite_coupling: ElasticMesh | Shares | None = None
-    pin: DesignPin = _optional("pin")
-    fatigue: FatigueBasis = _optional("fatigue")
+    pin: DesignPin = _optional("pin")  # how it is held, bends and breaks
+    fatigue: FatigueBasis = _optional("fatigue")  # what that of the pins is judged by
     friction: Friction = _optional("friction")
-    gear: Ring = _optional("gear")
-    bearing: RollingBearing = _optional("bearing")
-    crankshaft: Shaft = _optional("crankshaft")
+    gear: Ring = _optional("gear")  # teeth or pins of the ring
+    bearing: RollingBearing = _optional("bearing")  # of a satellite on its crank
+    crankshaft: Shaft = _optional("crankshaft")  # places of satellites and bearings
     satellite_body: SatelliteBody = _optional("satellite_body")
     requirements: Requirements = Requirements()
 

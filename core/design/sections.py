@@ -41,19 +41,13 @@ the module: that of the basic rack of ISO 53, types A and B."""
 
 @dataclass(frozen=True, kw_only=True)
 class MechanismSection:
-    """Pins, satellites and cranks.
+    """Pins, satellites and cranks."""
 
-    Attributes
-    ----------
-    crank_angles : tuple of float or None
-        Angle of each crank, rad, instead of a spacing.
-    """
-
-    pins: int
-    satellites: int
+    pins: int  # N
+    satellites: int  # K
     ratio: float  # u
     crank_spacing: float | None = None  # between neighbours, rad; None for an even spacing
-    crank_angles: tuple[float, ...] | None = None
+    crank_angles: tuple[float, ...] | None = None  # of each crank, rad, instead of a spacing
     initial_crank_angle: float = 0.0  # wave angle at crank angle 0, rad
     satellite_teeth: int | None = None  # z2
 
@@ -113,30 +107,24 @@ class Load:
 class PairSizes(NamedTuple):
     """Sizes of a pair of pin and hole that touch, m."""
 
-    contact_length: float
-    pin_radius: float
-    hole_radius: float
+    contact_length: float  # b
+    pin_radius: float  # r_in
+    hole_radius: float  # r_out
 
 
 @dataclass(frozen=True, kw_only=True)
 class Contact:
-    """Pin and hole, the crank between them, and their materials; of the crank alone no pins.
-
-    Attributes
-    ----------
-    own_limits : tuple of str
-        Which materials (`pin_material`, `hole_material`) are given by values.
-    """
+    """Pin and hole, the crank between them, and their materials; of the crank alone no pins."""
 
     contact_length: float | None = None  # b, m
     pin_radius: float | None = None  # r_in, m
     hole_radius: float | None = None  # r_out, m
     eccentricity: float | None = None  # e, m
-    pin_material: ElasticMaterial | None = None
-    hole_material: ElasticMaterial | None = None
-    dynamic_factor: float = 1.0
-    distribution_factor: float = 1.0
-    own_limits: tuple[str, ...] = ()
+    pin_material: ElasticMaterial | None = None  # that of the pin's surface, or of its sleeve
+    hole_material: ElasticMaterial | None = None  # that of the satellite
+    dynamic_factor: float = 1.0  # on the force, where the load has no application factor
+    distribution_factor: float = 1.0  # K_alpha, of the satellites' uneven share
+    own_limits: tuple[str, ...] = ()  # which of the two materials are given by values
 
     @cached_property
     def pair(self) -> PairSizes:
@@ -161,9 +149,9 @@ class Contact:
 class SatelliteBody:
     """The body of a satellite, as far as it is given: radii, m."""
 
-    outer_radius: float | None = None
-    root_radius: float | None = None  # of its teeth
-    bore_radius: float | None = None
+    outer_radius: float | None = None  # r_o, with its teeth
+    root_radius: float | None = None  # r_f, of its teeth
+    bore_radius: float | None = None  # r_b
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -272,6 +272,11 @@ async def test_by_default_what_is_given_is_answered(api):
         ({"friction__sleeve": True}, "/pin/diameter_mm", "no_sleeve"),
         ({"pin__diameter_mm": 16.001}, "/pin/diameter_mm", "too_thick"),
         (
+            {"pin__diameter_mm": 16.001, "include": ["crankshaft"]},
+            "/pin/diameter_mm",
+            "too_thick",
+        ),
+        (
             {"pin__satellite_positions_mm": [15.0]},
             "/pin/satellite_positions_mm",
             "different_length",

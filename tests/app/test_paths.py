@@ -44,7 +44,7 @@ def test_the_path_of_a_parameter(given: dict[str, Any], parameter: str, path: An
 def inputs(**changes: Any) -> set[str]:
     """Inputs of the contact's check that a request has given."""
     body = CrankPlanetaryRequest.model_validate(BODY | changes)
-    answer = judgement(crank_checks(body.design), body, torque=500.0, checks=True)
+    answer = judgement(crank_checks(body.results), body, torque=500.0, checks=True)
     return {*next(each for each in answer["checks"] if each["code"].endswith("hole"))["inputs"]}
 
 

@@ -19,7 +19,7 @@ from core.fixes.inputs import VARIED
 from core.fixes.inputs import WHOLE as WHOLE_NUMBERS
 from core.materials import MATERIALS, ContactLimit, ElasticMaterial
 from core.rollers.roller_strength import roller_strength
-from tests.oracles.checks import check_of, design_of, fixes_of, having
+from tests.inputs.checks import check_of, design_of, fixes_of, having
 
 STEEL = MATERIALS["steel_bearing"].material
 TEMPERED = MATERIALS["steel_through_hardened"].material

@@ -71,7 +71,8 @@ def test_bending_of_a_shaft(which: str, limit: float | None, status: str, order:
     other = {"deflection": "slope", "slope": "deflection"}[which]
     considered = ("line_pressure", "shaft_strength", "bearing", "friction")
     if limit is None:
-        says(check, status="not_asked", value=2e-5, reason="no_limit", missing=(f"max_{which}",))
+        missing = (f"requirements.max_{which}",)
+        says(check, status="not_asked", value=2e-5, reason="no_limit", missing=missing)
         assert found.not_considered == ("deflection", "slope", *considered)
         assert found.verdict == "incomplete"
         return

@@ -14,7 +14,7 @@ from core.materials import MATERIALS
 from core.output.contact_law import LinearLaw
 from core.output.real_mechanism import Deviations
 from core.output.satellite_support import Shares
-from tests.oracles.checks import design_of, having
+from tests.inputs.checks import design_of, having
 
 PIN = DesignPin(
     "cantilever",

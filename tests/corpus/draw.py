@@ -11,6 +11,8 @@ from pathlib import Path
 from typing import Any
 
 from app.examples import EXAMPLES, REQUESTS
+from tests.app.worked_designs import BARE_4000, SLEEVED_4000
+from tests.app.worked_designs import REQUESTS as WORKED
 from tests.inputs.fuzz_requests import DESIGNS, mutated
 from tests.inputs.fuzz_requests import Draw as Wide
 from tests.inputs.in_process import Service
@@ -46,6 +48,69 @@ def usual() -> list[Asked]:
     return found + [asked("crank-planetary", each["body"] | {"include": every}) for each in whole]
 
 
+MADE = {
+    "contact_law": {"kind": "linear", "stiffness_N_per_mm": 1e5},
+    "deviations": {
+        "pin_tangential_mm": [0.004, -0.002, 0.0, 0.003, -0.005, 0.001],
+        "pin_radius_mm": [0.0, -0.002, 0.001, 0.0, -0.001, 0.0],
+        "hole_radial_mm": [[0.002, 0.0, -0.003, 0.001, 0.0, 0.0], [0.0] * 6],
+        "hole_tangential_mm": [[0.0] * 6, [0.001, -0.001, 0.002, 0.0, 0.0, -0.002]],
+        "hole_radius_mm": [[0.02] * 6, [0.025] * 6],
+        "eccentricity_mm": [0.001, -0.001],
+        "crank_phase_deg": [0.01, 0.0],
+        "disc_phase_deg": [0.0, 0.01],
+    },
+}
+"""A mechanism as it is made, with all that its parts may deviate by."""
+
+SECTIONS: list[dict[str, Any]] = [
+    {"satellite_body": {"outer_radius_mm": 75.0, "root_radius_mm": 68.0, "bore_radius_mm": 15.0}},
+    {"satellite_body": {"outer_radius_mm": 66.0}, "requirements": {"max_outer_diameter_mm": 120.0}},
+    MADE | {"requirements": {"max_lost_motion_arcmin": 2.0, "max_backlash_arcmin": 3.0}},
+    MADE | {"crank_support": {"stiffness_N_per_mm": 2e5, "radial_clearance_mm": 0.01}},
+    {"satellite_coupling": {"kind": "shares", "shares": [0.6, 0.4]}, "pin": None},
+    {"satellite_coupling": {"kind": "elastic", "stiffness_Nm_per_arcmin": 40.0}, "pin": None},
+    {"gear": {"kind": "cycloid", "ring_pin_circle_radius_mm": 66.0, "ring_pin_radius_mm": 3.0}},
+    {
+        "fatigue": {
+            "surface": "ground",
+            "edition": "shigley_9",
+            "reliability_factor": 0.868,
+            "fatigue_notch_factor": 1.4,
+            "life_h": 2.0,
+        },
+        "requirements": {"min_wall_mm": 30.0, "max_slope_mrad": 1.0, "max_deflection_mm": 0.01},
+    },
+    {
+        "requirements": {
+            "min_efficiency": 0.99,
+            "max_wear_mm": 1e-4,
+            "max_pv_MPa_m_per_s": 1.0,
+            "max_sliding_speed_m_per_s": 0.1,
+            "max_unbalance_N": 1.0,
+            "max_unbalance_couple_Nm": 0.1,
+        }
+    },
+]
+"""Sections and their fields that random designs seldom have, beside those of whole designs."""
+
+
+def sections() -> list[Asked]:
+    """Designs of every section, with their checks; with the fixes of all that fail where their
+    forces are the ideal ones.
+    """
+    found = [asked(*each) for each in WORKED.values() if each[0] == "crank-planetary"]
+    for design in (BARE_4000, SLEEVED_4000):
+        for more in SECTIONS:
+            body = {name: each for name, each in (design | more).items() if each is not None}
+            found.append(asked("crank-planetary", body))
+            ideal = not {"contact_law", "satellite_coupling"} & {*more}
+            every = ["checks", "fixes"] if ideal else ["checks"]
+            body = body | {"include": every, "fixes_for": "failed"}
+            found.append(asked("crank-planetary", body))
+    return found
+
+
 def held() -> list[Asked]:
     """What exact values are known of."""
     return [
@@ -78,7 +143,11 @@ def refused(good: list[Asked]) -> list[Asked]:
 def main() -> None:
     """Write the corpus."""
     service = Service()
-    good = [each for each in usual() + held() if service.post(each["path"], each["body"])[0] == 200]
+    good = [
+        each
+        for each in usual() + sections() + held()
+        if service.post(each["path"], each["body"])[0] == 200
+    ]
     good += drawn(COUNT - REFUSED - len(good), service)
     lines = [json.dumps(each) for each in good + refused(good)]
     CORPUS.write_text("[\n" + ",\n".join(lines) + "\n]\n", encoding="utf-8")
