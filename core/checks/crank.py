@@ -212,9 +212,10 @@ def within_roots(*, design: Design, code: str, least: float | None = None) -> Ch
         return deep
     if shallow.status == "fail":
         return shallow
-    name = "satellite_body.root_radius"
-    if design.gear and design.gear.kind == "cycloid" and design.known_eccentricity:
-        name = "gear.ring_pin_radius"
+    cycloid = design.gear and design.gear.kind == "cycloid"
+    if cycloid and design.contact.eccentricity is None:
+        raise NotKnown("eccentricity_assumed", "contact.eccentricity")
+    name = "gear.ring_pin_radius" if cycloid else "satellite_body.root_radius"
     return Check(
         code=code, status="not_checked", limit=deep.limit, reason="roots_unknown", missing=(name,)
     )

@@ -19,23 +19,12 @@ from core.fixes.inputs import VARIED
 from core.fixes.inputs import WHOLE as WHOLE_NUMBERS
 from core.materials import MATERIALS, ContactLimit, ElasticMaterial
 from core.rollers.roller_strength import roller_strength
-from tests.inputs.checks import check_of, design_of, fixes_of, having
+from tests.inputs.checks import REF as KNOWN
+from tests.inputs.checks import check_of, fixes_of, having
 
 STEEL = MATERIALS["steel_bearing"].material
 TEMPERED = MATERIALS["steel_through_hardened"].material
-REF = design_of(
-    pins=6,
-    satellites=2,
-    ratio=20.0,
-    output_torque=500.0,
-    pin_circle_radius=0.05,
-    contact_length=0.02,
-    pin_radius=0.008,
-    hole_radius=0.010,
-    eccentricity=0.002,
-    pin_material=STEEL,
-    hole_material=TEMPERED,
-)
+REF = having(KNOWN, pin_material=STEEL, hole_material=TEMPERED, satellite_body=None)
 
 designs = st.builds(
     lambda pins, satellites, torque, radius, pin, gap, hole: having(
