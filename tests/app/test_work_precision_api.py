@@ -18,6 +18,7 @@ from app.calculations.work_precision import (
 )
 from app.examples import REQUESTS
 from app.settings import Settings
+from core.design.curves import design_bearings, design_reactions
 from core.errors import InvalidInput
 
 pytestmark = pytest.mark.anyio
@@ -180,8 +181,8 @@ def test_the_edge_load_that_is_studied_is_that_of_the_design():
         )
         study.solve()
     (chosen,) = (method for method in asked["methods"] if method.chosen)
-    assert chosen.function(0)[0] == pytest.approx(body.design.edge.force, rel=1e-14)
-    assert asked["exact"][0] == pytest.approx(body.design.edge.force, rel=1e-12)
+    assert chosen.function(0)[0] == pytest.approx(body.results.edge.force, rel=1e-14)
+    assert asked["exact"][0] == pytest.approx(body.results.edge.force, rel=1e-12)
 
 
 async def test_the_edge_load_needs_the_contact(api):
@@ -237,7 +238,8 @@ def test_the_study_of_the_bearings_is_of_the_most_loaded_one(monkeypatch):
     across = 500 / (0.002 * 20)
     assert asked["calculator"].function(0)[0] == pytest.approx(max(loads) / across, rel=1e-14)
     angles = np.array([0.1, 1.2, 3.4])
-    curve = body.design.bearing_curves(angles).load[:, int(np.argmax(loads))]
+    curves = design_bearings(results=body.results, crank_angle=angles)
+    curve = curves.load[:, int(np.argmax(loads))]
     assert asked["values"](angles) == pytest.approx(curve / across, rel=1e-12)
 
 
@@ -274,7 +276,8 @@ def test_the_study_of_the_crankshaft_is_of_the_most_loaded_bearing(monkeypatch, 
     assert asked["calculator"].function(0)[0] == pytest.approx(max(loads) / across, rel=1e-14)
     assert asked["power"] == pytest.approx((10 / 3, 3)[worst])
     angles = np.array([0.1, 1.2, 3.4])
-    curve = np.abs(body.design.reaction_curves(angles).reaction[:, worst])
+    curves = design_reactions(results=body.results, crank_angle=angles)
+    curve = np.abs(curves.reaction[:, worst])
     assert asked["values"](angles) == pytest.approx(curve / across, rel=1e-12)
 
 
