@@ -11,7 +11,7 @@ from core.worked.step import Step
 
 QUANTITIES: dict[str, str] = {
     "mm": "arm bearing_distance bearing_position bolt_radius clearance contact_length "
-    "contact_width couple_arm cycle_position cylinder_length deflection deflection_B deflection_C "
+    "couple_arm cycle_position cylinder_length deflection deflection_B deflection_C "
     "diameter displacement eccentricity gap half_width hole_circle_radius hole_radius hole_wear "
     "length mating_radius max_shear_depth module overhang peak_moment_position "
     "peak_stress_position pin_circle_radius pin_radius pin_wear position position_tolerance radius "
@@ -33,8 +33,8 @@ QUANTITIES: dict[str, str] = {
     "notch_strength peak_bending_stress peak_equivalent_stress peak_shear_stress peak_stress "
     "tensile_strength yield_strength",
     "GPa": "effective_modulus shear_modulus youngs_modulus",
-    "N_per_mm": "full_arm_load line_load max_line_load pair_stiffness stiffness",
-    "mm_per_N": "bending_compliance contact_compliance shear_compliance unit_deflection",
+    "N_per_mm": "full_arm_load line_load max_line_load stiffness",
+    "mm_per_N": "bending_compliance shear_compliance unit_deflection",
     "mrad_per_N": "unit_slope",
     "mrad": "slope",
     "rpm": "input_speed relative_speed sleeve_speed",

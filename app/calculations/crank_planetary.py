@@ -145,7 +145,9 @@ MOST_PAIRS: dict[Section, int] = {
 class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     """Mechanism, load and contact, and which sections of the answer are wanted.
 
-    The forces that are judged are those of `DesignFields`.
+    The forces that are judged are those of `DesignFields`, but for perfect parts whose pins bend:
+    these are solved too, with no clearance, unless `distribution_factor` above 1 states how uneven
+    the sharing is.
     """
 
     mechanism: CyclogramFields
@@ -163,9 +165,10 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         max_length=len(_NEEDS),
         description="Sections of the answer: what is not named is not computed. Where it is "
         "absent: all but geometry, checks and fixes, as far as their input is given; load_sharing "
-        "where clearance, deviations, a contact law or satellites that give are. load_sharing and "
-        "hertz with these are left out then where the forces cannot be solved. What rests on the "
-        "forces of parts that cannot be put together is always: the check interference says why.",
+        "where clearance, deviations, a contact law, satellites that give or pins that bend are. "
+        "load_sharing and hertz with these are left out then where the forces cannot be solved. "
+        "What rests on the forces of parts that cannot be put together is always: the check "
+        "interference says why.",
     )
     fixes_for: FixesFor = Field(
         default="governing", description="Which checks the section fixes is to cure."
@@ -222,7 +225,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         allowed = [
             each for each in allowed if self.mechanism.pairs <= MOST_PAIRS.get(each, MAX_PAIRS)
         ]
-        if not self.as_made or "hertz" not in allowed:
+        if not self.results.solved or "hertz" not in allowed:
             return allowed
         if if_known(lambda: self.results.judged_forces) is None:
             return [each for each in allowed if each != "hertz" and each not in STRENGTH]
@@ -230,7 +233,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
 
     def _unfit(self, section: Section) -> bool:
         """Whether a section rests on forces of parts that cannot be put together."""
-        made = section == "load_sharing" or (self.as_made and section in AS_MADE)
+        made = section == "load_sharing" or (section in AS_MADE and self.results.solved)
         fit = if_known(lambda: self.results.fit) if made else None
         return fit is not None and fit.impossible
 
@@ -249,6 +252,11 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         if "contact_force" not in self.sections:
             load = load.model_copy(update={"include": []})
         return load.solve_for(self.design.driven)
+
+    @cached_property
+    def results(self) -> Results:
+        """What follows from the design."""
+        return Results(self.design)
 
     def parts(self) -> dict[str, Any]:
         """Without pins where there is no contact: nothing loads them."""
@@ -320,7 +328,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         sizes = self.contact.fit(self.load.pin_circle_radius_mm)
         sizes["eccentricity"] = pin_fit(pins=self.mechanism.pins, **sizes).eccentricity
         geometry = pin_geometry(mechanism=self.built, crank_angle=crank_angle, **sizes)
-        if not self.as_made:
+        if not self.results.solved:
             forces = self.load.forces_at(self.design.driven, crank_angle)
         else:
             solved = self.results.real_forces

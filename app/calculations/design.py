@@ -111,8 +111,8 @@ class DesignFields(GivingFields):
 
     Where clearance, deviations, a contact law or satellites that give are given, the forces are
     those of the mechanism as it is made, as by `/load-sharing`, and the pins bend in series with
-    the contacts; in first order where satellites give. The section `pin` alone leaves the ideal
-    forces, shared equally or by the stiffness of pins and contacts, whichever is worse.
+    the contacts; in first order where satellites give. Else they are the ideal ones, shared equally
+    by the satellites.
     """
 
     mechanism: MechanismFields
@@ -179,7 +179,7 @@ class DesignFields(GivingFields):
     @property
     def forces(self) -> ForcesUsed:
         """Which forces the results follow from."""
-        return "real" if self.as_made else "ideal"
+        return "real" if self.results.solved else "ideal"
 
     def cost(self) -> float:
         """Points of the ideal forces; real ones are solved, and those of bent pins searched."""
@@ -215,8 +215,8 @@ class DesignFields(GivingFields):
 
     @cached_property
     def results(self) -> Results:
-        """What follows from it, each result worked out once."""
-        return Results(self.design)
+        """What follows from it, each result worked out once; perfect parts share equally."""
+        return Results(self.design, equal=True)
 
     def with_fit(self, result: Result) -> Result:
         """A result with the notices of how pins and holes fit."""
@@ -226,7 +226,7 @@ class DesignFields(GivingFields):
     def drawn_angles(self) -> tuple[FloatArray, FloatArray]:
         """Crank angles of a figure's curves, and where ideal pairs switch, rad."""
         angles, switching = drawing_angles(mechanism=self.built)
-        return angles, switching[:0] if self.as_made else switching
+        return angles, switching[:0] if self.results.solved else switching
 
     def solve_fit(self) -> PinFit | None:
         """How pins and holes fit, as far as their sizes are given."""
@@ -240,7 +240,7 @@ def forces_used() -> Any:
     """The field of an answer that says which forces it follows from."""
     return result(
         "Forces that it follows from: the ideal ones, or the real ones, with clearance, deviations "
-        "and elasticity, where these are given."
+        "and elasticity, where these are given or, in the whole design, pins bend."
     )
 
 

@@ -102,7 +102,7 @@ class PinStrengthStudy(Study):
 
     def solve(self) -> WorkPrecision:
         """The study."""
-        results, equally = self.input.results, {"pair_stiffness": None, "made": None}
+        results, equally = self.input.results, {"made": None}
         loaded = results.loaded_pins | equally
         if self.quantity != "edge_load":
             return pin_bending_study(quantity=self.quantity, **loaded)

@@ -15,7 +15,6 @@ from core.crank.ring_mesh import STEEP
 from core.crank.satellite_bearing import SatelliteBearings
 from core.derived import if_known
 from core.design.document import Design
-from core.design.reserves import loads_under, reactions_under, torque_reserve
 from core.design.results import Results
 from core.design.sections import RollingBearing
 from core.errors import NotKnown
@@ -94,13 +93,7 @@ def _life(design: Design, results: Results) -> Check:
         "bearing_life",
         value,
         limit,
-        reserve=torque_reserve(
-            results=results,
-            growth=(value / limit) ** (1 / power),
-            value=lambda factors: loads_under(results=results, factors=factors, exponent=power).max(
-                axis=1
-            ),
-        ),
+        reserve=(value / limit) ** (1 / power),
         error=4 * power * float(found.accuracy.relative_error)
         + _left_out(
             _equivalent(results),
@@ -108,7 +101,7 @@ def _life(design: Design, results: Results) -> Check:
             short=value < limit,
             of=lambda load: load**-power,
         ),
-        rough=design.as_made,
+        rough=results.solved,
         at={"satellite": worst + 1},
     )
 
@@ -124,16 +117,11 @@ def _static(design: Design, results: Results) -> Check:
     safety = np.asarray(found.static_safety_factor)
     worst = int(np.argmin(safety))
     value, error = float(safety[worst]), float(found.accuracy.relative_error)
-    share = design.static_share
     return judged(
         "bearing_static",
         value,
         limit,
-        reserve=torque_reserve(
-            results=results,
-            growth=value / limit,
-            value=lambda factors: loads_under(results=results, factors=factors * share).max(axis=1),
-        ),
+        reserve=value / limit,
         error=4 * error
         + _left_out(
             results.centrifugal,
@@ -141,7 +129,7 @@ def _static(design: Design, results: Results) -> Check:
             short=value < limit,
             of=lambda load: 1 / load,
         ),
-        rough=design.as_made,
+        rough=results.solved,
         limit_source="" if design.requirements.static_safety else "static_guide",
         at={"satellite": worst + 1},
     )
@@ -164,13 +152,8 @@ def _system(design: Design, results: Results) -> Check:
 
     error += _left_out(_equivalent(results), found.equivalent_load, short=value < limit, of=lasting)
 
-    def together(factors: FloatArray) -> FloatArray:
-        return lasting(loads_under(results=results, factors=factors, exponent=power)) ** (
-            -1 / power
-        )
-
-    reserve = torque_reserve(results=results, growth=(value / limit) ** (1 / power), value=together)
-    return judged(code, value, limit, reserve=reserve, error=error, rough=design.as_made)
+    reserve = (value / limit) ** (1 / power)
+    return judged(code, value, limit, reserve=reserve, error=error, rough=results.solved)
 
 
 def _pressure_angle(design: Design, results: Results) -> Check:
@@ -242,8 +225,6 @@ def _shaft_life(design: Design, results: Results) -> Check:
     powers = [EXPONENTS[each.kind] for each in bearings]
     value, worst = min(zip(lives, (1, 2), strict=True))
     reserves = [(life / limit) ** (1 / power) for life, power in zip(lives, powers, strict=True)]
-    loads = zip(found.equivalent_reaction.tolist(), reserves, strict=True)
-    allowed = [load * reserve if load else math.inf for load, reserve in loads]
 
     def lasting(power: float) -> Callable[[FloatArray], FloatArray]:
         return lambda load: load**-power
@@ -259,17 +240,13 @@ def _shaft_life(design: Design, results: Results) -> Check:
             if load
         )
 
-    def used(factors: FloatArray) -> FloatArray:
-        reactions = reactions_under(results=results, factors=factors)
-        return np.asarray((reactions / allowed).max(axis=1))
-
     return judged(
         code,
         value,
         limit,
-        reserve=torque_reserve(results=results, growth=min(reserves), value=used),
+        reserve=min(reserves),
         error=4 * max(powers) * float(found.accuracy.relative_error) + left_out,
-        rough=design.as_made,
+        rough=results.solved,
         at={"bearing": worst},
     )
 

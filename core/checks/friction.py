@@ -6,7 +6,6 @@ from core.checks.check import Check, Measure, asked
 from core.checks.design_check import Judge
 from core.derived import if_known
 from core.design.document import Design
-from core.design.reserves import peak_under, torque_reserve
 from core.design.results import Results
 from core.errors import NotKnown
 from core.output.losses import PinLosses
@@ -37,12 +36,8 @@ def _asked(
         return Measure(
             of(found),
             error=4 * float(found.accuracy.relative_error),
-            reserve=lambda growth: torque_reserve(
-                results=results,
-                growth=growth,
-                value=lambda factors: peak_under(results=results, factors=factors),
-            ),
-            rough=design.as_made,
+            reserve=lambda growth: growth,
+            rough=results.solved,
         )
 
     return asked(code, getattr(design.requirements, LIMITS[code]), measure, name=LIMITS[code])

@@ -42,7 +42,7 @@ def _against(design: Design, results: Results, code: str, warning: str = "", **m
         warning=warning,
         error=(contact.conformal_error or 0.0) + 8 * contact.accuracy.relative_error,
         at=results.peak,
-        rough=design.as_made and results.edge is not None,
+        rough=results.edge is not None,
         **more,
     )
 

@@ -3,10 +3,8 @@
 from core.checks.check import Check, Measure, asked, judged
 from core.checks.design_check import Judge
 from core.design.document import Design
-from core.design.reserves import NEAR_CYCLE, pin_reserve
 from core.design.results import Results
 from core.output.pin_fatigue import FatigueStrength
-from core.output.pin_strength import PinStrength
 
 HARDENED = 1400e6
 """Tensile strength above which a steel hardly yields before it breaks, Pa."""
@@ -44,13 +42,8 @@ def _static(design: Design, results: Results) -> Check:
         )
     limit = strength / design.requirements.bending_safety
     error = 4 * found.accuracy.relative_error
-    reserve = pin_reserve(
-        results=results,
-        growth=limit / stress,
-        value=lambda pins: pins.static_stress,
-        share=design.static_share,
-    )
-    check = judged(code, stress, limit, reserve=reserve, error=error, rough=design.as_made)
+    reserve = limit / stress
+    check = judged(code, stress, limit, reserve=reserve, error=error, rough=results.solved)
     return _of_size(results, check)
 
 
@@ -70,33 +63,25 @@ def _fatigue(design: Design, results: Results) -> Check:
         return Check(code=code, status="not_checked", reason=reason, missing=missing)
     safety, limit = found.fatigue.safety_factor, design.requirements.fatigue_safety
     error = 4 * found.accuracy.relative_error
-    reserve = pin_reserve(results=results, growth=safety / limit, value=_used, near=NEAR_CYCLE)
-    check = judged(code, safety, limit, reserve=reserve, error=error, rough=design.as_made)
+    reserve = safety / limit
+    check = judged(code, safety, limit, reserve=reserve, error=error, rough=results.solved)
     lasts = found.fatigue.finite_strength is not None and not check.reason
     return _of_size(results, check._replace(reason="finite_life") if lasts else check)
 
 
-def _used(pins: PinStrength) -> float:
-    assert pins.fatigue is not None
-    return 1 / pins.fatigue.safety_factor
-
-
 def _bent(design: Design, results: Results, code: str, limit: float | None) -> Check:
     """The largest deflection or slope against what is asked."""
-
-    def bent(pins: PinStrength) -> float:
-        return float(getattr(pins.deflection, code.removeprefix("pin_")))
 
     def measure() -> Measure:
         found = results.pin_strength
         assert found.deflection is not None
         bends, slopes = found.deflection.satellite, found.deflection.slope_satellite
         return Measure(
-            bent(found),
+            float(getattr(found.deflection, code.removeprefix("pin_"))),
             error=4 * found.accuracy.relative_error,
             at={"satellite": bends if code == "pin_deflection" else slopes},
-            reserve=lambda growth: pin_reserve(results=results, growth=growth, value=bent),
-            rough=design.as_made,
+            reserve=lambda growth: growth,
+            rough=results.solved,
         )
 
     return asked(code, limit, measure, name=code.replace("pin", "max"))

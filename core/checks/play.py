@@ -10,7 +10,7 @@ from core.errors import NotKnown
 def _backlash(design: Design, results: Results) -> Check:
     def play() -> Measure:
         of_fit = design.known_eccentricity and 0.0  # no clearance, or interference
-        return Measure(results.loading.turn.backlash_max if design.as_made else of_fit)
+        return Measure(results.loading.turn.backlash_max if results.solved else of_fit)
 
     return asked("backlash", design.requirements.max_backlash, play, name="max_backlash")
 
@@ -20,7 +20,7 @@ def _lost_motion(design: Design, results: Results) -> Check:
 
     def motion() -> Measure:
         """At the torque itself, of which it takes a share; not solved for where nobody asks."""
-        solved = design.as_made and design.load_factor == 1
+        solved = results.solved and design.load_factor == 1
         if not (design.known_eccentricity and (solved or limit is not None)):
             raise NotKnown("no_limit")
         return Measure(results.real_forces.turn.lost_motion)

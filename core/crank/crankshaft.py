@@ -14,11 +14,10 @@ import numpy as np
 from core.arrays import ComplexArray, FloatArray, check_positive, check_single
 from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
 from core.crank.ring_mesh import RingMesh
-from core.crank.satellite_bearing import BearingCurves, made_parts, mean_power, shared_mean
+from core.crank.satellite_bearing import BearingCurves, made_parts, mean_power
 from core.errors import InvalidInput
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
-from core.output.moving_sharing import MovingSharing
 from core.output.pin_search import MISSED, largest
 from core.output.pin_turn import satellite_turn
 from core.output.sampled_turn import WAYS, Direction, Made, SampledTurn
@@ -75,13 +74,12 @@ def crankshaft(
     satellite_mass: float | None = None,
     input_speed: float | None = None,
     torque_direction: Direction = "driving",
-    pair_stiffness: tuple[float, ...] | None = None,
     made: Made | None = None,
 ) -> Crankshaft:
     """Reactions of the crankshaft's bearings, and its balance.
 
-    The forces are the ideal ones, shared equally by the satellites; with `pair_stiffness` also
-    shared by it, and the worse counts; with `made` those of the mechanism as it is made.
+    The forces are the ideal ones, shared equally by the satellites; with `made` those of the
+    mechanism as it is made.
     ``R_B = -sum F_j*(z_j - A)/(B - A)``, ``R_A = -sum F_j - R_B``; unbalance ``U = sum m*e*e_j``.
 
     Parameters
@@ -112,9 +110,6 @@ def crankshaft(
         Speed of the crank against the housing, rad/s, > 0; for balance and life.
     torque_direction : {"driving", "reverse", "alternating"}
         Of both directions the worse counts.
-    pair_stiffness : tuple of float, K, optional
-        Stiffness of the pairs of each satellite against each other, see
-        `core.output.pin_beam.PinBeam.pair_stiffness`; not beside `made`.
     made : callable, optional
         Forces of the mechanism as it is made, see `core.output.real_turn.made`.
 
@@ -181,7 +176,6 @@ def crankshaft(
             arm_error=arm_error,
             exponents=exponents,
             ways=ways,
-            stiffnesses=(None,) if pair_stiffness is None else (None, pair_stiffness),
         )
     else:
         found = _made_reactions(
@@ -244,36 +238,34 @@ def _ideal_reactions(
     arm_error: FloatArray,
     exponents: list[float],
     ways: tuple[float, ...],
-    stiffnesses: tuple[tuple[float, ...] | None, ...],
 ) -> _Reactions:
     """By the ideal forces; in reverse the part across the crank changes its sign."""
     force_peak(mechanism, force_exponent)  # refuses what cannot be
     rho = float(mesh.radial_force_ratio)
-    most, equivalent, off, truncation = np.zeros(2), np.zeros(2), np.zeros(2), 0.0
-    for stiffness in stiffnesses:
-        turn = satellite_turn(mechanism, force_exponent, stiffness)
-        share, force = turn.forces.max(axis=(1, 2)).reshape(2, -1)
-        share_error, force_error = turn.errors.reshape(2, -1)
-        share_error = math.hypot(1, rho) * share_error + mesh.error * abs(rho) * share
-        own = np.abs(carried) * (across * share_error + pins * force_error)
-        own += arm_error * (across * math.hypot(1, rho) * share + pins * force)
-        off = np.maximum(off, own.sum(axis=1))
-        for way in ways:
-            both = np.concatenate((across * (1j * way + rho) * arms, pins * arms), axis=1)
-            found = largest(turn=turn, arms=(both,), measure=np.abs)
-            rows = np.flatnonzero(found > off)
-            if not len(rows):
-                continue
-            mean, lost = mean_power(
-                turn=turn,
-                arms=(both[rows],),
-                measure=np.abs,
-                largest=found[rows],
-                exponents=[exponents[row] for row in rows],
-            )
-            most[rows] = np.maximum(most[rows], found[rows])
-            equivalent[rows] = np.maximum(equivalent[rows], mean)
-            truncation = max(truncation, lost)
+    most, equivalent, truncation = np.zeros(2), np.zeros(2), 0.0
+    turn = satellite_turn(mechanism, force_exponent)
+    share, force = turn.forces.max(axis=(1, 2)).reshape(2, -1)
+    share_error, force_error = turn.errors.reshape(2, -1)
+    share_error = math.hypot(1, rho) * share_error + mesh.error * abs(rho) * share
+    own = np.abs(carried) * (across * share_error + pins * force_error)
+    own += arm_error * (across * math.hypot(1, rho) * share + pins * force)
+    off = own.sum(axis=1)
+    for way in ways:
+        both = np.concatenate((across * (1j * way + rho) * arms, pins * arms), axis=1)
+        found = largest(turn=turn, arms=(both,), measure=np.abs)
+        rows = np.flatnonzero(found > off)
+        if not len(rows):
+            continue
+        mean, lost = mean_power(
+            turn=turn,
+            arms=(both[rows],),
+            measure=np.abs,
+            largest=found[rows],
+            exponents=[exponents[row] for row in rows],
+        )
+        most[rows] = np.maximum(most[rows], found[rows])
+        equivalent[rows] = np.maximum(equivalent[rows], mean)
+        truncation = max(truncation, lost)
     size = turn.forces[0].size
     return _Reactions(most, equivalent, off, truncation, "segments_tanh_sinh", size)
 
@@ -354,50 +346,6 @@ def _turned(value: complex) -> float:
     """Direction from 0 to less than a turn, in degrees too."""
     angle = math.atan2(value.imag, value.real) % (2 * math.pi)
     return angle if angle < 2 * math.pi * (1 - 4 * ROUNDING) else 0.0  # that of a trifle below 0
-
-
-def moved_reactions(
-    *,
-    sharing: MovingSharing,
-    factors: FloatArray,
-    radial_force_ratio: float,
-    arm: float,
-    satellite_positions: tuple[float, ...],
-    bearing_positions: tuple[float, float],
-    kinds: tuple[Bearing, Bearing],
-    torque_direction: Direction,
-) -> FloatArray:
-    """Equivalent reactions to ideal forces under other torques, of equal and stiffness sharing the
-    worse.
-
-    Parameters
-    ----------
-    sharing, factors, radial_force_ratio, arm : as of `core.crank.satellite_bearing.moved_loads`
-    satellite_positions, bearing_positions, kinds, torque_direction : as of `crankshaft`
-
-    Returns
-    -------
-    array, shape (n, 2)
-        Over the load across the crank of a satellite that carries all of the torque itself.
-    """
-    carried = _carried(satellite_positions, bearing_positions)
-    held = carried * _cranks(sharing.mechanism.crank_angles)
-    ways = WAYS[torque_direction]
-    arms = [
-        np.concatenate(((1j * way + radial_force_ratio) * held, arm * held), axis=1) for way in ways
-    ]
-
-    def reactions(stiffness: FloatArray) -> FloatArray:
-        found = shared_mean(
-            nodes=sharing.nodes,
-            sharing=stiffness,
-            arms=(np.concatenate(arms),),
-            measure=np.abs,
-            exponents=[EXPONENTS[kind] for kind in kinds] * len(ways),
-        )
-        return np.asarray(found.reshape(len(found), len(ways), 2).max(axis=1))
-
-    return sharing.worse(factors=factors, of=reactions)
 
 
 @dataclass(frozen=True, slots=True)

@@ -29,9 +29,8 @@ from core.crank.bearing_life import (
 from core.crank.ring_mesh import RingMesh
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
-from core.output.moving_sharing import MovingSharing, shared, shared_largest
 from core.output.pin_forces import force_ratios, pressure_cosines
-from core.output.pin_search import MISSED, Measure, largest
+from core.output.pin_search import MISSED, largest
 from core.output.pin_turn import BLOCK, COARSEST, SatelliteTurn, combine, satellite_turn
 from core.output.sampled_turn import WAYS, Direction, Made, SampledTurn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
@@ -88,16 +87,14 @@ def satellite_bearings(
     weibull_slope: Number | None = None,
     peak_torque: Number | None = None,
     torque_direction: Direction = "driving",
-    pair_stiffness: tuple[float, ...] | None = None,
-    static_stiffness: tuple[float, ...] | None = None,
     made: Made | None = None,
 ) -> SatelliteBearings:
     """Load and life of the satellites' bearings under the forces of the pins.
 
-    The forces are the ideal ones, shared equally by the satellites; with `pair_stiffness` also
-    shared by it, and for each satellite the worse counts; with `made` those of the mechanism as it
-    is made. The inner ring turns at ``w_in*(1 + 1/u)`` against the outer one, and the load stands
-    still against the crank: ``P = V*<Q^p>^(1/p)`` over the turn of the wave, ``L10 = (C/P)^p``.
+    The forces are the ideal ones, shared equally by the satellites; with `made` those of the
+    mechanism as it is made. The inner ring turns at ``w_in*(1 + 1/u)`` against the outer one,
+    and the load stands still against the crank: ``P = V*<Q^p>^(1/p)`` over the turn of the wave,
+    ``L10 = (C/P)^p``.
 
     Parameters
     ----------
@@ -130,11 +127,6 @@ def satellite_bearings(
         an application factor.
     torque_direction : {"driving", "reverse", "alternating"}
         Of both directions the worse counts. Ideal forces load the bearings alike in both.
-    pair_stiffness : tuple of float, K, optional
-        Stiffness of the pairs of each satellite against each other, see
-        `core.output.pin_beam.PinBeam.pair_stiffness`; not beside `made`.
-    static_stiffness : tuple of float, K, optional
-        The same under the peak torque; `pair_stiffness` where not given.
     made : callable, optional
         Forces of the mechanism as it is made, see `core.output.real_turn.made`; of one design.
 
@@ -180,22 +172,15 @@ def satellite_bearings(
     ratio = mechanism.ratio
     rho = mesh.radial_force_ratio
     if made is None:
-
-        def shared(stiffness: tuple[float, ...] | None) -> _Loads:
-            return _ideal_loads(
-                mechanism=mechanism,
-                force_exponent=force_exponent,
-                across=output_torque / (eccentricity * ratio),
-                arm=eccentricity * ratio / pin_circle_radius,
-                mesh=mesh,
-                exponent=EXPONENTS[kind],
-                stiffnesses=(None,) if stiffness is None else (None, stiffness),
-            )
-
-        loads = again = shared(pair_stiffness)
-        if static_rating is not None and static_stiffness not in (None, pair_stiffness):
-            again = shared(static_stiffness)
-        static = np.asarray(static_torque / output_torque)[..., None] * again.most
+        loads = _ideal_loads(
+            mechanism=mechanism,
+            force_exponent=force_exponent,
+            across=output_torque / (eccentricity * ratio),
+            arm=eccentricity * ratio / pin_circle_radius,
+            mesh=mesh,
+            exponent=EXPONENTS[kind],
+        )
+        static = np.asarray(static_torque / output_torque)[..., None] * loads.most
     else:
         check_single(output_torque=output_torque, peak_torque=peak_torque)
         ways = WAYS[torque_direction]
@@ -272,37 +257,27 @@ def _ideal_loads(
     arm: Number,
     mesh: RingMesh,
     exponent: float,
-    stiffnesses: tuple[tuple[float, ...] | None, ...],
 ) -> _Loads:
-    """Loads over those across the crank of a satellite that carries all; of several stiffnesses
-    the worst.
-    """
+    """Loads under the ideal forces."""
     force_peak(mechanism, force_exponent)  # refuses what cannot be
     shape = np.broadcast(mesh.radial_force_ratio, arm).shape
     rho, along = (
         np.full(shape, each, dtype=np.float64).ravel() for each in (mesh.radial_force_ratio, arm)
     )
-    turns = [satellite_turn(mechanism, force_exponent, each) for each in stiffnesses]
+    turn = satellite_turn(mechanism, force_exponent)
     phases = mechanism.phases
     even = len(phases.sector_phases) == phases.symmetry and len({*phases.multiplicity}) == 1
-    found = [
-        _loads(turn, even and each is None, rho, along, exponent)
-        for turn, each in zip(turns, stiffnesses, strict=True)
-    ]
-    loads, offs, truncations = zip(*found, strict=True)
-    worst = np.maximum.reduce(loads).reshape(4, *shape, -1)
+    loads, off, truncation = _loads(turn, even, rho, along, exponent)
     scale = np.asarray(across)[..., None]
-    most, least, mean, ring = (scale * each for each in worst)
-    off = max(offs)
+    most, least, mean, ring = (scale * each for each in loads.reshape(4, *shape, -1))
     off += mesh.error * max(1.0, float(np.abs(rho).max()))  # of W, which is no more than the load
-    truncation = max(truncations)
     return _Loads(
         most,
         0.0 - least,
         mean,
         ring,
         off + truncation / exponent,
-        Accuracy("segments_tanh_sinh", off + MISSED + truncation, turns[0].forces[0].size),
+        Accuracy("segments_tanh_sinh", off + MISSED + truncation, turn.forces[0].size),
     )
 
 
@@ -461,75 +436,6 @@ def _mean(
     return means
 
 
-def moved_loads(
-    *,
-    sharing: MovingSharing,
-    factors: FloatArray,
-    radial_force_ratio: float,
-    arm: float,
-    exponent: float | None = None,
-) -> FloatArray:
-    """Loads of ideal satellites under other torques, of equal and stiffness sharing the worse.
-
-    Parameters
-    ----------
-    sharing : MovingSharing
-        How the satellites share.
-    factors : array, shape (n,)
-        Factors on the torque, > 0.
-    radial_force_ratio : float
-        Ratio rho of the ring's force along the crank to that across it.
-    arm : float
-        ``e*u/R``.
-    exponent : float, optional
-        p of the equivalent loads; the largest ones where not given.
-
-    Returns
-    -------
-    array, shape (n, K)
-        Over the load across the crank of a satellite that carries all of the torque itself.
-    """
-    own, pins = np.split(np.eye(2 * len(sharing.stiffness)), 2)
-    arms = own, radial_force_ratio * own + arm * pins
-
-    def loads(stiffness: FloatArray) -> FloatArray:
-        given: dict[str, Any] = {"sharing": stiffness, "arms": arms, "measure": np.hypot}
-        if exponent is None:
-            return shared_largest(turn=sharing.satellite_turn, **given)
-        return shared_mean(nodes=sharing.nodes, **given, exponents=[exponent] * len(own))
-
-    return sharing.worse(factors=factors, of=loads)
-
-
-def shared_mean(
-    *,
-    nodes: tuple[FloatArray, FloatArray],
-    sharing: FloatArray,
-    arms: tuple[NDArray[Any], ...],
-    measure: Measure,
-    exponents: Sequence[float],
-) -> FloatArray:
-    """Equivalent loads under other sharings, by one rule: what it is off is alike in all.
-
-    Parameters
-    ----------
-    nodes : tuple of array
-        See `core.output.moving_sharing.MovingSharing.nodes`.
-    sharing, arms, measure : as of `core.output.moving_sharing.shared`
-    exponents : sequence of float
-        p of each row of the arms.
-
-    Returns
-    -------
-    array, shape (m, rows)
-    """
-    flat, own, shape = shared(sharing=sharing, arms=arms, measure=measure)
-    powers = np.tile(exponents, len(sharing))
-    means = _mean(nodes, flat, own, np.ones(len(powers)), powers)[:, 0]
-    found: FloatArray = means ** (1 / powers)
-    return found.reshape(shape)
-
-
 @dataclass(frozen=True, slots=True)
 class BearingCurves:
     """Load of the satellites' bearings at crank angles, in the crank's frame."""
@@ -550,7 +456,6 @@ def bearing_curves(
     radial_force_ratio: float,
     crank_angle: FloatArray,
     torque_direction: Direction = "driving",
-    pair_stiffness: tuple[float, ...] | None = None,
 ) -> BearingCurves:
     """Load of the satellites' bearings under the ideal forces at given crank angles.
 
@@ -572,9 +477,6 @@ def bearing_curves(
         Crank angles, rad.
     torque_direction : {"driving", "reverse", "alternating"}
         Of an alternating torque the driving one is shown.
-    pair_stiffness : tuple of float, K, optional
-        Stiffness of the pairs of each satellite against each other, by which the satellites share
-        the load; equally without it.
 
     Returns
     -------
@@ -589,9 +491,6 @@ def bearing_curves(
         mechanism=mechanism, crank_angles=crank_angle, force_exponent=force_exponent
     )
     cosines = pressure_cosines(mechanism=mechanism, crank_angles=crank_angle)
-    if pair_stiffness is not None:
-        ratios = ratios * np.array(pair_stiffness)[:, None]
-        ratios /= (ratios * cosines).sum(axis=(1, 2), keepdims=True)
     across = output_torque / (eccentricity * mechanism.ratio) * (ratios * cosines).sum(axis=2)
     pins = output_torque / pin_circle_radius * ratios.sum(axis=2)
     along = radial_force_ratio * across + pins

@@ -44,9 +44,7 @@ def design_losses(*, results: Results, losses: PinLosses, crank_angle: FloatArra
 
 
 def _load_curves(results: Results, crank_angle: FloatArray) -> list[BearingCurves]:
-    """Load of the satellites' bearings at crank angles in each direction of the torque and, of
-    ideal forces, in each way in which the satellites may share them.
-    """
+    """Load of the satellites' bearings at crank angles in each direction of the torque."""
     design, load, made = results.design, results.design.load, results.made
     eccentricity, rho = design.known_eccentricity, float(results.ring_mesh.radial_force_ratio)
     ways = WAYS[load.torque_direction]
@@ -61,9 +59,7 @@ def _load_curves(results: Results, crank_angle: FloatArray) -> list[BearingCurve
                 radial_force_ratio=rho,
                 crank_angle=crank_angle,
                 torque_direction="driving" if way > 0 else "reverse",
-                pair_stiffness=stiffness,
             )
-            for stiffness in dict.fromkeys((None, results.pair_stiffness))
             for way in ways
         ]
     arm = eccentricity * design.mechanism.ratio
@@ -79,7 +75,7 @@ def _load_curves(results: Results, crank_angle: FloatArray) -> list[BearingCurve
 
 def design_bearings(*, results: Results, crank_angle: FloatArray) -> BearingCurves:
     """Load of the satellites' bearings at crank angles: of each as its result judges it, in the
-    worst direction and sharing.
+    worst direction.
 
     Parameters
     ----------

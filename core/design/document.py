@@ -165,13 +165,16 @@ class Design:
 
     @property
     def as_made(self) -> bool:
-        """Whether clearance, deviations, a law of contact or satellites that give are stated: the
-        forces that are judged are those of the mechanism as it is made. Bending pins alone leave
-        the ideal forces.
-        """
+        """Whether clearance, deviations, a law of contact or satellites that give are stated."""
         stated = (self.contact_law, self.deviations, self.support)
         clearance = self.contact.clearance if self.contact else None
         return (clearance or 0.0) > 0 or any(each is not None for each in stated)
+
+    @property
+    def bends(self) -> bool:
+        """Whether pins bend where the satellites press them, and no sharing of theirs is stated."""
+        places = self.pin.satellite_positions if self.pin and self.touching else None
+        return bool(places) and self.contact.distribution_factor == 1
 
     @property
     def load_factor(self) -> float:

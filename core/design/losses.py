@@ -7,35 +7,6 @@ from core.output.sampled_turn import SampledTurn
 from core.results import Accuracy
 
 
-def peaking(*, losses: PinLosses, peak: float, error: float) -> PinLosses:
-    """Losses whose largest force is so many times as large, and pv and wear with it.
-
-    Parameters
-    ----------
-    losses : PinLosses
-        The losses.
-    peak : float
-        Largest force over that of the losses.
-    error : float
-        Relative error of the forces.
-
-    Returns
-    -------
-    PinLosses
-    """
-    pin, hole = (
-        None if each is None else each * peak for each in (losses.pin_wear, losses.hole_wear)
-    )
-    return replace(
-        losses,
-        peak_force=losses.peak_force * peak,
-        peak_pv=losses.peak_pv * peak,
-        pin_wear=pin,
-        hole_wear=hole,
-        accuracy=losses.accuracy._replace(relative_error=error + losses.accuracy.relative_error),
-    )
-
-
 def made_losses(
     *, losses: PinLosses, turn: SampledTurn, reference: float, largest: float
 ) -> PinLosses:
@@ -61,10 +32,16 @@ def made_losses(
     peak = largest / float(losses.peak_force)
     part = mean / float(losses.mean_total_force_ratio)
     share = (1 / float(losses.efficiency) - 1) / float(losses.mean_total_force_ratio)
-    peaks = peaking(losses=losses, peak=peak, error=turn.error)
-    error = peaks.accuracy.relative_error
+    pin, hole = (
+        None if each is None else each * peak for each in (losses.pin_wear, losses.hole_wear)
+    )
+    error = turn.error + losses.accuracy.relative_error
     return replace(
-        peaks,
+        losses,
+        peak_force=losses.peak_force * peak,
+        peak_pv=losses.peak_pv * peak,
+        pin_wear=pin,
+        hole_wear=hole,
         mean_total_force_ratio=mean,
         mean_loss=losses.mean_loss * part,
         efficiency=1 / (1 + share * mean),

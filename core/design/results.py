@@ -17,7 +17,7 @@ from core.crank.satellite_bearing import SatelliteBearings, satellite_bearings
 from core.derived import derived
 from core.design.contact import SHAKEDOWN, force_factor
 from core.design.document import Design
-from core.design.losses import made_losses, peaking
+from core.design.losses import made_losses
 from core.design.real_forces import RealForces
 from core.design.refusals import named
 from core.errors import InvalidInput, NotKnown
@@ -28,14 +28,12 @@ from core.output.contact_law import HertzLaw, contact_compliance
 from core.output.edge_load import EdgeLoad, SlopingContacts
 from core.output.fit import Fit
 from core.output.losses import PinLosses, pin_losses
-from core.output.moving_sharing import MovingSharing, torque_factors
-from core.output.pin_beam import PinBeam
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.real_turn import made
 from core.output.sampled_turn import WAYS, Made, SampledTurn
-from core.results import ROUNDING, Notice
+from core.results import Notice
 
 MOST_REAL_PAIRS, MOST_GIVING_PAIRS = 100, 25
 """Most pairs of a mechanism whose real forces are solved: over the turn that takes seconds; of one
@@ -47,9 +45,6 @@ MOST_PIN_PAIRS = 500
 MOST_BEARING_PAIRS = 2000
 """Most pairs of which the forces on the satellites are integrated over the turn."""
 
-ALIKE = 64 * ROUNDING
-"""Difference of stiffnesses that only rounding makes, as a part of them."""
-
 
 class Results:
     """What follows from a design; SI units. What is not known raises `NotKnown`, and what cannot be
@@ -59,10 +54,16 @@ class Results:
     ----------
     design : Design
         The design.
+    equal : bool
+        Whether satellites share the load equally, as in the papers, where nothing but the bending
+        of their pins makes them share otherwise.
     """
 
-    def __init__(self, design: Design) -> None:
+    def __init__(self, design: Design, *, equal: bool = False) -> None:
         self.design = design
+        self.solved = design.as_made or (design.bends and not equal)
+        """Whether the forces that are judged are solved over the turn: those of the mechanism as it
+        is made, or of perfect parts whose pins bend; else they are the ideal ones."""
 
     @derived
     def contact_force(self) -> ContactForce:
@@ -152,14 +153,12 @@ class Results:
     @derived
     def judged_forces(self) -> RealForces | ContactForce:
         """The forces that are judged."""
-        return self.loading if self.design.as_made else self.contact_force
+        return self.loading if self.solved else self.contact_force
 
     @derived
     def made(self) -> Made | None:
-        """The forces of the mechanism as it is made under any torque; None where the ideal ones are
-        judged.
-        """
-        return made(self.real) if self.design.as_made else None
+        """The solved forces under any torque; None where the ideal ones are judged."""
+        return made(self.real) if self.solved else None
 
     @cached_property
     def compliance(self) -> Callable[[Number], Number]:
@@ -178,57 +177,6 @@ class Results:
             hole=contact.hole_material,
         )
 
-    @derived
-    def pair_stiffness(self) -> tuple[float, ...] | None:
-        """Stiffness of the pairs of each satellite, by which bending pins share an ideal load; None
-        where all are alike.
-        """
-        return self._stiffness(self.design.load_factor)
-
-    @derived
-    def static_stiffness(self) -> tuple[float, ...] | None:
-        """The same under the torque of static strength."""
-        if self.pair_stiffness is None or self.design.static_share == 1:
-            return self.pair_stiffness
-        return self._stiffness(self.design.load_factor * self.design.static_share)
-
-    def _stiffness(self, factor: float) -> tuple[float, ...] | None:
-        """The same under so many times the torque."""
-        design, pin = self.design, self.design.pin
-        if not pin or not design.touching or design.as_made:
-            return None
-        length, satellites = design.pin_length, design.mechanism.satellites
-        far = math.inf if pin.support == "cantilever" else (pin.span or 0.0)
-        held = all(length / 2 <= z <= far - length / 2 for z in pin.satellite_positions)
-        if not held or len(pin.satellite_positions) != satellites or satellites == 1:
-            return None
-        beam = PinBeam.round(
-            support=pin.support,
-            diameter=pin.diameter,
-            contact_length=length,
-            youngs_modulus=pin.material.youngs_modulus,
-            poissons_ratio=pin.material.poissons_ratio,
-            span=pin.span,
-        )
-        found = beam.pair_stiffness(
-            positions=pin.satellite_positions,
-            contact_compliance=float(self.compliance(self.contact_force.peak_force * factor)),
-        )
-        return None if max(found) - min(found) <= ALIKE * max(found) else found
-
-    @derived
-    def sharing(self) -> MovingSharing | None:
-        """How bending pins share an ideal load under other torques; None where that stays."""
-        if self.pair_stiffness is None:
-            return None
-        return MovingSharing(
-            stiffness=self.pair_stiffness,
-            compliance=self.compliance,
-            force=self.contact_force.peak_force * self.design.load_factor,
-            mechanism=self.design.mechanism.built,
-            force_exponent=self.design.load.force_exponent,
-        )
-
     @property
     def _forced(self) -> dict[str, Any]:
         """What the forces follow from, as arguments."""
@@ -239,7 +187,6 @@ class Results:
             "output_torque": load.output_torque,
             "pin_circle_radius": load.pin_circle_radius,
             "torque_direction": load.torque_direction,
-            "pair_stiffness": self.pair_stiffness,
             "made": self.made,
         }
 
@@ -279,7 +226,6 @@ class Results:
         return self._forced | {
             "application_factor": self.design.load_factor,
             "peak_torque": self.design.static_torque,
-            "static_stiffness": self.static_stiffness,
             "diameter": pin.diameter,
             "contact_length": self.design.pin_length,
             "satellite_positions": pin.satellite_positions,
@@ -336,8 +282,8 @@ class Results:
 
     @derived
     def line_load_factor(self) -> float:
-        """Largest line load of a contact over the mean one of the largest force: where pins bend,
-        by the worse of equal and stiffness sharing, and by their slope at that angle.
+        """Largest line load of a contact over the mean one of the largest force: by the slope of
+        bent pins at that angle.
         """
         judged, edge = self.judged_forces, self.edge
         if edge is None:
@@ -390,7 +336,7 @@ class Results:
     @derived
     def contact_reserves(self) -> dict[str, float]:
         """Factors on the torque under which the contact is at its limits, by the code of their
-        check, where its pressure is known.
+        check, where its pressure is known: an estimate where pins slope.
         """
         contact = self.hertz
         factors = {
@@ -404,27 +350,13 @@ class Results:
                     contact_at=lambda factor: self.contact_at(factor * largest),
                     limit=limit,
                 )
-        on_forces, forces = self._on_forces(list(factors.values())), self.judged_forces
-        if isinstance(forces, RealForces):
-            on_forces = [forces.torque_factor(factor) for factor in on_forces]
-        return dict(zip(factors, on_forces, strict=True))
-
-    def _on_forces(self, factors: list[float]) -> list[float]:
-        """Factors on the torque, or on all real forces, under which the largest line load is so
-        many times as large.
-        """
-        edge, contacts = self.edge, self.sloping
-        if edge is None or contacts is None:
-            return factors
-        start = [
-            contacts.growth(edge, factor) if 0 < factor < math.inf else factor for factor in factors
-        ]  # where it is largest hardly moves with the forces
-        found: list[float] = torque_factors(
-            targets=np.array(factors),
-            start=np.array(start),
-            value=lambda each: contacts.under(factors=each, sharing=self.sharing),
-        ).tolist()
-        return found
+        edge, contacts, forces = self.edge, self.sloping, self.judged_forces
+        for code, factor in factors.items():
+            if edge and contacts and 0 < factor < math.inf:
+                factors[code] = factor = contacts.growth(edge, factor)
+            if isinstance(forces, RealForces):
+                factors[code] = forces.torque_factor(factor)
+        return factors
 
     @derived
     def peak(self) -> dict[str, float]:
@@ -447,13 +379,7 @@ class Results:
 
     @derived
     def output_efficiency(self) -> PinLosses:
-        """Friction and wear of the pins under the torque, by the ideal forces or by those of the
-        mechanism as it is made; of bending pins, of so many pairs as of the pins themselves.
-
-        Of bending pins the largest force, and pv and wear by it, are those of the worse of equal
-        and stiffness sharing, as of the pins themselves; the means, loss and efficiency are those
-        of equal sharing.
-        """
+        """Friction and wear of the pins under the torque, by the forces that are judged."""
         if not self.design.friction:
             raise NotKnown("section_missing", "friction")
         return named(self.design, "pin", self._losses)
@@ -461,7 +387,6 @@ class Results:
     def _losses(self) -> PinLosses:
         design, friction, load = self.design, self.design.friction, self.design.load
         eccentricity, speed, turn = design.known_eccentricity, design.known_speed, self.lossy_turn
-        loads = self.pin_loads if self.pair_stiffness else None
         life = design.requirements.life if friction.life is None else friction.life
         found = pin_losses(
             mechanism=design.driven,
@@ -481,14 +406,11 @@ class Results:
         bare = design.sleeved and not friction.sleeve
         if bare and design.pin.diameter < 2 * design.contact.pair.pin_radius:
             found = replace(found, notices=(*found.notices, Notice("thin_without_sleeve")))
-        if turn is not None:
-            reference = load.output_torque / load.pin_circle_radius
-            largest = max(float(np.abs(turn.on_pins).max()) for turn in self._lossy_turns)
-            return made_losses(losses=found, turn=turn, reference=reference, largest=largest)
-        if loads is None:
+        if turn is None:
             return found
-        peak = loads.peak_force / (design.load_factor * float(found.peak_force))
-        return peaking(losses=found, peak=peak, error=loads.accuracy.relative_error)
+        reference = load.output_torque / load.pin_circle_radius
+        largest = max(float(np.abs(turn.on_pins).max()) for turn in self._lossy_turns)
+        return made_losses(losses=found, turn=turn, reference=reference, largest=largest)
 
     @derived
     def _lossy_turns(self) -> list[SampledTurn]:
@@ -541,7 +463,6 @@ class Results:
                 ring_factor=bearing.ring_factor,
                 weibull_slope=bearing.weibull_slope,
                 peak_torque=self.design.static_torque,
-                static_stiffness=self.static_stiffness,
             ),
         )
 

@@ -69,9 +69,9 @@ def _fix(results: Results, code: str, variable: str, current: Verdict) -> Fix | 
         if variable == "contact.pin_radius" and design.sleeved and code in PINS:
             return None
         return _by_power(cure, powers.get(variable), lambda value: _met(change(value)))
-    if design.as_made and code in CONTACT:
+    if results.solved and code in CONTACT:
         return _as_made(design, cure)
-    if design.as_made and strength:  # each number would be solved over the turn
+    if results.solved and strength:  # each number would be solved over the turn
         return None
     return fix_of(cure=cure, change=change)
 

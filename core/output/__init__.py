@@ -18,7 +18,6 @@ pin_turn            the forces that one pin feels over a turn
 sampled_turn        the forces of the mechanism as it is made, at samples
 pin_search          where over the turn, along the pin and around it a measure is largest
 loaded_pin          a pin under the forces of a turn: its largest stresses, its worst cycle
-moving_sharing      how satellites that share by stiffness share under another torque
 edge_load           line load at the ends of contacts whose pins slope
 pin_strength        bending, shear, static safety, fatigue and deflection of the pins
 sharing_kernel      loops over pairs with gaps: one position, a turn, pieces of a study

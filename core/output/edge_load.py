@@ -8,7 +8,6 @@ import numpy as np
 
 from core.arrays import ComplexArray, FloatArray, Number
 from core.output.loaded_pin import LoadedPin, PinLoads
-from core.output.moving_sharing import MovingSharing, shared_largest
 from core.output.pin_beam import face_load_factor
 from core.output.pin_search import Measure, largest
 
@@ -41,7 +40,7 @@ class SlopingContacts:
     """
 
     pin: LoadedPin  # as a beam
-    loads: list[PinLoads]  # of the pin by each sharing, or those of each pin
+    loads: list[PinLoads]  # of a pin where all are alike, else of each
     contact_length: float  # b, m, > 0
     # Approach of a level contact over its force, m/N, as a function of the force, N.
     compliance: Callable[[Number], Number]
@@ -74,7 +73,7 @@ class SlopingContacts:
             worst = max(worst, (float(found[top]), float(force[top]), float(slope[top])))
             return found
 
-        found = self._each(even, np.ones(1))[:, 0]
+        found = self._each(even)
         case, satellite = np.unravel_index(int(found.argmax()), found.shape)
         alike = all(each.pin == self.loads[0].pin for each in self.loads)
         force, own, slope = worst
@@ -106,51 +105,15 @@ class SlopingContacts:
             growth *= math.exp(step)
         return growth
 
-    def under(self, *, factors: FloatArray, sharing: MovingSharing | None = None) -> FloatArray:
-        """The even force of the largest line load under other torques.
-
-        Parameters
-        ----------
-        factors : array, shape (n,)
-            Factors on the torque, > 0.
-        sharing : MovingSharing, optional
-            Of ideal forces how the satellites share under others; all forces grow alike where not
-            given.
-
-        Returns
-        -------
-        array, shape (n,)
-            N.
-        """
-        if sharing is None:
-            return np.asarray(self._each(self.even, factors).max(axis=(0, 2)))
-        own, slopes = self.loads[0].unit * self._arms(np.tile(factors, 2))
-        rest = np.zeros_like(own)
-        equal = np.broadcast_to(sharing.equal, (len(factors), len(sharing.stiffness)))
-        found = shared_largest(
-            turn=sharing.pin_turn,
-            sharing=np.concatenate((equal, sharing.under(factors))),
-            arms=tuple(np.concatenate((rest, each), axis=2) for each in (own, slopes)),
-            measure=_of_sums(self.even),
-        )
-        return np.asarray(found.reshape(2, len(factors), -1).max(axis=(0, 2)))
-
-    def _arms(self, factors: FloatArray) -> FloatArray:
-        """Force and slope at each satellite by unit forces under factors, shape (2, n, K, K)."""
-        arms = np.array((np.eye(len(self.pin.positions)), self.pin.slopes))
-        found: FloatArray = factors[:, None, None] * arms[:, None]
-        return found
-
-    def _each(self, even: Callable[..., Number], factors: FloatArray) -> FloatArray:
-        """The largest of a function of force and slope, by load, factor on both and satellite."""
-        count = len(self.pin.positions)
-        own, slopes = self._arms(factors).reshape(2, -1, count)
+    def _each(self, even: Callable[..., Number]) -> FloatArray:
+        """The largest of a function of force and slope, by load and satellite."""
+        forces, slopes = np.eye(len(self.pin.positions)), self.pin.slopes
         measure = _of_sums(even)
         found = [
-            largest(turn=each.turn, arms=(each.unit * own, each.unit * slopes), measure=measure)
+            largest(turn=each.turn, arms=(each.unit * forces, each.unit * slopes), measure=measure)
             for each in self.loads
         ]
-        return np.reshape(found, (len(found), len(factors), count))
+        return np.array(found)
 
 
 def _of_sums(even: Callable[..., Number]) -> Measure:

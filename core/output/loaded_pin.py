@@ -4,7 +4,6 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal
 
 import numpy as np
 
@@ -34,9 +33,6 @@ from core.output.pin_search import (
 from core.output.pin_turn import PinTurn, combine
 from core.output.sampled_turn import PinSamples
 
-Sharing = Literal["equal", "stiffness"]
-"""How the satellites of an ideal mechanism share the load: alike, or by their pairs' stiffness."""
-
 FIRST = np.zeros(1, dtype=np.intp)
 
 Cycle = tuple[float, float, float, float]
@@ -54,7 +50,6 @@ class PinLoads:
     unit: float  # N; negative where they act the other way
     error: float = NEAR  # relative, of samples, at which a search of them ends
     alternates: bool = False  # whether they also act the other way
-    sharing: Sharing | None = None  # how satellites share the load, of ideal forces
     pin: int = 1  # from 1
     wave: FloatArray | None = None  # wave angles of samples, rad
 

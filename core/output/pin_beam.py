@@ -171,40 +171,6 @@ class PinBeam:
         sheared = self.shear_area * (shear * x - self._integral(2, x, z))
         return (self._bent(x, z) + self._start(z) * x + sheared) / self.rigidity
 
-    def pair_stiffness(
-        self, *, positions: tuple[float, ...], contact_compliance: float
-    ) -> tuple[float, ...]:
-        """Stiffness of the pairs of each satellite: contact, and the pin's bending, in series.
-
-        ``k_j = 1/(c_contact + c_bend(z_j))``: the stiffer share more of the load, ``k_j*cos^v`` in
-        the place of ``cos^v``. Satellites on stiff cranks and a rigid ring are taken.
-
-        Parameters
-        ----------
-        positions : tuple of float
-            Middle plane z of each satellite, m.
-        contact_compliance : float
-            Approach over force of a contact, m/N, > 0: of its law under a force of its size, see
-            `core.output.contact_law.contact_compliance`.
-
-        Returns
-        -------
-        tuple of float
-            N/m.
-
-        Examples
-        --------
-        A satellite near the carrier takes three times as much as one twice as far.
-
-        >>> pin = PinBeam.round(support="cantilever", diameter=0.016, contact_length=0.02,
-        ...                     youngs_modulus=210e9, poissons_ratio=0.3)
-        >>> near, far = pin.pair_stiffness(positions=(0.015, 0.037), contact_compliance=1e-8)
-        >>> round(near/(near + far), 3)
-        0.749
-        """
-        check_positive(contact_compliance=contact_compliance)
-        return tuple(1 / (contact_compliance + self.deflection(z, z)) for z in positions)
-
     def _bent(self, x: Number, z: Number) -> Number:
         """E*I times the deflection at x by bending, without the rotation at 0."""
         shear, moment = self.reactions(z)

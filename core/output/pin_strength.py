@@ -17,7 +17,7 @@ from core.errors import InvalidInput
 from core.fatigue import LOW_CYCLES
 from core.materials import ElasticMaterial
 from core.output.contact_force import force_peak
-from core.output.loaded_pin import LoadedPin, PinLoads, Sharing
+from core.output.loaded_pin import LoadedPin, PinLoads
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam, Support, section_stress
 from core.output.pin_fatigue import FatigueStrength, PinFatigue, judged
@@ -82,9 +82,6 @@ class PinStrength:
     deflection: PinDeflection | None  # where asked
     # Of the section of the worst cycle, else of the largest moment, where it was asked.
     locus: MomentLocus | None
-    # By which sharing of the satellites the fatigue, else the equivalent stress, is worst; None
-    # where the forces are those of the mechanism as it is made.
-    sharing: Sharing | None
     pin: int  # the pin of which it is, from 1; those of an ideal mechanism are alike
     # Of all numbers but direction, amplitude, mean and life of the fatigue: the first three are
     # good to `FLAT`, as the utilisation is flat there; the life has the error of the safety times
@@ -100,7 +97,7 @@ class PinStresses:
     pin: LoadedPin  # as a beam
     mechanism: Mechanism
     material: ElasticMaterial  # of the pin
-    cases: list["_Stresses"]  # largest stresses by each sharing of the load, or of each pin
+    cases: list["_Stresses"]  # largest stresses of a pin where all are alike, else of each
     static: float  # largest equivalent stress under the peak torque over that of the cases
     method: str  # how they were found
     error: float  # relative, of all stresses
@@ -176,7 +173,6 @@ class PinStresses:
             fatigue=cycle,
             deflection=_deflection(found) if deflection else None,
             locus=_locus(pin, worst.loads, mechanism, seen, chi) if locus else None,
-            sharing=worst.loads.sharing,
             pin=worst.loads.pin,
             accuracy=accuracy,
             notices=(*notices, *poorly_known(accuracy)),
@@ -198,15 +194,12 @@ def pin_stresses(
     application_factor: float = 1.0,
     peak_torque: float | None = None,
     torque_direction: Direction = "driving",
-    pair_stiffness: tuple[float, ...] | None = None,
-    static_stiffness: tuple[float, ...] | None = None,
     made: Made | None = None,
 ) -> PinStresses:
     """Stresses of the pins over the turn.
 
-    The forces are the ideal ones, shared equally by the satellites; with `pair_stiffness` also
-    shared by it, and the worse counts; with `made` those of the mechanism as it is made, and the
-    worst pin counts.
+    The forces are the ideal ones, shared equally by the satellites; with `made` those of the
+    mechanism as it is made, and the worst pin counts.
 
     Parameters
     ----------
@@ -237,11 +230,6 @@ def pin_stresses(
         Torque of the static safety, N*m, > 0; ``K_A*T`` where not given.
     torque_direction : {"driving", "reverse", "alternating"}
         Of a torque that alternates each cycle has both directions.
-    pair_stiffness : tuple of float, K, optional
-        Stiffness of the pairs of each satellite against each other, see
-        `core.output.pin_beam.PinBeam.pair_stiffness`; not beside `made`.
-    static_stiffness : tuple of float, K, optional
-        The same under the peak torque; `pair_stiffness` where not given.
     made : callable, optional
         Forces of the mechanism as it is made, see `core.output.real_turn.made`.
 
@@ -290,23 +278,16 @@ def pin_stresses(
     static, again = 1.0, list[PinLoads]()
     if made is None:
         peak = force_peak(mechanism, force_exponent)
-
-        def loads(torque: float, stiffness: tuple[float, ...] | None) -> list[PinLoads]:
-            return _ideal_cases(
-                mechanism=mechanism,
-                force_exponent=force_exponent,
-                reference=torque / pin_circle_radius,
-                ways=ways,
-                stiffnesses=(None,) if stiffness is None else (None, stiffness),
-            )
-
-        cases = loads(torque, pair_stiffness)
+        case = PinLoads(
+            turn=pin_turn(mechanism, force_exponent),
+            unit=ways[0] * torque / pin_circle_radius,
+            alternates=len(ways) > 1,  # the reverse is the same the other way
+        )
+        cases = [case]
         error = 8 * peak.accuracy.relative_error + ENOUGH
         error += ROUNDING * (64 + 16 * force_exponent)
-        method, evaluations = "locus_support", cases[0].turn.forces[0].size
+        method, evaluations = "locus_support", case.turn.forces[0].size
         static = static_torque / torque
-        if static_stiffness not in (None, pair_stiffness):
-            again = loads(static_torque, static_stiffness)
     else:
         turns = [made(way * torque) for way in ways]
         cases = _made_cases(turns)
@@ -380,26 +361,6 @@ def pin_strength(
         deflection=deflection,
         locus=locus,
     )
-
-
-def _ideal_cases(
-    *,
-    mechanism: Mechanism,
-    force_exponent: float,
-    reference: float,
-    ways: tuple[float, ...],
-    stiffnesses: tuple[tuple[float, ...] | None, ...],
-) -> list[PinLoads]:
-    """All pins are alike; of an alternating torque the reverse is the same the other way."""
-    return [
-        PinLoads(
-            turn=pin_turn(mechanism, force_exponent, each),
-            unit=ways[0] * reference,
-            alternates=len(ways) > 1,
-            sharing="equal" if each is None else "stiffness",
-        )
-        for each in stiffnesses
-    ]
 
 
 def _made_cases(turns: list[SampledTurn]) -> list[PinLoads]:

@@ -11,7 +11,7 @@ turn                where over a turn of the ideal forces a value is largest
 fatigue             a stress cycle: its limit by factors, its safety
 hertz               the contact of pin and hole
 mechanism           cyclogram, contact force, clearance
-sharing             a pin under a unit force, and how bent pins share the load
+sharing             a pin under a unit force, and ideal forces on it
 pins                strength of the pins
 losses              friction and wear of the pins
 crank               bearings of the satellites, crankshaft, balance

@@ -12,9 +12,9 @@ from core.crank.satellite_bearing import SatelliteBearings
 from core.design.results import Results
 from core.output.sampled_turn import WAYS
 from core.worked.pins import static_step
-from core.worked.sharing import Shares, Sharing, sharing_steps
+from core.worked.sharing import Shares, ideal_turn
 from core.worked.step import MOST_TERMS, Sheet, Step, total
-from core.worked.turn import IdealTurn, Measure, Position, is_at, worst
+from core.worked.turn import IdealTurn, Measure, Position, is_at
 
 ROUNDING = 1e-9
 
@@ -65,11 +65,11 @@ class _Loads:
             f"T_{index}",
             torque * share,
             f"T*{shares.share(satellite)}",
-            **shares.said,
+            note="alike",
         )
         sheet.work("across_force", f"W_{index}", across, f"T_{index}/(e*u)")
         formula = f"T/R*{shares.pins(satellite)}"
-        sheet.work("pins_force", f"S_{index}", pins, formula, **shares.said)
+        sheet.work("pins_force", f"S_{index}", pins, formula, note="alike")
 
 
 def _ring(sheet: Sheet, results: Results, found: SatelliteBearings) -> None:
@@ -137,17 +137,17 @@ def bearing_steps(results: Results) -> list[Step]:
     _ring(sheet, results, found)
     j = worst_bearing(found)
     where = {"params": {"satellite": j + 1}}
-    sharing = sharing_steps(sheet, results=results)
+    turn = ideal_turn(sheet, results=results)
     peak, ring = float(found.peak_load[j]), float(found.peak_ring_force[j])
-    if sharing is None:
+    if turn is None:
         sheet.state("peak_load", "Q_max", peak, "bearing_load", **where)
     else:
-        _peak_load(sheet, results, sharing, j, peak)
+        _peak_load(sheet, results, turn, j, peak)
     sheet.state("min_load", "Q_min", found.min_load[j], "bearing_load", **where)
-    if sharing is None:
+    if turn is None:
         sheet.state("peak_ring_force", "F_r", ring, "bearing_load", **where)
     else:
-        _ring_force(sheet, results, sharing, j, ring)
+        _ring_force(sheet, results, turn, j, ring)
     sheet.state("equivalent_load", "P", found.equivalent_load[j], "equivalent_load", **where)
     if found.basic_life is not None and found.life is not None:
         basic = float(found.basic_life[j])
@@ -170,7 +170,7 @@ def bearing_steps(results: Results) -> list[Step]:
     return sheet.steps
 
 
-def _peak_load(sheet: Sheet, results: Results, sharing: Sharing, j: int, peak: float) -> None:
+def _peak_load(sheet: Sheet, results: Results, turn: IdealTurn, j: int, peak: float) -> None:
     """The largest load of a bearing, of pins and ring together."""
     loads, rho = _Loads(results), sheet.known["rho"].value
 
@@ -179,8 +179,7 @@ def _peak_load(sheet: Sheet, results: Results, sharing: Sharing, j: int, peak: f
         found: FloatArray = np.hypot(across, rho * across + pins)
         return found
 
-    turn, at = worst(sharing.turns, measure=size)
-    where = {"params": {"satellite": j + 1}}
+    at, where = turn.worst(size), {"params": {"satellite": j + 1}}
     if not is_at(at, measure=size, value=peak):
         sheet.state("peak_load", "Q_max", peak, "bearing_load", **where)
         return
@@ -190,20 +189,20 @@ def _peak_load(sheet: Sheet, results: Results, sharing: Sharing, j: int, peak: f
                note="bearing_load", **where)  # fmt: skip
 
 
-def _ring_force(sheet: Sheet, results: Results, sharing: Sharing, j: int, ring: float) -> None:
+def _ring_force(sheet: Sheet, results: Results, turn: IdealTurn, j: int, ring: float) -> None:
     """The largest force of the ring on the satellite."""
     loads, rho = _Loads(results), sheet.known["rho"].value
 
     def size(at: Position) -> FloatArray:
         return loads.of(at, j)[0] * math.hypot(1, rho)
 
-    turn, at = worst(sharing.turns, measure=size)
+    at = turn.worst(size)
     if not is_at(at, measure=size, value=ring):
         sheet.state("peak_ring_force", "F_r", ring, "bearing_load", params={"satellite": j + 1})
         return
     shares = Shares(sheet, turn, at)
     formula = f"T/(e*u)*{shares.share(j)}*sqrt(1+rho^2)"
-    sheet.work("peak_ring_force", "F_r", ring, formula, **shares.said)
+    sheet.work("peak_ring_force", "F_r", ring, formula, note="alike")
 
 
 def shaft_steps(results: Results) -> list[Step]:
@@ -223,10 +222,10 @@ def shaft_steps(results: Results) -> list[Step]:
     sheet.take("rho", "radial_force_ratio", results.ring_mesh.radial_force_ratio)
     for letter, place in zip(LETTERS, shaft.bearing_positions, strict=True):
         sheet.take(f"z_{letter}", "bearing_position", place)
-    sharing = sharing_steps(sheet, results=results)
+    turn = ideal_turn(sheet, results=results)
     for i, letter in enumerate(LETTERS):
         peak, equivalent = float(found.peak_reaction[i]), float(found.equivalent_reaction[i])
-        if sharing is None or not _reaction(sheet, results, sharing, i, peak):
+        if turn is None or not _reaction(sheet, results, turn, i, peak):
             sheet.state("peak", f"R_{letter}", peak, "reaction")
         kind: Bearing = "ball" if shaft.bearings is None else shaft.bearings[i].kind
         load = f"P_{letter}"
@@ -250,7 +249,7 @@ def _summed(
     return reaction
 
 
-def _reaction(sheet: Sheet, results: Results, sharing: Sharing, i: int, peak: float) -> bool:
+def _reaction(sheet: Sheet, results: Results, turn: IdealTurn, i: int, peak: float) -> bool:
     """Reaction of a bearing by moments about the other; whether it is written out."""
     if peak == 0:
         return False
@@ -264,15 +263,15 @@ def _reaction(sheet: Sheet, results: Results, sharing: Sharing, i: int, peak: fl
     def measure(way: float) -> Measure:
         return lambda at: np.abs(_summed(loads, at, carried * cranks, rho, way))
 
-    best: tuple[float, float, IdealTurn, Position] | None = None
+    best: tuple[float, float, Position] | None = None
     for way in WAYS[results.design.load.torque_direction]:
         size = measure(way)
-        turn, at = worst(sharing.turns, measure=size)
+        at = turn.worst(size)
         value = float(size(at)[0])
         if best is None or value > best[0] * (1 + 1e-12):
-            best = value, way, turn, at
+            best = value, way, at
     assert best is not None
-    _, way, turn, at = best
+    _, way, at = best
     written = is_at(at, measure=measure(way), value=peak)
     if not written or mechanism.satellites > MOST_SATELLITES:
         return False

@@ -227,7 +227,7 @@ def _equal_sharing(sheet: Sheet, mechanism: Mechanism, peak: float) -> None:
         return found
 
     reference = sheet.known["F_0"].value
-    _, at = turn.largest(most)
+    at = turn.worst(most)
     angles = [each for each in at.angle[0].tolist() if math.cos(each) > 1e-12]
     if not is_at(at, measure=most, value=peak):
         sheet.state("equal_sharing_peak", "F_e", peak, "least_support", **said)

@@ -6,9 +6,9 @@ from core.arrays import FloatArray
 from core.design.results import Results
 from core.output.pin_strength import PinDeflection, PinStrength
 from core.worked.fatigue import cycle_steps, finite_life
-from core.worked.sharing import Shares, Sharing, beam_of, sharing_steps, take_beam, unit_steps
+from core.worked.sharing import Shares, beam_of, ideal_turn, take_beam, unit_steps
 from core.worked.step import Sheet, Step
-from core.worked.turn import Position, is_at, worst
+from core.worked.turn import IdealTurn, Position, is_at
 
 
 def static_step(
@@ -44,7 +44,7 @@ def static_step(
     """
     if share == 1:
         sheet.work(code, symbol, value, f"{limit}/{load}", **said)
-    elif results.design.as_made or (results.pair_stiffness is not None):
+    elif results.solved:
         sheet.state(code, symbol, value, "under_peak", **said)
     else:
         sheet.take("k", "torque_share", share)
@@ -135,8 +135,8 @@ def _deflection(sheet: Sheet, results: Results, found: PinDeflection) -> None:
         "deflection": ("w", found.satellite - 1, found.deflection),
         "slope": ("theta", found.slope_satellite - 1, found.slope),
     }
-    sharing = sharing_steps(sheet, results=results)
-    if sharing is None:
+    turn = ideal_turn(sheet, results=results)
+    if turn is None:
         for code, (symbol, satellite, value) in parts.items():
             sheet.state(code, symbol, value, "deflected", params={"satellite": satellite + 1})
         return
@@ -145,13 +145,13 @@ def _deflection(sheet: Sheet, results: Results, found: PinDeflection) -> None:
     sheet.take("T", "output_torque", results.design.load.output_torque)
     sheet.take("R", "pin_circle_radius", results.design.load.pin_circle_radius)
     for code, (symbol, satellite, value) in parts.items():
-        _bent(sheet, results, sharing, code, symbol, satellite, value)
+        _bent(sheet, results, turn, code, symbol, satellite, value)
 
 
 def _bent(
     sheet: Sheet,
     results: Results,
-    sharing: Sharing,
+    turn: IdealTurn,
     code: str,
     symbol: str,
     satellite: int,
@@ -164,7 +164,7 @@ def _bent(
     def on_pins(position: Position) -> FloatArray:
         """What each pin suffers, shape (n, N)."""
         parts = effect[position.satellite] * position.force * np.exp(1j * position.angle)
-        own = np.zeros((len(parts), sharing.mechanism.pins), dtype=complex)
+        own = np.zeros((len(parts), results.design.mechanism.pins), dtype=complex)
         for column, n in enumerate(position.pin.tolist()):
             own[:, n] += parts[:, column]
         return np.abs(own)
@@ -173,7 +173,7 @@ def _bent(
         found: FloatArray = on_pins(position).max(axis=1)
         return found
 
-    turn, at = worst(sharing.turns, measure=most)
+    at = turn.worst(most)
     if not is_at(at, measure=most, value=value):
         sheet.state(code, symbol, value, "deflected", params={"satellite": satellite + 1})
         return
@@ -195,7 +195,7 @@ def _bent(
             forces[-1],
             force * float(at.force[0, column]),
             f"K_A*T/R*{shares.one(shares.pairs[column])}",
-            **shares.said,
+            note="alike",
         )
     if len(pairs) == 1:
         sheet.work(code, symbol, value, f"abs({units[0]})*{forces[0]}")

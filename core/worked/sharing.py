@@ -1,12 +1,7 @@
-"""Worked steps of a pin as a beam under a unit force, and of how bent pins share an ideal load."""
-
-import math
-from dataclasses import dataclass
+"""Worked steps of a pin as a beam under a unit force, and of ideal forces on it."""
 
 from core.design.results import Results
-from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam, Support
-from core.worked.hertz import take_materials
 from core.worked.step import Sheet, total
 from core.worked.turn import IdealTurn, Position
 
@@ -137,96 +132,25 @@ def unit_steps(sheet: Sheet, *, results: Results, at: int, by: int) -> tuple[str
     return f"c_{marks}", f"s_{marks}"
 
 
-@dataclass(frozen=True, slots=True)
-class Sharing:
-    """How the satellites may share an ideal load: alike, and by the stiffness of bent pins.
-
-    Attributes
-    ----------
-    mechanism : Mechanism
-        The mechanism.
-    exponent : float
-        Exponent v of the force over the approach.
-    turns : tuple of IdealTurn
-        The turns.
-    """
-
-    mechanism: Mechanism
-    exponent: float
-    turns: tuple[IdealTurn, ...]
-
-
-def sharing_steps(sheet: Sheet, *, results: Results) -> Sharing | None:
-    """Steps of the stiffness of the pairs, where satellites share by it.
+def ideal_turn(sheet: Sheet, *, results: Results) -> IdealTurn | None:
+    """The turn of the ideal forces; None where forces are solved, or there are too many pairs.
 
     Parameters
     ----------
     sheet : Sheet
-        Where.
+        Gets the exponent of the force.
     results : Results
         Results of the design.
 
     Returns
     -------
-    Sharing or None
-        None where the forces are solved, or there are too many pairs.
+    IdealTurn or None
     """
     design = results.design
-    if design.as_made or design.mechanism.pairs > MOST_PAIRS:
+    if results.solved or design.mechanism.pairs > MOST_PAIRS:
         return None
-    mechanism, exponent = design.mechanism.built, design.load.force_exponent
-    sheet.take("v", "force_exponent", exponent)
-    alike = IdealTurn(mechanism, exponent)
-    if results.pair_stiffness is None:
-        return Sharing(mechanism, exponent, (alike,))
-    _contact(sheet, results)
-    take_beam(sheet, results=results)
-    for j, stiffness in enumerate(results.pair_stiffness):
-        deflection, _ = unit_steps(sheet, results=results, at=j, by=j)
-        sheet.work("pair_stiffness", f"k_{j + 1}", stiffness, f"1/(c_c+{deflection})")
-    weighed = IdealTurn(mechanism, exponent, results.pair_stiffness)
-    return Sharing(mechanism, exponent, (alike, weighed))
-
-
-def _contact(sheet: Sheet, results: Results) -> None:
-    """Approach of the contact over its force, by Hertz's law."""
-    contact, factor = results.design.contact, results.design.load_factor
-    first, second = contact.pin_material, contact.hole_material
-    assert first is not None and second is not None
-    length, radius, hole = contact.pair
-    force = results.contact_force.peak_force * factor
-    compliance = float(results.compliance(force))
-    sheet.take("F", "peak_force", results.contact_force.peak_force)
-    sheet.take("K_A", "dynamic_factor", factor)
-    sheet.take("b", "contact_length", length)
-    sheet.take("r_in", "pin_radius", radius)
-    sheet.take("r_out", "hole_radius", hole)
-    take_materials(sheet, first=first, second=second)
-    parts = [float((1 - each.poissons_ratio**2) / each.youngs_modulus) for each in (first, second)]
-    reduced = hole * radius / (hole - radius)
-    width = math.sqrt(4 * force / (math.pi * length) * reduced * sum(parts))
-    sheet.work(
-        "contact_width",
-        "a_c",
-        width,
-        "sqrt(4*K_A*F/(pi*b)*r_out*r_in/(r_out-r_in)*((1-nu_1^2)/E_1+(1-nu_2^2)/E_2))",
-        source="johnson",
-        note="level",
-    )
-    for symbol, ratio, code in (
-        ("l_1", 4 * radius / width, "logarithm_of_pin"),
-        ("l_2", 2 * hole / width, "logarithm_of_hole"),
-    ):
-        sheet.state("logarithm", symbol, math.log(ratio), code, source="johnson")
-    said = {"source": "johnson"}
-    pin = parts[0] * (2 * math.log(4 * radius / width) - 1)
-    ratio = float(second.poissons_ratio / (1 - second.poissons_ratio))
-    by_law = (pin + parts[1] * (2 * math.log(2 * hole / width) - ratio)) / (math.pi * length)
-    if not math.isclose(by_law, compliance, rel_tol=1e-9):
-        sheet.state("contact_compliance", "c_c", compliance, "law_end", **said)
-        return
-    formula = "((1-nu_1^2)/E_1*(2*l_1-1)+(1-nu_2^2)/E_2*(2*l_2-nu_2/(1-nu_2)))/(pi*b)"
-    sheet.work("contact_compliance", "c_c", compliance, formula, **said)
+    sheet.take("v", "force_exponent", design.load.force_exponent)
+    return IdealTurn(design.mechanism.built, design.load.force_exponent)
 
 
 class Shares:
@@ -237,18 +161,13 @@ class Shares:
     sheet : Sheet
         Gets the pressure angles of the pairs.
     turn : IdealTurn
-        How the satellites share.
+        The turn.
     at : Position
         The position.
-
-    Attributes
-    ----------
-    said : dict
-        Note of the steps.
     """
 
     def __init__(self, sheet: Sheet, turn: IdealTurn, at: Position) -> None:
-        self.at, self.weighed = at, turn.stiffness is not None
+        self.at = at
         own = zip(at.satellite.tolist(), at.pin.tolist(), at.angle[0].tolist(), strict=True)
         self.pairs = [(int(j), int(n), angle) for j, n, angle in own]
         for j, n, angle in self.pairs:
@@ -257,17 +176,13 @@ class Shares:
         self.twice = {0.0: "*cos(gamma_#)", 1.0: "*cos(gamma_#)^2"}.get(
             turn.exponent, "*cos(gamma_#)^(1+v)"
         )
-        self.said = {"note": "by_stiffness" if self.weighed else "alike"}
 
     def _terms(self, form: str, pairs: list[tuple[int, int, float]]) -> str:
-        """A sum over pairs, each with the stiffness of its satellite."""
+        """A sum over pairs."""
         if not pairs:
             return "0"
-        parts = []
-        for j, n, _ in pairs:
-            term = (f"k_{j + 1}" if self.weighed else "1") + form.replace("#", f"{j + 1}_{n + 1}")
-            parts.append(term.removeprefix("1*"))
-        return total("#", marks=parts)
+        terms = ["1" + form.replace("#", f"{j + 1}_{n + 1}") for j, n, _ in pairs]
+        return total("#", marks=[each.removeprefix("1*") for each in terms])
 
     @property
     def support(self) -> str:

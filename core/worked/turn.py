@@ -5,7 +5,7 @@ pairs drive. All pins pass through one pitch of it, which is all that is looked 
 """
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -32,8 +32,6 @@ class Position:
         Numbers of the driving pairs, from 0.
     angle : array, shape (n, m)
         Their pressure angles at n places of the wave, rad, within half a turn.
-    weight : array, shape (m,)
-        Stiffness of each against the others.
     force : array, shape (n, m)
         Their forces over T/R.
     """
@@ -41,7 +39,6 @@ class Position:
     satellite: FloatArray
     pin: FloatArray
     angle: FloatArray
-    weight: FloatArray
     force: FloatArray
 
     def share(self, satellite: int) -> FloatArray:
@@ -91,24 +88,15 @@ class IdealTurn:
         Pins, cranks, ratio; without a dead centre.
     exponent : float
         Exponent v of the force over the approach.
-    stiffness : tuple of float, optional
-        Stiffness of the pairs of each satellite; all alike where not given.
     """
 
-    def __init__(
-        self,
-        mechanism: Mechanism,
-        exponent: float,
-        stiffness: Sequence[float] | None = None,
-    ) -> None:
+    def __init__(self, mechanism: Mechanism, exponent: float) -> None:
         pins, cranks = mechanism.pins, np.array(mechanism.crank_angles)
-        self.exponent, self.stiffness = exponent, stiffness
+        self.exponent = exponent
         self.pitch = 2 * math.pi / pins
         self.satellite = np.repeat(np.arange(len(cranks)), pins)
         self.pin = np.tile(np.arange(pins), len(cranks))
         self.phase = cranks[self.satellite] + self.pin * self.pitch + math.pi / 2
-        weights = np.ones(len(cranks)) if stiffness is None else np.array(stiffness)
-        self.weight = weights[self.satellite]
 
     @property
     def segments(self) -> list[tuple[float, float]]:
@@ -133,13 +121,12 @@ class IdealTurn:
         """
         drives = np.cos(within + self.phase) > 0
         angle = np.remainder(wave[:, None] + self.phase[drives] + math.pi, 2 * math.pi) - math.pi
-        cosine, weight = np.maximum(np.cos(angle), 0.0), self.weight[drives]
-        support = (weight * cosine ** (1 + self.exponent)).sum(axis=1, keepdims=True)
-        force = weight * cosine**self.exponent / support
-        return Position(self.satellite[drives], self.pin[drives], angle, weight, force)
+        cosine = np.maximum(np.cos(angle), 0.0)
+        force = cosine**self.exponent / (cosine ** (1 + self.exponent)).sum(axis=1, keepdims=True)
+        return Position(self.satellite[drives], self.pin[drives], angle, force)
 
-    def largest(self, measure: Measure) -> tuple[float, Position]:
-        """The largest value over the turn, and the position where it is.
+    def worst(self, measure: Measure) -> Position:
+        """The position at which a value is largest over the turn.
 
         Parameters
         ----------
@@ -148,8 +135,7 @@ class IdealTurn:
 
         Returns
         -------
-        value : float
-        position : Position
+        Position
             Of one place.
         """
         best: tuple[float, Position] | None = None
@@ -165,27 +151,4 @@ class IdealTurn:
                 low = max(ends[0], float(places[top]) - step)
                 high = min(ends[1], float(places[top]) + step)
         assert best is not None
-        return best
-
-
-def worst(turns: Sequence[IdealTurn], *, measure: Measure) -> tuple[IdealTurn, Position]:
-    """Of some turns the one in which a value is largest, and the position.
-
-    Parameters
-    ----------
-    turns : sequence of IdealTurn
-        The same mechanism, its satellites sharing in different ways.
-    measure : callable
-        Values of positions.
-
-    Returns
-    -------
-    turn : IdealTurn
-    position : Position
-    """
-    found = [(turn, *turn.largest(measure)) for turn in turns]
-    most = found[0]
-    for each in found[1:]:
-        if each[1] > most[1] * (1 + 1e-12):
-            most = each
-    return most[0], most[2]
+        return best[1]

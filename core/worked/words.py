@@ -18,13 +18,10 @@ VALUES = {
     "full_arm_load": "Line load where the arm is R_C",
     "couple_arm": "Arm of the cranks' couple",
     "neuber_root": "Root of Neuber's length, in √mm",
-    "contact_width": "Half-width of the contact where satellites share alike",
-    "contact_compliance": "Compliance of the contact",
     "unit_shear": "Shear force at the carrier by a unit force",
     "unit_moment": "Moment at the carrier by a unit force",
     "unit_deflection": "Deflection by a unit force",
     "unit_slope": "Slope by a unit force",
-    "pair_stiffness": "Stiffness of contact and pin",
     "pin_force": "Force of the satellite on the pin",
     "satellite_torque": "Torque of the satellite",
     "pins_force": "Resultant of the pins on the satellite",
@@ -83,10 +80,9 @@ NOTES = {
     "angle; the largest is this.",
     "equivalent": "By Mises, of bending and shear at the same point; over the section, the pin "
     "and the turn the largest.",
-    "edge": "By the slope of the bent pin in its hole, and by how satellites share the load by "
-    "the stiffness of the pins.",
-    "shared": "The worse of equal sharing among the satellites and sharing by the stiffness of "
-    "the bent pins.",
+    "edge": "By the slope of the bent pin in its hole.",
+    "shared": "The largest over the turn: of ideal forces with the load shared equally by the "
+    "satellites, else of the forces that are solved.",
     "given": "As given.",
     "tabled": "By the reliability asked.",
     "in_stress": "The stress concentration is in the stress already; it counts once.",
@@ -118,14 +114,10 @@ NOTES = {
     "under_peak": "Solved anew under the peak torque: these forces do not grow in proportion.",
     "about_middle": "Each satellite counts at its distance from the middle of the bearings.",
     "opposite": "Opposite to what it balances; counted as the crank angles are.",
-    "level": "Along a pin that is not bent, under the peak force with the dynamic factor.",
     "unit_force": "At satellite {at}, by a force at satellite {from}, spread evenly over b: "
     "bending and, with the coefficient 10/9, shear.",
     "alike": "Where the value sought is largest, satellites sharing alike; the sum below runs "
     "over all pairs that drive there.",
-    "by_stiffness": "Where the value sought is largest, satellites sharing by the stiffness of "
-    "contact and pin, which is worse than alike; the sum below runs over all pairs that drive "
-    "there.",
     "equilibrium": "Moments about the other bearing, of the satellites' W and S where the "
     "reaction is largest, turned by their cranks.",
     "along_x": "q_C times the sum over the lines of ∫ A/z ds, computed numerically; s is the "
@@ -139,8 +131,6 @@ NOTES = {
     "own_torque": "The torque itself.",
     "conformal_logarithm": "ln(1 + tan²(ε/2)).",
     "conformal_logarithm_of_pressure": "ln((√(1 + b²) + b)/(√(1 + b²) − b)) with b = tan(ε/2).",
-    "logarithm_of_pin": "ln(4·r_in/a_c).",
-    "logarithm_of_hole": "ln(2·r_out/a_c).",
     "logarithm_of_shortening": "ln((1 + k)/(1 − k)).",
     "decades_left": "ln(10⁶/N_L)/ln 1000: at a million cycles nothing is left, and the strength "
     "is the endurance limit.",
@@ -151,7 +141,6 @@ NOTES = {
     "simulated": "Counted over random pieces.",
     "root": "Found by narrowing a range until the result is what is wanted.",
     "felt": "Less than decimals lose: taken as none.",
-    "law_end": "Held where the law of line contact ends: beyond, the approach would fall.",
 }
 """What is to be known of a step, and how a number was got in the place of a formula."""
 

@@ -643,7 +643,7 @@ export default {
     even: "The most loaded pair carries {peak}, {share} times the peak with equal sharing among the driving pairs.",
     made: "As made, the most loaded pair carries {real}. Drawing and contact forces show the ideal forces, without clearance, errors and bending: at most {peak}.",
     factors: "The contact pressure is that of {force}: the peak force times the dynamic and distribution factors, {factor}.",
-    bentFactors: "The contact pressure is that of {force} spread evenly over the contact length: the peak force times the dynamic and distribution factors, {factor}, and times {edge} for bent pins, which slope in their holes and share the load among the satellites by their stiffness.",
+    bentFactors: "The contact pressure is that of {force} spread evenly over the contact length: the peak force times the dynamic and distribution factors, {factor}, and times {edge} for bent pins, which slope in their holes.",
     allCarry: "All {all} rollers carry. The most loaded one takes {ratio} times the mean force.",
     someCarry: "Only {loaded} of {all} rollers carry. The most loaded one takes {ratio} times the mean force.",
     tolerance: "All rollers carry up to a position tolerance of {limit}; here it is {tolerance}.",
