@@ -321,6 +321,13 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         """Result of a section of strength and life."""
         return getattr(self.results, section)
 
+    def solve_sharing(self) -> Values:
+        """The forces that are solved over the turn, at the torque itself."""
+        sharing, run_us = run(self, lambda: self.results.real_forces)
+        forces = if_known(lambda: self.results.judged_forces)
+        force_N = forces.force if isinstance(forces, RealForces) else None
+        return LoadSharingOut.values(sharing, run_us, judged_force_N=force_N)
+
     def solve_geometry(self) -> tuple[PinGeometry, FloatArray]:
         """Pins and holes at the crank angle, and the force of each pair there, N."""
         assert self.load is not None and self.contact is not None
@@ -550,12 +557,7 @@ def solve(body: CrankPlanetaryRequest) -> Values:
     if "contact_force" in asked:
         sections["contact_force"] = ContactForceResponse.values(*run(body, body.solve_force))
     if "load_sharing" in asked:
-        sharing, sharing_us = run(body, lambda: body.results.real_forces)
-        forces = if_known(lambda: body.results.judged_forces)
-        force_N = forces.force if isinstance(forces, RealForces) else None
-        sections["load_sharing"] = LoadSharingOut.values(
-            sharing, sharing_us, judged_force_N=force_N
-        )
+        sections["load_sharing"], _ = run(body, body.solve_sharing)
     if "hertz" in asked:
         contact, hertz_us = run(body, lambda: body.results.hertz)
         factor = body.results.line_load_factor if body.pin else None

@@ -27,7 +27,7 @@ from app.theme import Figure, Theme
 from app.units import from_si, to_si
 from app.worked import stated
 from core.errors import ImpossibleMechanism, InvalidInput
-from core.output.alternating import worse_curves, worse_position, worse_turn
+from core.output.alternating import WorseTurn, worse_curves, worse_position
 from core.output.contact_force import drawing_angles, force_curves, force_peak
 from core.output.contact_law import law_kind
 from core.output.fit import Fit, solvable
@@ -163,11 +163,11 @@ class LoadSharingRequest(CurveFields, RealDesignFields, group="positions"):
 
         if "over_turn" in asked:
             turn, direction = self.turn(real)
-            solved.take(turn.accuracy, turn.notices)
             each_pair = pressures(turn.pair_force)
             solved.values["over_turn"] = OverTurnOut.values(
                 turn, pressure_MPa=each_pair, torque_direction=direction
             )
+            solved.take(turn.accuracy, turn.notices)
         if "positions" in asked or (pressed and "over_turn" not in asked):
             solved.values["positions"] = positions = []
             for angle in self.crank_angles:
@@ -212,18 +212,18 @@ class LoadSharingRequest(CurveFields, RealDesignFields, group="positions"):
         found, reverse = worse_position(**asked)
         return found, DIRECTIONS[reverse]
 
-    def turn(self, real: RealMechanism) -> tuple[OverTurn, str | None]:
+    def turn(self, real: RealMechanism) -> tuple[OverTurn | WorseTurn, str | None]:
         """The turn; where the torque alternates the worse, and the direction of its peak."""
-        share = self.lost_motion_torque_share
-        asked: dict[str, Any] = {
-            "real": real,
-            "output_torque": self.torque,
-            "lost_motion_share": share,
-        }
-        if not self.alternating:
-            return over_turn(**asked), None
-        turn, reverse = worse_turn(**asked)
-        return turn, DIRECTIONS[reverse]
+        share, torque = self.lost_motion_torque_share, self.torque
+        ways = (1, -1) if self.alternating else (1,)
+        turn, *back = (
+            over_turn(real=real, output_torque=way * torque, lost_motion_share=share)
+            for way in ways
+        )
+        if not back:
+            return turn, None
+        worse = WorseTurn(turn, *back)
+        return worse, DIRECTIONS[worse.reverse]
 
     def curves(
         self, real: RealMechanism, end: float, samples: int

@@ -259,12 +259,13 @@ def crank_checks(results: Results) -> Verdict:
     pressed = bool(design.load) and design.touching
     forces = if_known(lambda: results.judged_forces) if pressed else None
     fit = if_known(lambda: results.fit)
-    solved = isinstance(forces, RealForces) or (fit is not None and fit.impossible)
+    solved = design.as_made and isinstance(forces, RealForces)
+    solved = solved or (fit is not None and fit.impossible)
     absent = {
         "load": not design.load,
         "contact": not design.touching,
         "satellite_body": not design.satellite_body,
-        "clearance": not (design.as_made and solved),
+        "clearance": not solved,
         "contact_life_pin": pressed and not life_considered(design=design, body="pin"),
         "contact_life_hole": pressed and not life_considered(design=design, body="hole"),
         **{name: not getattr(design, name) for name in SECTIONS if name != "satellite_body"},

@@ -111,7 +111,7 @@ def crankshaft(
     torque_direction : {"driving", "reverse", "alternating"}
         Of both directions the worse counts.
     made : callable, optional
-        Forces of the mechanism as it is made, see `core.output.real_turn.made`.
+        Forces of the mechanism as it is made, see `core.output.real_turn.sampled`.
 
     Returns
     -------

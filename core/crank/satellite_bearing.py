@@ -128,7 +128,7 @@ def satellite_bearings(
     torque_direction : {"driving", "reverse", "alternating"}
         Of both directions the worse counts. Ideal forces load the bearings alike in both.
     made : callable, optional
-        Forces of the mechanism as it is made, see `core.output.real_turn.made`; of one design.
+        Forces of the mechanism as it is made, see `core.output.real_turn.sampled`; of one design.
 
     Returns
     -------

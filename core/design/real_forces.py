@@ -1,15 +1,17 @@
 """Forces of a design as it is made, as its checks look at them: over the turn, each direction."""
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Self
 
 from core.hertz import HertzContact
 from core.output.limit_torque import limit_torque
-from core.output.over_turn import TIE, OverTurn, over_turn
+from core.output.over_turn import TIE, OverTurn
 from core.output.real_mechanism import RealMechanism
 from core.output.sampled_turn import WAYS, Direction
+from core.output.turn import Turn
 
 
 @dataclass(frozen=True)
@@ -37,13 +39,13 @@ class RealForces:
     turn: OverTurn
 
     @classmethod
-    def solved(cls, *, real: RealMechanism, torque: float, direction: Direction) -> Self:
+    def solved(cls, *, turn: Callable[[float], Turn], torque: float, direction: Direction) -> Self:
         """Forces of a mechanism.
 
         Parameters
         ----------
-        real : RealMechanism
-            The mechanism, with materials.
+        turn : callable
+            Of the torque, N*m, negative in reverse: the mechanism under it, with materials.
         torque : float
             Size of the torque, N*m, > 0.
         direction : {"driving", "reverse", "alternating"}
@@ -59,9 +61,9 @@ class RealForces:
             See `core.output.real_mechanism.RealMechanism.solved`.
         """
         ways = WAYS[direction]
-        turns = {way: over_turn(real=real, output_torque=way * torque) for way in ways}
+        turns = {way: OverTurn(turn(way * torque)) for way in ways}
         way = max(ways, key=lambda way: turns[way].max_pressure or 0.0)
-        return cls(real, way, ways, torque, turns[way])
+        return cls(turns[way].real, way, ways, torque, turns[way])
 
     @cached_property
     def pair(self) -> int:

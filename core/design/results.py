@@ -5,7 +5,7 @@ known.
 import math
 from collections.abc import Callable
 from dataclasses import replace
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Any
 
 import numpy as np
@@ -31,8 +31,9 @@ from core.output.losses import PinLosses, pin_losses
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
 from core.output.real_mechanism import Deviations, RealMechanism
-from core.output.real_turn import made
+from core.output.real_turn import sampled
 from core.output.sampled_turn import WAYS, Made, SampledTurn
+from core.output.turn import Turn
 from core.results import Notice
 
 MOST_REAL_PAIRS, MOST_GIVING_PAIRS = 100, 25
@@ -134,7 +135,7 @@ class Results:
             raise self.fit.refusal()
         load = self.design.load
         return RealForces.solved(
-            real=self.real,
+            turn=self.turn,
             torque=load.output_torque * factor,
             direction=load.torque_direction,
         )
@@ -155,10 +156,17 @@ class Results:
         """The forces that are judged."""
         return self.loading if self.solved else self.contact_force
 
+    @cached_property
+    def turn(self) -> Callable[[float], Turn]:
+        """The mechanism as it is made over the turn, of a torque, N*m, negative in reverse."""
+        return cache(lambda torque: Turn(self.real, torque))
+
     @derived
     def made(self) -> Made | None:
-        """The solved forces under any torque; None where the ideal ones are judged."""
-        return made(self.real) if self.solved else None
+        """The forces on pins and satellites that are solved over the turn, of a torque likewise;
+        None where the ideal ones are judged.
+        """
+        return cache(lambda torque: sampled(self.turn(torque))) if self.solved else None
 
     @cached_property
     def compliance(self) -> Callable[[Number], Number]:

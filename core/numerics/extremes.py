@@ -28,8 +28,8 @@ Narrow = Callable[[float, float], tuple[float, float, float]]
 """Place and height of the largest value between two places, and its error."""
 
 
-def other_places(*, count: int, first: float = 0.0) -> FloatArray:
-    """Even places over a turn, moved off those that begin at the first.
+def other_places(*, count: int, first: float = 0.0, period: float = 2 * math.pi) -> FloatArray:
+    """Even places over a period, moved off those that begin at the first.
 
     Parameters
     ----------
@@ -37,6 +37,8 @@ def other_places(*, count: int, first: float = 0.0) -> FloatArray:
         How many: a prime shares no place with a grid of fewer or of a multiple of others.
     first : float
         Where the other grid begins, rad.
+    period : float
+        Of what is looked at, rad.
 
     Returns
     -------
@@ -48,7 +50,7 @@ def other_places(*, count: int, first: float = 0.0) -> FloatArray:
     >>> other_places(count=3).round(3).tolist()
     [1.294, 3.389, 5.483]
     """
-    return np.asarray(first + (np.arange(count) + MOVED) * (2 * math.pi / count), np.float64)
+    return np.asarray(first + (np.arange(count) + MOVED) * (period / count), np.float64)
 
 
 def hill(
@@ -97,18 +99,25 @@ def hill(
 
 
 def second_look(
-    *, places: FloatArray, heights: FloatArray, known: float, narrow: Narrow
+    *,
+    places: FloatArray,
+    heights: FloatArray,
+    known: float,
+    narrow: Narrow,
+    period: float = 2 * math.pi,
 ) -> tuple[float, float, float]:
     """The largest value that a second look finds.
 
     Parameters
     ----------
     places, heights : array, shape (n,)
-        Even places over a turn, rad, and the values there.
+        Even places over a period, rad, and the values there.
     known : float
         Largest value that the first look found.
     narrow : callable
         The largest value between two places.
+    period : float
+        Of what is looked at, rad.
 
     Returns
     -------
@@ -125,7 +134,7 @@ def second_look(
     >>> second_look(places=places, heights=np.cos(places - 1), known=0.9, narrow=look)
     (1.0, 1.0, 0.0)
     """
-    step = 2 * math.pi / len(places)
+    step = period / len(places)
     before, after = np.roll(heights, 1), np.roll(heights, -1)
     tops = np.flatnonzero((heights >= before) & (heights > after))
     # what a summit may be above its sample: as far as it fell to the farther neighbour

@@ -1,10 +1,11 @@
 """A torque that alternates: both directions are solved, and the worse is given."""
 
 from dataclasses import replace
+from typing import Any
 
 from core.arrays import FloatArray
 from core.output.loaded_position import LoadedPosition, loaded_position
-from core.output.over_turn import TIE, OverTurn, over_turn
+from core.output.over_turn import TIE, OverTurn
 from core.output.real_curves import RealCurves, real_curves
 from core.output.real_mechanism import RealMechanism
 from core.results import Accuracy, Notice
@@ -95,73 +96,66 @@ def worse_curves(
     return (back if reverse else driving), reverse
 
 
-def worse_turn(
-    *, real: RealMechanism, output_torque: float, lost_motion_share: float = 0.03
-) -> tuple[OverTurn, bool]:
-    """The worse of both directions over the turn, number by number.
+LARGER = {
+    "transmission_error",
+    "unloaded_transmission_error",
+    "stiffness_max",
+    "loaded_pairs_max",
+    "input_torque_ripple",
+    "angle_error",
+    "stiffness_error",
+    "pair_error",
+    "ripple_error",
+}
+"""Numbers over the turn of which the larger one of both directions is the worse."""
+
+LESS = {"stiffness_min", "loaded_pairs_min"}
+"""The same of the smaller one."""
+
+
+class WorseTurn:
+    """The worse of both directions over the turn, number by number, by the names of `OverTurn`.
+
+    The peak, where it is and its pair are those of the direction with the larger peak. Backlash and
+    lost motion are the same in both.
 
     Parameters
     ----------
-    real : RealMechanism
-        The mechanism.
-    output_torque : float
-        Size of the torque, N*m, > 0.
-    lost_motion_share : float
-        Share of the torque under which the lost motion is taken, 0 < share <= 1.
-
-    Returns
-    -------
-    turn : OverTurn
-        The peak, where it is and its pair are those of the direction with the larger peak; every
-        other number is the worse of the two: errors and spreads the larger, the least stiffness the
-        smaller. Backlash and lost motion are the same in both.
-    reverse : bool
-        Whether the peak is that of the reverse torque.
-
-    Raises
-    ------
-    InvalidInput
-        If an input is out of range.
-    ImpossibleMechanism
-        If either direction cannot be; see `RealMechanism.solved`.
+    driving, back : OverTurn
+        Both directions.
     """
-    driving, back = (
-        over_turn(
-            real=real, output_torque=sign * output_torque, lost_motion_share=lost_motion_share
-        )
-        for sign in (1, -1)
-    )
-    reverse = _reverse(driving.peak_force, back.peak_force)
-    worse, other = (back, driving) if reverse else (driving, back)
 
-    def larger(name: str) -> float:
-        value: float = max(getattr(worse, name), getattr(other, name))
-        return value
+    def __init__(self, driving: OverTurn, back: OverTurn) -> None:
+        self.reverse = _reverse(driving.peak_force, back.peak_force)
+        """Whether the peak is that of the reverse torque."""
+        self.worse, self.other = (back, driving) if self.reverse else (driving, back)
 
-    notices: dict[str, Notice] = {each.code: each for each in (*other.notices, *worse.notices)}
-    turn = replace(
-        worse,
-        max_pressure=_larger_pressure(worse, other),
-        transmission_error=larger("transmission_error"),
-        unloaded_transmission_error=larger("unloaded_transmission_error"),
-        stiffness_min=min(worse.stiffness_min, other.stiffness_min),
-        stiffness_max=larger("stiffness_max"),
-        loaded_pairs_min=min(worse.loaded_pairs_min, other.loaded_pairs_min),
-        loaded_pairs_max=max(worse.loaded_pairs_max, other.loaded_pairs_max),
-        pair_force=tuple(
-            tuple(map(max, one, two))
-            for one, two in zip(worse.pair_force, other.pair_force, strict=True)
-        ),
-        input_torque_ripple=larger("input_torque_ripple"),
-        angle_error=larger("angle_error"),
-        stiffness_error=larger("stiffness_error"),
-        pair_error=larger("pair_error"),
-        ripple_error=larger("ripple_error"),
-        accuracy=Accuracy(
-            worse.accuracy.method,
-            max(worse.accuracy.relative_error, other.accuracy.relative_error),
-            worse.accuracy.evaluations + other.accuracy.evaluations,
-        ),
-        notices=tuple(notices.values()),
-    )
-    return turn, reverse
+    def __getattr__(self, name: str) -> Any:
+        worse, other = getattr(self.worse, name), getattr(self.other, name)
+        if name in LARGER:
+            return max(worse, other)
+        return min(worse, other) if name in LESS else worse
+
+    @property
+    def max_pressure(self) -> float | None:
+        """Largest Hertz pressure, Pa, where the materials are known."""
+        return _larger_pressure(self.worse, self.other)
+
+    @property
+    def pair_force(self) -> tuple[tuple[float, ...], ...]:
+        """Largest force of each pair, N, K x N."""
+        rows = zip(self.worse.pair_force, self.other.pair_force, strict=True)
+        return tuple(tuple(map(max, one, two)) for one, two in rows)
+
+    @property
+    def accuracy(self) -> Accuracy:
+        """Of the peak force."""
+        one, two = self.worse.accuracy, self.other.accuracy
+        error = max(one.relative_error, two.relative_error)
+        return Accuracy(one.method, error, one.evaluations + two.evaluations)
+
+    @property
+    def notices(self) -> tuple[Notice, ...]:
+        """Those of either."""
+        both = (*self.other.notices, *self.worse.notices)
+        return tuple({each.code: each for each in both}.values())

@@ -65,5 +65,5 @@ def limit_torque(*, real: RealMechanism, direction: float, pair: int, force: flo
     turn.pairs = turn.pairs._replace(allowed=turn.kernel.row(less))
     even, near = turn.positions()
     torques = turn.values(LIMIT_TORQUE, sorted({*even, *near}))
-    least = Grid(torques.places, -torques.heights)
+    least = Grid(torques.places, -torques.heights, turn.period)
     return -max(each.height for each in summits(grid=least, narrow=turn.narrow(LIMIT_TORQUE, -1)))

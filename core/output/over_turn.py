@@ -1,18 +1,21 @@
 """The mechanism as it is made, over the turn: peak, backlash, lost motion, transmission error.
 
-Everything depends on the wave angle alone and repeats with its turn; with deviations it has no
-shorter period. Forces have kinks and play has cusps where pairs take over from each other, and
-extremes like to sit there: summits are narrowed by golden section, which asks for no derivative.
+Everything depends on the wave angle alone and repeats with its turn; with deviations of pins or
+holes it has no shorter period. Forces have kinks and play has cusps where pairs take over from each
+other, and extremes like to sit there: summits are narrowed by golden section, which asks for no
+derivative.
 """
 
 import math
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from core.arrays import check_finite, check_single
+from core.derived import derived
 from core.errors import InvalidInput
-from core.numerics.extremes import other_places, second_look
+from core.hertz import HertzContact
+from core.numerics.extremes import second_look
 from core.output.contact_force import PairNumber
 from core.output.loaded_position import notices
 from core.output.real_mechanism import RealMechanism
@@ -22,64 +25,293 @@ from core.output.sharing_kernel import (
     INPUT_TORQUE,
     LAG,
     LOST_MOTION,
-    PLACE,
     PLAY_END,
     PRESSURE,
     STIFFNESS,
 )
 from core.output.summits import Grid, Summit, all_summits, highest, summits
-from core.output.turn import Turn
+from core.output.turn import Rows, Turn
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 TIE = 1e-9
 """Relative difference below which two summits are one peak, reported at the first crank angle."""
 
+FLAT = 1e-7
+"""How far the place of a smooth summit may be off by the rounding of its height, rad."""
 
-LOOKED_AGAIN = 461
-"""Positions of the second look, a prime: so many as a third of the time allows."""
+
+class Peak(NamedTuple):
+    """The largest force over the turn, and that of each pair."""
+
+    force: float  # N
+    crank_angle: float  # first one >= 0 where it is, rad
+    pair: int  # index of the pair that carries it there
+    pair_force: list[float]  # largest force of each pair, N
+    pair_error: float  # estimate of their error, over the peak
+    relative_error: float  # estimate of the error of the peak
 
 
-@dataclass(frozen=True, slots=True)
+class Extreme(NamedTuple):
+    """A largest or least value over the turn, or the difference of both."""
+
+    value: float  # in the unit of what is looked at
+    error: float  # an estimate
+
+
 class OverTurn:
-    """Extremes over the turn of the wave."""
+    """Extremes over the turn of the wave, each looked for when it is asked for.
 
-    peak_force: float  # F_max of all pairs, N
-    peak_force_ratio: float  # F_max/F0, F0 = T/R
-    peak_crank_angle: float  # first one >= 0, rad
-    peak_pair: PairNumber  # the one that carries it there
-    backlash_max: float  # largest play of the unloaded output, rad; 0 where pairs press
-    backlash_min: float  # least play, rad
-    lost_motion: float  # largest difference of lags under a share of the torque both ways, rad
-    transmission_error: float  # largest less least lag under load, rad
-    unloaded_transmission_error: float  # the same of the lag at which the first pair touches, rad
-    stiffness_min: float  # least torsional stiffness, N*m/rad
-    stiffness_max: float  # largest, N*m/rad
-    loaded_pairs_min: int  # least number of pairs that carry
-    loaded_pairs_max: int  # largest number
-    max_pressure: float | None  # largest Hertz pressure, Pa, where the materials are known
-    pair_force: tuple[tuple[float, ...], ...]  # largest force of each pair, N, K x N
-    input_torque_ripple: float  # largest less least torque of the crank, without friction, N*m
-    pressed_without_load: bool  # whether pairs press so anywhere
-    angle_error: float  # estimate, of backlash, lost motion and transmission errors, rad
-    stiffness_error: float  # estimate, relative
-    pair_error: float  # estimate, of the pairs' forces, over the peak
-    ripple_error: float  # estimate, N*m
-    # Of the peak force: what twice as many positions change, what a second look at other positions
-    # found above, and rounding. An honest estimate, no proof.
-    accuracy: Accuracy
-    notices: tuple[Notice, ...]
+    Parameters
+    ----------
+    turn : Turn
+        The mechanism under a torque.
+    """
 
+    def __init__(self, turn: Turn) -> None:
+        self.turn, self.real = turn, turn.real
 
-def _height(summit: Summit) -> float:
-    return summit.height
+    def _grid(self, rows: Rows, name: str, sign: int = 1) -> Grid:
+        heights = rows["high"] - rows["low"] if name == "backlash" else rows[name]
+        if name == "backlash":
+            heights = np.maximum(heights, 0.0)
+        return Grid(rows["wave"], sign * heights, self.turn.period)
 
+    def _above(self, looked: Grid, kind: int, top: Summit, sign: int = 1) -> tuple[Summit, float]:
+        """The higher one of a summit and what a second look finds, and by how much it is."""
+        place, height, error = second_look(
+            places=looked.places,
+            heights=looked.heights,
+            known=top.height,
+            narrow=self.turn.narrow(kind, sign),
+            period=looked.period,
+        )
+        if not height > top.height:
+            return top, 0.0
+        return Summit(place, height, error, (place,)), height - top.height
 
-def _crank_angle(real: RealMechanism, psi: float) -> float:
-    """First crank angle >= 0 of a wave angle, rad."""
-    off = (psi - real.mechanism.initial_crank_angle) % (2 * math.pi)
-    if off > 2 * math.pi - 100 * PLACE:
-        off = 0.0
-    return off / (1 + 1 / real.mechanism.ratio)
+    @derived
+    def _peak(self) -> Peak:
+        turn, narrow = self.turn, self.turn.narrow(FORCE)
+        coarse = self._grid(turn.coarse, "force")
+        rough_forces = turn.pair_force
+        fine, again = self._grid(turn.fine, "force"), self._grid(turn.again, "force")
+        found, top, rough = all_summits(coarse=coarse, fine=fine, narrow=narrow)
+        top, missed = self._above(again, FORCE, top)
+        found.append(top)
+        peak = top.height
+        offs = [
+            (psi - self.real.mechanism.initial_crank_angle) % turn.period
+            for summit in found
+            if summit.height >= peak * (1 - TIE)
+            for psi in summit.alike
+        ]
+        off = min(0.0 if each > turn.period - FLAT else each for each in offs)
+        turn.values(FORCE, {psi for summit in found for psi in summit.alike})  # of every pair
+        turn.values(FORCE, [self.real.mechanism.initial_crank_angle + off])
+        force = [*turn.room.force]
+        most = turn.pair_force
+        unsure = float(turn.fine["force_error"].max())
+        return Peak(
+            force=peak,
+            crank_angle=off / (1 + 1 / self.real.mechanism.ratio),
+            pair=force.index(max(force)),
+            pair_force=most,
+            pair_error=max(map(float.__sub__, most, rough_forces)) / peak,
+            relative_error=(abs(peak - rough) + missed + top.error + unsure) / peak,
+        )
+
+    @property
+    def peak_force(self) -> float:
+        """F_max of all pairs, N."""
+        return self._peak.force
+
+    @property
+    def peak_force_ratio(self) -> float:
+        """F_max/F0, F0 = T/R."""
+        return self.peak_force * self.real.pin_circle_radius / abs(self.turn.torque)
+
+    @property
+    def peak_crank_angle(self) -> float:
+        """First crank angle >= 0 at which it occurs, rad."""
+        return self._peak.crank_angle
+
+    @property
+    def peak_pair(self) -> PairNumber:
+        """The pair that carries it there."""
+        satellite, pin = divmod(self._peak.pair, self.real.mechanism.pins)
+        return PairNumber(satellite + 1, pin + 1)
+
+    @property
+    def pair_force(self) -> tuple[tuple[float, ...], ...]:
+        """Largest force of each pair, N, K x N."""
+        return self.real.rows(self._peak.pair_force)
+
+    @property
+    def pair_error(self) -> float:
+        """Estimate of the error of the pairs' forces, over the peak."""
+        return self._peak.pair_error
+
+    @derived
+    def _contact(self) -> HertzContact | None:
+        """Contact of the pair with the peak force."""
+        return self.real.contact(self._peak.pair, self.peak_force)
+
+    @derived
+    def max_pressure(self) -> float | None:
+        """Largest Hertz pressure, Pa, where the materials are known."""
+        if self._contact is None:
+            return None
+        pressure, curved = float(self._contact.max_pressure), self.real.pairs.curved
+        if max(curved) > min(curved) * (1 + 1e-12):
+            grid = self._grid(self.turn.fine, "pressure")
+            tops = summits(grid=grid, narrow=self.turn.narrow(PRESSURE))
+            top = max(tops, key=lambda summit: summit.height)
+            top, _ = self._above(self._grid(self.turn.again, "pressure"), PRESSURE, top)
+            pressure *= math.sqrt(top.height / (self.peak_force * curved[self._peak.pair]))
+        return pressure
+
+    def _extreme(self, name: str, kind: int, sign: int = 1) -> Extreme:
+        """Largest value over the turn, or least for the sign -1."""
+        turn = self.turn
+        coarse, fine, again = (
+            self._grid(rows, name, sign) for rows in (turn.coarse, turn.fine, turn.again)
+        )
+        top, missed = highest(coarse=coarse, fine=fine, narrow=turn.narrow(kind, sign))
+        top, more = self._above(again, kind, top, sign)
+        jumps = kind == STIFFNESS  # on the high side of a jump nothing is missed
+        return Extreme(sign * top.height, missed + more + (0.0 if jumps else top.error))
+
+    def _spread(self, name: str, kind: int) -> Extreme:
+        """Largest less least value over the turn."""
+        high, low = (self._extreme(name, kind, sign) for sign in (1, -1))
+        return Extreme(high.value - low.value, high.error + low.error)
+
+    @derived
+    def _backlash(self) -> tuple[Extreme, Extreme]:
+        return self._extreme("backlash", BACKLASH), self._extreme("backlash", BACKLASH, -1)
+
+    @property
+    def backlash_max(self) -> float:
+        """Largest play of the unloaded output, rad; 0 where pairs press."""
+        return self._backlash[0].value
+
+    @property
+    def backlash_min(self) -> float:
+        """Least play, rad."""
+        return self._backlash[1].value + 0.0
+
+    @derived
+    def _lost_motion(self) -> Extreme:
+        turn, narrow = self.turn, self.turn.narrow(LOST_MOTION)
+        even, _ = turn.positions()
+        lost = turn.values(LOST_MOTION, even)
+        coarse = Grid(lost.places[::2], lost.heights[::2], lost.period)
+        top, missed = highest(coarse=coarse, fine=lost, narrow=narrow)
+        again = turn.values(LOST_MOTION, turn.again["wave"])
+        top, more = self._above(again, LOST_MOTION, top)
+        return Extreme(top.height, missed + more + top.error)
+
+    @property
+    def lost_motion(self) -> float:
+        """Largest difference of lags under a share of the torque both ways, rad."""
+        return self._lost_motion.value
+
+    @derived
+    def _lag(self) -> Extreme:
+        return self._spread("lag", LAG)
+
+    @property
+    def transmission_error(self) -> float:
+        """Largest less least lag under load, rad."""
+        return self._lag.value
+
+    @property
+    def pressed_without_load(self) -> bool:
+        """Whether pairs press so anywhere."""
+        rows = self.turn.fine
+        return bool((rows["low"] > rows["high"] + rows["play_error"]).any())
+
+    @derived
+    def _unloaded(self) -> Extreme:
+        if self.pressed_without_load:
+            return Extreme(0.0, 0.0)
+        return self._spread("high", PLAY_END)
+
+    @property
+    def unloaded_transmission_error(self) -> float:
+        """The same of the lag at which the first pair touches, rad."""
+        return self._unloaded.value
+
+    @derived
+    def _stiffness(self) -> tuple[Extreme, Extreme]:
+        return self._extreme("stiffness", STIFFNESS), self._extreme("stiffness", STIFFNESS, -1)
+
+    @property
+    def stiffness_max(self) -> float:
+        """Largest torsional stiffness, N*m/rad."""
+        return self._stiffness[0].value
+
+    @property
+    def stiffness_min(self) -> float:
+        """Least torsional stiffness, N*m/rad."""
+        return self._stiffness[1].value
+
+    @property
+    def stiffness_error(self) -> float:
+        """Estimate of the error of the stiffnesses, relative."""
+        return max(each.error / each.value for each in self._stiffness) + 8 * ROUNDING
+
+    @property
+    def loaded_pairs_min(self) -> int:
+        """Least number of pairs that carry."""
+        return int(self.turn.fine["loaded"].min())
+
+    @property
+    def loaded_pairs_max(self) -> int:
+        """Largest number of pairs that carry."""
+        return int(self.turn.fine["loaded"].max())
+
+    @derived
+    def _ripple(self) -> Extreme:
+        return self._spread("input_torque", INPUT_TORQUE)
+
+    @property
+    def input_torque_ripple(self) -> float:
+        """Largest less least torque of the crank, without friction, N*m."""
+        return self._ripple.value
+
+    @property
+    def ripple_error(self) -> float:
+        """Estimate of its error, N*m."""
+        unsure = float(self.turn.fine["force_error"].max())
+        return self._ripple.error + 2 * unsure * len(self.real.pairs.a) * self.real.eccentricity
+
+    @property
+    def angle_error(self) -> float:
+        """Estimate of the error of backlash, lost motion and transmission errors, rad."""
+        rows = self.turn.fine
+        rounding = float(rows["lag_error"].max() + 2 * rows["play_error"].max())
+        found = *self._backlash, self._lost_motion, self._lag, self._unloaded
+        return rounding + max(each.error for each in found)
+
+    @property
+    def accuracy(self) -> Accuracy:
+        """Of the peak force: what twice as many positions change, what a second look at other
+        positions found above, and rounding. An honest estimate, no proof.
+        """
+        error = self._peak.relative_error
+        return Accuracy("sampling_zoomed", error, self.turn.evaluations)
+
+    @property
+    def notices(self) -> tuple[Notice, ...]:
+        """What to know besides."""
+        position = notices(
+            real=self.real,
+            lag=float(np.abs(self.turn.fine["lag"]).max()),
+            pressed=self.pressed_without_load,
+            contact=self._contact,
+        )
+        return (*position, *poorly_known(self.accuracy))
 
 
 def over_turn(
@@ -105,7 +337,8 @@ def over_turn(
     InvalidInput
         If an input is out of range.
     ImpossibleMechanism
-        See `RealMechanism.solved`.
+        See `RealMechanism.solved`: where a position of the even grid cannot be, or, as its numbers
+        are read, one between.
 
     Notes
     -----
@@ -134,138 +367,6 @@ def over_turn(
         raise InvalidInput("lost_motion_share", lost_motion_share, "greater_than", limit=0)
     if not lost_motion_share <= 1:
         raise InvalidInput("lost_motion_share", lost_motion_share, "less_than_equal", limit=1)
-    turn = Turn(real, output_torque, lost_motion_share)
-    even, near = turn.positions()
-    step = even[1] - even[0]
-    places = sorted({*even, *near})
-    between = sorted({psi + step / 2 for psi in even} - {*places})
-    rough = turn.poses(places)
-    rough_forces = turn.pair_force
-    order = np.argsort([*places, *between], kind="stable")
-    every = {
-        name: np.concatenate([rough[name], row])[order] for name, row in turn.poses(between).items()
-    }
-
-    def grids(name: str, sign: int = 1) -> dict[str, Grid]:
-        """The coarse and the fine grid of a row."""
-        whole = np.array([*places, *between])[order]
-        return {
-            "coarse": Grid(np.array(places), sign * rough[name]),
-            "fine": Grid(whole, sign * every[name]),
-        }
-
-    others = other_places(count=LOOKED_AGAIN, first=even[0])
-    again = turn.poses(others.tolist())
-
-    def above(name: str, kind: int, top: Summit, sign: int = 1) -> tuple[Summit, float]:
-        """The higher one of a summit and what a second look finds, and by how much it is."""
-        place, height, error = second_look(
-            places=others,
-            heights=sign * again[name],
-            known=top.height,
-            narrow=turn.narrow(kind, sign),
-        )
-        if not height > top.height:
-            return top, 0.0
-        return Summit(place, height, error, (place,)), height - top.height
-
-    found, top, rough_peak = all_summits(**grids("force"), narrow=turn.narrow(FORCE))
-    top, missed_peak = above("force", FORCE, top)
-    found.append(top)
-    peak = top.height
-    place = min(
-        (each for summit in found if summit.height >= peak * (1 - TIE) for each in summit.alike),
-        key=lambda psi: _crank_angle(real, psi),
-    )
-    turn.values(FORCE, {psi for summit in found for psi in summit.alike})  # of every pair
-    turn.values(FORCE, [place])
-    force = [*turn.room.force]
-    pair = force.index(max(force))
-    contact = real.contact(pair, peak)
-    max_pressure = None
-    if contact is not None:
-        max_pressure = contact.max_pressure
-        curved = real.pairs.curved
-        if max(curved) > min(curved) * (1 + 1e-12):
-            pressed_most = summits(grid=grids("pressure")["fine"], narrow=turn.narrow(PRESSURE))
-            pressure = above("pressure", PRESSURE, max(pressed_most, key=_height))[0].height
-            max_pressure *= math.sqrt(pressure / (peak * curved[pair]))
-
-    def extreme(name: str, kind: int, sign: int = 1, jumps: bool = False) -> tuple[float, float]:
-        """Largest value over the turn, or least for the sign -1, and an estimate of its error; on
-        the high side of a jump nothing is missed.
-        """
-        top, missed = highest(**grids(name, sign), narrow=turn.narrow(kind, sign))
-        top, more = above(name, kind, top, sign)
-        return sign * top.height, missed + more + (0.0 if jumps else top.error)
-
-    def spread(name: str, kind: int) -> tuple[float, float]:
-        """Largest less least value over the turn, and an estimate of its error."""
-        (high, off), (low, other) = (extreme(name, kind, sign) for sign in (1, -1))
-        return high - low, off + other
-
-    lag = spread("lag", LAG)
-    pressed = bool((every["low"] > every["high"] + every["play_error"]).any())
-    unloaded = 0.0, 0.0
-    if not pressed:
-        unloaded = spread("high", PLAY_END)
-    for rows in (rough, every, again):
-        rows["backlash"] = np.maximum(rows["high"] - rows["low"], 0.0)
-    backlash = [extreme("backlash", BACKLASH, sign) for sign in (1, -1)]
-    lost = turn.values(LOST_MOTION, even)
-    most_lost, missed_lost = highest(
-        coarse=Grid(lost.places[::2], lost.heights[::2]),
-        fine=lost,
-        narrow=turn.narrow(LOST_MOTION),
-    )
-    again["lost_motion"] = turn.values(LOST_MOTION, others.tolist()).heights
-    most_lost, more_lost = above("lost_motion", LOST_MOTION, most_lost)
-    missed_lost += more_lost
-    stiff = [extreme("stiffness", STIFFNESS, sign, True) for sign in (1, -1)]
-    ripple = spread("input_torque", INPUT_TORQUE)
-    rounding = float(every["lag_error"].max() + 2 * every["play_error"].max())
-    unsure = float(every["force_error"].max())
-    accuracy = Accuracy(
-        "sampling_zoomed",
-        (abs(peak - rough_peak) + missed_peak + top.error + unsure) / peak,
-        turn.evaluations,
-    )
-    return OverTurn(
-        peak_force=peak,
-        peak_force_ratio=peak * real.pin_circle_radius / abs(output_torque),
-        peak_crank_angle=_crank_angle(real, place),
-        peak_pair=PairNumber(pair // real.mechanism.pins + 1, pair % real.mechanism.pins + 1),
-        backlash_max=backlash[0][0],
-        backlash_min=backlash[1][0] + 0.0,
-        lost_motion=most_lost.height,
-        transmission_error=lag[0],
-        unloaded_transmission_error=unloaded[0],
-        stiffness_min=stiff[1][0],
-        stiffness_max=stiff[0][0],
-        loaded_pairs_min=int(every["loaded"].min()),
-        loaded_pairs_max=int(every["loaded"].max()),
-        max_pressure=max_pressure,
-        pair_force=real.rows(turn.pair_force),
-        input_torque_ripple=ripple[0],
-        pressed_without_load=pressed,
-        angle_error=rounding
-        + max(
-            lag[1],
-            unloaded[1],
-            *[off for _, off in backlash],
-            missed_lost + most_lost.error,
-        ),
-        stiffness_error=max(off / value for value, off in stiff) + 8 * ROUNDING,
-        pair_error=max(map(float.__sub__, turn.pair_force, rough_forces)) / peak,
-        ripple_error=ripple[1] + 2 * unsure * len(force) * real.eccentricity,
-        accuracy=accuracy,
-        notices=(
-            *notices(
-                real=real,
-                lag=float(np.abs(every["lag"]).max()),
-                pressed=pressed,
-                contact=contact,
-            ),
-            *poorly_known(accuracy),
-        ),
-    )
+    found = OverTurn(Turn(real, output_torque, lost_motion_share))
+    assert found.turn.coarse  # refuses what cannot be
+    return found

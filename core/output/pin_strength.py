@@ -231,7 +231,7 @@ def pin_stresses(
     torque_direction : {"driving", "reverse", "alternating"}
         Of a torque that alternates each cycle has both directions.
     made : callable, optional
-        Forces of the mechanism as it is made, see `core.output.real_turn.made`.
+        Forces of the mechanism as it is made, see `core.output.real_turn.sampled`.
 
     Returns
     -------

@@ -204,6 +204,14 @@ class RealMechanism:
         check_law(self.law)
         check_support(support=self.support, satellites=self.mechanism.satellites, exact=self.exact)
 
+    @property
+    def pins_alike(self) -> bool:
+        """Whether all pins are alike, and all holes of a satellite."""
+        own = self.deviations
+        pins = own.pin_radial, own.pin_tangential, own.pin_radius
+        holes = own.hole_radial, own.hole_tangential, own.hole_radius
+        return not any(map(any, pins)) and not any(any(map(any, each)) for each in holes)
+
     def setup(self, direction: float) -> Setup:
         """The design as the kernel takes it.
 

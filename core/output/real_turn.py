@@ -5,15 +5,13 @@ deviations and lag turn out of the crank's direction; in first order it keeps th
 """
 
 import math
-from functools import cache
 
 import numpy as np
 
-from core.arrays import ComplexArray, FloatArray, check_finite, check_single
-from core.errors import InvalidInput
+from core.arrays import ComplexArray, FloatArray
 from core.output.real_mechanism import Deviations, RealMechanism
-from core.output.sampled_turn import Made, SampledTurn, off_straight
-from core.output.turn import Turn
+from core.output.sampled_turn import SampledTurn, off_straight
+from core.output.turn import Rows, Turn, joined
 
 ENOUGH = 1e-5
 """How far a sample may lie off the straight line between its neighbours, over the largest force."""
@@ -22,15 +20,13 @@ HALVINGS = 16
 """How often the samples beside a kink are halved."""
 
 
-def real_turn(*, real: RealMechanism, output_torque: float) -> SampledTurn:
+def sampled(turn: Turn) -> SampledTurn:
     """Forces under one torque, sampled as closely as they need.
 
     Parameters
     ----------
-    real : RealMechanism
-        The mechanism.
-    output_torque : float
-        Torque T on the output link, N*m, not 0; negative in reverse.
+    turn : Turn
+        The mechanism under the torque.
 
     Returns
     -------
@@ -38,8 +34,6 @@ def real_turn(*, real: RealMechanism, output_torque: float) -> SampledTurn:
 
     Raises
     ------
-    InvalidInput
-        If the torque is no number or 0.
     ImpossibleMechanism
         See `RealMechanism.solved`.
 
@@ -51,51 +45,41 @@ def real_turn(*, real: RealMechanism, output_torque: float) -> SampledTurn:
     ...     mechanism=Mechanism.evenly_spaced(pins=8, satellites=1, ratio=18.0),
     ...     pin_circle_radius=0.020, pin_radius=0.003, eccentricity=0.0015, contact_length=0.010,
     ...     clearance=2e-5, law=LinearLaw(stiffness=5e7), exact=False)
-    >>> turn = real_turn(real=real, output_torque=30.0)
-    >>> round(float(abs(turn.on_pins).max()), 1), bool(np.allclose(turn.couple, 30.0))
+    >>> found = sampled(Turn(real, 30.0))
+    >>> round(float(abs(found.on_pins).max()), 1), bool(np.allclose(found.couple, 30.0))
     (957.1, True)
     """
-    check_single(output_torque=output_torque)
-    check_finite(output_torque=output_torque)
-    if output_torque == 0:
-        raise InvalidInput("output_torque", output_torque, "not_zero")
-    turn = Turn(real, output_torque)
-    even, near = turn.positions()
-    wave = np.array(sorted({*even, *near}))
-    force, lag, unsure = turn.forces(wave.tolist())
+    rows = turn.fine
     for _ in range(HALVINGS):
-        rough = off_straight(wave=wave, values=force.T).max(axis=0) > ENOUGH * force.max()
-        gaps = np.diff(wave, append=wave[0] + 2 * math.pi)
+        wave = rows["wave"]
+        rough = _off(turn, rows) > ENOUGH * rows["forces"].max()
+        gaps = np.diff(wave, append=wave[0] + turn.period)
         between = (wave + gaps / 2)[rough | np.roll(rough, -1)]
         if not len(between):
             break
-        more_force, more_lag, more_unsure = turn.forces(between.tolist())
-        order = np.argsort(np.concatenate((wave, between)), kind="stable")
-        wave = np.concatenate((wave, between))[order]
-        force = np.concatenate((force, more_force))[order]
-        lag = np.concatenate((lag, more_lag))[order]
-        unsure = np.concatenate((unsure, more_unsure))
-    off = float(off_straight(wave=wave, values=force.T).max())
-    signed = math.copysign(1.0, output_torque) * lag
-    return _directed(
-        real, wave, force.T, signed, (off + float(unsure.max())) / force.max(), turn.evaluations
+        rows = joined(one=rows, other=turn.poses(between.tolist()))
+    force = rows["forces"]
+    error = (float(_off(turn, rows).max()) + float(rows["force_error"].max())) / force.max()
+    periods, pins = np.arange(turn.repeats), turn.real.mechanism.pins
+    wave = (rows["wave"] + turn.period * periods[:, None]).ravel()
+    each = force.reshape(len(force), -1, pins)
+    whole = np.concatenate([np.roll(each, -k, axis=2) for k in periods]).reshape(len(wave), -1)
+    lag = math.copysign(1.0, turn.torque) * np.tile(rows["lag"], turn.repeats)
+    return _directed(turn.real, wave, whole.T, lag, error, turn.evaluations)
+
+
+def _off(turn: Turn, rows: Rows) -> FloatArray:
+    """How far the largest of the forces' samples lies off the line between its neighbours."""
+    wave, force, pins = rows["wave"], rows["forces"], turn.real.mechanism.pins
+    step = 1 if turn.repeats > 1 else 0  # what a pin felt a period before, the next one feels
+    before, after = (
+        np.roll(row.reshape(-1, pins), way * step, axis=1).reshape(1, -1)
+        for row, way in ((force[-1], 1), (force[0], -1))
     )
-
-
-def made(real: RealMechanism) -> Made:
-    """The forces of a mechanism under any torque; each is solved once.
-
-    Parameters
-    ----------
-    real : RealMechanism
-        The mechanism.
-
-    Returns
-    -------
-    callable
-        Of the torque on the output link, N*m, negative in reverse: `SampledTurn`.
-    """
-    return cache(lambda torque: real_turn(real=real, output_torque=torque))
+    padded = np.concatenate((before, force, after)).T
+    around = np.concatenate(([wave[-1] - turn.period], wave, [wave[0] + turn.period]))
+    off: FloatArray = off_straight(wave=around, values=padded).max(axis=0)
+    return off
 
 
 def _directed(

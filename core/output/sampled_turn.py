@@ -88,7 +88,10 @@ class SampledTurn:
         -------
         float
         """
-        return float(off_straight(wave=self.wave, values=values).max())
+        turn = 2 * np.pi
+        wave = np.concatenate(([self.wave[-1] - turn], self.wave, [self.wave[0] + turn]))
+        around = np.concatenate((values[..., -1:], values, values[..., :1]), axis=-1)
+        return float(off_straight(wave=wave, values=around).max())
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -100,7 +103,7 @@ class PinSamples:
 
 Made = Callable[[float], SampledTurn]
 """The forces of a mechanism under a torque, N*m, negative in reverse; see
-`core.output.real_turn.real_turn`."""
+`core.output.real_turn.sampled`."""
 
 
 def off_straight(*, wave: FloatArray, values: NDArray[Any]) -> FloatArray:
@@ -108,17 +111,17 @@ def off_straight(*, wave: FloatArray, values: NDArray[Any]) -> FloatArray:
 
     Parameters
     ----------
-    wave : array, shape (n,)
-        Wave angles, rad, ascending within a turn.
-    values : array, shape (..., n)
+    wave : array, shape (n + 2,)
+        Wave angles, rad, ascending.
+    values : array, shape (..., n + 2)
         At these.
 
     Returns
     -------
     array, shape (..., n)
+        Of all samples but the first and the last.
     """
-    after = np.diff(wave, append=wave[0] + 2 * np.pi)
-    before = np.roll(after, 1)
-    slope = np.roll(values, -1, axis=-1) * before + np.roll(values, 1, axis=-1) * after
-    found: FloatArray = np.abs(values - slope / (before + after))
+    before, after = np.diff(wave[:-1]), np.diff(wave[1:])
+    line = (values[..., 2:] * before + values[..., :-2] * after) / (before + after)
+    found: FloatArray = np.abs(values[..., 1:-1] - line)
     return found

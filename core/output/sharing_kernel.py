@@ -147,6 +147,7 @@ class Room(NamedTuple):
 class Poses(NamedTuple):
     """Positions under load, and their play; lags count in the torque's direction."""
 
+    forces: Row  # of all pairs, position by position
     lag: Row
     stiffness: Row
     force: Row  # largest
@@ -937,10 +938,13 @@ def poses(
     places: Row, torque: float, setup: Setup, pairs: Pairs, room: Room, results: Poses
 ) -> int:
     """Positions at wave angles; the first one that cannot be, or -1."""
+    count = setup.pins * setup.satellites
     for k, psi in enumerate(places):
         found = solve(psi, torque, setup, pairs, room)
         if judged(found, setup, pairs, room) != SOLVED:
             return k
+        for i in range(count):
+            results.forces[k * count + i] = room.force[i]
         results.lag[k], results.stiffness[k] = found.lag, found.stiffness
         results.force[k], results.pressure[k] = largest(room), hardest(pairs, room)
         results.loaded[k] = loaded(room)
@@ -948,29 +952,6 @@ def poses(
         results.lag_error[k], results.play_error[k] = found.lag_error, found.play_error
         results.force_error[k] = found.force_error
         results.input_torque[k] = input_torque(psi, torque, found.lag, setup, pairs, room)
-    return -1
-
-
-class PairForces(NamedTuple):
-    """Forces of all pairs at positions under load; lags count in the torque's direction."""
-
-    force: Row  # position by position
-    lag: Row
-    error: Row  # of each force
-
-
-def pair_forces(
-    places: Row, torque: float, setup: Setup, pairs: Pairs, room: Room, results: PairForces
-) -> int:
-    """Forces at wave angles; the first position that cannot be, or -1."""
-    count = setup.pins * setup.satellites
-    for k, psi in enumerate(places):
-        found = solve(psi, torque, setup, pairs, room)
-        if judged(found, setup, pairs, room) != SOLVED:
-            return k
-        results.lag[k], results.error[k] = found.lag, found.force_error
-        for i in range(count):
-            results.force[k * count + i] = room.force[i]
     return -1
 
 

@@ -28,10 +28,11 @@ class Summit:
 
 @dataclass(frozen=True, slots=True)
 class Grid:
-    """Values over one turn."""
+    """Values over one period."""
 
     places: FloatArray  # rad, in their order
     heights: FloatArray  # in the unit of what is sampled
+    period: float = 2 * math.pi  # rad
 
 
 def _height(summit: Summit) -> float:
@@ -51,7 +52,7 @@ def summits(
     Parameters
     ----------
     grid : Grid
-        Values over one turn.
+        Values over one period.
     narrow : callable
         The largest value between two places.
     known : sequence of Summit
@@ -71,7 +72,7 @@ def summits(
     it from both sides.
     """
     places, heights = grid.places, grid.heights
-    count, turn = len(places), 2 * math.pi
+    count, turn = len(places), grid.period
     scale = float(np.abs(heights).max()) * ALIKE or 1.0
     before, after = np.roll(heights, 1), np.roll(heights, -1)
     tops = np.flatnonzero((heights >= before) & ((heights > after) | (count == 1)))
@@ -110,7 +111,7 @@ def highest(*, coarse: Grid, fine: Grid, narrow: Narrow) -> tuple[Summit, float]
     Parameters
     ----------
     coarse, fine : Grid
-        Values over one turn; the fine grid has the places of the coarse one.
+        Values over one period; the fine grid has the places of the coarse one.
     narrow : callable
         The largest value between two places.
 

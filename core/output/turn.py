@@ -1,4 +1,9 @@
-"""Positions of the mechanism as it is made, over the turn of the wave."""
+"""The mechanism as it is made under a torque, over the turn of the wave: all that is read of a turn
+is read here.
+
+Positions are solved once, when they are first asked for. Where all pins are alike the turn repeats
+with each of them, and only one pitch of it is solved.
+"""
 
 import math
 from collections.abc import Iterable, Sequence
@@ -6,7 +11,8 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from core.arrays import FloatArray
-from core.numerics.extremes import Narrow
+from core.derived import derived
+from core.numerics.extremes import Narrow, other_places
 from core.output.compiled import at_hand
 from core.output.real_mechanism import RealMechanism
 from core.output.sharing_kernel import (
@@ -14,7 +20,6 @@ from core.output.sharing_kernel import (
     LOST_MOTION,
     PLAY_END,
     Load,
-    PairForces,
     Pairs,
     Poses,
     Room,
@@ -30,53 +35,87 @@ CLUSTER = 8
 MOST_CLUSTERED = 2880
 """Positions at dead angles at most: with many pairs the grid itself is dense enough there."""
 
+LOOKED_AGAIN = 461
+"""Positions of the second look over a turn, a prime: so many as a third of the time allows."""
+
+LEAST_AGAIN = 37
+"""The same over a pitch at least."""
+
 SOLVES = {PLAY_END: 0, BACKLASH: 0, LOST_MOTION: 2}
 """Positions that are solved for a value; 1 for all others."""
 
+Rows = dict[str, FloatArray]
+"""Quantities at positions by the names of `core.output.sharing_kernel.Poses`, each shape (n,); the
+forces of all pairs, shape (n, K*N); and `wave`, the wave angles, rad."""
+
 
 class Turn:
-    """The mechanism under a torque, over the turn; refusals as `RealMechanism.solved`."""
+    """The mechanism under a torque, over the turn; refusals as `RealMechanism.solved`.
 
-    def __init__(self, real: RealMechanism, torque: float, share: float = 1.0) -> None:
-        self.real = real
+    Parameters
+    ----------
+    real : RealMechanism
+        The mechanism.
+    torque : float
+        On the output link, N*m, not 0; negative in reverse.
+    share : float
+        Share of the torque under which the lost motion is taken.
+    """
+
+    def __init__(self, real: RealMechanism, torque: float, share: float = 0.03) -> None:
+        self.real, self.torque = real, torque
         self.kernel = at_hand() if real.shared is None else real.loops
         direction = math.copysign(1.0, torque)
         self.load = Load(abs(torque), share, real.setup(direction), real.setup(-direction))
         self.pairs = Pairs(*map(self.kernel.row, real.pairs))
         self.room = Room(*map(self.kernel.row, real.room()))
         self.evaluations = 0
+        self.repeats = real.mechanism.pins if real.pins_alike else 1
+        """How often the turn repeats: from one period to the next a pin feels what the next one
+        felt.
+        """
+        self.period = 2 * math.pi / self.repeats
 
     @property
     def pair_force(self) -> list[float]:
         """Largest force of each pair so far, N."""
-        return list(map(float, self.room.most))
+        most = np.array(list(map(float, self.room.most)))
+        if self.repeats > 1:
+            own = most.reshape(-1, self.repeats)
+            most = np.broadcast_to(own.max(axis=1, keepdims=True), own.shape).ravel()
+        return most.tolist()  # type: ignore[no-any-return]
 
-    def poses(self, places: Sequence[float]) -> dict[str, FloatArray]:
-        """Positions at wave angles, rad: rows by the names of `Poses`."""
+    def poses(self, places: Sequence[float]) -> Rows:
+        """Positions at wave angles, rad."""
         self.evaluations += len(places)
-        results = Poses(*[self.kernel.row([0.0] * len(places)) for _ in Poses._fields])
-        self._refused(
-            places,
-            self.kernel.poses(
-                self.kernel.row(places),
-                self.load.torque,
-                self.load.setup,
-                self.pairs,
-                self.room,
-                results,
-            ),
-        )
-        return {name: np.array(row) for name, row in results._asdict().items()}
+        row, many = self.kernel.row, len(places)
+        forces = row([0.0] * many * len(self.pairs.a))
+        results = Poses(forces, *[row([0.0] * many) for _ in Poses._fields[1:]])
+        given = self.load.torque, self.load.setup, self.pairs, self.room, results
+        self._refused(places, self.kernel.poses(row(places), *given))
+        rows = {name: np.array(each) for name, each in results._asdict().items()}
+        return rows | {"wave": np.array(places), "forces": rows["forces"].reshape(many, -1)}
 
-    def forces(self, places: Sequence[float]) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Forces of all pairs at wave angles, rad, shape (n, K*N); lags and errors, shape (n,)."""
-        self.evaluations += len(places)
-        count, row = len(self.pairs.a), self.kernel.row
-        results = PairForces(*(row([0.0] * len(places) * many) for many in (count, 1, 1)))
-        rows = row(places), self.load.torque, self.load.setup, self.pairs, self.room, results
-        self._refused(places, self.kernel.pair_forces(*rows))
-        force, lag, error = map(np.array, results)
-        return force.reshape(-1, count), lag, error
+    @derived
+    def coarse(self) -> Rows:
+        """Positions of an even grid and around dead angles, over a period."""
+        even, near = self.positions()
+        return self.poses(sorted({*even, *near}))
+
+    @derived
+    def fine(self) -> Rows:
+        """The same, and in the middles of the even grid."""
+        even, near = self.positions()
+        middle = (even[1] - even[0]) / 2
+        between = {psi + middle for psi in even} - {*even, *near}
+        return joined(one=self.coarse, other=self.poses(sorted(between)))
+
+    @derived
+    def again(self) -> Rows:
+        """Positions of the second look, none of which is one of the others, over a period."""
+        count = max(LOOKED_AGAIN // self.repeats, min(LEAST_AGAIN, LOOKED_AGAIN))
+        first = self.real.mechanism.initial_crank_angle
+        return self.poses(other_places(count=count, first=first, period=self.period).tolist())
 
     def values(self, kind: int, places: Iterable[float]) -> Grid:
         """A quantity at wave angles, rad."""
@@ -85,7 +124,7 @@ class Turn:
         results = self.kernel.row([0.0] * len(where))
         rows = self.kernel.row(where), self.load, self.pairs, self.room, results
         self._refused(where, self.kernel.values(kind, *rows))
-        return Grid(np.array(where), np.array(results))
+        return Grid(np.array(where), np.array(results), self.period)
 
     def narrow(self, kind: int, sign: int = 1) -> Narrow:
         """How the largest value of a quantity between two places is found; for the sign -1 the
@@ -115,24 +154,40 @@ class Turn:
             self.real.solved(psi, load.share * load.torque, setup, room)
 
     def positions(self) -> tuple[list[float], list[float]]:
-        """Wave angles of an even grid, and those around dead angles."""
+        """Wave angles of an even grid over a period, and those around dead angles."""
         pairs, pins = self.real.pairs, self.load.setup.pins
         many = pins * self.load.setup.satellites
         count = many * -(-POSITIONS // many)
         step = 2 * math.pi / count
         first = self.real.mechanism.initial_crank_angle
-        grid = [first + step * i for i in range(count)]
+        grid = [first + step * i for i in range(count // self.repeats)]
         dead = {
-            round((half - pairs.phase[j] - 2 * math.pi * n / pins - first) % (2 * math.pi), 9)
+            round((half - pairs.phase[j] - 2 * math.pi * n / pins - first) % self.period, 9)
             for half in (0.0, math.pi)
             for j in range(self.load.setup.satellites)
             for n in range(pins)
         }
-        halvings = min(CLUSTER, MOST_CLUSTERED // (2 * len(dead)))
+        halvings = min(CLUSTER, MOST_CLUSTERED // (2 * len(dead) * self.repeats))
         near = [
-            first + (place + sign * step * 2.0**-k) % (2 * math.pi)
+            first + (place + sign * step * 2.0**-k) % self.period
             for place in dead
             for k in range(1, halvings + 1)
             for sign in (-1, 1)
         ]
         return grid, near
+
+
+def joined(*, one: Rows, other: Rows) -> Rows:
+    """Two sets of positions as one, in the order of their wave angles.
+
+    Parameters
+    ----------
+    one, other : dict of array
+        Positions.
+
+    Returns
+    -------
+    dict of array
+    """
+    order = np.argsort(np.concatenate((one["wave"], other["wave"])), kind="stable")
+    return {name: np.concatenate((row, other[name]))[order] for name, row in one.items()}

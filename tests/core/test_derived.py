@@ -8,7 +8,7 @@ from core.checks.crank_planetary import crank_checks
 from core.derived import derived, if_known
 from core.design.results import Results
 from core.errors import ImpossibleMechanism, InvalidInput, NotKnown
-from core.output.real_mechanism import RealMechanism
+from core.output.turn import Turn
 from tests.inputs.checks import REF, having
 
 
@@ -70,11 +70,11 @@ def test_a_turn_that_cannot_be_solved_is_not_solved_for_each_check(
 ) -> None:
     turns = []
 
-    def over_turn(*, real: RealMechanism, output_torque: float) -> None:
-        turns.append(output_torque)
+    def poses(turn: Turn, _: list[float]) -> None:
+        turns.append(turn.torque)
         raise ImpossibleMechanism("not_stable")
 
-    monkeypatch.setattr("core.design.real_forces.over_turn", over_turn)
+    monkeypatch.setattr(Turn, "poses", poses)
     found = crank_checks(Results(having(REF, hole_radius=0.01002)))
     assert turns == [REF.load.output_torque]
     assert sum(check.reason == "not_stable" for check in found.checks) >= 4

@@ -24,9 +24,8 @@ from core.output.contact_law import (
 from core.output.edge_load import SlopingContacts
 from core.output.mechanism import Mechanism
 from core.output.pin_strength import PinStresses, pin_stresses
-from core.output.real_turn import made
 from tests.inputs.checks import WHOLE, check_of, having
-from tests.inputs.real_mechanisms import UNLIKE
+from tests.inputs.real_mechanisms import UNLIKE, made
 from tests.oracles.checks import PRESSURE, compliance
 from tests.oracles.pin import bend
 

@@ -7,9 +7,8 @@ from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import pin_strength
-from core.output.real_turn import made
 from core.output.sampled_turn import SampledTurn
-from tests.inputs.real_mechanisms import REFERENCE, UNLIKE
+from tests.inputs.real_mechanisms import REFERENCE, UNLIKE, made
 
 EQUAL, STIFF = 10000 / 3, 40000 / 9
 """N: T/R over the sum of k_j*cos^2, which is 3/2 a satellite, of k = 1 and 1, 2 and 1."""

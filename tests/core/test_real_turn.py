@@ -26,9 +26,8 @@ from core.output.pin_strength import pin_strength
 from core.output.pin_turn import pin_turn, satellite_turn
 from core.output.real_curves import real_curves
 from core.output.real_mechanism import Deviations, RealMechanism
-from core.output.real_turn import made, real_turn
 from core.output.satellite_support import CrankSupport
-from tests.inputs.real_mechanisms import UNLIKE, design, reals
+from tests.inputs.real_mechanisms import UNLIKE, design, made, real_turn, reals
 
 STEEL = ElasticMaterial(210e9, 0.3, yield_strength=800e6)
 STRENGTH = FatigueStrength(endurance_limit=300e6, tensile_strength=1000e6)

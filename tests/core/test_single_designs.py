@@ -19,8 +19,7 @@ from core.output.pin_geometry import pin_fit
 from core.output.pin_strength import pin_strength, pin_stresses
 from core.output.real_curves import real_curves, stiffness_curve
 from core.output.real_mechanism import RealMechanism
-from core.output.real_turn import made, real_turn
-from tests.inputs.real_mechanisms import REFERENCE, UNLIKE
+from tests.inputs.real_mechanisms import REFERENCE, UNLIKE, made, real_turn
 
 REAL = {"real": UNLIKE, "output_torque": 200.0}
 MECHANISM = {"mechanism": REFERENCE["mechanism"]}

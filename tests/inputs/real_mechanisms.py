@@ -1,6 +1,8 @@
 """Mechanisms with clearance, deviations and elasticity, as tests draw them."""
 
+from collections.abc import Callable
 from dataclasses import replace
+from functools import cache
 
 from hypothesis import strategies as st
 
@@ -17,7 +19,10 @@ from core.output.loaded_position import LoadedPosition, loaded_position
 from core.output.mechanism import Mechanism
 from core.output.pin_fatigue import FatigueStrength
 from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_turn import sampled
+from core.output.sampled_turn import SampledTurn
 from core.output.satellite_support import CrankSupport, ElasticMesh, Shares
+from core.output.turn import Turn
 
 STEEL = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3)
 LAWS: list[ContactLaw] = [
@@ -29,6 +34,16 @@ LAWS: list[ContactLaw] = [
     HertzLaw(),
 ]
 SPAN = 0.05
+
+
+def real_turn(*, real: RealMechanism, output_torque: float) -> SampledTurn:
+    """The forces of a mechanism under a torque, N*m."""
+    return sampled(Turn(real, output_torque))
+
+
+def made(real: RealMechanism) -> Callable[[float], SampledTurn]:
+    """The same under any torque, each sampled once."""
+    return cache(lambda torque: real_turn(real=real, output_torque=torque))
 
 
 @st.composite
