@@ -94,7 +94,7 @@ class Turn:
         given = self.load.torque, self.load.setup, self.pairs, self.room, results
         self._refused(places, self.kernel.poses(row(places), *given))
         rows = {name: np.array(each) for name, each in results._asdict().items()}
-        return rows | {"wave": np.array(places), "forces": rows["forces"].reshape(many, -1)}
+        return rows | {"wave": np.array(places), "forces": rows["forces"].reshape(many, len(self.pairs.a))}
 
     @derived
     def coarse(self) -> Rows:
@@ -167,7 +167,7 @@ class Turn:
             for j in range(self.load.setup.satellites)
             for n in range(pins)
         }
-        halvings = min(CLUSTER, MOST_CLUSTERED // (2 * len(dead) * self.repeats))
+        halvings = min(CLUSTER, MOST_CLUSTERED // (2 * len(dead)))
         near = [
             first + (place + sign * step * 2.0**-k) % self.period
             for place in dead

@@ -19,7 +19,7 @@ from core.output.pin_geometry import pin_fit
 from core.output.pin_strength import pin_strength, pin_stresses
 from core.output.real_curves import real_curves, stiffness_curve
 from core.output.real_mechanism import RealMechanism
-from tests.inputs.real_mechanisms import REFERENCE, UNLIKE, made, real_turn
+from tests.inputs.real_mechanisms import REFERENCE, UNLIKE, made
 
 REAL = {"real": UNLIKE, "output_torque": 200.0}
 MECHANISM = {"mechanism": REFERENCE["mechanism"]}
@@ -30,7 +30,6 @@ SHAFT |= {"mesh": RingMesh(0.5)}
 SINGLE: list[tuple[Callable[..., Any], dict[str, Any]]] = [
     (pin_stresses, REFERENCE | {"span": 0.1, "support": "fixed", "peak_torque": 900.0}),
     (over_turn, REAL | {"lost_motion_share": 0.03}),
-    (real_turn, REAL),
     (loaded_position, REAL | {"crank_angle": 0.1}),
     (limit_torque, {"real": UNLIKE, "direction": 1.0, "pair": 0, "force": 100.0}),
     (real_curves, REAL | {"crank_angle": np.zeros(1)}),
