@@ -59,8 +59,7 @@ from app.theme import Figure, Theme
 from app.units import from_si, to_si
 from app.worked import worked
 from core.arrays import FloatArray
-from core.checks.crank_planetary import crank_checks
-from core.checks.largest_torque import exact_torque
+from core.checks.largest_torque import crank_verdict
 from core.derived import if_known
 from core.design.real_forces import RealForces
 from core.design.results import MOST_BEARING_PAIRS, MOST_PIN_PAIRS, Results
@@ -268,7 +267,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
 
     def judge(self) -> Values:
         """Verdict, and checks and fixes where asked."""
-        found = exact_torque(design=self.design, found=crank_checks(self.results))
+        found = crank_verdict(self.results)
         fixes = None
         if "fixes" in self.sections:
             codes = codes_to_fix(found, self.fixes_for)

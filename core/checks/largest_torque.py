@@ -1,16 +1,16 @@
-"""The largest torque of a design as it is made: its forces are solved again at that torque.
+"""What a design says of more torque: whether it holds a tenth more, and the largest it holds.
 
-Real forces do not grow with the torque: clearance and deviations share a small one among fewer
-pairs. A reserve of pins, bearings or wear by the forces at one torque is an estimate at another.
+Forces that are solved do not grow with the torque: clearance and deviations share a small one among
+fewer pairs. So the checks are made again under other torques; what they say of one from the forces
+at another is an estimate.
 """
 
 import math
 
 from core.checks.check import MARGIN, Check, Verdict, verdict
-from core.checks.crank_planetary import crank_checks
+from core.checks.crank_planetary import crank_check, crank_checks
 from core.design.document import Design, changed
 from core.design.results import Results
-from core.output.satellite_support import Shares
 
 LOOKS, SETTLED = 8, 1e-5
 """Torques at most that are looked at, and how far the last one's reserve may be off 1."""
@@ -19,80 +19,132 @@ STEEPEST = 3.0
 """Most that a reserve changes with the torque, as a slope of logarithms, and 1 over the least."""
 
 
-def exact_torque(*, design: Design, found: Verdict) -> Verdict:
-    """The verdict of a design with its torque reserve found by its checks at that torque.
+def crank_verdict(results: Results) -> Verdict:
+    """All checks of a crank-planetary reducer, judged under the torque and under others.
+
+    Parameters
+    ----------
+    results : Results
+        Results of a design.
+
+    Returns
+    -------
+    Verdict
+        Where forces are solved a check is marginal that fails under `MARGIN` times the torque, and
+        the reserve of the one that fails first is that of the torque at which it does. Where no
+        such torque is found, as forces cannot be solved or jump with it, the reserves stay
+        estimates, and the largest torque looked at under which all checks hold is given.
+
+    Notes
+    -----
+    Secants of the logarithms of reserve and torque, of all checks at once.
+    """
+    found = crank_checks(results)
+    if not any(check.rough and check.torque_reserve for check in found.checks):
+        return found
+    return _Torques(results.design, found).judged()
+
+
+def under(*, design: Design, factor: float) -> Design:
+    """A design under so many times its torques.
 
     Parameters
     ----------
     design : Design
         The design.
-    found : Verdict
-        Its verdict.
+    factor : float
+        Factor on working and peak torque.
 
     Returns
     -------
-    Verdict
-        As it is where it is no estimate, and of given shares, whose forces take too long. What
-        stays one, as forces cannot be solved or jump with the torque, has the largest torque looked
-        at under which all checks hold.
-
-    Notes
-    -----
-    Secants of the logarithms of reserve and torque, from the estimate. At the last torque no check
-    fails and the first is at its limit: reserves that were estimated below it are raised to it.
+    Design
     """
-    reserve = found.torque_reserve
-    if not (found.largest_torque_estimated and reserve) or isinstance(design.support, Shares):
-        return found
-    x0, y0 = 0.0, math.log(reserve)
-    x, safe = y0, 0.0
-    for _ in range(LOOKS):
-        there = crank_checks(Results(_under(design, math.exp(x))))
-        unknown = there.counts["not_checked"] > found.counts["not_checked"]
-        if unknown or not there.torque_reserve:
-            break
-        left = there.torque_reserve
-        if abs(left - 1) <= SETTLED:
-            return _settled(found, math.exp(x) * left, _first(there), rough=False)
-        if left > 1:
-            safe = max(safe, math.exp(x))
-        y = math.log(left)
-        slope = (y - y0) / (x - x0) if x != x0 else -1.0
-        slope = max(-STEEPEST, min(slope, -1 / STEEPEST))
-        x0, y0, x = x, y, x - y / slope
-    return _settled(found, safe, _first(found), rough=True) if safe else found
-
-
-def _under(design: Design, factor: float) -> Design:
-    """The design under so many times its torques."""
     torque, peak = design.load.output_torque * factor, design.load.peak_torque
     more = {"load.output_torque": torque, "load.peak_torque": peak and peak * factor}
     return changed(design, more)
 
 
-def _first(found: Verdict) -> str:
-    """Code of the check that fails first."""
-    counted = [
-        each
-        for each in found.checks
-        if each.torque_reserve == found.torque_reserve and not each.warning
-    ]
-    return counted[0].code
+class _Torques:
+    """Checks of a design whose reserves are estimates, under several torques."""
+
+    def __init__(self, design: Design, found: Verdict) -> None:
+        self.design, self.found = design, found
+        self.counted = {each.code for each in found.checks if not each.warning}
+        # by code: logarithms of factors on the torque, and of the reserve that is left there
+        self.looks: dict[str, list[tuple[float, float]]] = {}
+        for each in found.checks:
+            if each.rough and each.torque_reserve:
+                self.looks[each.code] = [(0.0, math.log(each.torque_reserve))]
+        self.exact = {
+            each.code: math.log(each.torque_reserve)
+            for each in found.checks
+            if each.torque_reserve and not each.rough and not each.warning
+        }
+
+    def look(self, factor: float) -> float | None:
+        """The least logarithm of a reserve that is left under so many times the torque; None where
+        one is not known there.
+        """
+        there = Results(under(design=self.design, factor=factor))
+        x, least = math.log(factor), min(self.exact.values(), default=math.inf)
+        least -= x
+        for code, looks in self.looks.items():
+            reserve = crank_check(code, there).torque_reserve
+            if not reserve:
+                return None
+            looks.append((x, math.log(reserve)))
+            if code in self.counted:
+                least = min(least, looks[-1][1])
+        return least
+
+    def root(self, code: str) -> float:
+        """Logarithm of the factor at which a check fails, by the two looks next to it."""
+        (x1, y1), *others = sorted(self.looks[code], key=lambda look: abs(look[1]))
+        if not math.isfinite(y1):
+            return math.inf
+        x0, y0 = others[0] if others else (x1, math.inf)
+        slope = (y1 - y0) / (x1 - x0) if math.isfinite(y0) and x1 != x0 else -1.0
+        return x1 - y1 / max(-STEEPEST, min(slope, -1 / STEEPEST))
+
+    def first(self) -> tuple[float, str]:
+        """Where the first check fails, and its code."""
+        roots = {code: self.root(code) for code in self.looks if code in self.counted}
+        return min(((x, code) for code, x in (roots | self.exact).items()), default=(math.inf, ""))
+
+    def judged(self) -> Verdict:
+        """The verdict with what is seen under other torques."""
+        left = self.look(MARGIN)
+        if left is None:
+            return self.found
+        at_margin = {code: looks[-1][1] for code, looks in self.looks.items()}
+        safe, settled = (MARGIN if left >= 0 else 0.0), False
+        for _ in range(LOOKS):
+            x, _ = self.first()
+            left = self.look(math.exp(x)) if math.isfinite(x) else None
+            if left is None:
+                break
+            safe, settled = max(safe, math.exp(x) if left >= 0 else 0.0), abs(left) <= SETTLED
+            if settled:
+                break
+        least, _ = self.first()
+        checks = []
+        for check in self.found.checks:
+            if check.code in self.looks:
+                own, known = math.exp(self.root(check.code)), math.exp(least) if settled else safe
+                reserve = own if check.warning else max(own, known) if known else None
+                rough = not settled or own > known * (1 + SETTLED)
+                check = check._replace(torque_reserve=reserve, rough=rough)
+                check = _under_margin(check, at_margin[check.code] >= 0)
+            checks.append(check)
+        return verdict(checks, self.found.not_considered)
 
 
-def _settled(found: Verdict, reserve: float, first: str, *, rough: bool) -> Verdict:
-    """The verdict with the reserve of the check that fails first, no other one below it that could
-    fail: a warning may come at less.
-    """
-
-    def settled(check: Check) -> Check:
-        known = check.torque_reserve
-        if known is None or not check.rough or check.warning:
-            return check
-        own = reserve if check.code == first else max(known, reserve)
-        status = check.status
-        if status in ("pass", "marginal") and not check.reason:
-            status = "marginal" if own < MARGIN else "pass"
-        return check._replace(torque_reserve=own, status=status, rough=rough)
-
-    return verdict([settled(each) for each in found.checks], found.not_considered)
+def _under_margin(check: Check, holds: bool) -> Check:
+    """A check that holds, or does not, under `MARGIN` times the torque."""
+    sure = check.status in ("pass", "marginal") and check.reason != "pressure_error"
+    if check.warning or not sure:
+        return check
+    reserve = check.torque_reserve
+    if reserve is not None:
+        reserve = max(reserve, MARGIN) if holds else min(reserve, MARGIN)
+    return check._replace(status="pass" if holds else "marginal", torque_reserve=reserve)

@@ -6,13 +6,10 @@ from typing import Any
 from core.checks.check import Check, judged, not_checked
 from core.checks.design_check import Judge
 from core.derived import UNKNOWN, if_known
-from core.design.contact import force_factor
 from core.design.document import Body, Design
 from core.design.results import Results
 from core.errors import NotKnown
-from core.hertz import HALF_WIDTH_RATIO_LIMIT, HertzContact
-from core.output.limit_torque import limit_torque
-from core.output.sampled_turn import WAYS
+from core.hertz import HALF_WIDTH_RATIO_LIMIT
 
 
 def _missing(design: Design, body: Body, value: str) -> tuple[str, ...]:
@@ -42,42 +39,9 @@ def _against(design: Design, results: Results, code: str, warning: str = "", **m
         warning=warning,
         error=(contact.conformal_error or 0.0) + 8 * contact.accuracy.relative_error,
         at=results.peak,
-        rough=results.edge is not None,
+        rough=results.solved or results.edge is not None,
         **more,
     )
-
-
-def real_reserve(*, results: Results, limit: float) -> float:
-    """Factor on the torque at which the pressure of the mechanism as it is made is at a limit,
-    without its forces under the torque.
-
-    Parameters
-    ----------
-    results : Results
-        Results of a design whose `real` is known.
-    limit : float
-        The limit, Pa.
-
-    Returns
-    -------
-    float
-    """
-    real, design = results.real, results.design
-
-    def contact(force: float) -> HertzContact:
-        found = real.contact(0, force)
-        assert found is not None
-        return found
-
-    start = float((limit / contact(1.0).max_pressure) ** 2)  # N
-    force = start * force_factor(
-        contact=contact(start), contact_at=lambda factor: contact(start * factor), limit=limit
-    )
-    torques = [
-        limit_torque(real=real, direction=way, pair=0, force=force)
-        for way in WAYS[design.load.torque_direction]
-    ]
-    return min(torques) / (design.load.output_torque * design.load_factor)
 
 
 def _pressure(design: Design, results: Results, body: Body) -> Check:
@@ -140,7 +104,8 @@ def _conformity(design: Design, results: Results) -> Check:
         why = "conformal_solution"
         return Check(code=code, status="not_applicable", value=ratio, limit=limit, reason=why)
     reserve = results.contact_reserves[code]
-    return judged(code, ratio, limit, reserve=reserve, warning="rough_guide")
+    rough = results.solved or results.edge is not None
+    return judged(code, ratio, limit, reserve=reserve, warning="rough_guide", rough=rough)
 
 
 def life_considered(*, design: Design, body: Body) -> bool:

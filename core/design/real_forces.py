@@ -1,13 +1,11 @@
 """Forces of a design as it is made, as its checks look at them: over the turn, each direction."""
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Self
 
 from core.hertz import HertzContact
-from core.output.limit_torque import limit_torque
 from core.output.over_turn import TIE, OverTurn
 from core.output.real_mechanism import RealMechanism
 from core.output.sampled_turn import WAYS, Direction
@@ -24,8 +22,6 @@ class RealForces:
         The mechanism, with materials.
     way : float
         Sign of the torque under which the pressure is larger.
-    ways : tuple of float
-        All signs that the torque has.
     torque : float
         Its size, N*m.
     turn : OverTurn
@@ -34,7 +30,6 @@ class RealForces:
 
     real: RealMechanism
     way: float
-    ways: tuple[float, ...]
     torque: float
     turn: OverTurn
 
@@ -63,7 +58,7 @@ class RealForces:
         ways = WAYS[direction]
         turns = {way: OverTurn(turn(way * torque)) for way in ways}
         way = max(ways, key=lambda way: turns[way].max_pressure or 0.0)
-        return cls(turns[way].real, way, ways, torque, turns[way])
+        return cls(turns[way].real, way, torque, turns[way])
 
     @cached_property
     def pair(self) -> int:
@@ -108,24 +103,3 @@ class RealForces:
         assert contact is not None
         error = contact.accuracy.relative_error + turn.relative_error
         return contact._replace(accuracy=turn._replace(relative_error=error))
-
-    def torque_factor(self, factor: float) -> float:
-        """Factor on the torque under which the largest pressure is that of so many times the force.
-
-        Parameters
-        ----------
-        factor : float
-            Factor on the force, > 0.
-
-        Returns
-        -------
-        float
-            Of the worse direction; 0 where pairs press as hard without load.
-        """
-        if not math.isfinite(factor):
-            return factor
-        force = self.force * factor
-        return min(
-            limit_torque(real=self.real, direction=way, pair=self.pair, force=force)
-            for way in self.ways
-        ) / self.torque  # fmt: skip

@@ -2,7 +2,6 @@
 known.
 """
 
-import math
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache, cached_property
@@ -343,8 +342,8 @@ class Results:
 
     @derived
     def contact_reserves(self) -> dict[str, float]:
-        """Factors on the torque under which the contact is at its limits, by the code of their
-        check, where its pressure is known: an estimate where pins slope.
+        """Factors on the force of the contact under which it is at its limits, by the code of their
+        check, where its pressure is known. Ideal forces on level pins grow with the torque.
         """
         contact = self.hertz
         factors = {
@@ -358,12 +357,6 @@ class Results:
                     contact_at=lambda factor: self.contact_at(factor * largest),
                     limit=limit,
                 )
-        edge, contacts, forces = self.edge, self.sloping, self.judged_forces
-        for code, factor in factors.items():
-            if edge and contacts and 0 < factor < math.inf:
-                factors[code] = factor = contacts.growth(edge, factor)
-            if isinstance(forces, RealForces):
-                factors[code] = forces.torque_factor(factor)
         return factors
 
     @derived

@@ -5,8 +5,8 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 from core.checks.check import Check, Verdict
-from core.checks.crank_planetary import crank_check, crank_checks, crank_codes
-from core.checks.pin_contact import CONTACT, real_reserve
+from core.checks.crank_planetary import crank_check, crank_codes
+from core.checks.largest_torque import crank_verdict, under
 from core.checks.play import PLAY
 from core.derived import if_known
 from core.design.document import Design, changed
@@ -15,10 +15,13 @@ from core.errors import CalculationError
 from core.exploration.solve import Solution
 from core.fixes.changes import count_may_change, value_of, vary
 from core.fixes.fix import PIN_SIZES, RANGE, Cure, Fix, aim, fix_of, in_order
-from core.fixes.inputs import GROWTH, PINS, POWERS, USUAL, VARIED, WHOLE
+from core.fixes.inputs import VARIED, WHOLE
 
-SEARCHED = 8
-"""Most steps of that search, and of the one for a clearance."""
+SEARCHED, NUDGE = 9, 0.02
+"""Most looks of a search by secants, and by which part an input is changed first."""
+
+STRENGTH = ("pin", "friction", "bearing", "crankshaft")
+"""Groups of checks that are about powers of their inputs."""
 
 
 def crank_fixes(*, results: Results, codes: Iterable[str], current: Verdict) -> list[Fix]:
@@ -51,7 +54,7 @@ def crank_fixes(*, results: Results, codes: Iterable[str], current: Verdict) -> 
 
 def _fix(results: Results, code: str, variable: str, current: Verdict) -> Fix | None:
     """Fix of a check by one input."""
-    design = results.design
+    design, check = results.design, current[code]
     if code in ("interference", "clearance", "crank_balance"):
         return _closed(results, code, variable, current)
     if code in PLAY:
@@ -59,25 +62,20 @@ def _fix(results: Results, code: str, variable: str, current: Verdict) -> Fix | 
     cure = _cure(design, code, variable, current)
     if cure is None or (variable == "mechanism.satellites" and not count_may_change(design)):
         return None
+    factor = 1.0 if check.torque_reserve is None else aim(check)
 
     def change(value: float) -> Check:
-        return _check(code, vary(design=design, variable=variable, value=value))
+        """The check under so many times the torque as it is to bear."""
+        there = under(design=vary(design=design, variable=variable, value=value), factor=factor)
+        found = crank_check(code, Results(there))
+        reserve = found.torque_reserve
+        return found if reserve is None else found._replace(torque_reserve=reserve * factor)
 
-    strength = code in POWERS or (code in CONTACT and bool(design.pin))
-    if strength and variable not in WHOLE:
-        powers = GROWTH if code in CONTACT else USUAL | POWERS[code]
-        if variable == "contact.pin_radius" and design.sleeved and code in PINS:
-            return None
-        return _by_power(cure, powers.get(variable), lambda value: _met(change(value)))
-    if results.solved and code in CONTACT:
-        return _as_made(design, cure)
-    if results.solved and strength:  # each number would be solved over the turn
-        return None
+    solved = check.kind.group in STRENGTH or (check.kind.group == "contact" and results.solved)
+    if solved and variable not in WHOLE:
+        exact = _secant(lambda value: _met(change(value)), cure.before)
+        return None if exact is None else _checked(cure, exact)
     return fix_of(cure=cure, change=change)
-
-
-def _check(code: str, design: Design) -> Check:
-    return crank_check(code, Results(design))
 
 
 def _cure(design: Design, code: str, variable: str, current: Verdict) -> Cure | None:
@@ -87,7 +85,7 @@ def _cure(design: Design, code: str, variable: str, current: Verdict) -> Cure | 
         return None
 
     def whole_list(value: float) -> Verdict:
-        return crank_checks(Results(vary(design=design, variable=variable, value=value)))
+        return crank_verdict(Results(vary(design=design, variable=variable, value=value)))
 
     return Cure(code, variable, float(before), whole_list, current, _standard(design, variable))
 
@@ -108,33 +106,11 @@ def _met(check: Check) -> float:
     return 1 / check.utilisation if check.utilisation else math.nan
 
 
-def _by_power(cure: Cure, growth: float | None, met: Callable[[float], float]) -> Fix | None:
-    """Fix of what grows or falls about with a power of an input."""
-    exact = None if growth is None else _secant(met, cure.before, growth)
-    return None if exact is None else _checked(cure, exact)
-
-
-def _as_made(design: Design, cure: Cure) -> Fix | None:
-    """Fix of a pressure of the mechanism as it is made: the torque that brings it to its limit is
-    known without the forces under the torque, and a power of most inputs.
-    """
-    check = cure.current[cure.code]
-    limit = check.limit
-    if limit is None or check.value is None:
-        return None
-
-    def met(value: float) -> float:
-        there = vary(design=design, variable=cure.variable, value=value)
-        return real_reserve(results=Results(there), limit=limit) / aim(check)
-
-    return _by_power(cure, GROWTH.get(cure.variable), met)
-
-
-def _secant(met: Callable[[float], float], before: float, growth: float) -> float | None:
+def _secant(met: Callable[[float], float], before: float) -> float | None:
     """Where a measure that is about a power of an input is 1, or a trifle more."""
     points: list[tuple[float, float]] = []
-    value = before
-    for _ in range(SEARCHED):
+    value, growth = before, 0.0
+    for look in range(SEARCHED):
         try:
             found = met(value)
         except (CalculationError, AssertionError):
@@ -144,7 +120,10 @@ def _secant(met: Callable[[float], float], before: float, growth: float) -> floa
         points.append((math.log(value), math.log(found)))
         if 0 <= points[-1][1] <= 1e-6:
             break
-        if len(points) > 1 and points[-1][0] != points[-2][0]:
+        if look == 0:
+            value = before * (1 + NUDGE)
+            continue
+        if points[-1][0] != points[-2][0]:
             growth = (points[-1][1] - points[-2][1]) / (points[-1][0] - points[-2][0])
         if not abs(growth) > 0.1:
             return None
@@ -176,7 +155,7 @@ def _less_clearance(results: Results, code: str, current: Verdict) -> Fix | None
         smaller = vary(
             design=design, variable="contact.hole_radius", value=hole + place - clearance
         )
-        found = _check(code, smaller)
+        found = crank_check(code, Results(smaller))
         if found.value is None or found.value >= former:
             return None
         value, slope = found.value, (former - found.value) / (before - place)
@@ -223,5 +202,5 @@ def _closed(results: Results, code: str, variable: str, current: Verdict) -> Fix
     there = changed(design, {variable: after})
     if code not in crank_codes(there) or not before:
         return None
-    cure = Cure(code, variable, before, lambda _: crank_checks(Results(there)), current)
+    cure = Cure(code, variable, before, lambda _: crank_verdict(Results(there)), current)
     return replace(cure.by(after, exact, "solved"), after=after, standard=False)

@@ -1,7 +1,4 @@
-"""Which inputs a fix of a check may change, and how the check grows with them."""
-
-from core.checks.pins import PIN_FATIGUE
-from core.checks.pins import PINS as PIN_CHECKS
+"""Which inputs a fix of a check may change."""
 
 _STRESS = (
     "pin.diameter",
@@ -122,47 +119,3 @@ VARIED: dict[str, tuple[str, ...]] = {
 
 WHOLE = {"mechanism.pins", "mechanism.satellites", "rollers"}
 """Inputs that are whole numbers."""
-
-GROWTH = {
-    "pin.diameter": 2.0,
-    "contact.contact_length": 1.0,
-    "contact.pin_radius": 1.8,
-    "load.pin_circle_radius": 1.0,
-    "load.output_torque": -1.0,
-}
-"""With which power of an input the torque reserve of a pressure grows, about: where a search for a
-fix of the mechanism as it is made starts."""
-
-PINS = {*PIN_CHECKS, *PIN_FATIGUE}
-"""Checks of the pin itself: its sleeve does not count."""
-
-POWERS = {
-    "pin_static": {"pin.diameter": 3.0, "contact.pin_radius": 3.0, "load.peak_torque": -1.0},
-    "pin_fatigue": {"pin.diameter": 3.0, "contact.pin_radius": 3.0},
-    "pin_deflection": {"pin.diameter": 4.0, "contact.pin_radius": 4.0},
-    "pin_slope": {"pin.diameter": 4.0, "contact.pin_radius": 4.0},
-    "efficiency": {"pin.diameter": -1.0},
-    "sliding_speed": {"pin.diameter": -1.0},
-    "pv": {},
-    "wear": {},
-    "bearing_life": {"bearing.dynamic_rating": 1.0, "load.input_speed": -0.3},
-    "bearing_static": {"bearing.static_rating": 1.0, "load.peak_torque": -1.0},
-    "system_life": {"bearing.dynamic_rating": 1.0, "load.input_speed": -0.3},
-    "crank_bearing_life": {"crankshaft.bearings.dynamic_rating": 1.0, "load.input_speed": -0.3},
-    "unbalance_force": {"load.input_speed": -2.0},
-    "unbalance_couple": {"load.input_speed": -2.0},
-    "outer_diameter": {"satellite_body.outer_radius": -1.0},
-}
-"""The same of checks that grow or fall with a power of their inputs: of the reserve, else of the
-reciprocal of the utilisation. What is not named is one of `USUAL`."""
-
-USUAL = {
-    "contact.contact_length": 1.0,
-    "contact.pin_radius": 1.0,
-    "load.pin_circle_radius": 1.0,
-    "load.output_torque": -1.0,
-    "load.input_speed": -1.0,
-    "friction.coefficient": -1.0,
-    "friction.wear_rate": -1.0,
-    "crankshaft.satellite_mass": -1.0,
-}

@@ -33,6 +33,5 @@ summits             summits of a function over the turn
 turn                positions over the turn
 real_turn           forces on pins, satellites and crank over the turn, sampled
 over_turn           the same over the turn: peak, backlash, lost motion, transmission error
-limit_torque        the torque that brings a pair to a given pressure
 alternating         both directions of the torque, and the worse
 """

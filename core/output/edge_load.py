@@ -1,6 +1,5 @@
 """Line load at the ends of contacts whose pins slope: each force with the slope at that moment."""
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -13,9 +12,6 @@ from core.output.pin_search import Measure, largest
 
 IDLE = 1e-12
 """Forces below this part of the largest bear no line load that counts."""
-
-STEPS, SETTLED = 50, 1e-13
-"""Most secants to a line load, and what is left of it then, as a part."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,31 +75,6 @@ class SlopingContacts:
         force, own, slope = worst
         pin = None if alike else self.loads[case].pin
         return EdgeLoad(force=force, satellite=int(satellite) + 1, pin=pin, own=own, slope=slope)
-
-    def growth(self, edge: EdgeLoad, times: float) -> float:
-        """Factor on a contact's force and slope under which its line load is so many times as
-        large.
-
-        Parameters
-        ----------
-        edge : EdgeLoad
-            The contact.
-        times : float
-            How many times, > 0.
-
-        Returns
-        -------
-        float
-        """
-        growth, before, gone = 1.0, 0.0, 0.0  # secants of the logarithm of both
-        for _ in range(STEPS):
-            left = math.log(times * edge.force / self.even(growth * edge.own, growth * edge.slope))
-            if abs(left) <= SETTLED:
-                break
-            step = gone * left / (before - left) if before not in (0.0, left) else left
-            before, gone = left, step
-            growth *= math.exp(step)
-        return growth
 
     def _each(self, even: Callable[..., Number]) -> FloatArray:
         """The largest of a function of force and slope, by load and satellite."""

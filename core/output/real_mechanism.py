@@ -380,7 +380,6 @@ class RealMechanism:
             solve=shared.solve,
             played=shared.played,
             wave_torque=shared.wave_torque,
-            limit_torque=shared.limit_torque,
         )
 
     def contact(self, pair: int, force: float) -> HertzContact | None:

@@ -19,7 +19,6 @@ from core.output.sharing_kernel import (
     Setup,
     at,
     interference,
-    limit_torque,
     play,
     solve,
     wave_torque,
@@ -114,15 +113,6 @@ class Shares:
             at(psi, one, own_pairs, own)
             worst.append(interference(-far, far, one, own_pairs, own))
         return max(worst)
-
-    def limit_torque(self, psi: float, setup: Setup, pairs: Pairs, room: Room) -> float:
-        """Torque under which the first pair is pressed in by what is allowed.
-
-        N*m; 0 where a pair is pressed as far without load. Where a satellite would lag by the
-        eccentricity before, the torque that brings it there.
-        """
-        each = zip(self.shares, _each(setup, pairs, room), strict=True)
-        return min(limit_torque(psi, *own) / share for share, own in each)
 
     def wave_torque(self, psi: float, lag: float, setup: Setup, pairs: Pairs, room: Room) -> float:
         """Torque of the forces on the wave, N*m, as `solve` left the room; each satellite has its

@@ -24,7 +24,6 @@ RIGID, CRANK, MESH = 0, 1, 2
 
 SOLVED, NOT_SOLVED, NO_DRIVE, NOT_STABLE, TOO_WIDE, TOO_FAR = range(6)
 FORCE, PRESSURE, LAG, STIFFNESS, PLAY_END, BACKLASH, LOST_MOTION, INPUT_TORQUE = range(8)
-LIMIT_TORQUE = 8
 """What is looked at over the turn; of the pressure the force over the reduced radius."""
 
 EPS = 2.0**-52
@@ -125,7 +124,6 @@ class Pairs(NamedTuple):
     b: Row  # POWER C; HERTZ B
     limit: Row  # force at which the law ends
     curved: Row  # difference of the curvatures
-    allowed: Row  # approach at the limit of LIMIT_TORQUE, m; in exact geometry 2*C*d + d^2
 
 
 class Room(NamedTuple):
@@ -692,47 +690,32 @@ def give(
     pairs: Pairs,
     room: Room,
 ) -> tuple[float, int, int]:
-    """Lag at which satellites that give carry a torque or, for a torque of 0, at which the first
-    pair is pressed in by what is allowed; status and steps.
+    """Lag at which satellites that give carry a torque; status and steps.
 
     Newton on all equations at once, from outside. Where it takes long, the equations of the discs
     are solved at every lag, and only then the bracket of the lag is known.
     """
     crank, far = setup.support == CRANK, setup.eccentricity / setup.radius
-    most = low + far  # without a torque, of which no pair may be at its limit
-    power = 1.0 if pressed or torque == 0 else 1 / setup.exponent
+    power = 1.0 if pressed else 1 / setup.exponent
     outer, solved = 0, False
     for j in range(setup.satellites):
         room.own_lag[j] = 0.0 if crank else lag
     for step in range(1, 2 * STEPS):
         carried = slope = size = 0.0
-        value, settled = -math.inf, True
+        settled = True
         for j in range(setup.satellites):
             one = disc(j, lag, room.own_lag[j], setup, pairs, room)
             settled = settled and (solved or near(one, room.own_lag[j]))
             room.own_lag[j] += one.change
             room.own_moves[j] = one.moves
-            if torque > 0:
-                carried += one.torque - one.weight * one.value
-                slope += one.slope
-                size += one.gross + abs(one.weight) * one.size
-                continue
-            for i in range(j * setup.pins, (j + 1) * setup.pins):
-                by_lag, by_own = felt(i, j, setup, room)
-                beyond = room.q[i] + by_own * room.own_lag[j] - pairs.allowed[i]
-                beyond += lag * room.v[i] if crank else 0.0
-                if beyond > value:
-                    value, slope = beyond, by_lag
-                    size = abs(room.q[i]) + abs(lag * room.v[i]) + pairs.allowed[i]
-        change = math.inf
-        if torque == 0:
-            change = -value / slope if slope > 0 else math.inf
-        else:
-            value, ratio = carried - torque, carried / torque
-            if slope > 0 and power == 1:
-                change = -value / slope
-            elif slope > 0 and ratio > 0:
-                change = torque * (ratio ** (1 - power) - ratio) / (power * slope)
+            carried += one.torque - one.weight * one.value
+            slope += one.slope
+            size += one.gross + abs(one.weight) * one.size
+        value, ratio, change = carried - torque, carried / torque, math.inf
+        if slope > 0 and power == 1:
+            change = -value / slope
+        elif slope > 0 and ratio > 0:
+            change = torque * (ratio ** (1 - power) - ratio) / (power * slope)
         if settled and (abs(value) <= EPS * size or abs(change) <= EPS * abs(lag)):
             return lag, SOLVED, step
         if pressed:
@@ -741,8 +724,6 @@ def give(
         if settled:
             if value > 0:
                 high = lag
-            elif torque == 0 and lag > most:
-                return lag, NOT_SOLVED, step
             else:
                 low = lag
             following = within(lag, change, low, high, outer)
@@ -792,33 +773,6 @@ def given_errors(
             unsure = abs(by_lag) * lag_error + room.unsure[i] + abs(by_own) * room.own_error[j]
             force_error = max(force_error, room.stiffness[i] * unsure + 8 * EPS * room.force[i])
     return slope, lag_error, force_error
-
-
-def limit_torque(psi: float, setup: Setup, pairs: Pairs, room: Room) -> float:
-    """Torque under which the first pair is pressed in by what is allowed; 0 where one is pressed as
-    far without load. Where the output would go on by the eccentricity before, the torque that
-    brings it there.
-    """
-    count, far = setup.pins * setup.satellites, setup.eccentricity / setup.radius
-    at(psi, setup, pairs, room)
-    least, most, _, _ = play(setup, room)
-    for i in range(count):
-        room.q[i] -= pairs.allowed[i]
-        room.force[i] = 0.0
-    low, high, _, _ = play(setup, room)  # of rigid satellites, till a pair is at its limit
-    at(psi, setup, pairs, room)
-    zero = most if least <= most else min(max(most, -far), far)
-    far += max(zero, 0.0)
-    if setup.support == RIGID:
-        return 0.0 if low > high else max(balance(min(high, far), setup, pairs, room)[0], 0.0)
-    lag = min(max(high, zero), far) if least <= most else zero
-    lag, _, _ = give(0.0, lag, zero, math.inf, False, setup, pairs, room)
-    if lag > far:
-        lag, _, _ = give(0.0, far, far, far, False, setup, pairs, room)
-    total = 0.0
-    for i in range(count):
-        total += room.force[i] * room.lever[i]
-    return max(total, 0.0) if lag > zero else 0.0
 
 
 def judged(position: Position, setup: Setup, pairs: Pairs, room: Room) -> int:
@@ -969,8 +923,6 @@ def value(kind: int, psi: float, load: Load, pairs: Pairs, room: Room) -> tuple[
     if kind in (PLAY_END, BACKLASH):
         low, high = played(psi, load.setup, pairs, room)
         return high if kind == PLAY_END else max(high - low, 0.0), True
-    if kind == LIMIT_TORQUE:
-        return limit_torque(psi, load.setup, pairs, room), True
     both, can = 0.0, True
     for back in range(2 if kind == LOST_MOTION else 1):
         setup = load.back if back else load.setup

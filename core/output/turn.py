@@ -88,13 +88,16 @@ class Turn:
     def poses(self, places: Sequence[float]) -> Rows:
         """Positions at wave angles, rad."""
         self.evaluations += len(places)
-        row, many = self.kernel.row, len(places)
-        forces = row([0.0] * many * len(self.pairs.a))
+        row, many, pairs = self.kernel.row, len(places), len(self.pairs.a)
+        forces = row([0.0] * many * pairs)
         results = Poses(forces, *[row([0.0] * many) for _ in Poses._fields[1:]])
         given = self.load.torque, self.load.setup, self.pairs, self.room, results
         self._refused(places, self.kernel.poses(row(places), *given))
         rows = {name: np.array(each) for name, each in results._asdict().items()}
-        return rows | {"wave": np.array(places), "forces": rows["forces"].reshape(many, len(self.pairs.a))}
+        return rows | {
+            "wave": np.array(places),
+            "forces": rows["forces"].reshape(many, len(self.pairs.a)),
+        }
 
     @derived
     def coarse(self) -> Rows:
