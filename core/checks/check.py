@@ -314,7 +314,7 @@ class Verdict:
         Whether the torque alone decides: nothing fails that less torque does not cure, by a factor
         that is known, and nothing is unknown.
     largest_torque_estimated : bool
-        Whether that torque is an estimate: the reserve that comes first is rough.
+        Whether that torque is an estimate: a reserve that fails or comes first is rough.
     counts : dict of str to int
         How many checks have each status.
     not_considered : tuple of str
@@ -409,7 +409,8 @@ def verdict(checks: Iterable[Check], not_considered: tuple[str, ...] = ()) -> Ve
         torque_reserve=least,
         largest_torque_known=least is not None and not stuck and not counts["not_checked"],
         largest_torque_estimated=any(
-            each.rough and each.torque_reserve == least for each in decided
+            each.rough and (each.status == "fail" or each.torque_reserve == least)
+            for each in decided
         ),
         counts=counts,
         not_considered=not_considered,

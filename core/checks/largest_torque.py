@@ -15,6 +15,10 @@ from core.design.results import Results
 LOOKS, SETTLED = 8, 1e-5
 """Torques at most that are looked at, and how far the last one's reserve may be off 1."""
 
+FURTHER, NEAR = 2, 0.1
+"""Torques at most that are looked at for the reserves of checks that fail later, and how near the
+logarithm of one is that needs no look."""
+
 STEEPEST = 3.0
 """Most that a reserve changes with the torque, as a slope of logarithms, and 1 over the least."""
 
@@ -31,9 +35,10 @@ def crank_verdict(results: Results) -> Verdict:
     -------
     Verdict
         Where forces are solved a check is marginal that fails under `MARGIN` times the torque, and
-        the reserve of the one that fails first is that of the torque at which it does. Where no
-        such torque is found, as forces cannot be solved or jump with it, the reserves stay
-        estimates, and the largest torque looked at under which all checks hold is given.
+        the least reserve is that of the torque at which the first one fails; the others are by
+        secants of what was looked at. Where no such torque is found, as forces cannot be solved or
+        jump with it, the reserves stay estimates, and the largest torque looked at under which all
+        checks hold is given.
 
     Notes
     -----
@@ -111,29 +116,46 @@ class _Torques:
         roots = {code: self.root(code) for code in self.looks if code in self.counted}
         return min(((x, code) for code, x in (roots | self.exact).items()), default=(math.inf, ""))
 
+    def look_further(self) -> None:
+        """Looks at the torques under which the other checks fail, farthest from what is known."""
+        for _ in range(FURTHER):
+            roots = {code: self.root(code) for code in self.looks}
+            away = {
+                root: min(abs(root - x) for x, _ in self.looks[code])
+                for code, root in roots.items()
+                if math.isfinite(root)
+            }
+            farthest = max(away, key=lambda root: away[root], default=0.0)
+            if away.get(farthest, 0.0) <= NEAR or self.look(math.exp(farthest)) is None:
+                return
+
     def judged(self) -> Verdict:
         """The verdict with what is seen under other torques."""
         left = self.look(MARGIN)
         if left is None:
             return self.found
         at_margin = {code: looks[-1][1] for code, looks in self.looks.items()}
-        safe, settled = (MARGIN if left >= 0 else 0.0), False
+        safe, unsolved, settled = (MARGIN if left >= 0 else 0.0), math.inf, False
         for _ in range(LOOKS):
             x, _ = self.first()
+            if x >= unsolved:  # forces cannot be solved there
+                x = (math.log(safe or 1.0) + unsolved) / 2
             left = self.look(math.exp(x)) if math.isfinite(x) else None
             if left is None:
-                break
+                unsolved = x
+                continue
             safe, settled = max(safe, math.exp(x) if left >= 0 else 0.0), abs(left) <= SETTLED
             if settled:
                 break
         least, _ = self.first()
+        if settled:
+            self.look_further()
         checks = []
         for check in self.found.checks:
             if check.code in self.looks:
                 own, known = math.exp(self.root(check.code)), math.exp(least) if settled else safe
                 reserve = own if check.warning else max(own, known) if known else None
-                rough = not settled or own > known * (1 + SETTLED)
-                check = check._replace(torque_reserve=reserve, rough=rough)
+                check = check._replace(torque_reserve=reserve, rough=not settled)
                 check = _under_margin(check, at_margin[check.code] >= 0)
             checks.append(check)
         return verdict(checks, self.found.not_considered)

@@ -8,21 +8,20 @@ import math
 from dataclasses import replace
 from typing import Any
 
-import numpy as np
 import pytest
 
 from core.checks.check import Check
 from core.checks.crank_planetary import crank_checks
-from core.checks.pin_contact import real_reserve
+from core.checks.largest_torque import crank_verdict
 from core.design.document import Design
 from core.design.real_forces import RealForces
 from core.design.results import MOST_REAL_PAIRS, Results
 from core.design.sections import DesignPin, Friction
 from core.fixes.changes import vary
+from core.fixes.inputs import WHOLE
 from core.materials import ContactLimit
 from core.output.contact_force import ContactForce
 from core.output.contact_law import LinearLaw
-from core.output.loaded_position import loaded_position
 from core.output.pin_strength import PinStrength
 from core.output.real_mechanism import Deviations
 from tests.inputs.checks import HOLE, PIN, REF, check_of, design_of, fixes_of, having, says
@@ -53,6 +52,13 @@ def limited(design: Design, limit: float) -> Design:
     return having(design, hole_material=replace(HOLE, limit=ContactLimit("given", limit)))
 
 
+def limited_alone(limit: float) -> Design:
+    """The same of a design that nothing else limits."""
+    hard = {"yield_strength": 1e12, "limit": ContactLimit("given", 1e12)}
+    hole = replace(HOLE, yield_strength=1e12, limit=ContactLimit("given", limit))
+    return having(A, pin_material=replace(PIN, **hard), hole_material=hole)
+
+
 @pytest.mark.parametrize(("part", "status"), [(2.0, "pass"), (1.01, "marginal"), (0.999, "fail")])
 def test_the_pressure_is_that_of_the_real_peak(part: float, status: str) -> None:
     found = check_of("contact_pressure_hole", limited(A, 1.2 * part * PRESSURE))
@@ -80,23 +86,14 @@ def test_under_the_torque_of_the_reserve_the_pressure_is_at_its_limit(
     design: Design, limit: float
 ) -> None:
     design = limited(design, limit)
-    found = check_of("contact_pressure_hole", design)
-    assert found.torque_reserve is not None and design.load.output_torque is not None
-    there = having(design, output_torque=design.load.output_torque * found.torque_reserve)
-    assert check_of("contact_pressure_hole", there).utilisation == pytest.approx(1, rel=1e-8)
-    alone = real_reserve(results=Results(design), limit=limit / 1.2)
-    assert alone == pytest.approx(found.torque_reserve, rel=1e-9)
-
-
-@pytest.mark.parametrize(("limit", "near"), [(4e9, 1e-6), (9e9, 5e-2)])
-def test_bending_pins_make_the_reserve_less_exact(limit: float, near: float) -> None:
-    """Their slope is taken to grow with the largest force."""
-    pin = DesignPin("cantilever", 0.006, (0.01,), PIN)
-    design = limited(having(A, pin=pin, contact_law=None), limit)
-    found = check_of("contact_pressure_hole", design)
-    assert found.torque_reserve is not None
-    there = having(design, output_torque=30.0 * found.torque_reserve)
-    assert check_of("contact_pressure_hole", there).utilisation == pytest.approx(1, rel=near)
+    found = crank_verdict(Results(design))
+    reserve = found["contact_pressure_hole"].torque_reserve
+    assert reserve is not None and not found.largest_torque_estimated
+    there = having(design, output_torque=design.load.output_torque * reserve)
+    first = reserve == found.torque_reserve
+    at_limit = pytest.approx(1, rel=1e-5 if first else 2e-2)
+    assert check_of("contact_pressure_hole", there).utilisation == at_limit
+    assert first or limit > 400e6
 
 
 def test_static_strength_of_pins_is_that_under_the_forces_of_the_peak_torque() -> None:
@@ -116,24 +113,20 @@ def test_static_strength_of_pins_is_that_under_the_forces_of_the_peak_torque() -
 
 def test_the_reserve_is_not_the_square_of_the_pressures() -> None:
     """With more torque more pairs carry."""
-    found = check_of("contact_pressure_hole", limited(A, 3.0 * 1.2 * PRESSURE))
+    found = crank_verdict(Results(limited_alone(3.0 * 1.2 * PRESSURE)))
+    assert found.governing == "contact_pressure_hole"
     assert found.torque_reserve is not None and found.torque_reserve > 9.2
 
 
-def test_the_reserve_ends_where_the_output_has_gone_on_by_the_eccentricity() -> None:
-    """Of a limit that no contact comes to."""
-    found = check_of("contact_pressure_hole", limited(A, 1e12))
-    assert found.torque_reserve is not None
-    there = having(A, output_torque=30.0 * found.torque_reserve)
-    assert Results(there).real is not None and there.contact.eccentricity is not None
-    lags = [
-        loaded_position(
-            real=Results(there).real, crank_angle=angle, output_torque=there.load.output_torque
-        )
-        for angle in np.linspace(0, 2 * math.pi, 41)
-    ]
-    gone = [abs(each.rotation) - each.play[1] for each in lags]
-    assert min(gone) < there.contact.eccentricity / 0.020 * 1.05 < 1.1 * max(gone)
+def test_the_largest_torque_ends_where_forces_cannot_be_solved() -> None:
+    """Of a limit that no contact comes to: it is an estimate, of a torque that holds."""
+    design = limited_alone(1e12)
+    found = crank_verdict(Results(design))
+    reserve = found.torque_reserve
+    assert reserve is not None and found.largest_torque_estimated
+    assert crank_checks(Results(having(design, output_torque=30.0 * reserve))).counts["fail"] == 0
+    more = having(design, output_torque=30.0 * 2 * reserve)
+    assert crank_checks(Results(more)).counts["not_checked"]
 
 
 def test_wear_and_pv_are_of_the_largest_force_of_both_directions() -> None:
@@ -308,17 +301,22 @@ def test_fixes_cure() -> None:
                 "contact.pin_radius",
                 "load.pin_circle_radius",
                 "load.output_torque",
+                "mechanism.pins",
+                "mechanism.satellites",
             )
         ),
     }
     for fix in fixes:
         assert fix.status == "solved"
-        cured = check_of(fix.code, vary(design=design, variable=fix.variable, value=fix.after))
-        assert cured.status == "pass", fix
+        there = vary(design=design, variable=fix.variable, value=fix.after)
+        cured = crank_verdict(Results(there))
+        assert cured[fix.code].status == "pass" and cured.verdict == fix.verdict, fix
+        if fix.variable in WHOLE:
+            continue
         step = 1.1e-7 if fix.variable == "contact.hole_radius" else (fix.before - fix.exact) * 1e-3
         short = fix.exact + step  # of the hole a tenth of a micrometre, as it is rounded
-        nearly = check_of(fix.code, vary(design=design, variable=fix.variable, value=short))
-        assert nearly.status != "pass", fix
+        there = vary(design=design, variable=fix.variable, value=short)
+        assert crank_verdict(Results(there))[fix.code].status != "pass", fix
 
 
 def test_a_larger_pin_without_sleeve_is_stiffer() -> None:

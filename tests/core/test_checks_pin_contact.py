@@ -92,8 +92,9 @@ def test_the_limit_is_that_over_the_life(name: str, loose: float) -> None:
     assert found.reason == "life_of_teeth" and found.missing == ()
     assert found.torque_reserve is not None
     there = having(design, output_torque=500.0 * found.torque_reserve)
-    assert check_of("contact_pressure_hole", there).utilisation == pytest.approx(1, rel=1e-9)
-    assert Results(design).hertz is not None
+    if not loose:  # the forces grow with the torque
+        at_limit = check_of("contact_pressure_hole", there).utilisation
+        assert at_limit == pytest.approx(1, rel=1e-9)
     assert Results(design).hertz.safety[1].safety_factor == pytest.approx(
         600e6 * factor / Results(design).hertz.governing_pressure, rel=1e-7
     )

@@ -10,7 +10,6 @@ from hypothesis import strategies as st
 
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.contact_law import LinearLaw, PinSupport, PowerLaw
-from core.output.limit_torque import limit_torque
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_curves import real_curves
@@ -61,24 +60,6 @@ def test_the_clearance_of_a_bearing_is_half_a_clearance_of_the_holes(
     real = replace(real, law=LinearLaw(1e8))
     wider = replace(real, clearance=real.clearance + loose / 2)
     same(replace(real, support=CrankSupport(radial_clearance=loose)), wider, angle, torque)
-
-
-def test_pairs_that_press_without_load_bear_a_torque_up_to_their_limit() -> None:
-    """Also where a pair would be beyond it at the end of the play: the output goes back."""
-    real = replace(
-        TWO,
-        law=LinearLaw(1e8),
-        clearance=2e-5,
-        deviations=Deviations(pin_tangential=(6e-5, -6e-5, 0.0, 0.0, 0.0, 0.0)),
-    )
-    loose = replace(real, clearance=1.5e-5, support=CrankSupport(radial_clearance=1e-5))
-    wanted, found = (
-        limit_torque(real=each, direction=1.0, pair=0, force=5e3) for each in (real, loose)
-    )
-    assert found == pytest.approx(wanted, rel=1e-12)
-    turn = over_turn(real=loose, output_torque=found)
-    assert turn.pressed_without_load
-    assert turn.peak_force == pytest.approx(5e3, rel=1e-9)
 
 
 @given(reals(exact=False), crank_angles, torques)
@@ -173,18 +154,6 @@ SUPPORTS = [
     ElasticMesh(stiffness=2e4),
     Shares((0.55, 0.45)),
 ]
-
-
-@pytest.mark.parametrize("support", SUPPORTS, ids=lambda each: type(each).__name__)
-def test_the_torque_at_a_limit_is_that_whose_peak_it_is(support: SatelliteSupport) -> None:
-    real = replace(AHEAD, support=support)
-    peak = over_turn(real=real, output_torque=40.0)
-    pair = (peak.peak_pair.satellite - 1) * 6 + peak.peak_pair.pin - 1
-    at = {"real": real, "direction": 1.0, "pair": pair}
-    assert limit_torque(**at, force=peak.peak_force) == pytest.approx(40.0, rel=1e-9)
-    more = limit_torque(**at, force=1.5 * peak.peak_force)
-    found = over_turn(real=real, output_torque=more)
-    assert found.peak_force == pytest.approx(1.5 * peak.peak_force, rel=1e-9)
 
 
 @pytest.mark.parametrize("torque", [30.0, -30.0])

@@ -12,7 +12,6 @@ from core.crank.ring_mesh import RingMesh
 from core.crank.satellite_bearing import satellite_bearings
 from core.errors import InvalidInput
 from core.output.contact_force import contact_force
-from core.output.limit_torque import limit_torque
 from core.output.loaded_position import loaded_position
 from core.output.over_turn import over_turn
 from core.output.pin_geometry import pin_fit
@@ -31,7 +30,6 @@ SINGLE: list[tuple[Callable[..., Any], dict[str, Any]]] = [
     (pin_stresses, REFERENCE | {"span": 0.1, "support": "fixed", "peak_torque": 900.0}),
     (over_turn, REAL | {"lost_motion_share": 0.03}),
     (loaded_position, REAL | {"crank_angle": 0.1}),
-    (limit_torque, {"real": UNLIKE, "direction": 1.0, "pair": 0, "force": 100.0}),
     (real_curves, REAL | {"crank_angle": np.zeros(1)}),
     (stiffness_curve, {"real": UNLIKE, "crank_angle": 0.1, "torques": [1.0]}),
     (pin_fit, {"pins": 6, "pin_radius": 0.008, "hole_radius": 0.01, "eccentricity": 2e-3}),

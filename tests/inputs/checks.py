@@ -8,7 +8,8 @@ from typing import Any
 import pytest
 
 from core.checks.check import Check
-from core.checks.crank_planetary import crank_check, crank_checks
+from core.checks.crank_planetary import crank_check
+from core.checks.largest_torque import crank_verdict
 from core.design.document import Design, changed
 from core.design.results import Results
 from core.design.sections import (
@@ -80,7 +81,7 @@ def check_of(code: str, design: Design) -> Check:
 def fixes_of(design: Design, codes: Iterable[str]) -> list[Fix]:
     """Fixes of checks of a design."""
     results = Results(design)
-    return crank_fixes(results=results, codes=codes, current=crank_checks(results))
+    return crank_fixes(results=results, codes=codes, current=crank_verdict(results))
 
 
 REF = design_of(
