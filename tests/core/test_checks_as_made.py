@@ -114,7 +114,6 @@ def test_static_strength_of_pins_is_that_under_the_forces_of_the_peak_torque() -
 def test_the_reserve_is_not_the_square_of_the_pressures() -> None:
     """With more torque more pairs carry."""
     found = crank_verdict(Results(limited_alone(3.0 * 1.2 * PRESSURE)))
-    assert found.governing == "contact_pressure_hole"
     assert found.torque_reserve is not None and found.torque_reserve > 9.2
 
 
