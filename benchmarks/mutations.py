@@ -248,9 +248,9 @@ def main(base: str, seed: int, smallest: bool) -> None:
     trial = Trial(folder, None if smallest else name)
     all_of_them = [*mutations(trial.tree, seed)]
     if smallest:
-        all_of_them = [each for each in all_of_them if each.file == "core/quadrature.py"]
+        all_of_them = [each for each in all_of_them if each.file == "core/numerics/quadrature.py"]
     chosen = drawn(all_of_them, 1 if smallest else COUNT)
-    reached = trial.reached(chosen, ["core/quadrature.py"] if smallest else [])
+    reached = trial.reached(chosen, ["core/numerics/quadrature.py"] if smallest else [])
     record = folder / "found.json"
     found: dict[str, str | None] = json.loads(record.read_text()) if record.exists() else {}
     for index, each in enumerate(chosen):

@@ -23,11 +23,11 @@ from core.crank.satellite_bearing import satellite_bearings
 from core.design.document import Design, changed
 from core.design.results import Results
 from core.design.sections import Contact, Load, MechanismSection
-from core.exploration.solve import solve_for
 from core.fatigue import size_factor, utilisation
 from core.fixes.crank import crank_fixes
 from core.hertz import hertz
 from core.materials import MATERIALS, ElasticMaterial
+from core.numerics.inverse import solve_for
 from core.output.contact_force import contact_force
 from core.output.cyclogram import cyclogram
 from core.output.losses import pin_losses

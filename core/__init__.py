@@ -24,8 +24,7 @@ arrays              one function for a number and for arrays of designs; types
 results             accuracy and validity notices that every result carries
 contact_life        how the limit of a pressure falls with the number of loads
 materials           elastic materials, effective modulus, a small table with sources
-quadrature          integration rules with honest error estimates
-numerics            tools that know nothing of what they are used for: a second look for extremes
+numerics            tools that know nothing of their use: quadrature, extremes, the inverse
 load_sharing        one displacement shared by many unilateral contacts
 fatigue             endurance limit by named factors, criteria, finite life
 hertz               line contact of pin and hole, and where Hertz stops being valid
@@ -34,7 +33,6 @@ tolerance           what tolerances of the output mechanism do
 rollers             swinging rollers: stiffness, load sharing, bending stress, and their curves
 precession          contact lines, meshing load and shaft deflection of the precessional gear
 crank               bearings of the satellites, reactions and balance of the crankshaft
-exploration         an input solved for a result
 design              the design of a reducer as its JSON is nested, and what follows from it
 checks              results against limits: checks of each machine element and their verdict
 fixes               what cures a check

@@ -34,7 +34,8 @@ from app.running import named, run
 from app.settings import Settings
 from app.worked import stated
 from core.errors import CalculationError, InvalidInput
-from core.exploration.solve import (
+from core.fixes.fix import PIN_SIZES
+from core.numerics.inverse import (
     MOST_WHOLE,
     SAMPLES,
     TOLERANCE,
@@ -44,7 +45,6 @@ from core.exploration.solve import (
     Want,
     solve_for,
 )
-from core.fixes.fix import PIN_SIZES
 from core.results import Accuracy, Notice
 
 SOLVED = {

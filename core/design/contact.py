@@ -3,8 +3,8 @@
 import math
 from collections.abc import Callable
 
-from core.exploration.solve import edge
 from core.hertz import HertzContact
+from core.numerics.inverse import edge
 from core.results import ROUNDING
 
 SHAKEDOWN = 4 / math.sqrt(3)

@@ -12,10 +12,10 @@ from core.derived import if_known
 from core.design.document import Design, changed
 from core.design.results import Results
 from core.errors import CalculationError
-from core.exploration.solve import Solution
 from core.fixes.changes import count_may_change, value_of, vary
 from core.fixes.fix import PIN_SIZES, RANGE, Cure, Fix, aim, fix_of, in_order
 from core.fixes.inputs import VARIED, WHOLE
+from core.numerics.inverse import Solution
 
 SEARCHED, NUDGE = 9, 0.02
 """Most looks of a search by secants, and by which part an input is changed first."""

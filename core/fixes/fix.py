@@ -7,8 +7,8 @@ from typing import Literal
 
 from core.checks.check import MARGIN, Check, Verdict
 from core.errors import CalculationError
-from core.exploration.solve import Solution, solve_for
 from core.fixes.inputs import WHOLE
+from core.numerics.inverse import Solution, solve_for
 
 FixStatus = Literal["solved", "not_enough", "not_monotone"]
 

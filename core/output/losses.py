@@ -14,12 +14,12 @@ from functools import cached_property, lru_cache
 import numpy as np
 
 from core.arrays import FloatArray, Number, check_not_negative, check_positive, every, refuse
+from core.numerics.quadrature import tanh_sinh_rule
 from core.output.contact_force import force_peak
 from core.output.driving_set import Segment, segments
 from core.output.mechanism import Mechanism, WavePhases
 from core.output.peak_force import PHASE_ROUNDING
 from core.output.pin_forces import force_ratios
-from core.quadrature import tanh_sinh_rule
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 CONVERGED = 1e-14

@@ -25,11 +25,11 @@ from numpy.typing import NDArray
 
 from core.arrays import ComplexArray, FloatArray, IntArray, check_positive
 from core.errors import InvalidInput
+from core.numerics.quadrature import tanh_sinh_rule
 from core.output.driving_set import segments
 from core.output.losses import AT_SWITCH
 from core.output.mechanism import Mechanism, WavePhases
 from core.output.peak_force import PHASE_ROUNDING
-from core.quadrature import tanh_sinh_rule
 from core.results import ROUNDING
 
 MANY = 64

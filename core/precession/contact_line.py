@@ -8,6 +8,7 @@ import numpy as np
 
 from core.arrays import FloatArray
 from core.errors import ImpossibleMechanism, InvalidInput
+from core.numerics.quadrature import TRUNCATION
 from core.precession.contact_curve import ContactCurve, Limits, LinePoint, Places, axial_scale
 from core.precession.rollers import (
     ANGLE_ROUNDING,
@@ -17,7 +18,6 @@ from core.precession.rollers import (
     RollerByLength,
     stands_in_line,
 )
-from core.quadrature import TRUNCATION
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 

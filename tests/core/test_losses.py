@@ -8,11 +8,11 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from core.errors import ImpossibleMechanism, InvalidInput
+from core.numerics.quadrature import tanh_sinh_rule
 from core.output.losses import TotalForce, loss_curves, pin_losses, total_force
 from core.output.mechanism import Mechanism
 from core.output.pin_forces import force_ratios
 from core.output.pin_geometry import pin_geometry
-from core.quadrature import tanh_sinh_rule
 from tests.oracles.losses import total
 
 REFERENCE = {

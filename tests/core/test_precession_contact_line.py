@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 from mpmath import mpf
 
 from core.errors import CalculationError, ImpossibleMechanism, InvalidInput
+from core.numerics.quadrature import NODES
 from core.precession.contact_line import ContactLine, contact_lines, contact_points
 from core.precession.rollers import RollerByAngle, RollerByLength, wheel_rollers
-from core.quadrature import NODES
 from core.results import HARDLY_KNOWN, ROUNDING
 from tests.oracles.condition import condition
 from tests.oracles.precession import z_of_angle

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from core.errors import InvalidInput
-from core.exploration.solve import edge, solve_for
+from core.numerics.inverse import edge, solve_for
 
 
 @given(st.floats(1e-3, 1e3), st.floats(0.2, 5.0), st.booleans())
