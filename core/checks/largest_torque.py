@@ -90,17 +90,16 @@ class _Torques:
         """The least logarithm of a reserve that is left under so many times the torque; None where
         one is not known there.
         """
-        there = Results(under(design=self.design, factor=factor))
-        x, least = math.log(factor), min(self.exact.values(), default=math.inf)
-        least -= x
+        there, x = Results(under(design=self.design, factor=factor)), math.log(factor)
+        least, known = min(self.exact.values(), default=math.inf) - x, True
         for code, looks in self.looks.items():
             reserve = crank_check(code, there).torque_reserve
-            if not reserve:
-                return None
-            looks.append((x, math.log(reserve)))
-            if code in self.counted:
-                least = min(least, looks[-1][1])
-        return least
+            if reserve:
+                looks.append((x, math.log(reserve)))
+                least = min(least, looks[-1][1] if code in self.counted else math.inf)
+            else:
+                known = known and code not in self.counted
+        return least if known else None
 
     def root(self, code: str) -> float:
         """Logarithm of the factor at which a check fails, by the two looks next to it."""
@@ -132,11 +131,12 @@ class _Torques:
     def judged(self) -> Verdict:
         """The verdict with what is seen under other torques."""
         left = self.look(MARGIN)
-        if left is None:
-            return self.found
-        at_margin = {code: looks[-1][1] for code, looks in self.looks.items()}
-        safe, unsolved, settled = (MARGIN if left >= 0 else 0.0), math.inf, False
-        for _ in range(LOOKS):
+        at_margin = {code: looks[1][1] for code, looks in self.looks.items() if looks[1:]}
+        unsolved = math.log(MARGIN) if left is None else math.inf
+        safe, settled = 0.0 if self.found.counts["fail"] else 1.0, False
+        if left is not None and left >= 0:
+            safe = MARGIN
+        for _ in range(LOOKS if at_margin else 0):
             x, _ = self.first()
             if x >= unsolved:  # forces cannot be solved there
                 x = (math.log(safe or 1.0) + unsolved) / 2
@@ -156,7 +156,8 @@ class _Torques:
                 own, known = math.exp(self.root(check.code)), math.exp(least) if settled else safe
                 reserve = own if check.warning else max(own, known) if known else None
                 check = check._replace(torque_reserve=reserve, rough=not settled)
-                check = _under_margin(check, at_margin[check.code] >= 0)
+                if check.code in at_margin:
+                    check = _under_margin(check, at_margin[check.code] >= 0)
             checks.append(check)
         return verdict(checks, self.found.not_considered)
 
