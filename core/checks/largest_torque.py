@@ -118,7 +118,7 @@ class _Torques:
     def look_further(self) -> None:
         """Looks at the torques under which the other checks fail, farthest from what is known."""
         for _ in range(FURTHER):
-            roots = {code: self.root(code) for code in self.looks}
+            roots = {code: self.root(code) for code in self.looks if code in self.counted}
             away = {
                 root: min(abs(root - x) for x, _ in self.looks[code])
                 for code, root in roots.items()
