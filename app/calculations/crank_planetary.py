@@ -267,7 +267,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
 
     def judge(self) -> Values:
         """Verdict, and checks and fixes where asked."""
-        found = crank_verdict(self.results)
+        found = crank_verdict(self.results, every="checks" in self.sections)
         fixes = None
         if "fixes" in self.sections:
             codes = codes_to_fix(found, self.fixes_for)

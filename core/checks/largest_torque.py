@@ -23,13 +23,16 @@ STEEPEST = 3.0
 """Most that a reserve changes with the torque, as a slope of logarithms, and 1 over the least."""
 
 
-def crank_verdict(results: Results) -> Verdict:
+def crank_verdict(results: Results, *, every: bool = False) -> Verdict:
     """All checks of a crank-planetary reducer, judged under the torque and under others.
 
     Parameters
     ----------
     results : Results
         Results of a design.
+    every : bool
+        Whether the reserve of every check is wanted, not only of the one that fails first: then the
+        torques under which the others fail are looked at too.
 
     Returns
     -------
@@ -47,7 +50,7 @@ def crank_verdict(results: Results) -> Verdict:
     found = crank_checks(results)
     if not any(check.rough and check.torque_reserve for check in found.checks):
         return found
-    return _Torques(results.design, found).judged()
+    return _Torques(results.design, found).judged(every=every)
 
 
 def under(*, design: Design, factor: float) -> Design:
@@ -128,7 +131,7 @@ class _Torques:
             if away.get(farthest, 0.0) <= NEAR or self.look(math.exp(farthest)) is None:
                 return
 
-    def judged(self) -> Verdict:
+    def judged(self, *, every: bool) -> Verdict:
         """The verdict with what is seen under other torques."""
         left = self.look(MARGIN)
         at_margin = {code: looks[1][1] for code, looks in self.looks.items() if looks[1:]}
@@ -148,7 +151,7 @@ class _Torques:
             if settled:
                 break
         least, _ = self.first()
-        if settled:
+        if settled and every:
             self.look_further()
         checks = []
         for check in self.found.checks:

@@ -48,7 +48,7 @@ def test_at_the_largest_torque_the_first_check_is_at_its_limit(times: float) -> 
     assert MADE.load.output_torque is not None
     design = having(MADE, output_torque=MADE.load.output_torque * times)
     rough = crank_checks(Results(design))
-    found = crank_verdict(Results(design))
+    found = crank_verdict(Results(design), every=True)
     assert rough.largest_torque_estimated and not found.largest_torque_estimated
     assert rough.torque_reserve is not None and found.torque_reserve is not None
     assert under(design, found.torque_reserve).torque_reserve == pytest.approx(1.0, abs=1e-4)
