@@ -171,25 +171,6 @@ def test_curves_are_the_loads() -> None:
     assert torque == pytest.approx(500.0, rel=1e-12)
 
 
-def test_curves_of_satellites_that_share_by_stiffness() -> None:
-    """Of each the worse of both ways to share is its load; all together carry the torque."""
-    given = {"mechanism": spaced(3, 2)}
-    design = LOAD | given | {"radial_force_ratio": -0.3}
-    angles = np.linspace(0, 2 * math.pi, 20_001)
-    alike, stiff = (
-        bearing_curves(**design, crank_angle=angles, pair_stiffness=each)
-        for each in (None, (3.0, 1.0))
-    )
-    found = satellite_bearings(
-        **REFERENCE | given | {"mesh": RingMesh(-0.3), "pair_stiffness": (3.0, 1.0)}
-    )
-    peaks = np.maximum(alike.load.max(axis=0), stiff.load.max(axis=0))
-    assert peaks == pytest.approx(found.peak_load, rel=1e-6)
-    assert stiff.load[:, 0].max() > 1.2 * alike.load[:, 0].max()
-    torque = 2e-3 * 20 * stiff.across.sum(axis=1)
-    assert torque == pytest.approx(500.0, rel=1e-12)
-
-
 @given(
     mechanism=mechanisms.filter(lambda each: each.satellites > 1),
     exponent=st.sampled_from([1.0, 10 / 9, 1.5, 6.0]),
