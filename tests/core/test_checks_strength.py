@@ -11,7 +11,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from core.checks.crank_planetary import crank_checks
+from core.checks.check import Check
+from core.checks.crank_planetary import crank_check, crank_checks
+from core.checks.largest_torque import crank_verdict
 from core.design.document import Design
 from core.design.results import Results
 from core.design.sections import Ring, RollingBearing, Shaft
@@ -19,10 +21,8 @@ from core.errors import InvalidInput
 from core.fixes.changes import value_of, vary
 from core.materials import MATERIALS, ElasticMaterial
 from core.output.contact_law import LinearLaw
-from core.output.losses import PinLosses
 from core.output.real_mechanism import Deviations
 from tests.inputs.checks import REF, WHOLE, check_of, fixes_of, having, says
-from tests.oracles.checks import compliance
 
 PEAK = 1e4 / 3
 MODULUS = math.pi * 0.016**3 / 32
@@ -31,6 +31,11 @@ ONE = having(WHOLE, satellites=1, output_torque=250.0)
 EVENLY = {"support": "supported", "span": 0.062, "satellite_positions": (0.02, 0.042)}
 EVEN = having(WHOLE, pin=replace(WHOLE.pin, **EVENLY))  # type: ignore[arg-type, type-var]
 """Of two satellites that share alike."""
+
+
+def equally(code: str, design: Design) -> Check:
+    """A check by ideal forces that the satellites share equally."""
+    return crank_check(code, Results(design, equal=True))
 
 
 def part(design: Design, section: str, **changes: Any) -> Design:
@@ -50,7 +55,7 @@ STRESS = PEAK * 0.037 / MODULUS
 
 
 def test_static_strength() -> None:
-    found = check_of("pin_static", one_at(0.037))
+    found = equally("pin_static", one_at(0.037))
     assert found.value == pytest.approx(STRESS, rel=1e-11)
     limit = 800e6 / 1.5
     says(
@@ -60,31 +65,30 @@ def test_static_strength() -> None:
     )  # fmt: skip
     assert found.torque_reserve == pytest.approx(limit / STRESS, rel=1e-11)
     for safety, status in ((800e6 / STRESS * 1.001, "fail"), (800e6 / STRESS / 1.05, "marginal")):
-        assert check_of("pin_static", one_at(0.037, bending_safety=safety)).status == status
+        assert equally("pin_static", one_at(0.037, bending_safety=safety)).status == status
     # K_A and the peak torque
-    more = check_of("pin_static", one_at(0.037, dynamic_factor=1.25))
+    more = equally("pin_static", one_at(0.037, dynamic_factor=1.25))
     assert more.value == pytest.approx(1.25 * STRESS, rel=1e-11)
-    peak = check_of("pin_static", one_at(0.037, dynamic_factor=1.25, peak_torque=500.0))
+    peak = equally("pin_static", one_at(0.037, dynamic_factor=1.25, peak_torque=500.0))
     assert peak.value == pytest.approx(2 * STRESS, rel=1e-11)
 
 
-def test_of_two_satellites_the_worse_sharing_counts() -> None:
-    """Equal sharing for this pin: the far satellite bends it more than the near one could."""
-    found = check_of("pin_static", WHOLE)
+def test_of_two_satellites_that_share_equally_the_far_one_bends_the_pin() -> None:
+    found = equally("pin_static", WHOLE)
     assert found.value == pytest.approx(STRESS, rel=1e-11)
 
 
 def test_fatigue() -> None:
     """0 to the peak: 1/n = (1/2)/Se + (1/2)/Rm."""
     safety = 1 / (STRESS / 2 / 300e6 + STRESS / 2 / 1000e6)
-    found = check_of("pin_fatigue", one_at(0.037))
+    found = equally("pin_fatigue", one_at(0.037))
     assert found.value == pytest.approx(safety, rel=1e-10)
     assert found.value == pytest.approx(1.504829, abs=5e-7)  # F13
     assert (found.status, found.limit) == ("marginal", 1.5)
     assert found.torque_reserve == pytest.approx(safety / 1.5, rel=1e-10)
-    assert check_of("pin_fatigue", one_at(0.037, fatigue_safety=1.2)).status == "pass"
-    assert check_of("pin_fatigue", one_at(0.037, fatigue_safety=1.6)).status == "fail"
-    both = check_of("pin_fatigue", one_at(0.037, torque_direction="alternating"))
+    assert equally("pin_fatigue", one_at(0.037, fatigue_safety=1.2)).status == "pass"
+    assert equally("pin_fatigue", one_at(0.037, fatigue_safety=1.6)).status == "fail"
+    both = equally("pin_fatigue", one_at(0.037, torque_direction="alternating"))
     assert both.value == pytest.approx(300e6 / STRESS, rel=1e-10)
 
 
@@ -96,7 +100,7 @@ def test_fatigue_over_the_life() -> None:
         limit = 300e6 * (f * 1000e6 / 300e6) ** share
         safety = 1 / (STRESS / 2 / limit + STRESS / 2 / 1000e6)
         design = one_at(0.037, life=cycles / turns)
-        found = check_of("pin_fatigue", design)
+        found = equally("pin_fatigue", design)
         assert found.value == pytest.approx(safety, rel=1e-9)
         assert found.torque_reserve == pytest.approx(safety / 1.5, rel=1e-9)
         assert found.reason == ("finite_life" if share else "")
@@ -105,10 +109,10 @@ def test_fatigue_over_the_life() -> None:
             having(design, input_speed=None),
             part(design, "pin", steel=False),
         ):
-            lasting = check_of("pin_fatigue", other)
+            lasting = equally("pin_fatigue", other)
             assert lasting.value == pytest.approx(1.504829, abs=5e-7) and not lasting.reason
         rotating = part(design, "pin", rotates=True)
-        reversed_safety = check_of("pin_fatigue", rotating).value
+        reversed_safety = equally("pin_fatigue", rotating).value
         assert reversed_safety == pytest.approx(300e6 / STRESS, rel=1e-9)
 
 
@@ -163,12 +167,12 @@ def test_slope_and_deflection() -> None:
     """Of one satellite at 37 mm, F10: 3.4185221273 mrad, 0.0912803795 mm."""
     design = one_at(0.037)
     for code, value in (("slope", 3.4185221273e-3), ("deflection", 0.0912803795e-3)):
-        nobody = check_of(f"pin_{code}", design)
+        nobody = equally(f"pin_{code}", design)
         assert (nobody.status, nobody.missing) == ("not_asked", (f"requirements.max_{code}",))
         assert nobody.value == pytest.approx(value, rel=1e-9)
         for share, status in ((1.2, "pass"), (1.05, "marginal"), (0.99, "fail")):
             limit = share * value
-            found = check_of(f"pin_{code}", having(design, **{f"max_{code}": limit}))
+            found = equally(f"pin_{code}", having(design, **{f"max_{code}": limit}))
             assert (found.status, found.limit) == (status, limit)
             assert found.torque_reserve == pytest.approx(share, rel=1e-9)
             assert found.at == {"satellite": 1}
@@ -199,7 +203,7 @@ def test_friction() -> None:
         "wear": (0.118125e-3, "max_wear"),
     }
     for code, (value, limit) in values.items():
-        nobody = check_of(code, EVEN)
+        nobody = equally(code, EVEN)
         assert (nobody.status, nobody.missing) == ("not_asked", (f"requirements.{limit}",))
         assert nobody.value == pytest.approx(value, rel=1e-9)
         keep = "above" if code == "efficiency" else "below"
@@ -207,66 +211,38 @@ def test_friction() -> None:
             asked = value / share if keep == "above" else share * value
             if keep == "above" and asked >= 1:
                 asked = 0.95
-            found = check_of(code, having(EVEN, **{limit: asked}))
+            found = equally(code, having(EVEN, **{limit: asked}))
             assert (found.status, found.limit) == (status, asked)
-        unknown = check_of(code, having(EVEN, **{limit: asked}, input_speed=None))
+        unknown = equally(code, having(EVEN, **{limit: asked}, input_speed=None))
         assert (unknown.status, unknown.reason) == ("not_checked", "speed_missing")
         assert unknown.missing == ("load.input_speed",)
-        unknown = check_of(code, having(EVEN, **{limit: asked}, eccentricity=None))
+        unknown = equally(code, having(EVEN, **{limit: asked}, eccentricity=None))
         assert (unknown.reason, unknown.missing) == (
             "eccentricity_assumed",
             ("contact.eccentricity",),
         )
-    used = check_of("efficiency", having(EVEN, min_efficiency=0.9))
+    used = equally("efficiency", having(EVEN, min_efficiency=0.9))
     assert used.utilisation == pytest.approx((1 - efficiency) / 0.1)
     assert used.torque_reserve is None
     rate = part(having(EVEN, max_wear=1e-4), "friction", wear_rate=None)
-    assert check_of("wear", rate).missing == ("friction.wear_rate",)
+    assert equally("wear", rate).missing == ("friction.wear_rate",)
 
 
 def test_wear_over_the_required_life() -> None:
     design = part(having(EVEN, max_wear=1e-3, life=6000 * 3600.0), "friction", life=None)
-    assert check_of("wear", design).value == pytest.approx(2 * 0.118125e-3, rel=1e-9)
-
-
-def test_pv_and_wear_are_those_of_the_worse_sharing() -> None:
-    """The near satellite's by stiffness: deflections of 1 N by hand, with shear; means stay."""
-    b, bending, sheared = 0.02, 210e9 * math.pi * 0.016**4 / 64, 210e9 / 2.6 * math.pi * 0.008**2
-
-    def softness(z: float) -> float:
-        bent = (z**3 / 3 + b**3 / 384) / bending + 10 / 9 * (z - b / 8) / sheared
-        return bent + float(compliance(1.25 * PEAK))
-
-    near, far = 1 / softness(0.015), 1 / softness(0.037)
-    more = 2 * near / (near + far)
-    one, even = (
-        Results(having(each, dynamic_factor=1.25)).output_efficiency for each in (WHOLE, EVEN)
-    )
-    assert isinstance(one, PinLosses) and isinstance(even, PinLosses)
-    assert one.peak_force == pytest.approx(more * PEAK, rel=1e-9)
-    for name in ("peak_pv", "pin_wear", "hole_wear"):
-        assert getattr(one, name) == pytest.approx(more * getattr(even, name), rel=1e-9)
-    for name in ("mean_pv", "mean_loss", "efficiency", "min_efficiency", "friction_couple"):
-        assert getattr(one, name) == getattr(even, name)
-    assert even.accuracy.relative_error < one.accuracy.relative_error < 1e-11
-    worn = having(WHOLE, dynamic_factor=1.25, max_wear=2e-4)
-    assert check_of("wear", worn).value == pytest.approx(more * 0.118125e-3, rel=1e-9)
-    assert check_of("wear", worn).status == "fail"
-    many = check_of("wear", having(worn, pins=251))
-    assert (many.status, many.reason) == ("not_checked", "too_many_pairs")
-    assert check_of("wear", part(having(worn, pins=251), "pin", **EVENLY)).value
+    assert equally("wear", design).value == pytest.approx(2 * 0.118125e-3, rel=1e-9)
 
 
 def test_pv_is_that_of_a_bush() -> None:
-    bare = check_of("pv", having(EVEN, max_pv=1e6))
+    bare = equally("pv", having(EVEN, max_pv=1e6))
     assert (bare.status, bare.reason) == ("not_applicable", "no_bush")
     sleeved = part(part(EVEN, "pin", diameter=0.011), "friction", sleeve=True)
     value = 3.4361169648638348e6
     for limit, status in ((1.2 * value, "pass"), (0.9 * value, "fail")):
-        found = check_of("pv", having(sleeved, max_pv=limit))
+        found = equally("pv", having(sleeved, max_pv=limit))
         assert (found.status, found.value) == (status, pytest.approx(value, rel=1e-9))
         assert found.torque_reserve == pytest.approx(limit / value, rel=1e-9)
-    assert check_of("pv", sleeved).status == "not_asked"
+    assert equally("pv", sleeved).status == "not_asked"
 
 
 def rigid(**changes: Any) -> Design:
@@ -585,27 +561,58 @@ def test_outer_diameter() -> None:
     assert check_of("outer_diameter", REF).status == "not_asked"
 
 
-def test_as_made_the_forces_are_those() -> None:
-    """With clearance fewer pairs carry, each more: wear, pins and bearings feel it."""
-    loose = having(WHOLE, hole_radius=0.01002)
-    ideal, made = (
-        crank_checks(Results(having(WHOLE, max_wear=1e-3))),
-        crank_checks(Results(having(loose, max_wear=1e-3))),
+def test_the_forces_that_are_judged_are_solved_where_pins_bend() -> None:
+    """Shared by elasticity the far satellite bends the pins less; with clearance fewer pairs carry,
+    each more: wear, pins and bearings feel it.
+    """
+    asked = having(WHOLE, max_wear=1e-3)
+    equal, perfect, loose = (
+        crank_checks(Results(asked, equal=True)),
+        crank_checks(Results(asked)),
+        crank_checks(Results(having(asked, hole_radius=0.01002))),
     )
     for code in ("wear", "pin_static", "bearing_life"):
-        one, other = ideal[code], made[code]
-        assert one.value is not None and other.value is not None
-        assert one.value != pytest.approx(other.value, rel=1e-3) and other.rough and not one.rough
-    assert made["wear"].value > ideal["wear"].value  # type: ignore[operator]
-    assert made["wear"].value > 2 * 0.118125e-3  # of equal sharing
+        values = [each[code].value for each in (equal, perfect, loose)]
+        assert len({f"{value:.3g}" for value in values}) == 3
+        assert [each[code].rough for each in (equal, perfect, loose)] == [False, True, True]
+    for each in (perfect, loose):
+        assert each["pin_static"].value < equal["pin_static"].value  # type: ignore[operator]
+    assert loose["wear"].value > 2 * 0.118125e-3  # of equal sharing
+    for each, considered in ((equal, False), (perfect, False), (loose, True)):
+        assert ("clearance" not in each.not_considered) == considered
+
+
+def test_the_perfect_parts_of_the_reference_design() -> None:
+    """Its stresses, recalculated apart from this program: shared equally 306.70 MPa and 1.5048, by
+    elasticity without clearance 219.88 MPa, with 0.02 mm of it 284.71 MPa.
+    """
+    design = having(WHOLE, contact_law=None)
+    loose = having(design, hole_radius=0.01002)
+    for results, stress in (
+        (Results(design, equal=True), 306.70e6),
+        (Results(design), 219.88e6),
+        (Results(loose), 284.71e6),
+        (Results(loose, equal=True), 284.71e6),  # clearance is solved, however it is asked
+    ):
+        assert results.pin_strength.static_stress == pytest.approx(stress, rel=3e-5)
+
+
+def test_a_sharing_that_is_stated_is_not_solved() -> None:
+    for design, solved in (
+        (WHOLE, True),
+        (having(WHOLE, distribution_factor=1.5), False),
+        (having(WHOLE, pin=None, fatigue=None), False),
+        (having(WHOLE, pin=None, fatigue=None, hole_radius=0.01002), True),
+    ):
+        assert Results(design).solved == solved
 
 
 FAILING: dict[str, Design] = {
     "contact_pressure_hole": WHOLE,
-    "pin_static": having(WHOLE, output_torque=1000.0),
+    "pin_static": having(WHOLE, output_torque=1500.0),
     "pin_fatigue": having(WHOLE, output_torque=800.0),
-    "pin_slope": having(WHOLE, max_slope=2e-3),
-    "pin_deflection": having(WHOLE, max_deflection=5e-5),
+    "pin_slope": having(WHOLE, max_slope=1e-3),
+    "pin_deflection": having(WHOLE, max_deflection=3e-5),
     "efficiency": having(WHOLE, min_efficiency=0.95),
     "sliding_speed": having(WHOLE, max_sliding_speed=0.2),
     "pv": part(
@@ -657,22 +664,22 @@ FIXED = {
 @pytest.mark.parametrize("code", FAILING)
 def test_fixes_cure(code: str) -> None:
     design = FAILING[code]
-    current = crank_checks(Results(design))
-    before = current[code]
+    before = crank_checks(Results(design))[code]
     assert before.status == ("marginal" if before.warning else "fail")
     fixes = fixes_of(design, [code])
     solved = [fix for fix in fixes if fix.status == "solved"]
     assert {fix.variable for fix in solved} >= FIXED[code]
     for fix in solved:
-        cured = check_of(code, vary(design=design, variable=fix.variable, value=fix.after))
+        there = vary(design=design, variable=fix.variable, value=fix.after)
+        cured = crank_verdict(Results(there))[code]
         assert cured.status == "pass", fix
         start = value_of(design=design, variable=fix.variable)
         assert start is not None
         if fix.variable in ("mechanism.pins", "satellites") or not cured.torque_reserve:
             continue
         short = fix.exact + (start - fix.exact) * 1e-3  # no more than needed
-        nearly = check_of(code, vary(design=design, variable=fix.variable, value=short))
-        assert nearly.status != "pass", fix
+        there = vary(design=design, variable=fix.variable, value=short)
+        assert crank_verdict(Results(there))[code].status != "pass", fix
 
 
 def test_a_longer_contact_has_to_stay_off_the_carrier() -> None:
@@ -726,8 +733,8 @@ def test_a_thicker_pin_in_its_sleeve_lowers_the_pressure() -> None:
     assert not sleeve.standard  # it is the sleeve's
     assert sleeve.after == pytest.approx(sleeve.exact, rel=0.01)
     for value, met in ((fix.after, True), (fix.exact * 0.999, False)):
-        found = check_of(code, vary(design=design, variable="pin.diameter", value=value))
-        assert (found.torque_reserve >= 1.1) == met  # type: ignore[operator]
+        there = vary(design=design, variable="pin.diameter", value=value)
+        assert (crank_verdict(Results(there))[code].status == "pass") == met
     # without the rest of the design that needs the sleeve a standard pin does
     plain = having(design, friction=None)
     (fix,) = (each for each in fixes_of(plain, [code]) if each.variable == "pin.diameter")
