@@ -49,6 +49,7 @@ class Peak(NamedTuple):
     pair_force: list[float]  # largest force of each pair, N
     pair_error: float  # estimate of their error, over the peak
     relative_error: float  # estimate of the error of the peak
+    evaluations: int  # positions solved for it
 
 
 class Extreme(NamedTuple):
@@ -91,33 +92,40 @@ class OverTurn:
 
     @derived
     def _peak(self) -> Peak:
-        turn, narrow = self.turn, self.turn.narrow(FORCE)
-        coarse = self._grid(turn.coarse, "force")
-        rough_forces = turn.pair_force
-        fine, again = self._grid(turn.fine, "force"), self._grid(turn.again, "force")
-        found, top, rough = all_summits(coarse=coarse, fine=fine, narrow=narrow)
+        turn = self.turn
+        coarse, fine, again = (
+            self._grid(rows, "force") for rows in (turn.coarse, turn.fine, turn.again)
+        )
+        before = turn.evaluations
+        found, top, rough = all_summits(coarse=coarse, fine=fine, narrow=turn.narrow(FORCE))
         top, missed = self._above(again, FORCE, top)
         found.append(top)
-        peak = top.height
+        peak, first = top.height, self.real.mechanism.initial_crank_angle
         offs = [
-            (psi - self.real.mechanism.initial_crank_angle) % turn.period
+            (psi - first) % turn.period
             for summit in found
             if summit.height >= peak * (1 - TIE)
             for psi in summit.alike
         ]
         off = min(0.0 if each > turn.period - FLAT else each for each in offs)
-        turn.values(FORCE, {psi for summit in found for psi in summit.alike})  # of every pair
-        turn.values(FORCE, [self.real.mechanism.initial_crank_angle + off])
-        force = [*turn.room.force]
-        most = turn.pair_force
+        places = sorted({psi for summit in found for psi in summit.alike})
+        there = turn.poses([first + off, *places])["forces"]
+        most, roughly = (
+            turn.of_pairs(np.max([each.max(axis=0) for each in forces], axis=0))
+            for forces in (
+                (turn.fine["forces"], turn.again["forces"], there),
+                (turn.coarse["forces"],),
+            )
+        )
         unsure = float(turn.fine["force_error"].max())
         return Peak(
             force=peak,
             crank_angle=off / (1 + 1 / self.real.mechanism.ratio),
-            pair=force.index(max(force)),
-            pair_force=most,
-            pair_error=max(map(float.__sub__, most, rough_forces)) / peak,
+            pair=int(there[0].argmax()),
+            pair_force=most.tolist(),
+            pair_error=float((most - roughly).max()) / peak,
             relative_error=(abs(peak - rough) + missed + top.error + unsure) / peak,
+            evaluations=len(fine.places) + len(again.places) + turn.evaluations - before,
         )
 
     @property
@@ -299,8 +307,7 @@ class OverTurn:
         """Of the peak force: what twice as many positions change, what a second look at other
         positions found above, and rounding. An honest estimate, no proof.
         """
-        error = self._peak.relative_error
-        return Accuracy("sampling_zoomed", error, self.turn.evaluations)
+        return Accuracy("sampling_zoomed", self._peak.relative_error, self._peak.evaluations)
 
     @property
     def notices(self) -> tuple[Notice, ...]:

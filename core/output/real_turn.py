@@ -65,7 +65,7 @@ def sampled(turn: Turn) -> SampledTurn:
     each = force.reshape(len(force), -1, pins)
     whole = np.concatenate([np.roll(each, -k, axis=2) for k in periods]).reshape(len(wave), -1)
     lag = math.copysign(1.0, turn.torque) * np.tile(rows["lag"], turn.repeats)
-    return _directed(turn.real, wave, whole.T, lag, error, turn.evaluations)
+    return _directed(turn.real, wave, whole.T, lag, error, len(force))
 
 
 def _off(turn: Turn, rows: Rows) -> FloatArray:

@@ -136,7 +136,6 @@ class Room(NamedTuple):
     force: Row
     lever: Row
     stiffness: Row  # of the contact
-    most: Row  # largest force so far
     own_lag: Row  # [K] of the satellites, where they give; their unknown while it is sought
     own_moves: Row  # [K] their unknown by the lag of the output, see `Disc`, and its error
     own_error: Row
@@ -823,11 +822,10 @@ def wave_torque(psi: float, lag: float, setup: Setup, pairs: Pairs, room: Room) 
 
 
 def largest(room: Room) -> float:
-    """Largest force of the room; of each pair the largest so far is noted."""
+    """Largest force of the room."""
     best = 0.0
-    for i, force in enumerate(room.force):
+    for force in room.force:
         best = max(best, force)
-        room.most[i] = max(room.most[i], force)
     return best
 
 

@@ -76,14 +76,12 @@ class Turn:
         """
         self.period = 2 * math.pi / self.repeats
 
-    @property
-    def pair_force(self) -> list[float]:
-        """Largest force of each pair so far, N."""
-        most = np.array(list(map(float, self.room.most)))
-        if self.repeats > 1:
-            own = most.reshape(-1, self.repeats)
-            most = np.broadcast_to(own.max(axis=1, keepdims=True), own.shape).ravel()
-        return most.tolist()  # type: ignore[no-any-return]
+    def of_pairs(self, largest: FloatArray) -> FloatArray:
+        """Largest values of all pairs over the turn, by those over a period."""
+        if self.repeats == 1:
+            return largest
+        own = largest.reshape(-1, self.repeats)
+        return np.broadcast_to(own.max(axis=1, keepdims=True), own.shape).ravel()
 
     def poses(self, places: Sequence[float]) -> Rows:
         """Positions at wave angles, rad."""
