@@ -145,7 +145,7 @@ class CheckOut(ResponseModel):
     torque_reserve: Maybe[float] = Field(
         default=None,
         description="Factor on the torque at which the value is at its limit; where the forces "
-        "are solved, an estimate by the sharing as it is, but for contacts.",
+        "are solved, an estimate of all but the check that fails first.",
     )
     formula: str = Field(description="What has to hold.")
     why: str = Field(description="What is wrong where it does not, in English.")

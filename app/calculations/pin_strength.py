@@ -94,7 +94,7 @@ class PinStrengthRequest(DesignFields):
 
     def solve_held(self, support: Support) -> PinStrength:
         """Strength of the pin in other supports, under the forces that these make."""
-        held = Results(changed(self.design, {"pin.support": support}))
+        held = Results(changed(self.design, {"pin.support": support}), equal=True)
         return self._asked(held.pin_strength)
 
     def bounds(self) -> Iterator[Values]:

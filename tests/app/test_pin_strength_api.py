@@ -158,7 +158,7 @@ async def test_bounds_of_a_cage(api):
 
 @pytest.mark.parametrize("section", [None, "contact"])
 async def test_bounds_are_the_pins_in_these_supports(api, section):
-    """With the sharing by stiffness that they make, where there is a contact."""
+    """Equal sharing, also where there is a contact."""
     body = changed(pin={"span_mm": 52.0}, include=["support_bounds", "deflection"])
     if section:
         sizes = {"contact_length_mm": 20.0, "pin_radius_mm": 8.0, "eccentricity_mm": 2.0}
