@@ -4,7 +4,7 @@ Where a refusal, a warning and the reason of a check are the same fact, they hav
 the same words. A code comes with parameters, so that whoever shows it can say it in another
 language and with other names; here it has the core's names and SI units (in warnings, mm). The
 parameters `field` and `other` are names of core parameters. What a check is called and why it is
-made stands at the check (`core.checks.kinds`).
+made stands at the check (`core.checks`).
 """
 
 from dataclasses import dataclass

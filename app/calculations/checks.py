@@ -26,7 +26,8 @@ from app.problems import pointer, sentence
 from app.running import named, path_of
 from app.units import from_si, shown_unit
 from core.checks.check import STATUSES, Check, Outcome, Status, Verdict
-from core.checks.kinds import CHECK_SOURCES, CHECKS, GROUPS, NOT_CONSIDERED
+from core.checks.records import CHECKS
+from core.checks.words import CHECK_SOURCES, GROUPS, NOT_CONSIDERED
 from core.codes import CODES, WAS
 from core.design.sections import Requirements
 from core.fixes.fix import Fix, FixStatus
