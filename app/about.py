@@ -25,8 +25,9 @@ from app.registry import CALCULATIONS
 from app.sources import ISO_286
 from app.units import api_value, from_si, to_si
 from app.worked import api_name
-from core.checks.kinds import CHECK_SOURCES, CHECKS, NOT_CONSIDERED
-from core.checks.kinds import GROUPS as CHECK_GROUPS
+from core.checks.records import CHECKS
+from core.checks.words import CHECK_SOURCES, NOT_CONSIDERED
+from core.checks.words import GROUPS as CHECK_GROUPS
 from core.codes import CODES, REFUSALS, WARNINGS, WAS, Code
 from core.contact_life import LifeCurve
 from core.errors import PLACES

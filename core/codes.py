@@ -4,7 +4,7 @@ Where a refusal, a warning and the reason of a check are the same fact, they hav
 the same words. A code comes with parameters, so that whoever shows it can say it in another
 language and with other names; here it has the core's names and SI units (in warnings, mm). The
 parameters `field` and `other` are names of core parameters. What a check is called and why it is
-made stands at the check (`core.checks.kinds`).
+made stands at the check (`core.checks`).
 """
 
 from dataclasses import dataclass
@@ -68,7 +68,6 @@ _INVALID = {
     "no_cycloid": "must be larger than the eccentricity times 1 more than {field}, {limit:.9g}: "
     "there is no such cycloid",
     "no_mesh": "must be at least {limit:.9g}: teeth of this {field} do not mesh any nearer",
-    "no_reaction": "must leave the bearings a load: the forces of the satellites cancel",
     "no_sleeve": "must be smaller than twice {field}, {limit:.9g}: there is no room for a sleeve",
     "not_in_table": "must be one of {values}",
     "not_single": "must be one number, not an array",
@@ -110,6 +109,7 @@ _IMPOSSIBLE = {
     "not_balanced": "The forces cannot be balanced within the range of numbers",
     "not_stable": "The forces do not hold the output: its torque falls as it turns on",
     "overflow": "The numbers given leave the range of numbers: {names} would not be finite",
+    "unloaded": "The loads cancel: nothing presses the bearings",
 }
 """What cannot be."""
 
@@ -154,7 +154,6 @@ _UNKNOWN = {
     "to the axis",
     "unbalanced": "The satellites need a counterweight",
     "uneven": "Not every roller carries",
-    "unloaded": "The loads cancel: nothing presses the bearings",
     "value_unknown": "Nothing is known of the value: its error is as large as it is, or has no end",
     "wear_unknown": "No wear coefficient is given",
     "yield_unknown": "No yield strength is known: enter one",
@@ -601,6 +600,7 @@ REFUSALS = {
 WAS = {
     "errors": {
         "only_one": "exclusive",
+        "unloaded": "no_reaction",
     },
     "warnings": {
         "beyond_size": "strength_beyond_size",

@@ -51,13 +51,18 @@ class NotKnown(CalculationError):
         Core names of inputs that would have to be given.
     refusal : InvalidInput, optional
         What is wrong with a request that asks for this result, where nothing is missing.
+    **params : object
+        What its text names.
     """
 
-    def __init__(self, code: str, *missing: str, refusal: InvalidInput | None = None) -> None:
+    def __init__(
+        self, code: str, *missing: str, refusal: InvalidInput | None = None, **params: object
+    ) -> None:
         super().__init__(", ".join((code, *missing)))
         self.code = code
         self.missing = missing
         self.refusal = refusal
+        self.params = params
 
 
 class ImpossibleMechanism(CalculationError):

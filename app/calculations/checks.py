@@ -26,7 +26,8 @@ from app.problems import pointer, sentence
 from app.running import named, path_of
 from app.units import from_si, shown_unit
 from core.checks.check import STATUSES, Check, Outcome, Status, Verdict
-from core.checks.kinds import CHECK_SOURCES, CHECKS, GROUPS, NOT_CONSIDERED
+from core.checks.records import CHECKS
+from core.checks.words import CHECK_SOURCES, GROUPS, NOT_CONSIDERED
 from core.codes import CODES, WAS
 from core.design.sections import Requirements
 from core.fixes.fix import Fix, FixStatus
@@ -107,10 +108,10 @@ class ReasonOut(ResponseModel):
     code: str = Field(description="By code.", json_schema_extra={"enum": [*CODES]})
     detail: str = Field(description="The same in English.")
     pointer: Maybe[str] = Field(
-        default=None, description="JSON pointer to the field that it is about, where it is one."
+        description="JSON pointer to the field that it is about, where it is one."
     )
-    params: Maybe[dict[str, Any]] = Field(default=None, description="What the text names.")
-    was: Maybe[str] = Field(default=None, description=REPLACED)
+    params: Maybe[dict[str, Any]] = Field(description="What the text names.")
+    was: Maybe[str] = Field(description=REPLACED)
 
 
 class PlaceOut(ResponseModel):
@@ -130,42 +131,32 @@ class CheckOut(ResponseModel):
     group: str = Field(description="What it is about.", json_schema_extra={"enum": [*GROUPS]})
     status: Status = Field(description="How it went.")
     impossible: Maybe[bool] = Field(
-        default=None, description="Present and true where the mechanism cannot exist or move so."
+        description="Present and true where the mechanism cannot exist or move so."
     )
-    value: Maybe[float] = Field(default=None, description="What is compared, in `unit`.")
-    limit: Maybe[float] = Field(
-        default=None, description="Its limit, in `unit`, with the required safety in it."
-    )
+    value: Maybe[float] = Field(description="What is compared, in `unit`.")
+    limit: Maybe[float] = Field(description="Its limit, in `unit`, with the required safety in it.")
     unit: str = Field(description="Unit of both as shown; empty for plain numbers.")
     keep: Literal["below", "above"] = Field(description="Where the value has to stay.")
-    utilisation: Maybe[float] = Field(
-        default=None, description="How much of the limit is used, 1 at the limit."
-    )
-    margin: Maybe[float] = Field(default=None, description="What is left to the limit, in `unit`.")
+    utilisation: Maybe[float] = Field(description="How much of the limit is used, 1 at the limit.")
+    margin: Maybe[float] = Field(description="What is left to the limit, in `unit`.")
     torque_reserve: Maybe[float] = Field(
-        default=None,
         description="Factor on the torque at which the value is at its limit; where the forces "
         "are solved, an estimate of all but the check that fails first.",
     )
     formula: str = Field(description="What has to hold.")
     why: str = Field(description="What is wrong where it does not, in English.")
-    reason: Maybe[ReasonOut] = None
+    reason: Maybe[ReasonOut]
     source: str = Field(description="Where limit or formula come from, in English.")
     source_code: str = Field(description="The same by code.")
-    criterion: Maybe[Criterion] = Field(
-        default=None, description="What a material's limit guards against."
-    )
-    verified: Maybe[Verified] = Field(default=None, description="How a material's limit was seen.")
+    criterion: Maybe[Criterion] = Field(description="What a material's limit guards against.")
+    verified: Maybe[Verified] = Field(description="How a material's limit was seen.")
     life_factor: Maybe[float] = Field(
-        default=None,
         description="Factor of the loads over the life that is in a material's limit; absent where "
         "none is known.",
     )
-    at: Maybe[PlaceOut] = None
+    at: Maybe[PlaceOut]
     inputs: list[str] = Field(description="JSON pointers to what it depends on.")
-    missing: Maybe[list[str]] = Field(
-        default=None, description="JSON pointers to what would have to be given."
-    )
+    missing: Maybe[list[str]] = Field(description="JSON pointers to what would have to be given.")
 
 
 class SideEffectOut(ResponseModel):
@@ -174,8 +165,8 @@ class SideEffectOut(ResponseModel):
     code: str = Field(description="Which check.")
     status_from: Status = Field(description="Its status without the fix.")
     status_to: Status = Field(description="With it.")
-    utilisation_from: Maybe[float] = Field(default=None, description="Its utilisation without.")
-    utilisation_to: Maybe[float] = Field(default=None, description="With it.")
+    utilisation_from: Maybe[float] = Field(description="Its utilisation without.")
+    utilisation_to: Maybe[float] = Field(description="With it.")
 
 
 class FixOut(ResponseModel):
@@ -189,7 +180,7 @@ class FixOut(ResponseModel):
     to: float = Field(description="Its value with the fix, rounded to the safe side.")
     exact: float = Field(description="The value before rounding.")
     change: float = Field(description="Relative change.")
-    standard: Maybe[str] = Field(default=None, description="Standard that has a part of this size.")
+    standard: Maybe[str] = Field(description="Standard that has a part of this size.")
     sets: dict[str, float] = Field(description="All that it sets, by JSON pointer.")
     status: FixStatus = Field(description="Whether it cures the check.")
     verdict: Outcome = Field(description="Of the whole design with it.")
@@ -205,18 +196,16 @@ class JudgedResponse(AssumingResponse):
         "is `not_considered`."
     )
     governing: Maybe[str] = Field(
-        default=None, description="The check that decides.", json_schema_extra={"enum": [*CHECKS]}
+        description="The check that decides.", json_schema_extra={"enum": [*CHECKS]}
     )
     torque_reserve: Maybe[float] = Field(
-        default=None, description="Factor on the torque at which the first check fails."
+        description="Factor on the torque at which the first check fails."
     )
     largest_torque_Nm: Maybe[float] = Field(
-        default=None,
         description="Torque at which the first check fails; absent where less torque cures "
         "nothing, or something is not known.",
     )
     largest_torque_estimated: Maybe[bool] = Field(
-        default=None,
         description="Present and true where that torque is an estimate: forces that are solved "
         "could not be at the torque itself, or are of given shares.",
     )
@@ -227,10 +216,10 @@ class JudgedResponse(AssumingResponse):
         + "."
     )
     checks: Maybe[list[CheckOut]] = Field(
-        default=None, description="All checks, the one that decides first, where asked."
+        description="All checks, the one that decides first, where asked."
     )
     fixes: Maybe[list[FixOut]] = Field(
-        default=None, description="What cures the governing check, or all that fail, where asked."
+        description="What cures the governing check, or all that fail, where asked."
     )
 
 

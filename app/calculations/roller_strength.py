@@ -42,7 +42,7 @@ from app.theme import (
 from app.units import from_si, to_si
 from app.worked import worked
 from core.checks.check import Verdict
-from core.checks.rollers import roller_checks
+from core.checks.rollers import RollerDesign, roller_checks
 from core.fatigue import CycleFatigue
 from core.fixes.plain import plain_fixes
 from core.results import Notice
@@ -216,15 +216,14 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
         limits: dict[str, Any] = {
             "yield_strength": to_si("yield_strength_MPa", self.yield_strength_MPa),
             "eccentricity": to_si("eccentricity_mm", self.eccentricity_mm),
-            "bending_safety": self.requirements.bending_safety,
-            "fatigue_safety": self.requirements.fatigue_safety,
+            "requirements": self.requirements.section(self),
         }
 
         def checked(
             design: dict[str, Any], result: RollerStrength, tired: CycleFatigue | Notice | None
         ) -> Verdict:
             shared: dict[str, Any] = {name: design.get(name) for name in _CHECKED}
-            return roller_checks(result=result, fatigue=tired, **shared, **limits)
+            return roller_checks(RollerDesign(result=result, fatigue=tired, **shared, **limits))
 
         def checks(changed: dict[str, Any]) -> Verdict:
             result = roller_strength(**changed)

@@ -28,7 +28,7 @@ from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical
 from app.units import core_name, from_si, to_si
 from app.worked import worked
 from core.checks.check import Verdict
-from core.checks.shaft import shaft_checks
+from core.checks.shaft import ShaftDesign, shaft_checks
 from core.fatigue import FatigueStrength
 from core.fixes.plain import plain_fixes
 from core.materials import ElasticMaterial
@@ -211,7 +211,6 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
     def judge(self, load: MeshingLoad, result: ShaftDeflection) -> dict[str, Any]:
         """Verdict of a result, and checks and fixes where asked."""
         positions = self.positions()
-        required = self.requirements.to_core()
         limits: list[float | None] = []
         if self.line_contact is not None:
             bodies = self.line_contact.materials()
@@ -225,22 +224,20 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
             if result is None:
                 result = body.solve_shaft(own)
             return shaft_checks(
-                result=result,
-                positions=positions,
-                roller_circle_radius=to_si("radius_mm", body.roller_circle_radius_mm),
-                roller_radius=to_si("radius_mm", body.roller_radius_mm),
-                diameters=[each.diameter for each in body.sections()],
-                max_deflection=required.get("max_deflection"),
-                max_slope=required.get("max_slope"),
-                strength=body.strength(result),
-                yield_strength=to_si("yield_strength_MPa", self.yield_strength_MPa),
-                fatigue_asked=self.fatigue is not None,
-                no_fatigue=self.no_fatigue(),
-                bending_safety=required["bending_safety"],
-                fatigue_safety=required["fatigue_safety"],
-                contact=body.contact(own),
-                pressure_limits=limits,
-                pitting_safety=required["pitting_safety"],
+                ShaftDesign(
+                    result=result,
+                    positions=positions,
+                    roller_circle_radius=to_si("radius_mm", body.roller_circle_radius_mm),
+                    roller_radius=to_si("radius_mm", body.roller_radius_mm),
+                    diameters=[each.diameter for each in body.sections()],
+                    strength=body.strength(result),
+                    yield_strength=to_si("yield_strength_MPa", self.yield_strength_MPa),
+                    fatigue_asked=self.fatigue is not None,
+                    no_fatigue=self.no_fatigue(),
+                    contact=body.contact(own),
+                    pressure_limits=limits,
+                    requirements=self.requirements.section(self),
+                )
             )
 
         design = {core_name(name): to_si(name, getattr(self, name)) for name in self._varied()}

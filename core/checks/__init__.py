@@ -1,21 +1,25 @@
 """Checks of a design and its verdict: results against limits, each as data.
 
-A check is a small function of a design, in the table of its machine element. Nothing passes by
-absence: what is asked and not known is `not_checked` and leaves the verdict incomplete, what
-nobody asked is `not_asked`.
+A check is a small function of a design in the module of its machine element, with its record: what
+it is called, depends on, needs, asks. Nothing passes by absence: what is asked and not known is
+`not_checked` and leaves the verdict incomplete, what nobody asked is `not_asked`.
 
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------
-kinds               every check by code: title, formula, reasons, sources, what is left out
-check               a value judged against its limit, and the verdict of all checks
-design_check        a check as a function of a design and its results
+words               groups of checks, sources, what is left out
+inputs              inputs that checks of several elements depend on
+check               a check and its record, a value against its limit, the verdict of all checks
+cranks              dead centres, balance of the crank spacing, satellites that differ
 pin_contact         pressure, shakedown and yield where pin and hole touch
 pins                static strength, fatigue, deflection and slope of the pins
 friction            efficiency, sliding speed, pv and wear
 play                backlash and lost motion of the output
-crank               bearings of the satellites, ring, crankshaft
-crank_planetary     cranks, pins, holes and satellite; all checks of the reducer
+fit                 room of the pins in their holes, clearance
+space               walls between holes, to rim and bore; space between pins, for satellites
+crank               ring, bearings of the satellites, crankshaft
+crank_planetary     all checks of the reducer
 largest_torque      the largest torque of the reducer as it is made
 rollers             swinging rollers
 shaft               the precessional gear and its shaft
+records             all checks, by code
 """

@@ -1,11 +1,10 @@
-"""A check, how a value is judged against its limit, and the verdict of all checks."""
+"""A check and its record, a value judged against its limit, and the verdict of all checks."""
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Set
 from dataclasses import dataclass
 from typing import Any, Literal, NamedTuple, get_args
 
-from core.checks.kinds import CHECKS, Kind
 from core.derived import UNKNOWN
 from core.errors import ImpossibleMechanism, InvalidInput, NotKnown
 from core.output.pin_geometry import FIT_TOLERANCE
@@ -20,13 +19,61 @@ MARGIN = 1.1
 """Torque reserve below which a check is marginal."""
 
 
+def _nothing(*_: Any) -> dict[str, Any]:
+    return {}
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Kind:
+    """What a check is: a record at the function that makes it."""
+
+    code: str  # its name in answers
+    title: str  # its name in English
+    group: str  # what it is about, a key of `GROUPS`
+    formula: str  # what has to hold
+    why: str  # what is wrong where it does not hold, in English
+    inputs: tuple[str, ...]  # paths of what it depends on
+    fixes: tuple[str, ...]  # and of what a fix may change
+    unit: str = ""  # of value and limit, as names end in it; empty for plain numbers
+    source: str = "geometry"  # where the formula comes from, a key of `CHECK_SOURCES`
+    keep: Literal["below", "above"] = "below"  # on which side of the limit the value has to stay
+    needs: tuple[str, ...] = ()  # what has to be there of a design: it is made of no other one
+    asks: str = ""  # requirement that is its limit, where somebody may ask it
+    asked_alone: bool = False  # whether it needs nothing else where that is asked
+    # Attributes of the check that are known although its value is not, as its limit.
+    known: Callable[..., dict[str, Any]] = _nothing
+    # The check of a design; of what somebody may ask, a measure will do.
+    judge: "Callable[..., Check | Measure]"
+
+    def needed(self, given: Set[str]) -> tuple[str, ...]:
+        """What has to be there of a design that has these, or asks them: that may be enough."""
+        return (self.asks,) if self.asked_alone and self.asks in given else self.needs
+
+
+def design_check(code: str, **said: Any) -> Callable[["Callable[..., Check | Measure]"], Kind]:
+    """Decorator of a function that is a check: it becomes its record.
+
+    Parameters
+    ----------
+    code : str
+        Its name in answers.
+    **said
+        Other attributes of the record.
+
+    Returns
+    -------
+    callable
+    """
+    return lambda judge: Kind(code=code, judge=judge, **said)
+
+
 class Check(NamedTuple):
     """One check of a design.
 
     Attributes
     ----------
-    code : str
-        Which, a key of `CHECKS`.
+    kind : Kind
+        Which.
     status : Status
         How it went.
     value, limit : float or None
@@ -59,7 +106,7 @@ class Check(NamedTuple):
         Core names of inputs that would have to be given.
     """
 
-    code: str
+    kind: Kind
     status: Status
     value: float | None = None
     limit: float | None = None
@@ -79,9 +126,9 @@ class Check(NamedTuple):
     missing: tuple[str, ...] = ()
 
     @property
-    def kind(self) -> Kind:
-        """What it is."""
-        return CHECKS[self.code]
+    def code(self) -> str:
+        """Its name in answers."""
+        return self.kind.code
 
     @property
     def margin(self) -> float | None:
@@ -92,53 +139,52 @@ class Check(NamedTuple):
         return -over if self.kind.keep == "below" else over
 
 
-def not_checked(code: str, why: NotKnown | ImpossibleMechanism, **more: Any) -> Check:
-    """A check that could not be made.
+def make_check(kind: Kind, *design: Any) -> Check:
+    """A check of a design; it says why where it could not be made.
 
     Parameters
     ----------
-    code : str
+    kind : Kind
         Which.
-    why : NotKnown or ImpossibleMechanism
-        Why what it looks at is not known.
-    **more
-        Other attributes of the check.
-
-    Returns
-    -------
-    Check
-    """
-    if isinstance(why, ImpossibleMechanism):
-        more |= {"params": why.where | why.params}
-    else:
-        more |= {"missing": why.missing, "refusal": why.refusal}
-    return Check(code=code, status="not_checked", reason=why.code, **more)
-
-
-def attempt(code: str, check: Callable[[], Check], **more: Any) -> Check:
-    """A check, or that it could not be made.
-
-    Parameters
-    ----------
-    code : str
-        Which.
-    check : callable
-        What makes it.
-    **more
-        Attributes of one that could not be made, as its limit.
+    *design
+        What its function takes: the design, which has the requirements, and what follows from it.
 
     Returns
     -------
     Check
     """
     try:
-        return check()
+        found = kind.judge(*design)
     except UNKNOWN as why:
-        return not_checked(code, why, **more)
+        found = not_checked(kind, why)._replace(**kind.known(*design))
+    if kind.asks:
+        return _asked(kind, found, getattr(design[0].requirements, kind.asks))
+    assert isinstance(found, Check)
+    return found
+
+
+def not_checked(kind: Kind, why: NotKnown | ImpossibleMechanism) -> Check:
+    """A check that could not be made.
+
+    Parameters
+    ----------
+    kind : Kind
+        Which.
+    why : NotKnown or ImpossibleMechanism
+        Why what it looks at is not known.
+
+    Returns
+    -------
+    Check
+    """
+    found = Check(kind, "not_checked", reason=why.code)
+    if isinstance(why, ImpossibleMechanism):
+        return found._replace(params=why.where | why.params)
+    return found._replace(missing=why.missing, refusal=why.refusal, params=why.params)
 
 
 def judged(
-    code: str,
+    kind: Kind,
     value: float,
     limit: float,
     *,
@@ -151,7 +197,7 @@ def judged(
 
     Parameters
     ----------
-    code : str
+    kind : Kind
         Which.
     value, limit : float
         What is compared.
@@ -172,21 +218,23 @@ def judged(
 
     Examples
     --------
-    >>> judged("contact_pressure_pin", 90.0, 100.0, reserve=1.2).status
+    >>> from core.checks.pins import pin_static
+    >>> from core.checks.space import wall_holes
+    >>> judged(pin_static, 90.0, 100.0, reserve=1.2).status
     'pass'
-    >>> judged("contact_pressure_pin", 99.0, 100.0, reserve=1.02).status
+    >>> judged(pin_static, 99.0, 100.0, reserve=1.02).status
     'marginal'
-    >>> judged("contact_pressure_pin", 9.0, 100.0, reserve=1.02, error=math.inf).status
+    >>> judged(pin_static, 9.0, 100.0, reserve=1.02, error=math.inf).status
     'not_checked'
-    >>> judged("wall_holes", 1.0, 2.0).utilisation
+    >>> judged(wall_holes, 1.0, 2.0).utilisation
     2.0
     """
-    part, whole = (value, limit) if CHECKS[code].keep == "below" else (limit, value)
+    part, whole = (value, limit) if kind.keep == "below" else (limit, value)
     utilisation = part / whole if whole > 0 and part >= 0 else None
     doubtful = abs(value - limit) <= error * abs(value)
     if not error < (1.0 if value > limit else math.inf):
         more |= {"reason": "value_unknown"}
-        return Check(code=code, status="not_checked", value=value, limit=limit, **more)
+        return Check(kind, "not_checked", value=value, limit=limit, **more)
     status: Status = "pass"
     if doubtful and reserve is not None:  # without one: sizes that are asked for are there
         status = "marginal"
@@ -198,8 +246,8 @@ def judged(
     elif reserve is not None and reserve < MARGIN and not warning:
         status = "marginal"
     return Check(
-        code=code,
-        status=status,
+        kind,
+        status,
         value=value,
         limit=limit,
         utilisation=utilisation,
@@ -210,7 +258,7 @@ def judged(
 
 
 class Measure(NamedTuple):
-    """What a check compares with a limit that somebody may ask.
+    """What is compared with a limit that somebody may ask.
 
     Attributes
     ----------
@@ -225,6 +273,8 @@ class Measure(NamedTuple):
         it.
     rough : bool
         Whether that is rough.
+    used : callable, optional
+        How much of a limit is used, where that is not their ratio.
     """
 
     value: float
@@ -232,53 +282,36 @@ class Measure(NamedTuple):
     at: Mapping[str, float] = {}
     reserve: Callable[[float], float] | None = None
     rough: bool = False
+    used: Callable[[float], float] | None = None
 
 
-def asked(code: str, limit: float | None, measure: Callable[[], Measure], *, name: str) -> Check:
-    """A value against a limit that somebody may ask.
-
-    Parameters
-    ----------
-    code : str
-        Which check.
-    limit : float or None
-        The limit; None where nobody asks.
-    measure : callable
-        What is compared.
-    name : str
-        Name of the limit, among the requirements.
-
-    Returns
-    -------
-    Check
-    """
-    try:
-        found = measure()
-    except UNKNOWN as why:
-        if limit is not None:
-            return not_checked(code, why, limit=limit)
-        found = None
-    if limit is None or found is None:
-        value, missing = found and found.value, (f"requirements.{name}",)
-        return Check(code=code, status="not_asked", value=value, reason="no_limit", missing=missing)
-    reserve = found.reserve(limit / found.value) if found.reserve and found.value > 0 else None
-    return judged(
-        code,
-        found.value,
-        limit,
-        reserve=reserve,
-        error=found.error,
-        at=found.at,
-        rough=found.rough,
-    )
+def _asked(kind: Kind, found: Check | Measure, limit: float | None) -> Check:
+    """What was found, against a limit that somebody may ask."""
+    if isinstance(found, Check):
+        if limit is not None or found.status == "not_applicable":
+            return found._replace(limit=limit)
+    elif limit is not None:
+        reserve = found.reserve(limit / found.value) if found.reserve and found.value > 0 else None
+        check = judged(
+            kind,
+            found.value,
+            limit,
+            reserve=reserve,
+            error=found.error,
+            at=found.at,
+            rough=found.rough,
+        )
+        return check._replace(utilisation=found.used(limit)) if found.used else check
+    missing = (f"requirements.{kind.asks}",)
+    return Check(kind, "not_asked", value=found.value, reason="no_limit", missing=missing)
 
 
-def wall(code: str, *, width: float, size: float, least: float | None = None) -> Check:
+def wall(kind: Kind, *, width: float, size: float, least: float | None = None) -> Check:
     """A wall or a gap: more than nothing, else the part cannot exist, and at least what is asked.
 
     Parameters
     ----------
-    code : str
+    kind : Kind
         Which check.
     width : float
         Width of the wall, m.
@@ -292,7 +325,7 @@ def wall(code: str, *, width: float, size: float, least: float | None = None) ->
     Check
     """
     there = width > FIT_TOLERANCE * size
-    found = judged(code, width if there else min(width, 0.0), least or 0.0)
+    found = judged(kind, width if there else min(width, 0.0), least or 0.0)
     return found if there else found._replace(status="fail", impossible=True)
 
 
@@ -379,11 +412,11 @@ def verdict(checks: Iterable[Check], not_considered: tuple[str, ...] = ()) -> Ve
 
     Examples
     --------
-    >>> passing = judged("contact_pressure_pin", 50.0, 100.0, reserve=4.0)
-    >>> unknown = Check(code="contact_pressure_hole", status="not_checked")
-    >>> found = verdict([unknown, passing])
+    >>> from core.checks.pins import pin_fatigue, pin_static
+    >>> passing = judged(pin_static, 50.0, 100.0, reserve=2.0)
+    >>> found = verdict([Check(pin_fatigue, "not_checked"), passing])
     >>> found.verdict, found.governing, found.torque_reserve
-    ('incomplete', 'contact_pressure_pin', 4.0)
+    ('incomplete', 'pin_static', 2.0)
     """
     ranked = tuple(sorted(checks, key=_rank))
     statuses = [each.status for each in ranked]

@@ -1,16 +1,18 @@
-"""Checks of the crank: bearings of the satellites, ring, crankshaft."""
+"""Checks of the crank: ring, bearings of the satellites, crankshaft."""
 
 import math
 from collections.abc import Callable
 from functools import partial
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 
 from core.arrays import FloatArray
-from core.checks.check import Check, Measure, asked, attempt, judged, wall
-from core.checks.design_check import Judge
-from core.crank.bearing_life import EXPONENTS, STATIC_SAFETY, system_life
+from core.checks.check import Check, Measure, design_check, judged
+from core.checks.inputs import FORCES, LIFE, ROOTS
+from core.checks.space import within_roots
+from core.crank.bearing_life import EXPONENTS, STATIC_SAFETY
+from core.crank.bearing_life import system_life as life_together
 from core.crank.ring_mesh import STEEP
 from core.crank.satellite_bearing import SatelliteBearings
 from core.derived import if_known
@@ -21,25 +23,78 @@ from core.errors import NotKnown
 
 Value = TypeVar("Value")
 
+_RING = (
+    "gear.kind",
+    "gear.module",
+    "gear.teeth_difference",
+    "gear.reference_pressure_angle",
+    "gear.ring_pin_circle_radius",
+    "gear.radial_force_ratio",
+)
+_BEARING = (*FORCES, "mechanism.ratio", *_RING, "bearing.kind")
+_BALANCE = (
+    "load.input_speed",
+    "contact.eccentricity",
+    "crankshaft.satellite_mass",
+    "crankshaft.satellite_positions",
+    "mechanism.crank_spacing",
+    "mechanism.crank_angles",
+)
+_LIFE_FIXES = (
+    "bearing.dynamic_rating",
+    "load.pin_circle_radius",
+    "load.input_speed",
+    "load.output_torque",
+)
 
-def against(code: str, limit: Callable[[Design], float | None]) -> Callable[[Judge], Judge]:
-    """A check that says its limit where it could not be made, too.
+_gear = partial(design_check, group="gear", needs=("touching", "load", "gear"))
+_bearing = partial(
+    design_check, group="bearing", keep="above", needs=("touching", "load", "bearing")
+)
+_shaft = partial(design_check, group="crankshaft", needs=("touching", "load", "crankshaft"))
+_balance = partial(
+    _shaft, fixes=("crankshaft.satellite_mass", "load.input_speed"), source="balance"
+)
 
-    Parameters
-    ----------
-    code : str
-        Which.
-    limit : callable
-        Its limit, of a design.
 
-    Returns
-    -------
-    callable
-        Decorator of the check.
-    """
-    return lambda judge: (
-        lambda design, results: attempt(code, partial(judge, design, results), limit=limit(design))
-    )
+@_gear(
+    "pressure_angle",
+    title="Operating pressure angle",
+    unit="deg",
+    formula="α_w ≤ 55°",
+    why="Above it the ring loads the bearings far more than the torque needs.",
+    inputs=(*_RING, "contact.eccentricity"),
+    fixes=("gear.module",),
+    source="steep",
+)
+def pressure_angle(design: Design, results: Results) -> Check:
+    if_known(lambda: results.ring_mesh)  # a ring that cannot be is refused, of whatever kind
+    if design.gear and design.gear.kind != "involute":
+        return Check(pressure_angle, "not_applicable", reason="no_involute")
+    angle = results.ring_mesh.operating_pressure_angle
+    assert angle is not None  # of an involute
+    return judged(pressure_angle, float(angle), STEEP, warning="steep_mesh")
+
+
+@_gear(
+    "gear_room",
+    title="Holes within the teeth",
+    unit="mm",
+    formula="r_f − R − r_out > 0",
+    why="Otherwise the holes lie in the teeth of the satellite, or beyond.",
+    inputs=(*ROOTS, "load.pin_circle_radius", "contact.hole_radius"),
+    fixes=(
+        "load.pin_circle_radius",
+        "contact.pin_radius",
+        "gear.ring_pin_circle_radius",
+        "gear.ring_pin_radius",
+    ),
+    keep="above",
+)
+def gear_room(design: Design, results: Results) -> Check:
+    if design.gear.kind not in ("involute", "cycloid"):
+        return Check(gear_room, "not_applicable", reason="no_teeth")
+    return within_roots(design=design, kind=gear_room)
 
 
 def _required(value: Value | None, name: str) -> Value:
@@ -79,18 +134,34 @@ def _equivalent(results: Results) -> float:
     return float(results.design.bearing.ring_factor) * results.centrifugal
 
 
-def _required_life(design: Design) -> float:
-    return design.requirements.life
+def _required_life(design: Design, results: Results) -> dict[str, Any]:
+    return {"limit": design.requirements.life}
 
 
-@against("bearing_life", _required_life)
-def _life(design: Design, results: Results) -> Check:
+@_bearing(
+    "bearing_life",
+    title="Life of the satellites' bearings",
+    unit="h",
+    formula="L_nh ≥ L",
+    why="Otherwise a bearing of a satellite fails before the life that is asked.",
+    inputs=(
+        *_BEARING,
+        *LIFE,
+        "bearing.ring_factor",
+        "bearing.dynamic_rating",
+        "bearing.reliability_percent",
+    ),
+    fixes=_LIFE_FIXES,
+    source="iso_281_life",
+    known=_required_life,
+)
+def bearing_life(design: Design, results: Results) -> Check:
     found, limit = results.satellite_bearing, design.requirements.life
     lives, power = _lives(found, design.bearing), EXPONENTS[design.bearing.kind]
     worst = int(np.argmin(lives))
     value = float(lives[worst])
     return judged(
-        "bearing_life",
+        bearing_life,
         value,
         limit,
         reserve=(value / limit) ** (1 / power),
@@ -106,19 +177,34 @@ def _life(design: Design, results: Results) -> Check:
     )
 
 
-def _required_safety(design: Design) -> float:
-    return design.requirements.static_safety or STATIC_SAFETY[design.bearing.kind]
+def _required_safety(design: Design, results: Results) -> dict[str, Any]:
+    asked = design.requirements.static_safety
+    return {"limit": asked or STATIC_SAFETY[design.bearing.kind]}
 
 
-@against("bearing_static", _required_safety)
-def _static(design: Design, results: Results) -> Check:
-    found, limit = results.satellite_bearing, _required_safety(design)
+@_bearing(
+    "bearing_static",
+    title="Static load of the satellites' bearings",
+    formula="C₀/Q_max ≥ S_0",
+    why="Otherwise rolling elements dent their tracks.",
+    inputs=(*_BEARING, "load.peak_torque", "bearing.static_rating", "requirements.static_safety"),
+    fixes=(
+        "bearing.static_rating",
+        "load.pin_circle_radius",
+        "load.output_torque",
+        "load.peak_torque",
+    ),
+    source="iso_76_rating",
+    known=_required_safety,
+)
+def bearing_static(design: Design, results: Results) -> Check:
+    found, limit = results.satellite_bearing, _required_safety(design, results)["limit"]
     rating = _required(design.bearing.static_rating, "bearing.static_rating")
     safety = np.asarray(found.static_safety_factor)
     worst = int(np.argmin(safety))
     value, error = float(safety[worst]), float(found.accuracy.relative_error)
     return judged(
-        "bearing_static",
+        bearing_static,
         value,
         limit,
         reserve=value / limit,
@@ -135,93 +221,82 @@ def _static(design: Design, results: Results) -> Check:
     )
 
 
-@against("system_life", _required_life)
-def _system(design: Design, results: Results) -> Check:
-    code, limit = "system_life", design.requirements.life
+@_bearing(
+    "system_life",
+    title="Life of all satellites' bearings together",
+    unit="h",
+    formula="(Σ L_j^−β)^(−1/β) ≥ L",
+    why="Otherwise one of the bearings fails before the life that is asked.",
+    inputs=(
+        *_BEARING,
+        *LIFE,
+        "bearing.ring_factor",
+        "bearing.dynamic_rating",
+        "bearing.reliability_percent",
+        "bearing.weibull_slope",
+    ),
+    fixes=_LIFE_FIXES,
+    source="iso_281_life",
+    known=_required_life,
+)
+def system_life(design: Design, results: Results) -> Check:
+    kind, limit = system_life, design.requirements.life
     if design.mechanism.satellites == 1:
-        return Check(code=code, status="not_applicable", reason="one_only")
+        return Check(kind, "not_applicable", reason="one_only")
     if design.bearing.weibull_slope is None:
-        return Check(code=code, status="not_asked", missing=("bearing.weibull_slope",))
+        return Check(kind, "not_asked", missing=("bearing.weibull_slope",))
     found, slope = results.satellite_bearing, design.bearing.weibull_slope
     lives, power = _lives(found, design.bearing), EXPONENTS[design.bearing.kind]
-    value = float(system_life(lives=lives, weibull_slope=slope))
+    value = float(life_together(lives=lives, weibull_slope=slope))
     error = 4 * power * float(found.accuracy.relative_error)
 
     def lasting(loads: FloatArray) -> FloatArray:
-        return np.asarray(system_life(lives=loads**-power, weibull_slope=slope))
+        return np.asarray(life_together(lives=loads**-power, weibull_slope=slope))
 
     error += _left_out(_equivalent(results), found.equivalent_load, short=value < limit, of=lasting)
 
     reserve = (value / limit) ** (1 / power)
-    return judged(code, value, limit, reserve=reserve, error=error, rough=results.solved)
+    return judged(kind, value, limit, reserve=reserve, error=error, rough=results.solved)
 
 
-def _pressure_angle(design: Design, results: Results) -> Check:
-    code = "pressure_angle"
-    if_known(lambda: results.ring_mesh)  # a ring that cannot be is refused, of whatever kind
-    if design.gear and design.gear.kind != "involute":
-        return Check(code=code, status="not_applicable", reason="no_involute")
-    angle = results.ring_mesh.operating_pressure_angle
-    assert angle is not None  # of an involute
-    return judged(code, float(angle), STEEP, warning="steep_mesh")
-
-
-def within_roots(*, design: Design, code: str, least: float | None = None) -> Check:
-    """The wall between the holes and the roots of the satellite's teeth: it passes by the least
-    radius of these, fails by the largest, and is not known between.
-
-    Parameters
-    ----------
-    design : Design
-        The design.
-    code : str
-        Which check.
-    least : float, optional
-        Least width that is asked, m.
-
-    Returns
-    -------
-    Check
-    """
-    size = design.contact.pair.hole_radius
-    reach = design.load.pin_circle_radius + size
-    known = design.satellite_body and design.satellite_body.root_radius
-    source = "roots" if design.gear and not known else ""
-    shallow, deep = (
-        wall(code, width=radius - reach, size=size, least=least)._replace(limit_source=source)
-        for radius in reversed(design.roots)
-    )
-    if deep.status != "fail":
-        return deep
-    if shallow.status == "fail":
-        return shallow
-    cycloid = design.gear and design.gear.kind == "cycloid"
-    if cycloid and design.contact.eccentricity is None:
-        raise NotKnown("eccentricity_assumed", "contact.eccentricity")
-    name = "gear.ring_pin_radius" if cycloid else "satellite_body.root_radius"
-    return Check(
-        code=code, status="not_checked", limit=deep.limit, reason="roots_unknown", missing=(name,)
-    )
-
-
-def _gear_room(design: Design, results: Results) -> Check:
-    if design.gear.kind not in ("involute", "cycloid"):
-        return Check(code="gear_room", status="not_applicable", reason="no_teeth")
-    return within_roots(design=design, code="gear_room")
-
-
-@against("crank_bearing_life", _required_life)
-def _shaft_life(design: Design, results: Results) -> Check:
-    code, limit = "crank_bearing_life", design.requirements.life
+@_shaft(
+    "crank_bearing_life",
+    title="Life of the crankshaft's bearings",
+    unit="h",
+    formula="L_10h ≥ L",
+    why="Otherwise a bearing of the crankshaft fails before the life that is asked.",
+    inputs=(
+        *FORCES,
+        *LIFE,
+        "mechanism.ratio",
+        *_RING,
+        "crankshaft.bearings",
+        "crankshaft.satellite_positions",
+        "crankshaft.bearing_positions",
+        "mechanism.crank_spacing",
+        "mechanism.crank_angles",
+    ),
+    fixes=(
+        "crankshaft.bearings.dynamic_rating",
+        "load.pin_circle_radius",
+        "load.input_speed",
+        "load.output_torque",
+    ),
+    source="iso_281_life",
+    keep="above",
+    known=_required_life,
+)
+def crank_bearing_life(design: Design, results: Results) -> Check:
+    kind, limit = crank_bearing_life, design.requirements.life
     bearings = design.crankshaft.bearings
     if bearings is None:
-        return Check(code=code, status="not_asked", missing=("crankshaft.bearings",))
+        return Check(kind, "not_asked", missing=("crankshaft.bearings",))
     for each in bearings:
         _required(each.dynamic_rating, "crankshaft.bearings")
     found = results.crankshaft
     lives = [math.inf if each is None else each for each in found.basic_life]
     if math.isinf(min(lives)):
-        return Check(code=code, status="not_applicable", limit=limit, reason="unloaded")
+        return Check(kind, "not_applicable", limit=limit, reason="unloaded")
     powers = [EXPONENTS[each.kind] for each in bearings]
     value, worst = min(zip(lives, (1, 2), strict=True))
     reserves = [(life / limit) ** (1 / power) for life, power in zip(lives, powers, strict=True)]
@@ -241,7 +316,7 @@ def _shaft_life(design: Design, results: Results) -> Check:
         )
 
     return judged(
-        code,
+        kind,
         value,
         limit,
         reserve=min(reserves),
@@ -251,49 +326,51 @@ def _shaft_life(design: Design, results: Results) -> Check:
     )
 
 
-def _balance(design: Design, results: Results, code: str, limit: float | None, name: str) -> Check:
-    """What is left of the satellites' centrifugal forces against what is asked."""
-
-    def left() -> Measure:
-        shaft, made = design.crankshaft, design.deviations
-        if shaft.satellite_mass is None:
-            raise NotKnown("mass_unknown", "crankshaft.satellite_mass")
-        if made is not None and any((*made.eccentricity, *made.crank_phase)):
-            raise NotKnown("cranks_deviate")
-        balance = results.crankshaft.balance
-        assert balance is not None  # of a mass that is known
-        return Measure(getattr(balance, code.removeprefix("unbalance_")))
-
-    return asked(code, limit, left, name=name)
+def _unbalance(results: Results, name: str) -> Measure:
+    """What is left of the satellites' centrifugal forces."""
+    shaft, made = results.design.crankshaft, results.design.deviations
+    if shaft.satellite_mass is None:
+        raise NotKnown("mass_unknown", "crankshaft.satellite_mass")
+    if made is not None and any((*made.eccentricity, *made.crank_phase)):
+        raise NotKnown("cranks_deviate")
+    balance = results.crankshaft.balance
+    assert balance is not None  # of a mass that is known
+    return Measure(getattr(balance, name))
 
 
-def _unbalance_force(design: Design, results: Results) -> Check:
-    return _balance(
-        design, results, "unbalance_force", design.requirements.max_unbalance, "max_unbalance"
-    )
+@_balance(
+    "unbalance_force",
+    title="Unbalanced force of the satellites",
+    unit="N",
+    formula="|Σ m·e·ω²| ≤ F_U",
+    why="Above it the satellites shake the reducer more than is asked.",
+    inputs=(*_BALANCE, "requirements.max_unbalance"),
+    asks="max_unbalance",
+)
+def unbalance_force(design: Design, results: Results) -> Measure:
+    return _unbalance(results, "force")
 
 
-def _unbalance_couple(design: Design, results: Results) -> Check:
-    limit, name = design.requirements.max_unbalance_couple, "max_unbalance_couple"
-    return _balance(design, results, "unbalance_couple", limit, name)
+@_balance(
+    "unbalance_couple",
+    title="Unbalanced couple of the satellites",
+    unit="Nm",
+    formula="|Σ m·e·z·ω²| ≤ M_U",
+    why="Above it the satellites shake the reducer more than is asked.",
+    inputs=(*_BALANCE, "requirements.max_unbalance_couple"),
+    asks="max_unbalance_couple",
+)
+def unbalance_couple(design: Design, results: Results) -> Measure:
+    return _unbalance(results, "couple")
 
 
-BEARING: dict[str, Judge] = {
-    "bearing_life": _life,
-    "bearing_static": _static,
-    "system_life": _system,
-}
-"""Checks of the satellites' bearings, by code."""
-
-GEAR: dict[str, Judge] = {
-    "pressure_angle": _pressure_angle,
-    "gear_room": _gear_room,
-}
-"""Checks of the ring against the satellite, by code."""
-
-SHAFT: dict[str, Judge] = {
-    "crank_bearing_life": _shaft_life,
-    "unbalance_force": _unbalance_force,
-    "unbalance_couple": _unbalance_couple,
-}
-"""Checks of the crankshaft, by code."""
+CRANK = (
+    pressure_angle,
+    gear_room,
+    bearing_life,
+    bearing_static,
+    system_life,
+    crank_bearing_life,
+    unbalance_force,
+    unbalance_couple,
+)

@@ -1,82 +1,135 @@
 """Checks of the pins' friction: efficiency, sliding speed, pv, wear against what is asked."""
 
-from collections.abc import Callable
+from functools import partial
 
-from core.checks.check import Check, Measure, asked
-from core.checks.design_check import Judge
-from core.derived import if_known
+from core.checks.check import Check, Measure, design_check
+from core.checks.inputs import FORCE, FORCES, LIFE, SHARING
 from core.design.document import Design
 from core.design.results import Results
 from core.errors import NotKnown
-from core.output.losses import PinLosses
 
-LIMITS = {
-    "efficiency": "min_efficiency",
-    "sliding_speed": "max_sliding_speed",
-    "pv": "max_pv",
-    "wear": "max_wear",
-}
-"""What has to be asked for each."""
+_check = partial(design_check, group="friction", needs=("touching", "load", "friction"))
 
 
-def _asked(
-    design: Design,
-    results: Results,
-    code: str,
-    of: Callable[[PinLosses], float],
-    *,
-    with_torque: bool = False,
-) -> Check:
-    """A value of the losses against what is asked."""
-
-    def measure() -> Measure:
-        found = results.output_efficiency
-        if not with_torque:
-            return Measure(of(found))
-        return Measure(
-            of(found),
-            error=4 * float(found.accuracy.relative_error),
-            reserve=lambda growth: growth,
-            rough=results.solved,
-        )
-
-    return asked(code, getattr(design.requirements, LIMITS[code]), measure, name=LIMITS[code])
-
-
-def _efficiency(design: Design, results: Results) -> Check:
-    found = _asked(design, results, "efficiency", lambda losses: float(losses.efficiency))
-    if found.value is None or found.limit is None:
-        return found
-    return found._replace(utilisation=(1 - found.value) / (1 - found.limit))  # by the losses
+@_check(
+    "efficiency",
+    title="Efficiency of the output mechanism",
+    formula="η ≥ η_min",
+    why="Below it more is lost than is asked.",
+    inputs=(
+        *FORCE,
+        *SHARING,
+        "mechanism.ratio",
+        "friction.coefficient",
+        "friction.sleeve",
+        "requirements.min_efficiency",
+    ),
+    fixes=("friction.coefficient", "load.pin_circle_radius", "pin.diameter"),
+    source="user",
+    keep="above",
+    asks="min_efficiency",
+)
+def efficiency(design: Design, results: Results) -> Measure:
+    """Its limit is used by the losses."""
+    value = float(results.output_efficiency.efficiency)
+    return Measure(value, used=lambda limit: (1 - value) / (1 - limit))
 
 
-def _sliding_speed(design: Design, results: Results) -> Check:
-    return _asked(design, results, "sliding_speed", lambda losses: float(losses.sliding_speed))
+@_check(
+    "sliding_speed",
+    title="Sliding speed",
+    unit="m_per_s",
+    formula="v ≤ v_max",
+    why="Above it the surfaces get hot.",
+    inputs=(
+        "load.input_speed",
+        "mechanism.ratio",
+        "contact.eccentricity",
+        "friction.sleeve",
+        "pin.diameter",
+        "contact.pin_radius",
+        "requirements.max_sliding_speed",
+    ),
+    fixes=("load.input_speed", "pin.diameter"),
+    source="user",
+    asks="max_sliding_speed",
+)
+def sliding_speed(design: Design, results: Results) -> Measure:
+    return Measure(float(results.output_efficiency.sliding_speed))
 
 
-def _pv(design: Design, results: Results) -> Check:
+def _with_torque(results: Results, value: float) -> Measure:
+    """A value of the losses that grows with the largest force."""
+    return Measure(
+        value,
+        error=4 * float(results.output_efficiency.accuracy.relative_error),
+        reserve=lambda growth: growth,
+        rough=results.solved,
+    )
+
+
+@_check(
+    "pv",
+    title="Pressure times sliding speed",
+    unit="MPa_m_per_s",
+    formula="p·v ≤ (pv)_all",
+    why="Above it the surfaces get hot and wear fast.",
+    inputs=(
+        *FORCES,
+        "load.input_speed",
+        "mechanism.ratio",
+        "friction.sleeve",
+        "requirements.max_pv",
+    ),
+    fixes=(
+        "contact.pin_radius",
+        "contact.contact_length",
+        "load.pin_circle_radius",
+        "load.input_speed",
+        "load.output_torque",
+    ),
+    source="user",
+    asks="max_pv",
+)
+def pv(design: Design, results: Results) -> Check | Measure:
     """Of a sleeve, which is a bush; a bare pin in a wider hole is none."""
-    losses = None if design.friction.sleeve else if_known(lambda: results.output_efficiency)
-    if losses is None:
-        return _asked(design, results, "pv", lambda losses: float(losses.peak_pv), with_torque=True)
-    value, limit = float(losses.peak_pv), design.requirements.max_pv
-    return Check(code="pv", status="not_applicable", value=value, limit=limit, reason="no_bush")
+    value = float(results.output_efficiency.peak_pv)
+    if not design.friction.sleeve:
+        return Check(pv, "not_applicable", value=value, reason="no_bush")
+    return _with_torque(results, value)
 
 
-def _wear(design: Design, results: Results) -> Check:
-    def depth(losses: PinLosses) -> float:
-        depths = [each for each in (losses.pin_wear, losses.hole_wear) if each is not None]
-        if not depths:
-            raise NotKnown("wear_unknown", "friction.wear_rate")
-        return float(max(depths))
+@_check(
+    "wear",
+    title="Wear of pins and holes",
+    unit="mm",
+    formula="h ≤ h_max",
+    why="Above it the output has more play than is asked before the end of its life.",
+    inputs=(
+        *FORCES,
+        *LIFE,
+        "mechanism.ratio",
+        "friction.wear_rate",
+        "friction.life",
+        "requirements.max_wear",
+    ),
+    fixes=(
+        "friction.wear_rate",
+        "contact.contact_length",
+        "contact.pin_radius",
+        "load.pin_circle_radius",
+        "load.input_speed",
+        "load.output_torque",
+    ),
+    source="archard_1953",
+    asks="max_wear",
+)
+def wear(design: Design, results: Results) -> Measure:
+    losses = results.output_efficiency
+    depths = [float(each) for each in (losses.pin_wear, losses.hole_wear) if each is not None]
+    if not depths:
+        raise NotKnown("wear_unknown", "friction.wear_rate")
+    return _with_torque(results, max(depths))
 
-    return _asked(design, results, "wear", depth, with_torque=True)
 
-
-FRICTION: dict[str, Judge] = {
-    "efficiency": _efficiency,
-    "sliding_speed": _sliding_speed,
-    "pv": _pv,
-    "wear": _wear,
-}
-"""Checks of friction and wear, by code."""
+FRICTION = (efficiency, sliding_speed, pv, wear)

@@ -1,15 +1,31 @@
 """Checks of the contact of pin and hole: pressure, shakedown, first yield, width."""
 
 from functools import partial
-from typing import Any
+from typing import Any, get_args
 
-from core.checks.check import Check, judged, not_checked
-from core.checks.design_check import Judge
-from core.derived import UNKNOWN, if_known
+from core.checks.check import Check, Kind, design_check, judged
+from core.checks.inputs import FORCES, LOADS
+from core.derived import if_known
 from core.design.document import Body, Design
 from core.design.results import Results
 from core.errors import NotKnown
 from core.hertz import HALF_WIDTH_RATIO_LIMIT
+
+BODIES: tuple[Body, ...] = get_args(Body)
+
+_INPUTS = (*FORCES, "contact.distribution_factor")
+_FIXES = (
+    "pin.diameter",
+    "contact.contact_length",
+    "contact.pin_radius",
+    "load.pin_circle_radius",
+    "mechanism.pins",
+    "mechanism.satellites",
+    "load.output_torque",
+)
+_check = partial(
+    design_check, group="contact", inputs=_INPUTS, fixes=_FIXES, needs=("touching", "load")
+)
 
 
 def _missing(design: Design, body: Body, value: str) -> tuple[str, ...]:
@@ -19,93 +35,138 @@ def _missing(design: Design, body: Body, value: str) -> tuple[str, ...]:
     return (f"contact.{name}.{value}",) if own else (f"contact.{name}",)
 
 
-def _against(design: Design, results: Results, code: str, warning: str = "", **more: Any) -> Check:
+def _against_limit(kind: Kind, results: Results, warning: str = "") -> Check:
     """The governing pressure against its limit."""
-    limit = results.pressure_limits[code]
-    try:
-        contact = results.hertz
-    except UNKNOWN as why:
-        return not_checked(code, why, limit=limit, **more)
+    design, contact = results.design, results.hertz
     pressure = contact.governing_pressure
     if pressure is None:
-        ratio = {"ratio": float(contact.half_width_ratio)}
-        beyond = NotKnown("hertz_impossible")
-        return not_checked(code, beyond, limit=limit, params=ratio, **more)
+        raise NotKnown("hertz_impossible", ratio=float(contact.half_width_ratio))
     return judged(
-        code,
+        kind,
         pressure,
-        limit,
-        reserve=results.contact_reserves[code],
+        **kind.known(design, results),
+        reserve=results.contact_reserves[kind.code],
         warning=warning,
         error=(contact.conformal_error or 0.0) + 8 * contact.accuracy.relative_error,
         at=results.peak,
         rough=results.solved or results.edge is not None,
-        **more,
     )
 
 
-def _pressure(design: Design, results: Results, body: Body) -> Check:
-    code, limit = f"contact_pressure_{body}", design.lasting[body].limit
-    if limit is None:
-        contact = if_known(lambda: results.hertz)
-        return Check(
-            code=code,
-            status="not_checked",
-            value=contact and contact.governing_pressure,
-            reason="limit_unknown",
-            at=if_known(lambda: results.peak) or {},
-            missing=_missing(design, body, "allowable_pressure"),
-        )
-    reason, missing = "life_of_teeth", tuple[str, ...]()
-    if limit.curve is None:
-        reason = "no_life_curve"
-    elif limit.loads is None:
-        reason, missing = "life_without_speed", ("load.input_speed",)
-    found = _against(
-        design,
-        results,
+def _pressure(body: Body) -> Kind:
+    code = f"contact_pressure_{body}"
+
+    def known(design: Design, results: Results) -> dict[str, Any]:
+        """Of a material that has a limit."""
+        limit = design.lasting[body].limit
+        assert limit is not None
+        return {
+            "limit": results.pressure_limits[code],
+            "limit_source": limit.source,
+            "criterion": limit.criterion,
+            "verified": limit.verified or "",
+            "life_factor": limit.life_factor,
+        }
+
+    @_check(
         code,
-        limit_source=limit.source,
-        criterion=limit.criterion,
-        verified=limit.verified or "",
-        life_factor=limit.life_factor,
+        unit="MPa",
+        title=f"Contact pressure of the {body}",
+        formula="p ≤ p_all·Z_NT/S",
+        why=f"Above it the surface of the {body} pits within the life.",
+        inputs=(*_INPUTS, *LOADS, "requirements.pitting_safety"),
+        source="yanchevsky_2018",
+        known=known,
     )
-    return found if found.reason else found._replace(reason=reason, missing=missing)
+    def pressure(design: Design, results: Results) -> Check:
+        limit = design.lasting[body].limit
+        if limit is None:
+            contact = if_known(lambda: results.hertz)
+            return Check(
+                pressure,
+                "not_checked",
+                value=contact and contact.governing_pressure,
+                reason="limit_unknown",
+                at=if_known(lambda: results.peak) or {},
+                missing=_missing(design, body, "allowable_pressure"),
+            )
+        reason, missing = "life_of_teeth", tuple[str, ...]()
+        if limit.curve is None:
+            reason = "no_life_curve"
+        elif limit.loads is None:
+            reason, missing = "life_without_speed", ("load.input_speed",)
+        found = _against_limit(pressure, results)
+        return found if found.reason else found._replace(reason=reason, missing=missing)
+
+    return pressure
 
 
-def _plastic(design: Design, results: Results, code: str, body: Body, warning: str = "") -> Check:
+def _plastic(body: Body, name: str, warning: str = "", **said: str) -> Kind:
     """The pressure against one by the yield strength, where that governs."""
-    material = design.lasting[body]
-    if not material.yield_governs:
-        return Check(code=code, status="not_applicable", reason="tested_limit")
-    if material.yield_strength is None:
-        own = f"{body}_material" in design.contact.own_limits
-        return Check(
-            code=code,
-            status="not_asked" if own else "not_checked",
-            reason="yield_unknown",
-            missing=_missing(design, body, "yield_strength"),
-        )
-    return _against(design, results, code, warning=warning)
+    code = f"contact_{name}_{body}"
+
+    @_check(
+        code,
+        unit="MPa",
+        known=lambda design, results: {"limit": results.pressure_limits[code]},
+        **said,
+    )
+    def plastic(design: Design, results: Results) -> Check:
+        material = design.lasting[body]
+        if not material.yield_governs:
+            return Check(plastic, "not_applicable", reason="tested_limit")
+        if material.yield_strength is None:
+            own = f"{body}_material" in design.contact.own_limits
+            return Check(
+                plastic,
+                "not_asked" if own else "not_checked",
+                reason="yield_unknown",
+                missing=_missing(design, body, "yield_strength"),
+            )
+        return _against_limit(plastic, results, warning)
+
+    return plastic
 
 
-def _shakedown(design: Design, results: Results, body: Body) -> Check:
-    return _plastic(design, results, f"contact_shakedown_{body}", body)
+def _shakedown(body: Body) -> Kind:
+    return _plastic(
+        body,
+        "shakedown",
+        title=f"Shakedown of the {body}",
+        formula="p ≤ 2.31·R_e",
+        why=f"Above it the surface of the {body} flows on with every turn.",
+        source="johnson_shakedown",
+    )
 
 
-def _yield(design: Design, results: Results, body: Body) -> Check:
-    return _plastic(design, results, f"contact_yield_{body}", body, "plastic_first")
+def _yield(body: Body) -> Kind:
+    return _plastic(
+        body,
+        "yield",
+        warning="plastic_first",
+        title=f"First yield of the {body}",
+        formula="p ≤ 1.79·R_e",
+        why=f"Above it the {body} yields below its surface in the first turns.",
+        source="johnson_yield",
+    )
 
 
-def _conformity(design: Design, results: Results) -> Check:
-    contact, code = results.hertz, "contact_conformity"
+@_check(
+    "contact_conformity",
+    title="Width of the contact",
+    formula="a/r ≤ 0.159",
+    why="Above it the pressure by Hertz is off by more than 1 %.",
+    source="hertz",
+)
+def contact_conformity(design: Design, results: Results) -> Check:
+    contact, kind = results.hertz, contact_conformity
     ratio, limit = float(contact.half_width_ratio), HALF_WIDTH_RATIO_LIMIT
     if contact.conformal_pressure is not None:
         why = "conformal_solution"
-        return Check(code=code, status="not_applicable", value=ratio, limit=limit, reason=why)
-    reserve = results.contact_reserves[code]
+        return Check(kind, "not_applicable", value=ratio, limit=limit, reason=why)
+    reserve = results.contact_reserves[kind.code]
     rough = results.solved or results.edge is not None
-    return judged(code, ratio, limit, reserve=reserve, warning="rough_guide", rough=rough)
+    return judged(kind, ratio, limit, reserve=reserve, warning="rough_guide", rough=rough)
 
 
 def life_considered(*, design: Design, body: Body) -> bool:
@@ -126,13 +187,9 @@ def life_considered(*, design: Design, body: Body) -> bool:
     return limit is None or limit.life_factor is not None
 
 
-CONTACT: dict[str, Judge] = {
-    "contact_pressure_pin": partial(_pressure, body="pin"),
-    "contact_pressure_hole": partial(_pressure, body="hole"),
-    "contact_shakedown_pin": partial(_shakedown, body="pin"),
-    "contact_shakedown_hole": partial(_shakedown, body="hole"),
-    "contact_yield_pin": partial(_yield, body="pin"),
-    "contact_yield_hole": partial(_yield, body="hole"),
-    "contact_conformity": _conformity,
-}
-"""Checks of the contact under the load, by code."""
+CONTACT = (
+    *map(_pressure, BODIES),
+    *map(_shakedown, BODIES),
+    *map(_yield, BODIES),
+    contact_conformity,
+)

@@ -1,13 +1,24 @@
 """Checks of the pins as beams: static strength, fatigue, deflection, slope."""
 
-from core.checks.check import Check, Measure, asked, judged
-from core.checks.design_check import Judge
+from functools import partial
+
+from core.checks.check import Check, Measure, design_check, judged
+from core.checks.inputs import FATIGUE, FORCES, LOADS
 from core.design.document import Design
 from core.design.results import Results
 from core.output.pin_fatigue import FatigueStrength
 
 HARDENED = 1400e6
 """Tensile strength above which a steel hardly yields before it breaks, Pa."""
+
+_FIXES = (
+    "pin.diameter",
+    "contact.pin_radius",
+    "load.pin_circle_radius",
+    "mechanism.pins",
+    "load.output_torque",
+)
+_check = partial(design_check, group="pin", fixes=_FIXES, needs=("touching", "load", "pin"))
 
 
 def _of_size(results: Results, check: Check) -> Check:
@@ -29,8 +40,18 @@ def _of_size(results: Results, check: Check) -> Check:
     )
 
 
-def _static(design: Design, results: Results) -> Check:
-    code, found = "pin_static", results.pin_strength
+@_check(
+    "pin_static",
+    title="Static strength of the pins",
+    unit="MPa",
+    formula="σ_v ≤ R_e/S_F",
+    why="Above it the pins bend for good.",
+    inputs=(*FORCES, "load.peak_torque", "requirements.bending_safety"),
+    fixes=(*_FIXES, "load.peak_torque"),
+    source="pin_beam",
+)
+def pin_static(design: Design, results: Results) -> Check:
+    found = results.pin_strength
     stress, tensile = found.static_stress, design.pin.tensile_strength
     strength = design.pin.material.yield_strength
     if strength is None and tensile is not None and tensile > HARDENED:
@@ -38,17 +59,71 @@ def _static(design: Design, results: Results) -> Check:
     if strength is None:
         missing = ("pin.material.yield_strength",)
         return Check(
-            code=code, status="not_checked", value=stress, reason="yield_unknown", missing=missing
+            pin_static, "not_checked", value=stress, reason="yield_unknown", missing=missing
         )
     limit = strength / design.requirements.bending_safety
     error = 4 * found.accuracy.relative_error
     reserve = limit / stress
-    check = judged(code, stress, limit, reserve=reserve, error=error, rough=results.solved)
+    check = judged(pin_static, stress, limit, reserve=reserve, error=error, rough=results.solved)
     return _of_size(results, check)
 
 
-def _fatigue(design: Design, results: Results) -> Check:
-    code, found = "pin_fatigue", results.pin_strength
+def _bent(results: Results, name: str, satellite: int) -> Measure:
+    """The largest deflection or slope in a satellite."""
+    found = results.pin_strength
+    return Measure(
+        float(getattr(found.deflection, name)),
+        error=4 * found.accuracy.relative_error,
+        at={"satellite": satellite},
+        reserve=lambda growth: growth,
+        rough=results.solved,
+    )
+
+
+@_check(
+    "pin_deflection",
+    title="Deflection of the pins",
+    unit="mm",
+    formula="w ≤ Δ_max",
+    why="Above it the satellites share the load unevenly.",
+    inputs=(*FORCES, "requirements.max_deflection"),
+    source="beam",
+    asks="max_deflection",
+)
+def pin_deflection(design: Design, results: Results) -> Measure:
+    bending = results.pin_strength.deflection
+    assert bending is not None
+    return _bent(results, "deflection", bending.satellite)
+
+
+@_check(
+    "pin_slope",
+    title="Slope of the pins in the satellites",
+    unit="mrad",
+    formula="θ ≤ θ_max",
+    why="Above it the contacts carry on their edges.",
+    inputs=(*FORCES, "requirements.max_slope"),
+    source="beam",
+    asks="max_slope",
+)
+def pin_slope(design: Design, results: Results) -> Measure:
+    bending = results.pin_strength.deflection
+    assert bending is not None
+    return _bent(results, "slope", bending.slope_satellite)
+
+
+@_check(
+    "pin_fatigue",
+    title="Fatigue of the pins",
+    formula="n ≥ S_D",
+    why="Below it the pins break after some time where they bend most.",
+    inputs=(*FORCES, *FATIGUE, *LOADS, "requirements.fatigue_safety"),
+    source="shigley",
+    keep="above",
+    needs=("touching", "load", "fatigue"),
+)
+def pin_fatigue(design: Design, results: Results) -> Check:
+    found = results.pin_strength
     if found.fatigue is None:
         judged_by = results.fatigue_strength
         assert not isinstance(judged_by, FatigueStrength) and judged_by is not None
@@ -60,47 +135,13 @@ def _fatigue(design: Design, results: Results) -> Check:
                 missing = ("fatigue.endurance_limit",)
         if design.fatigue.criterion == "soderberg" and design.pin.material.yield_strength is None:
             reason, missing = "yield_unknown", ("pin.material.yield_strength",)
-        return Check(code=code, status="not_checked", reason=reason, missing=missing)
+        return Check(pin_fatigue, "not_checked", reason=reason, missing=missing)
     safety, limit = found.fatigue.safety_factor, design.requirements.fatigue_safety
     error = 4 * found.accuracy.relative_error
     reserve = safety / limit
-    check = judged(code, safety, limit, reserve=reserve, error=error, rough=results.solved)
+    check = judged(pin_fatigue, safety, limit, reserve=reserve, error=error, rough=results.solved)
     lasts = found.fatigue.finite_strength is not None and not check.reason
     return _of_size(results, check._replace(reason="finite_life") if lasts else check)
 
 
-def _bent(design: Design, results: Results, code: str, limit: float | None) -> Check:
-    """The largest deflection or slope against what is asked."""
-
-    def measure() -> Measure:
-        found = results.pin_strength
-        assert found.deflection is not None
-        bends, slopes = found.deflection.satellite, found.deflection.slope_satellite
-        return Measure(
-            float(getattr(found.deflection, code.removeprefix("pin_"))),
-            error=4 * found.accuracy.relative_error,
-            at={"satellite": bends if code == "pin_deflection" else slopes},
-            reserve=lambda growth: growth,
-            rough=results.solved,
-        )
-
-    return asked(code, limit, measure, name=code.replace("pin", "max"))
-
-
-def _deflection(design: Design, results: Results) -> Check:
-    return _bent(design, results, "pin_deflection", design.requirements.max_deflection)
-
-
-def _slope(design: Design, results: Results) -> Check:
-    return _bent(design, results, "pin_slope", design.requirements.max_slope)
-
-
-PINS: dict[str, Judge] = {
-    "pin_static": _static,
-    "pin_deflection": _deflection,
-    "pin_slope": _slope,
-}
-"""Checks of the pins, by code."""
-
-PIN_FATIGUE: dict[str, Judge] = {"pin_fatigue": _fatigue}
-"""The check of their fatigue, where what judges it is given."""
+PINS = (pin_static, pin_deflection, pin_slope, pin_fatigue)

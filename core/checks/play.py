@@ -1,35 +1,67 @@
 """Checks of the play of the output: backlash and lost motion against what is asked."""
 
-from core.checks.check import Check, Measure, asked
-from core.checks.design_check import Judge
+from functools import partial
+
+from core.checks.check import Measure, design_check
+from core.checks.inputs import HOLE, SHARING
 from core.design.document import Design
 from core.design.results import Results
 from core.errors import NotKnown
 
-
-def _backlash(design: Design, results: Results) -> Check:
-    def play() -> Measure:
-        of_fit = design.known_eccentricity and 0.0  # no clearance, or interference
-        return Measure(results.loading.turn.backlash_max if results.solved else of_fit)
-
-    return asked("backlash", design.requirements.max_backlash, play, name="max_backlash")
-
-
-def _lost_motion(design: Design, results: Results) -> Check:
-    limit = design.requirements.max_lost_motion
-
-    def motion() -> Measure:
-        """At the torque itself, of which it takes a share; not solved for where nobody asks."""
-        solved = results.solved and design.load_factor == 1
-        if not (design.known_eccentricity and (solved or limit is not None)):
-            raise NotKnown("no_limit")
-        return Measure(results.real_forces.turn.lost_motion)
-
-    return asked("lost_motion", limit, motion, name="max_lost_motion")
+_check = partial(
+    design_check,
+    group="play",
+    unit="arcmin",
+    fixes=("contact.hole_radius",),
+    source="load_sharing",
+    needs=("touching", "load"),
+)
 
 
-PLAY: dict[str, Judge] = {
-    "backlash": _backlash,
-    "lost_motion": _lost_motion,
-}
-"""Checks of the play of the output, by code."""
+@_check(
+    "backlash",
+    title="Backlash of the output mechanism",
+    formula="max(θ₊ − θ₋) ≤ Δφ",
+    why="Otherwise the unloaded output turns by more than is asked.",
+    inputs=(
+        "mechanism.pins",
+        "mechanism.satellites",
+        "load.pin_circle_radius",
+        *HOLE,
+        "contact.eccentricity",
+        "deviations",
+        "crank_support",
+        "requirements.max_backlash",
+    ),
+    asks="max_backlash",
+)
+def backlash(design: Design, results: Results) -> Measure:
+    of_fit = design.known_eccentricity and 0.0  # no clearance, or interference
+    return Measure(results.loading.turn.backlash_max if results.solved else of_fit)
+
+
+@_check(
+    "lost_motion",
+    title="Lost motion of the output mechanism",
+    formula="θ(+3 % T) − θ(−3 % T) ≤ Δφ",
+    why="Otherwise the output gives way by more than is asked when the torque turns.",
+    inputs=(
+        "load.output_torque",
+        "load.pin_circle_radius",
+        "mechanism.pins",
+        "mechanism.satellites",
+        *SHARING,
+        "requirements.max_lost_motion",
+    ),
+    asks="max_lost_motion",
+)
+def lost_motion(design: Design, results: Results) -> Measure:
+    """At the torque itself, of which it takes a share; not solved for where nobody asks."""
+    solved = results.solved and design.load_factor == 1
+    asked = design.requirements.max_lost_motion is not None
+    if not (design.known_eccentricity and (solved or asked)):
+        raise NotKnown("no_limit")
+    return Measure(results.real_forces.turn.lost_motion)
+
+
+PLAY = (backlash, lost_motion)

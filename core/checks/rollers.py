@@ -2,8 +2,12 @@
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import partial
 
-from core.checks.check import Check, Verdict, judged, verdict, wall
+from core.checks.check import Check, Kind, Verdict, design_check, judged, make_check, verdict, wall
+from core.checks.inputs import FATIGUE
+from core.design.sections import Requirements
 from core.fatigue import CycleFatigue
 from core.results import Notice
 from core.rollers.roller_strength import RollerStrength, roller_gaps
@@ -18,130 +22,90 @@ ROLLER_LENGTH = 10.0
 """Usual least length of a swinging roller, from end to end, over the eccentricity."""
 
 
-def roller_checks(
-    *,
-    result: RollerStrength,
-    output_torque: float,
-    hole_circle_radius: float,
-    rollers: int,
-    sphere_diameter: float,
-    cylinder_length: float,
-    sphere_width: float,
-    position_tolerance: float | None = None,
-    gaps: Sequence[float] | None = None,
-    yield_strength: float | None = None,
-    eccentricity: float | None = None,
-    bending_safety: float = 1.5,
-    fatigue: CycleFatigue | Notice | None = None,
-    fatigue_safety: float = 1.5,
-) -> Verdict:
-    """All checks of swinging rollers.
+@dataclass(frozen=True, kw_only=True)
+class RollerDesign:
+    """Swinging rollers, as they are checked.
 
-    Parameters
+    Attributes
     ----------
-    result : RollerStrength
-        Their load sharing and strength.
-    output_torque, hole_circle_radius, rollers : as there
-        What they were calculated for.
-    sphere_diameter, cylinder_length, sphere_width : as there
-        Sizes of a roller.
-    position_tolerance, gaps : as there
+    position_tolerance, gaps : as of `roller_strength`
         One of them.
-    yield_strength : float, optional
-        Yield strength of the rollers, Pa.
-    eccentricity : float, optional
-        Eccentricity of the crank, m.
-    bending_safety : float
-        Required safety against yield.
     fatigue : CycleFatigue, Notice or None
         Fatigue of the rollers, or why it is not known; None where nobody asked.
-    fatigue_safety : float
-        Required safety in fatigue.
-
-    Returns
-    -------
-    Verdict
-
-    Notes
-    -----
-    Source of the length: Ovsyannikov et al. 2019, before fig. 3: "the length of a roller usually
-    exceeds the centre distance at least 10 times", a tilt of about 12°. That is the whole length,
-    two cylinders and three spheres: over half of it, 5*e, the centre moves by e, 11.3°.
     """
-    stress, error = float(result.bending_stress), 4 * float(result.accuracy.relative_error)
 
-    def reserve(growth: float) -> float:
+    result: RollerStrength  # their load sharing and strength
+    output_torque: float  # T, N*m
+    hole_circle_radius: float  # R, m
+    rollers: int  # n
+    sphere_diameter: float  # D, m
+    cylinder_length: float  # l, m
+    sphere_width: float  # b, m
+    position_tolerance: float | None = None
+    gaps: Sequence[float] | None = None
+    yield_strength: float | None = None  # R_e, Pa
+    eccentricity: float | None = None  # e of the crank, m
+    fatigue: CycleFatigue | Notice | None = None
+    requirements: Requirements = Requirements()
+
+    def reserve(self, growth: float) -> float:
         """Factor on the torque at which the largest force is so many times larger."""
         # F_i = c*max(0, Delta - g_i): what the rollers carry then
-        largest = float(result.max_force) * growth
-        ahead = roller_gaps(rollers=rollers, position_tolerance=position_tolerance, gaps=gaps)
+        largest = float(self.result.max_force) * growth
+        ahead = roller_gaps(
+            rollers=self.rollers, position_tolerance=self.position_tolerance, gaps=self.gaps
+        )
         first = min(ahead)
         carried = math.fsum(
-            max(0.0, largest - float(result.stiffness) * (gap - first)) for gap in ahead
+            max(0.0, largest - float(self.result.stiffness) * (gap - first)) for gap in ahead
         )
-        return 2 * hole_circle_radius * carried / output_torque
+        return 2 * self.hole_circle_radius * carried / self.output_torque
 
-    if yield_strength is None:
-        strength = Check(
-            code="roller_stress",
-            status="not_checked",
-            value=stress,
-            reason="yield_unknown",
-            missing=("yield_strength",),
-        )
-    else:
-        limit = yield_strength / bending_safety
-        strength = judged(
-            "roller_stress", stress, limit, reserve=reserve(limit / stress), error=error
-        )
-    tired = []
-    if fatigue is not None:
-        growth = None
-        if isinstance(fatigue, CycleFatigue):
-            growth = reserve(fatigue.safety_factor / fatigue_safety)
-        tired.append(
-            fatigue_check(
-                code="roller_fatigue",
-                fatigue=fatigue,
-                safety=fatigue_safety,
-                reserve=growth,
-                error=error,
-            )
-        )
-    sharing = judged(
-        "roller_sharing",
-        float(result.loaded_rollers),
-        float(rollers),
-        warning="uneven",
-    )
-    if rollers > 1:
-        pitch = 2 * hole_circle_radius * math.sin(math.pi / rollers)
-        spacing = wall("roller_spacing", width=pitch - sphere_diameter, size=sphere_diameter)
-    else:
-        spacing = Check(code="roller_spacing", status="not_applicable", reason="one_only")
-    room = hole_circle_radius - sphere_diameter / 2
-    code, length = "roller_tilt", 2 * cylinder_length + 3 * sphere_width
-    if eccentricity is None:
-        tilt = Check(code=code, status="not_asked", value=length, missing=("eccentricity",))
-    else:
-        least = ROLLER_LENGTH * eccentricity
-        tilt = judged(code, length, least, warning="tilted")
-    return verdict(
-        [
-            strength,
-            *tired,
-            sharing,
-            spacing,
-            wall("roller_room", width=room, size=sphere_diameter),
-            tilt,
-        ],
-        ("roller_contact", *(() if tired else ("fatigue",)), "friction"),
-    )
+    @property
+    def error(self) -> float:
+        """Relative error of the stress that checks allow for."""
+        return 4 * float(self.result.accuracy.relative_error)
 
 
-def fatigue_check(
+_INPUTS = (
+    "output_torque",
+    "hole_circle_radius",
+    "rollers",
+    "diameter",
+    "cylinder_length",
+    "sphere_width",
+    "position_tolerance",
+    "gaps",
+)
+
+_check = partial(design_check, group="rollers")
+
+
+@_check(
+    "roller_stress",
+    title="Bending stress of the rollers",
+    unit="MPa",
+    formula="σ ≤ R_e/S",
+    why="Above it the rollers bend for good.",
+    inputs=(*_INPUTS, "stress_concentration", "yield_strength", "bending_safety"),
+    fixes=("diameter", "hole_circle_radius", "rollers", "position_tolerance", "output_torque"),
+    source="ovsyannikov_2019",
+)
+def roller_stress(design: RollerDesign) -> Check:
+    stress = float(design.result.bending_stress)
+    if design.yield_strength is None:
+        missing = ("yield_strength",)
+        return Check(
+            roller_stress, "not_checked", value=stress, reason="yield_unknown", missing=missing
+        )
+    limit = design.yield_strength / design.requirements.bending_safety
+    reserve = design.reserve(limit / stress)
+    return judged(roller_stress, stress, limit, reserve=reserve, error=design.error)
+
+
+def cycle_check(
+    kind: Kind,
     *,
-    code: str,
     fatigue: CycleFatigue | Notice,
     safety: float,
     reserve: float | None,
@@ -151,7 +115,7 @@ def fatigue_check(
 
     Parameters
     ----------
-    code : str
+    kind : Kind
         Which check.
     fatigue : CycleFatigue or Notice
         The cycle, or why nothing is known of it.
@@ -167,11 +131,133 @@ def fatigue_check(
     Check
     """
     if isinstance(fatigue, Notice):
-        return Check(
-            code=code,
-            status="not_checked",
-            limit=safety,
-            reason=fatigue.code,
-            missing=MISSING[fatigue.code],
-        )
-    return judged(code, fatigue.safety_factor, safety, reserve=reserve, error=error)
+        why = fatigue.code
+        return Check(kind, "not_checked", limit=safety, reason=why, missing=MISSING[why])
+    return judged(kind, fatigue.safety_factor, safety, reserve=reserve, error=error)
+
+
+@_check(
+    "roller_fatigue",
+    title="Fatigue of the rollers",
+    formula="n ≥ S_D",
+    why="Below it the rollers break after some time beside the middle sphere.",
+    inputs=(
+        *_INPUTS,
+        "stress_concentration",
+        "roller_rotates",
+        "tensile_strength",
+        *FATIGUE,
+        "fatigue_safety",
+    ),
+    fixes=("diameter", "hole_circle_radius", "rollers", "output_torque"),
+    source="shigley",
+    keep="above",
+    needs=("fatigue",),
+)
+def roller_fatigue(design: RollerDesign) -> Check:
+    fatigue, safety, reserve = design.fatigue, design.requirements.fatigue_safety, None
+    assert fatigue is not None
+    if isinstance(fatigue, CycleFatigue):
+        reserve = design.reserve(fatigue.safety_factor / safety)
+    return cycle_check(
+        roller_fatigue, fatigue=fatigue, safety=safety, reserve=reserve, error=design.error
+    )
+
+
+@_check(
+    "roller_sharing",
+    title="Rollers that carry",
+    formula="n_c = n",
+    why="Otherwise few rollers carry all of the load.",
+    inputs=_INPUTS,
+    fixes=("position_tolerance", "output_torque"),
+    source="ovsyannikov_2019",
+    keep="above",
+)
+def roller_sharing(design: RollerDesign) -> Check:
+    carrying = float(design.result.loaded_rollers)
+    return judged(roller_sharing, carrying, float(design.rollers), warning="uneven")
+
+
+@_check(
+    "roller_spacing",
+    title="Space between rollers",
+    unit="mm",
+    formula="2·R·sin(π/n) − D > 0",
+    why="Otherwise the spheres overlap.",
+    inputs=("rollers", "hole_circle_radius", "sphere_diameter"),
+    fixes=("hole_circle_radius", "sphere_diameter", "rollers"),
+    keep="above",
+)
+def roller_spacing(design: RollerDesign) -> Check:
+    if design.rollers < 2:
+        return Check(roller_spacing, "not_applicable", reason="one_only")
+    pitch = 2 * design.hole_circle_radius * math.sin(math.pi / design.rollers)
+    size = design.sphere_diameter
+    return wall(roller_spacing, width=pitch - size, size=size)
+
+
+@_check(
+    "roller_room",
+    title="Rollers beside the centre",
+    unit="mm",
+    formula="R − D/2 > 0",
+    why="Otherwise the rollers reach the axis.",
+    inputs=("hole_circle_radius", "sphere_diameter"),
+    fixes=("hole_circle_radius", "sphere_diameter"),
+    keep="above",
+)
+def roller_room(design: RollerDesign) -> Check:
+    size = design.sphere_diameter
+    return wall(roller_room, width=design.hole_circle_radius - size / 2, size=size)
+
+
+@_check(
+    "roller_tilt",
+    title="Length of the rollers",
+    unit="mm",
+    formula="2·l + 3·b ≥ 10·e",
+    why="Shorter ones tilt too much against the discs.",
+    inputs=("cylinder_length", "sphere_width", "eccentricity"),
+    fixes=("cylinder_length",),
+    source="ovsyannikov_2019_length",
+    keep="above",
+)
+def roller_tilt(design: RollerDesign) -> Check:
+    """By Ovsyannikov et al. 2019, before fig. 3: "the length of a roller usually exceeds the centre
+    distance at least 10 times", a tilt of about 12°. That is the whole length, two cylinders and
+    three spheres: over half of it, 5*e, the centre moves by e, 11.3°.
+    """
+    length = 2 * design.cylinder_length + 3 * design.sphere_width
+    if design.eccentricity is None:
+        return Check(roller_tilt, "not_asked", value=length, missing=("eccentricity",))
+    return judged(roller_tilt, length, ROLLER_LENGTH * design.eccentricity, warning="tilted")
+
+
+ROLLERS = (
+    roller_stress,
+    roller_fatigue,
+    roller_sharing,
+    roller_spacing,
+    roller_room,
+    roller_tilt,
+)
+
+
+def roller_checks(design: RollerDesign) -> Verdict:
+    """All checks of swinging rollers.
+
+    Parameters
+    ----------
+    design : RollerDesign
+        The rollers.
+
+    Returns
+    -------
+    Verdict
+    """
+    kinds = [kind for kind in ROLLERS if all(getattr(design, each) for each in kind.needs)]
+    return verdict(
+        [make_check(kind, design) for kind in kinds],
+        ("roller_contact", *(() if design.fatigue else ("fatigue",)), "friction"),
+    )

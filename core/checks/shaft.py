@@ -1,160 +1,268 @@
 """Checks of a precessional gear and its shaft: room, deflection, slope."""
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
+from dataclasses import dataclass
 from itertools import pairwise
 
-from core.checks.check import Check, Measure, Verdict, asked, judged, verdict, wall
-from core.checks.rollers import fatigue_check
+from core.checks.check import (
+    Check,
+    Measure,
+    Verdict,
+    design_check,
+    judged,
+    make_check,
+    verdict,
+    wall,
+)
+from core.checks.inputs import FATIGUE
+from core.checks.rollers import cycle_check
+from core.design.sections import Requirements
 from core.precession.line_contact import LineContact
 from core.precession.shaft_deflection import ShaftDeflection
 from core.precession.shaft_strength import ShaftStrength
 from core.results import Notice
 
 
-def shaft_checks(
-    *,
-    result: ShaftDeflection,
-    positions: Sequence[float],
-    roller_circle_radius: float,
-    roller_radius: float,
-    diameters: Iterable[float],
-    max_deflection: float | None = None,
-    max_slope: float | None = None,
-    strength: ShaftStrength | None = None,
-    yield_strength: float | None = None,
-    fatigue_asked: bool = False,
-    no_fatigue: Notice | None = None,
-    bending_safety: float = 1.5,
-    fatigue_safety: float = 1.5,
-    contact: LineContact | None = None,
-    pressure_limits: Sequence[float | None] = (None, None),
-    pitting_safety: float = 1.2,
-) -> Verdict:
+@dataclass(frozen=True, kw_only=True)
+class ShaftDesign:
+    """A precessional gear and its shaft, as they are checked.
+
+    Attributes
+    ----------
+    positions : sequence of float
+        Position angles of the wheel's rollers, rad; the same one twice is one roller.
+    strength : ShaftStrength or None
+        Its bending strength, where that is asked.
+    fatigue_asked : bool
+        Whether its fatigue is asked; without a cycle in `strength` the load is steady.
+    contact : LineContact or None
+        Pressure along the contact lines, where the curvature of the teeth is given.
+    """
+
+    result: ShaftDeflection  # the shaft's deflection and slope
+    positions: Sequence[float]
+    roller_circle_radius: float  # R_C, m
+    roller_radius: float  # rho, m
+    diameters: Sequence[float]  # of the shaft, m
+    strength: ShaftStrength | None = None
+    yield_strength: float | None = None  # R_e of the shaft, Pa
+    fatigue_asked: bool = False
+    no_fatigue: Notice | None = None  # why that is not known
+    contact: LineContact | None = None
+    pressure_limits: Sequence[float | None] = (None, None)  # of roller and tooth, Pa
+    requirements: Requirements = Requirements()
+
+    @property
+    def error(self) -> float:
+        """Relative error of deflection, slope and stress that checks allow for."""
+        return 4 * float(self.result.accuracy.relative_error)
+
+
+_INPUTS = ("torque", "bearing_distance", "overhang", "shaft_diameter", "shaft_sections")
+
+
+@design_check(
+    "line_spacing",
+    title="Space between rollers",
+    group="room",
+    unit="mm",
+    formula="2·R_C·sin(Δφ/2) − 2·ρ > 0",
+    why="Otherwise the rollers overlap.",
+    inputs=("roller_circle_radius", "roller_radius", "wheel"),
+    fixes=("roller_radius", "roller_circle_radius"),
+    keep="above",
+)
+def line_spacing(design: ShaftDesign) -> Check:
+    turn = 2 * math.pi
+    places = sorted(angle % turn for angle in design.positions)
+    apart = [after - before for before, after in pairwise([*places, places[0] + turn])]
+    apart = [each for each in apart if 1e-9 < each < turn - 1e-9]
+    if not apart:
+        return Check(line_spacing, "not_applicable", reason="one_only")
+    pitch, size = 2 * design.roller_circle_radius * math.sin(min(apart) / 2), design.roller_radius
+    return wall(line_spacing, width=pitch - 2 * size, size=size)
+
+
+@design_check(
+    "shaft_in_circle",
+    title="Shaft within the rollers",
+    group="room",
+    unit="mm",
+    formula="R_C − ρ − d/2 > 0",
+    why="Otherwise the shaft reaches the rollers.",
+    inputs=("roller_circle_radius", "roller_radius", "shaft_diameter", "shaft_sections"),
+    fixes=("shaft_diameter", "roller_radius", "roller_circle_radius"),
+    keep="above",
+)
+def shaft_in_circle(design: ShaftDesign) -> Check:
+    size = design.roller_radius
+    room = design.roller_circle_radius - size - max(design.diameters) / 2
+    return wall(shaft_in_circle, width=room, size=size)
+
+
+@design_check(
+    "shaft_deflection",
+    title="Deflection of the shaft",
+    group="shaft",
+    unit="mm",
+    formula="max(Δ_B, Δ_C) ≤ Δ_max",
+    why="Above it the mesh is off its place.",
+    inputs=(*_INPUTS, "max_deflection"),
+    fixes=("shaft_diameter", "overhang", "bearing_distance"),
+    source="beam",
+    asks="max_deflection",
+)
+def shaft_deflection(design: ShaftDesign) -> Measure:
+    largest = max(design.result.deflection_B.total, design.result.deflection_C.total)
+    return Measure(largest, error=design.error, reserve=float)
+
+
+@design_check(
+    "shaft_slope",
+    title="Slope of the shaft in its bearings",
+    group="shaft",
+    unit="mrad",
+    formula="max(θ_B, θ_C) ≤ θ_max",
+    why="Above it the bearings carry on their edges.",
+    inputs=(*_INPUTS, "max_slope"),
+    fixes=("shaft_diameter", "overhang", "bearing_distance"),
+    source="beam",
+    asks="max_slope",
+)
+def shaft_slope(design: ShaftDesign) -> Measure:
+    largest = max(design.result.slope_B.total, design.result.slope_C.total)
+    return Measure(largest, error=design.error, reserve=float)
+
+
+@design_check(
+    "shaft_static",
+    title="Static strength of the shaft in bending",
+    group="shaft",
+    unit="MPa",
+    formula="σ ≤ R_e/S_F",
+    why="Above it the shaft bends for good.",
+    inputs=(*_INPUTS, "yield_strength", "bending_safety"),
+    fixes=("shaft_diameter", "overhang"),
+    source="beam",
+    needs=("strength",),
+)
+def shaft_static(design: ShaftDesign) -> Check:
+    assert design.strength is not None
+    stress = design.strength.peak_stress
+    if design.yield_strength is None:
+        missing = ("yield_strength",)
+        return Check(
+            shaft_static, "not_checked", value=stress, reason="yield_unknown", missing=missing
+        )
+    limit = design.yield_strength / design.requirements.bending_safety
+    reserve = limit / stress if stress > 0 else None
+    return judged(shaft_static, stress, limit, reserve=reserve, error=design.error)
+
+
+@design_check(
+    "shaft_fatigue",
+    title="Fatigue of the shaft in bending",
+    group="shaft",
+    formula="n ≥ S_D",
+    why="Below it the shaft breaks after some time where it bends most.",
+    inputs=(
+        *_INPUTS,
+        "load_rotates_with_shaft",
+        "tensile_strength",
+        *FATIGUE,
+        "fatigue_safety",
+    ),
+    fixes=("shaft_diameter", "overhang"),
+    source="shigley",
+    keep="above",
+    needs=("strength", "fatigue_asked"),
+)
+def shaft_fatigue(design: ShaftDesign) -> Check:
+    """Its reversed bending; a load that turns with the shaft bends it one way."""
+    assert design.strength is not None
+    fatigue = design.no_fatigue or design.strength.fatigue
+    safety = design.requirements.fatigue_safety
+    if fatigue is None:
+        return Check(shaft_fatigue, "not_applicable", reason="steady_load")
+    reserve = None if isinstance(fatigue, Notice) else fatigue.safety_factor / safety
+    return cycle_check(
+        shaft_fatigue, fatigue=fatigue, safety=safety, reserve=reserve, error=design.error
+    )
+
+
+@design_check(
+    "line_pressure",
+    title="Pressure along the contact lines",
+    group="lines",
+    unit="MPa",
+    formula="p₀ ≤ p_all/S_H",
+    why="Above it rollers or teeth pit in the long run.",
+    inputs=(
+        "torque",
+        "roller_radius",
+        "line_contact.mating_radius",
+        "line_contact.roller_material",
+        "line_contact.mating_material",
+        "pitting_safety",
+    ),
+    fixes=("roller_radius", "roller_circle_radius"),
+    source="hertz",
+    needs=("contact",),
+)
+def line_pressure(design: ShaftDesign) -> Check:
+    """Against the lower of both limits, where both are known."""
+    assert design.contact is not None
+    pressure, limits = design.contact.max_pressure, design.pressure_limits
+    bodies = ("line_contact.roller_material", "line_contact.mating_material")
+    missing = tuple(name for name, each in zip(bodies, limits, strict=True) if each is None)
+    error = 4 * float(design.contact.accuracy.relative_error)
+    least = min((each for each in limits if each is not None), default=math.inf)
+    limit = least / design.requirements.pitting_safety
+    found = judged(line_pressure, pressure, limit, reserve=(limit / pressure) ** 2, error=error)
+    if missing and found.status != "fail":
+        return Check(
+            line_pressure, "not_checked", value=pressure, reason="limit_unknown", missing=missing
+        )
+    return found
+
+
+SHAFT = (
+    line_spacing,
+    shaft_in_circle,
+    shaft_deflection,
+    shaft_slope,
+    shaft_static,
+    shaft_fatigue,
+    line_pressure,
+)
+
+
+def shaft_checks(design: ShaftDesign) -> Verdict:
     """All checks of a precessional gear and its shaft.
 
     Parameters
     ----------
-    result : ShaftDeflection
-        The shaft's deflection and slope.
-    positions : sequence of float
-        Position angles of the wheel's rollers, rad; the same one twice is one roller.
-    roller_circle_radius, roller_radius : float
-        Radii R_C of the circle of the rollers and rho of a roller, m.
-    diameters : iterable of float
-        Diameters of the shaft, m.
-    max_deflection, max_slope : float, optional
-        Largest deflection, m, and slope, rad, that are asked for.
-    strength : ShaftStrength, optional
-        Its bending strength, where that is asked.
-    yield_strength : float, optional
-        Yield strength of the shaft, Pa.
-    fatigue_asked : bool
-        Whether its fatigue is asked; without a cycle in `strength` the load is steady.
-    no_fatigue : Notice, optional
-        Why that is not known.
-    bending_safety, fatigue_safety : float
-        Required safety against yield and in fatigue.
-    contact : LineContact, optional
-        Pressure along the contact lines, where the curvature of the teeth is given.
-    pressure_limits : sequence of float or None
-        Limits of the pressure of roller and tooth, Pa.
-    pitting_safety : float
-        Required safety against pitting.
+    design : ShaftDesign
+        The gear.
 
     Returns
     -------
     Verdict
     """
-    turn = 2 * math.pi
-    places = sorted(angle % turn for angle in positions)
-    apart = [after - before for before, after in pairwise([*places, places[0] + turn])]
-    apart = [each for each in apart if 1e-9 < each < turn - 1e-9]
-    if apart:
-        pitch = 2 * roller_circle_radius * math.sin(min(apart) / 2)
-        spacing = wall("line_spacing", width=pitch - 2 * roller_radius, size=roller_radius)
-    else:
-        spacing = Check(code="line_spacing", status="not_applicable", reason="one_only")
-    room = roller_circle_radius - roller_radius - max(diameters) / 2
-    deflection = max(result.deflection_B.total, result.deflection_C.total)
-    slope = max(result.slope_B.total, result.slope_C.total)
-    error = float(result.accuracy.relative_error)
-
-    def beyond(code: str, value: float, limit: float | None) -> Check:
-        measure = Measure(value, error=4 * error, reserve=float)
-        return asked(code, limit, lambda: measure, name=code.replace("shaft", "max"))
-
-    limits = {"deflection": max_deflection, "slope": max_slope}
-    unasked = [name for name, limit in limits.items() if limit is None]
-    more, left = [], []
-    if strength is not None:
-        more.append(_static(strength, yield_strength, bending_safety, error))
-        if fatigue_asked:
-            more.append(_fatigue(strength, no_fatigue, fatigue_safety, error))
-    if contact is not None:
-        more.append(_pressure(contact, pressure_limits, pitting_safety))
-    else:
+    limits = {
+        "deflection": design.requirements.max_deflection,
+        "slope": design.requirements.max_slope,
+    }
+    left = [name for name, limit in limits.items() if limit is None]
+    if not design.contact:
         left.append("line_pressure")
-    if strength is None:
+    if not design.strength:
         left.append("shaft_strength")
-    elif not fatigue_asked:
+    elif not design.fatigue_asked:
         left.append("fatigue")
+    kinds = [kind for kind in SHAFT if all(getattr(design, each) for each in kind.needs)]
     return verdict(
-        [
-            spacing,
-            wall("shaft_in_circle", width=room, size=roller_radius),
-            beyond("shaft_deflection", deflection, max_deflection),
-            beyond("shaft_slope", slope, max_slope),
-            *more,
-        ],
-        (*unasked, *left, "bearing", "friction"),
+        [make_check(kind, design) for kind in kinds],
+        (*left, "bearing", "friction"),
     )
-
-
-def _static(
-    strength: ShaftStrength, yield_strength: float | None, safety: float, error: float
-) -> Check:
-    """Bending stress against the yield strength."""
-    code, stress = "shaft_static", strength.peak_stress
-    if yield_strength is None:
-        return Check(
-            code=code,
-            status="not_checked",
-            value=stress,
-            reason="yield_unknown",
-            missing=("yield_strength",),
-        )
-    limit = yield_strength / safety
-    reserve = limit / stress if stress > 0 else None
-    return judged(code, stress, limit, reserve=reserve, error=4 * error)
-
-
-def _fatigue(strength: ShaftStrength, unknown: Notice | None, safety: float, error: float) -> Check:
-    """Its reversed bending; a load that turns with the shaft bends it one way."""
-    code, cycle = "shaft_fatigue", strength.fatigue
-    fatigue = unknown or cycle
-    if fatigue is None:
-        return Check(code=code, status="not_applicable", reason="steady_load")
-    reserve = None if isinstance(fatigue, Notice) else fatigue.safety_factor / safety
-    return fatigue_check(
-        code=code, fatigue=fatigue, safety=safety, reserve=reserve, error=4 * error
-    )
-
-
-def _pressure(contact: LineContact, limits: Sequence[float | None], safety: float) -> Check:
-    """The pressure along the lines against the lower of both limits, where both are known."""
-    code, pressure = "line_pressure", contact.max_pressure
-    bodies = ("line_contact.roller_material", "line_contact.mating_material")
-    missing = tuple(name for name, each in zip(bodies, limits, strict=True) if each is None)
-    error = float(contact.accuracy.relative_error)
-    limit = min((each for each in limits if each is not None), default=math.inf) / safety
-    found = judged(code, pressure, limit, reserve=(limit / pressure) ** 2, error=4 * error)
-    if missing and found.status != "fail":
-        return Check(
-            code=code,
-            status="not_checked",
-            value=pressure,
-            reason="limit_unknown",
-            missing=missing,
-        )
-    return found

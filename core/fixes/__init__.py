@@ -6,7 +6,7 @@ with it.
 
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------
-inputs              which inputs a fix may change, and how a check grows with them
+inputs              whole numbers
 fix                 one input solved, rounded, with its side effects
 plain               designs whose inputs do not hang on each other
 changes             a crank-planetary reducer with another value of an input

@@ -7,14 +7,13 @@ from dataclasses import replace
 from core.checks.check import Check, Verdict
 from core.checks.crank_planetary import crank_check, crank_codes
 from core.checks.largest_torque import crank_verdict, under
-from core.checks.play import PLAY
 from core.derived import if_known
 from core.design.document import Design, changed
 from core.design.results import Results
 from core.errors import CalculationError
 from core.fixes.changes import count_may_change, value_of, vary
 from core.fixes.fix import PIN_SIZES, RANGE, Cure, Fix, aim, fix_of, in_order
-from core.fixes.inputs import VARIED, WHOLE
+from core.fixes.inputs import WHOLE
 from core.numerics.inverse import Solution
 
 SEARCHED, NUDGE = 9, 0.02
@@ -42,7 +41,7 @@ def crank_fixes(*, results: Results, codes: Iterable[str], current: Verdict) -> 
     """
     fixes = []
     for code in codes:
-        for variable in VARIED.get(code, ()):
+        for variable in current[code].kind.fixes:
             try:
                 fix = _fix(results, code, variable, current)
             except CalculationError:  # a size that would cure it makes no design
@@ -55,9 +54,10 @@ def crank_fixes(*, results: Results, codes: Iterable[str], current: Verdict) -> 
 def _fix(results: Results, code: str, variable: str, current: Verdict) -> Fix | None:
     """Fix of a check by one input."""
     design, check = results.design, current[code]
+    group = check.kind.group
     if code in ("interference", "clearance", "crank_balance"):
         return _closed(results, code, variable, current)
-    if code in PLAY:
+    if group == "play":
         return _less_clearance(results, code, current)
     cure = _cure(design, code, variable, current)
     if cure is None or (variable == "mechanism.satellites" and not count_may_change(design)):
@@ -71,7 +71,7 @@ def _fix(results: Results, code: str, variable: str, current: Verdict) -> Fix | 
         reserve = found.torque_reserve
         return found if reserve is None else found._replace(torque_reserve=reserve * factor)
 
-    solved = check.kind.group in STRENGTH or (check.kind.group == "contact" and results.solved)
+    solved = group in STRENGTH or (group == "contact" and results.solved)
     if solved and variable not in WHOLE:
         exact = _secant(lambda value: _met(change(value)), cure.before)
         return None if exact is None else _checked(cure, exact)

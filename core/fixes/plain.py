@@ -5,7 +5,7 @@ from typing import Any
 
 from core.checks.check import Check, Verdict
 from core.fixes.fix import Cure, Fix, fix_of, in_order
-from core.fixes.inputs import VARIED, WHOLE
+from core.fixes.inputs import WHOLE
 
 
 def plain_fixes(
@@ -34,7 +34,7 @@ def plain_fixes(
     """
     fixes = []
     for code in codes:
-        for variable in VARIED.get(code, ()):
+        for variable in current[code].kind.fixes:
             before = design.get(variable)
             if not before or (variable == "rollers" and design.get("gaps") is not None):
                 continue

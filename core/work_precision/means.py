@@ -16,7 +16,7 @@ from core.crank.bearing_life import EXPONENTS, Bearing
 from core.crank.crankshaft import Crankshaft, crankshaft
 from core.crank.ring_mesh import RingMesh
 from core.crank.satellite_bearing import SatelliteBearings, satellite_bearings
-from core.errors import InvalidInput
+from core.errors import ImpossibleMechanism
 from core.output.contact_force import force_peak
 from core.output.losses import total_force
 from core.output.mechanism import Mechanism
@@ -274,9 +274,9 @@ def equivalent_reaction_study(
     Raises
     ------
     InvalidInput
-        If there are too many pairs, a size is out of range, or nothing is left of the forces.
+        If there are too many pairs, or a size is out of range.
     ImpossibleMechanism
-        If the mechanism has a dead centre.
+        If the mechanism has a dead centre, or nothing is left of the forces.
     """
     import mpmath
 
@@ -296,7 +296,7 @@ def equivalent_reaction_study(
     result = solve()
     worst = int(np.argmax(result.equivalent_reaction))
     if result.equivalent_reaction[worst] == 0:
-        raise InvalidInput("satellite_positions", satellite_positions, "no_reaction")
+        raise ImpossibleMechanism("unloaded", parameter="satellite_positions")
     here, other = bearing_positions[worst], bearing_positions[1 - worst]
     cranks = mechanism.crank_angles
 

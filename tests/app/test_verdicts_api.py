@@ -11,7 +11,8 @@ from copy import deepcopy
 import pytest
 
 from app.examples import EXAMPLES, REQUESTS
-from core.checks.kinds import CHECK_SOURCES, CHECKS, GROUPS
+from core.checks.records import CHECKS
+from core.checks.words import CHECK_SOURCES, GROUPS
 from core.materials import LIMIT_SOURCES
 
 pytestmark = pytest.mark.anyio

@@ -290,7 +290,7 @@ async def test_a_shaft_whose_forces_cancel_has_nothing_to_study(api):
     }
     answer = await api.post("work-precision", json={"calculation": "crankshaft", "input": own})
     error = answer.json()["errors"][0]
-    assert (answer.status_code, error["code"]) == (422, "no_reaction")
+    assert (answer.status_code, error["code"]) == (422, "unloaded")
     assert error["pointer"] == "/input/crankshaft/satellite_positions_mm"
 
 

@@ -2,20 +2,23 @@
 in some design, and to move another one never does.
 """
 
+import importlib
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import fields, replace
 from functools import partial
+from pkgutil import iter_modules
 from typing import Any
 
 import pytest
 
-from core.checks.check import Check
+from core import checks
+from core.checks.check import Check, Kind
 from core.checks.crank_planetary import crank_checks
-from core.checks.kinds import CHECKS
+from core.checks.records import CHECKS
 from core.design.document import Design
 from core.design.results import Results
-from core.design.sections import FatigueBasis, Ring, RollingBearing
+from core.design.sections import FatigueBasis, Requirements, Ring, RollingBearing
 from core.errors import CalculationError
 from core.materials import MATERIALS
 from tests.inputs.checks import WHOLE, having
@@ -160,6 +163,43 @@ def test_what_moves_a_check_is_named(seen: dict[tuple[str, str], bool]) -> None:
 def test_what_a_check_names_moves_it(seen: dict[tuple[str, str], bool]) -> None:
     idle = {pair for pair, moves_it in seen.items() if named(*pair) and not moves_it}
     assert idle - JUMPS == set()
+
+
+FOLLOWS = {
+    "contact.pin_radius": "contact.hole_radius",
+    "crankshaft.bearings.dynamic_rating": "crankshaft.bearings",
+}
+"""What moves with an input that a fix changes: the hole with its pin, a bearing with its rating."""
+
+
+SILENT = {("assembly", "mechanism.satellites"), ("line_pressure", "roller_circle_radius")}
+"""Inputs on which these checks depend, too, but which they do not name."""
+
+
+def test_what_a_fix_changes_is_an_input_or_moves_one() -> None:
+    strange = {
+        (code, name)
+        for code, kind in CHECKS.items()
+        for name in kind.fixes
+        if not {name, FOLLOWS.get(name)} & {*kind.inputs}
+    }
+    assert strange == SILENT
+
+
+def test_every_record_is_found_by_its_code() -> None:
+    modules = [
+        importlib.import_module(f"core.checks.{each.name}")
+        for each in iter_modules(checks.__path__)
+    ]
+    kinds = [kind for each in modules for kind in vars(each).values() if isinstance(kind, Kind)]
+    assert len(kinds) > 30 and all(CHECKS[kind.code] is kind for kind in kinds)
+
+
+def test_what_may_be_asked_is_an_input() -> None:
+    for code, kind in CHECKS.items():
+        asked = {kind.asks, f"requirements.{kind.asks}"}
+        assert not kind.asks or asked & {*kind.inputs}, code
+        assert not kind.asks or hasattr(Requirements(), kind.asks), code
 
 
 def test_no_input_is_named_twice() -> None:

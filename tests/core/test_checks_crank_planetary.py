@@ -1,15 +1,17 @@
 """Checks of cranks, fit and walls by hand, at, below and above their limits."""
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import pytest
 
 from core.checks.check import wall
-from core.checks.crank_planetary import SATELLITE, SECTIONS, crank_checks, crank_codes
+from core.checks.crank_planetary import CRANK_CHECKS, SECTIONS, crank_checks, crank_codes
+from core.checks.space import wall_holes
 from core.design.real_forces import RealForces
 from core.design.results import Results
-from core.design.sections import Ring
+from core.design.sections import Ring, RollingBearing
 from core.errors import NotKnown
 from core.output.contact_force import ContactForce
 from core.output.real_mechanism import Deviations
@@ -133,7 +135,7 @@ def test_a_wall_to_teeth_of_which_only_the_tips_are_known() -> None:
 
 def test_a_wall_of_the_size_of_rounding_is_none() -> None:
     for width, status in ((2e-12, "pass"), (0.9e-12, "fail"), (-1e-3, "fail")):
-        found = wall("wall_holes", width=width, size=1e-3)
+        found = wall(wall_holes, width=width, size=1e-3)
         assert (found.status, found.impossible) == (status, status == "fail")
         assert found.value == (width if status == "pass" else min(width, 0.0))
 
@@ -201,9 +203,14 @@ def test_what_is_checked_hangs_on_the_sections() -> None:
     no_load = having(REF, load=None)
     no_contact = having(REF, contact=None)
     every = {*crank_codes(WHOLE)}
-    for section, table in SECTIONS.items():
+    of = {
+        section: {code for code, kind in CRANK_CHECKS.items() if section in kind.needs}
+        for section in SECTIONS
+    }
+    assert of["pin"] == {"pin_static", "pin_deflection", "pin_slope"}
+    for section, table in of.items():
         without = having(WHOLE, **{section: None})
-        assert {*crank_codes(without)} == every - {*table}
+        assert {*crank_codes(without)} == every - table
         first = ("satellite_body",) if section == "satellite_body" else ()
         assert crank_checks(Results(without)).not_considered == (
             *first,
@@ -212,8 +219,8 @@ def test_what_is_checked_hangs_on_the_sections() -> None:
             "contact_life_hole",
             *(() if first else (section,)),
         )
-    no_sections = every.difference(*SECTIONS.values())
-    assert {*crank_codes(REF)} == no_sections | {*SATELLITE}
+    no_sections = every.difference(*of.values())
+    assert {*crank_codes(REF)} == no_sections | of["satellite_body"]
     assert {*crank_codes(no_body)} == no_sections
     assert {*crank_codes(no_load)} == mechanism | fit
     assert {*crank_codes(no_contact)} == mechanism
@@ -240,3 +247,30 @@ def test_what_is_checked_hangs_on_the_sections() -> None:
         "satellite_body",
         *later,
     )
+
+
+def test_the_limit_of_a_check_is_known_without_its_value() -> None:
+    """Of designs that are complete but for the speed, or the static rating."""
+    rated = having(
+        WHOLE,
+        input_speed=None,
+        bearing=replace(WHOLE.bearing, static_rating=None, weibull_slope=10 / 9),
+        crankshaft=replace(
+            WHOLE.crankshaft, bearings=(RollingBearing(kind="ball"), RollingBearing(kind="ball"))
+        ),
+    )
+    found = crank_checks(Results(rated))
+    for code in ("bearing_life", "system_life", "crank_bearing_life"):
+        assert found[code].status == "not_checked"
+        assert found[code].limit == WHOLE.requirements.life, code
+    assert (found["bearing_static"].status, found["bearing_static"].limit) == ("not_checked", 1.0)
+
+
+def test_the_space_of_the_satellites_is_checked_of_any_design_where_it_is_asked() -> None:
+    mechanism = having(REF, contact=None, load=None, satellite_body=None)
+    assert "outer_diameter" not in crank_codes(mechanism)
+    codes = crank_codes(having(mechanism, max_outer_diameter=0.3))
+    assert codes == (*crank_codes(mechanism), "outer_diameter")
+    asked = crank_codes(having(WHOLE, max_outer_diameter=0.3))
+    assert {*asked} == {*crank_codes(WHOLE)}
+    assert asked.index("outer_diameter") < asked.index("contact_pressure_pin")

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from core.checks.check import Check, Status, Verdict, judged, verdict
-from core.checks.kinds import CHECKS
+from core.checks.records import CHECKS
 
 
 @pytest.mark.parametrize(
@@ -35,7 +35,7 @@ from core.checks.kinds import CHECKS
 def test_judging(changes: dict[str, Any], status: str, reason: str) -> None:
     limit, code = changes["limit"], changes.get("code", "contact_pressure_pin")
     more = {name: each for name, each in changes.items() if name not in ("limit", "code")}
-    found = judged(code, 1.0, limit, **more)
+    found = judged(CHECKS[code], 1.0, limit, **more)
     assert (found.status, found.reason) == (status, reason)
     assert found.utilisation == pytest.approx(limit if "code" in changes else 1 / limit, rel=1e-15)
     assert found.torque_reserve == changes.get("reserve")
@@ -55,12 +55,13 @@ def test_of_what_nothing_is_known_nothing_is_said(code: str, reserve: float | No
         (268_669.0, 1.0),
         (268_669.0, 85.0),
     ):
-        found = judged(code, value, 3140.0, reserve=reserve, error=error, warning="uneven")
+        found = judged(CHECKS[code], value, 3140.0, reserve=reserve, error=error, warning="uneven")
         assert (found.status, found.reason) == ("not_checked", "value_unknown")
         assert (found.value, found.limit, found.torque_reserve) == (value, 3140.0, None)
     # upwards a finite error ends somewhere
-    assert judged(code, 10.0, 1000.0, error=4.0).status == judged(code, 10.0, 1000.0).status
-    assert judged(code, 10.0, 49.0, reserve=0.2, error=4.0).status == "marginal"
+    kind = CHECKS[code]
+    assert judged(kind, 10.0, 1000.0, error=4.0).status == judged(kind, 10.0, 1000.0).status
+    assert judged(kind, 10.0, 49.0, reserve=0.2, error=4.0).status == "marginal"
 
 
 def test_utilisation_needs_something_to_use() -> None:
@@ -72,20 +73,20 @@ def test_utilisation_needs_something_to_use() -> None:
         (-1.0, 1.0, "wall_holes", None),
         (1.0, 0.0, "wall_holes", 0.0),
     ):
-        found = judged(code, value, limit)
+        found = judged(CHECKS[code], value, limit)
         assert found.utilisation == used
         assert found.margin == (limit - value if code == "wear" else value - limit)
-    assert Check(code="wall_holes", status="not_checked", value=1.0).margin is None
-    assert Check(code="wall_holes", status="not_checked", limit=1.0).margin is None
+    assert Check(CHECKS["wall_holes"], "not_checked", value=1.0).margin is None
+    assert Check(CHECKS["wall_holes"], "not_checked", limit=1.0).margin is None
 
 
 def test_the_order_of_what_is_not_judged_and_of_equals() -> None:
     unknown = [
-        Check(code="wall_rim", status="not_applicable"),
-        Check(code="assembly", status="not_asked"),
-        Check(code="clearance", status="not_checked"),
+        Check(CHECKS["wall_rim"], "not_applicable"),
+        Check(CHECKS["assembly"], "not_asked"),
+        Check(CHECKS["clearance"], "not_checked"),
     ]
-    half, most = (judged("wall_holes", 1.0, part) for part in (0.5, 0.9))
+    half, most = (judged(CHECKS["wall_holes"], 1.0, part) for part in (0.5, 0.9))
     found = verdict([*unknown, half, most])
     assert [each.utilisation for each in found.checks[1:3]] == [0.9, 0.5]
     assert [found.checks[index].status for index in (0, 3, 4)] == [
@@ -95,14 +96,14 @@ def test_the_order_of_what_is_not_judged_and_of_equals() -> None:
     ]
     assert found["assembly"].status == "not_asked"
     # what is not known before what warns, and that before what passes, whatever their reserves
-    warned = judged("crank_balance", 1.0, 0.0, warning="unbalanced")
-    room = judged("line_spacing", 1.0, 0.0)
-    stressed = judged("roller_stress", 1.0, 2.0, reserve=1.5)
+    warned = judged(CHECKS["crank_balance"], 1.0, 0.0, warning="unbalanced")
+    room = judged(CHECKS["line_spacing"], 1.0, 0.0)
+    stressed = judged(CHECKS["roller_stress"], 1.0, 2.0, reserve=1.5)
     order = [unknown[2], warned, stressed, room, unknown[1], unknown[0]]
     assert verdict(reversed(order)).checks == tuple(order)
     # an impossible part that is not there is none
     passing = half._replace(impossible=True)
-    stress = judged("roller_stress", 1.0, 2.0, reserve=2.0)
+    stress = judged(CHECKS["roller_stress"], 1.0, 2.0, reserve=2.0)
     assert [each.code for each in verdict([passing, stress]).checks] == [stress.code, "wall_holes"]
     assert verdict([stress]).largest_torque_known
     assert not verdict([stress, half._replace(status="fail")]).largest_torque_known
@@ -112,8 +113,8 @@ def test_the_order_of_what_is_not_judged_and_of_equals() -> None:
 
 
 def test_checks_and_their_verdict_go_to_other_processes() -> None:
-    somewhere = Check(code="wall_rim", status="pass", at={"satellite": 2})
-    for each in (Check(code="assembly", status="not_asked"), somewhere, verdict([somewhere])):
+    somewhere = Check(CHECKS["wall_rim"], "pass", at={"satellite": 2})
+    for each in (Check(CHECKS["assembly"], "not_asked"), somewhere, verdict([somewhere])):
         assert pickle.loads(pickle.dumps(each)) == each
 
 
@@ -121,8 +122,10 @@ def test_the_largest_torque_is_an_estimate_where_a_rough_reserve_may_decide() ->
     exact, rough = "contact_pressure_hole", "bearing_life"
 
     def found(first: float, second: float, status: Status = "pass") -> Verdict:
-        exactly = judged(exact, 1.0, 2.0, reserve=first)
-        roughly = judged(rough, 2.0, 1.0, reserve=second, rough=True)._replace(status=status)
+        exactly = judged(CHECKS[exact], 1.0, 2.0, reserve=first)
+        roughly = judged(CHECKS[rough], 2.0, 1.0, reserve=second, rough=True)._replace(
+            status=status
+        )
         return verdict([exactly, roughly])
 
     for first, second, status, estimated in (
@@ -144,5 +147,5 @@ def test_what_has_to_stay_above_its_limit_says_so() -> None:
 
 def test_what_is_no_number_passes_nothing() -> None:
     for code in ("contact_pressure_pin", "bearing_life"):
-        assert judged(code, math.nan, 1.0).status == "fail"
-        assert judged(code, math.nan, 1.0, reserve=math.nan).status == "fail"
+        assert judged(CHECKS[code], math.nan, 1.0).status == "fail"
+        assert judged(CHECKS[code], math.nan, 1.0, reserve=math.nan).status == "fail"

@@ -7,11 +7,11 @@ from typing import Any
 import pytest
 
 from core.checks.check import Verdict
-from core.checks.rollers import roller_checks
+from core.checks.rollers import RollerDesign, roller_checks
 from core.fatigue import CycleFatigue, FatigueStrength
 from core.results import Notice
 from core.rollers.roller_strength import roller_fatigue, roller_strength
-from tests.inputs.checks import says
+from tests.inputs.checks import says, with_requirements
 
 DESIGN: dict[str, Any] = {
     "output_torque": 210.0,
@@ -38,7 +38,7 @@ def rollers(count: int = 4, **changes: Any) -> Verdict:
     names = ("output_torque", "hole_circle_radius", "rollers", "sphere_diameter")
     names += ("cylinder_length", "sphere_width", "position_tolerance")
     sizes = {name: design[name] for name in names}
-    return roller_checks(result=result, **sizes, **changes)
+    return roller_checks(RollerDesign(result=result, **sizes, **with_requirements(changes)))
 
 
 def test_rollers_that_do_not_carry_have_no_share_in_the_reserve() -> None:
@@ -56,13 +56,14 @@ def test_rollers_that_do_not_carry_have_no_share_in_the_reserve() -> None:
     result = roller_strength(**sizes, **more, poissons_ratio=0.3)
     assert result.loaded_rollers == 2
     stress = float(result.bending_stress)
-    found = roller_checks(result=result, **sizes, yield_strength=1.8 * stress)["roller_stress"]
+    design = RollerDesign(result=result, **sizes, yield_strength=1.8 * stress)
+    found = roller_checks(design)["roller_stress"]
     assert found.torque_reserve == pytest.approx(1.2, rel=1e-12)
     # a stress known to 0.1 %: within four times that of its limit it is marginal
     doubtful = replace(result, accuracy=result.accuracy._replace(relative_error=1e-3))
     for part, status in ((0.9965, "marginal"), (0.9955, "fail")):
-        limit = {"yield_strength": 1.5 * part * stress}
-        assert roller_checks(result=doubtful, **sizes, **limit)["roller_stress"].status == status
+        near = replace(design, result=doubtful, yield_strength=1.5 * part * stress)
+        assert roller_checks(near)["roller_stress"].status == status
 
 
 STRESS = 0.0024213655009 * 210e9  # sigma/E of fig. 6 at l/d = 2, chi/d = 2e-4

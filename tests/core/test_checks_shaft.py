@@ -7,10 +7,10 @@ from typing import Any
 import pytest
 
 from core.checks.check import Verdict
-from core.checks.shaft import shaft_checks
+from core.checks.shaft import ShaftDesign, shaft_checks
 from core.fatigue import FatigueStrength, judge_cycle
 from core.results import Notice
-from tests.inputs.checks import says
+from tests.inputs.checks import says, with_requirements
 
 
 def shaft(
@@ -25,7 +25,8 @@ def shaft(
     accuracy = SimpleNamespace(relative_error=changes.pop("error", 1e-12))
     result: Any = SimpleNamespace(**dict(zip(names, totals, strict=True)), accuracy=accuracy)
     sizes = {"roller_circle_radius": 0.05, "roller_radius": 0.004, "diameters": [0.02, 0.03]}
-    return shaft_checks(result=result, positions=positions, **(sizes | changes))  # type: ignore[arg-type]
+    asked = with_requirements(sizes | changes)
+    return shaft_checks(ShaftDesign(result=result, positions=positions, **asked))
 
 
 @pytest.mark.parametrize(

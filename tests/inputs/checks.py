@@ -1,7 +1,7 @@
 """A design whose checks are known by hand, designs like it, and what a check says."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import fields
 from typing import Any
 
@@ -71,6 +71,15 @@ def having(design: Design, **values: Any) -> Design:
     paths = {PLACES.get(name, name): value for name, value in values.items()}
     gone = {name for name, value in paths.items() if value is None and name in absent}
     return changed(design, paths | {name: absent[name] for name in gone})
+
+
+def with_requirements(values: Mapping[str, Any]) -> dict[str, Any]:
+    """Values of a design that is no document, with those that are requirements as its own."""
+    names = {each.name for each in fields(Requirements)} & {*values}
+    requirements = Requirements(**{name: values[name] for name in names})
+    return {name: value for name, value in values.items() if name not in names} | {
+        "requirements": requirements
+    }
 
 
 def check_of(code: str, design: Design) -> Check:

@@ -1,0 +1,74 @@
+"""Words of checks in English, by code: what they are about, where their formulas come from, what a
+verdict leaves out. Those of one check stand at its function.
+"""
+
+GROUPS = {
+    "mechanism": "Mechanism",
+    "contact": "Contact of pin and hole",
+    "geometry": "Pins and holes",
+    "play": "Play of the output",
+    "pin": "Strength of the pins",
+    "friction": "Friction and wear",
+    "gear": "Ring",
+    "bearing": "Bearings of the satellites",
+    "crankshaft": "Crankshaft",
+    "body": "Satellite",
+    "rollers": "Rollers",
+    "lines": "Contact lines",
+    "shaft": "Bending of the shaft",
+    "room": "Room for rollers and shaft",
+}
+"""What checks are about, in English, by code."""
+
+CHECK_SOURCES = {
+    "archard_1953": "Archard 1953, with the wear coefficient that was given",
+    "balance": "statics of rotating masses",
+    "beam": "beam theory (Mohr)",
+    "geometry": "geometry",
+    "hertz": "Johnson, Contact Mechanics, 4.2: Hertz asks for a narrow contact",
+    "iso_281_life": "ISO 281:2007, with the ratings that were given",
+    "iso_76_rating": "ISO 76: the rating is the load that dents by 1e-4 of a rolling element",
+    "johnson_yield": "Johnson, Contact Mechanics, 4.2 and 9.1; recomputed: p = 1.79*Re (Mises)",
+    "johnson_shakedown": "Melan's theorem, as in Johnson, Contact Mechanics, 9.2; recomputed: "
+    "p = 2.31*Re (Mises)",
+    "load_sharing": "solved over the turn with clearance, deviations and elasticity, as by "
+    "load sharing",
+    "ovsyannikov_2019": "Ovsyannikov et al. 2019",
+    "ovsyannikov_2019_length": "Ovsyannikov et al. 2019, before fig. 3: usually rollers are at "
+    "least ten times as long as the centre distance, tilted by about 12°",
+    "pin_beam": "beam theory, the true locus of the moment; yield strength of the material",
+    "roots": "geometry; where no root radius is given: of a cycloid disc r_f = R_p − e − r_p, of "
+    "involute teeth r_f = m·(z₂/2 − 1.25 + x) by the basic rack of ISO 53, with a profile shift "
+    "taken as 0 ≤ x ≤ 1.25",
+    "shigley": "Shigley, Mechanical Engineering Design, 6; or the endurance limit that was given",
+    "static_guide": "guide values for running as usual, 1 for balls and 1.5 for rollers: "
+    "catalogues of SKF and IKO, after ISO 76",
+    "steep": "derived: above 55° the ring presses the satellite along the crank far more than it "
+    "turns it",
+    "user": "the limit that was asked",
+    "wang_2016": "Wang, Luo, Su 2016, eqs 32, 33, and the wall that was asked",
+    "yanchevskiy_2021": "Yanchevskiy, Niekhoroshykh 2021",
+    "yanchevsky_2018": "Yanchevsky et al. 2018, eq. 2",
+}
+"""Where the formulas of checks come from, in English, by code."""
+
+NOT_CONSIDERED = {
+    "bearing": "bearings of the satellites",
+    "clearance": "load sharing with clearance and deviations",
+    "contact": "pins and holes",
+    "contact_life_hole": "life of the holes under their contact pressure",
+    "contact_life_pin": "life of the pins under their contact pressure",
+    "crankshaft": "crankshaft and balance of masses",
+    "deflection": "deflection of the shaft, of which no limit is asked",
+    "fatigue": "fatigue",
+    "friction": "friction, wear and efficiency",
+    "gear": "teeth of satellite and ring",
+    "line_pressure": "pressure along the contact lines",
+    "load": "load",
+    "pin": "bending of the pins",
+    "roller_contact": "contact of spheres and holes",
+    "satellite_body": "body of the satellite",
+    "shaft_strength": "strength of the shaft",
+    "slope": "slope of the shaft, of which no limit is asked",
+}
+"""What a verdict does not consider, in English, by code."""
