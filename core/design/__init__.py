@@ -13,5 +13,4 @@ contact             the force at which a contact is at a limit
 losses              losses by the forces of the mechanism as it is made
 results             what follows from a design: one property for each result
 curves              results over crank angles
-reserves            results under other torques
 """
