@@ -187,7 +187,14 @@ def _required_safety(design: Design, results: Results) -> dict[str, Any]:
     title="Static load of the satellites' bearings",
     formula="C₀/Q_max ≥ S_0",
     why="Otherwise rolling elements dent their tracks.",
-    inputs=(*_BEARING, "load.peak_torque", "bearing.static_rating", "requirements.static_safety"),
+    inputs=(
+        *_BEARING,
+        "contact.dynamic_factor",
+        "load.application_factor",
+        "load.peak_torque",
+        "bearing.static_rating",
+        "requirements.static_safety",
+    ),
     fixes=(
         "bearing.static_rating",
         "load.pin_circle_radius",
@@ -273,8 +280,6 @@ def system_life(design: Design, results: Results) -> Check:
         "crankshaft.bearings",
         "crankshaft.satellite_positions",
         "crankshaft.bearing_positions",
-        "mechanism.crank_spacing",
-        "mechanism.crank_angles",
     ),
     fixes=(
         "crankshaft.bearings.dynamic_rating",

@@ -3,7 +3,7 @@
 from functools import partial
 
 from core.checks.check import Check, Measure, design_check
-from core.checks.inputs import FORCE, FORCES, LIFE, SHARING
+from core.checks.inputs import FORCES, LIFE
 from core.design.document import Design
 from core.design.results import Results
 from core.errors import NotKnown
@@ -17,8 +17,7 @@ _check = partial(design_check, group="friction", needs=("touching", "load", "fri
     formula="η ≥ η_min",
     why="Below it more is lost than is asked.",
     inputs=(
-        *FORCE,
-        *SHARING,
+        *FORCES,
         "mechanism.ratio",
         "friction.coefficient",
         "friction.sleeve",

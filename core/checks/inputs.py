@@ -5,9 +5,12 @@ FORCE = (
     "load.pin_circle_radius",
     "mechanism.pins",
     "mechanism.satellites",
+    "mechanism.crank_spacing",
+    "mechanism.crank_angles",
     "load.force_exponent",
+    "contact.distribution_factor",  # of perfect parts: whether their sharing is solved
 )
-"""Of the forces on pins."""
+"""Of the ideal forces on pins."""
 
 HOLE = ("contact.pin_radius", "contact.hole_radius", "contact.hole_clearance")
 
@@ -30,7 +33,11 @@ SHARING = (
 )
 """Of pins and holes as they are made: how satellites and pins share the load."""
 
-FORCES = (*FORCE, "contact.dynamic_factor", "load.application_factor", *SHARING)
+FORCES = (*FORCE, *SHARING)
+"""Of the forces on pins."""
+
+LOADED = (*FORCES, "contact.dynamic_factor", "load.application_factor")
+"""The same, with the factor on stresses and pressures."""
 
 LIFE = ("load.input_speed", "requirements.life")
 

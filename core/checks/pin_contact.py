@@ -4,7 +4,7 @@ from functools import partial
 from typing import Any, get_args
 
 from core.checks.check import Check, Kind, design_check, judged
-from core.checks.inputs import FORCES, LOADS
+from core.checks.inputs import LOADED, LOADS
 from core.derived import if_known
 from core.design.document import Body, Design
 from core.design.results import Results
@@ -13,7 +13,6 @@ from core.hertz import HALF_WIDTH_RATIO_LIMIT
 
 BODIES: tuple[Body, ...] = get_args(Body)
 
-_INPUTS = (*FORCES, "contact.distribution_factor")
 _FIXES = (
     "pin.diameter",
     "contact.contact_length",
@@ -24,7 +23,7 @@ _FIXES = (
     "load.output_torque",
 )
 _check = partial(
-    design_check, group="contact", inputs=_INPUTS, fixes=_FIXES, needs=("touching", "load")
+    design_check, group="contact", inputs=LOADED, fixes=_FIXES, needs=("touching", "load")
 )
 
 
@@ -74,7 +73,7 @@ def _pressure(body: Body) -> Kind:
         title=f"Contact pressure of the {body}",
         formula="p ≤ p_all·Z_NT/S",
         why=f"Above it the surface of the {body} pits within the life.",
-        inputs=(*_INPUTS, *LOADS, "requirements.pitting_safety"),
+        inputs=(*LOADED, *LOADS, "requirements.pitting_safety"),
         source="yanchevsky_2018",
         known=known,
     )

@@ -3,7 +3,7 @@
 from functools import partial
 
 from core.checks.check import Check, Measure, design_check, judged
-from core.checks.inputs import FATIGUE, FORCES, LOADS
+from core.checks.inputs import FATIGUE, LOADED, LOADS
 from core.design.document import Design
 from core.design.results import Results
 from core.output.pin_fatigue import FatigueStrength
@@ -46,7 +46,7 @@ def _of_size(results: Results, check: Check) -> Check:
     unit="MPa",
     formula="σ_v ≤ R_e/S_F",
     why="Above it the pins bend for good.",
-    inputs=(*FORCES, "load.peak_torque", "requirements.bending_safety"),
+    inputs=(*LOADED, "load.peak_torque", "requirements.bending_safety"),
     fixes=(*_FIXES, "load.peak_torque"),
     source="pin_beam",
 )
@@ -86,7 +86,7 @@ def _bent(results: Results, name: str, satellite: int) -> Measure:
     unit="mm",
     formula="w ≤ Δ_max",
     why="Above it the satellites share the load unevenly.",
-    inputs=(*FORCES, "requirements.max_deflection"),
+    inputs=(*LOADED, "requirements.max_deflection"),
     source="beam",
     asks="max_deflection",
 )
@@ -102,7 +102,7 @@ def pin_deflection(design: Design, results: Results) -> Measure:
     unit="mrad",
     formula="θ ≤ θ_max",
     why="Above it the contacts carry on their edges.",
-    inputs=(*FORCES, "requirements.max_slope"),
+    inputs=(*LOADED, "requirements.max_slope"),
     source="beam",
     asks="max_slope",
 )
@@ -117,7 +117,7 @@ def pin_slope(design: Design, results: Results) -> Measure:
     title="Fatigue of the pins",
     formula="n ≥ S_D",
     why="Below it the pins break after some time where they bend most.",
-    inputs=(*FORCES, *FATIGUE, *LOADS, "requirements.fatigue_safety"),
+    inputs=(*LOADED, *FATIGUE, *LOADS, "requirements.fatigue_safety"),
     source="shigley",
     keep="above",
     needs=("touching", "load", "fatigue"),

@@ -26,6 +26,8 @@ _check = partial(
     inputs=(
         "mechanism.pins",
         "mechanism.satellites",
+        "mechanism.crank_spacing",
+        "mechanism.crank_angles",
         "load.pin_circle_radius",
         *HOLE,
         "contact.eccentricity",
@@ -50,6 +52,8 @@ def backlash(design: Design, results: Results) -> Measure:
         "load.pin_circle_radius",
         "mechanism.pins",
         "mechanism.satellites",
+        "mechanism.crank_spacing",
+        "mechanism.crank_angles",
         *SHARING,
         "requirements.max_lost_motion",
     ),

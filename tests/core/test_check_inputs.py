@@ -58,8 +58,12 @@ ALL = having(
 TIRED = FatigueBasis(surface="ground", fatigue_notch_factor=1.5)
 DESIGNS = {
     "ideal": ALL,
+    "stated sharing": having(ALL, distribution_factor=1.2),
+    "stated sharing, uneven cranks": having(ALL, distribution_factor=1.2, crank_spacing=2.0),
     "clearance": having(ALL, hole_radius=0.01002),
-    "peak torque, uneven cranks": having(ALL, peak_torque=700.0, crank_spacing=2.0),
+    "peak torque, uneven cranks": having(
+        ALL, peak_torque=700.0, crank_spacing=2.0, hole_radius=0.01002
+    ),
     "few loads": having(
         ALL,
         fatigue=TIRED,
