@@ -134,7 +134,7 @@ def _losses(radius: Any) -> object:
 def _pin(**support: Any) -> object:
     return pin_strength(
         **LOADED, diameter=0.016, contact_length=0.02, satellite_positions=(0.015, 0.037),
-        material=STEEL, fatigue=STRENGTH, pair_stiffness=(3.0, 1.0), **support,
+        material=STEEL, fatigue=STRENGTH, **support,
     )  # fmt: skip
 
 

@@ -27,7 +27,6 @@ SLOW = {
         "app/test_work_precision_api.py",
         "core/test_check_inputs.py",
         "core/test_compiled.py",
-        "core/test_moving_sharing.py",
     )
 }
 """Folders and files that take seconds each; `make check` leaves them out."""

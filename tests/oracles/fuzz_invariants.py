@@ -354,7 +354,7 @@ async def pin_strength(body: Body, answer: Body, ask: Ask) -> None:
     own = force["peak_force_N"] * factor
     if "contact" not in body:
         equal(own, answer["peak_force_N"], "force of its own", error)
-    expect(answer["peak_force_N"] * room >= own, "the worse of two sharings", own)
+    expect(answer["peak_force_N"] * room >= own, "no less than its own", own)
 
 
 async def tolerance_study(body: Body, answer: Body, ask: Ask) -> None:

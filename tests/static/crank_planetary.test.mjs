@@ -47,8 +47,8 @@ test("with real forces the pairs are those that are loaded", () => {
   const real = { loaded_pairs_min: 1, loaded_pairs_max: 3, peak_force_N: 9, peak_crank_angle_deg: 0, peak_pair: {}, accuracy: ACCURACY };
   const answer = { cyclogram: CYCLOGRAM, load_sharing: real, contact_force: { peak_force_N: 8 } };
   const [peak, pairs] = calculator.verdict(answer, { input: {} });
-  assert.deepEqual([peak.label, peak.value], ["Peak force with clearance and errors", "9"]);
-  assert.deepEqual([pairs.value, pairs.note], ["1–3", "of 6 pairs loaded; 2–4 without clearance"]);
+  assert.deepEqual([peak.label, peak.value], ["Real peak force", "9"]);
+  assert.deepEqual([pairs.value, pairs.note], ["1–3", "of 6 pairs loaded; ideally 2–4"]);
   assert.match(calculator.sentences(answer)[0][1], /1 to 3 of 6 pairs are loaded/);
   const dead = { ...answer, cyclogram: { ...CYCLOGRAM, dead_centres_deg: [10] } };
   assert.equal(calculator.verdict(dead, { input: {} })[1].level, "bad");
@@ -147,7 +147,7 @@ test("in words the most loaded pair carries its force as made, and the ideal one
   const words = (real) => calculator.sentences({ cyclogram: section, contact_force: force, ...(real && { load_sharing: { peak_force_N: real } }) })
     .filter(Boolean).map(([, text]) => text).slice(1);
   assert.deepEqual(words(), ["The most loaded pair carries 2963\u00a0N, 1.15 times the peak with equal sharing among the driving pairs."]);
-  assert.match(words(7683)[0], /^As made, the most loaded pair carries 7683.N\. .* ideal forces, .* at most 2963.N\.$/);
+  assert.match(words(7683)[0], /^Really the most loaded pair carries 7683.N\. .* ideal forces, .* at most 2963.N\.$/);
 });
 
 test("the direction of the torque goes with ideal forces too, to every section that it matters for", async () => {

@@ -63,9 +63,11 @@ function clearanceOf({ contact }) {
   return tidy(contact?.hole_radius_mm - contact?.pin_radius_mm - contact?.eccentricity_mm);
 }
 
-/** Whether the design is stated as it is made, so that its real forces are judged. */
-function asMade(input) {
-  return clearanceOf(input) > 1e-9 || input.contact?.hole_clearance_mm > 0 || MADE.some((part) => input[part]);
+/** Whether the forces that are judged are solved: of the design as it is made, or of pins that bend. */
+function isSolved(input) {
+  if (clearanceOf(input) > 1e-9 || input.contact?.hole_clearance_mm > 0) return true;
+  if (MADE.some((part) => input[part])) return true;
+  return Boolean(input.pin) && !(input.contact?.distribution_factor > 1);
 }
 
 function clearanceNote(input) {
@@ -238,8 +240,8 @@ export default {
     const wanted = wantedSections(given);
     const sections = all.filter((id) => wanted.includes(id) || !WANTED.some(({ section }) => section === id));
     const input = await madeOf(given, filled, get, sections);
-    const made = sections.includes("hertz") && asMade(input);
-    refuseMore(filled.mechanism, made ? MOST_PAIRS.turned : MOST_PAIRS.all);
+    const solved = sections.includes("hertz") && isSolved(input);
+    refuseMore(filled.mechanism, solved ? MOST_PAIRS.turned : MOST_PAIRS.all);
     const optional = ["equal_sharing", ...approximated(filled.mechanism), ...(tables.has("force") ? ["curves"] : [])];
     return withoutFalseSafety(await post("/crank-planetary", {
       mechanism: input.mechanism,
@@ -248,7 +250,7 @@ export default {
         contact: input.contact,
         ...Object.fromEntries(DESIGN.filter((part) => input[part]).map((part) => [part, input[part]])),
       }),
-      include: [...sections, ...(made ? ["load_sharing"] : []), "checks"],
+      include: [...sections, ...(solved ? ["load_sharing"] : []), "checks"],
     }));
   },
 
