@@ -347,7 +347,7 @@ test("the two errors are those of the quantity that is spoken of", () => {
   const answer = { samples: 40, cannot_assemble: { value: 0.1, low: 0.05, high: 0.2 }, cannot_work: 2, accuracy: { sampling_error: 1 } };
   const words = study.exactness("peak_force_N", { ...quantity, angle_grid_error: 0.02 }, answer, { crank_angles: 24 });
   assert.deepEqual(words.map(([level]) => level), ["", "", "warning", "bad"]);
-  assert.match(words[0][1], /Peak force.* ±5\s*% with 40 pieces/);
+  assert.match(words[0][1], /Real peak force.* ±5\s*% with 40 pieces/);
   assert.match(words[1][1], /24 positions miss 2\s*%/);
 });
 
