@@ -43,6 +43,7 @@ from app.units import from_si, to_si
 from app.worked import worked
 from core.checks.check import Verdict
 from core.checks.rollers import RollerDesign, roller_checks
+from core.errors import NotKnown
 from core.fatigue import CycleFatigue
 from core.fixes.plain import plain_fixes
 from core.results import Notice
@@ -182,14 +183,15 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
             stress /= notch
         elif notch > 1:
             basis = replace(basis, fatigue_notch_factor=1.0)
-        strength = basis.of(
-            diameter=diameter,
-            tensile_strength=to_si("tensile_strength_MPa", self.tensile_strength_MPa),
-            yield_strength=to_si("yield_strength_MPa", self.yield_strength_MPa),
-            steel=STEEL_GPA[0] <= self.youngs_modulus_GPa <= STEEL_GPA[1],
-        )
-        if isinstance(strength, Notice):
-            return strength
+        try:
+            strength = basis.of(
+                diameter=diameter,
+                tensile_strength=to_si("tensile_strength_MPa", self.tensile_strength_MPa),
+                yield_strength=to_si("yield_strength_MPa", self.yield_strength_MPa),
+                steel=STEEL_GPA[0] <= self.youngs_modulus_GPa <= STEEL_GPA[1],
+            )
+        except NotKnown as why:
+            return Notice(why.code)
         return roller_fatigue(bending_stress=stress, strength=strength, rotates=self.roller_rotates)
 
     def steps(self) -> list[Step]:

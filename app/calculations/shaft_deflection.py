@@ -1,8 +1,7 @@
 """Shaft of the precessional gear: request, answer, figure."""
 
 import math
-from collections.abc import Callable
-from typing import Any, ClassVar, cast
+from typing import Any, ClassVar
 
 from app.calculations.checks import JudgedFields, JudgedResponse, codes_to_fix, judgement
 from app.calculations.fatigue import STEEL_GPA, CycleOut, FatigueFields
@@ -29,6 +28,7 @@ from app.units import core_name, from_si, to_si
 from app.worked import worked
 from core.checks.check import Verdict
 from core.checks.shaft import ShaftDesign, shaft_checks
+from core.errors import NotKnown
 from core.fatigue import FatigueStrength
 from core.fixes.plain import plain_fixes
 from core.materials import ElasticMaterial
@@ -42,7 +42,6 @@ from core.worked.precession import shaft_steps
 from core.worked.step import Step
 
 Plane = tuple[float, float]
-Limit = Callable[[float], FatigueStrength]
 
 
 class ShaftSectionFields(RequestModel, group="shaft"):
@@ -132,10 +131,9 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
         load = self.solve_load()
         return load, self.solve_shaft(load)
 
-    def fatigue_strength(self, diameter: float) -> FatigueStrength | Notice | None:
-        """What the fatigue of the shaft is judged by; why it is not known; None where not asked."""
-        if self.fatigue is None:
-            return None
+    def fatigue_strength(self, diameter: float) -> FatigueStrength:
+        """What the fatigue of the shaft is judged by, where it is asked."""
+        assert self.fatigue is not None
         return self.fatigue.section().of(
             diameter=diameter,
             tensile_strength=to_si("tensile_strength_MPa", self.tensile_strength_MPa),
@@ -145,8 +143,12 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
 
     def no_fatigue(self) -> Notice | None:
         """Why nothing is known of the shaft's fatigue; None where it is, or nobody asked."""
-        known = self.fatigue_strength(1.0)
-        return known if isinstance(known, Notice) else None
+        if self.fatigue is not None:
+            try:
+                self.fatigue_strength(1.0)
+            except NotKnown as why:
+                return Notice(why.code)
+        return None
 
     def strength(self, result: ShaftDeflection) -> ShaftStrength | None:
         """Bending strength of the shaft, where it is asked."""
@@ -161,7 +163,7 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
             overhang=to_si("overhang_mm", self.overhang_mm),
             sections=self.sections(),
             yield_strength=to_si("yield_strength_MPa", self.yield_strength_MPa),
-            fatigue=cast("Limit", self.fatigue_strength) if judged else None,
+            fatigue=self.fatigue_strength if judged else None,
             load_rotates_with_shaft=self.load_rotates_with_shaft,
         )
 

@@ -6,7 +6,6 @@ from core.checks.check import Check, Measure, design_check, judged
 from core.checks.inputs import FATIGUE, LOADED, LOADS
 from core.design.document import Design
 from core.design.results import Results
-from core.output.pin_fatigue import FatigueStrength
 
 HARDENED = 1400e6
 """Tensile strength above which a steel hardly yields before it breaks, Pa."""
@@ -123,19 +122,8 @@ def pin_slope(design: Design, results: Results) -> Measure:
     needs=("touching", "load", "fatigue"),
 )
 def pin_fatigue(design: Design, results: Results) -> Check:
-    found = results.pin_strength
-    if found.fatigue is None:
-        judged_by = results.fatigue_strength
-        assert not isinstance(judged_by, FatigueStrength) and judged_by is not None
-        reason = judged_by.code
-        missing: tuple[str, ...] = ("fatigue.fatigue_notch_factor",)
-        if reason == "endurance_unknown":
-            missing = ("pin.material.tensile_strength",)
-            if design.pin.tensile_strength is not None:
-                missing = ("fatigue.endurance_limit",)
-        if design.fatigue.criterion == "soderberg" and design.pin.material.yield_strength is None:
-            reason, missing = "yield_unknown", ("pin.material.yield_strength",)
-        return Check(pin_fatigue, "not_checked", reason=reason, missing=missing)
+    found, known = results.pin_strength, results.fatigue_strength
+    assert found.fatigue is not None and known
     safety, limit = found.fatigue.safety_factor, design.requirements.fatigue_safety
     error = 4 * found.accuracy.relative_error
     reserve = safety / limit

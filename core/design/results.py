@@ -211,17 +211,14 @@ class Results:
         if self.made is None and self.design.mechanism.pairs > most:
             raise self.design.too_many(most)
 
-    @cached_property
-    def fatigue_strength(self) -> FatigueStrength | Notice | None:
-        """What the fatigue of the pins is judged by; why it is not known; None without it."""
-        design = self.design
-        pin, basis = design.pin, design.fatigue
-        if not (pin and basis):
-            return None
+    @derived
+    def fatigue_strength(self) -> FatigueStrength:
+        """What the fatigue of the pins is judged by."""
+        design, pin, basis = self.design, self.design.pin, self.design.fatigue
         if basis.criterion == "soderberg" and pin.material.yield_strength is None:
-            return Notice("endurance_unknown")
+            raise NotKnown("yield_unknown", "pin.material.yield_strength")
         found = named(design, "fatigue", lambda: basis.strength(pin))
-        if isinstance(found, Notice) or not pin.steel or pin.rotates:  # then no cycles are counted
+        if not pin.steel or pin.rotates:  # then no cycles are counted
             return found
         life = design.requirements.life if basis.life is None else basis.life
         return replace(found, cycles=design.loads_over(life))
@@ -261,16 +258,22 @@ class Results:
 
     def judged_pins(self, *, locus: bool = False) -> PinStrength:
         """The same, at will with the locus of the moment."""
-        judged, found = self.fatigue_strength, self.pin_loads
-        if locus or isinstance(judged, FatigueStrength):
+        found, notices = self.pin_loads, tuple[Notice, ...]()
+        fatigue: FatigueStrength | None = None
+        try:
+            fatigue = self.fatigue_strength
+        except NotKnown as why:
+            if self.design.fatigue:
+                unknown = "notch_unknown" if why.code == "notch_unknown" else "endurance_unknown"
+                notices = (Notice(unknown),)
+        if locus or fatigue is not None:
             found = self.pin_stresses.strength(
                 rotates=self.design.pin.rotates,
-                fatigue=judged if isinstance(judged, FatigueStrength) else None,
+                fatigue=fatigue,
                 input_speed=self.design.load.input_speed,
                 deflection=True,
                 locus=locus,
             )
-        notices: tuple[Notice, ...] = (judged,) if isinstance(judged, Notice) else ()
         return replace(found, notices=notices + self.size_notices + found.notices)
 
     @property

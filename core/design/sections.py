@@ -266,7 +266,7 @@ class FatigueBasis:
     criterion: Criterion = "goodman"
     life: float | None = None
 
-    def strength(self, pin: DesignPin) -> FatigueStrength | Notice:
+    def strength(self, pin: DesignPin) -> FatigueStrength:
         """What a pin's fatigue is judged by.
 
         Parameters
@@ -276,13 +276,14 @@ class FatigueBasis:
 
         Returns
         -------
-        FatigueStrength or Notice
-            The latter where it is not known: why.
+        FatigueStrength
 
         Raises
         ------
         InvalidInput
             If the criterion needs a yield strength that is not known.
+        NotKnown
+            If it needs another value that is not given.
         """
         return self.of(
             diameter=pin.diameter,
@@ -298,7 +299,7 @@ class FatigueBasis:
         tensile_strength: float | None,
         yield_strength: float | None,
         steel: bool,
-    ) -> FatigueStrength | Notice:
+    ) -> FatigueStrength:
         """What the fatigue of a round part is judged by.
 
         Parameters
@@ -312,17 +313,20 @@ class FatigueBasis:
 
         Returns
         -------
-        FatigueStrength or Notice
-            The latter where it is not known: why.
+        FatigueStrength
 
         Raises
         ------
         InvalidInput
             If the criterion needs a yield strength that is not known.
+        NotKnown
+            If it needs another value that is not given.
         """
         tensile, yields = tensile_strength, yield_strength
-        if tensile is None or (self.endurance_limit is None and not steel):
-            return Notice("endurance_unknown")
+        if tensile is None:
+            raise NotKnown("endurance_unknown", "pin.material.tensile_strength")
+        if self.endurance_limit is None and not steel:
+            raise NotKnown("endurance_unknown", "fatigue.endurance_limit")
         if self.criterion == "soderberg" and yields is None:
             raise InvalidInput("yield_strength", None, "needed_beside", field="criterion")
         if self.endurance_limit is not None:
@@ -341,7 +345,7 @@ class FatigueBasis:
                 )
             )
         if notch is None:
-            return Notice("notch_unknown")
+            raise NotKnown("notch_unknown", "fatigue.fatigue_notch_factor")
         surface = self.surface_factor
         if surface is None:
             assert self.surface is not None
