@@ -5,12 +5,10 @@ forces are smooth; such a stretch of a turn is an arc. With t the tangent of the
 angle of the best placed pair and d the phase of another against it, that one's cosine over the best
 is ``u = cos(d) - t*sin(d)``, and its sine ``s = sin(d) + t*cos(d)``, so that its force is
 
-    F/F0 = k*u^v*(u + i*s)/T,   T = sum(k*u^(1 + v)) over all driving pairs
+    F/F0 = u^v*(u + i*s)/T,   T = sum(u^(1 + v)) over all driving pairs
 
-with the stiffness k of a satellite's pairs against that of others (1 of ideal ones, which share
-equally), as a complex number, tangential + i*radial: bounded for any exponent. Both u and s are
-linear in t, and are taken between their values at the ends of the arc: sums of positive numbers
-only.
+as a complex number, tangential + i*radial: bounded for any exponent. Both u and s are linear in t,
+and are taken between their values at the ends of the arc: sums of positive numbers only.
 
 All pins of a mechanism are alike but for the time at which they feel the forces.
 """
@@ -23,12 +21,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from core.arrays import ComplexArray, FloatArray, IntArray, check_positive
-from core.errors import InvalidInput
+from core.arrays import ComplexArray, FloatArray, IntArray
 from core.numerics.quadrature import tanh_sinh_rule
 from core.output.driving_set import segments
 from core.output.losses import AT_SWITCH
-from core.output.mechanism import Mechanism, WavePhases
+from core.output.mechanism import Mechanism
 from core.output.peak_force import PHASE_ROUNDING
 from core.results import ROUNDING
 
@@ -73,8 +70,6 @@ class AllPairs:
         Pins, satellites, ratio; without a dead centre.
     force_exponent : float
         Exponent v of the force over the approach.
-    stiffness : tuple of float, optional
-        Stiffness of the pairs of each satellite, of any scale; all alike where not given.
 
     Attributes
     ----------
@@ -82,39 +77,27 @@ class AllPairs:
         Phase of the best placed pair of each segment, in turns.
     ends : array, shape (2, s)
         Its pressure angle at both ends, in turns.
-    repeats : int
-        Repeats of each segment that differ.
-    cosines, weights : array, shapes (2, s*repeats, m) and (s*repeats, m)
-        Relative cosines of the driving pairs at both ends of each of these, and their weights.
+    cosines, weights : array, shapes (2, s, m) and (s, m)
+        Relative cosines of the driving pairs at both ends of each of these, and how many are there.
     nodes, gaps : array, shape (n,)
         Places of samples, as parts of the way along an arc, by the tangent; the distance of the
         farther neighbour of each.
-    samples : array, shape (s*repeats, 1, n)
+    samples : array, shape (s, 1, n)
         T there.
     """
 
-    def __init__(
-        self, mechanism: Mechanism, force_exponent: float, stiffness: tuple[float, ...] | None
-    ) -> None:
+    def __init__(self, mechanism: Mechanism, force_exponent: float) -> None:
         self.phases, self.exponent = mechanism.phases, force_exponent
         parts = list(segments(self.phases))
         self.phase = np.array([part.phase for part in parts])
         self.ends = np.array([[part.low for part in parts], [part.high for part in parts]])
-        self.repeats, ends = 1, self.ends
-        if stiffness is None:
-            pairs = [part.driving.pairs() for part in parts]
-        else:  # only pins are alike: what repeats within their sector is looked at one by one
-            _check_stiffness(stiffness, mechanism.satellites)
-            self.repeats = self.phases.symmetry
-            part, shift = self.arcs(self.repeats)
-            ends = ends[:, part]
-            pairs = _pairs_apart(self.phases, shift, ends, stiffness)
+        pairs = [part.driving.pairs() for part in parts]
         most = max(len(weights) for _, weights in pairs)
         phase = np.full((len(pairs), most), 0.5)  # drives nowhere
         self.weights = np.zeros((len(pairs), most))
         for row, (own, weights) in enumerate(pairs):
             phase[row, : len(own)], self.weights[row, : len(own)] = own, weights
-        self.cosines = _relative_cosines(phase, ends[..., None])
+        self.cosines = _relative_cosines(phase, self.ends[..., None])
         self.nodes, self.gaps = _nodes(force_exponent, most > MANY)
         self.samples = self.total(np.arange(len(pairs)))(self.nodes[None])
 
@@ -153,8 +136,6 @@ class Turn:
         Phases of these pairs, in turns.
     repeats : int
         How often they meet the segments of one repeat of the pattern before all is as it was.
-    stiffness : tuple of float, optional
-        Stiffness of the pairs of each satellite, of any scale; all alike where not given.
 
     Attributes
     ----------
@@ -181,19 +162,14 @@ class Turn:
         force_exponent: float,
         own: Sequence[float],
         repeats: int,
-        stiffness: tuple[float, ...] | None = None,
     ) -> None:
         self.exponent, self.smooth = force_exponent, _smooth(force_exponent)
-        self.pairs = pairs = all_pairs(mechanism, force_exponent, stiffness)
+        self.pairs = pairs = all_pairs(mechanism, force_exponent)
         self.nodes, self.gaps = pairs.nodes, pairs.gaps
-        part, self.shift = pairs.arcs(repeats)
-        self.ends = pairs.ends[:, part]
-        self.part = np.arange(len(part)) % repeats % pairs.repeats + part * pairs.repeats
-        each_own = np.ones(len(own))
-        if stiffness is not None:
-            each_own = np.repeat(stiffness, len(own) // len(stiffness)) / max(stiffness)
+        self.part, self.shift = pairs.arcs(repeats)
+        self.ends = pairs.ends[:, self.part]
         self.centres = (self.ends[0] + self.ends[1]) / 2
-        self._own_pairs(np.add.outer(self.shift, own), each_own)
+        self._own_pairs(np.add.outer(self.shift, own))
         power = _power(self.own.real, force_exponent)
         felt = (power * self.drives).max(axis=(0, 2)) > NOTHING
         idle = np.flatnonzero(~felt)[:1]  # one of them stands for all over which nothing is felt
@@ -201,12 +177,12 @@ class Turn:
         forces = self._own(self.arcs)(self.nodes[None]) / pairs.samples[self.part[self.arcs]]
         self.forces: NDArray[Any] = np.ascontiguousarray(forces.swapaxes(0, 1))
 
-    def _own_pairs(self, phase: FloatArray, stiffness: FloatArray) -> None:
-        """Relative cosines + i*sines of the pairs at the ends of each arc, and their weights."""
+    def _own_pairs(self, phase: FloatArray) -> None:
+        """Relative cosines + i*sines of the pairs at the ends of each arc, and which drive."""
         ends, middle = self.ends, self.centres[:, None]
         phase = phase - np.rint(phase + middle)
         drives = np.abs(phase + middle) < 0.25
-        self.drives = drives * stiffness
+        self.drives = drives
         cosines = np.where(drives, _relative_cosines(phase, ends[..., None]), 0.0)
         turned, self.tangents = 2 * np.pi * phase, np.tan(2 * np.pi * ends)[..., None]
         self.own = cosines + 1j * (np.sin(turned) + self.tangents * np.cos(turned))
@@ -235,15 +211,10 @@ class Turn:
 class PinTurn(Turn):
     """Forces of the satellites on a pin over F0, tangential + i*radial; made as `AllPairs`."""
 
-    def __init__(
-        self,
-        mechanism: Mechanism,
-        force_exponent: float,
-        stiffness: tuple[float, ...] | None = None,
-    ) -> None:
+    def __init__(self, mechanism: Mechanism, force_exponent: float) -> None:
         phases = mechanism.phases
         repeats = phases.pins * phases.symmetry
-        super().__init__(mechanism, force_exponent, phases.satellite_phase, repeats, stiffness)
+        super().__init__(mechanism, force_exponent, phases.satellite_phase, repeats)
 
     def _own(self, arcs: IntArray) -> Callable[[FloatArray], ComplexArray]:
         """T times the forces of the satellites on the pin, shape (rows, K, m)."""
@@ -317,19 +288,14 @@ class SatelliteTurn(Turn):
     made as `AllPairs`.
     """
 
-    def __init__(
-        self,
-        mechanism: Mechanism,
-        force_exponent: float,
-        stiffness: tuple[float, ...] | None = None,
-    ) -> None:
+    def __init__(self, mechanism: Mechanism, force_exponent: float) -> None:
         phases = mechanism.phases
         pins = np.arange(phases.pins) / phases.pins
         own = np.add.outer(phases.satellite_phase, pins).ravel()
         self.pins = phases.pins
         aligned = len(phases.sector_phases) == phases.symmetry  # no rounding of angles between them
         self.off = 2 * math.pi * ((ROUNDING if aligned else PHASE_ROUNDING) + phases.error)
-        super().__init__(mechanism, force_exponent, own.tolist(), phases.symmetry, stiffness)
+        super().__init__(mechanism, force_exponent, own.tolist(), phases.symmetry)
 
     def nodes_of(self, *levels: int) -> tuple[FloatArray, FloatArray]:
         """Shares and forces at the nodes of rules of the whole turn, and the weights of each.
@@ -411,27 +377,6 @@ class SatelliteTurn(Turn):
             return found
 
         return own
-
-
-def _check_stiffness(stiffness: tuple[float, ...], satellites: int) -> None:
-    """Refuse stiffnesses that are not one for each satellite, or not positive."""
-    if len(stiffness) != satellites:
-        count = {"expected": satellites, "actual": len(stiffness)}
-        raise InvalidInput("pair_stiffness", len(stiffness), "different_length", **count)
-    check_positive(**{f"pair_stiffness[{j}]": each for j, each in enumerate(stiffness)})
-
-
-def _pairs_apart(
-    phases: WavePhases, shift: FloatArray, ends: FloatArray, stiffness: tuple[float, ...]
-) -> list[tuple[FloatArray, FloatArray]]:
-    """Driving pairs of each arc, phases against the best placed one in turns, and weights."""
-    every = np.add.outer(phases.satellite_phase, np.arange(phases.pins) / phases.pins).ravel()
-    weights = np.repeat(stiffness, phases.pins) / max(stiffness)
-    middle = ends.mean(axis=0)[:, None]
-    phase = np.add.outer(shift, every)
-    phase -= np.rint(phase + middle)
-    drives = np.abs(phase + middle) < 0.25
-    return [(row[own], weights[own]) for row, own in zip(phase, drives, strict=True)]
 
 
 def _relative_cosines(phase: FloatArray, offset: FloatArray) -> FloatArray:

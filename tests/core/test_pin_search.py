@@ -80,7 +80,7 @@ def test_a_variable_that_has_no_width_stays() -> None:
     assert (y == 0).all()
 
 
-TURN = PinTurn(Mechanism.evenly_spaced(pins=3, satellites=1, ratio=20.0), 1.0, (1.0,))
+TURN = PinTurn(Mechanism.evenly_spaced(pins=3, satellites=1, ratio=20.0), 1.0)
 NODES, GAPS = TURN.nodes, TURN.gaps
 MIDDLE = (NODES - 0.5) ** 2
 END = NODES[1]
