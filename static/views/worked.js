@@ -145,7 +145,7 @@ export function createWorked({ calculator, client, titles, on }) {
       if (all().map(sectionOf).join() !== sections.join()) {
         const open = unfolded().map(sectionOf);
         fill(host, html`${sections.map((section) => html`
-          <details data-section="${section}"><summary>${message(`section.${section}`)}</summary><div class="worked-steps"></div></details>`)}`);
+          <details data-section="${section}"><summary>${message(`section.${section}`)}</summary><div class="worked-steps" tabindex="0" role="group" aria-label="${message(`section.${section}`)}"></div></details>`)}`);
         for (const details of all()) details.open = open.includes(sectionOf(details));
       }
       for (const details of all().filter(({ open }) => !open)) fill(details.querySelector(".worked-steps"), html``);

@@ -291,7 +291,7 @@ export const MADE = ["contact_law", "deviations", "satellite_coupling"];
 
 /**
  * What a figure of a wanted section asks with: of the body that its numbers were asked with, all that the forces follow
- * from, and the section's own parts.
+ * from, and the section's own parts. Where these are solved for pins that bend alone, a law of contact says so.
  */
 export function figureBody(...own) {
   return (input, answer, [{ body: { mechanism: { revolutions, ...mechanism }, load: { include, ...load }, ...parts } }]) => {
@@ -299,6 +299,7 @@ export function figureBody(...own) {
     return {
       mechanism,
       load,
+      ...(answer?.load_sharing && { contact_law: {} }),
       ...Object.fromEntries(["contact", "pin", ...MADE, ...own].filter((part) => parts[part]).map((part) => [part, parts[part]])),
     };
   };
