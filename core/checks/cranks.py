@@ -57,6 +57,7 @@ def crank_balance(design: Design, results: Results) -> Check:
         "mechanism.satellite_teeth",
         "mechanism.ring_teeth",
         "mechanism.pins",
+        "mechanism.satellites",
         "mechanism.crank_spacing",
         "mechanism.crank_angles",
     ),

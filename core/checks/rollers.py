@@ -74,6 +74,9 @@ _INPUTS = (
     "diameter",
     "cylinder_length",
     "sphere_width",
+    "sphere_diameter",
+    "youngs_modulus",
+    "poissons_ratio",
     "position_tolerance",
     "gaps",
 )

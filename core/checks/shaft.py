@@ -59,7 +59,26 @@ class ShaftDesign:
         return 4 * float(self.result.accuracy.relative_error)
 
 
-_INPUTS = ("torque", "bearing_distance", "overhang", "shaft_diameter", "shaft_sections")
+_LINES = (
+    "torque",
+    "roller_circle_radius",
+    "roller_radius",
+    "nutation_angle",
+    "ratio_u12",
+    "rollers",
+    "wheel",
+)
+"""Of the contact lines and their load."""
+
+_INPUTS = (
+    *_LINES,
+    "reference_z",
+    "bearing_distance",
+    "overhang",
+    "shaft_diameter",
+    "shaft_sections",
+)
+"""Of the moments along the shaft."""
 
 
 @design_check(
@@ -69,7 +88,7 @@ _INPUTS = ("torque", "bearing_distance", "overhang", "shaft_diameter", "shaft_se
     unit="mm",
     formula="2·R_C·sin(Δφ/2) − 2·ρ > 0",
     why="Otherwise the rollers overlap.",
-    inputs=("roller_circle_radius", "roller_radius", "wheel"),
+    inputs=("roller_circle_radius", "roller_radius", "rollers", "wheel"),
     fixes=("roller_radius", "roller_circle_radius"),
     keep="above",
 )
@@ -108,7 +127,7 @@ def shaft_in_circle(design: ShaftDesign) -> Check:
     unit="mm",
     formula="max(Δ_B, Δ_C) ≤ Δ_max",
     why="Above it the mesh is off its place.",
-    inputs=(*_INPUTS, "max_deflection"),
+    inputs=(*_INPUTS, "youngs_modulus", "max_deflection"),
     fixes=("shaft_diameter", "overhang", "bearing_distance"),
     source="beam",
     asks="max_deflection",
@@ -125,7 +144,7 @@ def shaft_deflection(design: ShaftDesign) -> Measure:
     unit="mrad",
     formula="max(θ_B, θ_C) ≤ θ_max",
     why="Above it the bearings carry on their edges.",
-    inputs=(*_INPUTS, "max_slope"),
+    inputs=(*_INPUTS, "youngs_modulus", "max_slope"),
     fixes=("shaft_diameter", "overhang", "bearing_distance"),
     source="beam",
     asks="max_slope",
@@ -199,8 +218,7 @@ def shaft_fatigue(design: ShaftDesign) -> Check:
     formula="p₀ ≤ p_all/S_H",
     why="Above it rollers or teeth pit in the long run.",
     inputs=(
-        "torque",
-        "roller_radius",
+        *_LINES,
         "line_contact.mating_radius",
         "line_contact.roller_material",
         "line_contact.mating_material",
