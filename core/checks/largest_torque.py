@@ -6,6 +6,7 @@ at another is an estimate.
 """
 
 import math
+from dataclasses import replace
 
 from core.checks.check import MARGIN, Check, Verdict, verdict
 from core.checks.crank_planetary import crank_check, crank_checks
@@ -37,11 +38,11 @@ def crank_verdict(results: Results, *, every: bool = False) -> Verdict:
     Returns
     -------
     Verdict
-        Where forces are solved a check is marginal that fails under `MARGIN` times the torque, and
-        the least reserve is that of the torque at which the first one fails; the others are by
-        secants of what was looked at. Where no such torque is found, as forces cannot be solved or
-        jump with it, the reserves stay estimates, and the largest torque looked at under which all
-        checks hold is given.
+        Where forces are solved a check is marginal that fails, or is not known, under `MARGIN`
+        times the torque, and the least reserve is that of the torque at which the first one fails;
+        the others are by secants of what was looked at. Where no such torque is found, as forces
+        cannot be solved or jump with it, the reserves stay estimates, and the largest torque looked
+        at under which all checks hold is given.
 
     Notes
     -----
@@ -83,18 +84,18 @@ class _Torques:
         for each in found.checks:
             if each.rough and each.torque_reserve:
                 self.looks[each.code] = [(0.0, math.log(each.torque_reserve))]
-        self.exact = {
-            each.code: math.log(each.torque_reserve)
+        self.exact = [
+            math.log(each.torque_reserve)
             for each in found.checks
             if each.torque_reserve and not each.rough and not each.warning
-        }
+        ]
 
     def look(self, factor: float) -> float | None:
         """The least logarithm of a reserve that is left under so many times the torque; None where
         one is not known there.
         """
         there, x = Results(under(design=self.design, factor=factor)), math.log(factor)
-        least, known = min(self.exact.values(), default=math.inf) - x, True
+        least, known = min(self.exact, default=math.inf) - x, True
         for code, looks in self.looks.items():
             reserve = crank_check(code, there).torque_reserve
             if reserve:
@@ -113,10 +114,10 @@ class _Torques:
         slope = (y1 - y0) / (x1 - x0) if math.isfinite(y0) and x1 != x0 else -1.0
         return x1 - y1 / max(-STEEPEST, min(slope, -1 / STEEPEST))
 
-    def first(self) -> tuple[float, str]:
-        """Where the first check fails, and its code."""
-        roots = {code: self.root(code) for code in self.looks if code in self.counted}
-        return min(((x, code) for code, x in (roots | self.exact).items()), default=(math.inf, ""))
+    def first(self) -> float:
+        """Logarithm of the factor at which the first check fails."""
+        roots = [self.root(code) for code in self.looks if code in self.counted]
+        return min([*roots, *self.exact], default=math.inf)
 
     def look_further(self) -> None:
         """Looks at the torques under which the other checks fail, farthest from what is known."""
@@ -131,38 +132,49 @@ class _Torques:
             if away.get(farthest, 0.0) <= NEAR or self.look(math.exp(farthest)) is None:
                 return
 
+    def largest(self, left: float | None) -> tuple[float, bool]:
+        """The largest factor that is known to hold, 0 where none is, and whether the first check
+        fails there; by what is left under `MARGIN` times the torque.
+        """
+        unsolved = math.log(MARGIN) if left is None else math.inf
+        holds = 1.0 if self.first() >= 0 else 0.0
+        if left is not None and left >= 0:
+            holds = MARGIN
+        for _ in range(LOOKS):
+            x = self.first()
+            if x >= unsolved:  # forces cannot be solved there
+                x = (math.log(holds or 1.0) + unsolved) / 2
+            if not math.isfinite(x):
+                break
+            left = self.look(math.exp(x))
+            if left is None:
+                unsolved = x
+            elif abs(left) <= SETTLED:
+                return math.exp(self.first()), True
+            elif left >= 0:
+                holds = max(holds, math.exp(x))
+        return holds, False
+
     def judged(self, *, every: bool) -> Verdict:
         """The verdict with what is seen under other torques."""
         left = self.look(MARGIN)
         at_margin = {code: looks[1][1] for code, looks in self.looks.items() if looks[1:]}
-        unsolved = math.log(MARGIN) if left is None else math.inf
-        safe, settled = 0.0 if self.found.counts["fail"] else 1.0, False
-        if left is not None and left >= 0:
-            safe = MARGIN
-        for _ in range(LOOKS if at_margin else 0):
-            x, _ = self.first()
-            if x >= unsolved:  # forces cannot be solved there
-                x = (math.log(safe or 1.0) + unsolved) / 2
-            left = self.look(math.exp(x)) if math.isfinite(x) else None
-            if left is None:
-                unsolved = x
-                continue
-            safe, settled = max(safe, math.exp(x) if left >= 0 else 0.0), abs(left) <= SETTLED
-            if settled:
-                break
-        least, _ = self.first()
+        limit, settled = self.largest(left)
         if settled and every:
             self.look_further()
         checks = []
         for check in self.found.checks:
             if check.code in self.looks:
-                own, known = math.exp(self.root(check.code)), math.exp(least) if settled else safe
-                reserve = own if check.warning else max(own, known) if known else None
+                own = math.exp(self.root(check.code))
+                raised = max(own, limit) if limit else None  # none is given where none holds
+                reserve = raised if check.code in self.counted else own
                 check = check._replace(torque_reserve=reserve, rough=not settled)
-                if check.code in at_margin:
-                    check = _under_margin(check, at_margin[check.code] >= 0)
+                check = _under_margin(check, at_margin.get(check.code, -1.0) >= 0)
             checks.append(check)
-        return verdict(checks, self.found.not_considered)
+        found = verdict(checks, self.found.not_considered)
+        if settled or found.torque_reserve is None:
+            return found
+        return replace(found, torque_reserve=limit, largest_torque_estimated=True)
 
 
 def _under_margin(check: Check, holds: bool) -> Check:

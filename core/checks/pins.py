@@ -122,8 +122,8 @@ def pin_slope(design: Design, results: Results) -> Measure:
     needs=("touching", "load", "fatigue"),
 )
 def pin_fatigue(design: Design, results: Results) -> Check:
-    found, known = results.pin_strength, results.fatigue_strength
-    assert found.fatigue is not None and known
+    found, strength = results.pin_strength, results.fatigue_strength  # which is known, or raises
+    assert found.fatigue is not None, strength
     safety, limit = found.fatigue.safety_factor, design.requirements.fatigue_safety
     error = 4 * found.accuracy.relative_error
     reserve = safety / limit

@@ -6,7 +6,6 @@ with it.
 
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------
-inputs              whole numbers
 fix                 one input solved, rounded, with its side effects
 plain               designs whose inputs do not hang on each other
 changes             a crank-planetary reducer with another value of an input

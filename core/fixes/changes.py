@@ -1,7 +1,7 @@
 """Inputs of a crank-planetary reducer, and the reducer with another value of one."""
 
 from core.design.document import Design, changed, value_at
-from core.fixes.inputs import WHOLE
+from core.fixes.fix import WHOLE
 from core.output.satellite_support import Shares
 
 RATING = "crankshaft.bearings.dynamic_rating"

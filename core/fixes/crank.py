@@ -12,8 +12,7 @@ from core.design.document import Design, changed
 from core.design.results import Results
 from core.errors import CalculationError
 from core.fixes.changes import count_may_change, value_of, vary
-from core.fixes.fix import PIN_SIZES, RANGE, Cure, Fix, aim, fix_of, in_order
-from core.fixes.inputs import WHOLE
+from core.fixes.fix import PIN_SIZES, RANGE, WHOLE, Cure, Fix, aim, fix_of, in_order
 from core.numerics.inverse import Solution
 
 SEARCHED, NUDGE = 9, 0.02

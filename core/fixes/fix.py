@@ -7,8 +7,10 @@ from typing import Literal
 
 from core.checks.check import MARGIN, Check, Verdict
 from core.errors import CalculationError
-from core.fixes.inputs import WHOLE
 from core.numerics.inverse import Solution, solve_for
+
+WHOLE = {"mechanism.pins", "mechanism.satellites", "rollers"}
+"""Inputs that are whole numbers."""
 
 FixStatus = Literal["solved", "not_enough", "not_monotone"]
 

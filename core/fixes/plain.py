@@ -4,8 +4,7 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 from core.checks.check import Check, Verdict
-from core.fixes.fix import Cure, Fix, fix_of, in_order
-from core.fixes.inputs import WHOLE
+from core.fixes.fix import WHOLE, Cure, Fix, fix_of, in_order
 
 
 def plain_fixes(

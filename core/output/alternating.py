@@ -131,10 +131,9 @@ class WorseTurn:
         self.worse, self.other = (back, driving) if self.reverse else (driving, back)
 
     def __getattr__(self, name: str) -> Any:
-        worse, other = getattr(self.worse, name), getattr(self.other, name)
-        if name in LARGER:
-            return max(worse, other)
-        return min(worse, other) if name in LESS else worse
+        worst = max if name in LARGER else min if name in LESS else None
+        worse = getattr(self.worse, name)
+        return worse if worst is None else worst(worse, getattr(self.other, name))
 
     @property
     def max_pressure(self) -> float | None:

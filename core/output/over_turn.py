@@ -212,10 +212,10 @@ class OverTurn:
     def _lost_motion(self) -> Extreme:
         turn, narrow = self.turn, self.turn.narrow(LOST_MOTION)
         even, _ = turn.positions()
-        lost = turn.values(LOST_MOTION, even)
+        lost = turn.values(LOST_MOTION, even, turn.period)
         coarse = Grid(lost.places[::2], lost.heights[::2], lost.period)
         top, missed = highest(coarse=coarse, fine=lost, narrow=narrow)
-        again = turn.values(LOST_MOTION, turn.again["wave"])
+        again = turn.values(LOST_MOTION, turn.again["wave"], turn.period)
         top, more = self._above(again, LOST_MOTION, top)
         return Extreme(top.height, missed + more + top.error)
 

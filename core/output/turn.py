@@ -36,7 +36,7 @@ MOST_CLUSTERED = 2880
 """Positions at dead angles at most: with many pairs the grid itself is dense enough there."""
 
 LOOKED_AGAIN = 461
-"""Positions of the second look over a turn, a prime: so many as a third of the time allows."""
+"""Positions of the second look over a turn: so many as a third of the time allows."""
 
 LEAST_AGAIN = 37
 """The same over a pitch at least."""
@@ -94,7 +94,7 @@ class Turn:
         rows = {name: np.array(each) for name, each in results._asdict().items()}
         return rows | {
             "wave": np.array(places),
-            "forces": rows["forces"].reshape(many, len(self.pairs.a)),
+            "forces": rows["forces"].reshape(many, pairs),
         }
 
     @derived
@@ -114,18 +114,18 @@ class Turn:
     @derived
     def again(self) -> Rows:
         """Positions of the second look, none of which is one of the others, over a period."""
-        count = max(LOOKED_AGAIN // self.repeats, min(LEAST_AGAIN, LOOKED_AGAIN))
+        count = max(LOOKED_AGAIN // self.repeats, LEAST_AGAIN)
         first = self.real.mechanism.initial_crank_angle
         return self.poses(other_places(count=count, first=first, period=self.period).tolist())
 
-    def values(self, kind: int, places: Iterable[float]) -> Grid:
-        """A quantity at wave angles, rad."""
+    def values(self, kind: int, places: Iterable[float], period: float = 2 * math.pi) -> Grid:
+        """A quantity at wave angles over a turn, or over so much of it, rad."""
         where = [*places]
         self.evaluations += len(where) * SOLVES.get(kind, 1)
         results = self.kernel.row([0.0] * len(where))
         rows = self.kernel.row(where), self.load, self.pairs, self.room, results
         self._refused(where, self.kernel.values(kind, *rows))
-        return Grid(np.array(where), np.array(results), self.period)
+        return Grid(np.array(where), np.array(results), period)
 
     def narrow(self, kind: int, sign: int = 1) -> Narrow:
         """How the largest value of a quantity between two places is found; for the sign -1 the

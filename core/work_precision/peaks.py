@@ -10,6 +10,7 @@ import numpy as np
 from core.arrays import ComplexArray, FloatArray, Number
 from core.output.edge_load import IDLE, SlopingContacts
 from core.output.mechanism import Mechanism
+from core.output.over_turn import over_turn
 from core.output.peak_force import peak_force
 from core.output.pin_forces import approximate_peak_ratio, force_ratios
 from core.output.pin_strength import PinStresses, pin_stresses
@@ -448,22 +449,14 @@ def real_peak_study(*, real: RealMechanism, output_torque: float) -> WorkPrecisi
         return summits(grid=grid(count), narrow=narrow, most=1)[0].height, count
 
     def zoomed(_: float) -> Outcome:
-        before = turn.evaluations
-        even, near = turn.positions()
-        step = even[1] - even[0]
-        coarse = turn.values(FORCE, sorted({*even, *near}))
-        between = turn.values(FORCE, {psi + step / 2 for psi in even} - {*coarse.places.tolist()})
-        places = np.concatenate([coarse.places, between.places])
-        order = np.argsort(places)
-        fine = Grid(places[order], np.concatenate([coarse.heights, between.heights])[order])
-        peak = all_summits(coarse=coarse, fine=fine, narrow=narrow)[1].height
-        return peak, turn.evaluations - before
+        found = over_turn(real=real, output_torque=output_torque)
+        return found.peak_force, found.accuracy.evaluations
 
     def dense() -> float:
         even, near = turn.positions()
         step = (even[1] - even[0]) / DENSE
         places = {psi + step * i for psi in even for i in range(DENSE)} | {*near}
-        values = turn.values(FORCE, sorted(places))
+        values = turn.values(FORCE, sorted(places), turn.period)
         return all_summits(coarse=values, fine=values, narrow=narrow)[1].height
 
     return work_precision(

@@ -15,7 +15,7 @@ from core.design.document import Design, value_at
 from core.design.results import Results
 from core.fixes.changes import vary
 from core.fixes.fix import PIN_SIZES
-from core.fixes.inputs import WHOLE as WHOLE_NUMBERS
+from core.fixes.fix import WHOLE as WHOLE_NUMBERS
 from core.materials import MATERIALS, ContactLimit, ElasticMaterial
 from core.rollers.roller_strength import roller_strength
 from tests.inputs.checks import REF as KNOWN

@@ -24,6 +24,10 @@ from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_curves import RealCurves, real_curves
 from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_turn import sampled
+from core.output.sharing_kernel import FORCE
+from core.output.summits import summits
+from core.output.turn import Turn
 from tests.inputs.real_mechanisms import (
     STEEL,
     crank_angles,
@@ -395,3 +399,48 @@ def test_the_crank_carries_the_load_and_what_the_contacts_store(exact: bool, tor
 def test_pressed_pairs_beside_their_dead_angle_have_an_answer(angle: float) -> None:
     found = solved(design(clearance=-1e-5), angle, 1e-4)
     assert found.play is None and abs(found.rotation) < 1e-6
+
+
+@pytest.mark.parametrize("start", [0.0, 0.3, math.pi / 6])
+def test_summits_of_a_whole_turn_of_pins_that_are_alike(start: float) -> None:
+    """Which is solved for one pitch, and may be looked at over all of it."""
+    mechanism = Mechanism.evenly_spaced(pins=6, satellites=2, ratio=20.0)
+    real = loose_pins(replace(mechanism, initial_crank_angle=start))
+    turn = Turn(real, 400.0)
+    grid = turn.values(FORCE, [start + 2 * math.pi * k / 90 for k in range(90)])
+    found = summits(grid=grid, narrow=turn.narrow(FORCE))
+    assert max(each.height for each in found) == pytest.approx(
+        over_turn(real=real, output_torque=400.0).peak_force, rel=1e-9
+    )
+    for each in found:
+        assert np.abs(np.exp(1j * each.place) - np.exp(1j * grid.places)).min() < 2 * math.pi / 90
+
+
+def test_the_turn_of_pins_that_are_alike_is_that_of_pins_that_hardly_differ() -> None:
+    """One pitch repeated, and all of it: a pin a femtometre out of place has all solved."""
+    mechanism = Mechanism.evenly_spaced(pins=5, satellites=2, ratio=20.0)
+    one = loose_pins(mechanism)
+    other = replace(one, deviations=Deviations(pin_tangential=(1e-15, 0.0, 0.0, 0.0, 0.0)))
+    turns = [over_turn(real=each, output_torque=400.0) for each in (one, other)]
+    assert [each.turn.repeats for each in turns] == [5, 1]
+    for name in ("peak_force", "backlash_max", "lost_motion", "stiffness_min", "stiffness_max",
+                 "transmission_error", "input_torque_ripple", "max_pressure"):  # fmt: skip
+        values = [getattr(each, name) for each in turns]
+        assert values[0] == pytest.approx(values[1], rel=1e-6), name
+    forces = [np.array(each.pair_force) for each in turns]
+    assert forces[0] == pytest.approx(forces[1], rel=1e-6)
+    samples = [sampled(each.turn) for each in turns]
+    assert samples[0].mean(samples[0].total) == pytest.approx(
+        samples[1].mean(samples[1].total), rel=1e-5
+    )
+    wave = np.linspace(0, 2 * math.pi, 200)
+    loads = [each.at(wave=wave, values=each.on_satellites) for each in samples]
+    assert np.abs(loads[0] - loads[1]).max() < 1e-4 * np.abs(loads[1]).max()
+
+
+def loose_pins(mechanism: Mechanism) -> RealMechanism:
+    return RealMechanism(
+        mechanism=mechanism, pin_circle_radius=0.05, pin_radius=0.006, eccentricity=0.002,
+        contact_length=0.02, law=HertzLaw(), clearance=2e-5, pin_material=STEEL,
+        hole_material=STEEL,
+    )  # fmt: skip

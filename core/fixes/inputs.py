@@ -1,3 +1,0 @@
-"""Inputs that are whole numbers."""
-
-WHOLE = {"mechanism.pins", "mechanism.satellites", "rollers"}
