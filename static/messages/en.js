@@ -82,6 +82,7 @@ export default {
   },
   // Words of choices from a list.
   option: {
+    start: "Start", emergency: "Emergency stop", pins: "Pins in holes", crankshafts: "Crankshafts (RV)",
     radial: "Radial clearance", fits: "ISO fit", driving: "Driving", reverse: "Reverse",
     alternating: "Alternating, the worse of both",
     hertz: "Hertz", palmgren: "Palmgren", linear: "Linear", power: "Power law",
