@@ -172,6 +172,9 @@ function build(id, { modelOf, ...parts }, history) {
         lasting.setItem("lengths", chosen);
         rebuild();
       },
+      whole() {
+        for (const button of [print, report]) button.disabled = false;
+      },
       history(canUndo, canRedo) {
         undo.disabled = !canUndo;
         redo.disabled = !canRedo;
@@ -258,11 +261,16 @@ const settings = createSettings({
 const keep = tool("+", message("compare.pin"), () => bench?.keep());
 keep.disabled = false;
 keep.setAttribute("aria-keyshortcuts", "Alt+K");
+const icon = (lines) => html`<svg class="icon" viewBox="0 0 16 16" aria-hidden="true">${lines}</svg>`;
+const print = tool(icon(html`<path d="M4.5 6V2.5h7V6M4.5 11.5h-2V6h11v5.5h-2M4.5 9.5h7v4h-7z"/>`), message("report.print"), () => bench?.print());
+const report = tool(icon(html`<path d="M3.5 2.5h6l3 3v8h-9zM9.5 2.5v3h3M8 6.5v4.5M6 9.3l2 2 2-2"/>`), message("report.save"), () => bench?.saveReport());
+print.classList.add("print");
+report.classList.add("save-report");
 const share = tool("⇩", message("share.title"));
 const keys = tool("?", message("page.keys"));
 for (const button of [share, keys]) button.setAttribute("aria-haspopup", "dialog");
 keys.setAttribute("aria-keyshortcuts", "?");
-document.getElementById("tools").append(undo, redo, keep, share, settings.button, keys);
+document.getElementById("tools").append(undo, redo, keep, share, print, report, settings.button, keys);
 document.body.append(settings.sheet);
 addEventListener("popstate", () => {
   const there = new URLSearchParams(location.search);

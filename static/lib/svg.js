@@ -12,7 +12,7 @@ import { shownValue } from "./units.js";
 const HEAD = 8; // length of an arrowhead, px
 const HALF = 2.6; // half its width
 
-export const WIDE_PX = 640; // from here on views stand side by side
+export const WIDE_PX = 480; // from here on views stand side by side
 
 function px(value) {
   return Number(value.toFixed(2));

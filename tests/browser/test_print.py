@@ -106,7 +106,7 @@ def test_the_print_button_draws_light_figures_in_the_dark(page: Page, service: s
           dispatchEvent(new Event("afterprint"));
         }; }"""
     )
-    page.locator(".worked .print").click()
+    page.locator(".tool.print").click()
     page.wait_for_function("() => globalThis.inked !== undefined")
     assert page.evaluate("() => inked") == "rgb(28, 39, 51)"
     expect(text).to_have_css("fill", dark)
@@ -119,7 +119,7 @@ def test_the_saved_report_stands_alone(
     drawn(page, service, calculator)
     figures = page.locator(".figure:not(:has(.measure))").count()
     file = tmp_path / f"{calculator}.html"
-    file.write_bytes(saved(page, page.locator(".worked .save-report")).read_bytes())
+    file.write_bytes(saved(page, page.locator(".tool.save-report")).read_bytes())
     markup = file.read_text(encoding="utf-8")
     assert "<script" not in markup
     assert not re.search(r'(?:src|href)="(?!#)', re.sub(r"<svg.*?</svg>", "", markup, flags=re.S))

@@ -11,6 +11,7 @@ const MARGIN = 26; // px
 
 const LABEL_PX = 70; // room for the dimensions about the pair, besides their values
 const CHARACTER_PX = 6.7;
+const ROOMY = 140; // half the room of the pair from which its dimensions need no more to the right
 const FIELD = {
   R: "load.pin_circle_radius_mm",
   pin: "contact.pin_radius_mm",
@@ -28,8 +29,9 @@ function places(width, height) {
   const wide = width >= WIDE_PX;
   const main = wide ? Math.min(height, width * 0.58) : Math.min(width, height * 0.58);
   const half = main / 2;
+  const beside = (width - main) / 2;
   return wide
-    ? { main: { x: half, y: height / 2, half }, detail: { x: (main + width) / 2, y: height / 2, half: Math.min((width - main) / 2, height / 2) } }
+    ? { main: { x: half, y: height / 2, half }, detail: { x: main + beside - Math.max(0, ROOMY - beside), y: height / 2, half: Math.min(beside, height / 2) } }
     : { main: { x: width / 2, y: half, half }, detail: { x: width / 2, y: (main + height) / 2, half: Math.min((height - main) / 2, width / 2) } };
 }
 

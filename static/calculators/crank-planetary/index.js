@@ -302,6 +302,7 @@ export default {
     {
       id: "hertz",
       side: true,
+      folded: true,
       section: "hertz",
       path: "/hertz/chart",
       compared: true,
