@@ -9,7 +9,7 @@ import { download } from "./files.js";
 import { symbolMarkup, tableMarkup } from "./parts.js";
 
 const PAPER_WIDTH = 660; // of a figure, in the pixels of a print: A4 less its margins
-const PAPER_HEIGHT = 0.66; // of that on the screen
+const PAPER_HEIGHT = 0.58; // of that on the screen
 const LEFT_OUT = "button, input, select, .motion, .figure-tools, .compare, .say, .cursor, .accuracy-fold, [hidden], script, link";
 
 /** A value as the form shows it: a number, a list, a name with its title. */

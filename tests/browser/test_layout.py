@@ -1,4 +1,4 @@
-"""Where things stand: the answer beside the first figure, results that fold, the height of the page."""
+"""Where things stand: the answer beside the first figure, what folds, the height of the page."""
 
 from collections.abc import Iterator
 

@@ -141,6 +141,8 @@ function endView(place, size, input, answer, newton) {
     })}`;
 }
 
+const ROOMY_PX = 760;
+
 /** Null until there are contact lines. */
 export function createDrawing({ input, answer, curves, width, height }) {
   if (!answer.contact_line) return null;
@@ -155,7 +157,8 @@ export function createDrawing({ input, answer, curves, width, height }) {
   const upper = tall - 2 * strips;
   const widest = Math.max(...shaftStretches(input).map(({ diameter }) => diameter));
   const [z0, z1] = [Math.min(0, l, roller.z_min_mm), Math.max(l + a + b, roller.z_max_mm)];
-  const ending = (wide ? Math.min(width - column, height) : Math.min(width, height - tall)) / 2 - 46;
+  const aside = wide && width < ROOMY_PX ? 22 : 0; // for the dimension to the right of the wheel
+  const ending = (wide ? Math.min(width - column, height) : Math.min(width, height - tall)) / 2 - 46 - aside;
   const scale = Math.min((column - 100) / (z1 - z0), (upper - 136) / (RC + rho + widest / 2), ending / RC);
   const left = (column - scale * (z1 - z0)) / 2 - 8;
   const x = (z) => Number((left + (z - z0) * scale).toFixed(2));
@@ -166,7 +169,7 @@ export function createDrawing({ input, answer, curves, width, height }) {
   const largest = Math.max(0, Math.hypot(...(answer.meshing_load?.force_N ?? [])), ...(section ? ["B", "C"].map((at) => Math.hypot(...section[`reaction_${at}_N`])) : []));
   const newton = largest > 0 ? Math.min(LONGEST_ARROW, strips * 0.36) / largest : 0;
   const end = wide
-    ? { x: column + (width - column) / 2, y: height / 2 }
+    ? { x: column + (width - column) / 2 - aside, y: height / 2 }
     : { x: width / 2, y: tall + (height - tall) / 2 - 6 };
   const round = largest > 0 && roundBelow(largest, "N");
   const bar = roundBelow(RC, "mm");
