@@ -15,7 +15,7 @@ import { element, html } from "./lib/html.js";
 import { stateFromInput } from "./lib/form_state.js";
 import { formModel } from "./lib/schema_form.js";
 import { lasting, parsed, session } from "./lib/storage.js";
-import { setUnits, SYSTEMS } from "./lib/units.js";
+import { setDiameters, setUnits, SYSTEMS } from "./lib/units.js";
 import { decodeState } from "./lib/url_state.js";
 import { fieldWords, LANGUAGES, message, setEnglish, useLanguage } from "./messages/index.js";
 import { englishOf, passingText } from "./service_texts.js";
@@ -73,7 +73,8 @@ let bench = null; // the calculator at work
 let telling = 0; // the timer of what is told
 let reopening = 0; // the timer after a calculator could not be opened
 let rebuild = () => {}; // it anew, from its address
-let lengths = lasting.getItem("lengths") === "diameter" ? "diameter" : "radius"; // how radii are typed
+const lengthsIn = (address) => address.get("lengths") ?? (address.has("v") ? "radius" : lasting.getItem("lengths"));
+let lengths = lengthsIn(linked) === "diameter" ? "diameter" : "radius"; // how radii are typed
 let quiet = false; // the browser itself has moved in its history
 let leaving = false; // another design is to come: Back leads to this one
 
@@ -131,6 +132,7 @@ async function partsOf(id) {
 
 /** A calculator at work from its address; `history` is that of a design which it follows. */
 function build(id, { modelOf, ...parts }, history) {
+  setDiameters(lengths === "diameter");
   const model = modelOf();
   const { state, claim } = decodeState(model, new URLSearchParams(kept[id]), id);
   const typed = state ?? stateFromInput(model, parts.examples[0]?.input ?? {});
@@ -218,9 +220,11 @@ function tool(sign, words, act) {
 const undo = tool("↶", message("page.undo"), () => bench?.undo());
 const redo = tool("↷", message("page.redo"), () => bench?.redo());
 document.addEventListener("keydown", (event) => {
-  if (event.altKey && !event.ctrlKey && !event.metaKey && event.code === "KeyK") {
+  const alone = event.altKey && !event.ctrlKey && !event.metaKey;
+  const acts = { KeyK: "keep", KeyL: "enlarge" };
+  if (alone && acts[event.code]) {
     event.preventDefault();
-    bench?.keep();
+    bench?.[acts[event.code]]();
   }
   if (!(event.ctrlKey || event.metaKey) || event.altKey || event.target.closest(".free-text")) return;
   const key = event.key.toLowerCase();
@@ -280,6 +284,7 @@ addEventListener("popstate", () => {
   close();
   quiet = false;
   leaving = false;
+  lengths = lengthsIn(there) === "diameter" ? "diameter" : "radius";
   kept[id] = there.toString();
   open(id);
 });

@@ -196,6 +196,11 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     column("beside", ...figures.filter(({ side }) => side)),
   );
   host.replaceChildren(inputs, outputs);
+  const enlarge = async (card) => (await import("./views/large.js")).enlarge(card);
+  outputs.addEventListener("click", ({ target }) => {
+    const button = target.closest(".enlarge");
+    if (button) enlarge(button.closest(".figure, .mechanism"));
+  });
   lightEachOther(form.root, drawing);
   document.addEventListener("keydown", ({ key }) => {
     if (key === "Escape" && !document.querySelector("dialog[open], :popover-open")) select(null);
@@ -254,6 +259,13 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     undo: () => changeAtOnce(next.steppedBack),
     redo: () => changeAtOnce(next.steppedOn),
     keep,
+    /** The figure at hand in its large view: that of the focus, that under the pointer, else the drawing. */
+    enlarge() {
+      const card = ".figure, .mechanism";
+      const pointed = [...outputs.querySelectorAll(".figure:hover, .mechanism:hover")].at(-1);
+      const chosen = [document.activeElement?.closest(card), pointed, drawing.root].find((one) => one && outputs.contains(one) && one.dataset.folded !== "true");
+      if (chosen && !document.querySelector("dialog[open]")) enlarge(chosen);
+    },
     print: () => rest?.print(),
     saveReport: () => rest?.save(),
     /** What helps to read the page: its symbols, each once, and what the model leaves out. */

@@ -5,7 +5,7 @@ import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 import { passingText, problemText } from "../service_texts.js";
 import { following } from "../store.js";
-import { tableMarkup } from "./parts.js";
+import { enlargeButton, tableMarkup } from "./parts.js";
 import { createPlot, loadPlotly, pictureOf } from "./plot.js";
 
 const NONE = [];
@@ -36,7 +36,7 @@ export function createFigure({ figure: about, client, titles, on }) {
       <figcaption><h2>${title}</h2><span class="figure-tools">
         <button type="button" class="toggle show-table" aria-pressed="false"
           aria-label="${title}: ${message("figure.showTable")}">${message("figure.table")}</button>
-        ${["CSV", "PNG", "SVG"].map(saver)}</span>
+        ${["CSV", "PNG", "SVG"].map(saver)}${enlargeButton(title)}</span>
       </figcaption>
       <div class="canvas">
         <div class="figure-table" tabindex="0" role="region" aria-label="${title}" hidden></div>
@@ -212,6 +212,7 @@ export function createFigure({ figure: about, client, titles, on }) {
     drawing = draw();
   });
   sizes.observe(canvas);
+  root.addEventListener("resized", () => plot.drawn() && plot.fit(null));
 
   const picture = async (format, width) =>
     pictureOf(shaped(await post(latest, "light"), "light"), { title, format, width, height: heightOf(latest.filled) });

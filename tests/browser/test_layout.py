@@ -106,3 +106,65 @@ def test_the_other_calculators_fit_too(newcomer: Page, service: str, calculator:
     drawing = newcomer.locator(".drawing").first.bounding_box()
     assert drawing and drawing["y"] < 300
     assert height(newcomer) <= 2500
+
+
+def test_diameters_are_diameters_everywhere_and_in_the_link(newcomer: Page, service: str) -> None:
+    newcomer.goto(f"{service}/?calculator=crank-planetary")
+    settled(newcomer)
+    newcomer.locator('[data-choice="lengths"] input[value="diameter"]').check(force=True)
+    settled(newcomer)
+    newcomer.locator('[data-path="real.on"] input').check()
+    newcomer.locator('[data-path="contact.hole_clearance_mm"] .box').fill("0.02")
+    newcomer.locator('[data-path="bearings.on"] input').check()
+    settled(newcomer)
+    labels = newcomer.locator(".shown .drawing .label").all_text_contents()
+    assert {"2R = 56 mm", "2rin = 16 mm", "2rout = 20.04 mm"} <= set(labels)
+    hole = newcomer.locator('[data-path="contact.hole_radius_mm"]')
+    expect(hole.locator(".suggest")).to_contain_text("2(rin + e + c)")
+    ring = newcomer.locator('[data-path="gear.ring_pin_radius_mm"]')
+    expect(ring.locator("label")).to_contain_text("Diameter of the ring's pins")
+    link = address(newcomer)
+    assert "lengths=diameter" in link
+    ring_text = ring.locator(".box").input_value()
+    other = newcomer.context.browser.new_context()
+    stranger = other.new_page()
+    stranger.goto(link)
+    settled(stranger)
+    expect(stranger.locator('[data-choice="lengths"] input[value="diameter"]')).to_be_checked()
+    expect(stranger.locator('[data-path="gear.ring_pin_radius_mm"] .box')).to_have_value(ring_text)
+    expect(stranger.locator(".notice")).to_be_hidden()
+    other.close()
+
+
+def test_a_figure_has_a_large_view(newcomer: Page, service: str) -> None:
+    newcomer.goto(service)
+    settled(newcomer)
+    force = newcomer.locator('[data-figure="force"]')
+    expect(force.locator(".main-svg").first).to_be_visible()
+    place = force.bounding_box()
+    button = force.get_by_role("button", name="Large view: Contact forces")
+    button.click()
+    dialog = newcomer.get_by_role("dialog", name="Contact forces")
+    expect(dialog).to_be_visible()
+    expect(dialog.locator(".folding")).to_be_disabled()
+    newcomer.wait_for_function(
+        "() => document.querySelector('.large .main-svg').getBoundingClientRect().width"
+        " > 0.9 * innerWidth"
+    )
+    label = dialog.locator(".xtick text").first.bounding_box()
+    assert label and label["height"] > 18
+    newcomer.keyboard.press("Escape")
+    expect(dialog).to_have_count(0)
+    expect(button).to_be_focused()
+    assert force.bounding_box() == place
+    newcomer.locator("h1").hover()
+    newcomer.locator('[data-path="mechanism.pins"] .box').focus()
+    newcomer.keyboard.press("Alt+l")
+    dialog = newcomer.get_by_role("dialog", name="Mechanism")
+    expect(dialog.locator(".drawing svg")).to_be_visible()
+    drawn = dialog.locator(".drawing svg").bounding_box()
+    assert drawn and drawn["height"] > 500
+    newcomer.get_by_role("button", name="Close").click()
+    expect(newcomer.locator('[data-path="mechanism.pins"] .box')).to_be_focused()
+    assert newcomer.evaluate("() => watched.shift") < 0.001
+    assert newcomer.evaluate("() => watched.violations") == []

@@ -2,7 +2,7 @@
 import { formatNumber, formatQuantity } from "../../lib/format.js";
 import { html } from "../../lib/html.js";
 import { message } from "../../messages/index.js";
-import { arcPath, arrow, circle, createView, dimension, label, line, mm, paper, path, radius, roundBelow, scaleBar, WIDE_PX, words } from "../../lib/svg.js";
+import { arcPath, arrow, circle, createView, dimension, label, line, mm, paper, path, radius, roundBelow, scaleBar, sized, WIDE_PX, words } from "../../lib/svg.js";
 
 const MOST_ROLLERS = 200;
 const LONGEST_ARROW = 62; // px
@@ -67,10 +67,10 @@ function sectionView(input, roller, axis, x, scale) {
     ${extension(0, axis - 10, top - 44)}
     ${between(0, roller.z_min_mm, top - 14, "z_min", roller.z_min_mm, FIELD.low, 9)}
     ${between(0, roller.z_max_mm, top - 40, "z_max", roller.z_max_mm, FIELD.high, 9)}
-    ${dimension([x(roller.z_max_mm) + 20, y(RC)], [x(roller.z_max_mm) + 20, y(RC + rho)], "ρ", { value: mm(rho), field: FIELD.rho, beside: -6 })}
+    ${dimension([x(roller.z_max_mm) + 20, y(RC)], [x(roller.z_max_mm) + 20, y(RC + rho)], sized("ρ", rho)[0], { value: sized("ρ", rho)[1], field: FIELD.rho, beside: -6 })}
     ${line([x(roller.z_max_mm), y(RC + rho)], [x(roller.z_max_mm) + 26, y(RC + rho)], "extension")}
     ${stretches.map(({ from, to, diameter }) => path([[x(from), y(diameter / 2)], [x(to), y(diameter / 2)], [x(to), y(-diameter / 2)], [x(from), y(-diameter / 2)]], "body shaft-part", FIELD.d))}
-    ${dimension([x(roller.z_max_mm) + 46, axis], [x(roller.z_max_mm) + 46, y(RC)], "R_C", { value: mm(RC), field: FIELD.RC, beside: -6, rise: 22 })}
+    ${dimension([x(roller.z_max_mm) + 46, axis], [x(roller.z_max_mm) + 46, y(RC)], sized("R_C", RC)[0], { value: sized("R_C", RC)[1], field: FIELD.RC, beside: -6, rise: 22 })}
     ${line([x(l), axis], [x(end), axis], "centre")}
     ${line([x(0), axis], [x(far), y(Math.abs(far) * Math.tan(tilt))], "centre", FIELD.theta)}
     <g class="angle" data-field="${FIELD.theta}"><path class="arc" d="${arcPath([x(0), axis], reach, 90 - theta, 90)}"/>
@@ -131,7 +131,7 @@ function endView(place, size, input, answer, newton) {
     ${line(centre, view.at(turned(first)), "extent", FIELD.position)}
     <g class="angle" data-field="${FIELD.position}"><path class="arc" d="${arcPath(centre, size * 0.62, -first, 0)}"/>
       ${label([place.x - Math.sin(half) * (size * 0.62 + 14), place.y - Math.cos(half) * (size * 0.62 + 14) + 4], "φ₁", { value: formatQuantity(lines[0].position_angle_deg, "°", 4) })}</g>
-    ${radius(centre, size, 142, "R_C", { value: mm(RC), field: FIELD.RC, lead: 12 })}
+    ${radius(centre, size, 142, "R_C", { of: RC, field: FIELD.RC, lead: 12 })}
     ${Object.entries(forces).map(([name, force], i) => {
       if (!force) return "";
       const tip = [place.x + force[0] * newton, place.y - force[1] * newton];
