@@ -100,7 +100,7 @@ def watch() -> Watch:
 # A visitor who has opened all that folds: what is folded at first is tested in test_layout.py.
 UNFOLDED = """
 localStorage.folds ??= JSON.stringify(Object.fromEntries([
-  "hertz", "compare", "worked", "real", "study", "strength", "losses", "bearings", "crank",
+  "hertz", "shaft", "compare", "worked", "real", "study", "strength", "losses", "bearings", "crank",
   "endurance", "lines",
 ].flatMap((id) => [[id, true], [`wanted-${id}`, true]])));
 """
