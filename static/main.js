@@ -15,7 +15,7 @@ import { element, html } from "./lib/html.js";
 import { stateFromInput } from "./lib/form_state.js";
 import { formModel } from "./lib/schema_form.js";
 import { lasting, parsed, session } from "./lib/storage.js";
-import { setUnits, SYSTEMS } from "./lib/units.js";
+import { setDiameters, setUnits, SYSTEMS } from "./lib/units.js";
 import { decodeState } from "./lib/url_state.js";
 import { fieldWords, LANGUAGES, message, setEnglish, useLanguage } from "./messages/index.js";
 import { englishOf, passingText } from "./service_texts.js";
@@ -73,7 +73,8 @@ let bench = null; // the calculator at work
 let telling = 0; // the timer of what is told
 let reopening = 0; // the timer after a calculator could not be opened
 let rebuild = () => {}; // it anew, from its address
-let lengths = lasting.getItem("lengths") === "diameter" ? "diameter" : "radius"; // how radii are typed
+const lengthsIn = (address) => address.get("lengths") ?? (address.has("v") ? "radius" : lasting.getItem("lengths"));
+let lengths = lengthsIn(linked) === "diameter" ? "diameter" : "radius"; // how radii are typed
 let quiet = false; // the browser itself has moved in its history
 let leaving = false; // another design is to come: Back leads to this one
 
@@ -131,6 +132,7 @@ async function partsOf(id) {
 
 /** A calculator at work from its address; `history` is that of a design which it follows. */
 function build(id, { modelOf, ...parts }, history) {
+  setDiameters(lengths === "diameter");
   const model = modelOf();
   const { state, claim } = decodeState(model, new URLSearchParams(kept[id]), id);
   const typed = state ?? stateFromInput(model, parts.examples[0]?.input ?? {});
@@ -171,6 +173,9 @@ function build(id, { modelOf, ...parts }, history) {
         lengths = chosen;
         lasting.setItem("lengths", chosen);
         rebuild();
+      },
+      whole() {
+        for (const button of [print, report]) button.disabled = false;
       },
       history(canUndo, canRedo) {
         undo.disabled = !canUndo;
@@ -215,9 +220,11 @@ function tool(sign, words, act) {
 const undo = tool("↶", message("page.undo"), () => bench?.undo());
 const redo = tool("↷", message("page.redo"), () => bench?.redo());
 document.addEventListener("keydown", (event) => {
-  if (event.altKey && !event.ctrlKey && !event.metaKey && event.code === "KeyK") {
+  const alone = event.altKey && !event.ctrlKey && !event.metaKey;
+  const acts = { KeyK: "keep", KeyL: "enlarge" };
+  if (alone && acts[event.code]) {
     event.preventDefault();
-    bench?.keep();
+    bench?.[acts[event.code]]();
   }
   if (!(event.ctrlKey || event.metaKey) || event.altKey || event.target.closest(".free-text")) return;
   const key = event.key.toLowerCase();
@@ -258,11 +265,16 @@ const settings = createSettings({
 const keep = tool("+", message("compare.pin"), () => bench?.keep());
 keep.disabled = false;
 keep.setAttribute("aria-keyshortcuts", "Alt+K");
+const icon = (lines) => html`<svg class="icon" viewBox="0 0 16 16" aria-hidden="true">${lines}</svg>`;
+const print = tool(icon(html`<path d="M4.5 6V2.5h7V6M4.5 11.5h-2V6h11v5.5h-2M4.5 9.5h7v4h-7z"/>`), message("report.print"), () => bench?.print());
+const report = tool(icon(html`<path d="M3.5 2.5h6l3 3v8h-9zM9.5 2.5v3h3M8 6.5v4.5M6 9.3l2 2 2-2"/>`), message("report.save"), () => bench?.saveReport());
+print.classList.add("print");
+report.classList.add("save-report");
 const share = tool("⇩", message("share.title"));
 const keys = tool("?", message("page.keys"));
 for (const button of [share, keys]) button.setAttribute("aria-haspopup", "dialog");
 keys.setAttribute("aria-keyshortcuts", "?");
-document.getElementById("tools").append(undo, redo, keep, share, settings.button, keys);
+document.getElementById("tools").append(undo, redo, keep, share, print, report, settings.button, keys);
 document.body.append(settings.sheet);
 addEventListener("popstate", () => {
   const there = new URLSearchParams(location.search);
@@ -272,6 +284,7 @@ addEventListener("popstate", () => {
   close();
   quiet = false;
   leaving = false;
+  lengths = lengthsIn(there) === "diameter" ? "diameter" : "radius";
   kept[id] = there.toString();
   open(id);
 });

@@ -9,6 +9,7 @@ import { following } from "./store.js";
 import { createAccuracy } from "./views/accuracy.js";
 import { createCompare } from "./views/compare.js";
 import { nameFiles } from "./views/files.js";
+import { foldable, remembering } from "./views/fold.js";
 import { createReport } from "./views/report.js";
 import { createResults } from "./views/results.js";
 import { createSizing } from "./views/sizing.js";
@@ -46,9 +47,13 @@ export function createRest({ store, inputs, outputs, client, designs, version, c
     },
   });
   const results = createResults({ calculator, titles });
-  const worked = createWorked({ calculator, client, titles, on: { print: () => report.print(), save: () => report.save() } });
+  const worked = createWorked({ calculator, client, titles });
   const measured = calculator.figures.filter(({ measures }) => measures).map(figureOf);
   const accuracy = createAccuracy({ calculator, about: calculation, figures: measured });
+  const comparing = foldable(compare.root, "compare");
+  foldable(worked.root, "worked");
+  remembering(results.root, "results");
+  remembering(accuracy.root, "accuracy");
   const rest = element(html`<div class="rest"></div>`);
   rest.append(...[compare, results, worked, accuracy].map(({ root }) => root));
   outputs.append(wanted.root, rest);
@@ -67,6 +72,10 @@ export function createRest({ store, inputs, outputs, client, designs, version, c
     { update: following(({ typed }) => [typed.texts.title ?? ""], ({ typed }) => nameFiles(typed.texts.title ?? "")) },
   ]);
   return {
+    print: () => report.print(),
+    save: () => report.save(),
+    /** Show the designs side by side. */
+    compare: () => comparing.open(),
     size: (path) => store.state.shown && sizing.open(model.fields.get(path), store.state.shown),
     close() {
       sizing.close();

@@ -18,6 +18,7 @@ import { createDrawingView } from "./views/drawing.js";
 import { createExamples } from "./views/examples.js";
 import { createExplanation } from "./views/explanation.js";
 import { createFigure } from "./views/figure.js";
+import { foldable } from "./views/fold.js";
 import { createForm } from "./views/form.js";
 import { createNotice } from "./views/notice.js";
 import { currentTheme } from "./views/settings.js";
@@ -47,7 +48,7 @@ function lightEachOther(form, drawing) {
 /**
  * `typed` is the state of the form to begin with, `claim` what its link said besides (lib/url_state.js), `history` that
  * of a design which it follows. `on.left()` tells that another design is to come, `on.cleared(query, history)` that an
- * empty one is, `on.address(query)`, `on.history(canUndo, canRedo)`, `on.say(text)` and `on.tell(text)`, which all see,
+ * empty one is, `on.address(query)`, `on.history(canUndo, canRedo)`, `on.whole()` that all of the page is there, `on.say(text)` and `on.tell(text)`, which all see,
  * tell the page around it.
  */
 export function openWorkbench({ host, calculator, model, client, examples, catalogues, designs, version, calculation, calculations, typed, claim, history, lengths, on }) {
@@ -153,6 +154,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     const labels = Object.fromEntries(LABELS.filter((label) => texts[label]).map((label) => [label, texts[label]]));
     const { name } = designs.add(calculator.id, input, labels.title?.slice(0, 24), { labels, verdict: wordIn(calculator, answer) });
     asking.compare();
+    rest?.compare();
     on.tell(message(designs.lasting() ? "compare.kept" : "compare.unsaved", { name }));
   };
   const figureOf = (figure) => createFigure({
@@ -171,7 +173,12 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       tables: asking.tables,
     },
   });
-  const figures = calculator.figures.filter(({ measures }) => !measures).map(figureOf);
+  const figures = calculator.figures.filter(({ measures }) => !measures)
+    .map((figure) => figureOf({ ...figure, leads: figure.id === calculator.drawing.figure }));
+  const folds = new Map([["drawing", foldable(drawing.root, "drawing", { open: true })]]);
+  for (const { id, root } of figures) {
+    folds.set(id, foldable(root, id, { open: !calculator.figures.find((figure) => figure.id === id).folded }));
+  }
   const explanation = createExplanation({ calculator, materialOf });
   const notice = createNotice({ calculator, on: { closed: () => store.apply(next.unclaimed) } });
   const inputs = element(html`<div class="inputs"></div>`);
@@ -189,6 +196,11 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     column("beside", ...figures.filter(({ side }) => side)),
   );
   host.replaceChildren(inputs, outputs);
+  const enlarge = async (card) => (await import("./views/large.js")).enlarge(card);
+  outputs.addEventListener("click", ({ target }) => {
+    const button = target.closest(".enlarge");
+    if (button) enlarge(button.closest(".figure, .mechanism"));
+  });
   lightEachOther(form.root, drawing);
   document.addEventListener("keydown", ({ key }) => {
     if (key === "Escape" && !document.querySelector("dialog[open], :popover-open")) select(null);
@@ -231,6 +243,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
         themed: retheme,
       },
     });
+    on.whole();
   };
   const load = () => loadRest().then(addRest, () => setTimeout(load, AGAIN_MS));
   const begun = answered.then(() => Promise.all(figures.map((figure) => figure.settled())));
@@ -246,6 +259,15 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     undo: () => changeAtOnce(next.steppedBack),
     redo: () => changeAtOnce(next.steppedOn),
     keep,
+    /** The figure at hand in its large view: that of the focus, that under the pointer, else the drawing. */
+    enlarge() {
+      const card = ".figure, .mechanism";
+      const pointed = [...outputs.querySelectorAll(".figure:hover, .mechanism:hover")].at(-1);
+      const chosen = [document.activeElement?.closest(card), pointed, drawing.root].find((one) => one && outputs.contains(one) && one.dataset.folded !== "true");
+      if (chosen && !document.querySelector("dialog[open]")) enlarge(chosen);
+    },
+    print: () => rest?.print(),
+    saveReport: () => rest?.save(),
     /** What helps to read the page: its symbols, each once, and what the model leaves out. */
     help() {
       const inputs = [...model.fields.values()].flatMap((field) => [field, ...field.columns ?? []])

@@ -172,12 +172,13 @@ export function formModel(openapi, {
   const items = parts.flatMap((part) => part.items);
   // What follows another box is always said, be it by that one: figures need it too.
   for (const field of items.flatMap(fieldsOf)) field.required ||= Boolean(suggestions[field.path]?.needs);
-  const besides = wanted.map((group) => wantedGroup(openapi, group, words));
+  const besides = wanted.map((group) => wantedGroup(openapi, group, words))
+    .map((group) => (diameters ? { ...group, items: group.items.map((item) => asDiameter(item, diameters)) } : group));
   const every = [...items, ...besides.flatMap((group) => group.items)];
   const fields = new Map(every.flatMap(fieldsOf).map((field) => [field.path, field]));
   const linked = Object.entries(suggestions).filter(([at, { linked: follows }]) => follows && fields.has(at));
   return {
-    groups: [...arranged ? inOrder(items, arranged) : parts, ...besides], choices: every.filter((item) => !item.path), fields, linked,
+    diameters: Boolean(diameters), groups: [...arranged ? inOrder(items, arranged) : parts, ...besides], choices: every.filter((item) => !item.path), fields, linked,
   };
 }
 

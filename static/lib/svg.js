@@ -7,12 +7,12 @@
  */
 import { formatQuantity, tidy } from "./format.js";
 import { html } from "./html.js";
-import { shownValue } from "./units.js";
+import { inDiameters, shownValue } from "./units.js";
 
 const HEAD = 8; // length of an arrowhead, px
 const HALF = 2.6; // half its width
 
-export const WIDE_PX = 640; // from here on views stand side by side
+export const WIDE_PX = 480; // from here on views stand side by side
 
 function px(value) {
   return Number(value.toFixed(2));
@@ -105,8 +105,12 @@ export function dimension(from, to, symbol, { value = "", field = "", offset = 0
     ${label([middle[0], middle[1] + 4 - rise], symbol, { value, field, anchor: upright ? (beside * down > 0 ? "start" : "end") : "middle" })}</g>`;
 }
 
-/** A radius from the centre outwards, in degrees from upright, clockwise; its label outside, not left of `least`. */
-export function radius(centre, length, angle, symbol, { value = "", field = "", lead = 26, least = 0 } = {}) {
+/** What a drawing calls a radius, and what it says of it: in diameters twice of both. */
+export const sized = (symbol, length) => (inDiameters() ? [`2${symbol}`, mm(2 * length)] : [symbol, mm(length)]);
+
+/** A radius of so many mm from the centre outwards, in degrees from upright, clockwise; its label outside, not left of `least`. */
+export function radius(centre, length, angle, named, { of, field = "", lead = 26, least = 0 } = {}) {
+  const [symbol, value] = sized(named, of);
   const direction = [Math.sin((angle * Math.PI) / 180), -Math.cos((angle * Math.PI) / 180)];
   const along = (by) => [centre[0] + direction[0] * by, centre[1] + direction[1] * by];
   const [rim, end] = [along(length), along(length + lead)];

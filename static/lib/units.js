@@ -45,6 +45,15 @@ export function setUnits(chosen) {
   spelled.clear();
 }
 
+let diameters = false;
+
+/** Whether radii are shown and typed as diameters. */
+export function setDiameters(chosen) {
+  diameters = chosen;
+}
+
+export const inDiameters = () => diameters;
+
 /** Names of units where the language in use has its own. */
 export function setUnitNames(own) {
   names = own;

@@ -1,7 +1,8 @@
 /**
  * The whole input in the address: a link is a design. No DOM.
  *
- * `?calculator=<id>&v=2&<dotted API field name>=<value>&verdict=<word>`: the names and the canonical units of the
+ * `?calculator=<id>&v=2&<dotted API field name>=<value>&lengths=diameter&verdict=<word>`, the last but one where radii are
+ * shown as diameters: the names and the canonical units of the
  * REST bodies; what stands at its default is left out. A text that cannot be read as a number is
  * kept as typed, so that a reload loses nothing.
  */
@@ -35,7 +36,7 @@ export function encodeState(model, state) {
 
 /** What a link may hold besides the fields: which calculator, its version and verdict, how it is shown, what the design is called. */
 export const LABELS = ["title", "author", "revision", "note"];
-const KNOWN = ["calculator", "v", "verdict", "units", "lang", ...LABELS];
+const KNOWN = ["calculator", "v", "verdict", "units", "lang", "lengths", ...LABELS];
 
 /**
  * `{ state, claim }`: the state that the parameters describe, null where they describe none, and what they say besides: `unknown` lists
@@ -73,6 +74,7 @@ export function decodeState(model, parameters, calculator = parameters.get("calc
 export function query(calculator, model, state) {
   const all = new URLSearchParams({ calculator, v: VERSION });
   for (const [key, value] of encodeState(model, state)) all.append(key, value);
+  if (model.diameters) all.append("lengths", "diameter");
   for (const label of LABELS) if (state.texts[label]) all.append(label, state.texts[label]);
   return all.toString();
 }

@@ -7,6 +7,7 @@ import { formatAngle } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 import { drawable, following } from "../store.js";
+import { enlargeButton } from "./parts.js";
 
 const TURN_MS = 12_000;
 const STEPS = 720; // of the slider
@@ -21,7 +22,7 @@ export function createDrawingView({ calculator, on }) {
     <section class="card mechanism" data-drawing="${calculator.id}" aria-labelledby="drawing-${calculator.id}">
       <div class="head"><h2 id="drawing-${calculator.id}">${title}</h2><span class="figure-tools">
         ${["PNG", "SVG"].map((kind) => html`<button type="button" class="toggle save" data-kind="${kind}"
-          aria-label="${message("figure.save", { title, kind })}">${kind}</button>`)}</span></div>
+          aria-label="${message("figure.save", { title, kind })}">${kind}</button>`)}${enlargeButton(title)}</span></div>
       ${moving && html`<div class="motion">
         ${!STILL.matches && html`<button type="button" class="toggle play" aria-pressed="false">${message("drawing.play")}</button>`}
         <input type="range" min="0" max="360" step="0.5" value="0" aria-label="${message("figure.crankAngle")}">

@@ -27,7 +27,7 @@ export function createField(field, { suggestion, sizable, on }) {
     <div class="field kind-${field.kind}" data-path="${field.path}">
       <label for="${id}" title="${field.help}">${titleOf(field)}</label>
       <span class="entry">
-        ${suggestion && html`<button type="button" class="suggest">${symbolMarkup(suggestion.formula)}</button>`}
+        ${suggestion && html`<button type="button" class="suggest"></button>`}
         ${box(field, id)}
         ${sizable && html`<button type="button" class="size" aria-label="${message("sizing.at", { field: field.title })}"
           title="${message("sizing.at", { field: field.title })}">◎</button>`}
@@ -74,7 +74,9 @@ export function createField(field, { suggestion, sizable, on }) {
     setPlaceholder(text) {
       input.placeholder = text;
     },
-    setSuggestion({ label, possible, pressed }) {
+    setSuggestion({ formula, label, possible, pressed }) {
+      if (button.dataset.formula !== formula) fill(button, symbolMarkup(formula));
+      button.dataset.formula = formula;
       button.disabled = !possible;
       button.setAttribute("aria-pressed", String(pressed));
       button.setAttribute("aria-label", label);

@@ -5,7 +5,7 @@ import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 import { passingText, problemText } from "../service_texts.js";
 import { following } from "../store.js";
-import { tableMarkup } from "./parts.js";
+import { enlargeButton, tableMarkup } from "./parts.js";
 import { createPlot, loadPlotly, pictureOf } from "./plot.js";
 
 const NONE = [];
@@ -23,7 +23,8 @@ function completed({ measures, body = ({ besides, ...input }) => input, ...figur
  * `titles` are those of API names. `on.tabled(id, shown)` reports whether the table is wanted,
  * `on.tables(figure)` gives the tables of a figure that has its own, to be saved;
  * `on.charted(id, data)` tells of what was drawn, `on.picked(pair)` of a click on a pair, `on.turned(angle)`
- * of the crank angle of a click, `on.set([path, value])` of the input that it means.
+ * of the crank angle of a click, `on.set([path, value])` of the input that it means. What is folded away is asked for and
+ * drawn when it is opened; a figure that `leads` the drawing is asked for at once.
  */
 export function createFigure({ figure: about, client, titles, on }) {
   const figure = completed(about);
@@ -35,7 +36,7 @@ export function createFigure({ figure: about, client, titles, on }) {
       <figcaption><h2>${title}</h2><span class="figure-tools">
         <button type="button" class="toggle show-table" aria-pressed="false"
           aria-label="${title}: ${message("figure.showTable")}">${message("figure.table")}</button>
-        ${["CSV", "PNG", "SVG"].map(saver)}</span>
+        ${["CSV", "PNG", "SVG"].map(saver)}${enlargeButton(title)}</span>
       </figcaption>
       <div class="canvas">
         <div class="figure-table" tabindex="0" role="region" aria-label="${title}" hidden></div>
@@ -63,6 +64,7 @@ export function createFigure({ figure: about, client, titles, on }) {
   let drawing = Promise.resolve(); // until the latest is drawn
   let drawnOf = null; // the answer that is drawn
   let again = 0; // the timer after a failure of the service
+  let waiting = false; // folded away, until it is opened
   let ahead = null; // the chart of what is asked, `{ filled, theme, chart, stop }`, until it is drawn
 
   const heightOf = (input) => (typeof figure.height === "function" ? figure.height(input) : figure.height);
@@ -128,19 +130,21 @@ export function createFigure({ figure: about, client, titles, on }) {
   async function draw() {
     clearTimeout(again);
     const asked = latest;
+    waiting = canvas.clientWidth === 0;
+    if (waiting && !figure.leads) return undefined;
     root.dataset.stale = String(asked.answer !== drawnOf);
     const loading = loadPlotly().catch(() => null);
     const { answer, problem, superseded } = await newest.ask(ask);
-    if (superseded) return;
+    if (superseded) return undefined;
     if (answer) {
       chart = answer.own;
       on.charted(figure.id, chart.data);
     }
     const Plotly = await loading;
-    if (latest !== asked || !root.isConnected) return;
+    if (latest !== asked || !root.isConnected) return undefined;
     complain(problem || !Plotly
       ? message("figure.failed", { detail: problem ? (measure ? problemText : passingText)(problem, titles) : message("figure.noPlotly") }) : "");
-    if (answer && Plotly) {
+    if (answer && Plotly && !waiting) {
       await show(answer.all);
       drawnOf = asked.answer;
     }
@@ -203,6 +207,13 @@ export function createFigure({ figure: about, client, titles, on }) {
     reserve(BUTTON_PX);
   }
 
+  const sizes = new ResizeObserver(() => {
+    if (!waiting || canvas.clientWidth === 0 || !latest) return;
+    drawing = draw();
+  });
+  sizes.observe(canvas);
+  root.addEventListener("resized", () => plot.drawn() && plot.fit(null));
+
   const picture = async (format, width) =>
     pictureOf(shaped(await post(latest, "light"), "light"), { title, format, width, height: heightOf(latest.filled) });
 
@@ -259,12 +270,12 @@ export function createFigure({ figure: about, client, titles, on }) {
     side: figure.side,
     measured: Boolean(figure.onDemand),
     picture,
-    drawn: () => plot.drawn() && latest !== null,
+    known: () => latest !== null && !measure,
     /** When what is to be drawn is drawn. */
     settled: () => drawing,
     /** Fit what is drawn to paper, at once; `fromPaper` undoes it. */
     toPaper(width, share) {
-      if (!plot.drawn() || tabled) return;
+      if (!plot.drawn() || tabled || canvas.clientWidth === 0) return;
       root.dataset.drawn = latest.theme;
       plot.fit({ width, height: share * heightOf(latest.filled) });
     },
@@ -279,6 +290,7 @@ export function createFigure({ figure: about, client, titles, on }) {
     /** Give up the place on the page and what Plotly listens to for it. */
     close() {
       clearTimeout(again);
+      sizes.disconnect();
       newest.cancel();
       ahead?.stop.abort();
       plot.purge();

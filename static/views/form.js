@@ -223,13 +223,15 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
   /** What the theory gives from the other boxes. */
   function suggest(filled, texts) {
     suggested = {};
-    for (const [path, { formula, value, linked }] of Object.entries(suggestions)) {
+    for (const [path, { formula: formed, value, linked }] of Object.entries(suggestions)) {
+      const formula = typeof formed === "function" ? formed(filled) : formed;
       const amount = value(filled);
       const possible = Number.isFinite(amount);
       if (possible) suggested[path] = amount;
       const { title, unit } = model.fields.get(path);
       const shown = possible ? formatQuantity(amount, unit) : "–";
       fields.get(path).setSuggestion({
+        formula,
         possible: possible || linked,
         pressed: linked && texts[path] === "",
         label: message(linked ? "form.link" : "form.suggestion", { title, formula, value: shown }),

@@ -5,7 +5,7 @@ import { createDialog, symbolMarkup } from "./parts.js";
 
 /** Opened by `button` too. `about()` gives of the open calculator `{ symbols: [[symbol, title, help]], neglected: [text] }`, or null. */
 export function createKeys({ button, about }) {
-  const rows = ["apply", "step", "undo", "keep", "print", "tabs", "help"].map((key) => message(`keys.${key}`));
+  const rows = ["apply", "step", "undo", "keep", "enlarge", "print", "tabs", "help"].map((key) => message(`keys.${key}`));
   const dialog = createDialog({
     id: "keys",
     title: message("keys.title"),

@@ -35,6 +35,10 @@ export function barMarkup(used, level) {
     <path d="M100 0v8"/></svg>`;
 }
 
+/** What opens a figure's large view (views/large.js). */
+export const enlargeButton = (title) => html`<button type="button" class="toggle enlarge" aria-label="${message("figure.enlarge", { title })}"
+  title="${message("figure.enlarge", { title })}"><svg class="icon" viewBox="0 0 16 16" aria-hidden="true"><path d="M9.5 2.5h4v4M6.5 13.5h-4v-4M13.5 2.5l-4.5 4.5M2.5 13.5l4.5-4.5"/></svg></button>`;
+
 /** A symbol as the formulas write it: `r_in` has its index set low. */
 export function symbolMarkup(symbol) {
   const parts = symbol.split(/_([\p{L}\p{N}]+)/u);

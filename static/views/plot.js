@@ -95,7 +95,8 @@ export function createPlot({ label, follows, picked, clicked }) {
       const pair = follows?.(point);
       if (pair) picked(pair);
       const { xaxis } = point;
-      clicked({ ...point, x: xaxis.p2d(event.clientX - root.getBoundingClientRect().left - xaxis._offset) });
+      const { left, width } = root.getBoundingClientRect();
+      clicked({ ...point, x: xaxis.p2d((event.clientX - left) * (root.offsetWidth / width) - xaxis._offset) }); // in the large view it is scaled
     });
     if (!follows) return;
     root.removeAllListeners("plotly_relayout");

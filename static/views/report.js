@@ -9,7 +9,7 @@ import { download } from "./files.js";
 import { symbolMarkup, tableMarkup } from "./parts.js";
 
 const PAPER_WIDTH = 660; // of a figure, in the pixels of a print: A4 less its margins
-const PAPER_HEIGHT = 0.66; // of that on the screen
+const PAPER_HEIGHT = 0.58; // of that on the screen
 const LEFT_OUT = "button, input, select, .motion, .figure-tools, .compare, .say, .cursor, .accuracy-fold, [hidden], script, link";
 
 /** A value as the form shows it: a number, a list, a name with its title. */
@@ -123,10 +123,12 @@ export function createReport({ calculator, model, catalogues, version, outputs, 
   async function file() {
     const [css] = await Promise.all([styles(), worked.ready()]);
     const pictures = await Promise.all(figures.map(async (figure) =>
-      [figure.id, figure.drawn() ? svgOf(await figure.picture("svg", PAPER_WIDTH)) : null]));
+      [figure.id, figure.known() ? svgOf(await figure.picture("svg", PAPER_WIDTH)) : null]));
     prepare({ whole: true });
     const copy = outputs.cloneNode(true);
     restore();
+    for (const card of copy.querySelectorAll("[data-folded]")) delete card.dataset.folded;
+    for (const button of copy.querySelectorAll(".folding")) button.replaceWith(...button.childNodes);
     // The pictures join as text: in this document their style attributes would break the policy.
     const places = new Map();
     for (const [id, svg] of pictures) {

@@ -40,7 +40,7 @@ function rankedMarkup(title, rows) {
       <td>${text}</td><td>${alone}</td><td>${without}</td></tr>`)}</tbody></table></div></section>`;
 }
 
-export function createView({ id, logic, asking }) {
+export function createView({ id, logic, asking, fold }) {
   const root = element(html`<div class="study"><p class="state">${message("study.idleYet")}</p><div class="outcome"></div></div>`);
   const controls = element(html`
     <div class="study-run"><div class="run">
@@ -52,9 +52,15 @@ export function createView({ id, logic, asking }) {
   const [run, stop, see] = controls.querySelectorAll("button");
   const bar = controls.querySelector("progress");
   const lines = [controls, root].map((part) => part.querySelector(".state"));
-  run.addEventListener("click", () => asking.ask());
+  run.addEventListener("click", () => {
+    fold.open(); // there its results come
+    asking.ask();
+  });
   stop.addEventListener("click", () => asking.stop());
-  see.addEventListener("click", () => root.closest("section").scrollIntoView());
+  see.addEventListener("click", () => {
+    fold.open();
+    root.closest("section").scrollIntoView();
+  });
 
   const outcome = following(({ answer }) => [answer], ({ answer, body }) => {
     if (!answer) return;

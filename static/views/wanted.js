@@ -2,6 +2,7 @@
 import { element, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 import { besided, wants } from "../store.js";
+import { foldable } from "./fold.js";
 
 /**
  * The rest are `{ store, inputs, client, titles, figures, calculations }` for the views; a figure of theirs joins `figures`,
@@ -13,7 +14,8 @@ export function createWanted({ calculator, ...parts }) {
     const place = element(html`<section class="card beside-card" data-wanted="${id}" aria-labelledby="wanted-${id}" hidden>
       <h2 id="wanted-${id}">${message(`${id}.title`)}</h2></section>`);
     root.append(place);
-    return { id, section, load, place, loading: null, asking: null, view: null };
+    const fold = foldable(place, `wanted-${id}`);
+    return { id, section, load, place, fold, loading: null, asking: null, view: null };
   });
   let closed = false;
 

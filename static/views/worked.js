@@ -82,18 +82,13 @@ export async function askSteps({ requests }, sections, client, signal) {
   return answers.flatMap(({ worked = [] }) => worked);
 }
 
-/** `on.print()` and `on.save()` ask for the report. */
-export function createWorked({ calculator, client, titles, on }) {
+export function createWorked({ calculator, client, titles }) {
   const root = element(html`
     <section class="card worked" aria-label="${message("worked.title")}">
-      <div class="worked-head"><h2>${message("worked.title")}</h2>
-        <button type="button" class="toggle print">${message("report.print")}</button>
-        <button type="button" class="toggle save-report">${message("report.save")}</button></div>
+      <h2>${message("worked.title")}</h2>
       <div class="worked-groups"></div>
     </section>`);
   const host = root.querySelector(".worked-groups");
-  root.querySelector(".print").addEventListener("click", () => on.print());
-  root.querySelector(".save-report").addEventListener("click", () => on.save());
   const newest = newestOnly();
   let shown = null; // the results on the screen
   let known = new Map(); // their steps, by section

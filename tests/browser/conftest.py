@@ -97,9 +97,19 @@ def watch() -> Watch:
     return Watch()
 
 
+# A visitor who has opened all that folds: what is folded at first is tested in test_layout.py.
+UNFOLDED = """
+localStorage.folds ??= JSON.stringify(Object.fromEntries([
+  "hertz", "shaft", "compare", "worked", "real", "study", "strength", "losses", "bearings", "crank",
+  "endurance", "lines",
+].flatMap((id) => [[id, true], [`wanted-${id}`, true]])));
+"""
+
+
 @pytest.fixture
 def context(browser: sync_api.Browser) -> Iterator[sync_api.BrowserContext]:
     context = browser.new_context(viewport={"width": 1440, "height": 900})
+    context.add_init_script(f"if (/^http/.test(location.protocol)) {{ {UNFOLDED} }}")
     yield context
     context.close()
 

@@ -95,7 +95,7 @@ def test_every_tab_and_heading_is_in_sight_on_a_phone(
             " [scrollWidth - clientWidth, scrollHeight - clientHeight]"
         )
         assert room == [0, 0], calculator
-        headings = page.locator("figcaption h2, .head h2, .compare-head h2, .worked-head h2")
+        headings = page.locator("figcaption h2, .head h2, .compare-head h2, .worked h2")
         cut = headings.evaluate_all(
             "(all) => all.filter((h) => h.scrollWidth > h.clientWidth).map((h) => h.innerText)"
         )

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser, Page, expect
+from pypdf import PdfReader
 
 from app import VERSION
 from tests.browser.calculator_page import chosen, printed, saved, settled, show, text_of
@@ -89,7 +90,7 @@ def test_nothing_is_cut_on_paper(page: Page, service: str, calculator: str) -> N
     for plot in page.locator(".figure:not(:has(.measure)) .plot").all():
         box = plot.bounding_box()
         assert box and box["width"] <= PAPER_PX
-    assert page.locator("button:visible, input:visible, select:visible").count() == 0
+    assert page.locator("button:not(.folding):visible, input:visible, select:visible").count() == 0
 
 
 def test_the_print_button_draws_light_figures_in_the_dark(page: Page, service: str) -> None:
@@ -106,7 +107,7 @@ def test_the_print_button_draws_light_figures_in_the_dark(page: Page, service: s
           dispatchEvent(new Event("afterprint"));
         }; }"""
     )
-    page.locator(".worked .print").click()
+    page.locator(".tool.print").click()
     page.wait_for_function("() => globalThis.inked !== undefined")
     assert page.evaluate("() => inked") == "rgb(28, 39, 51)"
     expect(text).to_have_css("fill", dark)
@@ -119,7 +120,7 @@ def test_the_saved_report_stands_alone(
     drawn(page, service, calculator)
     figures = page.locator(".figure:not(:has(.measure))").count()
     file = tmp_path / f"{calculator}.html"
-    file.write_bytes(saved(page, page.locator(".worked .save-report")).read_bytes())
+    file.write_bytes(saved(page, page.locator(".tool.save-report")).read_bytes())
     markup = file.read_text(encoding="utf-8")
     assert "<script" not in markup
     assert not re.search(r'(?:src|href)="(?!#)', re.sub(r"<svg.*?</svg>", "", markup, flags=re.S))
@@ -151,3 +152,44 @@ def test_the_saved_report_stands_alone(
     assert report.evaluate("() => document.fonts.check('16px \"STIX Two Math\"')")
     assert [url for url in asked if not url.startswith(("file:", "data:"))] == []
     alone.close()
+
+
+SECTIONS = ("real", "study", "strength", "losses", "bearings", "crank")
+MARGIN_POINTS = 14 / 25.4 * 72
+
+
+def left_edge(pdf: PdfReader) -> float:
+    """Where the leftmost text on paper begins, points."""
+    edges: list[float] = []
+
+    def seen(text: str, user: list[float], line: list[float], *_: object) -> None:
+        if text.strip():
+            edges.append(user[0] * line[4] + user[2] * line[5] + user[4])
+
+    for page in pdf.pages:
+        page.extract_text(visitor_text=seen)
+    return min(edges)
+
+
+def test_the_report_of_a_design_with_all_sections_on_is_short_and_whole(
+    page: Page, service: str
+) -> None:
+    drawn(page, service, "crank-planetary")
+    for each in SECTIONS:
+        page.locator(f'[data-path="{each}.on"] input').check()
+        settled(page)
+    for each in SECTIONS:
+        expect(page.locator(f'[data-wanted="{each}"] > :not(h2)')).to_be_attached()
+    expect(page.locator('[data-wanted="real"] .figures').first).to_be_visible()
+    pdf = printed(page)
+    assert 2 <= len(pdf.pages) <= 4
+    assert left_edge(pdf) >= MARGIN_POINTS - 1
+    text = text_of(pdf)
+    for each in page.locator(".beside-card h2").all_inner_texts():
+        assert each in text, each
+    for words in ("Real peak force", "Backlash, largest", "Safety factor of fatigue"):
+        assert words in text.replace("fa tigue", "fatigue"), words
+    before = page.locator(".folding[aria-expanded=true]")
+    while before.count():
+        before.first.click()
+    assert 2 <= len(printed(page).pages) <= 4

@@ -18,7 +18,7 @@ export function cells({ bearings, balance }) {
   return [
     ...bearings.map(reaction),
     balance && {
-      label: message("quantity.unbalance_kg_mm")[0],
+      label: message("quantity.unbalance_kg_mm").title,
       value: formatQuantity(balance.unbalance_kg_mm, "kg·mm", 3),
       note: message("crank.left", { force: formatQuantity(balance.force_N, "N", 3), couple: formatQuantity(balance.couple_Nm, "N·m", 3) }),
     },

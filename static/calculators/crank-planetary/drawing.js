@@ -2,7 +2,7 @@
 import { formatQuantity } from "../../lib/format.js";
 import { fill, html } from "../../lib/html.js";
 import { message } from "../../messages/index.js";
-import { arcPath, circle, createView, headPath, label, line, mm, paper, radius, roundBelow, scaleBar, WIDE_PX } from "../../lib/svg.js";
+import { arcPath, circle, createView, headPath, label, line, mm, paper, radius, roundBelow, scaleBar, sized, WIDE_PX } from "../../lib/svg.js";
 import { crankDirections, drivingAt, forcesAt, mechanismOf, MOST_PAIRS, moved, pinAngle, pinCentres, pitchRadii } from "./mechanism.js";
 
 const STYLES = 6; // of satellites, as in the figures
@@ -11,6 +11,7 @@ const MARGIN = 26; // px
 
 const LABEL_PX = 70; // room for the dimensions about the pair, besides their values
 const CHARACTER_PX = 6.7;
+const ROOMY = 160; // half the room of the pair from which its dimensions need no more to the right
 const FIELD = {
   R: "load.pin_circle_radius_mm",
   pin: "contact.pin_radius_mm",
@@ -28,8 +29,9 @@ function places(width, height) {
   const wide = width >= WIDE_PX;
   const main = wide ? Math.min(height, width * 0.58) : Math.min(width, height * 0.58);
   const half = main / 2;
+  const beside = (width - main) / 2;
   return wide
-    ? { main: { x: half, y: height / 2, half }, detail: { x: (main + width) / 2, y: height / 2, half: Math.min((width - main) / 2, height / 2) } }
+    ? { main: { x: half, y: height / 2, half }, detail: { x: main + beside - Math.max(0, ROOMY - beside), y: height / 2, half: Math.min(beside, height / 2) } }
     : { main: { x: width / 2, y: half, half }, detail: { x: width / 2, y: (main + height) / 2, half: Math.min((height - main) / 2, width / 2) } };
 }
 
@@ -62,7 +64,7 @@ function mainStill(view, centre, half, m) {
     <g class="angle phi" data-field="${FIELD.start}"><path class="arc"/><path class="head"/>${label([0, 0], m.start === 0 ? "φ" : "φ + φ₀")}</g>
     ${m.cranks.length > 1 && html`<g class="angle alpha" data-field="${FIELD.spacing}"><path class="arc"/><path class="head"/>${label([0, 0], "α")}</g>`}
     ${m.pairs.map((pair) => html`<g class="arrow force series-${((pair.satellite - 1) % STYLES) + 1}" data-pair="${pair.satellite}.${pair.pin}"><line class="shaft"/><path class="head"/></g>`)}
-    ${radius(centre, view.size(m.radius), betweenPins(m.pins), "R", { value: mm(m.radius), field: FIELD.R, lead: half - MARGIN + 12 - view.size(m.radius), least: 84 })}`;
+    ${radius(centre, view.size(m.radius), betweenPins(m.pins), "R", { of: m.radius, field: FIELD.R, lead: half - MARGIN + 12 - view.size(m.radius), least: 84 })}`;
 }
 
 /** Where a line passes between the pins to the free corner at the upper left, degrees from upright. */
@@ -176,8 +178,8 @@ function placeDetail(parts, { m, directions, pins, driving, force, ideal }, i) {
     ${line(centre, hole, "crank-line", FIELD.e)}
     ${circle(hole, 2.5, "dot", FIELD.e)}
     ${label([(centre[0] + hole[0]) / 2 + direction[1] * 12, (centre[1] + hole[1]) / 2 + direction[0] * 12 + 4], "e", { field: FIELD.e })}
-    ${radius(centre, close.size(m.pinRadius), away + 125, "r_in", { value: mm(m.pinRadius), field: FIELD.pin, lead: close.size(m.holeRadius + m.eccentricity - m.pinRadius) + 6 })}
-    ${radius(hole, close.size(m.holeRadius), away + 55, "r_out", { value: mm(m.holeRadius), field: FIELD.hole, lead: 10 })}`);
+    ${radius(centre, close.size(m.pinRadius), away + 125, "r_in", { of: m.pinRadius, field: FIELD.pin, lead: close.size(m.holeRadius + m.eccentricity - m.pinRadius) + 6 })}
+    ${radius(hole, close.size(m.holeRadius), away + 55, "r_out", { of: m.holeRadius, field: FIELD.hole, lead: 10 })}`);
   const drives = ideal ? "drawing.drivesIdeal" : "drawing.drives";
   one.title.textContent = message(driving[i] ? drives : "drawing.idle", {
     ...m.pairs[i], force: formatQuantity(value, "N", 4),
@@ -228,7 +230,7 @@ export function createDrawing({ input, answer, curves, width, height }) {
     ? Math.max(holes + m.eccentricity, pitch.ring < 2 * holes ? pitch.ring * 1.05 : 0)
     : m.radius * 1.2;
   const view = createView({ ...main, scale: (main.half - MARGIN) / reach });
-  const room = LABEL_PX + CHARACTER_PX * Math.max(mm(m.holeRadius ?? 0).length, mm(m.pinRadius ?? 0).length);
+  const room = LABEL_PX + CHARACTER_PX * Math.max(...[m.holeRadius, m.pinRadius].map((length) => sized("", length ?? 0).join("").length));
   const close = m.eccentricity
     ? createView({ ...detail, scale: Math.max(detail.half * 0.24, Math.min(detail.half * 0.62, detail.half - room)) / (m.holeRadius + m.eccentricity) })
     : null;

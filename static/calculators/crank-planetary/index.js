@@ -7,6 +7,7 @@
 import { cell, stated } from "../../lib/verdict.js";
 import { formatAngle, formatNumber, formatQuantity, shownDigits, tidy } from "../../lib/format.js";
 import { pairsOf } from "../../lib/chart.js";
+import { inDiameters } from "../../lib/units.js";
 import { message, quantityWords } from "../../messages/index.js";
 import { figureText } from "../../service_texts.js";
 import { createDrawing } from "./drawing.js";
@@ -215,7 +216,10 @@ export default {
       value: ({ mechanism }) => 360 / mechanism.satellites,
     },
     "contact.hole_radius_mm": {
-      formula: "r_in + e",
+      formula: ({ besides } = {}) => {
+        const sum = besides?.contact?.hole_clearance_mm ? "r_in + e + c" : "r_in + e";
+        return inDiameters() ? `2(${sum})` : sum;
+      },
       linked: true,
       needs: "contact.eccentricity_mm",
       value: ({ contact, besides }) => tidy(contact?.pin_radius_mm + contact?.eccentricity_mm + (besides?.contact?.hole_clearance_mm ?? 0)),
@@ -302,6 +306,7 @@ export default {
     {
       id: "hertz",
       side: true,
+      folded: true,
       section: "hertz",
       path: "/hertz/chart",
       compared: true,

@@ -153,7 +153,7 @@ export function cells({ over_turn: turn, ideal }) {
       note: message("real.ideal", { force: formatQuantity(ideal.peak_force_N, "N", 5) }),
     },
     {
-      label: message("quantity.backlash_max_arcmin")[0],
+      label: message("quantity.backlash_max_arcmin").title,
       value: formatQuantity(turn.backlash_max_arcmin, "′", 4),
       note: message("real.least", { value: formatQuantity(turn.backlash_min_arcmin, "′", 4) }),
     },

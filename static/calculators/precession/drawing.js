@@ -2,7 +2,7 @@
 import { formatNumber, formatQuantity } from "../../lib/format.js";
 import { html } from "../../lib/html.js";
 import { message } from "../../messages/index.js";
-import { arcPath, arrow, circle, createView, dimension, label, line, mm, paper, path, radius, roundBelow, scaleBar, WIDE_PX, words } from "../../lib/svg.js";
+import { arcPath, arrow, circle, createView, dimension, label, line, mm, paper, path, radius, roundBelow, scaleBar, sized, WIDE_PX, words } from "../../lib/svg.js";
 
 const MOST_ROLLERS = 200;
 const LONGEST_ARROW = 62; // px
@@ -67,10 +67,10 @@ function sectionView(input, roller, axis, x, scale) {
     ${extension(0, axis - 10, top - 44)}
     ${between(0, roller.z_min_mm, top - 14, "z_min", roller.z_min_mm, FIELD.low, 9)}
     ${between(0, roller.z_max_mm, top - 40, "z_max", roller.z_max_mm, FIELD.high, 9)}
-    ${dimension([x(roller.z_max_mm) + 20, y(RC)], [x(roller.z_max_mm) + 20, y(RC + rho)], "ρ", { value: mm(rho), field: FIELD.rho, beside: -6 })}
+    ${dimension([x(roller.z_max_mm) + 20, y(RC)], [x(roller.z_max_mm) + 20, y(RC + rho)], sized("ρ", rho)[0], { value: sized("ρ", rho)[1], field: FIELD.rho, beside: -6 })}
     ${line([x(roller.z_max_mm), y(RC + rho)], [x(roller.z_max_mm) + 26, y(RC + rho)], "extension")}
     ${stretches.map(({ from, to, diameter }) => path([[x(from), y(diameter / 2)], [x(to), y(diameter / 2)], [x(to), y(-diameter / 2)], [x(from), y(-diameter / 2)]], "body shaft-part", FIELD.d))}
-    ${dimension([x(roller.z_max_mm) + 46, axis], [x(roller.z_max_mm) + 46, y(RC)], "R_C", { value: mm(RC), field: FIELD.RC, beside: -6, rise: 22 })}
+    ${dimension([x(roller.z_max_mm) + 46, axis], [x(roller.z_max_mm) + 46, y(RC)], sized("R_C", RC)[0], { value: sized("R_C", RC)[1], field: FIELD.RC, beside: -6, rise: 22 })}
     ${line([x(l), axis], [x(end), axis], "centre")}
     ${line([x(0), axis], [x(far), y(Math.abs(far) * Math.tan(tilt))], "centre", FIELD.theta)}
     <g class="angle" data-field="${FIELD.theta}"><path class="arc" d="${arcPath([x(0), axis], reach, 90 - theta, 90)}"/>
@@ -131,7 +131,7 @@ function endView(place, size, input, answer, newton) {
     ${line(centre, view.at(turned(first)), "extent", FIELD.position)}
     <g class="angle" data-field="${FIELD.position}"><path class="arc" d="${arcPath(centre, size * 0.62, -first, 0)}"/>
       ${label([place.x - Math.sin(half) * (size * 0.62 + 14), place.y - Math.cos(half) * (size * 0.62 + 14) + 4], "φ₁", { value: formatQuantity(lines[0].position_angle_deg, "°", 4) })}</g>
-    ${radius(centre, size, 142, "R_C", { value: mm(RC), field: FIELD.RC, lead: 12 })}
+    ${radius(centre, size, 142, "R_C", { of: RC, field: FIELD.RC, lead: 12 })}
     ${Object.entries(forces).map(([name, force], i) => {
       if (!force) return "";
       const tip = [place.x + force[0] * newton, place.y - force[1] * newton];
@@ -140,6 +140,8 @@ function endView(place, size, input, answer, newton) {
       return html`${arrow(centre, tip, `force series-${i === 0 ? 2 : 1}`)}${label([tip[0] + (tip[0] < place.x ? -12 : 12), tip[1] + 4], name)}`;
     })}`;
 }
+
+const ROOMY_PX = 760;
 
 /** Null until there are contact lines. */
 export function createDrawing({ input, answer, curves, width, height }) {
@@ -155,7 +157,8 @@ export function createDrawing({ input, answer, curves, width, height }) {
   const upper = tall - 2 * strips;
   const widest = Math.max(...shaftStretches(input).map(({ diameter }) => diameter));
   const [z0, z1] = [Math.min(0, l, roller.z_min_mm), Math.max(l + a + b, roller.z_max_mm)];
-  const ending = (wide ? Math.min(width - column, height) : Math.min(width, height - tall)) / 2 - 46;
+  const aside = wide && width < ROOMY_PX ? 22 : 0; // for the dimension to the right of the wheel
+  const ending = (wide ? Math.min(width - column, height) : Math.min(width, height - tall)) / 2 - 46 - aside;
   const scale = Math.min((column - 100) / (z1 - z0), (upper - 136) / (RC + rho + widest / 2), ending / RC);
   const left = (column - scale * (z1 - z0)) / 2 - 8;
   const x = (z) => Number((left + (z - z0) * scale).toFixed(2));
@@ -166,7 +169,7 @@ export function createDrawing({ input, answer, curves, width, height }) {
   const largest = Math.max(0, Math.hypot(...(answer.meshing_load?.force_N ?? [])), ...(section ? ["B", "C"].map((at) => Math.hypot(...section[`reaction_${at}_N`])) : []));
   const newton = largest > 0 ? Math.min(LONGEST_ARROW, strips * 0.36) / largest : 0;
   const end = wide
-    ? { x: column + (width - column) / 2, y: height / 2 }
+    ? { x: column + (width - column) / 2 - aside, y: height / 2 }
     : { x: width / 2, y: tall + (height - tall) / 2 - 6 };
   const round = largest > 0 && roundBelow(largest, "N");
   const bar = roundBelow(RC, "mm");

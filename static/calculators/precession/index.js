@@ -177,6 +177,7 @@ export default {
     },
     {
       id: "shaft",
+      folded: true,
       section: "shaft_deflection",
       path: "/precession/shaft-deflection/chart",
       compared: true,

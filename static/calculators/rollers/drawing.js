@@ -78,7 +78,7 @@ function circleView(place, input, { forces_N: forces, max_force_N: most }, size,
     ${line([place.x - size - 34, place.y], [place.x + size + 34, place.y], "centre")}
     ${line([place.x, place.y - size - 34], [place.x, place.y + size + 34], "centre")}
     ${circle(centre, size, "centre", "hole_circle_radius_mm")}${rollers}
-    ${radius(centre, size, -180 / forces.length, "R", { value: mm(R), field: "hole_circle_radius_mm", lead: 10 })}`;
+    ${radius(centre, size, -180 / forces.length, "R", { of: R, field: "hole_circle_radius_mm", lead: 10 })}`;
 }
 
 export function createDrawing({ input, answer, width, height }) {
