@@ -145,6 +145,10 @@ class CheckOut(ResponseModel):
     title: str = Field(description="What it is, in English.")
     group: str = Field(description="What it is about.", json_schema_extra={"enum": [*GROUPS]})
     status: Status = Field(description="How it went.")
+    needed: Maybe[bool] = Field(
+        description="Present and false where its part is judged without it: what few can know, or "
+        "no source gives."
+    )
     impossible: Maybe[bool] = Field(
         description="Present and true where the mechanism cannot exist or move so."
     )
@@ -316,6 +320,7 @@ def check_values(check: Check, body: RequestModel, inputs: list[str]) -> Values:
         at["crank_angle_deg"] = from_si("angle_deg", at.pop("crank_angle"))
     values: Values = {
         "status": check.status,
+        "needed": None if check.needed else False,
         "impossible": True if check.impossible and check.status == "fail" else None,
         "value": from_si(unit, check.value),
         "limit": from_si(unit, check.limit),

@@ -34,6 +34,9 @@ def class_pattern(of_pins: bool) -> str:
     return f"({letters})({'|'.join(map(str, GRADES))})"
 
 
+USUAL_FITS = ["H7/g6", "H7/h6", "H7/f7", "H8/h7", "H8/f7", "H8/f8", "H9/f9"]
+"""What the form offers."""
+
 FIT = f"^{class_pattern(False)}/{class_pattern(True)}$"
 
 
@@ -49,7 +52,7 @@ class PinContactFields(ContactFields, group="contact"):
     hole_clearance_mm: Maybe[Deviation] = quantity("Clearance", "c", step=0.005)
     """Radial clearance: hole radius − pin radius − eccentricity; negative is interference, and 0
     says that perfect parts are meant. Forces and stresses hang on it more than on most sizes."""
-    fit: Maybe[str] = quantity("Fit", schema={"pattern": FIT})
+    fit: Maybe[str] = quantity("Fit", schema={"pattern": FIT, "x-options": USUAL_FITS})
     """ISO 286 classes of the hole and of what touches it, as H7/f7, instead of the clearance: half
     of the mean clearance of the two diameters."""
 

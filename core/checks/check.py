@@ -143,8 +143,12 @@ class Check(NamedTuple):
     @property
     def opens(self) -> bool:
         """Whether its part cannot be judged without it."""
-        sourced = self.reason != "no_sourced_limit"  # there is none that anybody could give
-        return self.status == "not_checked" and self.kind.needed and sourced
+        return self.status == "not_checked" and self.needed
+
+    @property
+    def needed(self) -> bool:
+        """Whether its part is open without it: a limit that no source has nobody could give."""
+        return self.kind.needed and self.reason != "no_sourced_limit"
 
 
 def make_check(kind: Kind, *design: Any) -> Check:
@@ -451,6 +455,8 @@ def rank(check: Check) -> tuple[float, ...]:
     """
     order = {"fail": 1, "not_checked": 2, "marginal": 3, "pass": 4, "not_asked": 5}
     place = 0 if check.impossible and check.status == "fail" else order.get(check.status, 6)
+    if check.status == "not_checked" and not check.opens:
+        place = order["not_asked"]
     reserve = check.torque_reserve
     if reserve is None:
         reserve = 0.0 if check.status == "fail" else math.inf

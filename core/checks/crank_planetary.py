@@ -164,7 +164,9 @@ def _lacks(
     if absent:
         yield "section_missing", absent, {}
     if part.by_forces and design.clearance_unknown:
-        yield "clearance_unknown", ("contact.hole_clearance",), {}
+        known = design.contact.eccentricity is not None
+        missing = "contact.hole_clearance" if known else "contact.eccentricity"
+        yield "clearance_unknown", (missing,), {}
     if part.code == "teeth":
         yield "teeth_not_judged", (), {}
     elif "gear" in part.sections and design.gear and design.gear.kind == "none":

@@ -306,8 +306,8 @@ class Design:
     @property
     def wall_guide(self) -> float | None:
         """Least wall that holes usually have to each other and to the bore, m: 0.03 of the diameter
-        of the ring's pin circle, or of what the roots of the satellite sweep, by the least that they
-        can be; None where neither is known.
+        of the ring's pin circle, or of the least that the roots of the satellite sweep; None where
+        neither is known.
         """
         circle = self.gear.ring_pin_circle_radius if self.gear else None
         if circle is None:

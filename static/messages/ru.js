@@ -2,7 +2,6 @@
 export default {
   own: {
     "real.on": { title: "Зазоры и погрешности", help: "Силы, люфт и жёсткость механизма, каким он изготовлен: с зазорами, погрешностями и упругостью." },
-    "real.play": { title: "Зазор по", help: "Радиальному зазору или посадке ISO пальца и отверстия, среднему её зазору." },
     "study.pin_class": { title: "Поле допуска пальца", help: "Поле допуска ISO 286 диаметра, который касается отверстия." },
     "study.hole_class": { title: "Поле допуска отверстия", help: "Поле допуска ISO 286 диаметра отверстий." },
     "real.pins": { title: "Измеренные пальцы", help: "Отклонения измеренной детали, каждого пальца: наружу, по направлению движения, радиуса." },
@@ -80,7 +79,7 @@ export default {
   examples: { label: "Пример", own: "Свои значения", source: "Источник: {source}" },
   option: {
     start: "Пуск", emergency: "Аварийная остановка", pins: "Пальцы в отверстиях", crankshafts: "Коленные валы",
-    radial: "Радиальный зазор", fits: "Посадка ISO", driving: "Прямое", reverse: "Обратное",
+    driving: "Прямое", reverse: "Обратное",
     alternating: "Реверсивное, худшее из двух",
     hertz: "Герц", palmgren: "Пальмгрен", linear: "Линейный", power: "Степенной",
     cantilever: "Консольные", supported: "На двух опорах", fixed: "С заделкой обоих концов",
@@ -111,7 +110,6 @@ export default {
     least: "наименьший {value}",
     range: "{from}…{to}",
     clearance: "Радиальный зазор",
-    fit: "{range}; рассчитано при {mean}",
     lostMotion: "Мёртвый ход при ±{share} % момента",
     stiffness: "Крутильная жёсткость выходного механизма",
     loaded: "Нагружено пар одновременно",
@@ -255,6 +253,7 @@ export default {
     problem: "Строка {row}, {title}: {words}",
   },
   choice: {
+    play: { title: "Зазор как", radial: "Радиальный зазор", fits: "Посадка ISO" },
     cranks: { title: "Кривошипы", spacing: "Равномерно", list: "Список углов" },
     ratio: { title: "Передаточное число", value: "Значение", teeth: "Числа зубьев" },
     torque: { title: "Заданный момент", output: "Выходной", input: "Входной" },
@@ -326,7 +325,14 @@ export default {
     oneWarning: "Предупреждение: {first}",
     announce: "Результаты актуальны. {cells}",
   },
+  parts: {
+    label: "Части редуктора", leave: "Не проверять: {part}", take: "Проверять: {part}", only: "Только контакт", all: "Все части",
+  },
+  partStatus: {
+    pass: "выдерживает", marginal: "на пределе", fail: "не выдерживает", open: "не определено", left_out: "не проверяется", not_asked: "не задано",
+  },
   verdictWord: {
+    soFar: "Пока ничего против", soFarNote: "проверено частей: {judged} из {all}",
     pass: "Пригодна", marginal: "На пределе", fail: "Непригодна", incomplete: "Неизвестно", impossible: "Невозможно",
     passNote: "рассмотрено: {groups}", marginalNote: "запас мал или в пределах погрешности модели; рассмотрено: {groups}",
     marginalByNote: "из-за проверки «{check}»; рассмотрено: {groups}",
@@ -344,6 +350,7 @@ export default {
     openChecks: { one: "неизвестен: не проверено {count} условие", few: "неизвестен: не проверено {count} условия", many: "неизвестен: не проверено {count} условий", other: "неизвестен: не проверено {count} условия" },
     notByTorque: "неизвестен: меньший момент не исправит «{check}»",
     estimated: "оценка",
+    byClearance: "неизвестно: зазор не задан", openParts: "неизвестно: части не определены",
     withoutTorque: "ни одна проверка не зависит от момента",
     largestTorque: "Наибольший допускаемый момент: {torque}",
     reserve: "Запас по моменту",

@@ -2,7 +2,6 @@
 export default {
   own: {
     "real.on": { title: "Зазори й похибки", help: "Сили, люфт і жорсткість механізму, яким його виготовлено: із зазорами, похибками й пружністю." },
-    "real.play": { title: "Зазор за", help: "Радіальним зазором або посадкою ISO цівки й отвору, середнім її зазором." },
     "study.pin_class": { title: "Поле допуску цівки", help: "Поле допуску ISO 286 діаметра, що торкається отвору." },
     "study.hole_class": { title: "Поле допуску отвору", help: "Поле допуску ISO 286 діаметра отворів." },
     "real.pins": { title: "Виміряні цівки", help: "Відхилення виміряної деталі, кожної цівки: назовні, у напрямі руху, радіуса." },
@@ -80,7 +79,7 @@ export default {
   examples: { label: "Приклад", own: "Власні значення", source: "Джерело: {source}" },
   option: {
     start: "Пуск", emergency: "Аварійна зупинка", pins: "Цівки в отворах", crankshafts: "Колінчасті вали",
-    radial: "Радіальний зазор", fits: "Посадка ISO", driving: "Прямий", reverse: "Зворотний",
+    driving: "Прямий", reverse: "Зворотний",
     alternating: "Реверсивний, гірший з двох",
     hertz: "Герц", palmgren: "Пальмгрен", linear: "Лінійний", power: "Степеневий",
     cantilever: "Консольні", supported: "На двох опорах", fixed: "Защемлені з обох кінців",
@@ -111,7 +110,6 @@ export default {
     least: "найменший {value}",
     range: "{from}…{to}",
     clearance: "Радіальний зазор",
-    fit: "{range}; розраховано за {mean}",
     lostMotion: "Мертвий хід за ±{share} % моменту",
     stiffness: "Крутильна жорсткість вихідного механізму",
     loaded: "Навантажено пар одночасно",
@@ -255,6 +253,7 @@ export default {
     problem: "Рядок {row}, {title}: {words}",
   },
   choice: {
+    play: { title: "Зазор як", radial: "Радіальний зазор", fits: "Посадка ISO" },
     cranks: { title: "Кривошипи", spacing: "Рівномірно", list: "Перелік кутів" },
     ratio: { title: "Передатне число", value: "Значення", teeth: "Числа зубів" },
     torque: { title: "Заданий момент", output: "Вихідний", input: "Вхідний" },
@@ -326,7 +325,14 @@ export default {
     oneWarning: "Попередження: {first}",
     announce: "Результати актуальні. {cells}",
   },
+  parts: {
+    label: "Частини редуктора", leave: "Не перевіряти: {part}", take: "Перевіряти: {part}", only: "Лише контакт", all: "Усі частини",
+  },
+  partStatus: {
+    pass: "витримує", marginal: "на межі", fail: "не витримує", open: "не визначено", left_out: "не перевіряється", not_asked: "не задано",
+  },
   verdictWord: {
+    soFar: "Поки нічого проти", soFarNote: "перевірено частин: {judged} з {all}",
     pass: "Придатна", marginal: "На межі", fail: "Непридатна", incomplete: "Невідомо", impossible: "Неможливо",
     passNote: "розглянуто: {groups}", marginalNote: "запас малий або в межах похибки моделі; розглянуто: {groups}",
     marginalByNote: "через перевірку «{check}»; розглянуто: {groups}",
@@ -344,6 +350,7 @@ export default {
     openChecks: { one: "невідомий: не перевірено {count} умову", few: "невідомий: не перевірено {count} умови", many: "невідомий: не перевірено {count} умов", other: "невідомий: не перевірено {count} умови" },
     notByTorque: "невідомий: менший момент не виправить «{check}»",
     estimated: "оцінка",
+    byClearance: "невідомо: зазору не задано", openParts: "невідомо: частини не визначено",
     withoutTorque: "жодна перевірка не залежить від моменту",
     largestTorque: "Найбільший допустимий момент: {torque}",
     reserve: "Запас за моментом",

@@ -18,10 +18,6 @@ const classOf = (part, letters) => ({ like: `tolerances.${part}_diameter.class`,
 const byLimits = (part, end) => ({ when: ["study.sizes", "limits"], words: [`${part}_${end}`, "study"] });
 
 const REAL = {
-  "real.play": { options: ["radial", "fits"], default: "radial", words: ["play", "real"] },
-  "contact.hole_clearance_mm": { when: ["real.play", "radial"] },
-  "real.pin_class": classOf("pin", { when: ["real.play", "fits"], default: "h6" }),
-  "real.hole_class": classOf("hole", { when: ["real.play", "fits"], default: "H7" }),
   "contact_law.kind": {},
   "contact_law.stiffness_N_per_mm": law("linear"),
   "contact_law.exponent": law("power"),
@@ -170,13 +166,11 @@ function besideSatellites({ contact, besides }) {
 }
 
 /** Tolerances to start from when they are switched on: the classes of the fit where there is one. */
-function starts({ besides }) {
-  const { play, pin_class: pin, hole_class: hole } = besides?.real ?? {};
+function starts({ contact }) {
   return {
     "tolerances.pin_position_mm": 0.01,
     "tolerances.hole_position_mm": 0.02,
-    "tolerances.pin_diameter.class": play === "fits" ? pin : "h6",
-    "tolerances.hole_diameter.class": play === "fits" ? hole : "H7",
+    ...(!contact?.fit && { "tolerances.pin_diameter.class": "h6", "tolerances.hole_diameter.class": "H7" }), // which the fit says
     "tolerances.eccentricity_mm": 0.005,
     "tolerances.disc_phase_deg": 0.01,
   };
