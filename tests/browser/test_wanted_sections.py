@@ -9,7 +9,6 @@ from tests.browser.calculator_page import (
     address,
     ask,
     box,
-    choose,
     foreign,
     number,
     printed,
