@@ -194,6 +194,7 @@ export default {
     fitWithout: "Pieces that fit without it",
   },
   form: {
+    fitting: "what fits",
     inputs: "Inputs",
     suggestion: "Set {title} to {formula} = {value}",
     link: "{title} follows {formula} = {value} until a value is typed",

@@ -190,6 +190,7 @@ export default {
     fitWithout: "Собирается без него",
   },
   form: {
+    fitting: "что успеет",
     inputs: "Исходные данные",
     suggestion: "{title}: взять {formula} = {value}",
     link: "«{title}»: {formula} = {value}, пока не введено другое",

@@ -190,6 +190,7 @@ export default {
     fitWithout: "Складається без нього",
   },
   form: {
+    fitting: "що встигне",
     inputs: "Вхідні дані",
     suggestion: "{title}: узяти {formula} = {value}",
     link: "«{title}»: {formula} = {value}, доки не введено інше",

@@ -216,6 +216,7 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
       if (names) view.setNames?.(names, texts[path]);
       view.setText(field.kind === "switch" && !wants(state, field.wanted) ? "" : texts[path]);
       view.setRows?.(field.rows(filled));
+      if (field.empty) view.setPlaceholder(message(`form.${field.empty}`));
       if (field.follows) view.setPlaceholder(reading?.followed ? textIn(field, reading.value) : "");
       const refused = refusedAt(state, path);
       view.setMessage({

@@ -63,7 +63,7 @@ const STUDY = {
   "tolerances.crank_phase_deg": {},
   "tolerances.disc_phase_deg": {},
   quantities: { words: ["quantities", "study"], section: "load_sharing" },
-  samples: {},
+  samples: { empty: "fitting" },
   "study.ranked": { options: ["ranked", "plain"], default: "ranked", words: ["ranked", "study"] },
   percentiles: rare,
   seed: rare,
