@@ -67,7 +67,7 @@ export default {
     step: { keys: "↑ ↓", does: "Шаг значения; с Shift — вдесятеро больший" },
     undo: { keys: "Ctrl Z, Ctrl Y", does: "Отменить и вернуть" },
     keep: { keys: "Alt K", does: "Добавить к сравнению" },
-    enlarge: { keys: "Alt L", does: "Показать рисунок на весь экран, как для проектора; Esc закрывает" },
+    enlarge: { keys: "Alt L", does: "Показать рисунок на весь экран, как для проектора" },
     print: { keys: "Ctrl P", does: "Напечатать отчёт" },
     tabs: { keys: "Alt 1 …", does: "Открыть калькулятор" },
     help: { keys: "?", does: "Эта справка" },
