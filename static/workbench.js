@@ -94,7 +94,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     queries: examples.map(({ input }) => query(calculator.id, model, stateOf(input))),
     on: {
       picked: ({ input }) => take(stateOf(input)),
-      cleared: () => on.cleared(query(calculator.id, model, stateOf({})), store.state.history),
+      cleared: () => on.cleared(query(calculator.id, model, stateOf(calculator.blank ?? {})), store.state.history),
       labelled: (label, text) => {
         store.apply(next.labelled, label, text, Date.now());
         store.apply(next.addressed);

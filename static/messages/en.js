@@ -69,7 +69,7 @@ export default {
     step: { keys: "↑ ↓", does: "Step the value; ten times as far with Shift" },
     undo: { keys: "Ctrl Z, Ctrl Y", does: "Undo and redo" },
     keep: { keys: "Alt K", does: "Keep this design" },
-    enlarge: { keys: "Alt L", does: "Show the figure at hand large, as for a projector; Esc closes it" },
+    enlarge: { keys: "Alt L", does: "Show the figure at hand large, as for a projector" },
     print: { keys: "Ctrl P", does: "Print the report" },
     tabs: { keys: "Alt 1 …", does: "Open a calculator" },
     help: { keys: "?", does: "This help" },
@@ -193,6 +193,7 @@ export default {
     fitWithout: "Pieces that fit without it",
   },
   form: {
+    fitting: "what fits",
     inputs: "Inputs",
     suggestion: "Set {title} to {formula} = {value}",
     link: "{title} follows {formula} = {value} until a value is typed",

@@ -66,7 +66,7 @@ export default {
     step: { keys: "↑ ↓", does: "Крок значення; з Shift — удесятеро більший" },
     undo: { keys: "Ctrl Z, Ctrl Y", does: "Скасувати й повернути" },
     keep: { keys: "Alt K", does: "Додати до порівняння" },
-    enlarge: { keys: "Alt L", does: "Показати рисунок на весь екран, як для проєктора; Esc закриває" },
+    enlarge: { keys: "Alt L", does: "Показати рисунок на весь екран, як для проєктора" },
     print: { keys: "Ctrl P", does: "Надрукувати звіт" },
     tabs: { keys: "Alt 1 …", does: "Відкрити калькулятор" },
     help: { keys: "?", does: "Ця довідка" },
@@ -189,6 +189,7 @@ export default {
     fitWithout: "Складається без нього",
   },
   form: {
+    fitting: "що встигне",
     inputs: "Вхідні дані",
     suggestion: "{title}: узяти {formula} = {value}",
     link: "«{title}»: {formula} = {value}, доки не введено інше",

@@ -273,11 +273,11 @@ export function createFigure({ figure: about, client, titles, on }) {
     known: () => latest !== null && !measure,
     /** When what is to be drawn is drawn. */
     settled: () => drawing,
-    /** Fit what is drawn to paper, at once; `fromPaper` undoes it. */
-    toPaper(width, share) {
+    /** Fit what is drawn to paper, at once, `tall(height)` of its height on the screen; `fromPaper` undoes it. */
+    toPaper(width, tall) {
       if (!plot.drawn() || tabled || canvas.clientWidth === 0) return;
       root.dataset.drawn = latest.theme;
-      plot.fit({ width, height: share * heightOf(latest.filled) });
+      plot.fit({ width, height: tall(heightOf(latest.filled)) });
     },
     fromPaper() {
       if (!root.dataset.drawn) return;

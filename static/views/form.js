@@ -91,6 +91,7 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
   const { suggestions = {} } = calculator;
   const fields = new Map();
   const choices = new Map();
+  const apart = new Set(); // of what follows another box, what has been said by itself
   let suggested = {};
 
   const creates = (field) => ({ records: field.rows ? createGrid : createRows, names: createNames, switch: createSwitch })[field.kind] ?? createField;
@@ -196,6 +197,11 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
     const shown = new Set(shownFields(model, state.typed));
     for (const add of wanted) add(state);
     for (const [id, view] of choices) view.setChosen(chosen[id]);
+    for (const id of Object.keys(calculator.alike ?? {})) {
+      const { root: place } = choices.get(id) ?? {};
+      if (chosen[id] !== "named" || texts[id]) apart.add(id);
+      if (place) place.hidden = !apart.has(id);
+    }
     for (const [path, field] of model.fields) {
       const view = fields.get(path);
       if (field.wanted) {
@@ -210,6 +216,7 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
       if (names) view.setNames?.(names, texts[path]);
       view.setText(field.kind === "switch" && !wants(state, field.wanted) ? "" : texts[path]);
       view.setRows?.(field.rows(filled));
+      if (field.empty) view.setPlaceholder(message(`form.${field.empty}`));
       if (field.follows) view.setPlaceholder(reading?.followed ? textIn(field, reading.value) : "");
       const refused = refusedAt(state, path);
       view.setMessage({

@@ -6,7 +6,9 @@ import { message } from "../messages/index.js";
 // With a finger, dragging scrolls the page and does not zoom the figure.
 const HOVERS = matchMedia("(hover: hover)").matches;
 const NARROW_PX = 520;
-const [SIDES_PX, LETTER, LEAST_PX] = [72, 0.6, 9]; // beside the axes; of a title: width over height of a letter, least height
+const TITLE_PX = 14; // between rows and the title of their axis
+const [TINY_PX, SMALL_PT] = [320, 10]; // a figure so narrow has smaller remarks
+const [SIDES_PX, LETTER, LEAST_PX] = [76, 0.66, 9]; // beside the axes; of a title: width over height of a letter, least height
 const PICTURE = { width: 900, scale: 2 }; // a saved one: points, and pixels a point
 // No toolbar over the legend: dragging zooms, a double click shows all again, as Plotly says on a zoom.
 const CONFIG = { displayModeBar: false, responsive: true };
@@ -119,6 +121,13 @@ export function createPlot({ label, follows, picked, clicked }) {
         const size = ((root.clientWidth - SIDES_PX) * (to - from)) / (LETTER * axis.title.text.length);
         const { font = {} } = axis.title;
         if (size < font.size) axis.title = { ...axis.title, font: { ...font, size: Math.max(LEAST_PX, size) } };
+      }
+      if (root.clientWidth < TINY_PX) {
+        layout.annotations = layout.annotations?.map((one) => ({ ...one, font: { ...one.font, size: SMALL_PT } }));
+      }
+      // Names of rows are long: the title of their axis keeps off them.
+      if (data[0]?.orientation === "h" && layout.yaxis?.title?.text) {
+        layout.yaxis = { ...layout.yaxis, automargin: true, title: { ...layout.yaxis.title, standoff: TITLE_PX } };
       }
       const locales = { page: { dictionary: message("plotly"), format: {} } };
       await Plotly.react(root, follows ? emphasised(data) : data, { ...layout, autosize: true, separators: separators() }, { ...CONFIG, locale: "page", locales });

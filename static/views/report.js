@@ -9,7 +9,8 @@ import { download } from "./files.js";
 import { symbolMarkup, tableMarkup } from "./parts.js";
 
 const PAPER_WIDTH = 660; // of a figure, in the pixels of a print: A4 less its margins
-const PAPER_HEIGHT = 0.58; // of that on the screen
+const PAPER_HEIGHT = 0.58; // of that on the screen, where that leaves its titles room
+const LEAST_HEIGHT = 230;
 const LEFT_OUT = "button, input, select, .motion, .figure-tools, .compare, .say, .cursor, .accuracy-fold, [hidden], script, link";
 
 /** A value as the form shows it: a number, a list, a name with its title. */
@@ -101,7 +102,7 @@ export function createReport({ calculator, model, catalogues, version, outputs, 
     folds = [...outputs.querySelectorAll(closed)];
     for (const fold of folds) fold.open = true;
     if (whole) worked.unfold();
-    for (const figure of figures) figure.toPaper(PAPER_WIDTH, whole ? 1 : PAPER_HEIGHT);
+    for (const figure of figures) figure.toPaper(PAPER_WIDTH, (height) => (whole ? height : Math.max(PAPER_HEIGHT * height, Math.min(height, LEAST_HEIGHT))));
   }
 
   function restore() {

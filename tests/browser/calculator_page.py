@@ -117,7 +117,7 @@ def printed(page: Page) -> PdfReader:
 def text_of(pdf: PdfReader) -> str:
     """The words on paper; ligatures taken apart."""
     text = " ".join(page.extract_text() for page in pdf.pages)
-    return re.sub(r"\s+", " ", text.replace("ﬂ", "fl").replace("ﬁ", "fi"))
+    return re.sub(r"\s+", " ", text.replace("ﬂ", "fl").replace("ﬁ", "fi").replace("ﬀ", "ff"))
 
 
 # What is the same in all languages: names of programs, files, units, keys, standards.

@@ -117,8 +117,9 @@ def test_diameters_are_diameters_everywhere_and_in_the_link(newcomer: Page, serv
     newcomer.locator('[data-path="contact.hole_clearance_mm"] .box').fill("0.02")
     newcomer.locator('[data-path="bearings.on"] input').check()
     settled(newcomer)
-    labels = newcomer.locator(".shown .drawing .label").all_text_contents()
-    assert {"2R = 56 mm", "2rin = 16 mm", "2rout = 20.04 mm"} <= set(labels)
+    texts = newcomer.locator(".shown .drawing .label").all_text_contents()
+    labels = {text.replace("\u00a0", " ") for text in texts}
+    assert {"2R = 56 mm", "2rin = 16 mm", "2rout = 20.04 mm"} <= labels
     hole = newcomer.locator('[data-path="contact.hole_radius_mm"]')
     expect(hole.locator(".suggest")).to_contain_text("2(rin + e + c)")
     ring = newcomer.locator('[data-path="gear.ring_pin_radius_mm"]')
@@ -141,6 +142,7 @@ def test_a_figure_has_a_large_view(newcomer: Page, service: str) -> None:
     settled(newcomer)
     force = newcomer.locator('[data-figure="force"]')
     expect(force.locator(".main-svg").first).to_be_visible()
+    force.scroll_into_view_if_needed()
     place = force.bounding_box()
     button = force.get_by_role("button", name="Large view: Contact forces")
     button.click()
@@ -168,3 +170,13 @@ def test_a_figure_has_a_large_view(newcomer: Page, service: str) -> None:
     expect(newcomer.locator('[data-path="mechanism.pins"] .box')).to_be_focused()
     assert newcomer.evaluate("() => watched.shift") < 0.001
     assert newcomer.evaluate("() => watched.violations") == []
+
+
+def test_very_many_pins_are_refused_at_once(newcomer: Page, service: str) -> None:
+    newcomer.goto(service)
+    settled(newcomer)
+    refused: list[str] = []
+    newcomer.on("response", lambda answer: refused.append(answer.url) if answer.status > 399 else 0)
+    newcomer.locator('[data-path="mechanism.pins"] .box').fill("5000")
+    expect(newcomer.locator(".verdict .word")).to_contain_text("Not possible", timeout=8000)
+    assert refused == []

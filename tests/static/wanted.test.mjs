@@ -371,12 +371,13 @@ test("the calculator's own groups have words for all that they add", () => {
   }
 });
 
-test("a pin starts with a material whose strength is known", () => {
-  const table = { hard: {}, tough: { tensile_strength_MPa: 900, yield_strength_MPa: 650 }, brittle: { tensile_strength_MPa: 195 } };
-  const { starts } = WANTED.find(({ id }) => id === "strength");
-  const of = (pin_material) => starts({ contact: { pin_material } }, (path, given) => (typeof given === "string" ? table[given] : given))["pin.material"];
-  assert.deepEqual([of("hard"), of("brittle")], ["steel_through_hardened", "steel_through_hardened"]);
-  assert.deepEqual([of("tough"), of({ youngs_modulus_GPa: 210 })], [undefined, undefined]);
+test("a pin has one material, unless it was typed apart", () => {
+  const pin = { satellite_positions_mm: [9, 23] };
+  const of = (material, pin_material = "tough") => inputOf({ contact: { pin_material }, pin: { ...pin, material } }).besides.pin;
+  assert.deepEqual(of("tough"), pin);
+  assert.deepEqual(of({ yield_strength_MPa: 1 }, { yield_strength_MPa: 1 }), pin);
+  assert.deepEqual(of("hard"), { ...pin, material: "hard" });
+  assert.deepEqual(Object.keys(WANTED.find(({ id }) => id === "strength").starts({})), ["fatigue.reliability_percent"]);
 });
 
 test("a design document switches on the groups whose parts it has, and is asked for as it was", () => {

@@ -206,7 +206,7 @@ export default {
   optional: ["mechanism.crank_spacing_deg", "contact.hole_clearance_mm", "contact.fit"],
   catalogues: { "contact.pin_material": "materials", "contact.hole_material": "materials", "pin.material": "materials" },
 
-  /** What an empty name of a table means: that of another box. */
+  /** What an empty name of a table means: that of another box. It is shown only where something else was typed or is asked for. */
   alike: { "pin.material": "contact.pin_material" },
 
   /** The value that the theory gives for a box, where the other boxes allow it. */

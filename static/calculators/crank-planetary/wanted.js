@@ -59,7 +59,7 @@ const STUDY = {
   "tolerances.crank_phase_deg": {},
   "tolerances.disc_phase_deg": {},
   quantities: { words: ["quantities", "study"], section: "load_sharing" },
-  samples: {},
+  samples: { empty: "fitting" },
   "study.ranked": { options: ["ranked", "plain"], default: "ranked", words: ["ranked", "study"] },
   percentiles: rare,
   seed: rare,
@@ -176,15 +176,6 @@ function starts({ contact }) {
   };
 }
 
-const CORE = "steel_through_hardened"; // of a pin whose surface's material has no strengths in the table
-
-/** A pin to start from whose strength can be judged. */
-function pinStarts({ contact: { pin_material: given } = {} }, materialOf) {
-  const { tensile_strength_MPa: R_m, yield_strength_MPa: R_e } = materialOf("contact.pin_material", given) ?? {};
-  const unknown = typeof given === "string" && (R_m === undefined || R_e === undefined);
-  return { "fatigue.reliability_percent": 99, ...(unknown && { "pin.material": CORE }) };
-}
-
 const WHOLE = ["/crank-planetary"];
 
 export const WANTED = [
@@ -208,7 +199,7 @@ export const WANTED = [
     paths: WHOLE,
     fields: STRENGTH,
     judged: true,
-    starts: pinStarts,
+    starts: () => ({ "fatigue.reliability_percent": 99 }),
     load: () => Promise.all([import("./strength.js"), import("../../views/part.js")]),
   },
   {
@@ -262,9 +253,11 @@ export function partsOf(input, sections) {
   };
 }
 
-/** What the form shows of a design document: the groups are on whose parts it has. */
-export function inputOf({ pin, fatigue = {}, friction, gear, bearing, crankshaft, ...own }) {
-  const { requirements } = own;
+/** What the form shows of a design document: the groups are on whose parts it has; a pin of one material has it in one field. */
+export function inputOf({ pin: given, fatigue = {}, friction, gear, bearing, crankshaft, ...own }) {
+  const { requirements, contact } = own;
+  const { material, ...bare } = given ?? {};
+  const pin = given && JSON.stringify(material) === JSON.stringify(contact?.pin_material) ? bare : given;
   const ways = { notch_factor: "fatigue_notch_factor", notch: "notch", endurance_limit: "endurance_limit_MPa" };
   const way = Object.keys(ways).find((each) => fatigue[ways[each]] !== undefined);
   const on = { on: "on" };

@@ -60,6 +60,9 @@ export default {
     }),
   },
 
+  /** What an empty design has besides what the service takes where nothing is said. */
+  blank: { poissons_ratio: 0.3 },
+
   sections: ["roller_strength"],
 
   ask: async (asking) => ({ roller_strength: await asked(asking, "checks") }),
