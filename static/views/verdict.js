@@ -5,7 +5,7 @@
 import {
   assumedIn, checkRow, decisive, judgedOf, levelOfWord, notConsidered, partRow, torqueDigits, torqueUnknown, wordNote, wordOf, wordText,
 } from "../lib/checks.js";
-import { quantityParts } from "../lib/format.js";
+import { formatQuantity, quantityParts } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 import { following, standing, UNANSWERED } from "../store.js";
@@ -41,13 +41,21 @@ function governingMarkup(judged, titles) {
     <p class="note">${value && limit ? html`<b>${value}</b> (${limit})` : reason || value}</p>`;
 }
 
-function torqueMarkup({ numbers }, judged) {
+/** What becomes of the design with a usual clearance. */
+function usualMarkup({ class: fit, hole_clearance_mm: clearance, largest_torque_Nm: torque, verdict }) {
+  return html`<p class="note">${message("checks.usual", {
+    fit: fit === "printed" ? message("checks.printed") : fit, clearance: formatQuantity(clearance, "mm", 3),
+    result: [torque !== undefined && formatQuantity(torque, "N·m", 3), wordText({ verdict, parts: [] })].filter(Boolean).join(", "),
+  })}</p>`;
+}
+
+function torqueMarkup({ numbers }, judged, usual) {
   const label = html`<p class="label">${message("checks.torque")}</p>`;
   const { largest_torque_Nm: largest, largest_torque_estimated: estimated } = judged ?? {};
-  if (largest === undefined) return html`${label}<p class="note">${judged && numbers !== "part" ? torqueUnknown(judged) : "–"}</p>`;
+  if (largest === undefined) return html`${label}<p class="note">${judged && numbers !== "part" ? torqueUnknown(judged) : "–"}</p>${usual && usualMarkup(usual)}`;
   const { value, unit } = quantityParts(largest, "N·m", torqueDigits(judged));
   return html`${label}<p><span class="figures">${estimated && "≈\u00a0"}${value}</span> <span class="figures-unit">${unit}</span></p>
-    ${estimated && html`<p class="note">${message("checks.estimated")}</p>`}`;
+    ${estimated && html`<p class="note">${message("checks.estimated")}</p>`}${usual && usualMarkup(usual)}`;
 }
 
 /** A chip for each part: its mark, its name; a click leads to its check or to what it lacks. */
@@ -98,14 +106,14 @@ export function createVerdict({ calculator, titles, on }) {
   });
   return {
     root,
-    update: following(({ shown, typed, phase }) => [shown, typed, phase], (state) => {
+    update: following(({ shown, typed, phase, fixes }) => [shown, typed, phase, fixes], (state) => {
       const judged = judgedOf(calculator, state.shown?.answer);
       const stands = standing(state);
       judgedNow = judged;
       fill(part("parts"), html`${partsMarkup(stands, judged ?? {})}`);
       fill(part("judged"), wordMarkup(stands, judged));
       fill(part("governing"), governingMarkup(judged, titles));
-      fill(part("torque"), torqueMarkup(stands, judged));
+      fill(part("torque"), torqueMarkup(stands, judged, state.fixes?.of === state.shown && stands.numbers === "fresh" && state.fixes?.usual));
     }),
   };
 }

@@ -259,7 +259,14 @@ export default {
     }));
   },
 
-  mend: async ({ post, get, input, filled }) => post("/crank-planetary", { ...await madeOf(input, filled, get), include: ["fixes"] }),
+  mend: async ({ post, get, input, filled, failing, usual }) => post("/crank-planetary", {
+    ...await madeOf(input, filled, get),
+    include: [...(failing ? ["fixes"] : []), ...(usual ? ["usual_fit"] : [])],
+  }),
+
+  /** Whether nothing is known of the clearance, or none is stated. */
+  withoutClearance: ({ parts = [], warnings = [] }) =>
+    parts.some(({ reason }) => reason === "clearance_unknown") || warnings.some(({ code }) => code === "perfect_parts"),
 
   /** Which way results are better. */
   better: { peak_force_N: -1, governing_pressure_MPa: -1, safety_factor: 1 },

@@ -100,6 +100,10 @@ const BEARINGS = {
   "bearing.kind": { default: "roller" },
   "bearing.dynamic_rating_N": {},
   "bearing.static_rating_N": {},
+  "bearing.bore_diameter_mm": {},
+  "bearing.outer_diameter_mm": {},
+  "bearing.width_mm": {},
+  "bearing.limiting_speed_rpm": rare,
   "bearing.reliability_percent": {},
   "bearing.ring_factor": rare,
   "bearing.weibull_slope": rare,
@@ -109,6 +113,8 @@ const BEARINGS = {
 const shaftBearing = (index, letter) => ({
   [`crankshaft.bearings.${index}.kind`]: { default: "ball", words: [`kind_${letter}`, "crank"] },
   [`crankshaft.bearings.${index}.dynamic_rating_N`]: { words: [`rating_${letter}`, "crank"] },
+  ...Object.fromEntries(["bore_diameter_mm", "outer_diameter_mm", "width_mm"].map((name) =>
+    [`crankshaft.bearings.${index}.${name}`, { ...rare, words: [`${name}_${letter}`, "crank"] }])),
 });
 const CRANK = {
   "crankshaft.satellite_positions_mm": { required: true, follows: onShaft, words: ["satellites", "crank"] },
@@ -116,6 +122,8 @@ const CRANK = {
   ...shaftBearing(0, "a"),
   ...shaftBearing(1, "b"),
   "crankshaft.satellite_mass_kg": {},
+  "crankshaft.eccentric_diameter_mm": rare,
+  "crankshaft.shaft_diameter_mm": rare,
   ...asked("max_unbalance_N", "max_unbalance_couple_Nm"),
 };
 
