@@ -1,20 +1,25 @@
-// Runs before the first paint (a classic script in the head): a chosen theme never flashes, and the
+// Runs before the first paint (a classic script in the head): a chosen theme never flashes, a language has its room, and the
 // modules of the calculator in the address are asked for with those of the page. Plotly is run while
 // they are on their way.
 (() => {
+  const linked = new URLSearchParams(location.search);
+  const languages = [linked.get("lang"), ...navigator.languages.map((tag) => tag.split("-")[0])];
   try {
+    languages.splice(1, 0, localStorage.getItem("language"));
     const theme = localStorage.getItem("theme");
     if (theme === "light" || theme === "dark") document.documentElement.dataset.theme = theme;
   } catch {
     // Without storage the system's theme holds.
   }
+  // Room is kept for the words of a language from the first paint on.
+  document.documentElement.lang = languages.find((one) => ["en", "uk", "ru"].includes(one)) ?? "en";
   const own = {
     "crank-planetary": ["index", "drawing", "mechanism", "sentences", "wanted"],
     rollers: ["index", "drawing", "sentences"],
     precession: ["index", "drawing", "sentences"],
   };
   const shared = ["fatigue", "svg"].map((name) => `static/lib/${name}.js`);
-  const asked = new URLSearchParams(location.search).get("calculator");
+  const asked = linked.get("calculator");
   const id = Object.hasOwn(own, asked) ? asked : "crank-planetary";
   const modules = own[id].map((name) => `static/calculators/${id}/${name}.js`);
   document.head.append(...[...modules, ...shared].map((href) =>
