@@ -133,7 +133,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     form.focus(path);
   };
   const verdict = createVerdict({
-    calculator, titles,
+    calculator, titles, scope: model.fields.get("requirements.scope")?.options,
     on: {
       again: () => asking.now(),
       asked: (path) => lead(entryOf(model, path)),

@@ -59,28 +59,27 @@ function torqueMarkup({ numbers }, judged, usual) {
 }
 
 /** A chip for each part: its mark, its name; a click leads to its check or to what it lacks. */
-function partsMarkup({ numbers }, { parts = [] } = {}) {
-  if (parts.length === 0 || numbers === "part") return "";
+function partsMarkup(parts, known) {
   const judged = parts.filter(({ status }) => status !== "left_out");
   const rows = parts.map(partRow);
   return html`<ul>${rows.map(({ code, title, status, level, mark, words, ask, leaves }) => html`
-    <li class="chip ${status}"><button type="button" data-part="${code}" data-ask="${ask ?? ""}" title="${words}">
+    <li class="chip ${status}" data-part-of="${code}"><button type="button" data-part="${code}" data-ask="${ask ?? ""}" title="${words}">
       <span class="mark ${level || ""}" aria-hidden="true">${mark}</span>${title}<span class="unseen">: ${words}</span></button><button
-      type="button" class="scope" data-leaves="${leaves ? code : ""}" data-takes="${leaves ? "" : code}" aria-label="${message(leaves ? "parts.leave" : "parts.take", { part: title })}"
+      type="button" class="scope" ${(!known || (leaves && judged.length < 2)) && html`disabled`} data-leaves="${leaves ? code : ""}" data-takes="${leaves ? "" : code}" aria-label="${message(leaves ? "parts.leave" : "parts.take", { part: title })}"
       title="${message(leaves ? "parts.leave" : "parts.take", { part: title })}">${leaves ? "×" : "+"}</button></li>`)}</ul>
-    ${judged.length > 1 && html`<button type="button" class="link only">${message("parts.only")}</button>`}
-    ${judged.length < parts.length && html`<button type="button" class="link every">${message("parts.all")}</button>`}`;
+    <button type="button" class="link only" ${(!known || judged.length < 2) && html`disabled`}>${message("parts.only")}</button>
+    <button type="button" class="link every" ${(!known || judged.length === parts.length) && html`disabled`}>${message("parts.all")}</button>`;
 }
 
 /**
  * `on.again()`: the service is to be asked once more; `on.asked(path)` leads to a field, `on.shown(code)` to a check,
- * `on.scoped(parts)` judges these parts alone.
+ * `on.scoped(parts)` judges these parts alone; `scope` are all there are, of a calculator that has any.
  */
-export function createVerdict({ calculator, titles, on }) {
+export function createVerdict({ calculator, titles, scope: all = [], on }) {
   const root = element(html`
     <section class="verdict card" aria-label="${message("verdict.label")}">
       <div class="judged" tabindex="-1"></div><div class="governing"></div><div class="torque"></div>
-      <div class="parts" role="group" aria-label="${message("parts.label")}"></div>
+      ${all.length > 0 && html`<div class="parts" role="group" aria-label="${message("parts.label")}"></div>`}
       <nav class="jumps" aria-label="${message("jumps.label")}">${["answer", "inputs", "shown", "rest"].map((id) => html`
         <button type="button" class="link" data-jump="${id}">${message(`jumps.${id}`)}</button>`)}</nav>
     </section>`);
@@ -92,7 +91,7 @@ export function createVerdict({ calculator, titles, on }) {
   const scope = () => judgedNow.parts.filter(({ status }) => status !== "left_out").map(({ code }) => code);
   root.addEventListener("click", ({ target }) => {
     const button = target.closest("button");
-    if (!button) return;
+    if (!button || (!judgedNow && !button.matches(".again"))) return;
     const { part: code, ask, leaves, takes } = button.dataset;
     if (button.matches(".again")) {
       part("judged").focus(); // the button goes
@@ -109,11 +108,15 @@ export function createVerdict({ calculator, titles, on }) {
     update: following(({ shown, typed, phase, fixes }) => [shown, typed, phase, fixes], (state) => {
       const judged = judgedOf(calculator, state.shown?.answer);
       const stands = standing(state);
-      judgedNow = judged;
-      fill(part("parts"), html`${partsMarkup(stands, judged ?? {})}`);
       fill(part("judged"), wordMarkup(stands, judged));
       fill(part("governing"), governingMarkup(judged, titles));
       fill(part("torque"), torqueMarkup(stands, judged, state.fixes?.of === state.shown && stands.numbers === "fresh" && state.fixes?.usual));
+      judgedNow = judged;
+      if (all.length === 0) return;
+      const parts = stands.numbers !== "part" && judged?.parts;
+      const focused = document.activeElement?.closest?.(".chip")?.dataset.partOf; // its button is made anew
+      fill(part("parts"), partsMarkup(parts || all.map((code) => ({ code, status: "not_asked" })), Boolean(parts)));
+      if (focused && document.activeElement === document.body) part("parts").querySelector(`[data-part-of="${focused}"] .scope`)?.focus();
     }),
   };
 }

@@ -196,7 +196,7 @@ def test_nothing_is_called_safe_whose_limit_is_not_known(page: Page, service: st
     """A limit is entered where the page asks for it; then, and only then, there is a safety."""
     show(page, service, FITTED | {"contact.hole_material": "plastic_pom"})
     strip, checks = page.locator(".verdict"), page.locator(".checks")
-    expect(strip.locator(".word")).to_have_text(re.compile("Not known"))
+    expect(strip.locator(".word")).to_have_text(re.compile("So far nothing against it"))
     assert "✓" not in strip.inner_text() and "afety" not in page.locator(".summary").inner_text()
     unknown = checks.locator('[data-code="contact_pressure_hole"]')
     expect(unknown).to_have_attribute("data-status", "not_checked")
@@ -315,11 +315,11 @@ def test_a_link_with_something_unknown_says_so(page: Page, service: str) -> None
 def test_a_verdict_that_has_moved_is_said(page: Page, service: str) -> None:
     show(page, service)
     link = address(page)
-    assert link.endswith("&verdict=pass")
+    assert link.endswith("&verdict=incomplete")
     notice = page.locator(".notice")
     expect(notice).to_be_hidden()
-    page.goto(link.replace("verdict=pass", "verdict=fail"))
-    expect(notice).to_contain_text("the verdict was “Does not work”; it is now “Works”")
+    page.goto(link.replace("verdict=incomplete", "verdict=fail"))
+    expect(notice).to_contain_text("the verdict was “Does not work”; it is now “Not known”")
     page.get_by_role("button", name="Keep this design").click()
     page.evaluate(
         "() => { const kept = JSON.parse(localStorage['khv-calc.designs']);"
@@ -331,10 +331,10 @@ def test_a_verdict_that_has_moved_is_said(page: Page, service: str) -> None:
     expect(verdict).to_contain_text("when kept: Does not work")
     expect(notice).to_be_hidden()
     page.get_by_role("button", name="Open design A").click()
-    expect(notice).to_contain_text("it is now “Works”")
+    expect(notice).to_contain_text("it is now “Not known”")
     held: list[Route] = []
     page.route("**/api/v1/crank-planetary", lambda route: held.append(route))  # never answered
-    page.goto(link.replace("&verdict=pass", "").replace("v=2", "v=1") + "&lang=uk")
+    page.goto(link.replace("&verdict=incomplete", "").replace("v=2", "v=1") + "&lang=uk")
     expect(notice).to_contain_text("Посилання створено попередньою версією")
     notice.get_by_role("button").click()  # before there is any answer
     expect(notice).to_be_hidden()
@@ -396,7 +396,7 @@ def test_a_whole_reducer_picked_shows_all_its_sections(page: Page, service: str)
         change(page, lambda: page.locator("#example").select_option("whole"))
     answer = caught.value.json()
     assert answer["checks"] == wanted["checks"]
-    assert answer["verdict"] == wanted["verdict"] == "pass"
+    assert answer["verdict"] == wanted["verdict"] == "incomplete"  # the teeth are open
     for group in ("strength", "losses", "bearings", "crank"):
         expect(page.locator(f"[data-wanted={group}]")).to_be_visible()
     expect(page.locator("#example")).to_have_value("whole")

@@ -209,7 +209,7 @@ def test_strength_and_life_from_the_switch_to_the_cure(page: Page, service: str)
     # Pins: they start from places of the satellites; what is not known is asked for.
     switch(page, "strength").check()
     expect(box(page, "pin.satellite_positions_mm")).to_have_attribute("placeholder", "8; 22")
-    expect(page.locator(".word")).to_contain_text("Not known")
+    expect(page.locator(".word")).to_contain_text("So far nothing against it")
     # The pin has one material, above; its strengths, which the table does not know, are asked for.
     expect(page.locator('[data-choice="pin.material"]')).to_be_hidden()
     page.locator(".checks").get_by_role("button", name="Tensile strength").first.click()

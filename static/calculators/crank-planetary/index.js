@@ -44,9 +44,10 @@ export function pressedBy(contact, { contact_force: ideal, load_sharing: real, h
   return { contact: { ...contact, dynamic_factor: 1, distribution_factor: 1 }, force: real.judged_force_N, edge };
 }
 
-function hertzBody({ contact: { eccentricity_mm, ...given } }, answer) {
+function hertzBody({ contact: { eccentricity_mm: e, hole_clearance_mm: clearance, fit, ...given } }, answer) {
   const { contact, force, edge } = pressedBy(given, answer);
-  return { ...contact, force_N: force * edge };
+  const hole = fit && { hole_radius_mm: tidy(given.pin_radius_mm + e + answer.geometry.clearance_mm) };
+  return { ...contact, ...hole, force_N: force * edge };
 }
 
 /** The design with all that is wanted of it for these sections of the answer: the verdict is of that too. */
@@ -217,8 +218,8 @@ export default {
       value: ({ mechanism }) => 360 / mechanism.satellites,
     },
     "contact.hole_radius_mm": {
-      formula: ({ besides } = {}) => {
-        const sum = besides?.contact?.hole_clearance_mm ? "r_in + e + c" : "r_in + e";
+      formula: ({ contact } = {}) => {
+        const sum = contact?.hole_clearance_mm ? "r_in + e + c" : "r_in + e";
         return inDiameters() ? `2(${sum})` : sum;
       },
       linked: true,
