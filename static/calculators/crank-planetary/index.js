@@ -44,7 +44,7 @@ export function pressedBy(contact, { contact_force: ideal, load_sharing: real, h
   return { contact: { ...contact, dynamic_factor: 1, distribution_factor: 1 }, force: real.judged_force_N, edge };
 }
 
-function hertzBody({ contact: { eccentricity_mm, ...given } }, answer) {
+function hertzBody({ contact: { eccentricity_mm, hole_clearance_mm, ...given } }, answer) {
   const { contact, force, edge } = pressedBy(given, answer);
   return { ...contact, force_N: force * edge };
 }
