@@ -51,6 +51,8 @@ OF_REQUESTS = {
     "needed_beside": "is needed beside {field}",
     "needed_for": "is needed for {section}",
     "no_class_of_size": "is known for diameters up to {limit_mm:g} mm only",
+    "not_this_mechanism": "must be pins: where several crankshafts drive the output, as in an RV "
+    "reducer, there are no pins in holes, and this calculation says nothing of it",
     "not_there": "names no number in {field}",
     "not_valid": "is not valid",
     "of_another_kind": "does not belong to the kind {kind}",

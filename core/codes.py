@@ -63,6 +63,7 @@ _INVALID = {
     "less_than_equal": "must be at most {limit:.15g}",
     "needed": "is needed: this or {field}",
     "no_arm": "must not be a multiple of half a turn: there the contact has no arm",
+    "no_fit": "must be an ISO 286 class of the hole and one of the pin, such as H7/f7",
     "no_class": "must be an ISO 286 class of the table, such as m6 or H7",
     "no_conformal_pressure": "must have a conformal pressure",
     "no_cycloid": "must be larger than the eccentricity times 1 more than {field}, {limit:.9g}: "
@@ -114,6 +115,18 @@ _IMPOSSIBLE = {
 """What cannot be."""
 
 _UNKNOWN = {
+    "bearing_overloaded": "The load is beyond what the formula of the life is made for",
+    "bearing_slips": "The bearing carries too little for its rolling elements to roll",
+    "envelope_unknown": "The sizes of the bearing are not given",
+    "no_peak_torque": "No peak torque is given",
+    "no_sourced_limit": "Nobody asked for a limit, and no source gives one for such parts",
+    "rating_high": "The rating is higher than that of any known bearing of these sizes",
+    "rating_low": "The rating is less than a twentieth of what fits: is it given in kN?",
+    "thin_wall": "It is thinner than usual",
+    "wider_than_satellite": "The bearing is wider than the satellite",
+    "without_sleeve": "The pins have no sleeves",
+    "nothing_judged": "Nothing of it is judged",
+    "teeth_not_judged": "The contact and the strength of the teeth are not calculated",
     "conformal_solution": "The pressure is that of the conformal contact, which asks for no narrow "
     "one",
     "cranks_deviate": "The balance is known of cranks without deviations only",
@@ -168,6 +181,23 @@ _APPROXIMATION = {
 }
 
 _LIMITS = {
+    "clearance_unknown": _limit(
+        "The clearance of pins and holes is not given: the numbers are those of perfect parts, "
+        "which every real one misses.",
+        title="Clearance not known",
+        tests="Whether the clearance of pins and holes is given.",
+        why="With clearance fewer pairs carry, and more each: forces and stresses grow, often by "
+        "half and more.",
+        mend="Give the clearance, or a fit; 0 where perfect parts are meant.",
+    ),
+    "perfect_parts": _limit(
+        "No clearance: the numbers are those of perfect parts, which every real one misses.",
+        title="Perfect parts",
+        tests="Whether pins and holes have a clearance.",
+        why="With clearance fewer pairs carry, and more each: forces and stresses grow, often by "
+        "half and more.",
+        mend="Give the clearance that the parts have.",
+    ),
     "approximation_exponent": _limit(
         "The approximation is made for linear contacts, exponent 1.",
         title="Approximation for other contacts",

@@ -79,9 +79,11 @@ export function createAsking({ store, client, designs }) {
 
   /** What would mend the design that is shown, asked for after its answer. */
   async function mend(shown) {
-    if (!calculator.mend || !["fail", "marginal"].includes(judgedOf(calculator, shown.answer)?.verdict)) return;
-    const { answer, problem } = await fixing.ask((signal) => calculator.mend({ post: postingOnce(client, signal), get: client.get, ...shown }));
-    if (answer) store.apply(mended, shown, judgedOf(calculator, answer)?.fixes ?? []);
+    const failing = ["fail", "marginal"].includes(judgedOf(calculator, shown.answer)?.verdict);
+    const usual = calculator.withoutClearance?.(shown.answer) ?? false;
+    if (!calculator.mend || !(failing || usual)) return;
+    const { answer, problem } = await fixing.ask((signal) => calculator.mend({ post: postingOnce(client, signal), get: client.get, failing, usual, ...shown }));
+    if (answer) store.apply(mended, shown, judgedOf(calculator, answer)?.fixes ?? [], false, answer.usual_fit);
     if (problem?.kind === "too-long") store.apply(mended, shown, [], true);
   }
 

@@ -229,7 +229,7 @@ function announced(shown, { calculator, titles }) {
 }
 
 /** What would mend the design that is shown; of another one it is passed over. */
-export const mended = (state, of, list, long = false) => (state.shown === of ? { ...state, fixes: { of, list, long } } : state);
+export const mended = (state, of, list, long = false, usual = null) => (state.shown === of ? { ...state, fixes: { of, list, long, usual } } : state);
 
 /** Values put in by JSON pointer: a fix, a size that was looked for. */
 export function applied(state, sets, time) {

@@ -126,18 +126,27 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     },
   });
   const apply = (sets) => changeAtOnce(next.applied, sets);
-  const verdict = createVerdict({ calculator, titles, on: { again: () => asking.now() } });
+  const lead = (path) => {
+    for (const [choice, option] of Object.entries(optionsOf(model, path))) {
+      if (store.state.typed.chosen[choice] !== option) changeAtOnce(next.chose, choice, option);
+    }
+    form.focus(path);
+  };
+  const verdict = createVerdict({
+    calculator, titles,
+    on: {
+      again: () => asking.now(),
+      asked: (path) => lead(entryOf(model, path)),
+      shown: (code) => checks.show(code),
+      scoped: (parts) => apply({ "/requirements/scope": parts }),
+    },
+  });
   const numbers = createNumbers({ calculator });
   const checks = createChecks({
     calculator, titles, fieldAt: (path) => model.fields.get(path), askedAt: (path) => entryOf(model, path),
     on: {
       fixed: apply,
-      asked(path) {
-        for (const [choice, option] of Object.entries(optionsOf(model, path))) {
-          if (store.state.typed.chosen[choice] !== option) changeAtOnce(next.chose, choice, option);
-        }
-        form.focus(path);
-      },
+      asked: lead,
     },
   });
   const drawing = createDrawingView({

@@ -25,11 +25,12 @@ from app.model import (
 from app.problems import pointer, sentence
 from app.running import named, path_of
 from app.units import from_si, shown_unit
-from core.checks.check import STATUSES, Check, Outcome, Status, Verdict
+from core.checks.check import STATUSES, Check, Status, Verdict
+from core.checks.part import PARTS, Outcome, PartStatus, PartVerdict
 from core.checks.records import CHECKS
 from core.checks.words import CHECK_SOURCES, GROUPS, NOT_CONSIDERED
 from core.codes import CODES, WAS
-from core.design.sections import Requirements
+from core.design.sections import PART_NAMES, PartName, Requirements
 from core.fixes.fix import Fix, FixStatus
 from core.materials import LIMIT_SOURCES, Criterion, Verified
 
@@ -102,6 +103,20 @@ class JudgedFields(RequestModel):
 _JUDGING = frozenset(JudgedFields.model_fields)
 
 
+class ScopedRequirementsFields(RequirementsFields, group="requirements"):
+    """The same of a reducer, and which of its parts are judged."""
+
+    scope: list[PartName] = quantity(
+        "Parts that are judged", default=[*PART_NAMES], min_length=1, max_length=len(PART_NAMES)
+    )
+    """Others are left out: no check of them is made, and the verdict says nothing of them."""
+
+    def section(self, _: Any) -> Requirements:
+        """The same in SI units."""
+        given = self.to_core()
+        return Requirements(**given | {"scope": tuple(given["scope"])})
+
+
 class ReasonOut(ResponseModel):
     """Why a status is what it is."""
 
@@ -130,6 +145,10 @@ class CheckOut(ResponseModel):
     title: str = Field(description="What it is, in English.")
     group: str = Field(description="What it is about.", json_schema_extra={"enum": [*GROUPS]})
     status: Status = Field(description="How it went.")
+    needed: Maybe[bool] = Field(
+        description="Present and false where its part is judged without it: what few can know, or "
+        "no source gives."
+    )
     impossible: Maybe[bool] = Field(
         description="Present and true where the mechanism cannot exist or move so."
     )
@@ -156,6 +175,27 @@ class CheckOut(ResponseModel):
     )
     at: Maybe[PlaceOut]
     inputs: list[str] = Field(description="JSON pointers to what it depends on.")
+    missing: Maybe[list[str]] = Field(description="JSON pointers to what would have to be given.")
+
+
+class PartOut(ResponseModel):
+    """What a part of the reducer comes to."""
+
+    code: str = Field(description="Which part.", json_schema_extra={"enum": [*PARTS]})
+    title: str = Field(description="The same in English.")
+    status: PartStatus = Field(
+        description="`fail` where one of its checks fails, else `open` where what it needs is not "
+        "known, else `marginal` or `pass`; `left_out` where `requirements.scope` leaves it out, "
+        "`not_asked` where nobody asks for it."
+    )
+    governing: Maybe[str] = Field(
+        description="Its check that decides, of those that are made.",
+        json_schema_extra={"enum": [*CHECKS]},
+    )
+    reason: Maybe[str] = Field(
+        description="Why it is open, by code.", json_schema_extra={"enum": [*CODES]}
+    )
+    detail: Maybe[str] = Field(description="The same in English.")
     missing: Maybe[list[str]] = Field(description="JSON pointers to what would have to be given.")
 
 
@@ -192,8 +232,9 @@ class JudgedResponse(AssumingResponse):
 
     verdict: Outcome = Field(
         description="`fail` where a check fails, else `incomplete` where one could not be made, or "
-        "none is of what the load could break, else `marginal`, else `pass`; says nothing of what "
-        "is `not_considered`."
+        "none is of what the load could break, else `marginal`, else `pass`; of a reducer with "
+        "`parts`, of these, `incomplete` where one is open. Says nothing of what is "
+        "`not_considered`."
     )
     governing: Maybe[str] = Field(
         description="The check that decides.", json_schema_extra={"enum": [*CHECKS]}
@@ -203,7 +244,8 @@ class JudgedResponse(AssumingResponse):
     )
     largest_torque_Nm: Maybe[float] = Field(
         description="Torque at which the first check fails; absent where less torque cures "
-        "nothing, or something is not known.",
+        "nothing, or something is not known; of a reducer the least over `largest_torque_of`, as "
+        "far as these are judged, and absent while the clearance is not known.",
     )
     largest_torque_estimated: Maybe[bool] = Field(
         description="Present and true where that torque is an estimate: forces that are solved "
@@ -278,6 +320,7 @@ def check_values(check: Check, body: RequestModel, inputs: list[str]) -> Values:
         at["crank_angle_deg"] = from_si("angle_deg", at.pop("crank_angle"))
     values: Values = {
         "status": check.status,
+        "needed": None if check.needed else False,
         "impossible": True if check.impossible and check.status == "fail" else None,
         "value": from_si(unit, check.value),
         "limit": from_si(unit, check.limit),
@@ -409,7 +452,12 @@ def judgement(
         if verdict.impossible:  # no torque to be factors of
             shown = tuple(each._replace(torque_reserve=None) for each in shown)
         values = [check_values(each, body, inputs[each.code]) for each in shown]
-    return {
+    own: Values = {}
+    if verdict.parts:
+        own["parts"] = [part_values(each, body) for each in verdict.parts]
+        if known:
+            own["largest_torque_of"] = list(verdict.largest_torque_of)
+    return own | {
         "verdict": verdict.verdict,
         "governing": verdict.governing,
         "torque_reserve": reserve,
@@ -420,6 +468,21 @@ def judgement(
         "checks": values,
         "fixes": None if fixes is None else [fix_values(each, body) for each in fixes],
     }
+
+
+def part_values(found: PartVerdict, body: RequestModel) -> Values:
+    """Values of what a part comes to."""
+    paths = [path for name in found.missing if (path := path_of(body, name))]
+    values: Values = {
+        "code": found.code,
+        "title": PARTS[found.code].title,
+        "status": found.status,
+        "governing": found.governing,
+        "reason": found.reason or None,
+        "detail": sentence(found.reason, api_params({**found.params})) if found.reason else None,
+        "missing": [pointer(path) for path in paths] or None,
+    }
+    return {name: value for name, value in values.items() if value is not None}
 
 
 def codes_to_fix(verdict: Verdict, which: FixesFor) -> list[str]:

@@ -11,14 +11,20 @@ from pydantic import Field, model_validator
 from app.calculations.checks import (
     FixesFor,
     JudgedResponse,
-    RequirementsFields,
+    PartOut,
+    ScopedRequirementsFields,
     codes_to_fix,
     judgement,
 )
 from app.calculations.contact_force import ContactForceResponse, contact_force_figure
 from app.calculations.crankshaft import CrankshaftFields, CrankshaftResponse
 from app.calculations.cyclogram import CyclogramFields, CyclogramResponse, cyclogram_figure
-from app.calculations.design import DesignFields, SatelliteBodyFields
+from app.calculations.design import (
+    DesignFields,
+    ForcesUsed,
+    SatelliteBodyFields,
+    forces_used,
+)
 from app.calculations.fatigue import PinFatigueFields
 from app.calculations.geometry_answer import GeometryOut
 from app.calculations.hertz import HertzResponse
@@ -28,6 +34,7 @@ from app.calculations.output_efficiency import FrictionFields, OutputEfficiencyR
 from app.calculations.pin_strength import PinStrengthResponse
 from app.calculations.ring import RingFields
 from app.calculations.satellite_bearing import BearingFields, SatelliteBearingResponse
+from app.calculations.usual_fit_answer import UsualFitOut
 from app.model import (
     AccuracyOut,
     Angle,
@@ -60,6 +67,7 @@ from app.units import from_si, to_si
 from app.worked import worked
 from core.arrays import FloatArray
 from core.checks.largest_torque import crank_verdict
+from core.checks.usual_fit import usual_fit
 from core.derived import if_known
 from core.design.real_forces import RealForces
 from core.design.results import MOST_BEARING_PAIRS, MOST_PIN_PAIRS, Results
@@ -72,6 +80,7 @@ from core.output.pin_geometry import (
     pin_geometry,
 )
 from core.output.sampled_turn import WAYS
+from core.results import Notice
 from core.worked.crank import bearing_steps, shaft_steps
 from core.worked.hertz import judged_steps
 from core.worked.losses import loss_steps
@@ -89,6 +98,7 @@ Section = Literal[
     "satellite_bearing",
     "crankshaft",
     "geometry",
+    "usual_fit",
     "checks",
     "fixes",
     "worked",
@@ -109,6 +119,7 @@ _NEEDS: dict[Section, tuple[str, ...]] = {
     "satellite_bearing": (*_TURNING, "gear", "bearing"),
     "crankshaft": (*_TURNING, "gear", "crankshaft"),
     "geometry": _TOUCHING,
+    "usual_fit": (*_TOUCHING, "contact/eccentricity_mm"),
     "checks": (),
     "fixes": (),
     "worked": (),
@@ -156,15 +167,16 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     bearing: Maybe[BearingFields] = None
     crankshaft: Maybe[CrankshaftFields] = None
     satellite_body: Maybe[SatelliteBodyFields] = None
-    requirements: RequirementsFields = Field(default_factory=RequirementsFields)
+    requirements: ScopedRequirementsFields = Field(default_factory=ScopedRequirementsFields)
     crank_angle_deg: Angle = quantity("Crank angle", "φ", default=0.0, step=5, advanced=True)
     """Crank angle of the section geometry."""
     include: Maybe[list[Section]] = Field(
         min_length=1,
         max_length=len(_NEEDS),
         description="Sections of the answer: what is not named is not computed. Where it is "
-        "absent: all but geometry, checks and fixes, as far as their input is given; load_sharing "
-        "where clearance, deviations, a contact law, satellites that give or pins that bend are. "
+        "absent: all but geometry, usual_fit, checks and fixes, as far as their input is given; "
+        "load_sharing where clearance, deviations, a contact law, satellites that give or pins "
+        "that bend are. "
         "load_sharing and hertz with these are left out then where the forces cannot be solved. "
         "What rests on the forces of parts that cannot be put together is always: the check "
         "interference says why.",
@@ -188,6 +200,14 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
             value = None if value is None else getattr(value, name)
         return value is not None
 
+    def notices(self) -> tuple[Notice, ...]:
+        """Also that nothing is known of the clearance, where nobody says that it is none."""
+        found = super().notices()
+        if not self.design.clearance_unknown or self.design.contact.eccentricity is None:
+            return found  # without an eccentricity that is what is missing, and said
+        perfect = (each for each in found if each.code != "perfect_parts")
+        return (Notice("clearance_unknown"), *perfect)
+
     def without(self, path: tuple[str, ...]) -> Values:
         """The peak force of one satellite, where forces are asked and their number is assumed."""
         return super().without(path) if "contact_force" in self.sections else {}
@@ -200,7 +220,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         lost_motion = self.requirements.max_lost_motion_arcmin is not None
         solves = self.as_made or "load_sharing" in include or lost_motion
         loaded = self.load is not None and self.contact is not None
-        if "fixes" in include or (loaded and (searches or solves)):
+        if {"fixes", "usual_fit"} & {*include} or (loaded and (searches or solves)):
             return math.inf
         if self.load is None:
             return self.mechanism.cost()
@@ -316,6 +336,14 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
             return strength_steps(results=self.results, found=self.results.pin_strength)
         return STEPS[section](self.results)
 
+    def solve_usual_fit(self) -> Values | None:
+        """The design with a usual clearance, where none is known or 0 is stated."""
+        found = usual_fit(self.design)
+        if found is None:
+            return None
+        name, results, judged = found
+        return UsualFitOut.of(name, results, judged)
+
     def strength(self, section: Section) -> Any:
         """Result of a section of strength and life."""
         return getattr(self.results, section)
@@ -331,7 +359,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         """Pins and holes at the crank angle, and the force of each pair there, N."""
         assert self.load is not None and self.contact is not None
         crank_angle = to_si("crank_angle_deg", self.crank_angle_deg)
-        sizes = self.contact.fit(self.load.pin_circle_radius_mm)
+        sizes = self.contact.sizes_on(self.load.pin_circle_radius_mm)
         sizes["eccentricity"] = pin_fit(pins=self.mechanism.pins, **sizes).eccentricity
         geometry = pin_geometry(mechanism=self.built, crank_angle=crank_angle, **sizes)
         if not self.results.solved:
@@ -388,6 +416,9 @@ class DesignHertzOut(HertzResponse):
 class CrankPlanetaryResponse(JudgedResponse):
     """One section for each that was asked, and always the verdict."""
 
+    model: ForcesUsed = forces_used()
+    parts: list[PartOut] = Field(description="The parts of the reducer, of which the verdict is.")
+    largest_torque_of: Maybe[list[str]] = Field(description="Parts that the largest torque is of.")
     cyclogram: Maybe[CyclogramResponse] = result("As `/cyclogram` answers.")
     contact_force: Maybe[ContactForceResponse] = result("As `/contact-force` answers.")
     load_sharing: Maybe[LoadSharingOut] = result("As `/load-sharing` answers over the turn.")
@@ -415,6 +446,9 @@ class CrankPlanetaryResponse(JudgedResponse):
         "their circle are given."
     )
     geometry: Maybe[GeometryOut] = result("Pins and holes at the crank angle asked.")
+    usual_fit: Maybe[UsualFitOut] = result(
+        "The design with a usual clearance, where it is not known, or 0, and sizes have such a fit."
+    )
     warnings: Maybe[list[WarningOut]] = Field(
         description="How pins and holes fit, whichever sections are asked: `interference`, "
         "`wall_holes`, `pins_apart` (such a mechanism is not possible), `clearance`, "
@@ -493,6 +527,10 @@ def solve(body: CrankPlanetaryRequest) -> Values:
             sections[name] = answer(found, run_us, forces=body.forces)
     if "geometry" in asked:
         sections["geometry"] = GeometryOut.values(*run(body, body.solve_geometry))
+    if "usual_fit" in asked:
+        usual, _ = run(body, body.solve_usual_fit)
+        if usual is not None:
+            sections["usual_fit"] = usual
     sizes, _ = run(body, body.solve_fit)
     fit, _ = run(body, lambda: if_known(lambda: body.results.fit))
     if fit is not None:
@@ -505,7 +543,7 @@ def solve(body: CrankPlanetaryRequest) -> Values:
     if notices:
         sections["warnings"] = [warning(each) for each in notices]
     judged, _ = run(body, body.judge)
-    return judged | sections
+    return judged | {"model": body.forces} | sections
 
 
 def work(body: CrankPlanetaryRequest) -> list[Values]:

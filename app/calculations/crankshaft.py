@@ -49,6 +49,10 @@ class CrankshaftFields(RequestModel, group="crankshaft"):
     """Of both bearings along the shaft, ascending; satellites may lie beyond."""
     satellite_mass_kg: Maybe[Size] = quantity("Mass of a satellite", "m", step=0.1)
     """With its bearing; without it no balance is answered."""
+    eccentric_diameter_mm: Maybe[Size] = quantity("Diameter of the eccentrics", "d_e", step=1)
+    """Of a crank inside the bearing of its satellite."""
+    shaft_diameter_mm: Maybe[Size] = quantity("Diameter of the shaft", "d_s", step=1)
+    """Of the shaft between the cranks and in its bearings."""
     bearings: Maybe[list[ShaftBearingFields]] = Field(
         min_length=2,
         max_length=2,

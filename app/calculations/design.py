@@ -34,7 +34,7 @@ from app.units import to_si
 from core.arrays import FloatArray
 from core.design.document import Design
 from core.design.results import Results
-from core.design.sections import DesignPin, Load, Requirements, SatelliteBody
+from core.design.sections import DesignPin, Load, PeakKind, Requirements, SatelliteBody
 from core.output.contact_force import drawing_angles
 from core.output.mechanism import Mechanism
 from core.output.pin_geometry import PinFit, pin_fit
@@ -55,6 +55,9 @@ class DesignLoadFields(LoadFields, group="load"):
     input_speed_rpm: Maybe[Size] = input_speed()
     application_factor: Maybe[Size] = application_factor()
     peak_torque_Nm: Maybe[Size] = peak_torque()
+    peak_kind: PeakKind = quantity("Kind of the peak", default="start", advanced=True)
+    """Of a start, which comes again and again, or of an emergency stop: static safety of bearings
+    1.5 or 1."""
 
     def section(self, whole: Any) -> Load:
         """The load in SI units."""
@@ -66,6 +69,7 @@ class DesignLoadFields(LoadFields, group="load"):
             input_speed=to_si("input_speed_rpm", self.input_speed_rpm),
             application_factor=self.application_factor,
             peak_torque=self.peak_torque_Nm,
+            peak_kind=self.peak_kind,
         )
 
 
@@ -233,7 +237,7 @@ class DesignFields(GivingFields):
         if self.contact is None or self.contact.pin_radius_mm is None:
             return None
         radius = None if self.load is None else self.load.pin_circle_radius_mm
-        return pin_fit(pins=self.mechanism.pins, **self.contact.fit(radius))
+        return pin_fit(pins=self.mechanism.pins, **self.contact.sizes_on(radius))
 
 
 def forces_used() -> Any:

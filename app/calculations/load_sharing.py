@@ -149,7 +149,7 @@ class LoadSharingRequest(CurveFields, RealDesignFields, group="positions"):
 
     def fit_notices(self, fit: Fit) -> tuple[Notice, ...]:
         """What of the sizes looks like a slip, and satellites that are put on by other holes."""
-        sizes = self.contact.fit(self.load.pin_circle_radius_mm)
+        sizes = self.contact.sizes_on(self.load.pin_circle_radius_mm)
         slips = slip_notices(**{name: sizes[name] for name in SLIPPED})
         further = (Notice("next_hole"),) if any(fit.real.numbered[1]) else ()
         return (*slips, *further)

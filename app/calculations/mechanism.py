@@ -1,6 +1,6 @@
 """The parallel-crank mechanism as a request gives it."""
 
-from typing import Any, ClassVar, Self
+from typing import Any, ClassVar, Literal, Self
 
 from pydantic import model_validator
 
@@ -63,6 +63,9 @@ class MechanismFields(RequestModel, group="mechanism"):
     """Number of teeth of a satellite; gives the ratio and the assembly angles."""
     ring_teeth: Maybe[Whole] = quantity("Ring teeth", "z₃", step=1, ge=2, le=10**6)
     """Number of teeth of the ring, more than the satellite has."""
+    output: Literal["pins", "crankshafts"] = quantity("Output", default="pins", advanced=True)
+    """By pins in holes; a reducer whose crankshafts drive the output, as an RV, is another
+    mechanism, which is not calculated."""
     initial_crank_angle_deg: Angle = quantity(
         "Initial wave angle", "φ₀", default=0.0, step=15, advanced=True
     )
@@ -70,6 +73,12 @@ class MechanismFields(RequestModel, group="mechanism"):
     torque does."""
 
     ASSUMED: ClassVar[tuple[str, ...]] = ("satellites",)
+
+    @model_validator(mode="after")
+    def _by_pins(self) -> Self:
+        if self.output != "pins":
+            raise field_error("output", "not_this_mechanism")
+        return self
 
     @model_validator(mode="after")
     def _reduces(self) -> Self:

@@ -1,5 +1,6 @@
 """Pin, hole and crank with their clearance, as a request gives them: what follows from what."""
 
+import re
 from collections.abc import Iterator
 from decimal import Decimal
 from typing import Annotated, Any, ClassVar, Self
@@ -18,11 +19,25 @@ from app.model import Forms, Maybe, Size, field_error, quantity
 from app.units import to_si
 from core.design.sections import Contact
 from core.output.pin_geometry import felt
+from core.results import Notice
+from core.tolerance.iso286 import CLASSES, GRADES, SIZES, fit_clearance
 
 Deviation = Annotated[float, Field(ge=-1e6, le=1e6)]
 
-RADII = ("pin_radius_mm", "eccentricity_mm", "hole_clearance_mm")
+RADII = ("pin_radius_mm", "eccentricity_mm", "stated_clearance_mm")
 """What the radius of the hole is the sum of."""
+
+
+def class_pattern(of_pins: bool) -> str:
+    """Pattern of the ISO 286 classes of pins, or of holes."""
+    letters = "|".join(each for each in CLASSES if each.islower() == of_pins)
+    return f"({letters})({'|'.join(map(str, GRADES))})"
+
+
+USUAL_FITS = ["H7/g6", "H7/h6", "H7/f7", "H8/h7", "H8/f7", "H8/f8", "H9/f9"]
+"""What the form offers."""
+
+FIT = f"^{class_pattern(False)}/{class_pattern(True)}$"
 
 
 class PinContactFields(ContactFields, group="contact"):
@@ -35,7 +50,27 @@ class PinContactFields(ContactFields, group="contact"):
     hole_radius_mm: Maybe[Size] = hole_radius()  # type: ignore[assignment]
     eccentricity_mm: Maybe[Size] = eccentricity()
     hole_clearance_mm: Maybe[Deviation] = quantity("Clearance", "c", step=0.005)
-    """Radial clearance: hole radius − pin radius − eccentricity; negative is interference."""
+    """Radial clearance: hole radius − pin radius − eccentricity; negative is interference, and 0
+    says that perfect parts are meant. Forces and stresses hang on it more than on most sizes."""
+    fit: Maybe[str] = quantity("Fit", schema={"pattern": FIT, "x-options": USUAL_FITS})
+    """ISO 286 classes of the hole and of what touches it, as H7/f7, instead of the clearance: half
+    of the mean clearance of the two diameters."""
+
+    @model_validator(mode="after")
+    def _fit_says_the_clearance(self) -> Self:
+        if self.fit is None:
+            return self
+        for name in ("hole_radius_mm", "hole_clearance_mm"):
+            if getattr(self, name) is not None:
+                raise field_error(name, "only_one", field="fit")
+        for name in ("pin_radius_mm", "eccentricity_mm"):
+            if getattr(self, name) is None:
+                raise field_error(name, "needed_beside", field="fit")
+        if not re.fullmatch(FIT, self.fit):
+            raise field_error("fit", "no_fit")
+        if 2 * float(self._sum(*RADII[:2])) > SIZES[-1]:
+            raise field_error("fit", "no_class_of_size", limit_mm=float(SIZES[-1]))
+        return self
 
     @model_validator(mode="after")
     def _radii_agree(self) -> Self:
@@ -67,6 +102,20 @@ class PinContactFields(ContactFields, group="contact"):
         """
         return sum((Decimal(repr(getattr(self, name) or 0.0)) for name in names), Decimal())
 
+    @property
+    def stated_clearance_mm(self) -> float | None:
+        """Radial clearance as it is given, or by the fit."""
+        if self.fit is None:
+            return self.hole_clearance_mm
+        hole, pin = (float(2 * self._sum(*names)) for names in (RADII[:2], RADII[:1]))
+        mean = fit_clearance(fit=self.fit, hole_diameter=hole / 1e3, pin_diameter=pin / 1e3)
+        return round(mean * 1e3, 9)
+
+    def notices(self) -> tuple[Notice, ...]:
+        """Also that parts without clearance are perfect ones."""
+        loose = self.pin_radius_mm is None or self.eccentricity_mm is None or self.clearance_mm()
+        return super().notices() + (() if loose else (Notice("perfect_parts"),))
+
     def hole_mm(self) -> float:
         """Radius of the hole: given, or by pin, eccentricity and clearance."""
         given = self.hole_radius_mm
@@ -76,7 +125,7 @@ class PinContactFields(ContactFields, group="contact"):
         """Radial clearance: given, or by the radii; none where no two radii say it, nor where it is
         too small to be felt.
         """
-        clearance = self.hole_clearance_mm
+        clearance = self.stated_clearance_mm
         if clearance is None:
             if self.hole_radius_mm is None or self.eccentricity_mm is None:
                 return 0.0
@@ -93,11 +142,12 @@ class PinContactFields(ContactFields, group="contact"):
             eccentricity=to_si("eccentricity_mm", self.eccentricity_mm),
             dynamic_factor=self.dynamic_factor,
             distribution_factor=self.distribution_factor,
+            clearance_stated=self.stated_clearance_mm is not None,
             own_limits=tuple(name for name, each in given.items() if not isinstance(each, str)),
             **{name: material_of(each) for name, each in given.items()},
         )
 
-    def fit(self, pin_circle_radius_mm: float | None) -> dict[str, Any]:
+    def sizes_on(self, pin_circle_radius_mm: float | None) -> dict[str, Any]:
         """Sizes of pins and holes on their circle in SI units, None for what is not given."""
         return {
             "pin_radius": to_si("pin_radius_mm", self.pin_radius_mm),
@@ -107,7 +157,7 @@ class PinContactFields(ContactFields, group="contact"):
         }
 
 
-RADII_OF_HOLES = ("hole_radius_mm", "hole_clearance_mm")
+RADII_OF_HOLES = ("hole_radius_mm", "hole_clearance_mm", "fit")
 
 TOUCHING = ("pin_radius_mm", "contact_length_mm")
 """What pins have to have where their holes are given."""

@@ -53,6 +53,14 @@ class ShaftBearingFields(RequestModel, group="bearing"):
     """Balls: the life falls with the cube of the load; rollers: with its power 10/3."""
     dynamic_rating_N: Maybe[Size] = quantity("Dynamic load rating", "C", step=100)
     """Basic dynamic load rating; without it no life is answered."""
+    bore_diameter_mm: Maybe[Size] = quantity("Bore", "d", step=1)
+    """Of the bearing; with outer diameter and width says whether there is such a bearing."""
+    outer_diameter_mm: Maybe[Size] = quantity("Outer diameter", "D", step=1)
+    """Of the bearing, larger than its bore."""
+    width_mm: Maybe[Size] = quantity("Width", "B", step=1)
+    """Of the bearing."""
+    limiting_speed_rpm: Maybe[Size] = quantity("Limiting speed", "n_lim", step=500)
+    """Of the catalogue, for its lubrication; without it the speed is not judged."""
 
 
 class BearingFields(ShaftBearingFields, group="bearing"):

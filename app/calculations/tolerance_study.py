@@ -5,16 +5,20 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property, partial
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, Self
 
 import numpy as np
-from pydantic import Field, PrivateAttr
+from pydantic import Field, PrivateAttr, model_validator
 
 from app.calculations.real_design import LEFT_OUT, RealDesignFields
-from app.calculations.real_mechanism import OneWayLoadFields
+from app.calculations.real_mechanism import OneWayLoadFields, RealContactFields
 from app.calculations.tolerance_answer import ToleranceStudyResponse
 from app.calculations.tolerance_figure import tolerance_figure
-from app.calculations.tolerances import TolerancesFields
+from app.calculations.tolerances import (
+    HoleDiameterFields,
+    PinDiameterFields,
+    TolerancesFields,
+)
 from app.model import (
     Calculation,
     Maybe,
@@ -23,6 +27,7 @@ from app.model import (
     Values,
     Whole,
     accuracy_values,
+    field_error,
     quantity,
     warning,
 )
@@ -35,7 +40,7 @@ from app.units import core_name, from_si, to_si
 from app.worked import stated
 from core.arrays import FloatArray
 from core.errors import InvalidInput
-from core.output.real_mechanism import Deviations
+from core.output.real_mechanism import Deviations, RealMechanism
 from core.results import Accuracy, Notice
 from core.tolerance.contributions import MOST_FIT, contributions
 from core.tolerance.quantiles import Estimate, refuse_few
@@ -64,6 +69,9 @@ FEWEST = 20
 """Samples that a mechanism must allow: else it has too many pairs for a study."""
 
 MAX_SAMPLES = 1_000_000
+
+DIAMETERS = ("pin_diameter", "hole_diameter")
+"""Tolerances that a fit says."""
 
 USUAL_SAMPLES = 4096
 USUAL_RANKED_SAMPLES = 1024
@@ -120,6 +128,38 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
         "2·G + 2 times as many pieces more.",
     )
 
+    @model_validator(mode="after")
+    def _fit_says_the_diameters(self) -> Self:
+        for name in DIAMETERS:
+            if self.contact.fit is not None and getattr(self.tolerances, name) is not None:
+                raise field_error(f"tolerances/{name}", "only_one", field="fit")
+        return self
+
+    @cached_property
+    def spread(self) -> TolerancesFields:
+        """What the parts are made to: of a fit the classes of both diameters."""
+        if self.contact.fit is None:
+            return self.tolerances
+        hole, pin = self.contact.fit.split("/")
+        classes: Values = {
+            "hole_diameter": HoleDiameterFields.model_validate({"class": hole}),
+            "pin_diameter": PinDiameterFields.model_validate({"class": pin}),
+        }
+        return self.tolerances.model_copy(update=classes)
+
+    @cached_property
+    def basic(self) -> RealContactFields:
+        """The contact by its nominal sizes: a fit's classes are about a hole of just the pin and
+        the eccentricity.
+        """
+        if self.contact.fit is None:
+            return self.contact
+        return self.contact.model_copy(update={"fit": None})
+
+    def made(self, deviations: Deviations) -> RealMechanism:
+        """The mechanism of nominal sizes, in SI units."""
+        return replace(super().made(deviations), clearance=self.basic.sizes()["clearance"])
+
     _fitting: int = PrivateAttr(default=MAX_SAMPLES)
 
     @property
@@ -161,7 +201,7 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
         """Positions at which a pair is solved for each sample."""
         each = self._solves(self.names)
         if "contributions" in self.include:
-            sources = [name for name, given in self.tolerances if given is not None]
+            sources = [name for name, given in self.spread if given is not None]
             each += (2 * len(sources) + 2) * self._solves(self.names[:1])
         return each * self.crank_angles * self.times_as_long
 
@@ -184,7 +224,7 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
         """The study in SI units, which tells how much of it is done."""
         return Study(
             real=self.made(Deviations()),
-            tolerances=self.tolerances.tolerances(self.contact),
+            tolerances=self.spread.tolerances(self.basic),
             asked=Evaluation(
                 quantities=tuple(map(core_name, self.names)),
                 output_torque=self.torque,
@@ -215,7 +255,7 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
         """How many pieces are calculated."""
         if "contributions" not in self.include:
             return self.drawn
-        sources = sum(given is not None for _, given in self.tolerances)
+        sources = sum(given is not None for _, given in self.spread)
         return self.drawn * (2 * sources + 3)
 
     def solve(self, report: Report = lambda share: None) -> tuple[Values, Accuracy]:

@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import ConfigDict, Discriminator, Field, Tag, model_validator
 
-from app.calculations.pin_contact import Deviation
+from app.calculations.pin_contact import Deviation, class_pattern
 from app.calculations.real_mechanism import Phase, RealContactFields
 from app.model import (
     SMALLEST,
@@ -23,13 +23,8 @@ from app.problems import refusal
 from app.units import to_si
 from core.errors import InvalidInput
 from core.tolerance.draws import Distribution, Spread
-from core.tolerance.iso286 import CLASSES, GRADES, SIZES, class_limits
+from core.tolerance.iso286 import SIZES, class_limits
 from core.tolerance.tolerances import Tolerances
-
-
-def _class_pattern(of_pins: bool) -> str:
-    letters = "|".join(each for each in CLASSES if each.islower() == of_pins)
-    return f"^({letters})({'|'.join(map(str, GRADES))})$"
 
 
 class _SpreadFields(RequestModel, group="tolerances"):
@@ -111,7 +106,7 @@ class _DiameterFields(_SpreadFields, group="tolerances"):
             for name in ("lower_mm", "upper_mm"):
                 if getattr(self, name) is not None:
                     raise field_error(name, "only_one", field="class")
-            pattern = _class_pattern(isinstance(self, PinDiameterFields))
+            pattern = class_pattern(isinstance(self, PinDiameterFields))
             if not re.fullmatch(pattern, self.tolerance_class):
                 raise field_error("class", "no_class")
         elif self.lower_mm is None and self.upper_mm is None:
@@ -141,7 +136,7 @@ class PinDiameterFields(_DiameterFields, group="pin_diameter"):
     """Class or limits of the pins' diameter."""
 
     tolerance_class: Maybe[str] = quantity(
-        "Class", alias="class", schema={"pattern": _class_pattern(True)}
+        "Class", alias="class", schema={"pattern": f"^{class_pattern(True)}$"}
     )
     """ISO 286 class, as m6 of a shaft, instead of limits."""
 
@@ -150,7 +145,7 @@ class HoleDiameterFields(_DiameterFields, group="hole_diameter"):
     """Class or limits of the holes' diameter."""
 
     tolerance_class: Maybe[str] = quantity(
-        "Class", alias="class", schema={"pattern": _class_pattern(False)}
+        "Class", alias="class", schema={"pattern": f"^{class_pattern(False)}$"}
     )
     """ISO 286 class, as H7 of a hole, instead of limits."""
 

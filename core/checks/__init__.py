@@ -6,6 +6,7 @@ it is called, depends on, needs, asks. Nothing passes by absence: what is asked 
 
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------
+part                parts of the reducer, of whose verdicts the design's is made
 words               groups of checks, sources, what is left out
 inputs              inputs that checks of several elements depend on
 check               a check and its record, a value against its limit, the verdict of all checks
@@ -17,8 +18,10 @@ play                backlash and lost motion of the output
 fit                 room of the pins in their holes, clearance
 space               walls between holes, to rim and bore; space between pins, for satellites
 crank               ring, bearings of the satellites, crankshaft
+bearings            bearings as they are bought: ratings that can be, room, speed, least load
 crank_planetary     all checks of the reducer
 largest_torque      the largest torque of the reducer as it is made
+usual_fit           the reducer with a usual clearance, where none is known
 rollers             swinging rollers
 shaft               the precessional gear and its shaft
 records             all checks, by code

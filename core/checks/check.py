@@ -5,13 +5,13 @@ from collections.abc import Callable, Iterable, Mapping, Set
 from dataclasses import dataclass
 from typing import Any, Literal, NamedTuple, get_args
 
+from core.checks.part import Outcome, PartVerdict, whole
 from core.derived import UNKNOWN
 from core.errors import ImpossibleMechanism, InvalidInput, NotKnown
 from core.output.pin_geometry import FIT_TOLERANCE
 from core.results import ROUNDING
 
 Status = Literal["pass", "marginal", "fail", "not_checked", "not_asked", "not_applicable"]
-Outcome = Literal["pass", "marginal", "fail", "incomplete"]
 
 STATUSES: tuple[Status, ...] = get_args(Status)
 
@@ -30,6 +30,8 @@ class Kind:
     code: str  # its name in answers
     title: str  # its name in English
     group: str  # what it is about, a key of `GROUPS`
+    part: str = ""  # of the reducer that it judges, a key of `PARTS`; of other calculations none
+    needed: bool = True  # whether its part is open where it cannot be made
     formula: str  # what has to hold
     why: str  # what is wrong where it does not hold, in English
     inputs: tuple[str, ...]  # paths of what it depends on
@@ -45,7 +47,7 @@ class Kind:
     # The check of a design; of what somebody may ask, a measure will do.
     judge: "Callable[..., Check | Measure]"
 
-    def needed(self, given: Set[str]) -> tuple[str, ...]:
+    def sections(self, given: Set[str]) -> tuple[str, ...]:
         """What has to be there of a design that has these, or asks them: that may be enough."""
         return (self.asks,) if self.asked_alone and self.asks in given else self.needs
 
@@ -137,6 +139,16 @@ class Check(NamedTuple):
             return None
         over = self.value - self.limit
         return -over if self.kind.keep == "below" else over
+
+    @property
+    def opens(self) -> bool:
+        """Whether its part cannot be judged without it."""
+        return self.status == "not_checked" and self.needed
+
+    @property
+    def needed(self) -> bool:
+        """Whether its part is open without it: a limit that no source has nobody could give."""
+        return self.kind.needed and self.reason != "no_sourced_limit"
 
 
 def make_check(kind: Kind, *design: Any) -> Check:
@@ -230,7 +242,8 @@ def judged(
     2.0
     """
     part, whole = (value, limit) if kind.keep == "below" else (limit, value)
-    utilisation = part / whole if whole > 0 and part >= 0 else None
+    used = whole > 0 and part >= 0 and limit > 0  # of a limit of 0 there is nothing to use
+    utilisation = part / whole if used else None
     doubtful = abs(value - limit) <= error * abs(value)
     if not error < (1.0 if value > limit else math.inf):
         more |= {"reason": "value_unknown"}
@@ -306,8 +319,37 @@ def _asked(kind: Kind, found: Check | Measure, limit: float | None) -> Check:
     return Check(kind, "not_asked", value=found.value, reason="no_limit", missing=missing)
 
 
-def wall(kind: Kind, *, width: float, size: float, least: float | None = None) -> Check:
-    """A wall or a gap: more than nothing, else the part cannot exist, and at least what is asked.
+def gap(kind: Kind, *, width: float, size: float) -> Check:
+    """A gap that has to be there, else the part cannot exist.
+
+    Parameters
+    ----------
+    kind : Kind
+        Which check.
+    width : float
+        Width of the gap, m.
+    size : float
+        Size of the parts beside it, m: of which rounding may take `FIT_TOLERANCE`.
+
+    Returns
+    -------
+    Check
+    """
+    there = width > FIT_TOLERANCE * size
+    found = judged(kind, width if there else min(width, 0.0), 0.0)
+    return found if there else found._replace(status="fail", impossible=True)
+
+
+def wall(
+    kind: Kind,
+    *,
+    width: float,
+    size: float,
+    least: float | None = None,
+    guide: float | None = None,
+) -> Check:
+    """A wall: more than nothing, else the part cannot exist, and at least what is asked, or else
+    what is usual.
 
     Parameters
     ----------
@@ -319,14 +361,21 @@ def wall(kind: Kind, *, width: float, size: float, least: float | None = None) -
         Size of the parts beside it, m: of which rounding may take `FIT_TOLERANCE`.
     least : float, optional
         Least width that is asked, m.
+    guide : float, optional
+        Least width that is usual, m: below it the check is marginal.
 
     Returns
     -------
     Check
     """
-    there = width > FIT_TOLERANCE * size
-    found = judged(kind, width if there else min(width, 0.0), least or 0.0)
-    return found if there else found._replace(status="fail", impossible=True)
+    found = gap(kind, width=width, size=size)
+    if found.status == "fail":
+        return found._replace(limit=least or guide or 0.0)
+    if least is not None:
+        return judged(kind, width, least)
+    if guide is not None:
+        return judged(kind, width, guide, warning="thin_wall")._replace(limit_source="guide")
+    return found._replace(status="not_checked", reason="no_sourced_limit")
 
 
 @dataclass(frozen=True, slots=True)
@@ -336,8 +385,9 @@ class Verdict:
     Attributes
     ----------
     verdict : Outcome
-        `fail` where a check fails, else `incomplete` where one could not be made, or none is of
-        what the load could break, else `marginal` where one is, else `pass`.
+        Of a design with parts, of these: `fail` where one fails, else `incomplete` where one is
+        open or none is judged, else `marginal` where one is, else `pass`. Of other calculations:
+        `incomplete` where a check could not be made, or none is of what the load could break.
     governing : str or None
         Code of the check that decides of those that are made: the worst failing one, else the one
         next to its limit.
@@ -345,11 +395,15 @@ class Verdict:
         Factor on the torque at which the first check fails; None of what cannot exist.
     largest_torque_known : bool
         Whether the torque alone decides: nothing fails that less torque does not cure, by a factor
-        that is known, and nothing is unknown.
+        that is known, and of parts one is judged; without parts nothing is unknown.
+    largest_torque_of : tuple of str
+        Parts that are judged and that it is of: of the whole it is an upper bound.
     largest_torque_estimated : bool
         Whether that torque is an estimate: a reserve that fails or comes first is rough.
     counts : dict of str to int
         How many checks have each status.
+    parts : tuple of PartVerdict
+        What each part of the reducer comes to; none of other calculations.
     not_considered : tuple of str
         What is not looked at, keys of `NOT_CONSIDERED`.
     checks : tuple of Check
@@ -360,8 +414,10 @@ class Verdict:
     governing: str | None
     torque_reserve: float | None
     largest_torque_known: bool
+    largest_torque_of: tuple[str, ...]
     largest_torque_estimated: bool
     counts: dict[str, int]
+    parts: tuple[PartVerdict, ...]
     not_considered: tuple[str, ...]
     checks: tuple[Check, ...]
 
@@ -380,15 +436,27 @@ def _cannot_be(checks: Iterable[Check]) -> bool:
     return any(each.impossible and each.status == "fail" for each in checks)
 
 
-def _rank(check: Check) -> tuple[float, ...]:
+def rank(check: Check) -> tuple[float, ...]:
     """Order of checks, as they decide the verdict: impossible, failing, those that could not be
     made, marginal, passing, then what is not judged.
 
     Utilisations of different powers of the torque cannot be compared; its reserve can. What fails
     whatever the torque comes before.
+
+    Parameters
+    ----------
+    check : Check
+        The check.
+
+    Returns
+    -------
+    tuple of float
+        What it is sorted by.
     """
     order = {"fail": 1, "not_checked": 2, "marginal": 3, "pass": 4, "not_asked": 5}
     place = 0 if check.impossible and check.status == "fail" else order.get(check.status, 6)
+    if check.status == "not_checked" and not check.opens:
+        place = order["not_asked"]
     reserve = check.torque_reserve
     if reserve is None:
         reserve = 0.0 if check.status == "fail" else math.inf
@@ -396,7 +464,11 @@ def _rank(check: Check) -> tuple[float, ...]:
     return place, reserve, used
 
 
-def verdict(checks: Iterable[Check], not_considered: tuple[str, ...] = ()) -> Verdict:
+def verdict(
+    checks: Iterable[Check],
+    not_considered: tuple[str, ...] = (),
+    parts: tuple[PartVerdict, ...] | None = None,
+) -> Verdict:
     """The verdict of checks.
 
     Parameters
@@ -405,6 +477,8 @@ def verdict(checks: Iterable[Check], not_considered: tuple[str, ...] = ()) -> Ve
         The checks.
     not_considered : tuple of str
         What is not looked at, keys of `NOT_CONSIDERED`.
+    parts : tuple of PartVerdict, optional
+        What the parts of a reducer come to, of which the verdict is made.
 
     Returns
     -------
@@ -418,34 +492,38 @@ def verdict(checks: Iterable[Check], not_considered: tuple[str, ...] = ()) -> Ve
     >>> found.verdict, found.governing, found.torque_reserve
     ('incomplete', 'pin_static', 2.0)
     """
-    ranked = tuple(sorted(checks, key=_rank))
+    ranked = tuple(sorted(checks, key=rank))
     statuses = [each.status for each in ranked]
     counts: dict[str, int] = {status: statuses.count(status) for status in STATUSES}
     decided = [each for each in ranked if each.status in ("fail", "marginal", "pass")]
-    reserves = [
-        each.torque_reserve
-        for each in decided
-        if each.torque_reserve is not None and not each.warning
-    ]
+    counted = [each for each in decided if each.torque_reserve is not None and not each.warning]
+    reserves = [each.torque_reserve for each in counted if each.torque_reserve is not None]
     least = None if _cannot_be(ranked) else min(reserves, default=None)
     outcome: Outcome = "pass"
-    if counts["fail"]:
+    if parts is not None:
+        outcome = whole(parts)
+    elif counts["fail"]:
         outcome = "fail"
     elif counts["not_checked"] or not reserves:  # room alone: nothing that the load could break
         outcome = "incomplete"
     elif counts["marginal"]:
         outcome = "marginal"
     stuck = any(each.status == "fail" and each.torque_reserve is None for each in decided)
+    having = {each.kind.part for each in counted}
+    of = tuple(part.code for part in parts or () if part.judged and part.code in having)
+    unknown = counts["not_checked"] if parts is None else not of
     return Verdict(
         verdict=outcome,
         governing=decided[0].code if decided else None,
         torque_reserve=least,
-        largest_torque_known=least is not None and not stuck and not counts["not_checked"],
+        largest_torque_known=least is not None and not stuck and not unknown,
+        largest_torque_of=of,
         largest_torque_estimated=any(
             each.rough and (each.status == "fail" or each.torque_reserve == least)
             for each in decided
         ),
         counts=counts,
+        parts=parts or (),
         not_considered=not_considered,
         checks=ranked,
     )

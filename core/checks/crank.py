@@ -11,7 +11,7 @@ from core.arrays import FloatArray
 from core.checks.check import Check, Measure, design_check, judged
 from core.checks.inputs import FORCES, LIFE, ROOTS
 from core.checks.space import within_roots
-from core.crank.bearing_life import EXPONENTS, STATIC_SAFETY
+from core.crank.bearing_life import EXPONENTS, PEAK_SAFETY, STATIC_SAFETY
 from core.crank.bearing_life import system_life as life_together
 from core.crank.ring_mesh import STEEP
 from core.crank.satellite_bearing import SatelliteBearings
@@ -47,11 +47,20 @@ _LIFE_FIXES = (
     "load.output_torque",
 )
 
-_gear = partial(design_check, group="gear", needs=("touching", "load", "gear"))
+_gear = partial(design_check, group="gear", part="teeth", needs=("touching", "load", "gear"))
 _bearing = partial(
-    design_check, group="bearing", keep="above", needs=("touching", "load", "bearing")
+    design_check,
+    group="bearing",
+    part="satellite_bearing",
+    keep="above",
+    needs=("touching", "load", "bearing"),
 )
-_shaft = partial(design_check, group="crankshaft", needs=("touching", "load", "crankshaft"))
+_shaft = partial(
+    design_check,
+    group="crankshaft",
+    part="crank_bearings",
+    needs=("touching", "load", "crankshaft"),
+)
 _balance = partial(
     _shaft, fixes=("crankshaft.satellite_mass", "load.input_speed"), source="balance"
 )
@@ -78,6 +87,7 @@ def pressure_angle(design: Design, results: Results) -> Check:
 
 @_gear(
     "gear_room",
+    part="body",
     title="Holes within the teeth",
     unit="mm",
     formula="r_f − R − r_out > 0",
@@ -178,8 +188,11 @@ def bearing_life(design: Design, results: Results) -> Check:
 
 
 def _required_safety(design: Design, results: Results) -> dict[str, Any]:
-    asked = design.requirements.static_safety
-    return {"limit": asked or STATIC_SAFETY[design.bearing.kind]}
+    asked, load = design.requirements.static_safety, design.load
+    usual = STATIC_SAFETY[design.bearing.kind]
+    if load.peak_torque is not None:
+        usual = PEAK_SAFETY[load.peak_kind]
+    return {"limit": asked or usual}
 
 
 @_bearing(
@@ -192,6 +205,7 @@ def _required_safety(design: Design, results: Results) -> dict[str, Any]:
         "contact.dynamic_factor",
         "load.application_factor",
         "load.peak_torque",
+        "load.peak_kind",
         "bearing.static_rating",
         "requirements.static_safety",
     ),
@@ -293,9 +307,7 @@ def system_life(design: Design, results: Results) -> Check:
 )
 def crank_bearing_life(design: Design, results: Results) -> Check:
     kind, limit = crank_bearing_life, design.requirements.life
-    bearings = design.crankshaft.bearings
-    if bearings is None:
-        return Check(kind, "not_asked", missing=("crankshaft.bearings",))
+    bearings = _required(design.crankshaft.bearings, "crankshaft.bearings")
     for each in bearings:
         _required(each.dynamic_rating, "crankshaft.bearings")
     found = results.crankshaft

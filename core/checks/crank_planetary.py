@@ -1,31 +1,35 @@
 """All checks of a crank-planetary reducer, and its verdict."""
 
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
 from functools import cache
+from typing import Any
 
-from core.checks.check import Check, Verdict, make_check, verdict
+from core.checks.bearings import BEARINGS
+from core.checks.check import Check, Verdict, make_check, rank, verdict
 from core.checks.crank import CRANK
 from core.checks.cranks import CRANKS
 from core.checks.fit import FIT
 from core.checks.friction import FRICTION
+from core.checks.part import PARTS, Part, PartVerdict
 from core.checks.pin_contact import CONTACT, life_considered
 from core.checks.pins import PINS
 from core.checks.play import PLAY
 from core.checks.space import SPACE
-from core.derived import if_known
 from core.design.document import Design
-from core.design.real_forces import RealForces
 from core.design.results import Results
 
 CRANK_CHECKS = {
-    kind.code: kind for kind in (*CRANKS, *FIT, *CONTACT, *PLAY, *SPACE, *PINS, *FRICTION, *CRANK)
+    kind.code: kind
+    for kind in (*CRANKS, *FIT, *CONTACT, *PLAY, *SPACE, *PINS, *FRICTION, *CRANK, *BEARINGS)
 }
 """By code."""
 
 _NEEDS = tuple(dict.fromkeys(need for kind in CRANK_CHECKS.values() for need in kind.needs))
 _ASKED_ALONE = tuple(kind.asks for kind in CRANK_CHECKS.values() if kind.asked_alone)
 
-SECTIONS = tuple(need for need in _NEEDS if need not in ("touching", "load"))
-"""Sections of a design that have checks of their own, besides load and contact."""
+UNCOVERED = ("crankshaft", "output_bearing", "housing", "lubrication", "dynamics")
+"""What no part covers."""
 
 
 def crank_check(code: str, results: Results) -> Check:
@@ -60,18 +64,19 @@ def crank_codes(design: Design) -> tuple[str, ...]:
     """
     there = [need for need in _NEEDS if getattr(design, need)]
     asked = [each for each in _ASKED_ALONE if getattr(design.requirements, each) is not None]
-    return _codes(frozenset((*there, *asked)))
+    return _codes(frozenset((*there, *asked)), design.scope)
 
 
 @cache
-def _codes(given: frozenset[str]) -> tuple[str, ...]:
-    needed = {code: kind.needed(given) for code, kind in CRANK_CHECKS.items()}
+def _codes(given: frozenset[str], scope: tuple[str, ...]) -> tuple[str, ...]:
+    judged = {code: kind for code, kind in CRANK_CHECKS.items() if kind.part in scope}
+    needed = {code: kind.sections(given) for code, kind in judged.items()}
     made = [code for code, needs in needed.items() if given.issuperset(needs)]
     return tuple(sorted(made, key=lambda code: len(needed[code])))
 
 
 def crank_checks(results: Results) -> Verdict:
-    """All checks of a crank-planetary reducer.
+    """All checks of a crank-planetary reducer, as far as they are in its scope.
 
     Parameters
     ----------
@@ -83,21 +88,89 @@ def crank_checks(results: Results) -> Verdict:
     Verdict
     """
     design = results.design
-    pressed = bool(design.load) and design.touching
-    forces = if_known(lambda: results.judged_forces) if pressed else None
-    fit = if_known(lambda: results.fit)
-    solved = design.as_made and isinstance(forces, RealForces)
-    solved = solved or (fit is not None and fit.impossible)
-    absent = {
-        "load": not design.load,
-        "contact": not design.touching,
-        "satellite_body": not design.satellite_body,
-        "clearance": not solved,
+    checks = [crank_check(code, results) for code in crank_codes(design)]
+    return of_parts(design=design, checks=checks)
+
+
+def of_parts(*, design: Design, checks: Iterable[Check]) -> Verdict:
+    """The verdict of a reducer's checks, of which its parts' are made.
+
+    Parameters
+    ----------
+    design : Design
+        The design.
+    checks : iterable of Check
+        Its checks.
+
+    Returns
+    -------
+    Verdict
+    """
+    made = sorted(checks, key=rank)
+    parts = tuple(_part(design, part, made) for part in PARTS.values())
+    judged = {part.code for part in parts if part.judged}
+    pressed = "contact" in design.scope and bool(design.load) and design.touching
+    left_out = {
+        **{code: code not in judged for code in PARTS},
         "contact_life_pin": pressed and not life_considered(design=design, body="pin"),
         "contact_life_hole": pressed and not life_considered(design=design, body="hole"),
-        **{name: not getattr(design, name) for name in SECTIONS},
+        "ligament_strength": "body" in judged,
+        **dict.fromkeys(UNCOVERED, True),
     }
-    return verdict(
-        [crank_check(code, results) for code in crank_codes(design)],
-        tuple(name for name, so in absent.items() if so),
+    found = verdict(made, tuple(name for name, so in left_out.items() if so), parts)
+    if design.clearance_unknown:  # with any clearance it is less
+        return replace(found, largest_torque_known=False, largest_torque_of=())
+    return found
+
+
+def _part(design: Design, part: Part, made: list[Check]) -> PartVerdict:
+    """What a part comes to, by the checks that are made, the one that decides first."""
+    if part.code not in design.scope:
+        return PartVerdict(code=part.code, status="left_out")
+    asked = design.requirements
+    demanded = any(getattr(asked, name) is not None for name in part.demands)
+    if part.demands and not demanded and not getattr(design, part.sections[-1]):
+        return PartVerdict(code=part.code, status="not_asked")
+    own = [check for check in made if check.kind.part == part.code]
+    decided = [check for check in own if check.status in ("fail", "marginal", "pass")]
+    governing = decided[0].code if decided else None
+    if decided and decided[0].status == "fail":
+        return PartVerdict(code=part.code, status="fail", governing=governing)
+    lacks = list(_lacks(design, part, own))
+    if not decided:
+        demands = tuple(f"requirements.{name}" for name in part.demands)
+        lacks.append(("nothing_judged", demands, {}))
+    if lacks:
+        missing = dict.fromkeys(name for _, names, _ in lacks for name in names)
+        return PartVerdict(
+            code=part.code,
+            status="open",
+            governing=governing,
+            reason=lacks[0][0],
+            params=lacks[0][2],
+            missing=tuple(missing),
+        )
+    marginal = any(check.status == "marginal" for check in decided)
+    return PartVerdict(
+        code=part.code, status="marginal" if marginal else "pass", governing=governing
     )
+
+
+def _lacks(
+    design: Design, part: Part, own: list[Check]
+) -> Iterator[tuple[str, tuple[str, ...], Mapping[str, Any]]]:
+    """Why a part is open, what would have to be given, and what the words of the reason name."""
+    absent = tuple(name for name in part.sections if not getattr(design, name))
+    if absent:
+        yield "section_missing", absent, {}
+    if part.by_forces and design.clearance_unknown:
+        known = design.contact.eccentricity is not None
+        missing = "contact.hole_clearance" if known else "contact.eccentricity"
+        yield "clearance_unknown", (missing,), {}
+    if part.code == "teeth":
+        yield "teeth_not_judged", (), {}
+    elif "gear" in part.sections and design.gear and design.gear.kind == "none":
+        yield "no_ring_force", ("gear.kind",), {}
+    for check in own:
+        if check.opens:
+            yield check.reason, check.missing, check.params

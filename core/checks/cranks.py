@@ -8,7 +8,7 @@ from core.design.document import Design
 from core.design.results import Results
 from core.output.mechanism import assembly_angles
 
-_check = partial(design_check, group="mechanism")
+_check = partial(design_check, group="mechanism", part="contact")
 
 
 @_check(
@@ -36,16 +36,20 @@ def dead_centre(design: Design, results: Results) -> Check:
 
 @_check(
     "crank_balance",
+    part="crank_bearings",
+    needed=False,
     title="Static balance of the crank spacing",
     formula="|Σ e^(i·α_j)|/K = 0",
     why="Otherwise the satellites shake the reducer with every turn of the crank.",
     inputs=("mechanism.satellites", "mechanism.crank_spacing", "mechanism.crank_angles"),
-    fixes=("mechanism.crank_spacing",),
+    fixes=(),
 )
 def crank_balance(design: Design, results: Results) -> Check:
     angles = design.mechanism.built.crank_angles
     off = abs(sum(cmath.exp(1j * angle) for angle in angles)) / len(angles)
-    return judged(crank_balance, off if off > 1e-9 else 0.0, 0.0, warning="unbalanced")
+    if off <= 1e-9:
+        return Check(crank_balance, "pass", value=0.0, limit=0.0)
+    return Check(crank_balance, "not_asked", value=off, limit=0.0, reason="unbalanced")
 
 
 @_check(

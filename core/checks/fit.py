@@ -14,7 +14,11 @@ MOST_PLAY = 0.75
 what the mechanism moves by."""
 
 _check = partial(
-    design_check, group="geometry", fixes=("contact.hole_radius",), needs=("touching",)
+    design_check,
+    group="geometry",
+    part="contact",
+    fixes=("contact.hole_radius",),
+    needs=("touching",),
 )
 
 

@@ -8,7 +8,9 @@ from core.design.document import Design
 from core.design.results import Results
 from core.errors import NotKnown
 
-_check = partial(design_check, group="friction", needs=("touching", "load", "friction"))
+_check = partial(
+    design_check, group="friction", part="losses", needs=("touching", "load", "friction")
+)
 
 
 @_check(

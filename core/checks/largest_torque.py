@@ -8,8 +8,8 @@ at another is an estimate.
 import math
 from dataclasses import replace
 
-from core.checks.check import MARGIN, Check, Verdict, verdict
-from core.checks.crank_planetary import crank_check, crank_checks
+from core.checks.check import MARGIN, Check, Verdict
+from core.checks.crank_planetary import crank_check, crank_checks, of_parts
 from core.design.document import Design, changed
 from core.design.results import Results
 
@@ -48,10 +48,60 @@ def crank_verdict(results: Results, *, every: bool = False) -> Verdict:
     -----
     Secants of the logarithms of reserve and torque, of all checks at once.
     """
-    found = crank_checks(results)
-    if not any(check.rough and check.torque_reserve for check in found.checks):
+    found, design = crank_checks(results), results.design
+    if two_ways(results):
+        surer = [judged_check(check.code, results) for check in found.checks]
+        return of_parts(design=design, checks=surer)
+    if design.clearance_unknown or not any(
+        check.rough and check.torque_reserve for check in found.checks
+    ):
         return found
-    return _Torques(results.design, found).judged(every=every)
+    return _Torques(design, found).judged(every=every)
+
+
+def two_ways(results: Results) -> bool:
+    """Whether satellites of perfect parts, of which the clearance is not known, may share the load
+    by the bending of their pins or equally.
+
+    Parameters
+    ----------
+    results : Results
+        Results of a design.
+
+    Returns
+    -------
+    bool
+    """
+    design = results.design
+    return design.clearance_unknown and results.solved and not design.as_made
+
+
+def judged_check(code: str, results: Results) -> Check:
+    """One check of a design under its torque. Where its satellites may share the load in two ways
+    it fails where it fails by both, and is not judged where by one.
+
+    Parameters
+    ----------
+    code : str
+        Which.
+    results : Results
+        Results of a design.
+
+    Returns
+    -------
+    Check
+    """
+    solved = crank_check(code, results)
+    if not two_ways(results):
+        return solved
+    equal = crank_check(code, results.equal)
+    if solved.status == equal.status:
+        return solved
+    if "fail" not in (solved.status, equal.status):
+        return equal
+    return equal._replace(
+        status="not_checked", reason="clearance_unknown", missing=("contact.hole_clearance",)
+    )
 
 
 def under(*, design: Design, factor: float) -> Design:
@@ -171,7 +221,7 @@ class _Torques:
                 check = check._replace(torque_reserve=reserve, rough=not settled)
                 check = _under_margin(check, at_margin.get(check.code, -1.0) >= 0)
             checks.append(check)
-        found = verdict(checks, self.found.not_considered)
+        found = of_parts(design=self.design, checks=checks)
         if settled or found.torque_reserve is None:
             return found
         return replace(found, torque_reserve=limit, largest_torque_estimated=True)

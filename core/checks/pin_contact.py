@@ -4,8 +4,9 @@ from functools import partial
 from typing import Any, get_args
 
 from core.checks.check import Check, Kind, design_check, judged
-from core.checks.inputs import LOADED, LOADS
+from core.checks.inputs import FORCES, LOADED, LOADS
 from core.derived import if_known
+from core.design.contact import force_factor
 from core.design.document import Body, Design
 from core.design.results import Results
 from core.errors import NotKnown
@@ -23,7 +24,12 @@ _FIXES = (
     "load.output_torque",
 )
 _check = partial(
-    design_check, group="contact", inputs=LOADED, fixes=_FIXES, needs=("touching", "load")
+    design_check,
+    group="contact",
+    part="contact",
+    inputs=LOADED,
+    fixes=_FIXES,
+    needs=("touching", "load"),
 )
 
 
@@ -150,6 +156,41 @@ def _yield(body: Body) -> Kind:
     )
 
 
+def _static(body: Body) -> Kind:
+    @_check(
+        f"contact_static_{body}",
+        unit="MPa",
+        title=f"Contact pressure of the {body} at the peak torque",
+        formula="p(T_max) ≤ p_static",
+        why=f"Above it the surface of the {body} is dented at once.",
+        inputs=(*FORCES, "load.peak_torque"),
+        fixes=(*_FIXES, "load.peak_torque"),
+        source="static_pressure",
+    )
+    def static(design: Design, results: Results) -> Check:
+        if design.load.peak_torque is None:
+            missing = ("load.peak_torque",)
+            return Check(static, "not_asked", reason="no_peak_torque", missing=missing)
+        contact, limit = results.static_contact, design.lasting[body].static_pressure
+        pressure = contact.governing_pressure
+        if pressure is None:
+            raise NotKnown("hertz_impossible", ratio=float(contact.half_width_ratio))
+        if limit is None:
+            return Check(static, "not_checked", value=pressure, reason="no_sourced_limit")
+        return judged(
+            static,
+            pressure,
+            limit,
+            reserve=force_factor(
+                contact=contact, contact_at=results.static_contact_at, limit=limit
+            ),
+            error=(contact.conformal_error or 0.0) + 8 * contact.accuracy.relative_error,
+            rough=results.solved or results.edge is not None,
+        )
+
+    return static
+
+
 @_check(
     "contact_conformity",
     title="Width of the contact",
@@ -190,5 +231,6 @@ CONTACT = (
     *map(_pressure, BODIES),
     *map(_shakedown, BODIES),
     *map(_yield, BODIES),
+    *map(_static, BODIES),
     contact_conformity,
 )

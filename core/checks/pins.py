@@ -2,7 +2,7 @@
 
 from functools import partial
 
-from core.checks.check import Check, Measure, design_check, judged
+from core.checks.check import Check, Measure, design_check, judged, wall
 from core.checks.inputs import FATIGUE, LOADED, LOADS
 from core.design.document import Design
 from core.design.results import Results
@@ -17,7 +17,9 @@ _FIXES = (
     "mechanism.pins",
     "load.output_torque",
 )
-_check = partial(design_check, group="pin", fixes=_FIXES, needs=("touching", "load", "pin"))
+_check = partial(
+    design_check, group="pin", part="pins", fixes=_FIXES, needs=("touching", "load", "pin")
+)
 
 
 def _of_size(results: Results, check: Check) -> Check:
@@ -119,7 +121,6 @@ def pin_slope(design: Design, results: Results) -> Measure:
     inputs=(*LOADED, *FATIGUE, *LOADS, "requirements.fatigue_safety"),
     source="shigley",
     keep="above",
-    needs=("touching", "load", "fatigue"),
 )
 def pin_fatigue(design: Design, results: Results) -> Check:
     found, strength = results.pin_strength, results.fatigue_strength  # which is known, or raises
@@ -132,4 +133,28 @@ def pin_fatigue(design: Design, results: Results) -> Check:
     return _of_size(results, check._replace(reason="finite_life") if lasts else check)
 
 
-PINS = (pin_static, pin_deflection, pin_slope, pin_fatigue)
+SLEEVE = 0.1
+"""Least wall of a sleeve over the diameter of its pin: tables of cycloid drives have 0.18 to 0.27,
+wrapped bushes 0.1."""
+
+
+@_check(
+    "wall_sleeve",
+    title="Wall of the sleeves",
+    unit="mm",
+    formula="r_in − d/2 ≥ 0.1·d",
+    why="Thinner sleeves break or run out of round.",
+    inputs=("contact.pin_radius", "pin.diameter"),
+    fixes=("contact.pin_radius",),
+    source="geometry",
+    keep="above",
+)
+def wall_sleeve(design: Design, results: Results) -> Check:
+    if not design.sleeved:
+        return Check(wall_sleeve, "not_applicable", reason="without_sleeve")
+    radius, diameter = design.contact.pair.pin_radius, design.pin.diameter
+    width, guide = radius - diameter / 2, SLEEVE * diameter
+    return wall(wall_sleeve, width=width, size=radius, guide=guide)
+
+
+PINS = (pin_static, pin_deflection, pin_slope, pin_fatigue, wall_sleeve)

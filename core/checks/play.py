@@ -11,6 +11,7 @@ from core.errors import NotKnown
 _check = partial(
     design_check,
     group="play",
+    part="contact",
     unit="arcmin",
     fixes=("contact.hole_radius",),
     source="load_sharing",
@@ -38,7 +39,7 @@ _check = partial(
     asks="max_backlash",
 )
 def backlash(design: Design, results: Results) -> Measure:
-    of_fit = design.known_eccentricity and 0.0  # no clearance, or interference
+    of_fit = design.known_clearance and 0.0  # none, or interference
     return Measure(results.loading.turn.backlash_max if results.solved else of_fit)
 
 
@@ -63,7 +64,7 @@ def lost_motion(design: Design, results: Results) -> Measure:
     """At the torque itself, of which it takes a share; not solved for where nobody asks."""
     solved = results.solved and design.load_factor == 1
     asked = design.requirements.max_lost_motion is not None
-    if not (design.known_eccentricity and (solved or asked)):
+    if not (design.known_clearance is not None and (solved or asked)):
         raise NotKnown("no_limit")
     return Measure(results.real_forces.turn.lost_motion)
 

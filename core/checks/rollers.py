@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 
-from core.checks.check import Check, Kind, Verdict, design_check, judged, make_check, verdict, wall
+from core.checks.check import Check, Kind, Verdict, design_check, gap, judged, make_check, verdict
 from core.checks.inputs import FATIGUE
 from core.design.sections import Requirements
 from core.fatigue import CycleFatigue
@@ -57,7 +57,7 @@ class RollerDesign:
         )
         first = min(ahead)
         carried = math.fsum(
-            max(0.0, largest - float(self.result.stiffness) * (gap - first)) for gap in ahead
+            max(0.0, largest - float(self.result.stiffness) * (each - first)) for each in ahead
         )
         return 2 * self.hole_circle_radius * carried / self.output_torque
 
@@ -197,7 +197,7 @@ def roller_spacing(design: RollerDesign) -> Check:
         return Check(roller_spacing, "not_applicable", reason="one_only")
     pitch = 2 * design.hole_circle_radius * math.sin(math.pi / design.rollers)
     size = design.sphere_diameter
-    return wall(roller_spacing, width=pitch - size, size=size)
+    return gap(roller_spacing, width=pitch - size, size=size)
 
 
 @_check(
@@ -212,7 +212,7 @@ def roller_spacing(design: RollerDesign) -> Check:
 )
 def roller_room(design: RollerDesign) -> Check:
     size = design.sphere_diameter
-    return wall(roller_room, width=design.hole_circle_radius - size / 2, size=size)
+    return gap(roller_room, width=design.hole_circle_radius - size / 2, size=size)
 
 
 @_check(

@@ -10,10 +10,10 @@ from core.checks.check import (
     Measure,
     Verdict,
     design_check,
+    gap,
     judged,
     make_check,
     verdict,
-    wall,
 )
 from core.checks.inputs import FATIGUE
 from core.checks.rollers import cycle_check
@@ -100,7 +100,7 @@ def line_spacing(design: ShaftDesign) -> Check:
     if not apart:
         return Check(line_spacing, "not_applicable", reason="one_only")
     pitch, size = 2 * design.roller_circle_radius * math.sin(min(apart) / 2), design.roller_radius
-    return wall(line_spacing, width=pitch - 2 * size, size=size)
+    return gap(line_spacing, width=pitch - 2 * size, size=size)
 
 
 @design_check(
@@ -117,7 +117,7 @@ def line_spacing(design: ShaftDesign) -> Check:
 def shaft_in_circle(design: ShaftDesign) -> Check:
     size = design.roller_radius
     room = design.roller_circle_radius - size - max(design.diameters) / 2
-    return wall(shaft_in_circle, width=room, size=size)
+    return gap(shaft_in_circle, width=room, size=size)
 
 
 @design_check(

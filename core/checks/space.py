@@ -3,29 +3,38 @@
 import math
 from functools import partial
 
-from core.checks.check import Check, Kind, Measure, design_check, wall
+from core.checks.check import Check, Kind, Measure, design_check, gap, wall
 from core.checks.inputs import ROOTS
 from core.design.document import Design
 from core.design.results import Results
 from core.errors import NotKnown
 
+RIM = 2.7
+"""Least rim below the roots of involute teeth over their module: 1.2 times the height of teeth of
+the basic rack of ISO 53, as rims that do not weaken the teeth have (AGMA 2001, ISO 6336-3)."""
+
 _placed = partial(
-    design_check, group="geometry", unit="mm", keep="above", needs=("touching", "load")
+    design_check,
+    group="geometry",
+    part="contact",
+    unit="mm",
+    keep="above",
+    needs=("touching", "load"),
 )
-_body = partial(_placed, group="body", needs=("touching", "load", "satellite_body"))
+_body = partial(_placed, part="body", group="body", needs=("touching", "load", "satellite_body"))
 
 
-def _between(kind: Kind, design: Design, radius: float, least: float | None = None) -> Check:
-    """The wall or the gap between neighbours on the pin circle."""
+def _between(design: Design, radius: float) -> float:
+    """Width between neighbours on the pin circle, m; infinite of a single one."""
     pins = design.mechanism.pins
     if pins < 2:
-        return Check(kind, "not_applicable", reason="one_only")
-    pitch = 2 * design.load.pin_circle_radius * math.sin(math.pi / pins)
-    return wall(kind, width=pitch - 2 * radius, size=radius, least=least)
+        return math.inf
+    return 2 * design.load.pin_circle_radius * math.sin(math.pi / pins) - 2 * radius
 
 
 @_placed(
     "wall_holes",
+    part="body",
     title="Wall between holes",
     formula="2·R·sin(π/N) − 2·r_out ≥ w",
     why="Otherwise the holes overlap, or the satellite is weak between them.",
@@ -40,7 +49,10 @@ def _between(kind: Kind, design: Design, radius: float, least: float | None = No
 )
 def wall_holes(design: Design, results: Results) -> Check:
     radius, least = design.contact.pair.hole_radius, design.requirements.min_wall
-    return _between(wall_holes, design, radius, least)
+    width = _between(design, radius)
+    if math.isinf(width):
+        return Check(wall_holes, "not_applicable", reason="one_only")
+    return wall(wall_holes, width=width, size=radius, least=least, guide=design.wall_guide)
 
 
 @_placed(
@@ -52,7 +64,11 @@ def wall_holes(design: Design, results: Results) -> Check:
     fixes=("load.pin_circle_radius", "contact.pin_radius", "mechanism.pins"),
 )
 def pins_apart(design: Design, results: Results) -> Check:
-    return _between(pins_apart, design, design.contact.pair.pin_radius)
+    radius = design.contact.pair.pin_radius
+    width = _between(design, radius)
+    if math.isinf(width):
+        return Check(pins_apart, "not_applicable", reason="one_only")
+    return gap(pins_apart, width=width, size=radius)
 
 
 @_placed(
@@ -65,10 +81,10 @@ def pins_apart(design: Design, results: Results) -> Check:
 )
 def holes_off_centre(design: Design, results: Results) -> Check:
     size = design.contact.pair.hole_radius
-    return wall(holes_off_centre, width=design.load.pin_circle_radius - size, size=size)
+    return gap(holes_off_centre, width=design.load.pin_circle_radius - size, size=size)
 
 
-def within_roots(*, design: Design, kind: Kind, least: float | None = None) -> Check:
+def within_roots(*, design: Design, kind: Kind, solid: bool = False) -> Check:
     """The wall between the holes and the roots of the satellite's teeth: it passes by the least
     radius of these, fails by the largest, and is not known between.
 
@@ -78,8 +94,8 @@ def within_roots(*, design: Design, kind: Kind, least: float | None = None) -> C
         The design.
     kind : Kind
         Which check.
-    least : float, optional
-        Least width that is asked, m.
+    solid : bool
+        Whether it has to be as thick as is asked, or usual; else it has to be there.
 
     Returns
     -------
@@ -89,10 +105,15 @@ def within_roots(*, design: Design, kind: Kind, least: float | None = None) -> C
     reach = design.load.pin_circle_radius + size
     known = design.satellite_body and design.satellite_body.root_radius
     source = "roots" if design.gear and not known else ""
-    shallow, deep = (
-        wall(kind, width=radius - reach, size=size, least=least)._replace(limit_source=source)
-        for radius in reversed(design.roots)
-    )
+
+    def wide(radius: float) -> Check:
+        if not solid:
+            return gap(kind, width=radius - reach, size=size)._replace(limit_source=source)
+        asked = design.requirements.min_wall
+        found = wall(kind, width=radius - reach, size=size, least=asked, guide=_rim_guide(design))
+        return found if found.limit_source else found._replace(limit_source=source)
+
+    shallow, deep = map(wide, reversed(design.roots))
     if deep.status != "fail":
         return deep
     if shallow.status == "fail":
@@ -102,6 +123,14 @@ def within_roots(*, design: Design, kind: Kind, least: float | None = None) -> C
         raise NotKnown("eccentricity_assumed", "contact.eccentricity")
     name = "gear.ring_pin_radius" if cycloid else "satellite_body.root_radius"
     return Check(kind, "not_checked", limit=deep.limit, reason="roots_unknown", missing=(name,))
+
+
+def _rim_guide(design: Design) -> float | None:
+    """Least wall to the rim that is usual, m: within involute teeth 1.2 times their height."""
+    gear = design.gear
+    if gear and gear.kind == "involute" and gear.module is not None:
+        return RIM * gear.module
+    return design.wall_guide
 
 
 @_body(
@@ -120,8 +149,8 @@ def within_roots(*, design: Design, kind: Kind, least: float | None = None) -> C
 )
 def wall_rim(design: Design, results: Results) -> Check:
     if math.isinf(design.roots[1]):
-        return Check(wall_rim, "not_asked", missing=("satellite_body.outer_radius",))
-    return within_roots(design=design, kind=wall_rim, least=design.requirements.min_wall)
+        raise NotKnown("size_missing", "satellite_body.outer_radius")
+    return within_roots(design=design, kind=wall_rim, solid=True)
 
 
 @_body(
@@ -139,11 +168,11 @@ def wall_rim(design: Design, results: Results) -> Check:
     source="wang_2016",
 )
 def wall_bore(design: Design, results: Results) -> Check:
-    bore, size = design.satellite_body.bore_radius, design.contact.pair.hole_radius
+    bore, size = design.bore_radius, design.contact.pair.hole_radius
     if bore is None:
-        return Check(wall_bore, "not_asked", missing=("satellite_body.bore_radius",))
-    width = design.load.pin_circle_radius - size - bore
-    return wall(wall_bore, width=width, size=size, least=design.requirements.min_wall)
+        raise NotKnown("size_missing", "satellite_body.bore_radius")
+    width, least = design.load.pin_circle_radius - size - bore, design.requirements.min_wall
+    return wall(wall_bore, width=width, size=size, least=least, guide=design.wall_guide)
 
 
 @_body(

@@ -14,6 +14,9 @@ STATIC_SAFETY: dict[Bearing, float] = {"ball": 1.0, "roller": 1.5}
 """Static rating over the largest load that running as usual asks for: catalogues of SKF and IKO,
 after ISO 76."""
 
+PEAK_SAFETY = {"start": 1.5, "emergency": 1.0}
+"""The same at the peak torque of a start, and of an emergency stop."""
+
 RELIABILITIES = {90.0: 1.0, 95.0: 0.64, 96.0: 0.55, 97.0: 0.47, 98.0: 0.37, 99.0: 0.25}
 """Factor a1 by reliability, percent, of ISO 281:2007; catalogues after earlier editions have 0.62,
 0.53, 0.44, 0.33 and 0.21 from 95 % on: up to a fifth less life for the same bearing."""

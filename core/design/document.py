@@ -37,6 +37,9 @@ DRAWN = 1e-3
 SAME = 1e-12
 """Difference of diameters that is rounding, as a part of them."""
 
+WALL_GUIDE = 0.03
+"""Least wall between holes over the diameter of the ring's pin circle (Wang 2016, 32, 33)."""
+
 TYPED = 1e-9
 """Part of a torque that is lost where its limit is written down."""
 
@@ -112,6 +115,10 @@ class Design:
         self._check_thickness()
         if self.gear:
             self.gear.check_pins_apart(self.mechanism.ratio)
+        if self.bearing:
+            self.bearing.check_sizes("bearing")
+        for index, each in enumerate((self.crankshaft and self.crankshaft.bearings) or ()):
+            each.check_sizes(f"crankshaft.bearings[{index}]")
 
     def _check_places(self) -> None:
         """Satellites do not reach into each other, and are as far apart on the pins as on the
@@ -171,6 +178,20 @@ class Design:
         return (clearance or 0.0) > 0 or any(each is not None for each in stated)
 
     @property
+    def clearance_unknown(self) -> bool:
+        """Whether nothing is known of the clearance of pins and holes: none is stated, as of
+        perfect parts, and the sizes leave none.
+        """
+        stated = self.touching and (self.contact.clearance_stated or self.contact.clearance)
+        return self.touching and not stated
+
+    @property
+    def scope(self) -> tuple[str, ...]:
+        """Parts that are judged: those that are asked for, without teeth where there are none."""
+        asked, toothless = self.requirements.scope, self.gear and self.gear.kind == "none"
+        return tuple(part for part in asked if not (toothless and part == "teeth"))
+
+    @property
     def bends(self) -> bool:
         """Whether pins bend where the satellites press them, and no sharing of theirs is stated."""
         places = self.pin.satellite_positions if self.pin and self.touching else None
@@ -198,6 +219,8 @@ class Design:
         clearance = self.contact.clearance
         if clearance is None:
             raise NotKnown("eccentricity_assumed", "contact.eccentricity")
+        if self.clearance_unknown:
+            raise NotKnown("clearance_unknown", "contact.hole_clearance")
         return clearance
 
     @property
@@ -272,6 +295,25 @@ class Design:
             low, high = self.gear.roots(ratio=self.mechanism.ratio, eccentricity=eccentricity)
         outer = math.inf if body.outer_radius is None else body.outer_radius
         return min(low, outer), min(high, outer)
+
+    @property
+    def bore_radius(self) -> float | None:
+        """Radius of a satellite's bore, or of the bearing in it, m."""
+        given = self.satellite_body.bore_radius if self.satellite_body else None
+        outer = self.bearing.outer_diameter if self.bearing else None
+        return outer / 2 if given is None and outer is not None else given
+
+    @property
+    def wall_guide(self) -> float | None:
+        """Least wall that holes usually have to each other and to the bore, m: 0.03 of the diameter
+        of the ring's pin circle, or of the least that the roots of the satellite sweep; None where
+        neither is known.
+        """
+        circle = self.gear.ring_pin_circle_radius if self.gear else None
+        if circle is None:
+            low, high = self.roots
+            circle = (low or high) + (self.contact.eccentricity or 0.0)
+        return WALL_GUIDE * 2 * circle if math.isfinite(circle) else None
 
     @property
     def pin_length(self) -> float:

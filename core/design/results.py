@@ -65,6 +65,11 @@ class Results:
         """Whether the forces that are judged are solved over the turn: those of the mechanism as it
         is made, or of perfect parts whose pins bend; else they are the ideal ones."""
 
+    @cached_property
+    def equal(self) -> "Results":
+        """The same where satellites share the load equally."""
+        return Results(self.design, equal=True)
+
     @derived
     def contact_force(self) -> ContactForce:
         """The ideal contact force."""
@@ -361,6 +366,19 @@ class Results:
                     limit=limit,
                 )
         return factors
+
+    def static_contact_at(self, factor: float) -> HertzContact:
+        """The contact under so many times its force at the peak torque."""
+        factor *= self.line_load_factor
+        if not self.solved:
+            return self.contact_at(factor * self.design.static_share)
+        torque = self.design.static_torque / self.design.load.output_torque
+        return self.real_forces_at(torque).contact_at(factor)
+
+    @derived
+    def static_contact(self) -> HertzContact:
+        """The contact with the largest pressure under the peak torque."""
+        return self.static_contact_at(1.0)
 
     @derived
     def peak(self) -> dict[str, float]:

@@ -5,7 +5,7 @@ ring, bearings, crankshaft, body of the satellite, requirements.
 import math
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from typing import Literal, NamedTuple
+from typing import Literal, NamedTuple, get_args
 
 from core.crank.bearing_life import Bearing
 from core.crank.ring_mesh import RingMesh, cycloid_mesh, involute_mesh
@@ -33,6 +33,15 @@ from core.output.sampled_turn import Direction
 from core.results import Notice
 
 RingKind = Literal["involute", "cycloid", "none"]
+
+PeakKind = Literal["start", "emergency"]
+
+PartName = Literal[
+    "contact", "pins", "teeth", "satellite_bearing", "crank_bearings", "body", "losses"
+]
+
+PART_NAMES: tuple[PartName, ...] = get_args(PartName)
+"""Parts of a reducer: `core.checks.part`."""
 
 DEDENDUM = 1.25
 """Depth of the roots of involute teeth within their reference circle without a profile shift, over
@@ -102,6 +111,7 @@ class Load:
     input_speed: float | None = None  # of the crank, rad/s
     application_factor: float | None = None
     peak_torque: float | None = None
+    peak_kind: PeakKind = "start"  # at which the peak torque acts
 
 
 class PairSizes(NamedTuple):
@@ -125,6 +135,7 @@ class Contact:
     dynamic_factor: float = 1.0  # on the force, where the load has no application factor
     distribution_factor: float = 1.0  # K_alpha, of the satellites' uneven share
     own_limits: tuple[str, ...] = ()  # which of the two materials are given by values
+    clearance_stated: bool = False  # whether one of 0 is: else a hole of just pin and e says none
 
     @cached_property
     def pair(self) -> PairSizes:
@@ -160,6 +171,8 @@ class Requirements:
 
     Attributes
     ----------
+    scope : tuple of str
+        Parts of the reducer that are judged.
     pitting_safety : float
         Required safety against pitting, of the pressure.
     bending_safety, fatigue_safety : float
@@ -175,6 +188,7 @@ class Requirements:
         Largest force, N, and couple, N*m, of the satellites' masses.
     """
 
+    scope: tuple[PartName, ...] = PART_NAMES
     pitting_safety: float = 1.2
     bending_safety: float = 1.5
     fatigue_safety: float = 1.5
@@ -539,6 +553,34 @@ class RollingBearing:
     reliability_percent: float = 90.0
     ring_factor: float = 1.0
     weibull_slope: float | None = None
+    bore_diameter: float | None = None  # d, m
+    outer_diameter: float | None = None  # D, m
+    width: float | None = None  # B, m
+    limiting_speed: float | None = None  # of its rings against each other, rad/s
+
+    @property
+    def sizes(self) -> tuple[float, float, float] | None:
+        """Bore, outer diameter and width, where all are given, m."""
+        bore, outer, width = self.bore_diameter, self.outer_diameter, self.width
+        return None if bore is None or outer is None or width is None else (bore, outer, width)
+
+    def check_sizes(self, path: str) -> None:
+        """Refuse a bore that is not smaller than the outside.
+
+        Parameters
+        ----------
+        path : str
+            Path of the bearing in its design.
+
+        Raises
+        ------
+        InvalidInput
+            If it is not.
+        """
+        bore, outer = self.bore_diameter, self.outer_diameter
+        if bore is not None and outer is not None and not bore < outer:
+            than = {"field": "outer_diameter", "limit": outer}
+            raise InvalidInput(f"{path}.bore_diameter", bore, "smaller_than", **than)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -561,3 +603,5 @@ class Shaft:
     bearing_positions: tuple[float, float]
     satellite_mass: float | None = None
     bearings: tuple[RollingBearing, RollingBearing] | None = None
+    eccentric_diameter: float | None = None  # of the crank in its bearing, m
+    shaft_diameter: float | None = None  # between the cranks, m

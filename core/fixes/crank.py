@@ -5,10 +5,11 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 from core.checks.check import Check, Verdict
-from core.checks.crank_planetary import crank_check, crank_codes
-from core.checks.largest_torque import crank_verdict, under
+from core.checks.crank_planetary import crank_check
+from core.checks.largest_torque import crank_verdict, judged_check, under
+from core.checks.usual_fit import usual_clearance
 from core.derived import if_known
-from core.design.document import Design, changed
+from core.design.document import Design
 from core.design.results import Results
 from core.errors import CalculationError
 from core.fixes.changes import count_may_change, value_of, vary
@@ -54,8 +55,8 @@ def _fix(results: Results, code: str, variable: str, current: Verdict) -> Fix | 
     """Fix of a check by one input."""
     design, check = results.design, current[code]
     group = check.kind.group
-    if code in ("interference", "clearance", "crank_balance"):
-        return _closed(results, code, variable, current)
+    if code in ("interference", "clearance"):
+        return _fitting(results, code, current)
     if group == "play":
         return _less_clearance(results, code, current)
     cure = _cure(design, code, variable, current)
@@ -66,7 +67,7 @@ def _fix(results: Results, code: str, variable: str, current: Verdict) -> Fix | 
     def change(value: float) -> Check:
         """The check under so many times the torque as it is to bear."""
         there = under(design=vary(design=design, variable=variable, value=value), factor=factor)
-        found = crank_check(code, Results(there))
+        found = judged_check(code, Results(there))
         reserve = found.torque_reserve
         return found if reserve is None else found._replace(torque_reserve=reserve * factor)
 
@@ -181,25 +182,16 @@ def _checked(cure: Cure, exact: float) -> Fix:
     return made
 
 
-def _closed(results: Results, code: str, variable: str, current: Verdict) -> Fix | None:
-    """Fixes that are no search: the hole that fits, the even spacing."""
-    design = results.design
-    if code == "crank_balance":
-        spacing, satellites = design.mechanism.crank_spacing, design.mechanism.satellites
-        if spacing is None or satellites < 2:
-            return None
-        before, after = spacing, 2 * math.pi / satellites
-    else:
-        contact = design.contact
-        if contact.eccentricity is None or contact.pin_radius is None:
-            return None
-        before, after = contact.pair.hole_radius, contact.pin_radius + contact.eccentricity
-        fit = if_known(lambda: results.fit)
-        if fit is not None:
-            after = fit.needed_hole_radius
-    exact = Solution("solved", after, None, ((after, after),), None, True, 1)
-    there = changed(design, {variable: after})
-    if code not in crank_codes(there) or not before:
+def _fitting(results: Results, code: str, current: Verdict) -> Fix | None:
+    """The hole with which the parts fit, and have a clearance as usual."""
+    design, contact = results.design, results.design.contact
+    if contact.eccentricity is None or contact.pin_radius is None:
         return None
-    cure = Cure(code, variable, before, lambda _: crank_verdict(Results(there)), current)
-    return replace(cure.by(after, exact, "solved"), after=after, standard=False)
+    after = contact.pin_radius + contact.eccentricity
+    fit = if_known(lambda: results.fit)
+    if fit is not None:
+        after = fit.needed_hole_radius
+    _, clearance = usual_clearance(design)
+    after = math.ceil((after + clearance) * 1e6 - 1e-6) * 1e-6  # whole micrometres
+    cure = _cure(design, code, "contact.hole_radius", current)
+    return None if cure is None else _checked(cure, after)

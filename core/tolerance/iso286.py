@@ -39,6 +39,41 @@ class Limits:
     upper: float  # upper one, m
 
 
+def fit_clearance(*, fit: str, hole_diameter: float, pin_diameter: float) -> float:
+    """Mean radial clearance of a fit whose parts are of two nominal diameters.
+
+    Parameters
+    ----------
+    fit : str
+        Classes of hole and shaft, as ``H7/f7``.
+    hole_diameter, pin_diameter : float
+        Nominal diameter that each class is of, m, at most 0.5.
+
+    Returns
+    -------
+    float
+        Half of the difference of the middles of both tolerances, m; negative of an interference.
+
+    Raises
+    ------
+    InvalidInput
+        If one of the classes, or of the diameters, is not in the tables.
+
+    Examples
+    --------
+    A hole of 20 mm, 0 to 21 micrometres, and a pin of 16 mm, -34 to -16 micrometres.
+
+    >>> round(fit_clearance(fit="H7/f7", hole_diameter=0.020, pin_diameter=0.016) * 1e6, 6)
+    17.75
+    """
+    letters = re.fullmatch(r"([A-Z]+\d+)/([a-z]+\d+)", fit)
+    if letters is None:
+        raise InvalidInput("fit", fit, "no_fit")
+    hole = class_limits(size=hole_diameter, tolerance_class=letters[1])
+    pin = class_limits(size=pin_diameter, tolerance_class=letters[2])
+    return (hole.lower + hole.upper - pin.lower - pin.upper) / 4
+
+
 def class_limits(*, size: float, tolerance_class: str) -> Limits:
     """Limit deviations of a diameter by its ISO 286 class.
 

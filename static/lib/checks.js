@@ -7,7 +7,7 @@ const LEVELS = { pass: "good", marginal: "warning", fail: "bad", incomplete: "wa
 /** Names of an answer that say how it is judged or how exact it is: no results of their own. */
 export const ASIDE = [
   "accuracy", "warnings", "verdict", "governing", "counts", "not_considered", "checks", "fixes", "torque_reserve",
-  "largest_torque_Nm", "largest_torque_estimated", "assumed", "fit",
+  "largest_torque_Nm", "largest_torque_estimated", "largest_torque_of", "parts", "model", "assumed", "fit",
 ];
 /** The values of a section as `[[name, value]]`, those of its parts too, named after the part where there are words for that. */
 export function flattened(section) {
@@ -40,6 +40,30 @@ export function wordIn(calculator, answer) {
   return judged ? wordOf(judged) : undefined;
 }
 
+/** The word as it is shown: of what is not known of all parts, whether anything is against it. */
+export function wordText(judged) {
+  const word = wordOf(judged);
+  return message(word === "incomplete" && judged.parts ? "verdictWord.soFar" : `verdictWord.${word}`);
+}
+
+const MARKS = { pass: "✓", marginal: "!", fail: "✗", open: "?", left_out: "–", not_asked: "·" };
+
+/** A part for its chip: `title`, `status`, `level`, `mark`, `words`, the path of what it lacks (`ask`), and whether it can be left out. */
+export function partRow({ code, title, status, governing, reason, missing = [] }) {
+  const why = status === "open" && (said("reasons", reason) ?? said("notices", reason)?.title ?? reason);
+  const lacks = missing.find((pointer) => !pointer.startsWith("/requirements"));
+  return {
+    code, status,
+    title: said("not_considered", code) ?? title,
+    level: LEVELS[status] ?? "",
+    mark: MARKS[status],
+    words: [message(`partStatus.${status}`), why].filter(Boolean).join(": "),
+    ask: status === "open" && lacks ? pathOf(lacks) : undefined,
+    governing,
+    leaves: status !== "left_out",
+  };
+}
+
 export const levelOfWord = (word) => (word === "impossible" ? "bad" : LEVELS[word]);
 
 export function titleOf({ code, title }) {
@@ -58,11 +82,12 @@ const amount = (value, unit) => (value === undefined ? "" : formatQuantity(value
  * limit), `source`, `place`, `reason`, `missing` (paths of fields).
  */
 export function checkRow(check, titles) {
-  const { code, status, value, limit, unit, keep, utilisation, source, source_code: sourceCode, criterion, life_factor: life, at, reason, missing = [] } = check;
+  const { code, status, needed = true, value, limit, unit, keep, utilisation, source, source_code: sourceCode, criterion, life_factor: life, at, reason, missing = [] } = check;
   return {
     code,
     status,
-    level: LEVELS[status],
+    needed,
+    level: needed || status !== "not_checked" ? LEVELS[status] : undefined,
     title: titleOf(check),
     why: said("checks", code)?.why ?? check.why ?? "",
     value: amount(value, unit),
@@ -118,8 +143,8 @@ export function fixRow(fix, fieldAt, checks) {
 }
 
 /** The check that decides: the first that is not known where the verdict is incomplete, else the one that governs. */
-export function decisive({ verdict, governing, checks = [] }) {
-  return checks.find(({ code, status }) => (verdict === "incomplete" ? status === "not_checked" : code === governing));
+export function decisive({ verdict, governing, parts, checks = [] }) {
+  return checks.find(({ code, status }) => (verdict === "incomplete" && !parts ? status === "not_checked" : code === governing));
 }
 
 /** The failing check that no smaller torque cures, by all that is known. */
@@ -148,7 +173,8 @@ export function groupsOf({ checks = [] }) {
 }
 
 /** What is not looked at, in words. */
-export function notConsidered({ not_considered: codes = [] }) {
+export function notConsidered({ not_considered: all = [], parts = [] }) {
+  const codes = all.filter((code) => !parts.some((part) => part.code === code)); // which say it themselves
   if (codes.length === 0) return "";
   return message("checks.notConsidered", { what: codes.map((code) => said("not_considered", code) ?? code).join("; ") });
 }
@@ -169,6 +195,10 @@ export function assumedIn({ assumed = [] }) {
 /** Why a verdict's word is what it is, in words. */
 export function wordNote(judged) {
   const word = wordOf(judged);
+  if (word === "incomplete" && judged.parts) {
+    const within = judged.parts.filter(({ status }) => !["left_out", "not_asked"].includes(status));
+    return message("verdictWord.soFarNote", { judged: within.filter(({ status }) => JUDGED.includes(status)).length, all: within.length });
+  }
   if (word === "incomplete" && !judged.counts.not_checked) return message("verdictWord.nothingNote");
   const check = word === "marginal" && decisive(judged);
   // The first of the marginal checks has no reserve where none of them has: what they doubt is nothing of strength.
@@ -180,7 +210,9 @@ export function wordNote(judged) {
 
 /** Why a verdict knows no largest torque, in words. */
 export function torqueUnknown(judged) {
-  const { counts } = judged;
+  const { counts, parts = [] } = judged;
+  if (parts.some(({ reason }) => reason === "clearance_unknown")) return message("checks.byClearance");
+  if (parts.length > 0 && parts.every(({ status }) => !JUDGED.includes(status))) return message("checks.openParts");
   if (counts.not_checked) return message("checks.openChecks", { count: counts.not_checked });
   const check = beyondTorque(judged);
   return check ? message("checks.notByTorque", { check: titleOf(check) }) : message("checks.withoutTorque");

@@ -53,7 +53,8 @@ function bounds(schema) {
 }
 
 function kindOf(schema, resolve) {
-  if (schema.enum) return "option";
+  if (schema.enum || schema["x-options"]) return "option";
+  if (schema.type === "array" && schema.items.enum) return "names";
   if (schema.type === "array" && resolve(schema.items).type === "object") return "records";
   return { number: "number", integer: "integer", array: "numbers", string: "name", boolean: "flag" }[schema.type];
 }
@@ -72,7 +73,7 @@ function fieldOf(schema, path, required, resolve) {
     symbol: schema["x-symbol"] ?? "",
     unit: schema["x-unit"] ?? unitOf(name),
     step: schema["x-step"] ?? (kind === "integer" ? 1 : undefined),
-    options: schema.enum ?? (kind === "flag" ? ["false", "true"] : undefined),
+    options: schema.enum ?? (schema["x-options"] && ["", ...schema["x-options"]]) ?? { flag: ["false", "true"], names: schema.items?.enum }[kind],
     group: schema["x-group"],
     advanced: schema["x-advanced"] ?? false,
     required,

@@ -4,7 +4,6 @@ export default {
   // Titles and helps of fields that are the page's own, by group and name.
   own: {
     "real.on": { title: "Clearance and errors", help: "Forces, play and stiffness of the mechanism as it is made: with clearance, errors and elasticity." },
-    "real.play": { title: "Clearance by", help: "A radial clearance, or an ISO fit of pin and hole, calculated at its mean." },
     "study.pin_class": { title: "Pin diameter, class", help: "ISO 286 class of the diameter that touches the hole." },
     "study.hole_class": { title: "Hole diameter, class", help: "ISO 286 class of the diameter of the holes." },
     "real.pins": { title: "Measured pins", help: "Deviations of a measured part, of each pin: outward, in the driving sense, of its radius." },
@@ -28,6 +27,12 @@ export default {
     "crank.satellites": { title: "Places of the satellites", help: "Middle plane of each satellite along the shaft, from any point of it; left empty they are as far apart as along the pins." },
     "crank.kind_a": { title: "Bearing A", help: "Rolling elements of the first bearing of the shaft." },
     "crank.kind_b": { title: "Bearing B", help: "Rolling elements of the second bearing of the shaft." },
+    "crank.bore_diameter_mm_a": { title: "Bore, A", help: "Of this bearing of the shaft." },
+    "crank.outer_diameter_mm_a": { title: "Outer diameter, A", help: "Of this bearing of the shaft." },
+    "crank.width_mm_a": { title: "Width, A", help: "Of this bearing of the shaft." },
+    "crank.bore_diameter_mm_b": { title: "Bore, B", help: "Of this bearing of the shaft." },
+    "crank.outer_diameter_mm_b": { title: "Outer diameter, B", help: "Of this bearing of the shaft." },
+    "crank.width_mm_b": { title: "Width, B", help: "Of this bearing of the shaft." },
     "crank.rating_a": { title: "Dynamic load rating of A", help: "Without it no life of this bearing is answered." },
     "crank.rating_b": { title: "Dynamic load rating of B", help: "Without it no life of this bearing is answered." },
     "endurance.on": { title: "Fatigue", help: "Whether the part lasts: its stress cycle against its endurance limit." },
@@ -83,7 +88,8 @@ export default {
   },
   // Words of choices from a list.
   option: {
-    radial: "Radial clearance", fits: "ISO fit", driving: "Driving", reverse: "Reverse",
+    start: "Start", emergency: "Emergency stop", pins: "Pins in holes", crankshafts: "Crankshafts (RV)",
+    driving: "Driving", reverse: "Reverse",
     alternating: "Alternating, the worse of both",
     hertz: "Hertz", palmgren: "Palmgren", linear: "Linear", power: "Power law",
     cantilever: "Cantilever", supported: "Supported at both ends", fixed: "Fixed at both ends",
@@ -114,7 +120,6 @@ export default {
     least: "least {value}",
     range: "{from} to {to}",
     clearance: "Radial clearance",
-    fit: "{range}; calculated at {mean}",
     lostMotion: "Lost motion at ±{share} % of the torque",
     stiffness: "Stiffness of the output mechanism",
     loaded: "Pairs loaded at once",
@@ -260,6 +265,7 @@ export default {
     problem: "Row {row}, {title}: {words}",
   },
   choice: {
+    play: { title: "Clearance by", radial: "Radial clearance", fits: "ISO fit" },
     cranks: { title: "Cranks by", spacing: "Even spacing", list: "List of angles" },
     ratio: { title: "Ratio by", value: "Value", teeth: "Tooth numbers" },
     torque: { title: "Torque at", output: "Output", input: "Input" },
@@ -331,7 +337,14 @@ export default {
     oneWarning: "Warning: {first}",
     announce: "Results up to date. {cells}",
   },
+  parts: {
+    label: "Parts of the reducer", leave: "Leave out: {part}", take: "Judge: {part}", only: "Contact only", all: "All parts",
+  },
+  partStatus: {
+    pass: "holds", marginal: "marginal", fail: "fails", open: "open", left_out: "left out", not_asked: "not asked",
+  },
   verdictWord: {
+    soFar: "So far nothing against it", soFarNote: "parts judged: {judged} of {all}",
     pass: "Works", marginal: "Marginal", fail: "Does not work", incomplete: "Not known", impossible: "Not possible",
     passNote: "looked at: {groups}", marginalNote: "the reserve is small, or within the model's error; looked at: {groups}",
     marginalByNote: "because of the check “{check}”; looked at: {groups}",
@@ -349,6 +362,8 @@ export default {
     openChecks: { one: "not known: {count} check is open", other: "not known: {count} checks are open" },
     notByTorque: "not known: less torque does not cure “{check}”",
     estimated: "an estimate",
+    usual: "with {fit}, {clearance}: {result}", printed: "a printed hole",
+    byClearance: "not known: the clearance is not given", openParts: "not known: the parts are open",
     withoutTorque: "no check hangs on the torque",
     largestTorque: "Largest torque allowed {torque}",
     reserve: "Torque reserve",

@@ -63,6 +63,15 @@ export function createChecks({ calculator, titles, fieldAt, askedAt, on }) {
 
   return {
     root,
+    /** Leads to a check. */
+    show(code) {
+      const row = root.querySelector(`[data-code="${code}"]`);
+      if (!row) return;
+      if (more.contains(row)) more.open = true;
+      row.querySelector("details").open = true;
+      row.querySelector("summary").focus();
+      row.scrollIntoView({ block: "center" });
+    },
     update: following(({ shown, fixes: found }) => [shown, found], ({ shown, fixes: found }) => {
       const judged = judgedOf(calculator, shown?.answer);
       root.style.visibility = shown && !judged?.checks ? "hidden" : "";
@@ -71,7 +80,7 @@ export function createChecks({ calculator, titles, fieldAt, askedAt, on }) {
       const rows = judged.checks.map((check) => checkRow(check, titles))
         .map((row) => ({ ...row, missing: row.missing.map(askedAt) }));
       // What is asked for stands in sight wherever it comes.
-      const inSight = rows.filter(({ judged: known, status }, i) => (known && i < AT_ONCE) || status === "not_checked");
+      const inSight = rows.filter(({ judged: known, status, needed }, i) => (known && i < AT_ONCE) || (status === "not_checked" && needed));
       fill(first, html`${inSight.map((row) => rowMarkup(row, fieldAt))}`);
       const others = rows.filter((row) => !inSight.includes(row));
       more.hidden = others.length === 0;

@@ -17,7 +17,7 @@ const LEFT_OUT = "button, input, select, .motion, .figure-tools, .compare, .say,
 function valueText(field, value, catalogue) {
   if (typeof value === "string") return said("materials", value) ?? message("option")[value] ?? catalogue?.find(({ name }) => name === value)?.title ?? value;
   if (field.kind === "flag") return message("option")[value];
-  if (field.kind === "names") return value.map((name) => quantityWords(name, field.section).title).join("; ");
+  if (field.kind === "names") return value.map((name) => said("not_considered", name) ?? quantityWords(name, field.section).title).join("; ");
   if (Array.isArray(value)) return value.map((one) => quantityParts(one, field.unit, 15).value).join("; ");
   return typeof value === "number" ? quantityParts(value, field.unit, field.unit ? 10 : 15).value : String(value);
 }

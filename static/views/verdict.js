@@ -2,8 +2,10 @@
  * The answer first: the word over the whole design, the check that governs, the largest torque. It
  * stays in sight; under it stand the few numbers of the calculator and the line of warnings.
  */
-import { assumedIn, checkRow, decisive, judgedOf, levelOfWord, notConsidered, torqueDigits, torqueUnknown, wordNote, wordOf } from "../lib/checks.js";
-import { quantityParts } from "../lib/format.js";
+import {
+  assumedIn, checkRow, decisive, judgedOf, levelOfWord, notConsidered, partRow, torqueDigits, torqueUnknown, wordNote, wordOf, wordText,
+} from "../lib/checks.js";
+import { formatQuantity, quantityParts } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 import { following, standing, UNANSWERED } from "../store.js";
@@ -22,9 +24,10 @@ function cellMarkup({ label, value, unit, note, level }) {
 function wordMarkup({ phase, numbers }, judged) {
   const known = judged && numbers === "fresh";
   const word = known ? wordOf(judged) : null;
-  const text = word ? message(`verdictWord.${word}`) : message(`state.${phase}`);
-  const level = word ? levelOfWord(word) : ["wrong", "refused", ...UNANSWERED].includes(phase) && "bad";
-  return html`<p class="word ${level || ""}">${sign(level)}${text}</p>
+  const text = word ? wordText(judged) : message(`state.${phase}`);
+  const soFar = word === "incomplete" && Boolean(judged.parts); // neither good nor bad
+  const level = word ? !soFar && levelOfWord(word) : ["wrong", "refused", ...UNANSWERED].includes(phase) && "bad";
+  return html`<p class="word ${level || ""} ${soFar && "so-far"}">${sign(level)}${text}</p>
     <p class="note">${word ? wordNote(judged) : message(`state.${numbers}Note`)}
       ${UNANSWERED.includes(phase) && html`<button type="button" class="link again">${message("state.again")}</button>`}</p>`;
 }
@@ -38,20 +41,46 @@ function governingMarkup(judged, titles) {
     <p class="note">${value && limit ? html`<b>${value}</b> (${limit})` : reason || value}</p>`;
 }
 
-function torqueMarkup({ numbers }, judged) {
-  const label = html`<p class="label">${message("checks.torque")}</p>`;
-  const { largest_torque_Nm: largest, largest_torque_estimated: estimated } = judged ?? {};
-  if (largest === undefined) return html`${label}<p class="note">${judged && numbers !== "part" ? torqueUnknown(judged) : "–"}</p>`;
-  const { value, unit } = quantityParts(largest, "N·m", torqueDigits(judged));
-  return html`${label}<p><span class="figures">${estimated && "≈\u00a0"}${value}</span> <span class="figures-unit">${unit}</span></p>
-    ${estimated && html`<p class="note">${message("checks.estimated")}</p>`}`;
+/** What becomes of the design with a usual clearance. */
+function usualMarkup({ class: fit, hole_clearance_mm: clearance, largest_torque_Nm: torque, verdict }) {
+  return html`<p class="note">${message("checks.usual", {
+    fit: fit === "printed" ? message("checks.printed") : fit, clearance: formatQuantity(clearance, "mm", 3),
+    result: [torque !== undefined && formatQuantity(torque, "N·m", 3), wordText({ verdict, parts: [] })].filter(Boolean).join(", "),
+  })}</p>`;
 }
 
-/** `on.again()`: the service is to be asked once more. */
+function torqueMarkup({ numbers }, judged, usual) {
+  const label = html`<p class="label">${message("checks.torque")}</p>`;
+  const { largest_torque_Nm: largest, largest_torque_estimated: estimated } = judged ?? {};
+  if (largest === undefined) return html`${label}<p class="note">${judged && numbers !== "part" ? torqueUnknown(judged) : "–"}</p>${usual && usualMarkup(usual)}`;
+  const { value, unit } = quantityParts(largest, "N·m", torqueDigits(judged));
+  return html`${label}<p><span class="figures">${estimated && "≈\u00a0"}${value}</span> <span class="figures-unit">${unit}</span></p>
+    ${estimated && html`<p class="note">${message("checks.estimated")}</p>`}${usual && usualMarkup(usual)}`;
+}
+
+/** A chip for each part: its mark, its name; a click leads to its check or to what it lacks. */
+function partsMarkup({ numbers }, { parts = [] } = {}) {
+  if (parts.length === 0 || numbers === "part") return "";
+  const judged = parts.filter(({ status }) => status !== "left_out");
+  const rows = parts.map(partRow);
+  return html`<ul>${rows.map(({ code, title, status, level, mark, words, ask, leaves }) => html`
+    <li class="chip ${status}"><button type="button" data-part="${code}" data-ask="${ask ?? ""}" title="${words}">
+      <span class="mark ${level || ""}" aria-hidden="true">${mark}</span>${title}<span class="unseen">: ${words}</span></button><button
+      type="button" class="scope" data-leaves="${leaves ? code : ""}" data-takes="${leaves ? "" : code}" aria-label="${message(leaves ? "parts.leave" : "parts.take", { part: title })}"
+      title="${message(leaves ? "parts.leave" : "parts.take", { part: title })}">${leaves ? "×" : "+"}</button></li>`)}</ul>
+    ${judged.length > 1 && html`<button type="button" class="link only">${message("parts.only")}</button>`}
+    ${judged.length < parts.length && html`<button type="button" class="link every">${message("parts.all")}</button>`}`;
+}
+
+/**
+ * `on.again()`: the service is to be asked once more; `on.asked(path)` leads to a field, `on.shown(code)` to a check,
+ * `on.scoped(parts)` judges these parts alone.
+ */
 export function createVerdict({ calculator, titles, on }) {
   const root = element(html`
     <section class="verdict card" aria-label="${message("verdict.label")}">
       <div class="judged" tabindex="-1"></div><div class="governing"></div><div class="torque"></div>
+      <div class="parts" role="group" aria-label="${message("parts.label")}"></div>
       <nav class="jumps" aria-label="${message("jumps.label")}">${["answer", "inputs", "shown", "rest"].map((id) => html`
         <button type="button" class="link" data-jump="${id}">${message(`jumps.${id}`)}</button>`)}</nav>
     </section>`);
@@ -59,19 +88,32 @@ export function createVerdict({ calculator, titles, on }) {
     document.querySelector(`.workbench .${target.dataset.jump}`)?.scrollIntoView();
   });
   const part = (name) => root.querySelector(`.${name}`);
+  let judgedNow = null;
+  const scope = () => judgedNow.parts.filter(({ status }) => status !== "left_out").map(({ code }) => code);
   root.addEventListener("click", ({ target }) => {
-    if (!target.closest(".again")) return;
-    part("judged").focus(); // the button goes
-    on.again();
+    const button = target.closest("button");
+    if (!button) return;
+    const { part: code, ask, leaves, takes } = button.dataset;
+    if (button.matches(".again")) {
+      part("judged").focus(); // the button goes
+      on.again();
+    } else if (ask) on.asked(ask);
+    else if (code) on.shown(judgedNow.parts.find((one) => one.code === code).governing);
+    else if (leaves) on.scoped(scope().filter((one) => one !== leaves));
+    else if (takes) on.scoped(judgedNow.parts.map((one) => one.code).filter((one) => one === takes || scope().includes(one)));
+    else if (button.matches(".only")) on.scoped(["contact"]);
+    else if (button.matches(".every")) on.scoped(judgedNow.parts.map((one) => one.code));
   });
   return {
     root,
-    update: following(({ shown, typed, phase }) => [shown, typed, phase], (state) => {
+    update: following(({ shown, typed, phase, fixes }) => [shown, typed, phase, fixes], (state) => {
       const judged = judgedOf(calculator, state.shown?.answer);
       const stands = standing(state);
+      judgedNow = judged;
+      fill(part("parts"), html`${partsMarkup(stands, judged ?? {})}`);
       fill(part("judged"), wordMarkup(stands, judged));
       fill(part("governing"), governingMarkup(judged, titles));
-      fill(part("torque"), torqueMarkup(stands, judged));
+      fill(part("torque"), torqueMarkup(stands, judged, state.fixes?.of === state.shown && stands.numbers === "fresh" && state.fixes?.usual));
     }),
   };
 }

@@ -21,7 +21,12 @@ STEEL = {
 DESIGN = {
     "mechanism": {"pins": 6, "satellites": 2, "ratio": 20.0},
     "load": {"output_torque_Nm": 500.0, "pin_circle_radius_mm": 50.0, "input_speed_rpm": 1500.0},
-    "contact": {"contact_length_mm": 20.0, "pin_radius_mm": 8.0, "eccentricity_mm": 2.0},
+    "contact": {
+        "contact_length_mm": 20.0,
+        "pin_radius_mm": 8.0,
+        "eccentricity_mm": 2.0,
+        "hole_clearance_mm": 0.0,
+    },
     "pin": {"satellite_positions_mm": [15.0, 37.0], "material": STEEL},
     "fatigue": {"endurance_limit_MPa": 300.0},
     "friction": {"coefficient": 0.08, "wear_rate_mm3_per_Nm": 1e-8, "life_h": 3000.0},
@@ -126,7 +131,7 @@ IDEAL = {
 REAL = {
     "clearance": changed(BOTH, pin=None, fatigue=None),
     "materials": changed(FEW, contact__pin_material="brass", contact__hole_material="steel_s355"),
-    "deviations": changed(FEW, contact__hole_clearance_mm=None, **DEVIATIONS, **PEAK),
+    "deviations": changed(FEW, contact__hole_clearance_mm=0.0, **DEVIATIONS, **PEAK),
     "law": changed(FEW, contact_law={"kind": "linear", "stiffness_N_per_mm": 1e5}),
     "reverse": changed(FEW, **DEVIATIONS, load__torque_direction="reverse"),
     "alternating": changed(FEW, **DEVIATIONS, **PEAK, load__torque_direction="alternating"),
@@ -224,7 +229,7 @@ async def test_perfect_parts_whose_pins_bend_are_solved(api):
     one, other = (each["basic_life_h"] for each in even["satellite_bearing"]["satellites"])
     assert near["basic_life_h"] < one / 2 < 2 * other < far["basic_life_h"]
     assert bent["pin_strength"]["peak_force_N"] > 1.2 * bent["contact_force"]["peak_force_N"]
-    assert "clearance" in bent["not_considered"]
+    assert bent["model"] == "real" and even["model"] == "ideal"
     for section in STRENGTH:
         alone = await answered(api, own(DESIGN, section), section.replace("_", "-"))
         assert (bent[section]["forces"], alone["forces"]) == ("real", "ideal")
@@ -249,7 +254,11 @@ async def test_by_default_what_is_given_is_answered(api):
         ({"bearing": None}, solved - {"satellite_bearing"}),
         ({"load__input_speed_rpm": None}, solved - {*STRENGTH} | {"pin_strength"}),
         (
-            {"contact__eccentricity_mm": None, "contact__hole_radius_mm": 10.0},
+            {
+                "contact__eccentricity_mm": None,
+                "contact__hole_clearance_mm": None,
+                "contact__hole_radius_mm": 10.0,
+            },
             solved - {*STRENGTH} | {"pin_strength"},
         ),
         ({"contact": None}, {"cyclogram", "contact_force"}),
@@ -274,6 +283,7 @@ async def test_by_default_what_is_given_is_answered(api):
         (
             {
                 "contact__eccentricity_mm": None,
+                "contact__hole_clearance_mm": None,
                 "contact__hole_radius_mm": 10.0,
                 "include": ["output_efficiency"],
             },
@@ -552,8 +562,19 @@ async def test_what_is_missing_is_pointed_to(api):
         "crank_bearing_life": ["/crankshaft/bearings"],
     }.items():
         assert missing[code] == pointers, code
-    lives = ["contact_life_pin", "contact_life_hole"]
-    assert answer["not_considered"] == ["satellite_body", "clearance", *lives, "gear"]
+    opened = {each["code"]: each.get("missing") for each in answer["parts"]}
+    for part, pointer in {
+        "pins": "/pin/material/yield_strength_MPa",
+        "satellite_bearing": "/gear",
+        "crank_bearings": "/crankshaft/bearings",
+        "teeth": "/gear",
+        "body": "/satellite_body/outer_radius_mm",
+        "losses": "/load/input_speed_rpm",
+    }.items():
+        assert pointer in opened[part], part
+    assert {"contact_life_pin", "contact_life_hole", *opened} - {"contact"} <= {
+        *answer["not_considered"]
+    }
     pin = next(each for each in answer["checks"] if each["code"] == "pin_fatigue")
     assert "/pin/satellite_positions_mm" in pin["inputs"]
     assert "/fatigue/surface" in pin["inputs"] and "/fatigue/notch" not in pin["inputs"]

@@ -174,14 +174,16 @@ async def test_of_hole_eccentricity_and_clearance_two_say_the_third(api, contact
     body["contact"] = {"contact_length_mm": 20.0, "pin_radius_mm": 8.0} | contact
     answer = await answered(api, body | {"include": ["geometry", "checks"]})
     assert answer["geometry"]["clearance_mm"] == pytest.approx(clearance, abs=1e-12)
+    unknown = clearance == 0  # as no clearance is stated
     assert "warnings" not in answer  # which the checks say
     asked = {*(each["code"] for each in answer["checks"])}
     asked |= {each["reason"]["code"] for each in answer["checks"] if "reason" in each}
     assert {*codes} <= asked
     plain = await answered(api, body | {"include": ["geometry"]})
-    assert [each["code"] for each in plain.get("warnings", [])] == codes
-    # of interference it is known that nothing goes together
-    assert ("clearance" in answer["not_considered"]) == (clearance == 0)
+    said = ["clearance_unknown"] if unknown and "eccentricity_mm" in contact else []
+    assert [each["code"] for each in plain.get("warnings", [])] == said + codes
+    reason = answer["parts"][0].get("reason")
+    assert (reason == "clearance_unknown") == (unknown and answer["parts"][0]["status"] == "open")
     assert (answer["verdict"] == "fail") or clearance >= 0
 
 
@@ -260,10 +262,10 @@ async def test_by_default_what_cannot_be_solved_is_left_out_and_said(api):
     soft = {"kind": "linear", "stiffness_N_per_mm": 1}
     answer = await answered(api, changed(contact_law=soft, include=None))
     assert not {"load_sharing", "hertz"} & {*answer} and "contact_force" in answer
-    assert answer["verdict"] in ("incomplete", "fail") and "clearance" in answer["not_considered"]
+    assert answer["verdict"] in ("incomplete", "fail") and "contact" in answer["not_considered"]
     turned = await answered(api, changed(deviations__disc_phase_deg=[0, 5], include=None))
     assert not {"load_sharing", "hertz"} & {*turned} and "contact_force" in turned
-    assert turned["verdict"] == "fail" and "clearance" not in turned["not_considered"]
+    assert turned["verdict"] == "fail" and turned["governing"] == "interference"
     default = await answered(api, changed(include=None))
     assert {"cyclogram", "contact_force", "load_sharing", "hertz"} <= {*default}
 

@@ -43,9 +43,9 @@ def changed(**sections):
 
 DESIGNS = {
     "bent pins with clearance": changed(),
-    "bent pins without": changed(contact={"hole_radius_mm": 10.0}),
+    "bent pins without": changed(contact={"hole_radius_mm": 10.0, "hole_clearance_mm": 0.0}),
     "clearance": changed(pin=None),
-    "ideal": changed(pin=None, contact={"hole_radius_mm": 10.0}),
+    "ideal": changed(pin=None, contact={"hole_radius_mm": 10.0, "hole_clearance_mm": 0.0}),
     "deviations": changed(pin=None, deviations={"pin_tangential_mm": [0.01, 0, 0, -0.01, 0, 0]}),
 }
 

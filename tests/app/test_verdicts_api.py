@@ -33,8 +33,22 @@ REF = {
 
 
 def design(**changes):
-    """REF with changed fields: `section__field=value`; None takes a field away."""
-    return changed(REF, **changes)
+    """REF with changed fields: `section__field=value`; None takes a field away. Of the parts those
+    are judged of which a section is given, and parts without a clearance are meant to be perfect.
+    """
+    return scoped(changed(REF, **changes))
+
+
+def scoped(body):
+    """A body whose scope are the parts that it gives."""
+    contact, parts = body.get("contact", {}), ["contact"]
+    sizes = [contact.get(f"{name}_mm") for name in ("hole_radius", "pin_radius", "eccentricity")]
+    if None not in sizes and sizes[0] == sizes[1] + sizes[2]:
+        contact["hole_clearance_mm"] = 0.0
+    of = {"pin": "pins", "bearing": "satellite_bearing", "satellite_body": "body"}
+    parts += [part for section, part in of.items() if section in body]
+    body.setdefault("requirements", {}).setdefault("scope", parts)
+    return body
 
 
 def changed(body, **changes):
@@ -159,6 +173,7 @@ IMPOSSIBLE = {
 @pytest.mark.parametrize("name", IMPOSSIBLE)
 async def test_what_cannot_exist_fails_whatever_its_strength(api, name):
     body, codes = IMPOSSIBLE[name]
+    body = body | {"requirements": {}}  # all of its parts
     answer, checks = await asked(api, "crank-planetary", body)
     impossible = {code for code, each in checks.items() if each.get("impossible")}
     assert impossible == codes
@@ -249,13 +264,13 @@ CASES = {
     ),
     "cranks at 0 and 90": (
         design(mechanism__crank_spacing_deg=90.0),
-        "marginal",
-        "crank_balance",
+        "pass",
+        "contact_pressure_hole",
     ),
     "three discs at 180": (
         design(mechanism__satellites=3, mechanism__crank_spacing_deg=180.0),
-        "marginal",
-        "crank_balance",
+        "pass",
+        "contact_pressure_hole",
     ),
     "one satellite": (design(mechanism__satellites=1), "fail", "contact_pressure_hole"),
     "no eccentricity": (
@@ -264,11 +279,15 @@ CASES = {
         "contact_pressure_hole",
     ),
     "a wall that is there": (
-        design(requirements__min_wall_mm=29.0),
-        "pass",
+        design(requirements__min_wall_mm=29.0, requirements__scope=["contact", "body"]),
+        "incomplete",  # of the satellite's other sizes nothing is given
         "contact_pressure_hole",
     ),
-    "a wall that is not": (design(requirements__min_wall_mm=31.0), "fail", "wall_holes"),
+    "a wall that is not": (
+        design(requirements__min_wall_mm=31.0, requirements__scope=["contact", "body"]),
+        "fail",
+        "wall_holes",
+    ),
     "teeth for identical satellites": (
         design(mechanism={"pins": 6, "satellites": 2, "satellite_teeth": 40, "ring_teeth": 42}),
         "pass",
@@ -294,18 +313,29 @@ async def test_verdicts_by_hand(api, name):
     answer, checks = await asked(api, "crank-planetary", body)
     assert (answer["verdict"], answer["governing"]) == (verdict, governing)
     assert sum(answer["counts"].values()) == len(checks)
-    absent = {name for name in ("load", "contact", "satellite_body") if name not in body}
-    assert absent == {"load", "contact", "satellite_body"} & {*answer["not_considered"]}
+    judged = {each["code"] for each in answer["parts"] if each["status"] in JUDGED}
+    parts = {each["code"] for each in answer["parts"]}
+    assert parts - judged == parts & {*answer["not_considered"]}
+    asked_for = {*body.get("requirements", {}).get("scope", parts)}
+    left_out = {each["code"] for each in answer["parts"] if each["status"] == "left_out"}
+    assert left_out == parts - asked_for
+
+
+JUDGED = ("pass", "marginal", "fail")
 
 
 @pytest.mark.parametrize("hole", [10.0 + 5e-9, 10.0 + 2e-8, 10.03])
 async def test_with_clearance_the_real_forces_are_judged(api, hole):
     """A peak of 1667 N without clearance may be 3452 N in an ordinary design."""
     body = design(contact__hole_radius_mm=hole, load__output_torque_Nm=300.0)
+    if hole - 10.0 < 1e-8:
+        del body["contact"]["hole_radius_mm"]
+        body["contact"]["hole_clearance_mm"] = hole - 10.0
     answer, checks = await asked(api, "crank-planetary", body)
     loose = hole > 10.0 + 1e-8
     assert answer["verdict"] == "pass" and "largest_torque_Nm" in answer
-    assert ("clearance" in answer["not_considered"]) != loose
+    assert answer["model"] == ("real" if loose else "ideal")
+    assert answer["largest_torque_of"] == ["contact"]
     assert checks["clearance"]["status"] == "pass"
     if loose:
         sharing = {name: body[name] for name in ("mechanism", "load", "contact")}
@@ -315,7 +345,7 @@ async def test_with_clearance_the_real_forces_are_judged(api, hole):
     else:
         highest = pressure(*map(MATERIALS.get, ("steel_bearing", "steel_through_hardened")), 2e3)
     for each in (each for each in checks.values() if each["group"] == "contact"):
-        if each["status"] != "not_applicable" and each["code"] != "contact_conformity":
+        if each["status"] not in ("not_applicable", "not_asked") and each["unit"] == "MPa":
             assert each["value"] == pytest.approx(highest, rel=1e-9)
             assert not loose or each["at"]["crank_angle_deg"] == pytest.approx(place)
 
@@ -347,7 +377,7 @@ ROUGH = {
 """Its bearings are loaded by the forces with clearance."""
 
 
-@pytest.mark.parametrize(("rating", "verdict"), [(6e4, "fail"), (1.2e5, "pass")])
+@pytest.mark.parametrize(("rating", "verdict"), [(6e4, "fail"), (1.2e5, "incomplete")])
 async def test_where_the_forces_are_solved_a_life_has_its_largest_torque(api, rating, verdict):
     body = changed(ROUGH, bearing__dynamic_rating_N=rating)
     answer, checks = await asked(api, "crank-planetary", body)
@@ -397,7 +427,8 @@ async def test_own_materials_are_judged_by_what_is_given(api, kind):
 @pytest.mark.parametrize(("step", "status"), [(-1e-9, "over"), (1e-9, "under")])
 async def test_a_limit_is_a_border(api, code, step, status):
     """A limit just below the value fails, one just above does not."""
-    _, checks = await asked(api, "crank-planetary", design())
+    whole = design(requirements__scope=["contact", "body"])
+    _, checks = await asked(api, "crank-planetary", whole)
     value = checks[code]["value"]
     own = {"youngs_modulus_GPa": 206.0, "poissons_ratio": 0.3}
     near = value * (1 + step)
@@ -409,7 +440,9 @@ async def test_a_limit_is_a_border(api, code, step, status):
             contact__hole_material=own
             | {"allowable_pressure_MPa": 900.0, "yield_strength_MPa": near * math.sqrt(3) / 4}
         ),
-        "wall_holes": design(requirements__min_wall_mm=value * (1 - step)),
+        "wall_holes": design(
+            requirements__min_wall_mm=value * (1 - step), requirements__scope=["contact", "body"]
+        ),
     }[code]
     answer, checks = await asked(api, "crank-planetary", body)
     assert checks[code]["utilisation"] == pytest.approx(1, abs=3e-9)
@@ -418,27 +451,29 @@ async def test_a_limit_is_a_border(api, code, step, status):
 
 
 EXAMPLE_VERDICTS = {
-    "opening": "pass",  # 548.6 of 1250 MPa: what a newcomer sees first
+    # of the whole design, and of its contact, the only part that most of them give
+    "opening": ("incomplete", "pass"),  # 548.6 of 1250 MPa: what a newcomer sees first
     # the papers' sizes: 280 N*m on 28 mm; limit of the hole 484.9 MPa, peak pressures by hand:
     # 548.6*sqrt(peak ratio/(2/3)) MPa
-    "yanchevskiy-2021-fig-6a": "fail",
-    "yanchevskiy-2021-fig-6b": "fail",
-    "yanchevskiy-2021-fig-6c": "fail",
-    "yanchevskiy-2021-fig-6d": "pass",  # 433.6 MPa: reserve 1.25
-    "yanchevskiy-2021-fig-6e": "pass",  # 387.9 MPa
-    "yanchevskiy-2021-fig-6f": "pass",
-    "yanchevskiy-2021-fig-7": "pass",
-    "yanchevsky-2018-fig-4a": "fail",
-    "yanchevsky-2018-fig-4b": "fail",
-    "zyl-6-pins": "marginal",  # one satellite needs a counterweight
-    "zyl-4-pins": "marginal",
-    "clearance": "pass",  # 446.0 of 484.9 MPa: by the real forces; without clearance 347.0
-    "whole": "pass",  # as the tutorial's, with materials of the table
-    "ovsyannikov-2019-fig-6": "incomplete",  # no yield strength
-    "ovsyannikov-2019-fig-4": "incomplete",
-    "ovsyannikov-2019-fig-5": "incomplete",
-    "khatetovsky-2020-four-rollers": "incomplete",  # room alone
-    "khatetovsky-2020-wheel": "incomplete",
+    "yanchevskiy-2021-fig-6a": ("fail", "fail"),
+    "yanchevskiy-2021-fig-6b": ("fail", "fail"),
+    "yanchevskiy-2021-fig-6c": ("fail", "fail"),
+    "yanchevskiy-2021-fig-6d": ("incomplete", "pass"),  # 433.6 MPa: reserve 1.25
+    "yanchevskiy-2021-fig-6e": ("incomplete", "pass"),  # 387.9 MPa
+    "yanchevskiy-2021-fig-6f": ("incomplete", "pass"),
+    "yanchevskiy-2021-fig-7": ("incomplete", "pass"),
+    "yanchevsky-2018-fig-4a": ("fail", "fail"),
+    "yanchevsky-2018-fig-4b": ("fail", "fail"),
+    "zyl-6-pins": ("incomplete", "pass"),
+    "zyl-4-pins": ("incomplete", "pass"),
+    # 446.0 of 484.9 MPa: by the real forces; without clearance 347.0
+    "clearance": ("incomplete", "pass"),
+    "whole": ("incomplete", "pass"),  # as the tutorial's, with materials of the table
+    "ovsyannikov-2019-fig-6": ("incomplete", None),  # no yield strength
+    "ovsyannikov-2019-fig-4": ("incomplete", None),
+    "ovsyannikov-2019-fig-5": ("incomplete", None),
+    "khatetovsky-2020-four-rollers": ("incomplete", None),  # room alone
+    "khatetovsky-2020-wheel": ("incomplete", None),
 }
 
 
@@ -446,7 +481,8 @@ async def test_the_examples(api):
     found = {}
     for example in EXAMPLES:
         answer, _ = await asked(api, example["calculation"], example["input"])
-        found[example["id"]] = answer["verdict"]
+        parts = {each["code"]: each["status"] for each in answer.get("parts", ())}
+        found[example["id"]] = answer["verdict"], parts.get("contact")
     assert found == EXAMPLE_VERDICTS
 
 
@@ -505,7 +541,6 @@ REDUCERS = [
     {"load__output_torque_Nm": 1500.0},
     {"contact__hole_radius_mm": 9.9},
     {"mechanism__pins": 18},
-    {"mechanism__crank_spacing_deg": 90.0},
     {"mechanism": {"pins": 6, "satellites": 3, "satellite_teeth": 21, "ring_teeth": 22}},
     {"satellite_body": {"outer_radius_mm": 59.0}},
     {"contact__hole_radius_mm": 10.05},
@@ -531,7 +566,7 @@ SHAFT = REQUESTS["precession/shaft-deflection"]
 
 @pytest.mark.parametrize(
     ("path", "body"),
-    [("crank-planetary", design(**changes)) for changes in REDUCERS]
+    [("crank-planetary", design(**changes) | {"requirements": {}}) for changes in REDUCERS]
     + [
         ("crank-planetary", MICROSCOPIC),
         ("precession/shaft-deflection", SHAFT | {"roller_radius_mm": 12.95}),
@@ -553,7 +588,9 @@ async def test_every_fix_makes_its_check_pass(api, path, body):
             inner[last] = value
         after, checks = await asked(api, path, fixed)
         assert after["verdict"] == fix["verdict"], fix
-        if fix["status"] == "solved":
+        if fix["status"] == "solved" and fix["code"] == "wall_holes":  # how thick nobody says
+            assert checks["wall_holes"]["reason"]["code"] == "no_sourced_limit"
+        elif fix["status"] == "solved":
             assert checks[fix["code"]]["status"] == "pass", fix
 
 
@@ -584,6 +621,7 @@ async def test_beside_a_check_that_cannot_be_made_the_governing_one_is_fixed(api
 async def test_fixes_are_rounded_in_the_unit_of_their_field(api):
     """Three digits: a speed in turns a minute, a wear rate of some 1e-9."""
     body = design(load__input_speed_rpm=1450.0, contact__eccentricity_mm=1.5)
+    body["requirements"]["scope"] = ["losses"]
     body["contact"].pop("hole_radius_mm", None)
     body["friction"] = {"coefficient": 0.08, "wear_rate_mm3_per_Nm": 1e-8, "life_h": 5000.0}
     fixed = {}

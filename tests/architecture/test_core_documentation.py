@@ -52,6 +52,7 @@ ORDERED = {
     "core.checks.check.not_checked",
     "core.checks.check.verdict",
     "core.checks.crank_planetary.crank_check",
+    "core.checks.largest_torque.judged_check",
     "core.design.document.changed",
     "core.design.document.value_at",
     "core.design.refusals.named",

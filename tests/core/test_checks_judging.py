@@ -71,7 +71,7 @@ def test_utilisation_needs_something_to_use() -> None:
         (-1.0, 1.0, "wear", None),
         (0.0, 1.0, "wall_holes", None),
         (-1.0, 1.0, "wall_holes", None),
-        (1.0, 0.0, "wall_holes", 0.0),
+        (1.0, 0.0, "wall_holes", None),
     ):
         found = judged(CHECKS[code], value, limit)
         assert found.utilisation == used

@@ -55,6 +55,8 @@ def design_of(**values: Any) -> Design:
             sections.setdefault(section, {})[field] = value
         else:
             sections[section] = value
+    if isinstance(contact := sections.get("contact"), dict):  # of perfect parts where of none
+        contact.setdefault("clearance_stated", True)
     return Design(
         **{
             name: SECTIONS[name](**each) if isinstance(each, dict) else each

@@ -206,10 +206,12 @@ const DESIGN = {
   load: { output_torque_Nm: 100, pin_circle_radius_mm: 40, force_exponent: 1.1 },
   contact: { pin_radius_mm: 5, eccentricity_mm: 2, hole_radius_mm: 7.03, contact_length_mm: 10 },
 };
-const ask = (besides) => real.asked({ ...DESIGN, load: { ...DESIGN.load, input_speed_rpm: 1500, torque_direction: "reverse" }, besides }, DESIGN);
+const ask = (besides, contact = {}) => real.asked({
+  ...DESIGN, contact: { ...DESIGN.contact, ...contact }, load: { ...DESIGN.load, input_speed_rpm: 1500, torque_direction: "reverse" }, besides,
+}, DESIGN);
 
 test("the body of the real forces: nothing of the ideal ones, a clearance in the place of the hole", () => {
-  const body = ask({ real: { on: "on", play: "radial" }, contact_law: { kind: "hertz" } });
+  const body = ask({ real: { on: "on" }, contact_law: { kind: "hertz" } });
   assert.deepEqual(body, {
     mechanism: { pins: 3, satellites: 2, ratio: 20 },
     load: { output_torque_Nm: 100, pin_circle_radius_mm: 40, torque_direction: "reverse" },
@@ -217,8 +219,9 @@ test("the body of the real forces: nothing of the ideal ones, a clearance in the
     contact_law: { kind: "hertz" },
   });
   const { hole_radius_mm: _, ...others } = DESIGN.contact;
-  assert.deepEqual(ask({ contact: { hole_clearance_mm: 0.03 } }).contact, { ...others, hole_clearance_mm: 0.03 });
-  assert.equal(ask({ contact: { hole_clearance_mm: 0.05 } }).contact.hole_radius_mm, 7.03); // they disagree: the service says so
+  assert.deepEqual(ask({}, { hole_clearance_mm: 0.03 }).contact, { ...others, hole_clearance_mm: 0.03 });
+  assert.equal(ask({}, { hole_clearance_mm: 0.05 }).contact.hole_radius_mm, 7.03); // they disagree: the service says so
+  assert.deepEqual(ask({}, { fit: "H7/f7" }).contact, { ...others, fit: "H7/f7" });
   const pin = { support: "cantilever", satellite_positions_mm: [5, 15], rotates: false };
   assert.deepEqual(ask({ strength: { on: "on" }, pin }).pin, { support: "cantilever", satellite_positions_mm: [5, 15] });
   assert.equal(ask({ pin }).pin, undefined);
@@ -229,9 +232,10 @@ test("the body of the real forces: nothing of the ideal ones, a clearance in the
 
 test("the verdict is of the design as it is made: its clearance, deviations, contacts and pins, nothing else of the page", async () => {
   const post = async (path, body) => body;
-  const parts = { mechanism: DESIGN.mechanism, load: { ...DESIGN.load, torque_direction: "reverse" }, contact: DESIGN.contact };
+  const contact = { ...DESIGN.contact, hole_clearance_mm: 0.03 };
+  const parts = { mechanism: DESIGN.mechanism, load: { ...DESIGN.load, torque_direction: "reverse" }, contact };
   const besides = {
-    real: { on: "on", play: "radial" }, contact: { hole_clearance_mm: 0.03 },
+    real: { on: "on" },
     deviations: { pins: [{ pin_radial_mm: 0.01 }, {}, {}] }, study: { on: "on" }, samples: 200,
   };
   const asked = (input, sections = ["contact_force", "hertz"]) => calculator.ask({ post, input, filled: DESIGN, sections, tables: new Set() });
@@ -245,7 +249,7 @@ test("the verdict is of the design as it is made: its clearance, deviations, con
 
 test("a figure of strength and life asks with the design that its numbers are of, and only what it takes", async () => {
   const besides = {
-    real: { on: "on", play: "fits", pin_class: "h6", hole_class: "H7" }, contact_law: { kind: "palmgren" },
+    real: { on: "on" }, contact_law: { kind: "palmgren" },
     deviations: { pins: [{ pin_radial_mm: 0.01 }, {}, {}] }, satellite_coupling: { shares: [0.4, 0.6] },
     strength: { on: "on", surface: "sleeved" }, pin: { support: "cantilever", satellite_positions_mm: [5, 15], diameter_mm: 8 },
     fatigue: { reliability_percent: 99 }, losses: { on: "on" }, friction: { coefficient: 0.08, wear_rate_mm3_per_Nm: 1e-8 },
@@ -253,21 +257,20 @@ test("a figure of strength and life asks with the design that its numbers are of
     crank: { on: "on" }, crankshaft: { bearing_positions_mm: [0, 20] }, requirements: { min_efficiency: 0.9 },
   };
   const load = { input_torque_Nm: 6, efficiency: 0.9, pin_circle_radius_mm: 40, input_speed_rpm: 1500, peak_torque_Nm: 200, torque_direction: "alternating" };
-  const contact = { ...DESIGN.contact, pin_radius_mm: 6, hole_radius_mm: 8, dynamic_factor: 1.25 };
+  const contact = { ...DESIGN.contact, pin_radius_mm: 6, hole_radius_mm: 8, fit: "H7/h6", dynamic_factor: 1.25 };
   const requests = [];
   await calculator.ask({
     post: async (path, body) => {
       requests.push({ path, body });
       return {};
     },
-    get: async () => ({ tolerances: [{ lower_mm: 0, upper_mm: 0.01 }] }),
     input: { ...DESIGN, load, contact, satellite_body: { bore_radius_mm: 20 }, besides }, filled: DESIGN, sections: calculator.sections, tables: new Set(),
   });
   const [{ body: { pin, fatigue, friction: { wear_rate_mm3_per_Nm, ...friction }, gear, bearing, crankshaft } }] = requests;
   const { hole_radius_mm: _, ...others } = contact;
   const forces = {
     mechanism: { pins: 3, satellites: 2, ratio: 20 }, load, pin,
-    contact: { ...others, hole_clearance_mm: 0 }, contact_law: { kind: "palmgren" },
+    contact: others, contact_law: { kind: "palmgren" },
     deviations: { pin_radial_mm: [0.01, 0, 0] }, satellite_coupling: { kind: "shares", shares: [0.4, 0.6] },
   };
   assert.deepEqual([pin, friction, gear], [besides.pin, { coefficient: 0.08, sleeve: true }, { radial_force_ratio: 0.4 }]);
@@ -280,12 +283,12 @@ test("a figure of strength and life asks with the design that its numbers are of
 
 test("more pairs than the service takes are refused without it: of a mechanism, made forces, figures", async () => {
   const { MOST_PAIRS } = await import("../../static/calculators/crank-planetary/mechanism.js");
-  const design = (pairs, besides = {}) => ({
-    ...DESIGN, mechanism: { pins: pairs / 2, satellites: 2, ratio: 20 }, contact: { ...DESIGN.contact, hole_radius_mm: 7 }, besides,
+  const design = (pairs, made = {}) => ({
+    ...DESIGN, mechanism: { pins: pairs / 2, satellites: 2, ratio: 20 }, contact: { ...DESIGN.contact, hole_radius_mm: 7, ...made }, besides: {},
   });
   const ask = (input, sections) => calculator.ask({ post: async () => ({}), input, filled: input, sections, tables: new Set() });
   const refused = (limit) => ({ status: 422, errors: [{ pointer: "/mechanism/pins", code: "too_many_pairs", params: { limit, satellites: 2 } }] });
-  const made = { real: { on: "on", play: "radial" }, contact: { hole_clearance_mm: 0.03 } };
+  const made = { hole_clearance_mm: 0.03 };
   await ask(design(MOST_PAIRS.all), calculator.sections);
   await ask(design(MOST_PAIRS.turned, made), calculator.sections);
   await ask(design(MOST_PAIRS.all, made), ["cyclogram", "contact_force"]);
@@ -311,15 +314,6 @@ test("the tables of a measured part as lists, holes by satellites, what is not s
     pin_radial_mm: [0, -0.01, 0], hole_radius_mm: [[0, 0, 0], [0, 0.02, 0]],
   });
   assert.equal(real.deviationsOf({}, DESIGN.mechanism), null);
-});
-
-test("the clearance of a fit, from least to most, is calculated at its mean", async () => {
-  const client = { get: async (path) => ({ tolerances: [path.includes("h6") ? { lower_mm: -0.009, upper_mm: 0 } : { lower_mm: 0, upper_mm: 0.018 }] }) };
-  const asked = real.asked({ ...DESIGN, contact: { ...DESIGN.contact, hole_radius_mm: 7 }, besides: { real: { play: "fits", pin_class: "h6", hole_class: "H7" } } }, DESIGN);
-  const body = await real.bodyOf(asked, client);
-  assert.deepEqual(body.fit, [0, 0.0135]);
-  assert.equal(body.contact.hole_clearance_mm, 0.00675);
-  assert.ok(!("fit" in real.sent(body)));
 });
 
 const quantity = {

@@ -11,7 +11,7 @@ import { inDiameters } from "../../lib/units.js";
 import { message, quantityWords } from "../../messages/index.js";
 import { figureText } from "../../service_texts.js";
 import { createDrawing } from "./drawing.js";
-import { cranksOf, MOST_PAIRS, ratioOf, refuseMore } from "./mechanism.js";
+import { cranksOf, fitted, MOST_PAIRS, ratioOf, refuseMore } from "./mechanism.js";
 import { factorOf, sentences } from "./sentences.js";
 import { inputOf, MADE, partsOf, WANTED, wantedSections } from "./wanted.js";
 
@@ -27,7 +27,7 @@ const TRADE_OFF = {
 };
 
 /** /cyclogram and /contact-force ask the mechanism's fields beside their own. */
-function forceBody({ mechanism: { revolutions, ...mechanism }, load: { input_speed_rpm, peak_torque_Nm, torque_direction, ...load } }) {
+function forceBody({ mechanism: { revolutions, ...mechanism }, load: { input_speed_rpm, peak_torque_Nm, peak_kind, torque_direction, ...load } }) {
   return { ...mechanism, ...load };
 }
 
@@ -51,7 +51,7 @@ function hertzBody({ contact: { eccentricity_mm, hole_clearance_mm, ...given } }
 
 /** The design with all that is wanted of it for these sections of the answer: the verdict is of that too. */
 async function madeOf({ besides, ...given }, filled, get, sections = wantedSections({ besides })) {
-  const input = { ...given, ...partsOf({ ...given, besides }, sections) };
+  const input = { ...given, ...partsOf({ ...given, besides }, sections), ...(given.contact && { contact: fitted(given.contact) }) };
   if (besides?.real?.on !== "on") return input;
   const { asked, bodyOf } = await import("./real.js");
   const made = await bodyOf(asked({ ...given, besides }, filled), { get });
@@ -66,7 +66,7 @@ function clearanceOf({ contact }) {
 
 /** Whether the forces that are judged are solved: of the design as it is made, or of pins that bend. */
 function isSolved(input) {
-  if (clearanceOf(input) > 1e-9 || input.contact?.hole_clearance_mm > 0) return true;
+  if (clearanceOf(input) > 1e-9 || input.contact?.hole_clearance_mm > 0 || input.contact?.fit) return true;
   if (MADE.some((part) => input[part])) return true;
   return Boolean(input.pin) && !(input.contact?.distribution_factor > 1);
 }
@@ -185,12 +185,12 @@ export default {
   groups: ["mechanism", "load", "contact", "satellite_body", "requirements"],
   arranged: {
     reducer: ["ratio", "contact.eccentricity_mm", "mechanism.satellites", "cranks"],
-    pins: ["mechanism.pins", "load.pin_circle_radius_mm", "contact.pin_radius_mm", "contact.hole_radius_mm", "contact.contact_length_mm"],
-    load: ["torque", "load.torque_direction", "contact.dynamic_factor", "load.input_speed_rpm", "load.peak_torque_Nm"],
+    pins: ["mechanism.pins", "load.pin_circle_radius_mm", "contact.pin_radius_mm", "play", "contact.hole_radius_mm", "contact.contact_length_mm"],
+    load: ["torque", "load.torque_direction", "contact.dynamic_factor", "load.input_speed_rpm", "load.peak_torque_Nm", "load.peak_kind"],
     materials: ["contact.pin_material", "contact.hole_material"],
-    requirements: ["life_h", "pitting_safety", "min_wall_mm", "max_outer_diameter_mm", "max_backlash_arcmin", "max_lost_motion_arcmin"].map((name) => `requirements.${name}`),
+    requirements: ["scope", "life_h", "pitting_safety", "min_wall_mm", "max_outer_diameter_mm", "max_backlash_arcmin", "max_lost_motion_arcmin"].map((name) => `requirements.${name}`),
     satellite_body: ["outer", "root", "bore"].map((name) => `satellite_body.${name}_radius_mm`),
-    more: ["load.force_exponent", "contact.distribution_factor", "mechanism.initial_crank_angle_deg", "mechanism.revolutions"],
+    more: ["load.force_exponent", "contact.distribution_factor", "mechanism.initial_crank_angle_deg", "mechanism.revolutions", "mechanism.output"],
   },
   hidden: [
     ...WANTED.flatMap(({ fields }) => Object.keys(fields)), // asked where they are wanted
@@ -200,9 +200,10 @@ export default {
   choices: {
     cranks: { spacing: ["mechanism.crank_spacing_deg"], list: ["mechanism.crank_angles_deg"] },
     ratio: { value: ["mechanism.ratio"], teeth: ["mechanism.satellite_teeth", "mechanism.ring_teeth"] },
+    play: { radial: ["contact.hole_clearance_mm"], fits: ["contact.fit"] },
     torque: { output: ["load.output_torque_Nm"], input: ["load.input_torque_Nm", "load.efficiency"] },
   },
-  optional: ["mechanism.crank_spacing_deg"],
+  optional: ["mechanism.crank_spacing_deg", "contact.hole_clearance_mm", "contact.fit"],
   catalogues: { "contact.pin_material": "materials", "contact.hole_material": "materials", "pin.material": "materials" },
 
   /** What an empty name of a table means: that of another box. It is shown only where something else was typed or is asked for. */
@@ -222,7 +223,7 @@ export default {
       },
       linked: true,
       needs: "contact.eccentricity_mm",
-      value: ({ contact, besides }) => tidy(contact?.pin_radius_mm + contact?.eccentricity_mm + (besides?.contact?.hole_clearance_mm ?? 0)),
+      value: ({ contact }) => tidy(contact?.pin_radius_mm + contact?.eccentricity_mm + (contact?.hole_clearance_mm ?? 0)),
       note: clearanceNote,
     },
   },
@@ -258,7 +259,14 @@ export default {
     }));
   },
 
-  mend: async ({ post, get, input, filled }) => post("/crank-planetary", { ...await madeOf(input, filled, get), include: ["fixes"] }),
+  mend: async ({ post, get, input, filled, failing, usual }) => post("/crank-planetary", {
+    ...await madeOf(input, filled, get),
+    include: [...(failing ? ["fixes"] : []), ...(usual ? ["usual_fit"] : [])],
+  }),
+
+  /** Whether nothing is known of the clearance, or none is stated. */
+  withoutClearance: ({ parts = [], warnings = [] }) =>
+    parts.some(({ reason }) => reason === "clearance_unknown") || warnings.some(({ code }) => code === "perfect_parts"),
 
   /** Which way results are better. */
   better: { peak_force_N: -1, governing_pressure_MPa: -1, safety_factor: 1 },

@@ -81,6 +81,13 @@ export function pinCentres(mechanism, angle) {
   });
 }
 
+/** Sizes of pin and hole as a body says them: a fit, or a clearance that agrees with the radii, stands for the hole. */
+export function fitted({ hole_radius_mm: hole, ...sizes }) {
+  const { fit, hole_clearance_mm: clearance, pin_radius_mm: pin, eccentricity_mm: e } = sizes;
+  const agrees = clearance !== undefined && Math.abs(clearance - (hole - pin - e)) < 1e-9 * hole; // else the service says so, at the hole
+  return fit || agrees ? sizes : { ...sizes, ...(hole !== undefined && { hole_radius_mm: hole }) };
+}
+
 /** The centre moved by a distance in a direction. */
 export function moved([x, y], [across, up], distance) {
   return [x + across * distance, y + up * distance];

@@ -4,7 +4,7 @@
  */
 import { formatAngle, formatNumber, formatQuantity, quantityParts, tidy } from "../../lib/format.js";
 import { message, quantityWords } from "../../messages/index.js";
-import { eccentricityOf, MOST_PAIRS, refuseMore } from "./mechanism.js";
+import { eccentricityOf, fitted, MOST_PAIRS, refuseMore } from "./mechanism.js";
 import { partsOf } from "./wanted.js";
 
 /** What is left between pin and hole by their sizes, without the noise of binary differences. */
@@ -14,20 +14,17 @@ function playOf({ hole_radius_mm: hole, pin_radius_mm: pin, eccentricity_mm: ecc
 
 /** The parts that the real calculations share, as bodies say them; a clearance of its own stands for the hole. */
 export function designOf({
-  mechanism: { revolutions, ...mechanism } = {}, load: { force_exponent, input_speed_rpm, peak_torque_Nm, ...load } = {}, contact = {}, besides = {},
+  mechanism: { revolutions, ...mechanism } = {}, load: { force_exponent, input_speed_rpm, peak_torque_Nm, peak_kind, ...load } = {}, contact = {}, besides = {},
 }) {
   const { contact_law: law, satellite_coupling: shared, lost_motion_torque_share: share } = besides;
   const geometry = shared ? "first_order" : besides.geometry; // no other is to be had for given shares
   const { pin: { rotates, material: { tensile_strength_MPa, ...elastic } = {}, ...pin } = {} } = partsOf({ besides }, ["pin_strength"]);
   const material = typeof besides.pin?.material === "string" ? besides.pin.material : elastic;
   const sizes = { ...contact, eccentricity_mm: eccentricityOf(contact) };
-  const clearance = besides.contact?.hole_clearance_mm;
-  const { hole_radius_mm: hole, ...others } = sizes;
-  const agree = clearance !== undefined && Math.abs(clearance - playOf(sizes)) < 1e-9 * hole; // else the service says so, at the hole
   return {
     mechanism,
     load,
-    contact: { ...agree ? others : sizes, ...(clearance !== undefined && { hole_clearance_mm: clearance }) },
+    contact: fitted(sizes),
     ...(law && { contact_law: law }),
     ...(pin.support && { pin: { ...pin, ...(Object.keys(material).length > 0 && { material }) } }), // they bend where their strength is wanted
     ...(shared && { satellite_coupling: { kind: "shares", ...shared } }),
@@ -53,58 +50,26 @@ export function deviationsOf({ pins, holes, cranks } = {}, { pins: count }) {
   return lists.length > 0 ? Object.fromEntries(lists) : null;
 }
 
-/** Least and largest radial clearance of classes, `{ lower_mm, upper_mm }` of the diameters, about a nominal one. */
-export function clearanceOf(nominal, pin, hole) {
-  return [hole.lower_mm - pin.upper_mm, hole.upper_mm - pin.lower_mm].map((play) => tidy(nominal + play / 2));
-}
-
-const limits = new Map(); // of classes at diameters, as asked
-
-function limitsOf(size, name, client) {
-  const query = new URLSearchParams({ size_mm: tidy(size), class: name });
-  const path = `/tolerances?${query}`;
-  if (!limits.has(path)) {
-    limits.set(path, client.get(path).then(({ tolerances: [found] }) => found).catch((problem) => {
-      limits.delete(path);
-      throw problem;
-    }));
-  }
-  return limits.get(path);
-}
-
 export const live = true;
 
-/** What the boxes ask: the body, but for a fit still by its classes. */
+/** What the boxes ask: the body. */
 export function asked(input, { mechanism }) {
-  const { real: { play, pin_class: pin, hole_class: hole } = {}, deviations } = input.besides ?? {};
-  const said = deviationsOf(deviations, mechanism);
-  return { ...designOf(input), ...(said && { deviations: said }), ...(play === "fits" && { fit: { pin, hole } }) };
+  const said = deviationsOf(input.besides?.deviations, mechanism);
+  return { ...designOf(input), ...(said && { deviations: said }) };
 }
 
-/** The body of the request: with the mean clearance of a fit, and it from least to most. */
-export async function bodyOf({ fit, ...design }, client) {
-  if (!fit) return design;
-  const { hole_radius_mm: radius, ...contact } = design.contact;
-  const [pin, hole] = await Promise.all([
-    limitsOf(2 * contact.pin_radius_mm, fit.pin, client), limitsOf(2 * radius, fit.hole, client),
-  ]);
-  const [least, most] = clearanceOf(playOf(design.contact), pin, hole);
-  return { ...design, contact: { ...contact, hole_clearance_mm: tidy((least + most) / 2) }, fit: [least, most] };
-}
-
-/** The body as the service takes it. */
-export const sent = ({ fit, ...body }) => body;
+export const bodyOf = async (body) => body;
 
 /** The body of the figure. */
 export function drawn(body) {
   refuseMore(body.mechanism, MOST_PAIRS.drawn);
-  return sent(body);
+  return body;
 }
 
 export function ask({ client, body, signal }) {
   refuseMore(body.mechanism, MOST_PAIRS.turned);
-  return client.post("/load-sharing", { ...sent(body), include: ["over_turn", "ideal"] }, { signal })
-    .then((answer) => ({ ...answer, fit: body.fit, clearance_mm: body.contact.hole_clearance_mm ?? playOf(body.contact) }));
+  return client.post("/load-sharing", { ...body, include: ["over_turn", "ideal"] }, { signal })
+    .then((answer) => ({ ...answer, clearance_mm: body.contact.fit ? answer.fit.least_room_mm : body.contact.hole_clearance_mm ?? playOf(body.contact) }));
 }
 
 /** From one value to another, with the unit once; one value where both read the same. */
@@ -161,12 +126,11 @@ export function cells({ over_turn: turn, ideal }) {
 }
 
 /** The rest as rows: `[title, value]`. */
-export function rows({ over_turn: turn, fit, clearance_mm: clearance }, { lost_motion_torque_share: share = 0.03 }) {
+export function rows({ over_turn: turn, clearance_mm: clearance }, { lost_motion_torque_share: share = 0.03 }) {
   const title = (name) => message(`quantity.${name}`).title;
   const own = (name, unit) => [title(name), formatQuantity(turn[name], unit, 4)];
   return [
-    [message("real.clearance"), fit
-      ? message("real.fit", { range: range(...fit, "mm"), mean: formatQuantity(clearance, "mm", 4) }) : formatQuantity(clearance, "mm", 4)],
+    [message("real.clearance"), formatQuantity(clearance, "mm", 4)],
     [message("real.lostMotion", { share: formatNumber(100 * share, 3) }), formatQuantity(turn.lost_motion_arcmin, "′", 4)],
     own("transmission_error_arcmin", "′"),
     own("unloaded_transmission_error_arcmin", "′"),

@@ -18,10 +18,6 @@ const classOf = (part, letters) => ({ like: `tolerances.${part}_diameter.class`,
 const byLimits = (part, end) => ({ when: ["study.sizes", "limits"], words: [`${part}_${end}`, "study"] });
 
 const REAL = {
-  "real.play": { options: ["radial", "fits"], default: "radial", words: ["play", "real"] },
-  "contact.hole_clearance_mm": { when: ["real.play", "radial"] },
-  "real.pin_class": classOf("pin", { when: ["real.play", "fits"], default: "h6" }),
-  "real.hole_class": classOf("hole", { when: ["real.play", "fits"], default: "H7" }),
   "contact_law.kind": {},
   "contact_law.stiffness_N_per_mm": law("linear"),
   "contact_law.exponent": law("power"),
@@ -104,6 +100,10 @@ const BEARINGS = {
   "bearing.kind": { default: "roller" },
   "bearing.dynamic_rating_N": {},
   "bearing.static_rating_N": {},
+  "bearing.bore_diameter_mm": {},
+  "bearing.outer_diameter_mm": {},
+  "bearing.width_mm": {},
+  "bearing.limiting_speed_rpm": rare,
   "bearing.reliability_percent": {},
   "bearing.ring_factor": rare,
   "bearing.weibull_slope": rare,
@@ -113,6 +113,8 @@ const BEARINGS = {
 const shaftBearing = (index, letter) => ({
   [`crankshaft.bearings.${index}.kind`]: { default: "ball", words: [`kind_${letter}`, "crank"] },
   [`crankshaft.bearings.${index}.dynamic_rating_N`]: { words: [`rating_${letter}`, "crank"] },
+  ...Object.fromEntries(["bore_diameter_mm", "outer_diameter_mm", "width_mm"].map((name) =>
+    [`crankshaft.bearings.${index}.${name}`, { ...rare, words: [`${name}_${letter}`, "crank"] }])),
 });
 const CRANK = {
   "crankshaft.satellite_positions_mm": { required: true, follows: onShaft, words: ["satellites", "crank"] },
@@ -120,6 +122,8 @@ const CRANK = {
   ...shaftBearing(0, "a"),
   ...shaftBearing(1, "b"),
   "crankshaft.satellite_mass_kg": {},
+  "crankshaft.eccentric_diameter_mm": rare,
+  "crankshaft.shaft_diameter_mm": rare,
   ...asked("max_unbalance_N", "max_unbalance_couple_Nm"),
 };
 
@@ -170,13 +174,11 @@ function besideSatellites({ contact, besides }) {
 }
 
 /** Tolerances to start from when they are switched on: the classes of the fit where there is one. */
-function starts({ besides }) {
-  const { play, pin_class: pin, hole_class: hole } = besides?.real ?? {};
+function starts({ contact }) {
   return {
     "tolerances.pin_position_mm": 0.01,
     "tolerances.hole_position_mm": 0.02,
-    "tolerances.pin_diameter.class": play === "fits" ? pin : "h6",
-    "tolerances.hole_diameter.class": play === "fits" ? hole : "H7",
+    ...(!contact?.fit && { "tolerances.pin_diameter.class": "h6", "tolerances.hole_diameter.class": "H7" }), // which the fit says
     "tolerances.eccentricity_mm": 0.005,
     "tolerances.disc_phase_deg": 0.01,
   };

@@ -1,0 +1,333 @@
+"""Checks of rolling bearings as they are bought: whether there are such ones, whether they fit and
+may turn so fast, whether they carry enough, and not too much.
+"""
+
+from collections.abc import Iterator
+from functools import partial
+
+import numpy as np
+
+from core.checks.check import Check, Kind, design_check, judged
+from core.checks.inputs import FORCES
+from core.crank.envelope import (
+    HIGH,
+    IMPOSSIBLE,
+    LOW,
+    MIN_LOAD,
+    MOST_DYNAMIC,
+    MOST_STATIC,
+    Bounds,
+    largest_ratings,
+    largest_ratings_of_room,
+)
+from core.design.document import Design
+from core.design.results import Results
+from core.design.sections import RollingBearing
+from core.errors import NotKnown
+
+PRESSED = 1e-4
+"""What a bearing's outside may be larger than its seat, m: it is pressed in."""
+
+_ENVELOPE = ("bore_diameter", "outer_diameter", "width")
+
+_SIZES = tuple(f"bearing.{name}" for name in _ENVELOPE)
+
+_bearing = partial(
+    design_check,
+    group="bearing",
+    part="satellite_bearing",
+    needs=("touching", "load", "bearing"),
+)
+_crank_bearing = partial(
+    design_check,
+    group="crankshaft",
+    part="crank_bearings",
+    needs=("touching", "load", "crankshaft"),
+    inputs=("crankshaft.bearings",),
+    fixes=(),
+)
+
+
+def _share(bearing: RollingBearing, bounds: Bounds) -> float:
+    """The larger of its ratings, over the largest one that fits."""
+    given = (
+        (bearing.dynamic_rating, bounds.dynamic),
+        (bearing.static_rating, bounds.static),
+    )
+    shares = [rating / bound for rating, bound in given if rating is not None]
+    if not shares:
+        raise NotKnown("rating_unknown", "bearing.dynamic_rating")
+    return max(shares)
+
+
+def _possible(kind: Kind, bearing: RollingBearing, bounds: Bounds) -> Check:
+    """Whether there is a bearing of such ratings."""
+    share, most = _share(bearing, bounds), IMPOSSIBLE[bearing.kind]
+    found = judged(kind, share, most)
+    if found.status == "fail":
+        return found._replace(impossible=True)
+    if share > HIGH[bearing.kind]:
+        return found._replace(status="marginal", warning=True, reason="rating_high")
+    if share < LOW:
+        return found._replace(status="marginal", warning=True, reason="rating_low")
+    return found
+
+
+def _known_sizes(bearing: RollingBearing, *paths: str) -> tuple[float, float, float]:
+    """Its sizes, which have to be given."""
+    if bearing.sizes is None:
+        raise NotKnown("envelope_unknown", *paths)
+    return bearing.sizes
+
+
+def _bounds(design: Design) -> Bounds:
+    """Largest ratings of the satellites' bearings, by their sizes or by the room for them."""
+    bearing, body = design.bearing, design.satellite_body
+    if bearing.sizes is None and body and body.bore_radius is not None:
+        outer = 2 * body.bore_radius
+        within = min(_least_bore(design), 0.999 * outer)
+        return largest_ratings_of_room(
+            kind=bearing.kind,
+            least_bore=within,
+            outer_diameter=outer,
+            width=design.contact.pair.contact_length,
+        )
+    bore, outer, width = _known_sizes(bearing, *_SIZES)
+    return largest_ratings(kind=bearing.kind, bore_diameter=bore, outer_diameter=outer, width=width)
+
+
+def _least_bore(design: Design) -> float:
+    """Least bore of the satellites' bearings: the eccentric, or what encloses the shaft, m."""
+    shaft = design.crankshaft
+    if shaft and shaft.eccentric_diameter is not None:
+        return float(shaft.eccentric_diameter)
+    inside = (shaft.shaft_diameter or 0.0) if shaft else 0.0
+    return float(inside + 2 * design.known_eccentricity)
+
+
+@_bearing(
+    "bearing_rating",
+    title="Ratings of the satellites' bearings",
+    formula="C/C_max, C₀/C₀_max ≤ 1.5 (balls), 1.2 (rollers)",
+    why="There is no bearing of these sizes that carries so much.",
+    inputs=(
+        "bearing.kind",
+        "bearing.dynamic_rating",
+        "bearing.static_rating",
+        *_SIZES,
+        "satellite_body.bore_radius",
+        "contact.contact_length",
+        "contact.eccentricity",
+        "crankshaft.eccentric_diameter",
+        "crankshaft.shaft_diameter",
+    ),
+    fixes=(),
+    source="envelope",
+)
+def bearing_rating(design: Design, results: Results) -> Check:
+    found = _possible(bearing_rating, design.bearing, _bounds(design))
+    if design.bearing.sizes is None and not found.reason:  # by the room for them
+        return found._replace(reason="envelope_unknown", missing=_SIZES)
+    return found
+
+
+def _room(design: Design) -> Iterator[float]:
+    """What is left between a bearing and what is about it, m."""
+    bore, outer, _ = _known_sizes(design.bearing, *_SIZES)
+    yield bore - _least_bore(design)
+    if design.satellite_body and design.satellite_body.bore_radius is not None:
+        yield 2 * design.satellite_body.bore_radius + PRESSED - outer
+
+
+@_bearing(
+    "bearing_fits",
+    title="Room for the satellites' bearings",
+    unit="mm",
+    formula="D ≤ 2·r_b, d ≥ d_shaft + 2·e, B ≤ b",
+    why="Otherwise the bearing does not go onto its eccentric, or into the satellite.",
+    inputs=(
+        *_SIZES,
+        "satellite_body.bore_radius",
+        "contact.contact_length",
+        "contact.eccentricity",
+        "crankshaft.eccentric_diameter",
+        "crankshaft.shaft_diameter",
+    ),
+    fixes=("satellite_body.bore_radius",),
+    keep="above",
+    needed=False,
+)
+def bearing_fits(design: Design, results: Results) -> Check:
+    left = min(_room(design))
+    found = judged(bearing_fits, left, 0.0)
+    if found.status == "fail":
+        return found._replace(impossible=True)
+    _, _, width = _known_sizes(design.bearing)
+    if width > design.contact.pair.contact_length:
+        return found._replace(status="marginal", warning=True, reason="wider_than_satellite")
+    return found
+
+
+@_bearing(
+    "bearing_speed",
+    title="Speed of the satellites' bearings",
+    unit="rpm",
+    formula="n₁·(1 + 1/u) ≤ n_lim",
+    why="Above it the bearing gets too hot.",
+    inputs=("load.input_speed", "mechanism.ratio", "bearing.limiting_speed"),
+    fixes=("load.input_speed",),
+    source="user",
+    needed=False,
+)
+def bearing_speed(design: Design, results: Results) -> Check:
+    speed, limit = design.known_speed, design.bearing.limiting_speed
+    value = speed * (1 + 1 / design.mechanism.ratio)
+    if limit is None:
+        missing = ("bearing.limiting_speed",)
+        return Check(bearing_speed, "not_asked", value=value, reason="no_limit", missing=missing)
+    return judged(bearing_speed, value, limit)
+
+
+@_bearing(
+    "bearing_min_load",
+    title="Least load of the satellites' bearings",
+    unit="N",
+    formula="Q_min ≥ 0.01·C (balls), 0.02·C (rollers)",
+    why="Below it rolling elements slide, and tracks are smeared.",
+    inputs=(*FORCES, "mechanism.ratio", "gear.kind", "bearing.kind", "bearing.dynamic_rating"),
+    fixes=(),
+    source="slip",
+    keep="above",
+    needed=False,
+)
+def bearing_min_load(design: Design, results: Results) -> Check:
+    rating = design.bearing.dynamic_rating
+    if rating is None:
+        raise NotKnown("rating_unknown", "bearing.dynamic_rating")
+    loads = np.asarray(results.satellite_bearing.min_load)
+    least = int(np.argmin(loads))
+    return judged(
+        bearing_min_load,
+        float(loads[least]),
+        MIN_LOAD[design.bearing.kind] * rating,
+        warning="bearing_slips",
+        at={"satellite": least + 1},
+    )
+
+
+@_bearing(
+    "bearing_overload",
+    title="Load of the satellites' bearings over their ratings",
+    formula="P/(0.5·C), Q_max/C₀ ≤ 1",
+    why="Above it the formula of the life promises more than the bearing lasts.",
+    inputs=(
+        *FORCES,
+        "mechanism.ratio",
+        "gear.kind",
+        "bearing.kind",
+        "bearing.ring_factor",
+        "bearing.dynamic_rating",
+        "bearing.static_rating",
+        "load.peak_torque",
+        "load.application_factor",
+        "contact.dynamic_factor",
+    ),
+    fixes=(),
+    source="iso_281_life",
+    needed=False,
+)
+def bearing_overload(design: Design, results: Results) -> Check:
+    found, bearing = results.satellite_bearing, design.bearing
+    if bearing.dynamic_rating is None:
+        raise NotKnown("rating_unknown", "bearing.dynamic_rating")
+    used = np.asarray(found.equivalent_load) / (MOST_DYNAMIC * bearing.dynamic_rating)
+    if found.static_safety_factor is not None:
+        used = np.maximum(used, 1 / (MOST_STATIC * np.asarray(found.static_safety_factor)))
+    worst = int(np.argmax(used))
+    return judged(
+        bearing_overload,
+        float(used[worst]),
+        1.0,
+        warning="bearing_overloaded",
+        at={"satellite": worst + 1},
+    )
+
+
+def _of_crank(design: Design) -> tuple[RollingBearing, ...]:
+    """Bearings of the crankshaft, which have to be given."""
+    bearings = design.crankshaft.bearings
+    if bearings is None:
+        raise NotKnown("rating_unknown", "crankshaft.bearings")
+    return tuple(bearings)
+
+
+@_crank_bearing(
+    "crank_bearing_rating",
+    title="Ratings of the crankshaft's bearings",
+    formula="C/C_max ≤ 1.5 (balls), 1.2 (rollers)",
+    why="There is no bearing of these sizes that carries so much.",
+    source="envelope",
+)
+def crank_bearing_rating(design: Design, results: Results) -> Check:
+    found = []
+    for place, each in enumerate(_of_crank(design), 1):
+        bore, outer, width = _known_sizes(each, "crankshaft.bearings")
+        bounds = largest_ratings(
+            kind=each.kind, bore_diameter=bore, outer_diameter=outer, width=width
+        )
+        made = _possible(crank_bearing_rating, each, bounds)
+        found.append(made._replace(at={"bearing": place}))
+    return max(found, key=lambda check: (check.status != "pass", check.utilisation or 0.0))
+
+
+@_crank_bearing(
+    "crank_bearing_fits",
+    title="Bores of the crankshaft's bearings",
+    unit="mm",
+    formula="d ≥ d_shaft",
+    why="Otherwise the bearing does not go onto the shaft.",
+    inputs=("crankshaft.bearings", "crankshaft.shaft_diameter"),
+    keep="above",
+    needed=False,
+)
+def crank_bearing_fits(design: Design, results: Results) -> Check:
+    shaft = design.crankshaft.shaft_diameter
+    if shaft is None:
+        raise NotKnown("size_missing", "crankshaft.shaft_diameter")
+    bores = [_known_sizes(each, "crankshaft.bearings")[0] for each in _of_crank(design)]
+    left = min(bores) - shaft
+    found = judged(crank_bearing_fits, left, 0.0, at={"bearing": bores.index(min(bores)) + 1})
+    return found._replace(impossible=found.status == "fail")
+
+
+@_crank_bearing(
+    "crank_bearing_speed",
+    title="Speed of the crankshaft's bearings",
+    unit="rpm",
+    formula="n₁ ≤ n_lim",
+    why="Above it the bearing gets too hot.",
+    inputs=("load.input_speed", "crankshaft.bearings"),
+    source="user",
+    needed=False,
+)
+def crank_bearing_speed(design: Design, results: Results) -> Check:
+    speed = design.known_speed
+    limits = [each.limiting_speed for each in _of_crank(design) if each.limiting_speed is not None]
+    if not limits:
+        missing = ("crankshaft.bearings",)
+        return Check(
+            crank_bearing_speed, "not_asked", value=speed, reason="no_limit", missing=missing
+        )
+    return judged(crank_bearing_speed, speed, min(limits))
+
+
+BEARINGS = (
+    bearing_rating,
+    bearing_fits,
+    bearing_speed,
+    bearing_min_load,
+    bearing_overload,
+    crank_bearing_rating,
+    crank_bearing_fits,
+    crank_bearing_speed,
+)

@@ -1,0 +1,78 @@
+"""A design of perfect parts, or of an unknown clearance, with one as such parts usually have."""
+
+from core.checks.check import Verdict
+from core.checks.largest_torque import crank_verdict
+from core.design.document import Design, changed
+from core.design.results import Results
+from core.errors import InvalidInput
+from core.tolerance.iso286 import fit_clearance
+
+USUAL_FIT = "H7/f7"
+"""Of holes and of pins or sleeves that are turned or ground."""
+
+PRINTED, PRINTED_CLEARANCE = "printed", 0.25e-3
+"""Radial clearance of printed holes, m."""
+
+SOFT = 20e9
+"""Young's modulus below which a hole is taken as printed, Pa."""
+
+
+def usual_clearance(design: Design) -> tuple[str, float]:
+    """The fit that pins and holes of such materials and sizes usually have.
+
+    Parameters
+    ----------
+    design : Design
+        The design, with load, contact and eccentricity.
+
+    Returns
+    -------
+    tuple of str and float
+        Its name and the radial clearance, m.
+
+    Raises
+    ------
+    InvalidInput
+        If the diameters are not in the tables of fits.
+    """
+    contact = design.contact
+    material = contact.hole_material
+    if material is not None and material.youngs_modulus < SOFT:
+        return PRINTED, PRINTED_CLEARANCE
+    pin = contact.pair.pin_radius
+    hole = pin + design.known_eccentricity
+    return USUAL_FIT, fit_clearance(fit=USUAL_FIT, hole_diameter=2 * hole, pin_diameter=2 * pin)
+
+
+def usual_fit(design: Design) -> tuple[str, Results, Verdict] | None:
+    """The design with a usual clearance.
+
+    Parameters
+    ----------
+    design : Design
+        The design, with load, contact and eccentricity.
+
+    Returns
+    -------
+    tuple of str, Results and Verdict, or None
+        The fit, the results with it and the verdict; None where the design has a clearance, or is
+        beyond the sizes of the fit.
+    """
+    contact = design.contact
+    if contact.clearance != 0:
+        return None
+    try:
+        name, clearance = usual_clearance(design)
+    except InvalidInput:
+        return None
+    results = Results(
+        changed(
+            design,
+            {
+                "contact.hole_radius": contact.pair.hole_radius + clearance,
+                "contact.clearance_stated": True,
+                "contact.distribution_factor": 1.0,
+            },
+        )
+    )
+    return name, results, crank_verdict(results)
