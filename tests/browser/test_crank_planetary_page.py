@@ -448,7 +448,7 @@ def test_controls_wait_for_the_first_answer(page: Page, service: str) -> None:
         ".motion button, .motion input, .motion select, .mechanism .save, "
         '[data-figure="force"] .figure-tools button'
     )
-    assert controls.count() == 10
+    assert controls.count() == 11
     for control in controls.all():
         expect(control).to_be_disabled()
     expect(page.locator(".verdict .judged")).to_contain_text("nothing computed yet")
