@@ -164,7 +164,7 @@ def test_parts_that_cannot_be_put_together_are_judged(page: Page, service: str) 
     verdict = page.locator(".outputs .verdict").first
     expect(verdict).to_contain_text("Not possible")
     expect(verdict).to_contain_text("Room of the pins in their holes")
-    expect(page.locator(".checks")).to_contain_text("6.7 mm → 7 mm")
+    expect(page.locator(".checks")).to_contain_text("6.7 mm → 7.015 mm")
 
 
 @pytest.mark.parametrize("clearance", ["", "0.02"])
