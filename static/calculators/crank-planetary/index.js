@@ -217,8 +217,8 @@ export default {
       value: ({ mechanism }) => 360 / mechanism.satellites,
     },
     "contact.hole_radius_mm": {
-      formula: ({ besides } = {}) => {
-        const sum = besides?.contact?.hole_clearance_mm ? "r_in + e + c" : "r_in + e";
+      formula: ({ contact } = {}) => {
+        const sum = contact?.hole_clearance_mm ? "r_in + e + c" : "r_in + e";
         return inDiameters() ? `2(${sum})` : sum;
       },
       linked: true,
