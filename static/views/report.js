@@ -10,7 +10,7 @@ import { symbolMarkup, tableMarkup } from "./parts.js";
 
 const PAPER_WIDTH = 660; // of a figure, in the pixels of a print: A4 less its margins
 const PAPER_HEIGHT = 0.58; // of that on the screen, where that leaves its titles room
-const LEAST_HEIGHT = 230;
+const LEAST_HEIGHT = 200;
 const LEFT_OUT = "button, input, select, .motion, .figure-tools, .compare, .say, .cursor, .accuracy-fold, [hidden], script, link";
 
 /** A value as the form shows it: a number, a list, a name with its title. */
