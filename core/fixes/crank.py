@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from core.checks.check import Check, Verdict
 from core.checks.crank_planetary import crank_check
-from core.checks.largest_torque import crank_verdict, judged_check, under
+from core.checks.largest_torque import crank_verdict, two_ways, under
 from core.checks.usual_fit import usual_clearance
 from core.derived import if_known
 from core.design.document import Design
@@ -67,7 +67,9 @@ def _fix(results: Results, code: str, variable: str, current: Verdict) -> Fix | 
     def change(value: float) -> Check:
         """The check under so many times the torque as it is to bear."""
         there = under(design=vary(design=design, variable=variable, value=value), factor=factor)
-        found = judged_check(code, Results(there))
+        results = Results(there)
+        ways = (results, results.equal) if two_ways(results) else (results,)
+        found = min((crank_check(code, way) for way in ways), key=_least_met)
         reserve = found.torque_reserve
         return found if reserve is None else found._replace(torque_reserve=reserve * factor)
 
@@ -104,6 +106,12 @@ def _met(check: Check) -> float:
     if check.torque_reserve is not None:
         return check.torque_reserve / aim(check)
     return 1 / check.utilisation if check.utilisation else math.nan
+
+
+def _least_met(check: Check) -> float:
+    """The same, of what is not known less than all."""
+    met = _met(check)
+    return -math.inf if math.isnan(met) else met
 
 
 def _secant(met: Callable[[float], float], before: float) -> float | None:

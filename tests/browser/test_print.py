@@ -90,7 +90,8 @@ def test_nothing_is_cut_on_paper(page: Page, service: str, calculator: str) -> N
     for plot in page.locator(".figure:not(:has(.measure)) .plot").all():
         box = plot.bounding_box()
         assert box and box["width"] <= PAPER_PX
-    assert page.locator("button:not(.folding):visible, input:visible, select:visible").count() == 0
+    controls = "button:not(.folding, .chip *):visible, input:visible, select:visible"
+    assert page.locator(controls).count() == 0
 
 
 def test_the_print_button_draws_light_figures_in_the_dark(page: Page, service: str) -> None:
