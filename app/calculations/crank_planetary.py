@@ -203,7 +203,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     def notices(self) -> tuple[Notice, ...]:
         """Also that nothing is known of the clearance, where nobody says that it is none."""
         found = super().notices()
-        if not self.design.clearance_unknown or self.design.contact.eccentricity is None:
+        if self.contact is None or not self.contact.clearance_unknown:
             return found  # without an eccentricity that is what is missing, and said
         perfect = (each for each in found if each.code != "perfect_parts")
         return (Notice("clearance_unknown"), *perfect)

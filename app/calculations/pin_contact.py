@@ -111,6 +111,12 @@ class PinContactFields(ContactFields, group="contact"):
         mean = fit_clearance(fit=self.fit, hole_diameter=hole / 1e3, pin_diameter=pin / 1e3)
         return round(mean * 1e3, 9)
 
+    @property
+    def clearance_unknown(self) -> bool:
+        """Whether pin, hole and eccentricity are given, and no clearance of theirs."""
+        sized = self.pin_radius_mm is not None and self.eccentricity_mm is not None
+        return sized and self.stated_clearance_mm is None and not self.clearance_mm()
+
     def notices(self) -> tuple[Notice, ...]:
         """Also that parts without clearance are perfect ones."""
         loose = self.pin_radius_mm is None or self.eccentricity_mm is None or self.clearance_mm()

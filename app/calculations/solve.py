@@ -158,8 +158,15 @@ class SolveRequest(WorkedFields):
             raise _refused(error) from None
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
-        """What its calculation assumes, but for what is looked for."""
-        for path, value in self.asked.assumed():
+        """What its calculation assumes, but for what is looked for: of a clearance that is not
+        known that it is none, as the forces that a target hangs on are those of perfect parts.
+        """
+        given, asked = [*self.asked.assumed()], self.asked
+        contact = getattr(asked, "contact", None)
+        whole = isinstance(asked, crank_planetary.CrankPlanetaryRequest)
+        if whole and contact is not None and contact.clearance_unknown:
+            given.append((("contact", "hole_clearance_mm"), 0.0))
+        for path, value in given:
             if list(path) != _parts(self.variable.pointer):
                 yield ("input", *path), value
 

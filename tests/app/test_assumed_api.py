@@ -66,6 +66,26 @@ async def test_a_solution_says_what_its_calculation_assumes(api):
     assert answer["value"] and "assumed" not in answer
 
 
+async def test_a_solution_of_an_unknown_clearance_is_of_perfect_parts(api):
+    """Also where the input by itself is no design: a pin as thick as the value cures."""
+    contact = {"contact_length_mm": 20, "pin_radius_mm": 8, "eccentricity_mm": 2}
+    input = {
+        "mechanism": {"pins": 6, "satellites": 2, "ratio": 20},
+        "load": {"output_torque_Nm": 500, "pin_circle_radius_mm": 50},
+        "contact": contact | {"pin_material": "steel_bearing", "hole_material": "steel_bearing"},
+        "pin": {"diameter_mm": 17, "satellite_positions_mm": [15, 37]},
+    }
+    body = {"calculation": "crank-planetary", "input": input}
+    body["variable"] = {"pointer": "/contact/pin_radius_mm", "from": 8.6, "to": 20}
+    body["target"] = {"pointer": "/hertz/max_pressure_MPa", "at_most": 400}
+    answer = await answered(api, "solve", body)
+    assumed = {each["pointer"]: each["value"] for each in answer["assumed"]}
+    assert assumed["/input/contact/hole_clearance_mm"] == 0
+    input["contact"]["fit"] = "H7/f7"
+    answer = await answered(api, "solve", body)
+    assert "/input/contact/hole_clearance_mm" not in {each["pointer"] for each in answer["assumed"]}
+
+
 ENDPOINTS = {
     "cyclogram": {"pins": 3, "ratio": 20},
     "hertz": {"force_N": 1000, **PRINTED["contact"]},

@@ -34,7 +34,7 @@ function asksAt(search) {
     createElement: () => ({ addEventListener() {} }),
     head: { append: (...nodes) => links.push(...nodes) },
   };
-  vm.runInNewContext(textOf("/static/first.js"), { URLSearchParams, document, location: { search } });
+  vm.runInNewContext(textOf("/static/first.js"), { URLSearchParams, document, location: { search }, navigator: { languages: ["en"] } });
   return links;
 }
 
