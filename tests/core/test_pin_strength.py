@@ -23,6 +23,7 @@ from core.fatigue import (
     surface_factor,
     utilisation,
 )
+from core.materials import MATERIALS
 from core.output.loaded_pin import PinLoads
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam, section_stress
@@ -611,3 +612,28 @@ def test_rounding_is_no_stress():
     assert tiny.min_stress == -5e-10
     pressed = judged(strength=STRENGTH, direction=0.0, position=0.0, largest=3e-9, least=-3e8)
     assert (pressed.max_stress, pressed.min_stress) == (0.0, -3e8)
+
+
+@pytest.mark.parametrize("pins", [3, 6])
+def test_cranks_that_are_even_but_for_rounding_are_as_good_as_even(pins: int) -> None:
+    """Arcs of 1e-8 rad between the switching angles: parabolas over them are 0/0."""
+
+    def strength(off: float) -> PinStrength:
+        angles = tuple(math.pi / 2 * j + (off if j == 1 else 0.0) for j in range(4))
+        return pin_stresses(
+            mechanism=Mechanism(pins=pins, crank_angles=angles, ratio=20.0),
+            output_torque=100.0,
+            pin_circle_radius=0.05,
+            diameter=0.012,
+            contact_length=0.01,
+            satellite_positions=(0.01, 0.03, 0.05, 0.07),
+            material=MATERIALS["steel_bearing"].material,
+            support="fixed",
+            span=0.1,
+        ).strength(deflection=True)
+
+    with np.errstate(invalid="raise", divide="raise"):
+        nearly = strength(1e-8)
+    even = strength(0.0)
+    for name in ("peak_moment", "peak_equivalent_stress", "peak_shear_force"):
+        assert getattr(nearly, name) == pytest.approx(getattr(even, name), rel=1e-6)
