@@ -50,6 +50,7 @@ PHYSICAL = {code for code, each in CODES.items() if each.kind == "impossible"} |
     "no_sleeve",
     "not_in_table",
     "not_there",
+    "not_this_mechanism",
     "not_zero",
     "other_branch",
     "other_pitch",
@@ -85,6 +86,8 @@ OF_OTHER_FIELDS = (
     "/contact",
     "/contact/contact_length_mm",
     "/contact/eccentricity_mm",
+    "/contact/fit",
+    "/contact/hole_clearance_mm",
     "/contact/hole_radius_mm",
     "/contact/pin_radius_mm",
     "/fatigue/fatigue_notch_factor",
@@ -96,6 +99,8 @@ OF_OTHER_FIELDS = (
     "/pin/diameter_mm",
     "/pin/material",
     "/satellite_coupling",
+    "/tolerances/hole_diameter",
+    "/tolerances/pin_diameter",
 )
 """What another field of the request needs or excludes, by such a rule."""
 

@@ -179,6 +179,10 @@ async def crank_planetary(body: Body, answer: Body, ask: Ask) -> None:
         if ideal and "hertz" in answer and 1e-12 <= force["peak_force_N"] <= 1e15:
             apart = ("eccentricity_mm", "hole_clearance_mm")
             contact = {key: val for key, val in body["contact"].items() if key not in apart}
+            given = body["contact"]
+            if "hole_radius_mm" not in contact:  # of perfect parts
+                hole = given["pin_radius_mm"] + given["eccentricity_mm"]
+                contact["hole_radius_mm"] = hole + given.get("hole_clearance_mm", 0.0)
             alone = await ask("hertz", contact | {"force_N": force["peak_force_N"]})
             expect(alone is not None, "Hertz alone is refused")
             equal(alone["max_pressure_MPa"], answer["hertz"]["max_pressure_MPa"], "Hertz alone")
