@@ -45,7 +45,7 @@ check: .venv/test  ## what to run while working: style, types, imports, fast tes
 
 test: lint types node compiled  ## everything: check, and all that is slower, the page too
 	@tests/tools.sh chromium chromium fonts-dejavu-core
-	$(BIN)/pytest --quiet --numprocesses auto --dist worksteal
+	$(BIN)/pytest --quiet --numprocesses auto --dist worksteal --maxfail 30
 	@echo
 	@echo "make test: style, types, imports, tests and doctests passed"
 	@command -v node >/dev/null && echo "make test: the page's modules passed" \

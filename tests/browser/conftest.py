@@ -45,7 +45,7 @@ def service() -> Iterator[str]:
         yield running.url
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="package")  # its loop ends with it, before tests that need their own
 def browser() -> Iterator[sync_api.Browser]:
     path = _chromium()
     with sync_api.sync_playwright() as playwright:
