@@ -113,14 +113,17 @@ class PinContactFields(ContactFields, group="contact"):
 
     @property
     def clearance_unknown(self) -> bool:
-        """Whether pin, hole and eccentricity are given, and no clearance of theirs."""
-        sized = self.pin_radius_mm is not None and self.eccentricity_mm is not None
-        return sized and self.stated_clearance_mm is None and not self.clearance_mm()
+        """Whether pin, hole and eccentricity are given, and nothing is known of their clearance."""
+        return self._sized and self.section().clearance_unknown
+
+    @property
+    def _sized(self) -> bool:
+        return self.pin_radius_mm is not None and self.eccentricity_mm is not None
 
     def notices(self) -> tuple[Notice, ...]:
         """Also that parts without clearance are perfect ones."""
-        loose = self.pin_radius_mm is None or self.eccentricity_mm is None or self.clearance_mm()
-        return super().notices() + (() if loose else (Notice("perfect_parts"),))
+        perfect = self._sized and not self.clearance_mm()
+        return super().notices() + ((Notice("perfect_parts"),) if perfect else ())
 
     def hole_mm(self) -> float:
         """Radius of the hole: given, or by pin, eccentricity and clearance."""

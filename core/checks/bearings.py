@@ -2,13 +2,13 @@
 may turn so fast, whether they carry enough, and not too much.
 """
 
-from collections.abc import Iterator
+import math
 from functools import partial
 
 import numpy as np
 
 from core.checks.check import Check, Kind, design_check, judged
-from core.checks.inputs import FORCES
+from core.checks.inputs import BEARING_LOAD
 from core.crank.envelope import (
     HIGH,
     IMPOSSIBLE,
@@ -84,14 +84,14 @@ def _bounds(design: Design) -> Bounds:
     """Largest ratings of the satellites' bearings, by their sizes or by the room for them."""
     bearing, body = design.bearing, design.satellite_body
     if bearing.sizes is None and body and body.bore_radius is not None:
-        outer = 2 * body.bore_radius
-        within = min(_least_bore(design), 0.999 * outer)
-        return largest_ratings_of_room(
-            kind=bearing.kind,
-            least_bore=within,
-            outer_diameter=outer,
-            width=design.contact.pair.contact_length,
-        )
+        least, outer = _least_bore(design), 2 * body.bore_radius
+        if least < outer:  # else there is no room, as `bearing_fits` says
+            return largest_ratings_of_room(
+                kind=bearing.kind,
+                least_bore=least,
+                outer_diameter=outer,
+                width=design.contact.pair.contact_length,
+            )
     bore, outer, width = _known_sizes(bearing, *_SIZES)
     return largest_ratings(kind=bearing.kind, bore_diameter=bore, outer_diameter=outer, width=width)
 
@@ -131,12 +131,16 @@ def bearing_rating(design: Design, results: Results) -> Check:
     return found
 
 
-def _room(design: Design) -> Iterator[float]:
-    """What is left between a bearing and what is about it, m."""
+def _room(design: Design) -> float:
+    """What is left between a bearing and what is about it, m; of one whose sizes are not given only
+    that there is no room for any.
+    """
+    body, least = design.satellite_body, _least_bore(design)
+    seat = 2 * body.bore_radius if body and body.bore_radius is not None else math.inf
+    if design.bearing.sizes is None and seat <= least:
+        return seat - least
     bore, outer, _ = _known_sizes(design.bearing, *_SIZES)
-    yield bore - _least_bore(design)
-    if design.satellite_body and design.satellite_body.bore_radius is not None:
-        yield 2 * design.satellite_body.bore_radius + PRESSED - outer
+    return min(bore - least, seat + PRESSED - outer)
 
 
 @_bearing(
@@ -158,12 +162,10 @@ def _room(design: Design) -> Iterator[float]:
     needed=False,
 )
 def bearing_fits(design: Design, results: Results) -> Check:
-    left = min(_room(design))
-    found = judged(bearing_fits, left, 0.0)
+    found = judged(bearing_fits, _room(design), 0.0)
     if found.status == "fail":
         return found._replace(impossible=True)
-    _, _, width = _known_sizes(design.bearing)
-    if width > design.contact.pair.contact_length:
+    if (design.bearing.width or 0.0) > design.contact.pair.contact_length:
         return found._replace(status="marginal", warning=True, reason="wider_than_satellite")
     return found
 
@@ -194,7 +196,7 @@ def bearing_speed(design: Design, results: Results) -> Check:
     unit="N",
     formula="Q_min ≥ 0.01·C (balls), 0.02·C (rollers)",
     why="Below it rolling elements slide, and tracks are smeared.",
-    inputs=(*FORCES, "mechanism.ratio", "gear.kind", "bearing.kind", "bearing.dynamic_rating"),
+    inputs=(*BEARING_LOAD, "bearing.dynamic_rating"),
     fixes=(),
     source="slip",
     keep="above",
@@ -204,12 +206,14 @@ def bearing_min_load(design: Design, results: Results) -> Check:
     rating = design.bearing.dynamic_rating
     if rating is None:
         raise NotKnown("rating_unknown", "bearing.dynamic_rating")
-    loads = np.asarray(results.satellite_bearing.min_load)
+    found = results.satellite_bearing
+    loads = np.asarray(found.min_load)
     least = int(np.argmin(loads))
     return judged(
         bearing_min_load,
         float(loads[least]),
         MIN_LOAD[design.bearing.kind] * rating,
+        error=4 * float(found.accuracy.relative_error),
         warning="bearing_slips",
         at={"satellite": least + 1},
     )
@@ -221,10 +225,7 @@ def bearing_min_load(design: Design, results: Results) -> Check:
     formula="P/(0.5·C), Q_max/C₀ ≤ 1",
     why="Above it the formula of the life promises more than the bearing lasts.",
     inputs=(
-        *FORCES,
-        "mechanism.ratio",
-        "gear.kind",
-        "bearing.kind",
+        *BEARING_LOAD,
         "bearing.ring_factor",
         "bearing.dynamic_rating",
         "bearing.static_rating",
@@ -248,6 +249,7 @@ def bearing_overload(design: Design, results: Results) -> Check:
         bearing_overload,
         float(used[worst]),
         1.0,
+        error=4 * float(found.accuracy.relative_error),
         warning="bearing_overloaded",
         at={"satellite": worst + 1},
     )

@@ -9,7 +9,7 @@ import numpy as np
 
 from core.arrays import FloatArray
 from core.checks.check import Check, Measure, design_check, judged
-from core.checks.inputs import FORCES, LIFE, ROOTS
+from core.checks.inputs import BEARING_LOAD, FORCES, LIFE, RING, ROOTS
 from core.checks.space import within_roots
 from core.crank.bearing_life import EXPONENTS, PEAK_SAFETY, STATIC_SAFETY
 from core.crank.bearing_life import system_life as life_together
@@ -23,15 +23,6 @@ from core.errors import NotKnown
 
 Value = TypeVar("Value")
 
-_RING = (
-    "gear.kind",
-    "gear.module",
-    "gear.teeth_difference",
-    "gear.reference_pressure_angle",
-    "gear.ring_pin_circle_radius",
-    "gear.radial_force_ratio",
-)
-_BEARING = (*FORCES, "mechanism.ratio", *_RING, "bearing.kind")
 _BALANCE = (
     "load.input_speed",
     "contact.eccentricity",
@@ -72,7 +63,7 @@ _balance = partial(
     unit="deg",
     formula="α_w ≤ 55°",
     why="Above it the ring loads the bearings far more than the torque needs.",
-    inputs=(*_RING, "contact.eccentricity"),
+    inputs=(*RING, "contact.eccentricity"),
     fixes=("gear.module",),
     source="steep",
 )
@@ -155,7 +146,7 @@ def _required_life(design: Design, results: Results) -> dict[str, Any]:
     formula="L_nh ≥ L",
     why="Otherwise a bearing of a satellite fails before the life that is asked.",
     inputs=(
-        *_BEARING,
+        *BEARING_LOAD,
         *LIFE,
         "bearing.ring_factor",
         "bearing.dynamic_rating",
@@ -201,7 +192,7 @@ def _required_safety(design: Design, results: Results) -> dict[str, Any]:
     formula="C₀/Q_max ≥ S_0",
     why="Otherwise rolling elements dent their tracks.",
     inputs=(
-        *_BEARING,
+        *BEARING_LOAD,
         "contact.dynamic_factor",
         "load.application_factor",
         "load.peak_torque",
@@ -249,7 +240,7 @@ def bearing_static(design: Design, results: Results) -> Check:
     formula="(Σ L_j^−β)^(−1/β) ≥ L",
     why="Otherwise one of the bearings fails before the life that is asked.",
     inputs=(
-        *_BEARING,
+        *BEARING_LOAD,
         *LIFE,
         "bearing.ring_factor",
         "bearing.dynamic_rating",
@@ -290,7 +281,7 @@ def system_life(design: Design, results: Results) -> Check:
         *FORCES,
         *LIFE,
         "mechanism.ratio",
-        *_RING,
+        *RING,
         "crankshaft.bearings",
         "crankshaft.satellite_positions",
         "crankshaft.bearing_positions",

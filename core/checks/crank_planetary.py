@@ -1,9 +1,8 @@
 """All checks of a crank-planetary reducer, and its verdict."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from functools import cache
-from typing import Any
 
 from core.checks.bearings import BEARINGS
 from core.checks.check import Check, Verdict, make_check, rank, verdict
@@ -18,6 +17,7 @@ from core.checks.play import PLAY
 from core.checks.space import SPACE
 from core.design.document import Design
 from core.design.results import Results
+from core.errors import NotKnown
 
 CRANK_CHECKS = {
     kind.code: kind
@@ -138,16 +138,16 @@ def _part(design: Design, part: Part, made: list[Check]) -> PartVerdict:
         return PartVerdict(code=part.code, status="fail", governing=governing)
     lacks = list(_lacks(design, part, own))
     if not decided:
-        demands = tuple(f"requirements.{name}" for name in part.demands)
-        lacks.append(("nothing_judged", demands, {}))
+        demands = (f"requirements.{name}" for name in part.demands)
+        lacks.append(NotKnown("nothing_judged", *demands))
     if lacks:
-        missing = dict.fromkeys(name for _, names, _ in lacks for name in names)
+        missing = dict.fromkeys(name for each in lacks for name in each.missing)
         return PartVerdict(
             code=part.code,
             status="open",
             governing=governing,
-            reason=lacks[0][0],
-            params=lacks[0][2],
+            reason=lacks[0].code,
+            params=lacks[0].params,
             missing=tuple(missing),
         )
     marginal = any(check.status == "marginal" for check in decided)
@@ -156,21 +156,19 @@ def _part(design: Design, part: Part, made: list[Check]) -> PartVerdict:
     )
 
 
-def _lacks(
-    design: Design, part: Part, own: list[Check]
-) -> Iterator[tuple[str, tuple[str, ...], Mapping[str, Any]]]:
-    """Why a part is open, what would have to be given, and what the words of the reason name."""
+def _lacks(design: Design, part: Part, own: list[Check]) -> Iterator[NotKnown]:
+    """What is not known of a part, for which it is open."""
     absent = tuple(name for name in part.sections if not getattr(design, name))
     if absent:
-        yield "section_missing", absent, {}
+        yield NotKnown("section_missing", *absent)
     if part.by_forces and design.clearance_unknown:
         known = design.contact.eccentricity is not None
         missing = "contact.hole_clearance" if known else "contact.eccentricity"
-        yield "clearance_unknown", (missing,), {}
+        yield NotKnown("clearance_unknown", missing)
     if part.code == "teeth":
-        yield "teeth_not_judged", (), {}
+        yield NotKnown("teeth_not_judged")
     elif "gear" in part.sections and design.gear and design.gear.kind == "none":
-        yield "no_ring_force", ("gear.kind",), {}
+        yield NotKnown("no_ring_force", "gear.kind")
     for check in own:
         if check.opens:
-            yield check.reason, check.missing, check.params
+            yield NotKnown(check.reason, *check.missing, **check.params)

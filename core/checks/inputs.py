@@ -55,6 +55,19 @@ FATIGUE = (
     "fatigue.criterion",
 )
 
+RING = (
+    "gear.kind",
+    "gear.module",
+    "gear.teeth_difference",
+    "gear.reference_pressure_angle",
+    "gear.ring_pin_circle_radius",
+    "gear.radial_force_ratio",
+)
+"""Of the ring's force on a satellite."""
+
+BEARING_LOAD = (*FORCES, "mechanism.ratio", *RING, "bearing.kind")
+"""Of the load of a satellite's bearing."""
+
 ROOTS = (
     "satellite_body.outer_radius",
     "satellite_body.root_radius",

@@ -4,13 +4,14 @@ from functools import partial
 from typing import Any, get_args
 
 from core.checks.check import Check, Kind, design_check, judged
-from core.checks.inputs import FORCES, LOADED, LOADS
+from core.checks.inputs import LOADED, LOADS
 from core.derived import if_known
 from core.design.contact import force_factor
 from core.design.document import Body, Design
 from core.design.results import Results
 from core.errors import NotKnown
 from core.hertz import HALF_WIDTH_RATIO_LIMIT
+from core.materials import ContactLimit
 
 BODIES: tuple[Body, ...] = get_args(Body)
 
@@ -58,6 +59,15 @@ def _against_limit(kind: Kind, results: Results, warning: str = "") -> Check:
     )
 
 
+def _whence(limit: ContactLimit) -> dict[str, str]:
+    """Where a limit of the pressure comes from, of a check."""
+    return {
+        "limit_source": limit.source,
+        "criterion": limit.criterion,
+        "verified": limit.verified or "",
+    }
+
+
 def _pressure(body: Body) -> Kind:
     code = f"contact_pressure_{body}"
 
@@ -67,10 +77,8 @@ def _pressure(body: Body) -> Kind:
         assert limit is not None
         return {
             "limit": results.pressure_limits[code],
-            "limit_source": limit.source,
-            "criterion": limit.criterion,
-            "verified": limit.verified or "",
             "life_factor": limit.life_factor,
+            **_whence(limit),
         }
 
     @_check(
@@ -163,7 +171,7 @@ def _static(body: Body) -> Kind:
         title=f"Contact pressure of the {body} at the peak torque",
         formula="p(T_max) ≤ p_static",
         why=f"Above it the surface of the {body} is dented at once.",
-        inputs=(*FORCES, "load.peak_torque"),
+        inputs=(*LOADED, "load.peak_torque"),
         fixes=(*_FIXES, "load.peak_torque"),
         source="static_pressure",
     )
@@ -171,12 +179,22 @@ def _static(body: Body) -> Kind:
         if design.load.peak_torque is None:
             missing = ("load.peak_torque",)
             return Check(static, "not_asked", reason="no_peak_torque", missing=missing)
-        contact, limit = results.static_contact, design.lasting[body].static_pressure
-        pressure = contact.governing_pressure
+        contact, material = results.static_contact, design.lasting[body]
+        pressure, limit = contact.governing_pressure, material.static_pressure
         if pressure is None:
             raise NotKnown("hertz_impossible", ratio=float(contact.half_width_ratio))
-        if limit is None:
-            return Check(static, "not_checked", value=pressure, reason="no_sourced_limit")
+        whence = {}
+        if limit is None:  # what it bears for ever it bears once; beyond that nothing is known
+            lasting = material.limit
+            if lasting is None or pressure > lasting.pressure:
+                return Check(
+                    static,
+                    "not_checked",
+                    value=pressure,
+                    reason="limit_unknown",
+                    missing=_missing(design, body, "allowable_pressure"),
+                )
+            limit, whence = float(lasting.pressure), _whence(lasting)
         return judged(
             static,
             pressure,
@@ -186,6 +204,7 @@ def _static(body: Body) -> Kind:
             ),
             error=(contact.conformal_error or 0.0) + 8 * contact.accuracy.relative_error,
             rough=results.solved or results.edge is not None,
+            **whence,
         )
 
     return static

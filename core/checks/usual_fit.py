@@ -11,7 +11,9 @@ USUAL_FIT = "H7/f7"
 """Of holes and of pins or sleeves that are turned or ground."""
 
 PRINTED, PRINTED_CLEARANCE = "printed", 0.25e-3
-"""Radial clearance of printed holes, m."""
+"""Radial clearance of printed holes, m: a sliding fit of FDM, for which guides of those who print
+name 0.15 to 0.5 mm.
+"""
 
 SOFT = 20e9
 """Young's modulus below which a hole is taken as printed, Pa."""

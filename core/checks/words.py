@@ -51,7 +51,7 @@ CHECK_SOURCES = {
     "static_guide": "guide values: for running as usual 1 for balls and 1.5 for rollers, at the "
     "peak of a start 1.5, of an emergency stop 1: catalogues of SKF and IKO, after ISO 76",
     "static_pressure": "the static limit of the material, as its source has it: ISO 6336-5 or "
-    "ISO 76",
+    "ISO 76; where none is known, what it bears for many loads it bears once",
     "steep": "derived: above 55° the ring presses the satellite along the crank far more than it "
     "turns it",
     "user": "the limit that was asked",

@@ -179,11 +179,8 @@ class Design:
 
     @property
     def clearance_unknown(self) -> bool:
-        """Whether nothing is known of the clearance of pins and holes: none is stated, as of
-        perfect parts, and the sizes leave none.
-        """
-        stated = self.touching and (self.contact.clearance_stated or self.contact.clearance)
-        return self.touching and not stated
+        """Whether pins and holes are given, and nothing is known of their clearance."""
+        return self.touching and self.contact.clearance_unknown
 
     @property
     def scope(self) -> tuple[str, ...]:

@@ -145,6 +145,13 @@ class Contact:
             raise NotKnown("section_missing", "contact")
         return PairSizes(length, pin, hole)
 
+    @property
+    def clearance_unknown(self) -> bool:
+        """Whether nothing is known of the clearance: none is stated, as of perfect parts, and the
+        sizes leave none.
+        """
+        return not (self.clearance_stated or self.clearance)
+
     @cached_property
     def clearance(self) -> float | None:
         """Hole radius less pin radius and eccentricity, m: interference below 0, and 0 within

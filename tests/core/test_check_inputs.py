@@ -1,5 +1,5 @@
-"""Each check names the inputs that it depends on: to move one of them moves its value or its limit
-in some design, and to move another one never does.
+"""Each check names the inputs that it depends on: to move one of them moves its value, its limit
+or whether it warns in some design, and to move another one never does.
 """
 
 import importlib
@@ -25,6 +25,12 @@ from tests.inputs.checks import WHOLE, having
 
 assert WHOLE.pin and WHOLE.bearing and WHOLE.crankshaft and WHOLE.friction and WHOLE.gear
 STEEL = MATERIALS["steel_case_hardened"].material
+ENVELOPE = {
+    "bore_diameter": 0.025,
+    "outer_diameter": 0.04,
+    "width": 0.0199,
+    "limiting_speed": 400.0,
+}
 ALL = having(
     WHOLE,
     outer_radius=0.08,
@@ -49,18 +55,32 @@ ALL = having(
     crankshaft=replace(
         WHOLE.crankshaft,
         bearings=(
-            RollingBearing(kind="ball", dynamic_rating=50e3),
-            RollingBearing(kind="roller", dynamic_rating=60e3),
+            RollingBearing(kind="ball", dynamic_rating=50e3, **ENVELOPE),
+            RollingBearing(kind="roller", dynamic_rating=60e3, **ENVELOPE),
         ),
+        shaft_diameter=0.02,
     ),
 )
-"""All sections and demands."""
+"""All sections and demands; the satellites' bearings by the room for them."""
+BEARING: RollingBearing = replace(ALL.bearing, **ENVELOPE)  # type: ignore[type-var]
 TIRED = FatigueBasis(surface="ground", fatigue_notch_factor=1.5)
 DESIGNS = {
     "ideal": ALL,
     "stated sharing": having(ALL, distribution_factor=1.2),
     "stated sharing, uneven cranks": having(ALL, distribution_factor=1.2, crank_spacing=2.0),
     "clearance": having(ALL, hole_radius=0.01002),
+    "bearings of known sizes": having(ALL, bearing=replace(BEARING, outer_diameter=0.039)),
+    "eccentrics of a known diameter": having(
+        ALL,
+        bearing=replace(BEARING, width=0.0203, static_rating=10e3),
+        crankshaft=replace(ALL.crankshaft, eccentric_diameter=0.02485),  # type: ignore[type-var]
+    ),
+    "eccentrics in the room": having(
+        ALL,
+        bearing=replace(ALL.bearing, static_rating=1e5),  # type: ignore[type-var]
+        crankshaft=replace(ALL.crankshaft, eccentric_diameter=0.024),  # type: ignore[type-var]
+    ),
+    "peak torque": having(ALL, peak_torque=2000.0),
     "peak torque, uneven cranks": having(
         ALL, peak_torque=700.0, crank_spacing=2.0, hole_radius=0.01002
     ),
@@ -143,7 +163,8 @@ def seen() -> dict[tuple[str, str], bool]:
                 continue
             for code in before.keys() & after.keys():
                 one, two = before[code], after[code]
-                moves_it = differ(one.value, two.value) or differ(one.limit, two.limit)
+                values = (one.value, two.value), (one.limit, two.limit)
+                moves_it = one.warning != two.warning or any(differ(*each) for each in values)
                 pair = code, input_of(name)
                 found[pair] = found.get(pair, False) or moves_it
     return found

@@ -221,8 +221,16 @@ def test_the_contact_at_the_peak_torque_by_the_static_limit(share: float) -> Non
         assert found.torque_reserve == pytest.approx(share**2, rel=1e-9)
         nobody = check_of(f"contact_static_{body}", plain)
         assert (nobody.status, nobody.missing) == ("not_asked", ("load.peak_torque",))
-        unknown_limit = having(design, **{f"{body}_material": PIN})
-        assert check_of(f"contact_static_{body}", unknown_limit).reason == "no_sourced_limit"
+        # what a material without a static limit bears for many loads it bears once
+        lasting = replace(PIN, limit=ContactLimit("given", share * at_peak))
+        found = check_of(f"contact_static_{body}", having(design, **{f"{body}_material": lasting}))
+        if share > 1:
+            assert (found.status, found.criterion) == ("pass", "given")
+            assert found.limit == pytest.approx(share * at_peak, rel=1e-12)
+        else:
+            assert (found.status, found.reason) == ("not_checked", "limit_unknown")
+        limitless = having(design, **{f"{body}_material": replace(PIN, limit=None)})
+        assert check_of(f"contact_static_{body}", limitless).reason == "limit_unknown"
     # with clearance the forces are those that are solved at the peak
     loose = having(design, hole_radius=0.01003)
     there = having(loose, output_torque=8 * 500.0 / 1.5, peak_torque=None)
