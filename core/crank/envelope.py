@@ -29,7 +29,7 @@ MOST_DYNAMIC, MOST_STATIC = 0.5, 1.0
 (ISO 281)."""
 
 ROWS = 40
-"""Rows of balls at least that are looked at."""
+"""Rows of balls that are looked at besides as many as the gap takes."""
 
 BORES = 64
 """Bores that are looked at where the bore is not known."""
@@ -99,7 +99,9 @@ def largest_ratings(
         count = math.pi / math.asin(gamma)
         dynamic = 1.15 * _roller_factor(gamma) * wide ** (7 / 9) * count**0.75 * gap ** (29 / 27)
         return Bounds(dynamic, 44 * (1 - gamma) * count * wide * gap)
-    rows = range(1, max(ROWS, math.ceil(wide / gap)) + 1)
+    # balls that fill the gap carry more in more rows; beyond these their size falls faster
+    most = {max(1, math.floor(wide / gap)), math.ceil(wide / gap)}
+    rows = most.union(range(1, ROWS + 1))
     return Bounds(max(_balls(i, gap, middle, wide) for i in rows), 16.5 * math.pi * middle * wide)
 
 

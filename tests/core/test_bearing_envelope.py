@@ -64,6 +64,39 @@ def test_bounds_grow_with_the_room(kind: Bearing) -> None:
         bounds(bore_diameter=0.05)
 
 
+def of_rows(rows: int, bore: float, outer: float, width: float) -> float:
+    """Dynamic rating of a full complement of so many rows of balls of at most 25.4 mm, N; mm."""
+    ball, middle = min((outer - bore) / 2, width / rows), (outer + bore) / 2
+    g = ball / middle
+    reduced = 1 + (1.04 * ((1 - g) / (1 + g)) ** 1.72) ** (10 / 3)
+    factor = g**0.3 * (1 - g) ** 1.39 / (1 + g) ** (1 / 3) / reduced**0.3
+    count = np.pi / np.arcsin(g)
+    return 1.3 * 37.905 * 26**0.41 * factor * rows**0.7 * count ** (2 / 3) * ball**1.8
+
+
+@pytest.mark.parametrize(
+    ("bore", "outer", "width", "most"),
+    [(25, 52, 15, 60), (49.9, 50, 15, 400), (3, 40, 200, 60), (49.9, 50, 0.03, 3)],
+)
+def test_the_rows_that_carry_most(bore: float, outer: float, width: float, most: int) -> None:
+    found = largest_ratings(
+        kind="ball", bore_diameter=bore / 1e3, outer_diameter=outer / 1e3, width=width / 1e3
+    )
+    best = max(of_rows(i, bore, outer, width) for i in range(1, most + 1))
+    assert found.dynamic == pytest.approx(best, rel=1e-12)
+
+
+def test_a_ring_as_thin_as_numbers_are() -> None:
+    # as many rows as there is room for would be ten million million
+    found = largest_ratings(
+        kind="ball",
+        bore_diameter=float(np.nextafter(0.05, 0)),
+        outer_diameter=0.05,
+        width=1e-3,
+    )
+    assert 0 < found.dynamic < 1e-3
+
+
 def bearing(**changes: Any) -> Design:
     return having(WHOLE, contact_law=None, bearing=replace(WHOLE.bearing, **changes))
 
