@@ -44,13 +44,15 @@ check: .venv/test  ## what to run while working: style, types, imports, fast tes
 		QUICK=--hypothesis-profile=quick
 
 test: lint types node compiled  ## everything: check, and all that is slower, the page too
-	@tests/tools.sh chromium chromium fonts-dejavu-core
+	@command -v chromium >/dev/null \
+		|| tests/tools.sh chromium-headless-shell chromium-headless-shell fonts-dejavu-core
 	$(BIN)/pytest --quiet --numprocesses auto --dist worksteal --maxfail 30
 	@echo
 	@echo "make test: style, types, imports, tests and doctests passed"
 	@command -v node >/dev/null && echo "make test: the page's modules passed" \
 		|| echo "make test: SKIPPED the page's modules, no node"
-	@command -v chromium >/dev/null && echo "make test: the page in Chromium passed" \
+	@$(BIN)/python -c "from tests import chromium as c; exit(not c.path())" \
+		&& echo "make test: the page in Chromium passed" \
 		|| echo "make test: SKIPPED the page, no chromium"
 
 lint: .venv/test

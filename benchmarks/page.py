@@ -6,15 +6,15 @@ first figure is there after the page is opened for the first time (the mark is a
 frame of the moving drawing takes; the mark is the time from one frame of a screen to the next.
 """
 
-import shutil
 import statistics
 import sys
 from collections.abc import Collection
 
-from playwright.sync_api import Browser, Page, sync_playwright
+from playwright.sync_api import Browser, Page
 
 from benchmarks.load import service as running_service
 from benchmarks.options import options
+from tests import chromium
 
 NUMBERS_MS, FIGURES_MS, FIRST_MS, FRAME_MS = 150, 300, 1000, 16.7
 ROUNDS = 15
@@ -103,10 +103,7 @@ def measure(page: Page, service: str, calculator: str, rounds: int) -> tuple[flo
 
 def main(rounds: int, calculators: Collection[str]) -> bool:
     """Measure these calculators; whether a mark is missed."""
-    with running_service("app.serve") as service, sync_playwright() as playwright:
-        browser = playwright.chromium.launch(
-            executable_path=shutil.which("chromium"), args=["--no-proxy-server", "--no-sandbox"]
-        )
+    with running_service("app.serve") as service, chromium.started() as browser:
         page, missed = browser.new_page(), False
         address = f"http://127.0.0.1:{service.port}"
         for calculator in calculators:
@@ -121,7 +118,6 @@ def main(rounds: int, calculators: Collection[str]) -> bool:
         frame = page.locator(".motion input[type=range]").evaluate(TURN)
         missed |= frame > FRAME_MS
         print(f"{'a frame':16} {frame:5.2f} ms")
-        browser.close()
     return missed
 
 

@@ -11,7 +11,6 @@ import argparse
 import itertools
 import json
 import os
-import shutil
 import statistics
 import subprocess
 import sys
@@ -32,6 +31,7 @@ from benchmarks.revision import ROOT, extract
 from benchmarks.service import BODIES, CURVES
 from benchmarks.soak import family
 from benchmarks.speed import SECTIONS
+from tests import chromium
 
 MEDIAN, WORST = 1.05, 1.2
 """Most that all take of what they took, and that one of them takes."""
@@ -149,14 +149,8 @@ def measured(both: list[Running], asked: Asked, rounds: int) -> Iterator[tuple[s
 
 def until_the_figure(both: list[Running], rounds: int) -> tuple[str, float, float]:
     """The same of the time until the page has its first figure, by turns."""
-    from playwright.sync_api import sync_playwright
-
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(
-            executable_path=shutil.which("chromium"), args=["--no-proxy-server", "--no-sandbox"]
-        )
+    with chromium.started() as browser:
         took = [[first_figure(browser, each.url, 1) / 1e3 for each in both] for _ in range(rounds)]
-        browser.close()
     first = statistics.median(each[0] for each in took)
     return "first figure", first, statistics.median(new / old for old, new in took)
 
@@ -176,7 +170,7 @@ def main(base: str, smallest: bool = False) -> int:
         print(f"{'asked':26s} {'before, ms':>10s} {'ratio':>6s}")
         ratios = []
         found = measured(both, asked, rounds)
-        pages = [until_the_figure] if shutil.which("chromium") and not smallest else []
+        pages = [until_the_figure] if chromium.path() and not smallest else []
         for name, before, ratio in itertools.chain(found, (page(both, rounds) for page in pages)):
             print(f"{name:26s} {1e3 * before:10.3f} {ratio:6.3f}", flush=True)
             ratios.append(ratio)

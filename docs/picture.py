@@ -1,11 +1,9 @@
 """Takes the README's picture: the page as it opens, 1280 pixels wide, to `docs/page.webp`."""
 
 import base64
-import shutil
 from pathlib import Path
 
-from playwright.sync_api import sync_playwright
-
+from tests import chromium
 from tests.running_service import running_service
 
 PICTURE = Path(__file__).parent / "page.webp"
@@ -14,10 +12,7 @@ SHOWN = {"x": 0, "y": 0, "width": 1280, "height": 848, "scale": 1}
 
 def main() -> None:
     """Take the picture and say how large it is."""
-    with running_service() as service, sync_playwright() as playwright:
-        browser = playwright.chromium.launch(
-            executable_path=shutil.which("chromium"), args=["--no-proxy-server", "--no-sandbox"]
-        )
+    with running_service() as service, chromium.started() as browser:
         page = browser.new_page(viewport={"width": 1280, "height": 900}, locale="en-GB")
         page.goto(service.url)
         page.locator(".js-plotly-plot").first.wait_for()
@@ -25,7 +20,6 @@ def main() -> None:
         taken = page.context.new_cdp_session(page).send(
             "Page.captureScreenshot", {"format": "webp", "quality": 85, "clip": SHOWN}
         )
-        browser.close()
     PICTURE.write_bytes(base64.b64decode(taken["data"]))
     print(f"{PICTURE.name}: {PICTURE.stat().st_size / 1000:.0f} kB")
 

@@ -1,12 +1,13 @@
 """Every benchmark in its smallest form: it runs to its end, says what it should, writes nothing."""
 
 import os
-import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+
+from tests import chromium
 
 ROOT = Path(__file__).parent.parent.parent
 SAYS = {
@@ -43,7 +44,7 @@ def written() -> dict[Path, float]:
     [pytest.param(name, marks=pytest.mark.browser) if name == "page" else name for name in SAYS],
 )
 def test_a_benchmark_runs_in_its_smallest_form(name: str) -> None:
-    if name == "page" and not shutil.which("chromium"):
+    if name == "page" and not chromium.path():
         assert not os.environ.get("CI"), "no Chromium"
         pytest.skip("no Chromium on this machine")
     before = written()

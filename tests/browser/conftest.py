@@ -1,7 +1,6 @@
 """The page in a real headless Chromium against a running service; every page is watched."""
 
 import os
-import shutil
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -10,6 +9,7 @@ from urllib.parse import urlsplit
 import pytest
 from playwright import sync_api
 
+from tests import chromium
 from tests.running_service import running_service
 
 HERE = Path(__file__).parent
@@ -21,23 +21,6 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
             item.add_marker(pytest.mark.browser)
 
 
-def chromium_path() -> str | None:
-    """The Chromium of this machine, if it has one."""
-    return next(filter(None, map(shutil.which, ("chromium", "chromium-browser"))), None)
-
-
-def _chromium() -> str:
-    found = chromium_path()
-    if found:
-        return found
-    reason = (
-        "no Chromium on this machine: the page is not tested (Debian: apt-get install chromium)"
-    )
-    if os.environ.get("CI"):
-        pytest.fail(reason)
-    pytest.skip(reason)
-
-
 @pytest.fixture(scope="session")
 def service() -> Iterator[str]:
     """Address of the running service."""
@@ -47,13 +30,13 @@ def service() -> Iterator[str]:
 
 @pytest.fixture(scope="package")  # its loop ends with it, before tests that need their own
 def browser() -> Iterator[sync_api.Browser]:
-    path = _chromium()
-    with sync_api.sync_playwright() as playwright:
-        browser = playwright.chromium.launch(
-            executable_path=path, args=["--no-proxy-server", "--no-sandbox"]
-        )
+    if not chromium.path():
+        reason = "no Chromium on this machine: the page is not tested (tests/tools.sh)"
+        if os.environ.get("CI"):
+            pytest.fail(reason)
+        pytest.skip(reason)
+    with chromium.started() as browser:
         yield browser
-        browser.close()
 
 
 DESCRIPTION = [
