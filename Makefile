@@ -51,7 +51,7 @@ test: lint types node compiled  ## everything: check, and all that is slower, th
 	@echo "make test: style, types, imports, tests and doctests passed"
 	@command -v node >/dev/null && echo "make test: the page's modules passed" \
 		|| echo "make test: SKIPPED the page's modules, no node"
-	@$(BIN)/python -c "from tests import chromium as c; exit(not c.path())" \
+	@$(BIN)/python -c "from tests.inputs import chromium as c; exit(not c.path())" \
 		&& echo "make test: the page in Chromium passed" \
 		|| echo "make test: SKIPPED the page, no chromium"
 

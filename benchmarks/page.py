@@ -14,7 +14,7 @@ from playwright.sync_api import Browser, Page
 
 from benchmarks.load import service as running_service
 from benchmarks.options import options
-from tests import chromium
+from tests.inputs import chromium
 
 NUMBERS_MS, FIGURES_MS, FIRST_MS, FRAME_MS = 150, 300, 1000, 16.7
 ROUNDS = 15

@@ -31,7 +31,7 @@ from benchmarks.revision import ROOT, extract
 from benchmarks.service import BODIES, CURVES
 from benchmarks.soak import family
 from benchmarks.speed import SECTIONS
-from tests import chromium
+from tests.inputs import chromium
 
 MEDIAN, WORST = 1.05, 1.2
 """Most that all take of what they took, and that one of them takes."""

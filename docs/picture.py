@@ -3,7 +3,7 @@
 import base64
 from pathlib import Path
 
-from tests import chromium
+from tests.inputs import chromium
 from tests.running_service import running_service
 
 PICTURE = Path(__file__).parent / "page.webp"

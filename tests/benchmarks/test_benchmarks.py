@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests import chromium
+from tests.inputs import chromium
 
 ROOT = Path(__file__).parent.parent.parent
 SAYS = {

@@ -9,7 +9,7 @@ from urllib.parse import urlsplit
 import pytest
 from playwright import sync_api
 
-from tests import chromium
+from tests.inputs import chromium
 from tests.running_service import running_service
 
 HERE = Path(__file__).parent
