@@ -461,7 +461,8 @@ def _highest(points: FloatArray, weights: FloatArray) -> FloatArray:
     up = bend > 0  # the root at which the slope falls, without a difference of numbers alike
     root += np.abs(bend)
     after, before = np.where(up, root, 2 * rise), np.where(up, -2 * fall, root)
-    way = after / (after + before)  # the middle point is the highest: both are positive
+    # the middle point is the highest: both are positive, or both 0 by rounding
+    way = after / np.where(after + before > 0, after + before, 1.0)
     left = 1 - way
     b0, b1, b2 = left * left, 2 * way * left, way * way
     inside = (c0 * b0 + c1 * b1 + c2 * b2) / (t0 * b0 + t1 * b1 + t2 * b2)
