@@ -78,6 +78,7 @@ accuracy: .venv/test  ## check stated errors and hard cases; writes docs/accurac
 	PYTHONPATH=. $(BIN)/python -m benchmarks.stability
 	PYTHONPATH=. $(BIN)/python -m benchmarks.front
 	PYTHONPATH=. $(BIN)/python -m benchmarks.honesty
+	PYTHONPATH=. $(BIN)/python -m benchmarks.pins
 	PYTHONPATH=. $(BIN)/python -m benchmarks.peaks
 	PYTHONPATH=. $(BIN)/python -m benchmarks.fit
 	PYTHONPATH=. $(BIN)/python -m benchmarks.turns

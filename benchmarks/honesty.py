@@ -42,9 +42,8 @@ size, that of its vector, the largest force, the pin circle, the range shown. Fr
 nothing is known, and the answer warns of it (`hardly_known`): such cases, none of them practical,
 have a column of their own. Overstated: median of the stated error over the largest one measured in
 the answer (at least 2^-54). Pins state what their search may end below the largest, 1e-14, and
-eight times the error of the peak force, which grows with the exponent: none was measured to be off
-by more than a twentieth of it, but nothing less is certain. Under forces that
-are not smooth (exponents below 1) the worst place of fatigue lies on a ridge: 1e-11 besides.
+twice the error of the peak force, which grows with the exponent; between two supports also what
+cancels in the deflection.
 
 | calculation | cases | refused | nothing known | holds | practical | extreme | \
 overstated, practical | extreme | largest measured | largest stated |

@@ -17,6 +17,7 @@ pin_fatigue         what the fatigue of a pin is judged by, and the verdict on a
 pin_turn            the forces that one pin feels over a turn
 sampled_turn        the forces of the mechanism as it is made, at samples
 pin_search          where over the turn, along the pin and around it a measure is largest
+pin_cycle           the worst stress cycle of a pin, of all sections and directions
 loaded_pin          a pin under the forces of a turn: its largest stresses, its worst cycle
 edge_load           line load at the ends of contacts whose pins slope
 pin_strength        bending, shear, static safety, fatigue and deflection of the pins

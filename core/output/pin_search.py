@@ -12,7 +12,8 @@ What is left when that is little is narrowed down in all variables at once.
 """
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
+from copy import copy
 from dataclasses import dataclass
 from functools import cache
 from typing import Any, TypeVar
@@ -51,13 +52,21 @@ MISSED = SETTLED / 8
 """By how much, as a part of it, the best place of a summit may miss what is largest: where its
 neighbours lie no lower than `SETTLED`, the top of the parabola through all three does by this."""
 
+RISE = 1e-11
+"""By how much, as a part of it, the top of a parabola may lie above the best place where it counts
+itself: what it misses by is of the third order, that of the second."""
+
 SIDES = 4e-15
 """How far both sides of a hill differ by rounding, as a part of its height: what its middle misses
 by that is the square of it, over the fall to the next samples."""
 
-JOINT_SMOOTH, JOINT_ROUNDS = 16, 22
-"""Rounds in all variables at once, where the forces are smooth and where not: in each the distances
-halve at least, and what may be left above, `NEAR_AROUND` at first, falls to a quarter."""
+JOINT_ROUNDS = 22
+"""Most rounds in all variables at once."""
+
+REACHED = 9.0
+"""How much lower a summit may be where it is followed from than where it is highest, over what is
+lost half the way to the next points: that grows with the square of the way, which may be three
+times as far, to a summit about a neighbour that is not followed."""
 
 FOLLOWED = 4
 """How far about a place that moves with the section is looked next at least, over how far it moved:
@@ -95,8 +104,8 @@ CLOSED = 1 - 1e-14
 Measure = Callable[..., FloatArray]
 """Of the sums of the satellites' forces times each of their arms."""
 
-Value = Callable[..., tuple[FloatArray, Sequence[IntArray]]]
-"""Of a grid of each variable, each shape (rows, m): the largest value, and where on each grid."""
+Arms = Callable[[FloatArray], tuple[FloatArray, ...]]
+"""Of sections: what unit forces of the satellites do there, each with the satellites last."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,14 +116,29 @@ class Summits:
     arc: IntArray  # which arc of the turn, shape (n,)
     place: FloatArray  # where on it, as a part of the way, shape (n,)
     width: FloatArray  # distance of the farther neighbour, shape (n,)
+    height: FloatArray  # how high they may be, shape (n,)
 
     def of(self, index: IntArray) -> "Summits":
         """Some of them, or some several times."""
-        return Summits(self.row[index], self.arc[index], self.place[index], self.width[index])
+        row, arc = self.row[index], self.arc[index]
+        return Summits(row, arc, self.place[index], self.width[index], self.height[index])
+
+    def before(self, others: "Summits") -> "Summits":
+        """These and then others."""
+        row, arc, place, width, height = (
+            np.concatenate((getattr(self, name), getattr(others, name)))
+            for name in self.__dataclass_fields__
+        )
+        return Summits(row, arc, place, width, height)
 
 
 def summits(
-    *, turn: Turn, arms: tuple[NDArray[Any], ...], measure: Measure, known: bool = True
+    *,
+    turn: Turn,
+    arms: tuple[NDArray[Any], ...],
+    measure: Measure,
+    known: bool = True,
+    lower: FloatArray | float = 0.0,
 ) -> tuple[FloatArray, Summits]:
     """Largest samples of a measure over the turn, and the summits that may hold the largest value.
 
@@ -130,6 +154,9 @@ def summits(
         Whether also those whose height is that of their sample: samples like both their neighbours,
         ends of arcs from which the measure falls by a slope that is known, and middles of arcs with
         two sides alike.
+    lower : float or array, shape (rows,)
+        By how much lower than the largest a summit may be, where others may rise as something else
+        moves.
 
     Returns
     -------
@@ -149,14 +176,19 @@ def summits(
     bend = np.abs(slope - (end - farther) / second) * (first / (second - first))
     room[..., :: count - 1] += bend * (first / 2)
     most = values.max(axis=(1, 2))
-    chosen &= values + room >= most[:, None, None]
+    heights = values + room
+    # of samples that differ by rounding only, one an arc
+    size = SIDES * np.abs(values).max(axis=(1, 2), keepdims=True)
+    chosen &= (drop > size) | (np.arange(count) == values.argmax(axis=2)[..., None])
+    chosen &= heights >= np.asarray(most - lower)[:, None, None]
     if not known:
         chosen &= drop > SETTLED * np.abs(values)
         chosen[..., count // 2] &= ~_even_hills(turn.nodes, values)
         if turn.smooth:
             chosen[..., :: count - 1] &= bend > slope / 2
     row, arc, node = np.nonzero(chosen)
-    return most, Summits(row, turn.arcs[arc], turn.nodes[node], turn.gaps[node])
+    height = heights[row, arc, node]
+    return most, Summits(row, turn.arcs[arc], turn.nodes[node], turn.gaps[node], height)
 
 
 def largest(
@@ -199,18 +231,20 @@ def largest(
     result, tops = summits(turn=turn, arms=arms, measure=measure, known=False)
     if not len(tops.row):
         return result
-    own, summit = tuple(each[tops.row] for each in arms), OfArcs(turn, tops)
-
-    def measured(forces: NDArray[Any]) -> FloatArray:
-        return measure(*(combine(arms=each, forces=forces) for each in own))[:, None]
-
-    best = np.full(len(tops.row), -np.inf)
+    summit = OfArcs(turn, tops)
     for _ in range(rounds or (SMOOTH if turn.smooth else ROUNDS)):
-        top, above, settled = summit.narrow(measured, CELLS**2)
-        best = np.maximum(best, (above if rounds else top)[:, 0])
-        if settled.all():
+        own = tuple(each[summit.row] for each in arms)
+
+        def measured(forces: NDArray[Any], own: tuple[NDArray[Any], ...] = own) -> FloatArray:
+            return measure(*(combine(arms=each, forces=forces) for each in own))[:, None]
+
+        top, above, left = (each.ravel() for each in summit.narrow(measured, CELLS**2))
+        np.maximum.at(result, summit.row, above if rounds else top)
+        kept = np.flatnonzero((left > 0) & (above + left >= result[summit.row]))
+        if not len(kept):
             break
-    np.maximum.at(result, tops.row, best)
+        if len(kept) < len(left):
+            summit = summit.of(kept)
     return result
 
 
@@ -254,13 +288,23 @@ class OfArcs:
     ----------
     at : callable
         The forces at parts of the way along each arc.
+    row : array of int, shape (n,)
+        Which row of the arms.
     place, width : array, shape (n,)
         Where they are by now, and how far about that is to be looked.
     """
 
     def __init__(self, turn: Turn, tops: Summits) -> None:
-        self.at, self.smooth, self.near = turn.at(tops.arc), turn.smooth, False
-        self.place, self.width = tops.place, tops.width
+        self.turn, self.near, self.row, self.arc = turn, False, tops.row, tops.arc
+        self.place, self.width, self.at = tops.place, tops.width, turn.at(tops.arc)
+
+    def of(self, index: IntArray) -> "OfArcs":
+        """Some of them."""
+        found = copy(self)
+        found.row, found.arc = self.row[index], self.arc[index]
+        found.place, found.width = self.place[index], self.width[index]
+        found.at = self.turn.at(found.arc)
+        return found
 
     def narrow(
         self,
@@ -268,7 +312,7 @@ class OfArcs:
         closer: int,
         *,
         seen: int | None = None,
-    ) -> tuple[FloatArray, FloatArray, BoolArray]:
+    ) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Look about each summit, and go on to it.
 
         Parameters
@@ -285,8 +329,8 @@ class OfArcs:
         -------
         highest, above : array, shape (n, s)
             Largest values, and where they are more those of the parabolas through their neighbours.
-        settled : array of bool, shape (n,)
-            Whether nothing is left.
+        left : array, shape (n,)
+            How much higher it may be; 0 where it is settled.
         """
         place, width = self.place, self.width
         before, after = np.minimum(place, width), np.minimum(1 - place, width)
@@ -307,17 +351,19 @@ class OfArcs:
         at = grid[row[:, 0], best]
         stuck = ((best == 0) | (best == 2 * CELLS)) & (at > 0) & (at < 1)
         size = np.abs(top[own])
-        settled = top[own] - values.min(axis=0)[own] <= SETTLED * size
-        parabolic = self.smooth | (width <= np.minimum(place, 1 - place) / 2)
+        fall = top[own] - values.min(axis=0)[own]
+        settled = fall <= SETTLED * size
+        parabolic = self.turn.smooth | (width <= np.minimum(place, 1 - place) / 2)
         if self.near:  # the parabola of so near places is right
-            settled |= (above[own] - top[own] <= MISSED * size) & ~stuck & parabolic
+            enough = MISSED if seen is None else RISE
+            settled |= (above[own] - top[own] <= enough * size) & ~stuck & parabolic
         self.near = True
         self.place = np.where(stuck | (above == top)[own], at, vertex[own])
         narrower = np.where(parabolic, 1 / closer, 1 / min(closer, CELLS))
         self.width = width * np.where(stuck, 2.0, narrower)
         if seen is not None:
             self.width = np.maximum(self.width, FOLLOWED * np.abs(self.place - place))
-        return top, above, settled
+        return top, above, np.where(settled, 0.0, np.where(stuck, np.inf, fall))
 
 
 def _vertex(places: FloatArray, values: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -357,65 +403,6 @@ def _even_hills(nodes: FloatArray, values: FloatArray) -> BoolArray:
     return found
 
 
-Limits = tuple[FloatArray | float, FloatArray | float]
-
-
-def narrowed(
-    *,
-    value: Value,
-    places: tuple[FloatArray, ...],
-    widths: tuple[FloatArray, ...],
-    limits: tuple[Limits, ...],
-    cells: tuple[int, ...],
-    rounds: int,
-) -> tuple[FloatArray, tuple[FloatArray, ...]]:
-    """Largest values near places: a grid of all variables that closes in on its best point.
-
-    Parameters
-    ----------
-    value : callable
-        Of the grids, one a variable.
-    places, widths : tuple of array, each shape (rows,)
-        Where each variable starts, and how far about it is looked first.
-    limits : tuple of (low, high)
-        Of each variable, numbers or shape (rows,).
-    cells : tuple of int
-        Cells of each variable's grid on each side of its best place.
-    rounds : int
-        Rounds.
-
-    Returns
-    -------
-    values : array, shape (rows,)
-    places : tuple of array, each shape (rows,)
-    """
-    every = np.arange(len(places[0]))
-    best = np.full(len(every), -np.inf)
-    here, around = list(places), list(widths)
-    steps = [np.arange(-each, each + 1) / each for each in cells]
-    columns = [tuple(map(_column, each)) for each in limits]
-    for _ in range(rounds):
-        grids = [
-            np.minimum(np.maximum(at[:, None] + width[:, None] * parts, low), high)
-            if width.any()
-            else at[:, None]
-            for at, width, parts, (low, high) in zip(here, around, steps, columns, strict=True)
-        ]
-        found, picks = value(*grids)
-        best = np.maximum(best, found)
-        for k, (grid, index, (low, high)) in enumerate(zip(grids, picks, limits, strict=True)):
-            here[k] = grid[every, index]
-            if grid.shape[1] > 1:
-                edge = (index == 0) | (index == 2 * cells[k])
-                stuck = edge & (here[k] != low) & (here[k] != high)
-                around[k] = around[k] * np.where(stuck, 2.0, 2 / cells[k])
-    return best, tuple(here)
-
-
-def _column(limit: FloatArray | float) -> FloatArray | float:
-    return limit[:, None] if isinstance(limit, np.ndarray) else limit
-
-
 @dataclass(frozen=True, slots=True)
 class Points:
     """Points of the pin's edge about which a largest value may lie."""
@@ -434,13 +421,43 @@ class Points:
         return Points(section, direction, length, self.angle, low, high)
 
 
+def quadratics(*, arms: Arms, points: Points) -> Arms:
+    """Arms near points, where the line load is even, so that moments are quadratic.
+
+    Parameters
+    ----------
+    arms : callable
+        Of any sections.
+    points : Points
+        On the stretches that count.
+
+    Returns
+    -------
+    callable
+        Of sections of the stretches, m, shape (rows, s).
+    """
+    low, high = points.low, points.high
+    ends = arms(np.stack((low, (low + high) / 2, high)))
+    width = np.where(high > low, high - low, 1.0)[:, None]
+
+    def within(x: FloatArray) -> tuple[FloatArray, ...]:
+        t = ((x - low[:, None]) / width)[..., None]
+        parts = (1 - t) * (1 - 2 * t), 4 * t * (1 - t), t * (2 * t - 1)
+        return tuple(
+            sum(part * each[:, None] for part, each in zip(parts, values, strict=True))
+            for values in ends
+        )
+
+    return within
+
+
 Found = TypeVar("Found")
 """What is known of the largest value."""
 
 
 def highest(
     *,
-    value: Callable[[Points, int], tuple[FloatArray, FloatArray]],
+    value: Callable[[Points, int], tuple[FloatArray, FloatArray, FloatArray]],
     stretches: FloatArray,
     around: bool = False,
     enough: float,
@@ -456,13 +473,13 @@ def highest(
     value : callable
         Of points and in how many rounds the turn is to be searched: values, shape (rows,), and how
         far above them a largest one may lie that is no farther off than half the way to the next
-        points.
+        points; and how much of that `climb` needs to be little.
     stretches : array, shape (2, s)
         Ends of the stretches along which the value is smooth; the same twice for one section.
     around : bool
         Whether directions count.
     enough : float
-        What may be left above the best point, as a part of the value, for this search to end.
+        What may be left of the latter, as a part of the value, for this search to end.
     climb : callable
         What is to be known of the largest value about the points that are left, the best first.
     size : int
@@ -493,7 +510,7 @@ def highest(
     while True:
         blocks = [np.s_[i : i + rows] for i in range(0, len(at.section), rows)]
         found = [value(at.of(each), rounds) for each in blocks]
-        values, room = map(np.concatenate, zip(*found, strict=True))
+        values, room, above = map(np.concatenate, zip(*found, strict=True))
         best = max(best, float(values.max()))
         share = CLOSED if closed else ROUGHLY if rounds else SAMPLED
         least = max(min(best * share, float(values.max())), beyond * share)
@@ -501,7 +518,7 @@ def highest(
         if not len(kept):
             return None
         kept = kept[np.argsort(-values[kept], kind="stable")[:KEPT]]
-        left = float(room[kept].max()) / enough
+        left = float(above[kept].max()) / enough
         if left <= best:
             return climb(at.of(kept[_apart(at.of(kept))]))
         closer = CLOSER
@@ -523,6 +540,7 @@ def climbed(
     *,
     value: Callable[[FloatArray, FloatArray], tuple[FloatArray, BoolArray]],
     points: Points,
+    rounds: int = JOINT_ROUNDS,
 ) -> tuple[FloatArray, FloatArray]:
     """Sections about points, and directions where they count, at which a value is largest, by
     Newton's method with differences.
@@ -534,6 +552,8 @@ def climbed(
         stretches: values there, and for each row whether they are as good as they get.
     points : Points
         Where to start.
+    rounds : int
+        Most rounds.
 
     Returns
     -------
@@ -541,22 +561,25 @@ def climbed(
     """
     x, chi, length = points.section, points.direction, points.length
     angle, every = np.full(len(x), points.angle), np.arange(len(x))
+    before = np.zeros(len(x), dtype=np.bool_)  # whether the last step was one of Newton's
     along, around = bool(length.any()) or not points.angle, points.angle > 0
     move_x, move_chi = _steps(3, along, around)
-    rows, columns = 3 if around else 1, 3 if along else 1
-    for _ in range(JOINT_ROUNDS):
+    lines, columns = 3 if around else 1, 3 if along else 1
+    for _ in range(rounds):
         f, settled = value(
             x[:, None] + length[:, None] * move_x, chi[:, None] + angle[:, None] * move_chi
         )
-        grid, best = f.reshape(-1, rows, columns), f.argmax(axis=1)
-        by_x, by_chi = grid[:, rows // 2].T, grid[:, :, columns // 2].T
+        grid, top = f.reshape(-1, lines, columns), f.argmax(axis=1)
+        highest = f[every, top]
+        over = highest - f.min(axis=1) <= SETTLED * np.abs(highest)
+        by_x, by_chi = grid[:, lines // 2].T, grid[:, :, columns // 2].T
         here = by_x[columns // 2]
         slope_x, slope_chi = (by_x[-1] - by_x[0]) / 2, (by_chi[-1] - by_chi[0]) / 2
         bent_x, bent_chi = by_x[-1] + by_x[0] - 2 * here, by_chi[-1] + by_chi[0] - 2 * here
         mixed = (grid[:, -1, -1] - grid[:, -1, 0] - grid[:, 0, -1] + grid[:, 0, 0]) / 4
         held = (length == 0) | np.where(slope_x > 0, x >= points.high, x <= points.low)
         slope_x, bent_x, mixed = np.where(held, ([0.0], [-1.0], [0.0]), (slope_x, bent_x, mixed))
-        if rows == 1:
+        if lines == 1:
             bent_chi -= 1.0
         bent = bent_x * bent_chi - mixed * mixed
         known = (bent_x < 0) & (bent > 0)
@@ -565,15 +588,17 @@ def climbed(
         step_chi = (mixed * slope_x - bent_x * slope_chi) / size
         far = np.maximum(np.abs(step_x), np.abs(step_chi))
         known &= far <= 1
-        step_x, step_chi = np.where(known, (step_x, step_chi), (move_x[best], move_chi[best]))
+        step_x, step_chi = np.where(known, (step_x, step_chi), (move_x[top], move_chi[top]))
         gain = slope_x * step_x + slope_chi * step_chi  # twice what is left to a parabola's top
-        done = known & settled & (gain <= SETTLED * np.abs(here))
+        left = np.maximum(here.max() - here, 2 * SETTLED * np.abs(here))
+        over |= known & settled & (2 * gain <= left)
         x = np.minimum(np.maximum(x + length * step_x, points.low), points.high)
         chi = chi + angle * step_chi
-        if (done | (known & (here + 2 * gain < here.max()))).all():
+        if over.all():
             break
-        wider = np.where(f[every, best] > here, 2.0, 0.5)
+        wider = np.where(highest > here, np.where(before, 1.0, 2.0), 0.5)
         wider = np.where(known, np.maximum(far, 1 / NARROWER), wider)
+        before = known
         length, angle = length * wider, angle * wider
     return x, chi
 
@@ -603,12 +628,15 @@ def first_of(*, values: FloatArray, section: FloatArray) -> int:
 
 
 def _apart(points: Points) -> IntArray:
-    """Points that are no neighbours of one before them."""
-    x, chi, length = (each.tolist() for each in (points.section, points.direction, points.length))
+    """Points that are no neighbours of one before them on their stretch."""
+    rows = points.section, points.direction, points.length, points.low
+    x, chi, length, low = (each.tolist() for each in rows)
     chosen: list[int] = []
     for k in range(len(x)):
         if all(
-            abs(x[k] - x[j]) > 1.5 * length[j] or abs(chi[k] - chi[j]) > 1.5 * points.angle
+            low[k] != low[j]
+            or abs(x[k] - x[j]) > 1.5 * length[j]
+            or abs(chi[k] - chi[j]) > 1.5 * points.angle
             for j in chosen
         ):
             chosen.append(k)

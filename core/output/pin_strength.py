@@ -29,14 +29,6 @@ from core.results import ROUNDING, Accuracy, Notice, poorly_known
 AT_ZERO = 1e-6
 """Directions closer to 0 than this, rad, are 0: none is known better."""
 
-ON_RIDGES = 1e-11
-"""Relative error besides of a safety in fatigue under forces that are not smooth: the worst place
-lies on a ridge, along which section, direction and angles move together."""
-
-
-def _is_smooth(loads: PinLoads) -> bool:
-    return not isinstance(loads.turn, PinTurn) or loads.turn.smooth
-
 
 @dataclass(frozen=True, slots=True)
 class PinDeflection:
@@ -155,10 +147,7 @@ class PinStresses:
         if min(positions) < pin.diameter / 2:
             notices.append(Notice("short_pin"))
         chi = None if cycle is None else cycle.direction
-        error = self.error
-        if fatigue is not None and not rotates and not all(map(_is_smooth, self.loads)):
-            error += ON_RIDGES
-        accuracy = Accuracy(self.method, error, self.evaluations)
+        accuracy = Accuracy(self.method, self.error, self.evaluations)
         strength = self.material.yield_strength
         return PinStrength(
             peak_force=float(max(each.forces.max() for each in found)),
@@ -284,8 +273,8 @@ def pin_stresses(
             alternates=len(ways) > 1,  # the reverse is the same the other way
         )
         cases = [case]
-        error = 8 * peak.accuracy.relative_error + ENOUGH
-        error += ROUNDING * (64 + 16 * force_exponent)
+        error = 2 * peak.accuracy.relative_error + ENOUGH
+        error += ROUNDING * (32 + 4 * force_exponent)
         method, evaluations = "locus_support", case.turn.forces[0].size
         static = static_torque / torque
     else:
@@ -499,13 +488,13 @@ def _locus(
 
 
 def _of_two_supports(beam: PinBeam, positions: tuple[float, ...]) -> float:
-    """What is lost where a support is near a satellite: there the deflection is small beside its
+    """What is lost where a support is near all satellites: there the deflection is small beside its
     parts, by the cube of the distance.
     """
     if beam.span is None:
         return 0.0
-    near = min(min(positions), beam.span - max(positions))
-    found: float = 8 * ROUNDING * (beam.span / near) ** 3
+    near = max(min(z, beam.span - z) for z in positions)
+    found: float = ROUNDING * (beam.span / near) ** 3
     return found
 
 

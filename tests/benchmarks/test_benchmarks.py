@@ -23,6 +23,7 @@ SAYS = {
     "mutations": "1 of 1 mutations killed",
     "page": "a frame",
     "peaks": "0 peaks missed",
+    "pins": "0 numbers missed",
     "ratios": "whole design",
     "service": "parts of a request",
     "sharing": "compiling is not timed",

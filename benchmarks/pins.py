@@ -1,0 +1,124 @@
+"""Is the largest stress of a pin over the turn its largest? Dense scans of random pins beside it.
+
+Pins under ideal forces whose summits are hard to tell apart (`tests.inputs.pins`): each number of
+their strength is held against a scan of the turn, the pin and all directions that shares nothing
+with the search (`tests.oracles.pin_scan`). What the scan finds above, by more than is stated, was
+missed; where it ends below, nothing is said. Run by `make accuracy`, writes its table to
+docs/accuracy.md; how many may be given: `python -m benchmarks.pins 100`.
+"""
+
+import statistics
+import sys
+import time
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+from benchmarks.options import options
+from core.output.pin_strength import PinStrength, pin_strength
+from tests.inputs.pins import pin_design, solved
+from tests.oracles.pin_scan import pin_extremes
+
+PINS = 1334
+MOST_OVERSTATED = 100
+LEAST = 2.0**-54
+"""Errors below this are none that can be measured."""
+
+REPORT = Path(__file__).parent.parent / "docs" / "accuracy.md"
+TITLE = "\n## Largest stresses of pins\n"
+NEXT = "\n## Peaks over the turn\n"
+HEAD = """
+Made by `benchmarks/pins.py`: random pins under ideal forces, most with cranks nearly even, so
+that many summits over the turn are nearly as high, beside dense scans of turn, sections and
+directions. Missed is what a scan finds beyond the stated error; relative:
+
+| number | pins | missed | most below the scan | stated over true, median | worst |
+|---|---|---|---|---|---|
+"""
+NAMES = (
+    "peak_force",
+    "peak_moment",
+    "peak_shear_force",
+    "peak_equivalent_stress",
+    "deflection",
+    "slope",
+    "safety_factor",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Compared:
+    """By how much numbers of a pin lie below a scan, on the side that is not safe, and what is
+    stated.
+    """
+
+    seed: int
+    below: dict[str, float]
+    stated: float
+
+    def missed(self, name: str) -> bool:
+        """Whether a number lies further below than is stated."""
+        return self.below[name] > self.stated
+
+    def overstated(self, name: str) -> float:
+        """Stated over true error."""
+        return self.stated / max(abs(self.below[name]), LEAST)
+
+
+def number(found: PinStrength, name: str) -> float:
+    """A number of the strength by its name."""
+    parts = found.deflection, found.fatigue, found
+    return float(next(getattr(part, name) for part in parts if hasattr(part, name)))
+
+
+def compared(seed: int) -> Compared:
+    """One pin."""
+    design = pin_design(seed)
+    found, below = pin_strength(**design), {}
+    for name, exact in pin_extremes(design).items():
+        value = number(found, name)
+        off = float((exact - value) / exact)
+        below[name] = -off if name == "safety_factor" else off
+    if design["span"] is not None and found.deflection is not None:
+        # between supports a slope may be next to nothing
+        places = design["satellite_positions"]
+        near = max(min(z, design["span"] - z) for z in places)
+        below["slope"] *= min(1.0, found.deflection.slope * near / found.deflection.deflection)
+    return Compared(seed, below, found.accuracy.relative_error)
+
+
+def row(name: str, found: list[Compared]) -> str:
+    """A row of the table."""
+    over = [each.overstated(name) for each in found]
+    return (
+        f"| {name} | {len(found)} | {sum(each.missed(name) for each in found)} | "
+        f"{max(each.below[name] for each in found):.1e} | {statistics.median(over):.0f} | "
+        f"{max(over):.0f} |\n"
+    )
+
+
+def main(pins: int, smallest: bool = False) -> int:
+    """Compare all and say what came of it; 1 if any number was missed, or too little is stated."""
+    start = time.perf_counter()
+    seeds = [seed for seed in range(pins * 3 // 2) if not solved(seed)]
+    with ProcessPoolExecutor(2) as pool:
+        found = list(pool.map(compared, seeds))
+    for each in found:
+        if wrong := [name for name in NAMES if each.missed(name)]:
+            print(f"BELOW pin {each.seed}: {wrong}, stated {each.stated:.1e}")
+    table = "".join(row(name, found) for name in NAMES)
+    print(table)
+    worst = statistics.median(min(map(each.overstated, NAMES)) for each in found)
+    if not smallest:
+        before, following, after = REPORT.read_text(encoding="utf-8").partition(NEXT)
+        text = before.split(TITLE)[0] + TITLE + HEAD + table + following + after
+        REPORT.write_text(text, encoding="utf-8")
+    missed = sum(each.missed(name) for each in found for name in NAMES)
+    print(f"{missed} numbers missed, {worst:.0f} times overstated")
+    print(f"{time.perf_counter() - start:.0f} s")
+    return 1 if missed or worst > MOST_OVERSTATED else 0
+
+
+if __name__ == "__main__":
+    asked = options(__doc__, pins=PINS)
+    sys.exit(main(6, smallest=True) if asked.smallest else main(asked.pins))
