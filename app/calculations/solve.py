@@ -29,6 +29,7 @@ from app.model import (
     accuracy_values,
     result,
 )
+from app.pointers import holder, inner, keys, with_values
 from app.problems import Problem, invalid_input, refusal, wrong_fields
 from app.running import named, run
 from app.settings import Settings
@@ -135,7 +136,7 @@ class SolveRequest(WorkedFields):
     def design(self) -> dict[str, Any]:
         """The input, with what the target needs and no more asked of the answer."""
         design = deepcopy(self.input)
-        target = _parts(self.target.pointer)
+        target = keys(self.target.pointer)
         sections = crank_planetary.SECTIONS
         if self.calculation == "crank-planetary":
             design["include"] = [target[0] if target and target[0] in sections else "checks"]
@@ -167,7 +168,7 @@ class SolveRequest(WorkedFields):
         if whole and contact is not None and contact.clearance_unknown:
             given.append((("contact", "hole_clearance_mm"), 0.0))
         for path, value in given:
-            if list(path) != _parts(self.variable.pointer):
+            if list(path) != keys(self.variable.pointer):
                 yield ("input", *path), value
 
     def notices(self) -> tuple[Notice, ...]:
@@ -188,13 +189,13 @@ class SolveRequest(WorkedFields):
         """The solution, what it sets, and which inputs were linked."""
         calculation, adapter = SOLVED[self.calculation], self.adapter
         long = math.isinf(self.asked.cost())
-        parts = _parts(self.variable.pointer)
-        place = _parent(self.input, parts)
+        parts = keys(self.variable.pointer)
+        place = holder(self.input, parts)
         if not isinstance(place, dict) or _number(place.get(parts[-1], 0)) is None:
             raise refusal("/variable/pointer", "not_there", field="input")
-        target = _parts(self.target.pointer)
+        target = keys(self.target.pointer)
         start: Any = place.get(parts[-1])
-        hole = _parent(self.input, _parts(HOLE))
+        hole = holder(self.input, keys(HOLE))
         linked = []
         if self.variable.pointer in LINKED and hole and _number(start) is not None:
             linked = [HOLE] if _number(hole.get("hole_radius_mm")) is not None else []
@@ -204,11 +205,7 @@ class SolveRequest(WorkedFields):
             return one | {HOLE: hole["hole_radius_mm"] + (value - start)} if linked else one
 
         def changed(value: float) -> dict[str, Any]:
-            given = deepcopy(self.design)
-            for pointer, each in setting(value).items():
-                path = _parts(pointer)
-                _parent(given, path)[path[-1]] = each
-            return given
+            return with_values(self.design, setting(value))
 
         results: list[float] = []
         refusals: list[Exception] = []
@@ -276,31 +273,6 @@ def _refused(error: Exception) -> Exception:
     return invalid_input(errors, problem.more)
 
 
-def _parts(pointer: str) -> list[str]:
-    """Keys of a JSON pointer."""
-    return [part.replace("~1", "/").replace("~0", "~") for part in pointer[1:].split("/")]
-
-
-def _parent(document: Any, parts: list[str]) -> Any:
-    """What holds the last key of a path, None where there is no such thing."""
-    for part in parts[:-1]:
-        document = _inner(document, part)
-    return document
-
-
-def _inner(document: Any, part: str) -> Any:
-    """What a key holds: of an object, of a list by index or by code."""
-    if isinstance(document, dict):
-        return document.get(part)
-    if isinstance(document, list):
-        if part.isdecimal():
-            return document[int(part)] if int(part) < len(document) else None
-        return next(
-            (each for each in document if isinstance(each, dict) and each.get("code") == part), None
-        )
-    return None
-
-
 def _number(value: Any) -> float | None:
     return float(value) if isinstance(value, (int, float)) and not isinstance(value, bool) else None
 
@@ -309,7 +281,7 @@ def _at(answer: Values, target: list[str]) -> float:
     """Number at a pointer of an answer; NaN where there is none."""
     found: Any = answer
     for part in target:
-        found = _inner(found, part)
+        found = inner(found, part)
     number = _number(found)
     return math.nan if number is None else number
 
