@@ -16,6 +16,7 @@ from app.calculations.checks import (
     codes_to_fix,
     judgement,
 )
+from app.calculations.combined import CombinedOut, combined
 from app.calculations.contact_force import ContactForceResponse, contact_force_figure
 from app.calculations.crankshaft import CrankshaftFields, CrankshaftResponse
 from app.calculations.cyclogram import CyclogramFields, CyclogramResponse, cyclogram_figure
@@ -72,6 +73,7 @@ from core.derived import if_known
 from core.design.real_forces import RealForces
 from core.design.results import MOST_BEARING_PAIRS, MOST_PIN_PAIRS, Results
 from core.fixes.crank import crank_fixes
+from core.fixes.fix import Fix
 from core.output.contact_force import ContactForce
 from core.output.loaded_position import loaded_position
 from core.output.pin_geometry import (
@@ -101,6 +103,7 @@ Section = Literal[
     "usual_fit",
     "checks",
     "fixes",
+    "combined",
     "worked",
 ]
 
@@ -122,6 +125,7 @@ _NEEDS: dict[Section, tuple[str, ...]] = {
     "usual_fit": (*_TOUCHING, "contact/eccentricity_mm"),
     "checks": (),
     "fixes": (),
+    "combined": (),
     "worked": (),
 }
 """Which parts of the request each section of the answer needs, and which of their fields."""
@@ -174,7 +178,8 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         min_length=1,
         max_length=len(_NEEDS),
         description="Sections of the answer: what is not named is not computed. Where it is "
-        "absent: all but geometry, usual_fit, checks and fixes, as far as their input is given; "
+        "absent: all but geometry, usual_fit, checks, fixes and combined, as far as their input is "
+        "given; "
         "load_sharing where clearance, deviations, a contact law, satellites that give or pins "
         "that bend are. "
         "load_sharing and hertz with these are left out then where the forces cannot be solved. "
@@ -220,7 +225,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         lost_motion = self.requirements.max_lost_motion_arcmin is not None
         solves = self.as_made or "load_sharing" in include or lost_motion
         loaded = self.load is not None and self.contact is not None
-        if {"fixes", "usual_fit"} & {*include} or (loaded and (searches or solves)):
+        if {"fixes", "combined", "usual_fit"} & {*include} or (loaded and (searches or solves)):
             return math.inf
         if self.load is None:
             return self.mechanism.cost()
@@ -286,10 +291,10 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         }
 
     def judge(self) -> Values:
-        """Verdict, and checks and fixes where asked."""
+        """Verdict, and checks and fixes, of one input and of several, where asked."""
         found = crank_verdict(self.results, every="checks" in self.sections)
-        fixes = None
-        if "fixes" in self.sections:
+        fixes: list[Fix] = []
+        if {"fixes", "combined"} & {*self.sections}:
             codes = codes_to_fix(found, self.fixes_for)
             fixes = crank_fixes(results=self.results, codes=codes, current=found)
         values = judgement(
@@ -297,8 +302,10 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
             self,
             torque=self.design.load.output_torque if self.design.load else None,
             checks="checks" in self.sections,
-            fixes=fixes,
+            fixes=fixes if "fixes" in self.sections else None,
         )
+        if "combined" in self.sections:
+            values["combined"] = combined(self, found, fixes)
         return {name: value for name, value in values.items() if value is not None}
 
     def cyclogram_steps(self) -> list[Step]:
@@ -446,6 +453,9 @@ class CrankPlanetaryResponse(JudgedResponse):
         "their circle are given."
     )
     geometry: Maybe[GeometryOut] = result("Pins and holes at the crank angle asked.")
+    combined: Maybe[CombinedOut] = result(
+        "Changes of several inputs with which no check fails, where no change of one is enough."
+    )
     usual_fit: Maybe[UsualFitOut] = result(
         "The design with a usual clearance, where it is not known, or 0, and sizes have such a fit."
     )

@@ -35,7 +35,7 @@ def applied(body: dict[str, Any], values: dict[str, Any]) -> dict[str, Any]:
 @pytest.mark.parametrize("index", range(len(DESIGNS)))
 async def test_a_fix_says_the_verdict_that_a_repost_gives(api: Any, index: int) -> None:
     body = DESIGNS[index]
-    asked = {"include": ["checks", "fixes"], "fixes_for": "failed"}
+    asked = {"include": ["checks", "fixes", "combined"], "fixes_for": "failed"}
     answer = await answered(api, body | asked)
     assert answer["verdict"] == "fail" and answer["fixes"]
     for fix in answer["fixes"]:
@@ -44,6 +44,45 @@ async def test_a_fix_says_the_verdict_that_a_repost_gives(api: Any, index: int) 
         assert after["verdict"] == fix["verdict"], fix
         if fix["status"] == "solved":
             assert check["status"] == "pass", fix
+    if "combined" in answer:
+        found = answer["combined"]
+        after = await answered(api, applied(body, found["sets"]) | {"include": ["checks"]})
+        assert len(found["steps"]) > 1 and after["verdict"] == found["verdict"] != "fail"
+
+
+@pytest.mark.parametrize(
+    ("index", "variables"),
+    [
+        (1, ["/contact/pin_radius_mm", "/load/pin_circle_radius_mm"]),
+        (7, ["/contact/pin_radius_mm", "/load/pin_circle_radius_mm"]),
+    ],
+)
+async def test_several_inputs_cure_what_none_cures_alone(
+    api: Any, index: int, variables: list[str]
+) -> None:
+    body = failing(8)[index]
+    answer = await answered(api, body | {"include": ["fixes", "combined"]})
+    loads = {"/load/output_torque_Nm", "/load/input_speed_rpm"}
+    alone = [each for each in answer["fixes"] if each["pointer"] not in loads]
+    assert {each["verdict"] for each in alone} == {"fail"}
+    found = answer["combined"]
+    assert [step["pointer"] for step in found["steps"]] == variables
+    assert not loads & found["sets"].keys()
+    reached = body
+    for step in found["steps"]:
+        reached = applied(reached, step["sets"])
+        after = await answered(api, reached | {"include": ["checks"]})
+        assert after["verdict"] == step["verdict"]
+    assert reached == applied(body, found["sets"])
+    assert after["verdict"] == found["verdict"] != "fail"
+    assert after["counts"]["fail"] == 0
+
+
+async def test_where_one_input_is_enough_several_are_not_named(api: Any) -> None:
+    answer = await answered(api, failing(1)[0] | {"include": ["fixes", "combined"]})
+    assert any(each["verdict"] != "fail" for each in answer["fixes"])
+    assert "combined" not in answer
+    assert "fixes" not in await answered(api, failing(1)[0] | {"include": ["combined"]})
 
 
 async def test_the_largest_torque_is_that_of_which_a_repost_is_at_its_limit(api: Any) -> None:

@@ -1,0 +1,97 @@
+"""Several inputs of a reducer changed together, where no change of one lets it pass."""
+
+import math
+from collections import ChainMap
+from typing import Any
+
+from pydantic import Field
+
+from app.calculations.checks import FixOut, codes_to_fix, fix_values
+from app.model import ResponseModel, Values
+from app.pointers import with_values
+from core.checks.check import Verdict
+from core.checks.largest_torque import crank_verdict
+from core.checks.part import Outcome
+from core.fixes.crank import crank_fixes
+from core.fixes.fix import Fix
+
+MOST = 4
+"""Most changes, one after the other."""
+
+KEPT = {"load.output_torque", "load.input_speed"}
+"""What is asked of a design: not changed."""
+
+CHEAP = (
+    "contact.hole_radius",
+    "bearing.dynamic_rating",
+    "bearing.static_rating",
+    "crankshaft.bearings.dynamic_rating",
+)
+"""Inputs that are changed before sizes of parts: the fit, and the rating of bearings."""
+
+
+class CombinedOut(ResponseModel):
+    """Inputs changed one after the other, each for the check that decides then."""
+
+    sets: dict[str, float] = Field(description="All that they set, by JSON pointer.")
+    steps: list[FixOut] = Field(
+        description="The changes in their order: each is of the design with those before it, and "
+        "says the verdict that is reached with it."
+    )
+    verdict: Outcome = Field(description="Of the whole design with all of them.")
+
+
+def combined(request: Any, verdict: Verdict, fixes: list[Fix]) -> Values | None:
+    """Values of `CombinedOut`: the check that decides is cured by what leaves the fewest others
+    that fail, until none fails or is marginal, or none is cured; no input is changed twice.
+
+    Parameters
+    ----------
+    request : CrankPlanetaryRequest
+        The reducer.
+    verdict : Verdict
+        Of it.
+    fixes : list of Fix
+        Of the check that decides, others too.
+
+    Returns
+    -------
+    dict or None
+        None where one change is enough, or checks still fail with the most that are looked for.
+    """
+    steps: list[Values] = []
+    kept = set(KEPT)
+    while verdict.verdict in ("fail", "marginal"):
+        cures = [
+            each
+            for each in fixes
+            if (each.code, each.status) == (verdict.governing, "solved")
+            and each.variable not in kept
+        ]
+        if not cures or len(steps) == MOST:
+            break
+        best = min(cures, key=lambda fix: _rank(fix, verdict))
+        steps.append(fix_values(best, request))
+        kept.add(best.variable)
+        request = _changed(request, steps[-1]["sets"])
+        verdict = crank_verdict(request.results)
+        codes = codes_to_fix(verdict, "governing")
+        fixes = crank_fixes(results=request.results, codes=codes, current=verdict)
+    if len(steps) < 2 or verdict.verdict == "fail":
+        return None
+    sets = dict(ChainMap(*(step["sets"] for step in reversed(steps))))
+    return {"sets": sets, "steps": steps, "verdict": steps[-1]["verdict"]}
+
+
+def _rank(fix: Fix, verdict: Verdict) -> tuple[int, bool, float]:
+    """How many checks fail with a fix, whether it changes sizes of parts, and how much."""
+    failing = {each.code for each in verdict.checks if each.status == "fail"} - {fix.code}
+    for each in fix.side_effects:
+        (failing.add if each.after.status == "fail" else failing.discard)(each.code)
+    return len(failing), fix.variable not in CHEAP, abs(math.log(fix.after / fix.before))
+
+
+def _changed(request: Any, sets: dict[str, float]) -> Any:
+    """The request with what a fix sets, as who reposts it sends it."""
+    document = request.model_dump(mode="json", by_alias=True, exclude_unset=True)
+    return type(request).model_validate(with_values(document, sets))
