@@ -83,7 +83,7 @@ export function createAsking({ store, client, designs }) {
     const usual = calculator.withoutClearance?.(shown.answer) ?? false;
     if (!calculator.mend || !(failing || usual)) return;
     const { answer, problem } = await fixing.ask((signal) => calculator.mend({ post: postingOnce(client, signal), get: client.get, failing, usual, ...shown }));
-    if (answer) store.apply(mended, shown, judgedOf(calculator, answer)?.fixes ?? [], false, answer.usual_fit ?? null);
+    if (answer) store.apply(mended, shown, [answer.combined ?? [], judgedOf(calculator, answer)?.fixes ?? []].flat(), false, answer.usual_fit ?? null);
     if (problem?.kind === "too-long") store.apply(mended, shown, [], true);
   }
 

@@ -117,25 +117,32 @@ function effectText(check, { status_from: was, status_to: is, utilisation_from: 
     : message("fixes.statusEffect", { check, before: message(`status.${was}`), after: message(`status.${is}`) });
 }
 
-/** A fix: what to change, by how much, to what verdict, and what else it sets and does; `fieldAt(path)` is a field of the form. */
-export function fixRow(fix, fieldAt, checks) {
-  const { pointer, from, to, change, standard, status, verdict, sets = {}, side_effects: effects = [] } = fix;
-  const field = fieldAt(pathOf(pointer)) ?? fix;
+/** What a fix changes in words, `name` that of a message: the input, and what follows it. */
+function changeText({ pointer, title, unit, from, to, change, sets = {} }, fieldAt, name) {
+  const field = fieldAt(pathOf(pointer)) ?? { title, unit };
   const values = {
     field: field.title, from: formatQuantity(from, field.unit, 5), to: to === undefined ? "" : formatQuantity(to, field.unit, 5),
     change: change === undefined ? "" : `${change > 0 ? "+" : ""}${percent(change)}`,
   };
-  const others = Object.entries(sets).filter(([at]) => at !== pointer)
+  const others = name === "notEnough" ? [] : Object.entries(sets).filter(([at]) => at !== pointer)
     .map(([at, value]) => [fieldAt(pathOf(at)), value]).filter(([other]) => other)
-    .map(([{ title, unit }, value]) => message("fixes.also", { field: title, to: formatQuantity(value, unit, 5) }));
+    .map(([{ title: other, unit: of }, value]) => message("fixes.also", { field: other, to: formatQuantity(value, of, 5) }));
+  return [message(`fixes.${name}`, values), ...others].join("; ");
+}
+
+/** A fix: what to change, by how much, to what verdict, and what else it sets and does; `fieldAt(path)` is a field of the form. */
+export function fixRow(fix, fieldAt, { checks = [], parts }) {
+  const { standard, status, verdict, steps = [fix], side_effects: effects = [] } = fix;
+  const enough = status !== "not_enough";
+  const changes = steps.map((step) => changeText(step, fieldAt, enough ? "change" : "notEnough")).join("; ");
   const named = (code) => titleOf(checks.find((check) => check.code === code) ?? { code });
   return {
-    applies: status !== "not_enough" && fix.sets !== undefined,
-    text: status === "not_enough" ? message("fixes.notEnough", values) : [message("fixes.change", values), ...others].join("; "),
+    applies: enough && fix.sets !== undefined,
+    text: steps.length > 1 ? message("fixes.together", { changes }) : changes,
     standard: standard ?? "",
-    level: LEVELS[verdict],
-    then: verdict && status !== "not_enough" ? message(`verdictWord.${verdict}`) : "",
-    effects: status === "not_enough" ? [] : effects.filter(({ status_from: was, status_to: is }) => was !== is || is !== "pass").map((effect) => ({
+    level: verdict === "incomplete" && parts ? "" : LEVELS[verdict],
+    then: verdict && enough ? wordText({ verdict, parts }) : "",
+    effects: !enough ? [] : effects.filter(({ status_from: was, status_to: is }) => was !== is || is !== "pass").map((effect) => ({
       level: LEVELS[effect.status_to],
       text: effectText(named(effect.code), effect),
     })),

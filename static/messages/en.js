@@ -381,6 +381,7 @@ export default {
     long: "Which changes would help took longer to find than the service allows. Fewer sections, or no clearance and errors, make it faster; “Size for …” beside a field looks for one value.",
     change: "{field} {from} → {to} ({change})",
     notEnough: "Changing {field} alone is not enough.",
+    together: "Together: {changes}",
     then: "then: {verdict}",
     effect: "{check}: {before} → {after} of the limit",
     statusEffect: "{check}: {before} → {after}",

@@ -376,6 +376,7 @@ export default {
     long: "Поиск исправлений длится дольше, чем разрешает сервис. Он быстрее без лишних разделов или без зазоров и погрешностей; «Подобрать по условию…» у поля ищет одно значение.",
     change: "«{field}»: {from} → {to} ({change})",
     notEnough: "Изменить только «{field}» недостаточно.",
+    together: "Вместе: {changes}",
     then: "тогда: {verdict}",
     effect: "«{check}»: {before} → {after} предела",
     statusEffect: "«{check}»: {before} → {after}",

@@ -376,6 +376,7 @@ export default {
     long: "Пошук виправлень триває довше, ніж дозволяє сервіс. Він швидший без зайвих розділів або без зазорів і похибок; «Підібрати за умовою…» біля поля шукає одне значення.",
     change: "«{field}»: {from} → {to} ({change})",
     notEnough: "Змінити лише «{field}» недостатньо.",
+    together: "Разом: {changes}",
     then: "тоді: {verdict}",
     effect: "«{check}»: {before} → {after} межі",
     statusEffect: "«{check}»: {before} → {after}",

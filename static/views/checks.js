@@ -91,7 +91,7 @@ export function createChecks({ calculator, titles, fieldAt, askedAt, on }) {
       const long = found?.of === shown && found.long;
       fill(fixes, list.length === 0 && !long ? html`` : html`<h3>${message("fixes.title")}</h3>
         ${long && html`<p class="note">${message("fixes.long")}</p>`}
-        <ul>${list.map((fix) => fixRow(fix, fieldAt, judged.checks)).map(fixMarkup)}</ul>`);
+        <ul>${list.map((fix) => fixRow(fix, fieldAt, judged)).map(fixMarkup)}</ul>`);
       keep(!more.open);
     }),
   };

@@ -120,6 +120,29 @@ def test_the_largest_torque_said_is_true(page: Page, service: str) -> None:
     assert governing["utilisation"] == pytest.approx(1, rel=5e-3)
 
 
+def test_several_inputs_are_changed_by_a_click(page: Page, service: str) -> None:
+    """Where no change of one input mends what fails."""
+    design = {
+        **{"mechanism.pins": "8", "mechanism.satellites": "2", "mechanism.ratio": "15"},
+        **{"load.output_torque_Nm": "3530", "load.pin_circle_radius_mm": "47.9"},
+        **{"contact.contact_length_mm": "13.6", "contact.pin_radius_mm": "6.6"},
+        **{"contact.eccentricity_mm": "1.14", "contact.hole_clearance_mm": "0.033"},
+        **{"contact.pin_material": "steel_bearing"},
+        **{"contact.hole_material": "bronze_tin_centrifugal"},
+        **{"strength.on": "on", "pin.satellite_positions_mm": "8.16;23.12"},
+    }
+    show(page, service, "crank-planetary", **design)
+    expect(page.locator(".verdict .word")).to_have_text(re.compile("Does not work"))
+    together = page.locator(".fix").first
+    expect(together).to_contain_text("Together: Pin radius 6.6", timeout=60_000)
+    expect(together.locator("xpath=..")).to_contain_text("then: So far nothing against it")
+    together.click()
+    expect(page.locator(".verdict .word")).to_have_text(re.compile("So far nothing against it"))
+    settled(page)
+    assert float(box(page, "contact.pin_radius_mm").input_value()) > 6.6
+    assert float(box(page, "load.pin_circle_radius_mm").input_value()) > 47.9
+
+
 def test_a_fix_and_a_size_are_applied_by_a_click(page: Page, service: str) -> None:
     """From a design that fails to one that works; from a size wanted to the size in the box."""
     show(page, service, "crank-planetary")

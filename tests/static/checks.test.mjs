@@ -97,17 +97,21 @@ test("a fix says the change, the verdict it leads to and what else it does; one 
   };
   const fields = new Map([["contact.pin_radius_mm", FIELD]]);
   const fieldAt = (path) => fields.get(path);
-  const row = fixRow(fix, fieldAt, JUDGED.checks);
+  const row = fixRow(fix, fieldAt, JUDGED);
   assert.deepEqual([row.applies, row.text, row.then, row.level], [true, "Pin radius 8\u00a0mm → 12.5\u00a0mm (+56.3\u00a0%)", "Marginal", "warning"]);
   assert.equal(row.effects[0].text, "Contact pressure of the hole: 113\u00a0% → 90\u00a0% of the limit");
-  assert.equal(fixRow({ ...fix, status: "not_enough", sets: undefined }, fieldAt, []).applies, false);
+  assert.equal(fixRow({ ...fix, status: "not_enough", sets: undefined }, fieldAt, {}).applies, false);
   // What it sets besides is said, in the units of the boxes; and what has no share of a limit by its status.
   fields.set("contact.pin_radius_mm", { title: "Pin diameter", unit: "⌀ mm" }).set("contact.hole_radius_mm", { title: "Hole diameter", unit: "⌀ mm" });
   const sets = { ...fix.sets, "/contact/hole_radius_mm": 15, "/not/here": 1 };
   const wall = { code: "new_wall", status_from: "pass", status_to: "fail", utilisation_from: 0 };
-  const wide = fixRow({ ...fix, sets, side_effects: [wall] }, fieldAt, [{ code: "new_wall", title: "Wall" }]);
+  const wide = fixRow({ ...fix, sets, side_effects: [wall] }, fieldAt, { checks: [{ code: "new_wall", title: "Wall" }] });
   assert.equal(wide.text, "Pin diameter 16\u00a0mm → 25\u00a0mm (+56.3\u00a0%); Hole diameter → 30\u00a0mm");
   assert.deepEqual([wide.effects[0].level, wide.effects[0].text], ["bad", "Wall: met → not met"]);
+  // Several inputs together are one click.
+  const both = fixRow({ sets: { ...sets, "/mechanism/pins": 7 }, steps: [fix, { ...fix, pointer: "/mechanism/pins", title: "Pins", unit: "", from: 8, to: 7, change: -0.125, sets: {} }], verdict: "incomplete" }, fieldAt, { parts: [] });
+  assert.deepEqual([both.applies, both.then, both.effects, both.level], [true, "So far nothing against it", [], ""]);
+  assert.equal(both.text, "Together: Pin diameter 16\u00a0mm → 25\u00a0mm (+56.3\u00a0%); Pins 8 → 7 (−13\u00a0%)");
 });
 
 const FIELD = { path: "contact.pin_radius_mm", name: "pin_radius_mm", title: "Pin radius", kind: "number", unit: "mm", lowest: 1e-12, highest: 1e12 };

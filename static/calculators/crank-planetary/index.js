@@ -262,7 +262,7 @@ export default {
 
   mend: async ({ post, get, input, filled, failing, usual }) => post("/crank-planetary", {
     ...await madeOf(input, filled, get),
-    include: [...(failing ? ["fixes"] : []), ...(usual ? ["usual_fit"] : [])],
+    include: [...(failing ? ["fixes", "combined"] : []), ...(usual ? ["usual_fit"] : [])],
   }),
 
   /** Whether nothing is known of the clearance, or none is stated. */
