@@ -152,6 +152,7 @@ class PinContactFields(ContactFields, group="contact"):
             dynamic_factor=self.dynamic_factor,
             distribution_factor=self.distribution_factor,
             clearance_stated=self.stated_clearance_mm is not None,
+            iso_fit=self.fit or "",
             own_limits=tuple(name for name, each in given.items() if not isinstance(each, str)),
             **{name: material_of(each) for name, each in given.items()},
         )

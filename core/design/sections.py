@@ -136,6 +136,7 @@ class Contact:
     distribution_factor: float = 1.0  # K_alpha, of the satellites' uneven share
     own_limits: tuple[str, ...] = ()  # which of the two materials are given by values
     clearance_stated: bool = False  # whether one of 0 is: else a hole of just pin and e says none
+    iso_fit: str = ""  # the classes that the clearance is of, as H7/f7; empty where it is a number
 
     @cached_property
     def pair(self) -> PairSizes:

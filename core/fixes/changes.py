@@ -1,15 +1,18 @@
 """Inputs of a crank-planetary reducer, and the reducer with another value of one."""
 
 from core.design.document import Design, changed, value_at
+from core.design.sections import Contact
 from core.fixes.fix import WHOLE
 from core.output.satellite_support import Shares
+from core.tolerance.iso286 import fit_clearance
 
 RATING = "crankshaft.bearings.dynamic_rating"
 """Both bearings of the crankshaft are of one rating."""
 
 
 def vary(*, design: Design, variable: str, value: float) -> Design:
-    """A design with another value of an input; the hole follows pin and eccentricity.
+    """A design with another value of an input; the hole follows pin and eccentricity, and has the
+    clearance that it had, or that its fit has at the new sizes.
 
     Parameters
     ----------
@@ -34,7 +37,18 @@ def vary(*, design: Design, variable: str, value: float) -> Design:
             values["contact.hole_radius"] = hole + value - before
     if variable == "contact.pin_radius" and design.pin and not design.sleeved:
         values["pin.diameter"] = 2 * value
-    return changed(design, values)
+    found = changed(design, values)
+    if variable not in ("contact.pin_radius", "contact.eccentricity") or not found.contact.iso_fit:
+        return found
+    return changed(found, {"contact.hole_radius": _hole_of_fit(found.contact)})
+
+
+def _hole_of_fit(contact: Contact) -> float:
+    """Radius of a hole that has the mean clearance of its fit, m."""
+    pin = contact.pair.pin_radius
+    hole = pin + (contact.eccentricity or 0.0)
+    clearance = fit_clearance(fit=contact.iso_fit, hole_diameter=2 * hole, pin_diameter=2 * pin)
+    return hole + clearance
 
 
 def value_of(*, design: Design, variable: str) -> float | None:
@@ -51,13 +65,15 @@ def value_of(*, design: Design, variable: str) -> float | None:
     -------
     float or None
         None where it is not given, or no input of its own: the diameter of a pin without a sleeve
-        is that of the contact, with one the contact is not the pin's.
+        is that of the contact, with one the contact is not the pin's; the hole of a fit follows it.
     """
     if variable == RATING:
         bearings = design.crankshaft.bearings if design.crankshaft else None
         ratings = [each.dynamic_rating for each in bearings or ()]
         return None if not ratings or None in ratings else min(ratings)  # type: ignore[type-var]
     if variable == "pin.diameter" and not design.sleeved:
+        return None
+    if variable == "contact.hole_radius" and design.contact.iso_fit:
         return None
     return value_at(design, variable)  # type: ignore[no-any-return]
 

@@ -146,7 +146,10 @@ def _less_clearance(results: Results, code: str, current: Verdict) -> Fix | None
     """Fix of backlash or lost motion, which grow with the clearance almost straight."""
     design, check = results.design, current[code]
     clearance, hole = design.contact.clearance, design.contact.hole_radius
-    if check.value is None or check.limit is None or hole is None or not clearance:
+    cure = _cure(design, code, "contact.hole_radius", current)
+    if cure is None or hole is None or not clearance:
+        return None
+    if check.value is None or check.limit is None:
         return None
     backlash = crank_check("backlash", results).value
     if not backlash:
@@ -167,8 +170,6 @@ def _less_clearance(results: Results, code: str, current: Verdict) -> Fix | None
         if found.value is None or found.value >= former:
             return None
         value, slope = found.value, (former - found.value) / (before - place)
-    cure = _cure(design, code, "contact.hole_radius", current)
-    assert cure is not None
     return _checked(cure, hole + place - clearance)
 
 

@@ -78,6 +78,29 @@ async def test_several_inputs_cure_what_none_cures_alone(
     assert after["counts"]["fail"] == 0
 
 
+async def test_a_fix_keeps_the_fit(api: Any) -> None:
+    """The hole follows the pin, with the clearance of the classes at its new diameters."""
+    body = failing(8)[7]
+    del body["contact"]["hole_clearance_mm"]
+    body["contact"]["fit"] = "H7/f7"
+    body["requirements"]["max_backlash_arcmin"] = 1.0
+    asked = {"include": ["checks", "fixes", "combined"], "fixes_for": "failed"}
+    answer = await answered(api, body | asked)
+    checks = {each["code"]: each for each in answer["checks"]}
+    assert checks["backlash"]["status"] == "fail"
+    cured = {fix["code"] for fix in answer["fixes"]}
+    assert "backlash" not in cured and "contact_pressure_hole" in cured
+    for fix in answer["fixes"]:
+        after = await answered(api, applied(body, fix["sets"]) | {"include": ["checks"]})
+        there = {each["code"]: each for each in after["checks"]}
+        assert after["verdict"] == fix["verdict"]
+        for effect in fix["side_effects"]:
+            assert there[effect["code"]]["status"] == effect["status_to"]
+            if "utilisation_to" in effect:
+                used = pytest.approx(effect["utilisation_to"], rel=1e-6)
+                assert there[effect["code"]]["utilisation"] == used
+
+
 async def test_where_one_input_is_enough_several_are_not_named(api: Any) -> None:
     answer = await answered(api, failing(1)[0] | {"include": ["fixes", "combined"]})
     assert any(each["verdict"] != "fail" for each in answer["fixes"])
