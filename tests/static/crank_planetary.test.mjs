@@ -3,6 +3,8 @@ import { test } from "node:test";
 
 import { flatValues } from "../../static/lib/exports.js";
 import calculator from "../../static/calculators/crank-planetary/index.js";
+import { listedOf } from "../../static/lib/checks.js";
+import { LANGUAGES, quantityWords } from "../../static/messages/index.js";
 import { codesOf, warningsOf } from "../../static/lib/verdict.js";
 
 const ACCURACY = { method: "closed form", relative_error: 1e-15, evaluations: 1, run_time_us: 10 };
@@ -157,4 +159,21 @@ test("the direction of the torque goes with ideal forces too, to every section t
   assert.equal((await asked(input, calculator.sections)).load.torque_direction, "alternating");
   const [force] = calculator.figures.filter(({ id }) => id === "force").map(({ body }) => body(input));
   assert.ok(!("torque_direction" in force));
+});
+
+test("no two forces have one name: the ideal ones, the real ones, those with the factor, in every language", async () => {
+  const names = ["peak_force_N", "peak_force_ratio", "peak_crank_angle_deg", "peak_pair", "max_pressure_MPa"];
+  for (const language of Object.keys(LANGUAGES)) {
+    const { default: { quantity } } = await import(`../../static/messages/${language}.js`);
+    const title = (section, name) => (quantity[`${section}.${name}`] ?? quantity[name]).title;
+    for (const name of names) assert.notEqual(title("load_sharing", name), title("contact_force", name), `${language}: ${name}`);
+    const peaks = ["contact_force", "load_sharing", "pin_strength", "output_efficiency"].map((section) => title(section, "peak_force_N"));
+    assert.equal(new Set([...peaks, title("load_sharing", "judged_force_N")]).size, peaks.length + 1);
+  }
+});
+
+test("solved forces are listed, and stand beside the ideal ones of other designs", () => {
+  assert.deepEqual(listedOf(calculator, [{ contact_force: {} }, null]), calculator.sections);
+  assert.deepEqual(listedOf(calculator, [null, { load_sharing: {} }]), ["load_sharing", ...calculator.sections]);
+  assert.equal(quantityWords("loaded_pairs_max", "load_sharing").title, "Most pairs loaded");
 });

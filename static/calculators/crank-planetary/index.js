@@ -242,6 +242,9 @@ export default {
   /** The sections in the order in which each needs the one before. */
   sections: ["cyclogram", "contact_force", "hertz", "geometry", ...WANTED.map(({ section }) => section).filter(Boolean)],
 
+  /** A section that the answer has beside these, where the forces are solved. */
+  solved: "load_sharing",
+
   async ask({ post, get, input: given, filled, sections: all, tables }) {
     const wanted = wantedSections(given);
     const sections = all.filter((id) => wanted.includes(id) || !WANTED.some(({ section }) => section === id));
@@ -256,7 +259,7 @@ export default {
         contact: input.contact,
         ...Object.fromEntries(DESIGN.filter((part) => input[part]).map((part) => [part, input[part]])),
       }),
-      include: [...sections, ...(solved ? ["load_sharing"] : []), "checks"],
+      include: [...sections, ...(solved ? [this.solved] : []), "checks"],
     }));
   },
 
@@ -285,7 +288,10 @@ export default {
   },
 
   /** Values of the answer that figures, their tables or the checks show, or that only place the others. */
-  elsewhere: ["locus", "pairs", "driving_count", "dead_zones_deg", "curves", "pins", "crank_angle_deg", "source", "source_code", "life", "forces"],
+  elsewhere: [
+    "locus", "pairs", "driving_count", "dead_zones_deg", "curves", "pins", "crank_angle_deg", "source", "source_code", "life", "forces",
+    "angle_error_arcmin", "stiffness_error", "pair_error", "ripple_error_Nm",
+  ],
 
   /** The drawing takes its forces from a figure's curves. */
   drawing: { create: createDrawing, section: "cyclogram", figure: "force", curves: curvesOf, moving: true, start: ({ contact_force: force }) => force?.peak_crank_angle_deg },
