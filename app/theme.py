@@ -246,6 +246,9 @@ INK: dict[Theme, dict[str, str]] = {
 """Colours of text, of thin lines, of the grid, and of what must not be overlooked."""
 
 
+IDEAL = "ideal"
+"""What traces of ideal forces beside the real ones have as `meta`."""
+
 TICKS = ".8~g"
 """Numbers at ticks: plain, or with an e where they are very large or small. (Plotly's own powers
 of ten are raised by inline styles, which the page does not allow.)"""

@@ -27,6 +27,7 @@ from app.running import run
 from app.settings import Settings
 from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018, ZYL
 from app.theme import (
+    IDEAL,
     INK,
     Amount,
     Figure,
@@ -388,7 +389,7 @@ def _ideal_largest(curves: Values, theme: Theme) -> Figure:
     largest = np.max(drawn(curves["force_N"]), axis=0)
     own = curve(name, curves["crank_angle_deg"], largest, 0, theme, hovered)
     line = own["line"] | {"width": 1, "dash": "dot", "color": INK[theme]["text"]}
-    return own | {"line": line}
+    return own | {"meta": IDEAL, "line": line}
 
 
 def solve(body: ContactForceRequest) -> Values:

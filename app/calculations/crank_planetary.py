@@ -654,8 +654,8 @@ def _force_figure(body: CrankPlanetaryRequest, theme: Theme) -> Figure:
         return contact_force_figure(ideal, from_si("switching_deg", switching), theme)
     sharing, _ = run(body, lambda: body.results.real_forces)
     curves, _ = run(body, partial(body.real_curves, DRAWN_SAMPLES))
-    given = {"judged_force_N": None, "curves": ForceCurvesOut.values(curves)}
-    real = LoadSharingOut.values(sharing, **given)
+    drawn = ForceCurvesOut.values(curves)
+    real = LoadSharingOut.values(sharing, judged_force_N=None, curves=drawn)
     return contact_force_figure(real, switching[:0], theme, ideal)
 
 

@@ -18,7 +18,7 @@ from app.model import (
 )
 from app.running import run
 from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018
-from app.theme import INK, Amount, Figure, Theme, axis, hover, layout, series_style, text
+from app.theme import IDEAL, INK, Amount, Figure, Theme, axis, hover, layout, series_style, text
 from app.units import UNITS
 from app.worked import worked
 from core.errors import InvalidInput
@@ -332,6 +332,7 @@ def _outlines(pairs: list[Values], theme: Theme) -> Figure:
         "type": "bar",
         "orientation": "h",
         "name": text("ideal"),
+        "meta": IDEAL,
         "y": [row for row, _, _ in phases],
         "base": [round(start, 6) for _, start, _ in phases],
         "x": [round(stop - start, 6) for _, start, stop in phases],
@@ -339,7 +340,7 @@ def _outlines(pairs: list[Values], theme: Theme) -> Figure:
         "hoverinfo": "skip",
         "marker": {
             "color": "rgba(0, 0, 0, 0)",
-            "line": {"color": INK[theme]["text"], "width": 1},
+            "line": {"color": INK[theme]["muted"], "width": 1},
         },
     }
 
@@ -348,7 +349,7 @@ def _ideal_count(intervals: list[Values], theme: Theme) -> Figure:
     """The ideal number of driving pairs, thin behind the real one."""
     own = _count(intervals, "driving_pairs", theme)
     line = own["line"] | {"width": 1, "dash": "dot"}
-    return own | {"name": text("ideal"), "line": line, "fill": "none"}
+    return own | {"name": text("ideal"), "meta": IDEAL, "line": line, "fill": "none"}
 
 
 def _count(intervals: list[Values], words: str, theme: Theme) -> Figure:

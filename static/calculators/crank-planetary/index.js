@@ -37,6 +37,19 @@ const drawn = (body) => (input) => {
   return body(input);
 };
 
+/**
+ * A figure of the whole reducer's one in the place of an ideal one, where forces are solved: of that body by which they
+ * were.
+ */
+const real = (section) => ({
+  shows: (input, answer) => Boolean(answer ? answer.load_sharing : willBeSolved(input)),
+  path: "/crank-planetary/chart",
+  body(input, answer, [{ body }]) {
+    refuseMore(body.mechanism, MOST_PAIRS.drawn);
+    return { ...body, include: [section] };
+  },
+});
+
 /** The contact, the force of its pressure (with clearance that under the dynamic load), and what bent pins add to its line load. */
 export function pressedBy(contact, { contact_force: ideal, load_sharing: real, hertz }) {
   const edge = hertz?.line_load_factor ?? 1;
@@ -71,6 +84,9 @@ function isSolved(input) {
   if (MADE.some((part) => input[part])) return true;
   return Boolean(input.pin) && !(input.contact?.distribution_factor > 1);
 }
+
+/** Whether they will be, of what the form says. */
+const willBeSolved = (input) => input.besides?.real?.on === "on" || isSolved({ ...input, ...partsOf(input, wantedSections(input)) });
 
 function clearanceNote(input) {
   const clearance = clearanceOf(input);
@@ -141,25 +157,31 @@ function columns(...names) {
   return names.map((name) => ({ title: message(`figure.${name}`), unit: unit[name] }));
 }
 
-function phaseTables({ cyclogram }) {
+/** When pairs drive; where forces are solved, when they carry. */
+function phaseTables({ cyclogram, real_cyclogram: real }) {
+  const word = real ? "carrying" : "driving";
   return [
     {
-      title: message("figure.phases"),
+      title: message(real ? "figure.carried" : "figure.phases"),
       columns: columns("satellite", "pin", "from", "to"),
-      rows: cyclogram.pairs.flatMap(({ satellite, pin, driving_deg: driving }) =>
-        driving.map(([from, to]) => [satellite, pin, from, to])),
+      rows: (real ?? cyclogram).pairs.flatMap(({ satellite, pin, driving_deg: driving, loaded_deg: phases = driving }) =>
+        phases.map(([from, to]) => [satellite, pin, from, to])),
     },
     {
-      title: message("figure.counts"),
-      columns: columns("from", "to", "driving"),
-      rows: cyclogram.driving_count.map(({ from_deg: from, to_deg: to, pairs }) => [from, to, pairs]),
+      title: message(real ? "figure.carriedCounts" : "figure.counts"),
+      columns: columns("from", "to", word),
+      rows: (real?.loaded_count ?? cyclogram.driving_count).map(({ from_deg: from, to_deg: to, pairs }) => [from, to, pairs]),
     },
   ];
 }
 
-function forceTables({ contact_force: { curves } }) {
+/** The peak, and the curves where they were asked for: of the forces that are judged. */
+const judgedOf = ({ load_sharing: real, contact_force: ideal }) => real ?? ideal;
+
+function forceTables(answer) {
+  const { curves } = judgedOf(answer);
   return [{
-    title: message("figure.forces"),
+    title: message(answer.load_sharing ? "figure.forcesReal" : "figure.forces"),
     columns: [
       { title: message("figure.crankAngle"), unit: "°" },
       ...curves.pairs.map((pair) => ({ title: figureText("pair", pair), unit: "N" })),
@@ -169,9 +191,10 @@ function forceTables({ contact_force: { curves } }) {
 }
 
 /** The curves of the answer itself, where it has been asked for them. */
-function curvesOf({ contact_force: force }) {
-  if (!force?.curves) return [];
-  const { crank_angle_deg: x, pairs, force_N: forces } = force.curves;
+function curvesOf(answer) {
+  const curves = judgedOf(answer)?.curves;
+  if (!curves) return [];
+  const { crank_angle_deg: x, pairs, force_N: forces } = curves;
   return pairs.map(({ satellite, pin }, i) => ({ name: `${satellite}.${pin}`, x, y: forces[i] }));
 }
 
@@ -259,7 +282,7 @@ export default {
         contact: input.contact,
         ...Object.fromEntries(DESIGN.filter((part) => input[part]).map((part) => [part, input[part]])),
       }),
-      include: [...sections, ...(solved ? [this.solved] : []), "checks"],
+      include: [...sections, ...(solved ? [this.solved] : []), ...(solved && tables.has("cyclogram") ? ["real_cyclogram"] : []), "checks"],
     }));
   },
 
@@ -294,7 +317,7 @@ export default {
   ],
 
   /** The drawing takes its forces from a figure's curves. */
-  drawing: { create: createDrawing, section: "cyclogram", figure: "force", curves: curvesOf, moving: true, start: ({ contact_force: force }) => force?.peak_crank_angle_deg },
+  drawing: { create: createDrawing, section: "cyclogram", figure: "force", curves: curvesOf, moving: true, start: (answer) => judgedOf(answer)?.peak_crank_angle_deg },
 
   figures: [
     {
@@ -304,6 +327,7 @@ export default {
       section: "cyclogram",
       path: "/cyclogram/chart",
       body: drawn(({ mechanism }) => mechanism),
+      real: real("cyclogram"),
       height: ({ mechanism: { pins = 3, satellites = 1 } }) => 190 + 22 * Math.min(pins * satellites, MOST_ROWS),
       tables: phaseTables,
     },
@@ -315,6 +339,7 @@ export default {
       enveloped: true,
       compared: true,
       body: drawn(forceBody),
+      real: real("contact_force"),
       height: 400,
       tables: forceTables,
     },
