@@ -50,7 +50,7 @@ test("with real forces the pairs are those that are loaded", () => {
   const answer = { cyclogram: CYCLOGRAM, load_sharing: real, contact_force: { peak_force_N: 8 } };
   const [peak, pairs] = calculator.verdict(answer, { input: {} });
   assert.deepEqual([peak.label, peak.value], ["Real peak force", "9"]);
-  assert.deepEqual([pairs.value, pairs.note], ["1–3", "of 6 pairs loaded; ideally 2–4"]);
+  assert.deepEqual([pairs.label, pairs.value, pairs.note], ["Pairs loaded at once", "1–3", "of 6 pairs loaded; ideally 2–4"]);
   assert.match(calculator.sentences(answer)[0][1], /1 to 3 of 6 pairs are loaded/);
   const dead = { ...answer, cyclogram: { ...CYCLOGRAM, dead_centres_deg: [10] } };
   assert.equal(calculator.verdict(dead, { input: {} })[1].level, "bad");

@@ -114,6 +114,7 @@ function pairsCell(section, real) {
   const all = new Set(pairs.map(({ satellite, pin }) => `${satellite}/${pin}`)).size;
   if (real) {
     return {
+      label: message("real.loaded"),
       value: span(real.loaded_pairs_min, real.loaded_pairs_max),
       note: message("verdict.pairsLoaded", { all, ideal: span(least, most) }),
     };
