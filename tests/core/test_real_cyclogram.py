@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from core.output.contact_law import LinearLaw
+from core.output.contact_law import ContactLaw, LinearLaw, PowerLaw
 from core.output.loaded_position import loaded_position
 from core.output.mechanism import Mechanism
 from core.output.over_turn import OverTurn
@@ -16,7 +16,12 @@ from core.output.turn import Turn
 TORQUE = 120.0
 
 
-def made(*, clearance: float = 2e-5, **deviations: tuple[float, ...]) -> RealMechanism:
+LINEAR = LinearLaw(stiffness=5e7)
+
+
+def made(
+    *, clearance: float = 2e-5, law: ContactLaw = LINEAR, **deviations: tuple[float, ...]
+) -> RealMechanism:
     return RealMechanism(
         mechanism=Mechanism.evenly_spaced(pins=6, satellites=2, ratio=12.0, crank_spacing=math.pi),
         pin_circle_radius=0.04,
@@ -24,11 +29,12 @@ def made(*, clearance: float = 2e-5, **deviations: tuple[float, ...]) -> RealMec
         eccentricity=0.0015,
         contact_length=0.012,
         clearance=clearance,
-        law=LinearLaw(stiffness=5e7),
+        law=law,
         deviations=Deviations(**deviations),
     )
 
 
+SOFT = made(law=PowerLaw(exponent=3.0, reference_force=1000.0, reference_approach=1e-5))
 DEVIATED = made(pin_tangential=(0.0, 1e-5, 0.0, -8e-6, 0.0, 3e-6))
 
 
@@ -38,13 +44,15 @@ def forces(real: RealMechanism, angle: float, torque: float) -> list[float]:
 
 
 @pytest.mark.parametrize("torque", [TORQUE, -TORQUE])
-@pytest.mark.parametrize("real", [made(), DEVIATED], ids=["clearance", "deviations"])
+@pytest.mark.parametrize("real", [made(), DEVIATED, SOFT], ids=["clearance", "deviations", "soft"])
 def test_a_pair_carries_within_its_ends_and_nothing_beside_them(
     real: RealMechanism, torque: float
 ) -> None:
     found = real_cyclogram(turn=Turn(real, torque), revolutions=1.5)
     end, beside = found.loaded_count[-1].end, 2 * found.end_error
-    assert end == pytest.approx(3 * math.pi) and 0 < found.end_error < 1e-6
+    assert end == pytest.approx(3 * math.pi) and 0 < found.end_error < (
+        1e-4 if real is SOFT else 1e-6
+    )
     seen = 0
     for index, pair in enumerate(found.pairs):
         for start, stop in pair.driving:
