@@ -65,6 +65,8 @@ TEXTS = {
     "hole": "hole",
     "hole_diameter": "Hole diameter",
     "hole_position": "Position of the holes",
+    "ideal": "Ideal",
+    "ideal_largest": "Largest force, ideal",
     "ideal_pair_force": "Satellite {satellite}, pin {pin}, ideal<br>{force} at {angle}",
     "lag": "Lag of the output",
     "length_of_line": "{name}, length {length}<br>x = {x}, z = {z}",
@@ -72,6 +74,9 @@ TEXTS = {
     "limit": "limit {value}",
     "line_load": "Line load",
     "line_load_hover": "{name}: {load} at z = {place}",
+    "loaded": "Carrying",
+    "loaded_pairs": "Pairs that carry",
+    "loaded_pairs_hover": "Pairs that carry: {pairs} at {angle}",
     "locus_hover": "{name}: {along}, {across}",
     "loss": "Loss",
     "lost_motion": "Lost motion",
@@ -86,6 +91,7 @@ TEXTS = {
     "nonuniformity": "Non-uniformity Ψ",
     "nonuniformity_hover": "n = {rollers}: Ψ = {nonuniformity} at δ = {error}",
     "one_carries": "one roller carries all",
+    "pair_carries": "Satellite {satellite}, pin {pin}<br>really carries from {start} to {end}",
     "pair_drives": "Satellite {satellite}, pin {pin}<br>drives from {start} to {end}",
     "pair_force": "Satellite {satellite}, pin {pin}<br>{force} at {angle}",
     "peak": "Peak",
@@ -239,6 +245,9 @@ INK: dict[Theme, dict[str, str]] = {
 }
 """Colours of text, of thin lines, of the grid, and of what must not be overlooked."""
 
+
+IDEAL = "ideal"
+"""What traces of ideal forces beside the real ones have as `meta`."""
 
 TICKS = ".8~g"
 """Numbers at ticks: plain, or with an e where they are very large or small. (Plotly's own powers

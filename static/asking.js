@@ -54,20 +54,23 @@ export function createAsking({ store, client, designs }) {
     if (!answers.has(key)) {
       const { filled } = readState(model, stateFromInput(model, input));
       answers.set(key, askSections({ client, calculator, input, filled, tables: new Set() })
-        .then(({ answer }) => answer, (problem) => {
-          if (!problem.passing) return null;
+        .catch((problem) => {
+          if (!problem.passing) return { answer: null };
           answers.delete(key); // asked for again with the next answer of the service
-          return undefined;
+          return { answer: undefined };
         }));
     }
     return answers.get(key);
   }
 
-  /** The designs kept of this calculator, each with its answer: null where it was refused, undefined where it was not to be had. */
+  /** The designs kept of this calculator, each with its answer and what was asked for it: null where it was refused, undefined where it was not to be had. */
   async function compare() {
     const asked = comparison += 1;
     const kept = await Promise.all(designs.of(calculator.id)
-      .map(async (design) => ({ ...design, answer: await answerOf(design.input) })));
+      .map(async (design) => {
+        const { answer, requests } = await answerOf(design.input);
+        return { ...design, answer, requests };
+      }));
     if (asked === comparison) store.apply(compared, kept);
   }
 

@@ -27,6 +27,8 @@ from app.running import run
 from app.settings import Settings
 from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018, ZYL
 from app.theme import (
+    IDEAL,
+    INK,
     Amount,
     Figure,
     Theme,
@@ -305,7 +307,9 @@ class ContactForceResponse(AssumingResponse):
     warnings: Maybe[list[WarningOut]] = None
 
 
-def contact_force_figure(answer: Values, switching_deg: FloatArray, theme: Theme) -> Figure:
+def contact_force_figure(
+    answer: Values, switching_deg: FloatArray, theme: Theme, ideal: Values | None = None
+) -> Figure:
     """Force of every pair over the turn, switching angles as thin lines, the peak marked.
 
     Parameters
@@ -314,6 +318,11 @@ def contact_force_figure(answer: Values, switching_deg: FloatArray, theme: Theme
         The forces with their curves, as `/contact-force` answers.
     switching_deg : array
         Crank angles at which a pair starts or stops driving, degrees.
+    theme : {"light", "dark"}
+        Look of the figure.
+    ideal : dict, optional
+        Where the forces are the real ones, the ideal ones likewise: the largest of them is a thin
+        line.
     """
     curves, peak_pair = answer["curves"], answer["peak_pair"]
     angles, forces = drawn(curves["crank_angle_deg"]), drawn(curves["force_N"])  # all at once
@@ -331,6 +340,10 @@ def contact_force_figure(answer: Values, switching_deg: FloatArray, theme: Theme
         )
         for pair, force in zip(curves["pairs"], forces, strict=True)
     ]
+    top = answer["peak_force_N"]
+    if ideal is not None:
+        top = max(top, ideal["peak_force_N"])
+        data.append(_ideal_largest(ideal["curves"], theme))
     peak = {"x": answer["peak_crank_angle_deg"], "y": answer["peak_force_N"]}
     data.append(
         marker(
@@ -352,7 +365,7 @@ def contact_force_figure(answer: Values, switching_deg: FloatArray, theme: Theme
             theme,
             height=380,
             xaxis=axis(theme, text("crank_angle"), "°", range=[0, 360], dtick=30),
-            yaxis=axis(theme, text("contact_force"), "N", range=[0, 1.15 * answer["peak_force_N"]]),
+            yaxis=axis(theme, text("contact_force"), "N", range=[0, 1.15 * top]),
             shapes=[vertical_line(theme, place) for place in np.round(switching_deg, 4).tolist()],
             annotations=[
                 note(
@@ -367,6 +380,16 @@ def contact_force_figure(answer: Values, switching_deg: FloatArray, theme: Theme
             ],
         ),
     }
+
+
+def _ideal_largest(curves: Values, theme: Theme) -> Figure:
+    """The largest ideal force of all pairs."""
+    name, angle = text("ideal_largest"), Amount("%{x:.2f}", "°")
+    hovered = text("at_angle", name=name, value=Amount("%{y:.5g}", "N"), angle=angle)
+    largest = np.max(drawn(curves["force_N"]), axis=0)
+    own = curve(name, curves["crank_angle_deg"], largest, 0, theme, hovered)
+    line = own["line"] | {"width": 1, "dash": "dot", "color": INK[theme]["text"]}
+    return own | {"meta": IDEAL, "line": line}
 
 
 def solve(body: ContactForceRequest) -> Values:

@@ -17,7 +17,11 @@ from app.calculations.checks import (
     judgement,
 )
 from app.calculations.combined import CombinedOut, combined
-from app.calculations.contact_force import ContactForceResponse, contact_force_figure
+from app.calculations.contact_force import (
+    ContactForceResponse,
+    ForceCurvesOut,
+    contact_force_figure,
+)
 from app.calculations.crankshaft import CrankshaftFields, CrankshaftResponse
 from app.calculations.cyclogram import CyclogramFields, CyclogramResponse, cyclogram_figure
 from app.calculations.design import (
@@ -29,7 +33,7 @@ from app.calculations.design import (
 from app.calculations.fatigue import PinFatigueFields
 from app.calculations.geometry_answer import GeometryOut
 from app.calculations.hertz import HertzResponse
-from app.calculations.load_sharing_answer import FitOut, OverTurnOut
+from app.calculations.load_sharing_answer import FitOut, OverTurnOut, RealCyclogramOut
 from app.calculations.mechanism import MAX_PAIRS
 from app.calculations.output_efficiency import FrictionFields, OutputEfficiencyResponse
 from app.calculations.pin_strength import PinStrengthResponse
@@ -74,14 +78,18 @@ from core.design.real_forces import RealForces
 from core.design.results import MOST_BEARING_PAIRS, MOST_PIN_PAIRS, Results
 from core.fixes.crank import crank_fixes
 from core.fixes.fix import Fix
-from core.output.contact_force import ContactForce
+from core.output.contact_force import ContactForce, ForceCurves, PairNumber, drawing_angles
+from core.output.cyclogram import cyclogram
 from core.output.loaded_position import loaded_position
+from core.output.mechanism import Mechanism
 from core.output.pin_geometry import (
     PinGeometry,
     pin_fit,
     pin_geometry,
 )
+from core.output.real_cyclogram import RealCyclogram, carried_forces, real_cyclogram
 from core.output.sampled_turn import WAYS
+from core.output.turn import Turn
 from core.results import Notice
 from core.worked.crank import bearing_steps, shaft_steps
 from core.worked.hertz import judged_steps
@@ -94,6 +102,7 @@ Section = Literal[
     "cyclogram",
     "contact_force",
     "load_sharing",
+    "real_cyclogram",
     "hertz",
     "pin_strength",
     "output_efficiency",
@@ -116,6 +125,7 @@ _NEEDS: dict[Section, tuple[str, ...]] = {
     "cyclogram": (),
     "contact_force": ("load",),
     "load_sharing": _TOUCHING,
+    "real_cyclogram": _TOUCHING,
     "hertz": _TOUCHING,
     "pin_strength": (*_TOUCHING, "pin"),
     "output_efficiency": (*_TURNING, "friction"),
@@ -129,6 +139,9 @@ _NEEDS: dict[Section, tuple[str, ...]] = {
     "worked": (),
 }
 """Which parts of the request each section of the answer needs, and which of their fields."""
+
+DRAWN_SAMPLES = 361
+"""Crank angles of the figure's real forces."""
 
 STRENGTH: tuple[Section, ...] = (
     "pin_strength",
@@ -178,10 +191,9 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         min_length=1,
         max_length=len(_NEEDS),
         description="Sections of the answer: what is not named is not computed. Where it is "
-        "absent: all but geometry, usual_fit, checks, fixes and combined, as far as their input is "
-        "given; "
-        "load_sharing where clearance, deviations, a contact law, satellites that give or pins "
-        "that bend are. "
+        "absent: all but real_cyclogram, geometry, usual_fit, checks, fixes and combined, as far "
+        "as their input is given; load_sharing where clearance, deviations, a contact law, "
+        "satellites that give or pins that bend are. "
         "load_sharing and hertz with these are left out then where the forces cannot be solved. "
         "What rests on the forces of parts that cannot be put together is always: the check "
         "interference says why.",
@@ -257,7 +269,9 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
 
     def _unfit(self, section: Section) -> bool:
         """Whether a section rests on forces of parts that cannot be put together."""
-        made = section == "load_sharing" or (section in AS_MADE and self.results.solved)
+        made = section in ("load_sharing", "real_cyclogram") or (
+            section in AS_MADE and self.results.solved
+        )
         fit = if_known(lambda: self.results.fit) if made else None
         return fit is not None and fit.impossible
 
@@ -355,12 +369,56 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         """Result of a section of strength and life."""
         return getattr(self.results, section)
 
+    @cached_property
+    def draws_real(self) -> bool:
+        """Whether figures show the forces that are solved: where these are judged, and can be."""
+        return self.results.solved and if_known(lambda: self.results.real_forces) is not None
+
+    @property
+    def carrying(self) -> Mechanism:
+        """The ideal mechanism whose pairs drive in the direction of the torque that is shown."""
+        if not self.draws_real:
+            return self.design.driven
+        return self.design.driven_by(self.results.real_forces.way)
+
+    @cached_property
+    def solved_turn(self) -> Turn:
+        """The turn under the torque of the forces that are solved, in their direction."""
+        solved = self.results.real_forces
+        return self.results.turn(solved.way * solved.torque)
+
+    def solve_real_cyclogram(self) -> RealCyclogram:
+        """Which pairs carry."""
+        return real_cyclogram(turn=self.solved_turn, revolutions=self.mechanism.revolutions)
+
+    def real_curves(self, samples: int) -> ForceCurves:
+        """Forces that are solved, over the range of the figure of forces."""
+        angles, _ = drawing_angles(mechanism=self.built, samples=2)
+        turns = float(angles[-1]) / (2 * math.pi)
+        carried = real_cyclogram(turn=self.solved_turn, revolutions=turns)
+        crank_angle, force = carried_forces(
+            turn=self.solved_turn,
+            carried=carried,
+            places=[self.results.real_forces.turn.peak_crank_angle],
+            samples=samples,
+        )
+        pairs = tuple(PairNumber(each.satellite, each.pin) for each in carried.pairs)
+        return ForceCurves(pairs, crank_angle, force)
+
     def solve_sharing(self) -> Values:
         """The forces that are solved over the turn, at the torque itself."""
         sharing, run_us = run(self, lambda: self.results.real_forces)
         forces = if_known(lambda: self.results.judged_forces)
         force_N = forces.force if isinstance(forces, RealForces) else None
-        return LoadSharingOut.values(sharing, run_us, judged_force_N=force_N)
+        curves = None
+        if self.load is not None and self.load.curve_samples:
+            curves, _ = run(self, partial(self.real_curves, self.load.samples_of(self.built)))
+        return LoadSharingOut.values(
+            sharing,
+            run_us,
+            judged_force_N=force_N,
+            curves=curves and ForceCurvesOut.values(curves),
+        )
 
     def solve_geometry(self) -> tuple[PinGeometry, FloatArray]:
         """Pins and holes at the crank angle, and the force of each pair there, N."""
@@ -400,12 +458,15 @@ class LoadSharingOut(OverTurnOut):
         "the checks.",
         symbol="F",
     )
+    curves: Maybe[ForceCurvesOut] = result(
+        "Force of every pair over the turn, where `load.include` asks for curves."
+    )
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None
 
     @classmethod
     def values(cls, result: RealForces, run_time_us: float | None = None, **given: Any) -> Values:
-        """Values of the forces over the turn; `judged_force_N` is given."""
+        """Values of the forces over the turn; `judged_force_N` and `curves` are given."""
         direction = next(name for name, ways in WAYS.items() if ways == (result.way,))
         return super().values(result.turn, run_time_us, torque_direction=direction, **given)
 
@@ -429,6 +490,9 @@ class CrankPlanetaryResponse(JudgedResponse):
     cyclogram: Maybe[CyclogramResponse] = result("As `/cyclogram` answers.")
     contact_force: Maybe[ContactForceResponse] = result("As `/contact-force` answers.")
     load_sharing: Maybe[LoadSharingOut] = result("As `/load-sharing` answers over the turn.")
+    real_cyclogram: Maybe[RealCyclogramOut] = result(
+        "Which pairs carry by the forces of `load_sharing`, in its direction of the torque."
+    )
     hertz: Maybe[DesignHertzOut] = result(
         "As `/hertz` answers, under the peak of the contact force; with clearance, deviations or a "
         "law of contact of the pair and under the force with the largest pressure; with bending "
@@ -527,6 +591,9 @@ def solve(body: CrankPlanetaryRequest) -> Values:
         sections["contact_force"] = ContactForceResponse.values(*run(body, body.solve_force))
     if "load_sharing" in asked:
         sections["load_sharing"], _ = run(body, body.solve_sharing)
+    if "real_cyclogram" in asked:
+        found = run(body, body.solve_real_cyclogram)
+        sections["real_cyclogram"] = RealCyclogramOut.values(*found)
     if "hertz" in asked:
         contact, hertz_us = run(body, lambda: body.results.hertz)
         factor = body.results.line_load_factor if body.pin else None
@@ -572,22 +639,47 @@ def work(body: CrankPlanetaryRequest) -> list[Values]:
     return worked(**found)
 
 
-def figure(body: CrankPlanetaryRequest, theme: Theme = "light") -> Figure:
-    """Cyclogram and, where a load is given, forces over one angle axis, as a Plotly figure."""
-    run(body, body.mechanism.refuse_undrawable)
-    pattern = cyclogram_figure(CyclogramResponse.values(*run(body, body.mechanism.solve)), theme)
-    if body.load is None:
-        return pattern
-    load = body.load
-    (force, switching), force_us = run(body, lambda: load.solve_for_drawing(body.design.driven))
-    return over_one_axis(
-        pattern,
-        contact_force_figure(
-            ContactForceResponse.values(force, force_us),
-            from_si("switching_deg", switching),
-            theme,
-        ),
+def _pattern_figure(body: CrankPlanetaryRequest, theme: Theme) -> Figure:
+    """The cyclogram; where forces are solved that of the pairs which carry, about it the ideal
+    one.
+    """
+    if not body.draws_real:
+        return cyclogram_figure(CyclogramResponse.values(*run(body, body.mechanism.solve)), theme)
+    turns = body.mechanism.revolutions
+    ideal, _ = run(body, lambda: cyclogram(mechanism=body.carrying, revolutions=turns))
+    real, _ = run(body, body.solve_real_cyclogram)
+    return cyclogram_figure(
+        CyclogramResponse.values((ideal, None)), theme, RealCyclogramOut.values(real)
     )
+
+
+def _force_figure(body: CrankPlanetaryRequest, theme: Theme) -> Figure:
+    """The forces; where they are solved with the largest ideal one as a thin line."""
+    load = body.load
+    assert load is not None
+    (force, switching), _ = run(body, lambda: load.solve_for_drawing(body.carrying))
+    ideal = ContactForceResponse.values(force)
+    if not body.draws_real:
+        return contact_force_figure(ideal, from_si("switching_deg", switching), theme)
+    sharing, _ = run(body, lambda: body.results.real_forces)
+    curves, _ = run(body, partial(body.real_curves, DRAWN_SAMPLES))
+    drawn = ForceCurvesOut.values(curves)
+    real = LoadSharingOut.values(sharing, judged_force_N=None, curves=drawn)
+    return contact_force_figure(real, switching[:0], theme, ideal)
+
+
+def figure(body: CrankPlanetaryRequest, theme: Theme = "light") -> Figure:
+    """Cyclogram and, where a load is given, forces over one angle axis, as a Plotly figure: by the
+    model of the answer, and the ideal one thin beside the real one. Where `include` names one of
+    the sections `cyclogram` and `contact_force`, that alone.
+    """
+    run(body, body.mechanism.refuse_undrawable)
+    named = {"cyclogram", "contact_force"} & {*(body.include or ())}
+    if body.load is None or named == {"cyclogram"}:
+        return _pattern_figure(body, theme)
+    if named == {"contact_force"}:
+        return _force_figure(body, theme)
+    return over_one_axis(_pattern_figure(body, theme), _force_figure(body, theme))
 
 
 CALCULATION = Calculation(

@@ -18,7 +18,7 @@ from app.model import (
 )
 from app.running import run
 from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018
-from app.theme import INK, Amount, Figure, Theme, axis, hover, layout, series_style, text
+from app.theme import IDEAL, INK, Amount, Figure, Theme, axis, hover, layout, series_style, text
 from app.units import UNITS
 from app.worked import worked
 from core.errors import InvalidInput
@@ -187,12 +187,28 @@ class CyclogramResponse(AssumingResponse):
         )
 
 
-def cyclogram_figure(answer: Values, theme: Theme) -> Figure:
-    """Cyclogram as papers draw it: pairs as rows, colour and hatch by satellite."""
+def cyclogram_figure(answer: Values, theme: Theme, real: Values | None = None) -> Figure:
+    """Cyclogram as papers draw it: pairs as rows, colour and hatch by satellite.
+
+    Parameters
+    ----------
+    answer : dict
+        As `/cyclogram` answers.
+    theme : {"light", "dark"}
+        Look of the figure.
+    real : dict, optional
+        Which pairs really carry, as `RealCyclogramOut` has it: these are the bars then, and the
+        ideal ones thin outlines about them.
+    """
     end = answer["driving_count"][-1]["to_deg"]
     satellites = max(pair["satellite"] for pair in answer["pairs"])
-    data = [_bars(answer, satellite, theme) for satellite in range(1, satellites + 1)]
-    data.append(_count(answer, theme))
+    pairs = answer["pairs"] if real is None else real["pairs"]
+    count = answer["driving_count"] if real is None else real["loaded_count"]
+    most = max(each["pairs"] for each in (*count, *answer["driving_count"]))
+    data = [_bars(pairs, satellite, theme) for satellite in range(1, satellites + 1)]
+    data.append(_count(count, "driving_pairs" if real is None else "loaded_pairs", theme))
+    if real is not None:
+        data += [_outlines(answer["pairs"], theme), _ideal_count(answer["driving_count"], theme)]
     rows = [f"{pair['satellite']}.{pair['pin']}" for pair in answer["pairs"]]
     alert = INK[theme]["alert"]
     shapes = [
@@ -232,7 +248,7 @@ def cyclogram_figure(answer: Values, theme: Theme) -> Figure:
             theme,
             barmode="overlay",
             bargap=0.3,
-            showlegend=satellites > 1 or bool(answer["dead_centres_deg"]),
+            showlegend=satellites > 1 or bool(answer["dead_centres_deg"]) or real is not None,
             height=190 + 22 * len(rows),
             xaxis=axis(theme, text("crank_angle"), "°", range=[0, end], anchor="y2", **steps),
             yaxis=axis(
@@ -251,26 +267,33 @@ def cyclogram_figure(answer: Values, theme: Theme) -> Figure:
             ),
             yaxis2=axis(
                 theme,
-                text("driving"),
+                text("driving" if real is None else "loaded"),
                 domain=[0, 0.22],
                 rangemode="tozero",
-                dtick=max(1, round(answer["max_driving"] / 4)),
-                range=[0, answer["max_driving"] + 0.5],
+                dtick=max(1, round(most / 4)),
+                range=[0, most + 0.5],
             ),
             shapes=shapes,
         ),
     }
 
 
-def _bars(answer: Values, satellite: int, theme: Theme) -> Figure:
-    """All driving phases of one satellite."""
+def _phases(pair: Values) -> list[Range]:
+    """When a pair drives; of a real one, when it carries."""
+    phases: list[Range] = pair["driving_deg" if "driving_deg" in pair else "loaded_deg"]
+    return phases
+
+
+def _bars(pairs: list[Values], satellite: int, theme: Theme) -> Figure:
+    """All phases of one satellite."""
     colour, _, hatch = series_style(satellite - 1, theme)
     phases = [
         (pair["pin"], start, stop)
-        for pair in answer["pairs"]
+        for pair in pairs
         if pair["satellite"] == satellite
-        for start, stop in pair["driving_deg"]
+        for start, stop in _phases(pair)
     ]
+    words = "pair_carries" if "loaded_deg" in pairs[0] else "pair_drives"
     return {
         "type": "bar",
         "orientation": "h",
@@ -283,7 +306,7 @@ def _bars(answer: Values, satellite: int, theme: Theme) -> Figure:
         ],
         "hovertemplate": hover(
             text(
-                "pair_drives",
+                words,
                 satellite="%{customdata[0]}",
                 pin="%{customdata[1]}",
                 start=Amount("%{customdata[2]}", "°"),
@@ -298,13 +321,43 @@ def _bars(answer: Values, satellite: int, theme: Theme) -> Figure:
     }
 
 
-def _count(answer: Values, theme: Theme) -> Figure:
-    """Number of driving pairs as a step line."""
-    intervals = answer["driving_count"]
+def _outlines(pairs: list[Values], theme: Theme) -> Figure:
+    """The ideal phases of all pairs, thin about the real ones."""
+    phases = [
+        (f"{pair['satellite']}.{pair['pin']}", start, stop)
+        for pair in pairs
+        for start, stop in pair["driving_deg"]
+    ]
+    return {
+        "type": "bar",
+        "orientation": "h",
+        "name": text("ideal"),
+        "meta": IDEAL,
+        "y": [row for row, _, _ in phases],
+        "base": [round(start, 6) for _, start, _ in phases],
+        "x": [round(stop - start, 6) for _, start, stop in phases],
+        "width": 0.94,
+        "hoverinfo": "skip",
+        "marker": {
+            "color": "rgba(0, 0, 0, 0)",
+            "line": {"color": INK[theme]["muted"], "width": 1},
+        },
+    }
+
+
+def _ideal_count(intervals: list[Values], theme: Theme) -> Figure:
+    """The ideal number of driving pairs, thin behind the real one."""
+    own = _count(intervals, "driving_pairs", theme)
+    line = own["line"] | {"width": 1, "dash": "dot"}
+    return own | {"name": text("ideal"), "meta": IDEAL, "line": line, "fill": "none"}
+
+
+def _count(intervals: list[Values], words: str, theme: Theme) -> Figure:
+    """Number of pairs as a step line."""
     return {
         "type": "scatter",
         "mode": "lines",
-        "name": text("driving_pairs"),
+        "name": text(words),
         "xaxis": "x",
         "yaxis": "y2",
         "showlegend": False,
@@ -314,9 +367,7 @@ def _count(answer: Values, theme: Theme) -> Figure:
         "line": {"shape": "hv", "width": 2, "color": INK[theme]["text"]},
         "fill": "tozeroy",
         "fillcolor": INK[theme]["grid"],
-        "hovertemplate": hover(
-            text("driving_pairs_hover", pairs="%{y}", angle=Amount("%{x:.2f}", "°"))
-        ),
+        "hovertemplate": hover(text(f"{words}_hover", pairs="%{y}", angle=Amount("%{x:.2f}", "°"))),
     }
 
 

@@ -3,6 +3,7 @@
 from functools import partial
 from typing import Any, Literal
 
+from app.calculations.cyclogram import CountIntervalOut, Range
 from app.calculations.mechanism import PairOut
 from app.model import (
     AccuracyOut,
@@ -15,6 +16,7 @@ from app.model import (
 )
 from app.units import from_si
 from core.output.fit import Fit
+from core.output.real_cyclogram import RealCyclogram
 
 Direction = Literal["driving", "reverse"]
 
@@ -142,6 +144,54 @@ class StiffnessCurveOut(ResponseModel):
     torque_Nm: list[float] = result("Torques, negative in reverse.", symbol="T")
     rotation_arcmin: list[float] = result("Lag under each.", symbol="θ")
     stiffness_Nm_per_arcmin: list[float] = result("Slope at each.", symbol="dT/dθ")
+
+
+class CarryingPairOut(PairOut):
+    """When one pair carries."""
+
+    loaded_deg: list[Range] = result(
+        "Ranges of crank angle in which its force is above zero.", symbol="φ"
+    )
+
+
+class RealCyclogramOut(ResponseModel):
+    """Which pairs really carry under the torque without the dynamic factor, when, how many
+    together: over the crank revolutions of the mechanism.
+    """
+
+    period_deg: float = result("Crank angle after which the same pairs carry again.")
+    pairs: list[CarryingPairOut] = result("The pairs, satellite by satellite.")
+    loaded_count: list[CountIntervalOut] = result("Numbers of pairs that carry.")
+    end_error_deg: float = result("Estimate of the error of the ends.")
+    step_deg: float = result("Step of the search: what is shorter may not be found.")
+    accuracy: AccuracyOut
+
+    @classmethod
+    def values(
+        cls, result: RealCyclogram, run_time_us: float | None = None, **given: Any
+    ) -> Values:
+        """Values of the core's result."""
+        return super().values(
+            result,
+            run_time_us,
+            pairs=[
+                {
+                    "satellite": pair.satellite,
+                    "pin": pair.pin,
+                    "loaded_deg": from_si("loaded_deg", pair.driving),
+                }
+                for pair in result.pairs
+            ],
+            loaded_count=[
+                {
+                    "from_deg": from_si("from_deg", start),
+                    "to_deg": from_si("to_deg", end),
+                    "pairs": pairs,
+                }
+                for start, end, pairs in result.loaded_count
+            ],
+            **given,
+        )
 
 
 class IdealOut(ResponseModel):

@@ -251,8 +251,23 @@ class Design:
         """The ideal mechanism whose pairs drive where those of this one carry: in reverse they do
         where they would brake.
         """
+        reverse = self.load and self.load.torque_direction == "reverse"
+        return self.driven_by(-1.0 if reverse else 1.0)
+
+    def driven_by(self, way: float) -> Mechanism:
+        """The same by the sign of the torque.
+
+        Parameters
+        ----------
+        way : float
+            1 driving, -1 in reverse.
+
+        Returns
+        -------
+        Mechanism
+        """
         built = self.mechanism.built
-        if not (self.load and self.load.torque_direction == "reverse"):
+        if way > 0:
             return built
         return replace(built, initial_crank_angle=built.initial_crank_angle + math.pi)
 

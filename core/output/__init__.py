@@ -32,6 +32,7 @@ loaded_position     its forces, lag, play and stiffness at one position
 real_curves         curves of these over the turn, and of the lag over the torque
 summits             summits of a function over the turn
 turn                positions over the turn
+real_cyclogram      which pairs really carry, when, how many together
 real_turn           forces on pins, satellites and crank over the turn, sampled
 over_turn           the same over the turn: peak, backlash, lost motion, transmission error
 alternating         both directions of the torque, and the worse

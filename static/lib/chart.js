@@ -228,6 +228,9 @@ export function enveloped(chart, name) {
   };
 }
 
+/** Whether a figure shows ideal forces beside the real ones. */
+export const besideIdeal = ({ data }) => data.some(({ meta }) => meta === "ideal");
+
 /** The sets of pairs whose curves coincide, as the reader knows them. */
 export function coinciding({ data }) {
   return data.filter((trace) => pairsOf(trace).length > 1).map(({ name }) => pairNames(name));

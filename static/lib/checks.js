@@ -9,6 +9,11 @@ export const ASIDE = [
   "accuracy", "warnings", "verdict", "governing", "counts", "not_considered", "checks", "fixes", "torque_reserve",
   "largest_torque_Nm", "largest_torque_estimated", "largest_torque_of", "parts", "model", "assumed", "fit",
 ];
+
+/** The sections whose values are listed: those that are asked, and that of forces which are solved, where there is one. */
+export const listedOf = ({ sections, solved }, answers) =>
+  (answers.some((answer) => answer?.[solved]) ? [solved, ...sections] : sections);
+
 /** The values of a section as `[[name, value]]`, those of its parts too, named after the part where there are words for that. */
 export function flattened(section) {
   return Object.entries(section).flatMap(([name, value]) => {

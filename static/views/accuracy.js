@@ -1,4 +1,5 @@
 /** At the end, folded: what the model leaves out, how exact the numbers are and what that costs, the sources, the papers' errata. */
+import { listedOf } from "../lib/checks.js";
 import { formatDuration, formatNumber } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { message, said } from "../messages/index.js";
@@ -33,7 +34,7 @@ export function createAccuracy({ calculator, about, figures }) {
   return {
     root,
     update: following(({ shown }) => [shown], ({ shown }) => {
-      const sections = calculator.sections.map((id) => [id, shown?.answer[id]]).filter(([, section]) => section);
+      const sections = listedOf(calculator, [shown?.answer]).map((id) => [id, shown?.answer[id]]).filter(([, section]) => section);
       fill(numbers, html`${sections.map(sectionMarkup)}`);
     }),
   };

@@ -1,5 +1,5 @@
 /** Kept designs beside the one at hand: inputs that differ, results and their differences. */
-import { ASIDE, flattened, judgedOf, levelOfWord, percent, titleOf, wordOf } from "../lib/checks.js";
+import { ASIDE, flattened, judgedOf, levelOfWord, listedOf, percent, titleOf, wordOf } from "../lib/checks.js";
 import { element, fill, html } from "../lib/html.js";
 import { formatNumber, quantityParts, unitOf } from "../lib/format.js";
 import { message, quantityWords } from "../messages/index.js";
@@ -104,8 +104,9 @@ function torqueRow(all, base) {
 }
 
 /** The numbers of the sections, a row each: also what is known of some designs only; those that differ first. */
-function resultRows({ sections, elsewhere, better = {} }, designs, base) {
-  const rows = sections.flatMap((section) => {
+function resultRows(calculator, designs, base) {
+  const { elsewhere, better = {} } = calculator;
+  const rows = listedOf(calculator, designs.map(({ answer }) => answer)).flatMap((section) => {
     const all = designs.map(({ answer }) => new Map(numbersOf(section, answer?.[section] ?? {}, elsewhere).map((one) => [one[0], one])));
     const ids = [...new Set(all.flatMap((one) => [...one.keys()]))];
     return ids.map((id) => {

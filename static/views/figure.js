@@ -1,6 +1,6 @@
 /** A figure made by the service and the table of the same numbers, in one place of fixed height. */
 import { newestOnly } from "../lib/api.js";
-import { coinciding, curveTables, enveloped, inLanguage, overlaid, sequenced } from "../lib/chart.js";
+import { besideIdeal, coinciding, curveTables, enveloped, inLanguage, overlaid, sequenced } from "../lib/chart.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 import { passingText, problemText } from "../service_texts.js";
@@ -24,7 +24,8 @@ function completed({ measures, body = ({ besides, ...input }) => input, ...figur
  * `on.tables(figure)` gives the tables of a figure that has its own, to be saved;
  * `on.charted(id, data)` tells of what was drawn, `on.picked(pair)` of a click on a pair, `on.turned(angle)`
  * of the crank angle of a click, `on.set([path, value])` of the input that it means. What is folded away is asked for and
- * drawn when it is opened; a figure that `leads` the drawing is asked for at once.
+ * drawn when it is opened; a figure that `leads` the drawing is asked for at once. `figure.real` has path and body of the
+ * figure that stands in its place where it `shows(input, answer)`: where forces are solved.
  */
 export function createFigure({ figure: about, client, titles, on }) {
   const figure = completed(about);
@@ -44,7 +45,7 @@ export function createFigure({ figure: about, client, titles, on }) {
         ${figure.onDemand && html`<p class="measures"><button type="button" class="measure">${message("figure.measure")}</button>
           ${figure.example && html`<button type="button" class="measure example">${message("figure.measureExample")}</button>`}</p>`}
       </div>
-      ${figure.enveloped && html`<p class="figure-note"></p>`}
+      ${(figure.enveloped || figure.real) && html`<p class="figure-note"></p>`}
     </figure>`);
   const canvas = root.querySelector(".canvas");
   const table = root.querySelector(".figure-table");
@@ -67,6 +68,9 @@ export function createFigure({ figure: about, client, titles, on }) {
   let waiting = false; // folded away, until it is opened
   let ahead = null; // the chart of what is asked, `{ filled, theme, chart, stop }`, until it is drawn
 
+  /** Whether the forces that are solved are shown; before there is an answer, whether they will be. */
+  const isReal = (input, answer) => figure.real?.shows(input, answer) ?? false;
+
   const heightOf = (input) => (typeof figure.height === "function" ? figure.height(input) : figure.height);
 
   /** Have another input to draw, or none: then there is nothing to list or to save either. */
@@ -86,15 +90,16 @@ export function createFigure({ figure: about, client, titles, on }) {
   }
 
   async function post({ input, answer, requests }, theme, signal) {
-    const body = example ? { calculation: about.measures, input: figure.example } : figure.body(input, answer, requests);
-    return client.post(figure.path, body, { signal, query: { theme } }).then(inLanguage).then(figure.shape ?? ((chart) => chart));
+    const { path, body: bodyOf } = isReal(input, answer) ? figure.real : figure;
+    const body = example ? { calculation: about.measures, input: figure.example } : bodyOf(input, answer, requests);
+    return client.post(path, body, { signal, query: { theme } }).then(inLanguage).then(figure.shape ?? ((chart) => chart));
   }
 
   /** The first chart is asked for beside the answer, where its body does not hang on that; later ones of what is not refused. */
   function askAhead({ shown, pending, phase, theme, reading: { input, filled } }) {
     ahead?.stop.abort();
     ahead = null;
-    if (shown || phase !== "computing" || pending !== filled || measure || (tabled && figure.tables) || figure.body.length > 1) return;
+    if (shown || phase !== "computing" || pending !== filled || measure || (tabled && figure.tables) || figure.body.length > 1 || isReal(input)) return;
     const stop = new AbortController();
     ahead = { filled: pending, theme, stop, chart: post({ input }, theme, stop.signal) };
     ahead.chart.catch(() => {}); // said where it is drawn
@@ -114,7 +119,7 @@ export function createFigure({ figure: about, client, titles, on }) {
   }
 
   const shaped = (one, theme) => {
-    if (figure.enveloped) return enveloped(one, message("figure.largest"));
+    if (figure.enveloped) return enveloped(one, message(besideIdeal(one) ? "figure.largestReal" : "figure.largest"));
     return figure.sequenced ? sequenced(one, theme) : one;
   };
 
@@ -154,12 +159,12 @@ export function createFigure({ figure: about, client, titles, on }) {
   }
 
   async function show(all = chart) {
-    if (figure.enveloped) {
-      const same = coinciding(all);
-      root.querySelector(".figure-note").textContent = [
-        message("figure.switching"), ...same.length > 0 ? [message("figure.coinciding", { pairs: same.slice(0, 8).join("; ") + (same.length > 8 ? " …" : "") })] : [],
-      ].join(" ");
-    }
+    const same = figure.enveloped ? coinciding(all) : [];
+    const note = root.querySelector(".figure-note");
+    if (note) note.textContent = [
+      besideIdeal(all) ? message(`figure.${figure.id}Real`) : figure.enveloped && message("figure.switching"),
+      same.length > 0 && message("figure.coinciding", { pairs: same.slice(0, 8).join("; ") + (same.length > 8 ? " …" : "") }),
+    ].filter(Boolean).join(" ");
     if (!tabled) await plot.draw(all);
     else if (!figure.tables) fill(table, html`${curveTables(chart).map(tableMarkup)}`);
   }

@@ -1,5 +1,5 @@
 /** All results as tables, a section each; warnings above. */
-import { ASIDE, flattened } from "../lib/checks.js";
+import { ASIDE, flattened, listedOf } from "../lib/checks.js";
 import { quantityParts, resultDigits, unitOf } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { shownAsIs, shownUnit } from "../lib/units.js";
@@ -16,6 +16,7 @@ function isScalar(value) {
 
 /** A word of the answer in the language in use. */
 function wordOf(name, value) {
+  if (name === "torque_direction") return message(`option.${value}`);
   const kind = { body: "figures", criterion: "criteria" }[name];
   return (kind && said(kind, value)) ?? value;
 }
@@ -100,7 +101,7 @@ export function createResults({ calculator, titles }) {
     root,
     update: following(({ shown }) => [shown], ({ shown }) => {
       if (!shown) return;
-      const own = calculator.sections.filter((id) => !calculator.wanted?.some(({ section }) => section === id));
+      const own = listedOf(calculator, [shown.answer]).filter((id) => !calculator.wanted?.some(({ section }) => section === id));
       fill(host, html`${own.map((id) =>
         sectionMarkup(id, shown.answer[id], calculator.elsewhere, titles))}`);
     }),

@@ -229,3 +229,73 @@ def test_the_page_knows_how_many_pairs_are_taken():
         r"MOST_PAIRS = \{ all: ([\d_]+), turned: ([\d_]+), drawn: ([\d_]+) \}", text
     )
     assert [*map(int, known)] == [MAX_PAIRS, MAX_TURN_PAIRS, MAX_DRAWN_PAIRS]
+
+
+LOOSE = {
+    "mechanism": {"pins": 8, "satellites": 2, "ratio": 35},
+    "load": {"output_torque_Nm": 320, "pin_circle_radius_mm": 45},
+    "contact": {
+        "pin_radius_mm": 6,
+        "eccentricity_mm": 1.5,
+        "hole_clearance_mm": 0.02,
+        "contact_length_mm": 14,
+    },
+}
+
+
+@pytest.mark.parametrize("direction", ["driving", "reverse", "alternating"])
+async def test_the_figure_of_a_reducer_follows_the_model_of_its_answer(api, direction):
+    body = {**LOOSE, "load": LOOSE["load"] | {"torque_direction": direction}}
+    asked = ["contact_force", "load_sharing", "real_cyclogram"]
+    answer = (await api.post("crank-planetary", json=body | {"include": asked})).json()
+    assert answer["model"] == "real"
+    forces = (await api.post("crank-planetary/chart", json=body | {"include": asked[:1]})).json()
+    curves = {trace["name"]: trace for trace in forces["data"]}
+    peak = answer["load_sharing"]["peak_pair"]
+    carried = curves[f"{peak['satellite']}.{peak['pin']}"]
+    top = max(max(curve["y"]) for name, curve in curves.items() if name[0].isdigit())
+    assert max(carried["y"]) == pytest.approx(top) == pytest.approx(curves["Peak"]["y"][0])
+    assert top == pytest.approx(answer["load_sharing"]["peak_force_N"])
+    ideal = curves["Largest force, ideal"]
+    assert max(ideal["y"]) == pytest.approx(answer["contact_force"]["peak_force_N"], rel=1e-3)
+    assert ideal["line"]["width"] == 1 < carried["line"]["width"]
+
+    pattern = (
+        await api.post("crank-planetary/chart", json=body | {"include": ["cyclogram"]})
+    ).json()
+    bars = [trace for trace in pattern["data"] if trace["type"] == "bar"]
+    drawn = {
+        (row, start, length)
+        for bar in bars[:-1]
+        for row, start, length in zip(bar["y"], bar["base"], bar["x"], strict=True)
+    }
+    assert drawn == {
+        (f"{pair['satellite']}.{pair['pin']}", round(start, 6), round(stop - start, 6))
+        for pair in answer["real_cyclogram"]["pairs"]
+        for start, stop in pair["loaded_deg"]
+    }
+    for row, start, length in drawn:  # a pair carries where the ideal one drives
+        ideal_bars = zip(bars[-1]["y"], bars[-1]["base"], bars[-1]["x"], strict=True)
+        assert any(
+            name == row and low <= start + 1e-4 and start + length <= low + wide + 1e-4
+            for name, low, wide in ideal_bars
+        )
+
+
+async def test_a_figure_of_perfect_parts_is_the_ideal_one(api):
+    body = LOOSE | {"contact": LOOSE["contact"] | {"hole_clearance_mm": 0}}
+    for section, path, own in (
+        ("cyclogram", "cyclogram", body["mechanism"]),
+        ("contact_force", "contact-force", body["mechanism"] | body["load"]),
+    ):
+        whole = await api.post("crank-planetary/chart", json=body | {"include": [section]})
+        assert whole.json() == (await api.post(f"{path}/chart", json=own)).json()
+
+
+async def test_curves_of_the_real_forces_come_where_they_are_asked(api):
+    body = LOOSE | {"include": ["load_sharing"]}
+    assert "curves" not in (await api.post("crank-planetary", json=body)).json()["load_sharing"]
+    body["load"] = LOOSE["load"] | {"include": ["curves"], "samples": 50}
+    sharing = (await api.post("crank-planetary", json=body)).json()["load_sharing"]
+    forces = sharing["curves"]["force_N"]
+    assert len(forces) == 16 and max(map(max, forces)) == pytest.approx(sharing["peak_force_N"])

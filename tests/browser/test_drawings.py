@@ -111,6 +111,85 @@ def test_arrows_are_as_long_as_the_forces_and_end_at_the_contact_points(
         assert tip == pytest.approx(point, abs=0.02)
 
 
+LOOSE = {
+    "contact.hole_radius_mm": "",
+    "contact.eccentricity_mm": "1.5",
+    "contact.hole_clearance_mm": "0.02",
+}
+
+TRACES = """(id) => document.querySelector(`[data-figure="${id}"] .plot`).data
+  .map(({ name, y, base, x, line, marker }) => (
+    { name, y, base, x, width: (line ?? marker.line)?.width }))"""
+
+
+def test_of_a_loose_mechanism_all_shows_the_forces_that_are_solved(
+    page: Page, service: str, watch: Any
+) -> None:
+    open_mechanism(page, service, **LOOSE)
+    design = {
+        "mechanism": {"pins": 6, "satellites": 1, "ratio": 20},
+        "load": {"output_torque_Nm": 50, "pin_circle_radius_mm": 32.5},
+        "contact": {
+            "contact_length_mm": 20,
+            "pin_radius_mm": 5,
+            "eccentricity_mm": 1.5,
+            "hole_clearance_mm": 0.02,
+        },
+    }
+    sections = ["contact_force", "load_sharing", "real_cyclogram"]
+    answer: Any = ask(service, "/crank-planetary", design | {"include": sections})
+    peak, ideal = (answer[each]["peak_force_N"] for each in ("load_sharing", "contact_force"))
+    assert peak > 1.2 * ideal
+    # The drawing starts at the real peak, with the real forces.
+    newton = scale(page, "px-per-mm") * scale(page, "mm-per-n")
+    start = answer["load_sharing"]["peak_crank_angle_deg"]
+    asked = len(watch.paths())
+    for angle in (None, 100, 200):
+        if angle is not None:
+            slider(page).evaluate(MOVE, angle)
+        at = start if angle is None else angle
+        position: Any = ask(service, "/load-sharing", design | {"crank_angle_deg": [at]})
+        forces = position["positions"][0]["force_N"][0]
+        for length, force in zip(page.evaluate(ARROWS), forces, strict=True):
+            assert length == pytest.approx(force * newton, abs=2e-3 * peak * newton + 0.02)
+        driving = page.locator(".satellite .hole.driving")
+        expect(driving).to_have_count(sum(force > 0 for force in forces))
+    assert len(watch.paths()) == asked
+    expect(page.locator(".mechanism .scale")).to_contain_text("The forces are the real ones")
+    # The figures: the real forces strong, the ideal ones thin, and no ideal figure besides.
+    force = {trace["name"]: trace for trace in page.evaluate(TRACES, "force")}
+    strong, thin = force["Largest force, real"], force["Largest force, ideal"]
+    assert max(strong["y"]) == pytest.approx(peak, rel=1e-4)
+    assert max(thin["y"]) == pytest.approx(ideal, rel=1e-3) and thin["width"] < strong["width"]
+    bars, *_, outlines = (one for one in page.evaluate(TRACES, "cyclogram") if one["base"])
+    carried = {
+        (f"{pair['satellite']}.{pair['pin']}", round(start, 4), round(stop - start, 4))
+        for pair in answer["real_cyclogram"]["pairs"]
+        for start, stop in pair["loaded_deg"]
+    }
+    rows = zip(bars["y"], bars["base"], bars["x"], strict=True)
+    assert {(row, round(start, 4), round(length, 4)) for row, start, length in rows} == carried
+    assert outlines["name"] == "Ideal" and sum(outlines["x"]) > 1.2 * sum(bars["x"])
+    charts = [path for path in watch.paths() if path.endswith("/chart")]
+    assert "/api/v1/contact-force/chart" not in charts
+    assert charts.count("/api/v1/crank-planetary/chart") == 2
+    # Kept and tightened: each design by its own model.
+    page.get_by_role("button", name="Keep this design").click()
+    box(page, "contact.hole_clearance_mm").fill("0.04")
+    settled(page)
+    page.wait_for_function(
+        "() => document.querySelector('[data-figure=force] .plot').data"
+        ".filter(({ name }) => name === 'A').length === 2"
+    )
+    kept = [trace for trace in page.evaluate(TRACES, "force") if trace["name"] == "A"]
+    assert max(kept[0]["y"]) == pytest.approx(peak, rel=1e-4)
+    names = page.locator(".compare-table tbody th")
+    for name in ("Peak force, ideal N", "Real peak force N", "Backlash, largest ′"):
+        expect(names.filter(has_text=name)).to_have_count(1)
+    titles = names.all_text_contents()
+    assert len(titles) == len(set(titles))
+
+
 def test_the_slider_moves_everything_and_asks_nothing(page: Page, service: str, watch: Any) -> None:
     open_mechanism(page, service)
     before = len(watch.requests)

@@ -3,6 +3,8 @@ import { test } from "node:test";
 
 import { flatValues } from "../../static/lib/exports.js";
 import calculator from "../../static/calculators/crank-planetary/index.js";
+import { listedOf } from "../../static/lib/checks.js";
+import { LANGUAGES, quantityWords } from "../../static/messages/index.js";
 import { codesOf, warningsOf } from "../../static/lib/verdict.js";
 
 const ACCURACY = { method: "closed form", relative_error: 1e-15, evaluations: 1, run_time_us: 10 };
@@ -48,7 +50,7 @@ test("with real forces the pairs are those that are loaded", () => {
   const answer = { cyclogram: CYCLOGRAM, load_sharing: real, contact_force: { peak_force_N: 8 } };
   const [peak, pairs] = calculator.verdict(answer, { input: {} });
   assert.deepEqual([peak.label, peak.value], ["Real peak force", "9"]);
-  assert.deepEqual([pairs.value, pairs.note], ["1–3", "of 6 pairs loaded; ideally 2–4"]);
+  assert.deepEqual([pairs.label, pairs.value, pairs.note], ["Pairs loaded at once", "1–3", "of 6 pairs loaded; ideally 2–4"]);
   assert.match(calculator.sentences(answer)[0][1], /1 to 3 of 6 pairs are loaded/);
   const dead = { ...answer, cyclogram: { ...CYCLOGRAM, dead_centres_deg: [10] } };
   assert.equal(calculator.verdict(dead, { input: {} })[1].level, "bad");
@@ -147,7 +149,7 @@ test("in words the most loaded pair carries its force as made, and the ideal one
   const words = (real) => calculator.sentences({ cyclogram: section, contact_force: force, ...(real && { load_sharing: { peak_force_N: real } }) })
     .filter(Boolean).map(([, text]) => text).slice(1);
   assert.deepEqual(words(), ["The most loaded pair carries 2963\u00a0N, 1.15 times the peak with equal sharing among the driving pairs."]);
-  assert.match(words(7683)[0], /^Really the most loaded pair carries 7683.N\. .* ideal forces, .* at most 2963.N\.$/);
+  assert.match(words(7683)[0], /^Really the most loaded pair carries 7683.N; ideally, .* it would carry 2963.N\.$/);
 });
 
 test("the direction of the torque goes with ideal forces too, to every section that it matters for", async () => {
@@ -157,4 +159,58 @@ test("the direction of the torque goes with ideal forces too, to every section t
   assert.equal((await asked(input, calculator.sections)).load.torque_direction, "alternating");
   const [force] = calculator.figures.filter(({ id }) => id === "force").map(({ body }) => body(input));
   assert.ok(!("torque_direction" in force));
+});
+
+test("no two forces have one name: the ideal ones, the real ones, those with the factor, in every language", async () => {
+  const names = ["peak_force_N", "peak_force_ratio", "peak_crank_angle_deg", "peak_pair", "max_pressure_MPa"];
+  for (const language of Object.keys(LANGUAGES)) {
+    const { default: { quantity } } = await import(`../../static/messages/${language}.js`);
+    const title = (section, name) => (quantity[`${section}.${name}`] ?? quantity[name]).title;
+    for (const name of names) assert.notEqual(title("load_sharing", name), title("contact_force", name), `${language}: ${name}`);
+    const peaks = ["contact_force", "load_sharing", "pin_strength", "output_efficiency"].map((section) => title(section, "peak_force_N"));
+    assert.equal(new Set([...peaks, title("load_sharing", "judged_force_N")]).size, peaks.length + 1);
+  }
+});
+
+test("solved forces are listed, and stand beside the ideal ones of other designs", () => {
+  assert.deepEqual(listedOf(calculator, [{ contact_force: {} }, null]), calculator.sections);
+  assert.deepEqual(listedOf(calculator, [null, { load_sharing: {} }]), ["load_sharing", ...calculator.sections]);
+  assert.equal(quantityWords("loaded_pairs_max", "load_sharing").title, "Most pairs loaded");
+});
+
+const [cyclogramFigure, forceFigure] = ["cyclogram", "force"].map((one) => calculator.figures.find(({ id }) => id === one));
+
+test("figures show the forces that are solved, by the body by which they were; before the answer it is known which come", () => {
+  const input = { mechanism: { pins: 3 }, contact: { pin_radius_mm: 5, eccentricity_mm: 2, hole_radius_mm: 7 } };
+  const loose = { ...input, contact: { ...input.contact, hole_clearance_mm: 0.02, hole_radius_mm: 7.02 } };
+  const body = { mechanism: { pins: 3 }, load: { torque_direction: "reverse" }, deviations: {}, include: ["checks", "hertz"] };
+  for (const [figure, section] of [[cyclogramFigure, "cyclogram"], [forceFigure, "contact_force"]]) {
+    const { shows, path, body: bodyOf } = figure.real;
+    assert.deepEqual([input, loose, { ...input, besides: { real: { on: "on" } } }].map((one) => shows(one)), [false, true, true]);
+    assert.deepEqual([shows(loose, { contact_force: {} }), shows(loose, { load_sharing: {} })], [false, true]);
+    assert.equal(path, "/crank-planetary/chart");
+    assert.deepEqual(bodyOf(loose, {}, [{ body }]), { ...body, include: [section] });
+    assert.throws(() => bodyOf(loose, {}, [{ body: { mechanism: { pins: 300 } } }]), { status: 422 });
+  }
+});
+
+test("tables are of the forces that are solved, and these are asked for only where the table is", async () => {
+  const input = { mechanism: { pins: 3 }, load: {}, contact: { pin_radius_mm: 1, hole_clearance_mm: 0.02 } };
+  assert.ok(!(await asked(input, calculator.sections)).include.includes("real_cyclogram"));
+  assert.ok((await asked(input, calculator.sections, new Set(["cyclogram"]))).include.includes("real_cyclogram"));
+  const perfect = { ...input, contact: { pin_radius_mm: 1 } };
+  assert.ok(!(await asked(perfect, calculator.sections, new Set(["cyclogram"]))).include.includes("real_cyclogram"));
+
+  const cyclogram = { pairs: [{ satellite: 1, pin: 1, driving_deg: [[0, 170]] }], driving_count: [{ from_deg: 0, to_deg: 360, pairs: 4 }] };
+  const real = { pairs: [{ satellite: 1, pin: 1, loaded_deg: [[20, 90]] }], loaded_count: [{ from_deg: 0, to_deg: 360, pairs: 2 }] };
+  assert.deepEqual(cyclogramFigure.tables({ cyclogram }).map(({ title, rows }) => [title, rows[0]]), [["Driving phases", [1, 1, 0, 170]], ["Number of pairs driving", [0, 360, 4]]]);
+  assert.deepEqual(cyclogramFigure.tables({ cyclogram, real_cyclogram: real }).map(({ title, rows }) => [title, rows[0]]), [
+    ["Phases in which pairs really carry", [1, 1, 20, 90]], ["Number of pairs that really carry", [0, 360, 2]],
+  ]);
+  const curves = (force) => ({ curves: { crank_angle_deg: [0], pairs: [{ satellite: 1, pin: 1 }], force_N: [[force]] }, peak_crank_angle_deg: force });
+  const answer = { contact_force: curves(5), load_sharing: curves(9) };
+  const [table] = forceFigure.tables(answer);
+  assert.deepEqual([table.title, table.rows], ["Real force of each pair", [[0, 9]]]);
+  assert.deepEqual(calculator.drawing.curves(answer), [{ name: "1.1", x: [0], y: [9] }]);
+  assert.equal(calculator.drawing.start(answer), 9);
 });

@@ -109,7 +109,7 @@ for (const exponent of [0, 1, 1.5]) {
     const curves = curvesOf(m, exponent);
     for (let angle = 0.11; angle < 1080; angle += 0.37) {
       const expected = theory(m, angle, exponent);
-      forcesAt(m, curves, angle).forEach((force, i) => close(force, expected[i], 2));
+      forcesAt(m, curves, angle, drivingAt(m, angle)).forEach((force, i) => close(force, expected[i], 2));
     }
   });
 }

@@ -146,7 +146,7 @@ function placeMain(parts, { m, angle, directions, pins, driving, force }) {
 }
 
 /** Show one pair enlarged. */
-function placeDetail(parts, { m, directions, pins, driving, force, ideal }, i) {
+function placeDetail(parts, { m, directions, pins, driving, force, real }, i) {
   const { close, detail, one } = parts;
   const satellite = Math.floor(i / m.pins);
   const direction = directions[satellite];
@@ -180,7 +180,7 @@ function placeDetail(parts, { m, directions, pins, driving, force, ideal }, i) {
     ${label([(centre[0] + hole[0]) / 2 + direction[1] * 12, (centre[1] + hole[1]) / 2 + direction[0] * 12 + 4], "e", { field: FIELD.e })}
     ${radius(centre, close.size(m.pinRadius), away + 125, "r_in", { of: m.pinRadius, field: FIELD.pin, lead: close.size(m.holeRadius + m.eccentricity - m.pinRadius) + 6 })}
     ${radius(hole, close.size(m.holeRadius), away + 55, "r_out", { of: m.holeRadius, field: FIELD.hole, lead: 10 })}`);
-  const drives = ideal ? "drawing.drivesIdeal" : "drawing.drives";
+  const drives = real ? "drawing.carries" : "drawing.drives";
   one.title.textContent = message(driving[i] ? drives : "drawing.idle", {
     ...m.pairs[i], force: formatQuantity(value, "N", 4),
   });
@@ -234,16 +234,19 @@ export function createDrawing({ input, answer, curves, width, height }) {
   const close = m.eccentricity
     ? createView({ ...detail, scale: Math.max(detail.half * 0.24, Math.min(detail.half * 0.62, detail.half - room)) / (m.holeRadius + m.eccentricity) })
     : null;
-  const { peak_force_N: peak, peak_pair: most, peak_crank_angle_deg: at } = answer.contact_force ?? {};
+  const real = Boolean(answer.load_sharing);
+  const { peak_force_N: peak, peak_pair: most, peak_crank_angle_deg: at } = answer.load_sharing ?? answer.contact_force ?? {};
   const arrowScale = peak ? (ARROW * m.radius) / peak : 0; // mm a newton
   const round = peak && roundBelow(peak / 2, "N");
   const bar = roundBelow(m.radius, "mm");
   const names = m.pairs.map(({ satellite, pin }) => `${satellite}.${pin}`);
   const usual = most ? names.indexOf(`${most.satellite}.${most.pin}`) : 0;
-  const forcesOf = (angle) => {
-    const all = forcesAt(m, curves, angle);
-    if (all && angle === at) all[usual] = peak; // which lies between two points of the curve
-    return all;
+  /** Which pairs drive at a crank angle, and their forces; of the real ones those drive that have a force. */
+  const loadsAt = (angle) => {
+    const driving = drivingAt(m, angle);
+    const force = forcesAt(m, curves, angle, real ? null : driving);
+    if (force && angle === at) force[usual] = peak; // which lies between two points of the curve
+    return { driving: real && force ? force.map((one) => one > 0) : driving, force };
   };
   const scales = [
     scaleBar([12, height - 14], view.size(bar), mm(bar)),
@@ -254,7 +257,7 @@ export function createDrawing({ input, answer, curves, width, height }) {
       ${mainStill(view, [main.x, main.y], main.half, m)}${close && detailStill(m, detail)}${scales}`, {
       "px-per-mm": view.scale, "mm-per-n": arrowScale,
     }),
-    caption: [caption(m), answer.load_sharing && message("drawing.idealForces")].filter(Boolean).join(" "),
+    caption: [caption(m), real && message("drawing.realForces")].filter(Boolean).join(" "),
     pairs: names,
     end: m.end,
     attach(host) {
@@ -266,9 +269,8 @@ export function createDrawing({ input, answer, curves, width, height }) {
             m, angle,
             directions: crankDirections(m, angle),
             pins: pinCentres(m, angle),
-            driving: drivingAt(m, angle),
-            force: forcesOf(angle),
-            ideal: Boolean(answer.load_sharing),
+            ...loadsAt(angle),
+            real,
           };
           if (pair !== shown) {
             shown = pair;

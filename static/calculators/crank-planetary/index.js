@@ -37,6 +37,19 @@ const drawn = (body) => (input) => {
   return body(input);
 };
 
+/**
+ * A figure of the whole reducer's one in the place of an ideal one, where forces are solved: of that body by which they
+ * were.
+ */
+const real = (section) => ({
+  shows: (input, answer) => Boolean(answer ? answer.load_sharing : willBeSolved(input)),
+  path: "/crank-planetary/chart",
+  body(input, answer, [{ body }]) {
+    refuseMore(body.mechanism, MOST_PAIRS.drawn);
+    return { ...body, include: [section] };
+  },
+});
+
 /** The contact, the force of its pressure (with clearance that under the dynamic load), and what bent pins add to its line load. */
 export function pressedBy(contact, { contact_force: ideal, load_sharing: real, hertz }) {
   const edge = hertz?.line_load_factor ?? 1;
@@ -72,6 +85,9 @@ function isSolved(input) {
   return Boolean(input.pin) && !(input.contact?.distribution_factor > 1);
 }
 
+/** Whether they will be, of what the form says. */
+const willBeSolved = (input) => input.besides?.real?.on === "on" || isSolved({ ...input, ...partsOf(input, wantedSections(input)) });
+
 function clearanceNote(input) {
   const clearance = clearanceOf(input);
   if (!(Math.abs(clearance) > 1e-9)) return "";
@@ -98,6 +114,7 @@ function pairsCell(section, real) {
   const all = new Set(pairs.map(({ satellite, pin }) => `${satellite}/${pin}`)).size;
   if (real) {
     return {
+      label: message("real.loaded"),
       value: span(real.loaded_pairs_min, real.loaded_pairs_max),
       note: message("verdict.pairsLoaded", { all, ideal: span(least, most) }),
     };
@@ -141,25 +158,31 @@ function columns(...names) {
   return names.map((name) => ({ title: message(`figure.${name}`), unit: unit[name] }));
 }
 
-function phaseTables({ cyclogram }) {
+/** When pairs drive; where forces are solved, when they carry. */
+function phaseTables({ cyclogram, real_cyclogram: real }) {
+  const word = real ? "carrying" : "driving";
   return [
     {
-      title: message("figure.phases"),
+      title: message(real ? "figure.carried" : "figure.phases"),
       columns: columns("satellite", "pin", "from", "to"),
-      rows: cyclogram.pairs.flatMap(({ satellite, pin, driving_deg: driving }) =>
-        driving.map(([from, to]) => [satellite, pin, from, to])),
+      rows: (real ?? cyclogram).pairs.flatMap(({ satellite, pin, driving_deg: driving, loaded_deg: phases = driving }) =>
+        phases.map(([from, to]) => [satellite, pin, from, to])),
     },
     {
-      title: message("figure.counts"),
-      columns: columns("from", "to", "driving"),
-      rows: cyclogram.driving_count.map(({ from_deg: from, to_deg: to, pairs }) => [from, to, pairs]),
+      title: message(real ? "figure.carriedCounts" : "figure.counts"),
+      columns: columns("from", "to", word),
+      rows: (real?.loaded_count ?? cyclogram.driving_count).map(({ from_deg: from, to_deg: to, pairs }) => [from, to, pairs]),
     },
   ];
 }
 
-function forceTables({ contact_force: { curves } }) {
+/** The peak, and the curves where they were asked for: of the forces that are judged. */
+const judgedOf = ({ load_sharing: real, contact_force: ideal }) => real ?? ideal;
+
+function forceTables(answer) {
+  const { curves } = judgedOf(answer);
   return [{
-    title: message("figure.forces"),
+    title: message(answer.load_sharing ? "figure.forcesReal" : "figure.forces"),
     columns: [
       { title: message("figure.crankAngle"), unit: "°" },
       ...curves.pairs.map((pair) => ({ title: figureText("pair", pair), unit: "N" })),
@@ -169,9 +192,10 @@ function forceTables({ contact_force: { curves } }) {
 }
 
 /** The curves of the answer itself, where it has been asked for them. */
-function curvesOf({ contact_force: force }) {
-  if (!force?.curves) return [];
-  const { crank_angle_deg: x, pairs, force_N: forces } = force.curves;
+function curvesOf(answer) {
+  const curves = judgedOf(answer)?.curves;
+  if (!curves) return [];
+  const { crank_angle_deg: x, pairs, force_N: forces } = curves;
   return pairs.map(({ satellite, pin }, i) => ({ name: `${satellite}.${pin}`, x, y: forces[i] }));
 }
 
@@ -242,6 +266,9 @@ export default {
   /** The sections in the order in which each needs the one before. */
   sections: ["cyclogram", "contact_force", "hertz", "geometry", ...WANTED.map(({ section }) => section).filter(Boolean)],
 
+  /** A section that the answer has beside these, where the forces are solved. */
+  solved: "load_sharing",
+
   async ask({ post, get, input: given, filled, sections: all, tables }) {
     const wanted = wantedSections(given);
     const sections = all.filter((id) => wanted.includes(id) || !WANTED.some(({ section }) => section === id));
@@ -256,7 +283,7 @@ export default {
         contact: input.contact,
         ...Object.fromEntries(DESIGN.filter((part) => input[part]).map((part) => [part, input[part]])),
       }),
-      include: [...sections, ...(solved ? ["load_sharing"] : []), "checks"],
+      include: [...sections, ...(solved ? [this.solved] : []), ...(solved && tables.has("cyclogram") ? ["real_cyclogram"] : []), "checks"],
     }));
   },
 
@@ -285,10 +312,13 @@ export default {
   },
 
   /** Values of the answer that figures, their tables or the checks show, or that only place the others. */
-  elsewhere: ["locus", "pairs", "driving_count", "dead_zones_deg", "curves", "pins", "crank_angle_deg", "source", "source_code", "life", "forces"],
+  elsewhere: [
+    "locus", "pairs", "driving_count", "dead_zones_deg", "curves", "pins", "crank_angle_deg", "source", "source_code", "life", "forces",
+    "angle_error_arcmin", "stiffness_error", "pair_error", "ripple_error_Nm",
+  ],
 
   /** The drawing takes its forces from a figure's curves. */
-  drawing: { create: createDrawing, section: "cyclogram", figure: "force", curves: curvesOf, moving: true, start: ({ contact_force: force }) => force?.peak_crank_angle_deg },
+  drawing: { create: createDrawing, section: "cyclogram", figure: "force", curves: curvesOf, moving: true, start: (answer) => judgedOf(answer)?.peak_crank_angle_deg },
 
   figures: [
     {
@@ -298,6 +328,7 @@ export default {
       section: "cyclogram",
       path: "/cyclogram/chart",
       body: drawn(({ mechanism }) => mechanism),
+      real: real("cyclogram"),
       height: ({ mechanism: { pins = 3, satellites = 1 } }) => 190 + 22 * Math.min(pins * satellites, MOST_ROWS),
       tables: phaseTables,
     },
@@ -309,6 +340,7 @@ export default {
       enveloped: true,
       compared: true,
       body: drawn(forceBody),
+      real: real("contact_force"),
       height: 400,
       tables: forceTables,
     },

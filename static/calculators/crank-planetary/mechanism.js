@@ -121,15 +121,15 @@ export function valueAt({ x, y }, place) {
 
 /**
  * Forces of all pairs at a crank angle, N, from the curves of the figure of forces: `[{ name, x, y }]`
- * by satellite and pin, with a value on both sides of every switching angle. None without curves.
+ * by satellite and pin, with a value on both sides of every switching angle. None without curves. Of ideal ones only the
+ * pairs that are `driving` have any.
  */
-export function forcesAt(mechanism, curves, angle) {
+export function forcesAt(mechanism, curves, angle, driving = null) {
   if (curves.length === 0) return null;
   const at = withinPeriod(mechanism, angle);
-  const driving = drivingAt(mechanism, angle);
   const named = new Map(curves.map((curve) => [curve.name, curve]));
   return mechanism.pairs.map(({ satellite, pin }, i) => {
-    const curve = driving[i] && named.get(`${satellite}.${pin}`);
+    const curve = (driving?.[i] ?? true) && named.get(`${satellite}.${pin}`);
     return curve ? valueAt(curve, at) : 0;
   });
 }

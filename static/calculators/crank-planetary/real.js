@@ -127,7 +127,7 @@ export function cells({ over_turn: turn, ideal }) {
 
 /** The rest as rows: `[title, value]`. */
 export function rows({ over_turn: turn, clearance_mm: clearance }, { lost_motion_torque_share: share = 0.03 }) {
-  const title = (name) => message(`quantity.${name}`).title;
+  const title = (name) => quantityWords(name, "load_sharing").title;
   const own = (name, unit) => [title(name), formatQuantity(turn[name], unit, 4)];
   return [
     [message("real.clearance"), formatQuantity(clearance, "mm", 4)],

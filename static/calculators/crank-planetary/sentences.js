@@ -18,7 +18,7 @@ function evenness({ peak_force_N: peak, equal_sharing_peak_N: equal }) {
   return ["", say("even", { peak: formatQuantity(peak, "N", 4), share: formatNumber(peak / equal, 3) })];
 }
 
-/** The peak of the mechanism as it is made, beside the ideal one that figures and drawing show. */
+/** The peak of the mechanism as it is made, beside the ideal one. */
 function made({ peak_force_N: peak }, { peak_force_N: real }) {
   return ["", say("made", { real: formatQuantity(real, "N", 4), peak: formatQuantity(peak, "N", 4) })];
 }

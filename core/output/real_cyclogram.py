@@ -1,0 +1,215 @@
+"""Which pairs really carry, when, how many together: the mechanism as it is made, under a torque.
+
+A pair carries where its force is above zero. All forces repeat with the wave, so that one turn of
+it is solved: on a grid, between whose places the ends are halved down.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.arrays import FloatArray
+from core.output.cyclogram import CountInterval, DrivingPair
+from core.output.mechanism import Mechanism
+from core.output.turn import Turn
+from core.results import ROUNDING, Accuracy
+
+SAMPLES = 720
+"""Places of the grid over a turn of the wave, none of which is a switching angle."""
+
+HALVINGS = 16
+"""How often the step that holds an end is halved."""
+
+WIDER = 4.0
+"""By what an end is less sure where the force beside it is still within its own error."""
+
+
+@dataclass(frozen=True, slots=True)
+class RealCyclogram:
+    """Which pairs carry under a torque."""
+
+    period: float  # crank angle after which each pair carries again, rad
+    # All pairs, satellite by satellite, and the crank angles from and to which each carries, rad,
+    # cut at the ends of the range.
+    pairs: tuple[DrivingPair, ...]
+    # Number of pairs that carry over the range, neighbours with the same number joined.
+    loaded_count: tuple[CountInterval, ...]
+    min_loaded: int  # least number of pairs over the range
+    max_loaded: int  # largest number
+    # What the ends may be off, rad; what is shorter than the step of the grid may not be found.
+    end_error: float
+    step: float  # of that grid, crank angle, rad
+    accuracy: Accuracy  # of the ends, over the period
+
+
+def real_cyclogram(*, turn: Turn, revolutions: float = 1.0) -> RealCyclogram:
+    """Cyclogram of the pairs that carry, over a number of crank revolutions.
+
+    Parameters
+    ----------
+    turn : Turn
+        The mechanism as it is made under its torque.
+    revolutions : float
+        Length of the range, in turns of the crank from 0, > 0.
+
+    Returns
+    -------
+    RealCyclogram
+
+    Raises
+    ------
+    ImpossibleMechanism
+        See `core.output.real_mechanism.RealMechanism.solved`.
+
+    Notes
+    -----
+    The torque is that of the load without its dynamic factor. The equilibrium at each place is that
+    of `core.output.loaded_position`; a force is zero where its pair has not closed its gap.
+    """
+    mechanism, solved = turn.real.mechanism, turn.evaluations
+    first = mechanism.initial_crank_angle
+    step = 2 * math.pi / SAMPLES
+    places = first + step * (np.arange(SAMPLES) + 1 / math.pi)
+    carries = turn.poses(places.tolist())["forces"] > 0
+    place, pair = np.nonzero(carries != np.roll(carries, -1, axis=0))
+    low, high = places[place], places[place] + step
+    before = carries[place, pair]
+    for _ in range(HALVINGS if len(place) else 0):
+        middle = (low + high) / 2
+        same = (_forces(turn, middle, pair)[0] > 0) == before
+        low, high = np.where(same, middle, low), np.where(same, high, middle)
+    ends = (low + high) / 2
+    sure = _sure(turn, ends, pair, np.where(before, -1.0, 1.0), step / 2.0 ** (HALVINGS + 1))
+    ends -= first  # from crank angle 0
+    per_wave = mechanism.crank_angle_per_wave
+    crank = per_wave / (2 * math.pi)
+    error = crank * sure + 8 * ROUNDING * per_wave
+    shown = revolutions * 2 * math.pi
+    pairs = tuple(
+        DrivingPair(
+            index // mechanism.pins + 1,
+            index % mechanism.pins + 1,
+            _intervals(ends[pair == index], before[pair == index], bool(carries[0, index]),
+                       mechanism, shown),
+        )
+        for index in range(carries.shape[1])
+    )  # fmt: skip
+    counts = _counts(pairs, shown, error)
+    numbers = [each.pairs for each in counts]
+    return RealCyclogram(
+        period=per_wave,
+        pairs=pairs,
+        loaded_count=counts,
+        min_loaded=min(numbers),
+        max_loaded=max(numbers),
+        end_error=error,
+        step=crank * step,
+        accuracy=Accuracy("newton_bracket", error / per_wave, turn.evaluations - solved),
+    )
+
+
+def carried_forces(
+    *, turn: Turn, carried: RealCyclogram, places: Sequence[float] = (), samples: int = 361
+) -> tuple[FloatArray, FloatArray]:
+    """Forces over the range of a cyclogram, at crank angles that show them faithfully.
+
+    Parameters
+    ----------
+    turn : Turn
+        The mechanism as it is made under its torque.
+    carried : RealCyclogram
+        Its cyclogram.
+    places : sequence of float, optional
+        Crank angles that are among them, rad.
+    samples : int
+        Number of evenly spaced angles; both sides of every end stand between them.
+
+    Returns
+    -------
+    crank_angle : array, M
+        rad, ascending.
+    force : array, shape (K*N, M)
+        N, satellite by satellite.
+
+    Raises
+    ------
+    ImpossibleMechanism
+        See `core.output.real_mechanism.RealMechanism.solved`.
+    """
+    end, beside = carried.loaded_count[-1].end, carried.end_error
+    ends = {place for pair in carried.pairs for phase in pair.driving for place in phase}
+    sides = [place + side for place in ends for side in (-beside, beside)]
+    angles = np.union1d(np.linspace(0.0, end, samples), np.clip([*sides, *places], 0.0, end))
+    return angles, turn.poses([turn.real.wave(float(each)) for each in angles])["forces"].T
+
+
+def _forces(turn: Turn, places: FloatArray, pair: np.ndarray) -> tuple[FloatArray, FloatArray]:
+    """Force of one pair at each wave angle, and its error, N."""
+    rows = turn.poses(places.tolist())
+    return rows["forces"][np.arange(len(pair)), pair], rows["force_error"]
+
+
+def _sure(
+    turn: Turn, ends: FloatArray, pair: np.ndarray, inward: FloatArray, width: float
+) -> float:
+    """How far from the ends, rad of the wave, forces are beyond their own error; twice the width to
+    which the ends are known at least.
+    """
+    away, unsure = 2 * width, len(ends) > 0
+    while unsure and away < math.pi / SAMPLES:
+        force, error = _forces(turn, ends + inward * away, pair)
+        unsure = bool((force <= 2 * error).any())
+        away *= WIDER if unsure else 1.0
+    return away
+
+
+def _intervals(
+    ends: FloatArray, falls: np.ndarray, always: bool, mechanism: Mechanism, shown: float
+) -> tuple[tuple[float, float], ...]:
+    """Crank angles between which a pair carries, by the wave angles of a turn at which it begins
+    and ends (`falls`), cut to the range.
+    """
+    if len(ends) == 0:
+        return ((0.0, shown),) if always else ()
+    per_wave = mechanism.crank_angle_per_wave
+    starts = np.sort(ends[~falls] % (2 * math.pi))
+    stops = np.sort(ends[falls] % (2 * math.pi))
+    found = []
+    for wave in range(-1, math.ceil(shown / per_wave) + 1):
+        for start in starts:
+            after = stops[stops > start]
+            stop = after[0] if len(after) else stops[0] + 2 * math.pi
+            low, high = ((wave + each / (2 * math.pi)) * per_wave for each in (start, stop))
+            if min(high, shown) > max(low, 0.0):
+                found.append((float(max(low, 0.0)), float(min(high, shown))))
+    return tuple(found)
+
+
+def _counts(
+    pairs: tuple[DrivingPair, ...], shown: float, error: float
+) -> tuple[CountInterval, ...]:
+    """How many pairs carry over the range; ends that cannot be told apart are one."""
+    changes = sorted(
+        change
+        for each in pairs
+        for start, stop in each.driving
+        for change in ((start, 1), (stop, -1))
+    )
+    counts: list[CountInterval] = []
+    begun, number, index = 0.0, 0, 0
+    while index < len(changes):
+        place, after = changes[index][0], number
+        while index < len(changes) and changes[index][0] <= place + 2 * error:
+            after, index = after + changes[index][1], index + 1
+        if after == number or place <= 2 * error:
+            number = after
+            continue
+        end = shown if place >= shown - 2 * error else place
+        if end > begun:
+            counts.append(CountInterval(begun, end, number))
+        begun, number = end, after
+    if begun < shown:
+        counts.append(CountInterval(begun, shown, number))
+    return tuple(counts)
