@@ -293,20 +293,22 @@ def _inputs(shape: Shape) -> dict[str, list[str]]:
     }
 
 
-def _reason(check: Check, body: RequestModel) -> Values:
-    """Why a check stands as it does; what is refused to who asks for it, in the same words."""
-    values: Values = {"code": check.reason}
-    if check.refusal is None:
-        params = api_params({**check.params})
-        values["detail"] = sentence(check.reason, params)
+def _reason(found: Check | PartVerdict, body: RequestModel) -> Values:
+    """Why a check or a part stands as it does; what is refused to who asks for it, in the same
+    words.
+    """
+    values: Values = {"code": found.reason}
+    if found.refusal is None:
+        params = api_params({**found.params})
+        values["detail"] = sentence(found.reason, params)
     else:
-        refused = named(check.refusal, body)
+        refused = named(found.refusal, body)
         (error,) = refused.errors
         values |= {"detail": refused.detail, "pointer": error.pointer}
         params = error.params
     if params:
         values["params"] = params
-    if was := WAS["reasons"].get(check.reason):
+    if was := WAS["reasons"].get(found.reason):
         values["was"] = was
     return values
 
@@ -479,7 +481,7 @@ def part_values(found: PartVerdict, body: RequestModel) -> Values:
         "status": found.status,
         "governing": found.governing,
         "reason": found.reason or None,
-        "detail": sentence(found.reason, api_params({**found.params})) if found.reason else None,
+        "detail": _reason(found, body)["detail"] if found.reason else None,
         "missing": [pointer(path) for path in paths] or None,
     }
     return {name: value for name, value in values.items() if value is not None}

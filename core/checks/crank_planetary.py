@@ -148,6 +148,7 @@ def _part(design: Design, part: Part, made: list[Check]) -> PartVerdict:
             governing=governing,
             reason=lacks[0].code,
             params=lacks[0].params,
+            refusal=lacks[0].refusal,
             missing=tuple(missing),
         )
     marginal = any(check.status == "marginal" for check in decided)
@@ -171,4 +172,4 @@ def _lacks(design: Design, part: Part, own: list[Check]) -> Iterator[NotKnown]:
         yield NotKnown("no_ring_force", "gear.kind")
     for check in own:
         if check.opens:
-            yield NotKnown(check.reason, *check.missing, **check.params)
+            yield NotKnown(check.reason, *check.missing, refusal=check.refusal, **check.params)

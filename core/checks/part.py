@@ -4,6 +4,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
+from core.errors import InvalidInput
+
 Outcome = Literal["pass", "marginal", "fail", "incomplete"]
 
 PartStatus = Literal["pass", "marginal", "fail", "open", "left_out", "not_asked"]
@@ -72,6 +74,7 @@ class PartVerdict:
     governing: str | None = None  # code of the check that decides of it
     reason: str = ""  # why it is open, a key of `core.codes.CODES`
     params: Mapping[str, Any] = field(default_factory=dict)  # what its words name, in SI units
+    refusal: InvalidInput | None = None  # the reason as a refusal, where it is one
     missing: tuple[str, ...] = ()  # core names of inputs that would have to be given
 
     @property
