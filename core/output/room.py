@@ -226,7 +226,7 @@ class Rooms:
         square = (gap - off) * (gap + off) / np.maximum(4 * p * h, TINY)
         half = 2 * np.arcsin(np.sqrt(np.clip(square, 0.0, 1.0)))
         half = np.where(gap >= p + h, np.inf, half)
-        half = np.where(gap < np.abs(off), -np.inf, half)
+        half = np.where(gap < np.abs(off) - self._rounding, -np.inf, half)
         return nearest - half, nearest + half
 
     def windows(self, wave: FloatArray, disc: int | None = None) -> tuple[FloatArray, FloatArray]:
@@ -294,9 +294,7 @@ class Rooms:
         """Estimate of the error of rooms over the turn, m: the last places about an extreme are as
         far apart, and a hole moves on a circle of the eccentricity.
         """
-        if self.even:
-            return self._rounding
-        last = 2 * np.pi / POSITIONS * (POINTS[1] - POINTS[0]) ** ZOOMS
+        last = 0.0 if self.even else 2 * np.pi / POSITIONS * (POINTS[1] - POINTS[0]) ** ZOOMS
         return float(self._steepest * last) + 4 * self._rounding
 
     @property
@@ -488,14 +486,14 @@ class Rooms:
         -------
         Play
         """
-        grid, step = self._grid(), 2 * np.pi / POSITIONS
         pins, cranks = self.mechanism.pins, self._placed.cranks
+        period = 2 * np.pi / (pins if self.even else 1)
+        step = period / POSITIONS
         dead = np.add.outer(-cranks, -2 * np.pi * np.arange(2 * pins) / (2 * pins)).ravel()
         near = step * 2.0 ** -np.arange(1, CLUSTER + 1)
-        around = np.add.outer(dead, np.concatenate([-near, [0.0], near])).ravel()
-        wave = np.unique(
-            np.concatenate([grid, self._start() + (around - self._start()) % (2 * np.pi)])
-        )
+        around = np.add.outer(dead, np.concatenate([-near, [0.0], near])).ravel() - self._start()
+        wave = np.unique(np.concatenate([step * np.arange(POSITIONS), around % period]))
+        wave = self._start() + wave[np.diff(wave, append=period) > TIE]
 
         def height(places: FloatArray) -> FloatArray:
             low, high = self.windows(places)
@@ -503,22 +501,24 @@ class Rooms:
 
         heights, ends, error = height(wave), [], 0.0
         wider = replace(self, clearance=self.clearance + self.error)
-        following = np.append(wave[1:], wave[0] + 2 * np.pi)
-        before = np.insert(wave[:-1], 0, wave[-1] - 2 * np.pi)
+        after = np.diff(wave, append=wave[0] + period)
+        before = np.roll(after, 1)
         for sign in (-1, 1):
             signed = sign * heights
-            rises = signed - np.roll(signed, 1), signed - np.roll(signed, -1)
-            tops = np.minimum(*rises) >= 0
-            # between places it may rise by what it does from one to the next
-            tops &= signed + 2 * np.maximum(*rises) >= signed.max()
-            width = np.maximum(following - wave, wave - before)[tops]
-            place, found = self._narrowed(height, wave[tops], width, sign)
-            if sign * found < signed.max():
-                place, found = float(wave[signed.argmax()]), float(heights[signed.argmax()])
-            ends.append(found if found > NO_PLAY else -math.inf)
+            up, down = signed - np.roll(signed, 1), signed - np.roll(signed, -1)
+            tops = (up >= 0) & (down >= 0)
+            # between places it rises no steeper than to them
+            tops &= signed + np.maximum(up * after / before, down * before / after) >= signed.max()
+            place, found = float(wave[signed.argmax()]), float(heights[signed.argmax()])
+            if found > NO_PLAY:
+                width = np.maximum(after, before)[tops]
+                narrowed, closer = self._narrowed(height, wave[tops], width, sign)
+                if sign * closer > sign * found:
+                    place, found = narrowed, closer
             if found > NO_PLAY:
                 low, high = wider.windows(np.array([place]))
                 error = max(error, float(high[0] - low[0]) - found)
+            ends.append(found if found > NO_PLAY else -math.inf)
         return Play(ends[0], ends[1], error)
 
     def blocked(self) -> tuple[tuple[float, float], ...]:

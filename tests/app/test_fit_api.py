@@ -107,6 +107,7 @@ HELD = {
         SPIKED,
         ("fits", 3.490658502e-6, 0.02, 1.080630181, 7.850022069, 48.721805270),
     ),
+    "perfect parts": (asked(6, 2, 20, 50, 8, 2, 0), ("fits", 0, 0, 0, 0, None)),
     "one hole outward": (OUTWARD, ("binds_in_turning", -1.9, 0.1, None, None, 0.0)),
     "a hole smaller than its pin": (
         asked(4, 1, 10, 20, 3, 1.0, -1.1),
