@@ -11,6 +11,7 @@ ROUNDING = 2.0**-52
 
 METHODS = {
     "approximation": "approximation (2018, eq. 5)",
+    "arcs_zoomed": "lags of each pair in closed form, extremes over the turn narrowed",
     "bisection": "bisection",
     "bracketing": "sampling, then brackets narrowed to neighbouring numbers",
     "clenshaw_curtis_phi": "Clenshaw-Curtis in phi",

@@ -82,6 +82,14 @@ application_factor = partial(
     "bearings; not beside the contact's dynamic factor, which is the same.",
 )
 
+pin_circle_radius = partial(
+    quantity,
+    "Pin circle radius",
+    "R",
+    step=1,
+    help="Radius of the circle of pin centres.",
+)
+
 peak_torque = partial(
     quantity,
     "Peak torque",
@@ -105,8 +113,7 @@ class TorqueFields(RequestModel, group="load"):
     """Torque on the crankshaft; T = T₁·u·η."""
     efficiency: Maybe[float] = quantity("Efficiency", "η", step=0.01, ge=1e-3, le=1)
     """Efficiency of the reducer, needed with the input torque."""
-    pin_circle_radius_mm: Size = quantity("Pin circle radius", "R", step=1)
-    """Radius of the circle of pin centres."""
+    pin_circle_radius_mm: Size = pin_circle_radius()
     force_exponent: float = quantity("Force exponent", "v", default=1.0, step=0.1, ge=0, le=1e6)
     """Force ∝ approach^v: 0 equal sharing, 1 linear, 10/9 and 3/2 the usual contact laws."""
 

@@ -31,9 +31,10 @@ from app.calculations.design import (
     forces_used,
 )
 from app.calculations.fatigue import PinFatigueFields
+from app.calculations.fit_answer import FitOut
 from app.calculations.geometry_answer import GeometryOut
 from app.calculations.hertz import HertzResponse
-from app.calculations.load_sharing_answer import FitOut, OverTurnOut, RealCyclogramOut
+from app.calculations.load_sharing_answer import OverTurnOut, RealCyclogramOut
 from app.calculations.mechanism import MAX_PAIRS
 from app.calculations.output_efficiency import FrictionFields, OutputEfficiencyResponse
 from app.calculations.pin_strength import PinStrengthResponse

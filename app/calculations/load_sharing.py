@@ -8,8 +8,9 @@ import numpy as np
 from pydantic import Field
 
 from app.calculations.contact_force import CurveFields
+from app.calculations.fit import fit_notices
+from app.calculations.fit_answer import FitOut
 from app.calculations.load_sharing_answer import (
-    FitOut,
     LoadSharingResponse,
     OverTurnOut,
     PositionOut,
@@ -30,10 +31,9 @@ from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.alternating import WorseTurn, worse_curves, worse_position
 from core.output.contact_force import drawing_angles, force_curves, force_peak
 from core.output.contact_law import law_kind
-from core.output.fit import Fit, solvable
+from core.output.fit import solvable
 from core.output.loaded_position import LoadedPosition, loaded_position
 from core.output.over_turn import OverTurn, over_turn
-from core.output.pin_geometry import SLIPPED, slip_notices
 from core.output.real_curves import RealCurves, StiffnessCurve, real_curves, stiffness_curve
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.results import Accuracy, Notice
@@ -138,21 +138,15 @@ class LoadSharingRequest(CurveFields, RealDesignFields, group="positions"):
         """What is asked for."""
         real = self.real()
         fit = solvable(real)
+        notices = fit_notices(self.contact, self.load.pin_circle_radius_mm, fit)
         asked, solved = {*self.include} - {"worked"} or {"positions"}, Solved()
-        solved.notices |= {each.code: each for each in self.fit_notices(fit)}
+        solved.notices |= {each.code: each for each in notices}
         try:
             self.solve_sections(real, asked, solved)
         except ImpossibleMechanism as refusal:
             raise (fit.refusal() if fit.room.least < 0 else refusal) from refusal
         solved.values["fit"] = FitOut.values(fit)
         return solved
-
-    def fit_notices(self, fit: Fit) -> tuple[Notice, ...]:
-        """What of the sizes looks like a slip, and satellites that are put on by other holes."""
-        sizes = self.contact.sizes_on(self.load.pin_circle_radius_mm)
-        slips = slip_notices(**{name: sizes[name] for name in SLIPPED})
-        further = (Notice("next_hole"),) if any(fit.real.numbered[1]) else ()
-        return (*slips, *further)
 
     def solve_sections(self, real: RealMechanism, asked: set[Section], solved: "Solved") -> None:
         """The sections that are asked."""

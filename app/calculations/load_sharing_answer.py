@@ -4,6 +4,7 @@ from functools import partial
 from typing import Any, Literal
 
 from app.calculations.cyclogram import CountIntervalOut, Range
+from app.calculations.fit_answer import FitOut
 from app.calculations.mechanism import PairOut
 from app.model import (
     AccuracyOut,
@@ -15,7 +16,6 @@ from app.model import (
     result,
 )
 from app.units import from_si
-from core.output.fit import Fit
 from core.output.real_cyclogram import RealCyclogram
 
 Direction = Literal["driving", "reverse"]
@@ -203,67 +203,6 @@ class IdealOut(ResponseModel):
         equation="2021, eq. 10",
     )
     ratio: Maybe[float] = result("Real peak over the ideal one, where the turn is asked.")
-
-
-class BindingOut(PairOut):
-    """A pair that limits the room."""
-
-    side: Literal["driving", "reverse", "radial"] = result(
-        "In which sense of the output it holds; radial where in none."
-    )
-
-
-class FitOut(ResponseModel):
-    """How the pins fit into their holes by geometry, before any force."""
-
-    state: Literal["fits", "binds_in_turning", "does_not_fit", "no_bound"] = result(
-        "Whether there is room at all crank angles, at some, or at none; no_bound where no hole "
-        "holds its pin."
-    )
-    least_room_mm: float = result(
-        "Least room over the turn: by how much every pin might grow, or below 0 must shrink, until "
-        "it just fits.",
-        equation="max over θ of min(C − |P·exp(−iθ) − H|)",
-    )
-    least_room_crank_angle_deg: Maybe[float] = result(
-        "First crank angle at which it is least; absent where it is the same at all."
-    )
-    binding: Maybe[list[BindingOut]] = result(
-        "The pairs that limit it there; absent where all do alike."
-    )
-    needed_hole_radius_mm: Maybe[float] = result(
-        "Radius of all holes with which the parts just fit, where they do not."
-    )
-    blocked_crank_deg: Maybe[list[list[float]]] = result(
-        "Stretches of the crank's turn in which the parts jam, where they go together in others."
-    )
-    renumbered: Maybe[list[int]] = result(
-        "By how many holes each satellite is put on the pins further, where one is."
-    )
-
-    @classmethod
-    def values(cls, result: Fit, run_time_us: float | None = None, **given: object) -> Values:
-        """Values of a fit."""
-        room, holes = result.room, result.real.numbered[1]
-        found: dict[str, Any] = {
-            "state": room.state,
-            "least_room_mm": from_si("least_room_mm", room.least),
-        }
-        if room.crank_angle is not None:
-            found["least_room_crank_angle_deg"] = from_si("angle_deg", room.crank_angle)
-        if room.binding:
-            found["binding"] = [
-                {"satellite": each.satellite, "pin": each.pin, "side": each.side}
-                for each in room.binding
-            ]
-        if room.state != "fits":
-            found["needed_hole_radius_mm"] = from_si("radius_mm", result.needed_hole_radius)
-        if room.state == "binds_in_turning":
-            blocked = [[*ends] for ends in result.rooms.blocked()]
-            found["blocked_crank_deg"] = from_si("angle_deg", blocked)
-        if any(holes):
-            found["renumbered"] = [*holes]
-        return found
 
 
 class LoadSharingResponse(AssumingResponse):

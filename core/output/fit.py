@@ -3,12 +3,13 @@
 import math
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import chain
 from typing import Literal
 
 from core.errors import ImpossibleMechanism
 from core.output.pin_geometry import FIT_TOLERANCE
 from core.output.real_mechanism import RealMechanism
-from core.output.room import Binding, Rooms, TurnRoom
+from core.output.room import Binding, Rooms, State, TurnRoom
 from core.output.satellite_support import CrankSupport, Shares
 from core.output.sharing_kernel import alone
 
@@ -20,6 +21,19 @@ Misfit = Literal[
 
 NO_TORQUE = 1e-9
 """Part of the torque at the elastic limit that stands for none."""
+
+
+@dataclass(frozen=True, slots=True)
+class Elastic:
+    """What the elasticity of pins and holes takes up of a misfit; None what is not known, or not
+    so.
+    """
+
+    limit: float | None  # largest approach that a pair takes elastically, m
+    limit_force: float | None  # the force under which it does, N
+    # Largest force of a pair where the room is least and parts press without load, N.
+    force_without_load: float | None
+    pressure_without_load: float | None  # the largest pressure there, Pa
 
 
 @dataclass(frozen=True)
@@ -52,12 +66,51 @@ class Fit:
         return min(turns, key=lambda turn: turn.least)
 
     @property
+    def hole_radius(self) -> float:
+        """Radius of all holes, m."""
+        return self.real.pin_radius + self.real.eccentricity + self.real.clearance
+
+    @property
+    def largest_hole_radius(self) -> float:
+        """Radius of holes below which they hold their pins, m: from it on a pin can pass into the
+        next one, or around the centre of the satellite.
+        """
+        real = self.real
+        if real.mechanism.pins == 1:
+            return real.pin_circle_radius
+        apart = real.pin_circle_radius * math.sin(math.pi / real.mechanism.pins)
+        return min(real.pin_circle_radius, math.hypot(real.pin_radius, apart))
+
+    def refuse_without_bound(self) -> None:
+        """Refuse holes that do not hold their pins.
+
+        Raises
+        ------
+        ImpossibleMechanism
+            If they do not.
+        """
+        if self.state == "no_bound":
+            larger = max(chain(*self.real.deviations.hole_radius), default=0.0)
+            raise ImpossibleMechanism(
+                "no_mechanism",
+                parameter="hole_radius",
+                given_length=self.hole_radius + larger,
+                limit_length=self.largest_hole_radius,
+            )
+
+    @property
+    def state(self) -> State:
+        """Whether there is room at all crank angles, at some, or at none; without a bound where the
+        holes do not hold their pins.
+        """
+        return "no_bound" if self.hole_radius >= self.largest_hole_radius else self.room.state
+
+    @property
     def needed_hole_radius(self) -> float:
         """Radius of all holes with which it would fit, m: exact, as one hole is as much larger as
         the room is short.
         """
-        real = self.real
-        return real.pin_radius + real.eccentricity + real.clearance - self.room.least
+        return self.hole_radius - self.room.least
 
     @cached_property
     def forces_at_limit(self) -> tuple[float, ...] | None:
@@ -79,13 +132,16 @@ class Fit:
         return tuple(found[size] for size in sizes)
 
     @cached_property
+    def _approaches_at_limit(self) -> list[float]:
+        """Approach of each pair under its force at the limit, m; none where that is not known."""
+        setup, pairs = self.real.setup(1.0), self.real.pairs
+        laws = zip(self.forces_at_limit or (), pairs.a, pairs.b, strict=False)
+        return [alone(setup.law, force, a, b, setup.exponent) for force, a, b in laws]
+
+    @property
     def most_approach(self) -> float | None:
         """Largest approach that a pair takes elastically, m; None where no limit is known."""
-        if self.forces_at_limit is None:
-            return None
-        setup, pairs = self.real.setup(1.0), self.real.pairs
-        laws = zip(self.forces_at_limit, pairs.a, pairs.b, strict=True)
-        return max(alone(setup.law, force, a, b, setup.exponent) for force, a, b in laws)
+        return max(self._approaches_at_limit, default=None)
 
     @cached_property
     def impossible(self) -> bool:
@@ -93,8 +149,10 @@ class Fit:
         bodies stand. Where no limit is known nothing is proven.
         """
         short = self._short
+        if not short or self.rooms.closed:
+            return short > 0
         most = self.most_approach
-        return short > 0 and most is not None and short > most
+        return most is not None and short > most
 
     @property
     def _short(self) -> float:
@@ -122,23 +180,53 @@ class Fit:
         if self.room.state == "binds_in_turning":
             return "jams"
         several = self.real.mechanism.satellites > 1
-        if several and all(disc.least >= 0 for disc in self.rooms.discs()):
+        if several and all(disc.least_room >= 0 for disc in self.rooms.discs()):
             return "discs_out_of_phase"
         return "cannot_assemble"
+
+    @cached_property
+    def forces_without_load(self) -> tuple[float, ...] | None:
+        """Force of each pair where the room is least and nothing loads the output, N, satellite by
+        satellite; None where none balance there.
+        """
+        real, room = self.real, self.real.room()
+        psi = real.wave(self.room.crank_angle or 0.0)
+        torque = NO_TORQUE * real.pin_circle_radius * min(self.forces_at_limit or (1.0,))
+        try:
+            real.solved(psi, torque, real.setup(1.0), room)
+        except ImpossibleMechanism:
+            return None
+        return tuple(room.force)
 
     def _pressed(self) -> bool:
         """Whether every pair stands what presses it without load where the room is least; where no
         limit is known, whether forces balance there.
         """
-        real, limits = self.real, self.forces_at_limit
-        psi, room = real.wave(self.room.crank_angle or 0.0), real.room()
-        torque = NO_TORQUE * real.pin_circle_radius * min(limits or (1.0,))
-        try:
-            real.solved(psi, torque, real.setup(1.0), room)
-        except ImpossibleMechanism:
-            return False
-        return limits is None or all(
-            force <= limit for force, limit in zip(room.force, limits, strict=True)
+        forces, limits = self.forces_without_load, self.forces_at_limit
+        return forces is not None and (
+            limits is None
+            or all(force <= limit for force, limit in zip(forces, limits, strict=True))
+        )
+
+    @property
+    def elastic(self) -> Elastic:
+        """What elasticity takes up; forces where parts press without load and an elastic state is
+        not ruled out. Of holes no larger than their pins nothing.
+        """
+        if self.rooms.closed:
+            return Elastic(None, None, None, None)
+        limit, force, forces, pressed = self.most_approach, None, None, None
+        if limit is not None and self.forces_at_limit is not None:
+            force = self.forces_at_limit[self._approaches_at_limit.index(limit)]
+        if self._short and not self.impossible:
+            forces = self.forces_without_load
+        if forces is not None:
+            pressed = self.real.hardest(forces)
+        return Elastic(
+            limit=limit,
+            limit_force=force,
+            force_without_load=None if forces is None else max(forces),
+            pressure_without_load=None if pressed is None else float(pressed.max_pressure),
         )
 
     def refusal(self) -> ImpossibleMechanism:
@@ -194,20 +282,12 @@ def solvable(real: RealMechanism) -> Fit:
     Raises
     ------
     ImpossibleMechanism
-        If the holes do not hold their pins, which could pass from one into the next or around the
-        satellite's centre, or if no elastic state exists.
+        If a hole is no larger than its pin, if the holes do not hold their pins, which could pass
+        from one into the next or around the satellite's centre, or if no elastic state exists.
     """
-    radius = real.pin_circle_radius
-    limit = radius
-    if real.mechanism.pins > 1:
-        apart = radius * math.sin(math.pi / real.mechanism.pins)
-        limit = min(limit, math.hypot(real.pin_radius, apart))
-    hole = real.pin_radius + real.eccentricity + real.clearance
-    if hole >= limit:
-        raise ImpossibleMechanism(
-            "no_mechanism", parameter="hole_radius", given_length=hole, limit_length=limit
-        )
     fit = Fit(real)
+    fit.refuse_without_bound()
+    real.pairs  # noqa: B018 - refuses holes that are no larger than their pins
     if fit.impossible:
         raise fit.refusal()
     return fit

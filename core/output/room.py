@@ -7,7 +7,7 @@ clearances and misfits of any size; no force is asked.
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Literal, NamedTuple
 
@@ -47,6 +47,12 @@ RADIAL = 1e-5
 CLUSTER = 12
 """How often the distance to a dead angle of a pair is halved, where the play has spikes."""
 
+NO_PLAY = -1e3
+"""Less play than any, rad: where a pin is in its hole at no lag."""
+
+TINY = 1e-300
+"""What is divided by in the place of 0."""
+
 TIE = 1e-9
 """Part of the eccentricity within which pairs bind alike, and a room that varies is flat."""
 
@@ -65,8 +71,18 @@ class DiscRoom:
     """One satellite by itself."""
 
     satellite: int  # from 1
-    least: float  # its least room over the turn, m
+    least_room: float  # over the turn, m
     turned: float  # its holes ahead of the pins, rad, in the mean of least squares
+
+
+class Play(NamedTuple):
+    """Play of the unloaded output over the turn; negative where the parts do not fit, infinitely
+    where a pin is in its hole at no lag.
+    """
+
+    least: float  # rad
+    greatest: float  # rad
+    error: float  # estimate of the error of both, rad
 
 
 @dataclass(frozen=True, slots=True)
@@ -187,10 +203,34 @@ class Rooms:
         p = np.broadcast_to(np.abs(pin), centre.shape).reshape(len(wave), -1)
         return _Pairs(p, h, nearest, np.broadcast_to(gap[chosen].ravel(), h.shape))
 
-    def windows(self, wave: FloatArray, disc: int | None = None) -> tuple[FloatArray, FloatArray]:
-        """Least and largest lag at which all pins are in their holes.
+    def arcs(self, wave: FloatArray, disc: int | None = None) -> tuple[FloatArray, FloatArray]:
+        """Least and largest lag at which each pin is in its hole.
 
-        ``theta_c -+ 2*asin(sqrt((C - (p - h))*(C + (p - h))/(4*p*h)))``, of all pairs the largest
+        ``theta_c -+ 2*asin(sqrt((C - (p - h))*(C + (p - h))/(4*p*h)))``.
+
+        Parameters
+        ----------
+        wave : array, shape (M,)
+            Wave angles psi, rad.
+        disc : int, optional
+            Of this satellite alone, from 0.
+
+        Returns
+        -------
+        low, high : array, shape (M, pairs)
+            Lags, rad, satellite by satellite; of a pair that has none infinite, low above high, and
+            of one whose hole is no bound infinite, low below high.
+        """
+        p, h, nearest, gap = self._pairs(wave, disc)
+        off = p - h
+        square = (gap - off) * (gap + off) / np.maximum(4 * p * h, TINY)
+        half = 2 * np.arcsin(np.sqrt(np.clip(square, 0.0, 1.0)))
+        half = np.where(gap >= p + h, np.inf, half)
+        half = np.where(gap < np.abs(off) - self._rounding, -np.inf, half)
+        return nearest - half, nearest + half
+
+    def windows(self, wave: FloatArray, disc: int | None = None) -> tuple[FloatArray, FloatArray]:
+        """Least and largest lag at which all pins are in their holes: of all `arcs` the largest
         least and the least largest.
 
         Parameters
@@ -206,13 +246,8 @@ class Rooms:
             Lags, rad: low above high where there is none; infinite where a pair has none, or no
             bound.
         """
-        p, h, nearest, gap = self._pairs(wave, disc)
-        off = p - h
-        square = (gap - off) * (gap + off) / (4 * p * h)
-        half = 2 * np.arcsin(np.sqrt(np.clip(square, 0.0, 1.0)))
-        half = np.where(gap >= p + h, np.inf, half)
-        half = np.where(gap < np.abs(off), -np.inf, half)
-        return (nearest - half).max(axis=1), (nearest + half).min(axis=1)
+        low, high = self.arcs(wave, disc)
+        return low.max(axis=1), high.min(axis=1)
 
     def rooms(self, wave: FloatArray, disc: int | None = None) -> tuple[FloatArray, FloatArray]:
         """Room at wave angles: the largest over the lag of the least ``C - |P*exp(-i*lag) - H|``.
@@ -253,6 +288,19 @@ class Rooms:
     @property
     def _rounding(self) -> float:
         return 4 * ROUNDING * self.pin_circle_radius
+
+    @property
+    def error(self) -> float:
+        """Estimate of the error of rooms over the turn, m: the last places about an extreme are as
+        far apart, and a hole moves on a circle of the eccentricity.
+        """
+        last = 0.0 if self.even else 2 * np.pi / POSITIONS * (POINTS[1] - POINTS[0]) ** ZOOMS
+        return float(self._steepest * last) + 4 * self._rounding
+
+    @property
+    def closed(self) -> bool:
+        """Whether a hole is no larger than its pin."""
+        return bool((self._placed.gap <= 0).any())
 
     def _start(self) -> float:
         return self.mechanism.initial_crank_angle
@@ -396,7 +444,7 @@ class Rooms:
         (room,), (lag,) = self.rooms(where, disc)
         pairs = _Pairs(*[row[0] for row in self._pairs(where, disc)])
         left = pairs.left(lag)
-        away = np.maximum(pairs.gap - left, 1e-300)
+        away = np.maximum(pairs.gap - left, TINY)
         lever = pairs.p * pairs.h * np.sin(lag - pairs.nearest) / away
         found = []
         for i in np.flatnonzero(left <= room + TIE * self.eccentricity):
@@ -428,37 +476,50 @@ class Rooms:
             for j in range(self.mechanism.satellites)
         )
 
-    def play(self) -> tuple[float, float]:
+    def play(self) -> Play:
         """Least and greatest play of the unloaded output over the turn.
+
+        Their error is what more of room by that of the room would change: between two crank angles
+        the holes move by no more than that.
 
         Returns
         -------
-        least, greatest : float
-            Angles, rad; negative where the parts do not fit.
+        Play
         """
-        grid, step = self._grid(), 2 * np.pi / POSITIONS
         pins, cranks = self.mechanism.pins, self._placed.cranks
+        period = 2 * np.pi / (pins if self.even else 1)
+        step = period / POSITIONS
         dead = np.add.outer(-cranks, -2 * np.pi * np.arange(2 * pins) / (2 * pins)).ravel()
         near = step * 2.0 ** -np.arange(1, CLUSTER + 1)
-        around = np.add.outer(dead, np.concatenate([-near, [0.0], near])).ravel()
-        wave = np.unique(
-            np.concatenate([grid, self._start() + (around - self._start()) % (2 * np.pi)])
-        )
+        around = np.add.outer(dead, np.concatenate([-near, [0.0], near])).ravel() - self._start()
+        wave = np.unique(np.concatenate([step * np.arange(POSITIONS), around % period]))
+        wave = self._start() + wave[np.diff(wave, append=period) > TIE]
 
         def height(places: FloatArray) -> FloatArray:
             low, high = self.windows(places)
-            return np.asarray(high - low)
+            return np.maximum(high - low, NO_PLAY)
 
-        heights, ends = height(wave), []
-        following = np.append(wave[1:], wave[0] + 2 * np.pi)
-        before = np.insert(wave[:-1], 0, wave[-1] - 2 * np.pi)
+        heights, ends, error = height(wave), [], 0.0
+        wider = replace(self, clearance=self.clearance + self.error)
+        after = np.diff(wave, append=wave[0] + period)
+        before = np.roll(after, 1)
         for sign in (-1, 1):
             signed = sign * heights
-            tops = (signed >= np.roll(signed, 1)) & (signed >= np.roll(signed, -1))
-            width = np.maximum(following - wave, wave - before)[tops]
-            _, found = self._narrowed(height, wave[tops], width, sign)
-            ends.append(sign * max(sign * found, float(signed.max())))
-        return ends[0], ends[1]
+            up, down = signed - np.roll(signed, 1), signed - np.roll(signed, -1)
+            tops = (up >= 0) & (down >= 0)
+            # between places it rises no steeper than to them
+            tops &= signed + np.maximum(up * after / before, down * before / after) >= signed.max()
+            place, found = float(wave[signed.argmax()]), float(heights[signed.argmax()])
+            if found > NO_PLAY:
+                width = np.maximum(after, before)[tops]
+                narrowed, closer = self._narrowed(height, wave[tops], width, sign)
+                if sign * closer > sign * found:
+                    place, found = narrowed, closer
+            if found > NO_PLAY:
+                low, high = wider.windows(np.array([place]))
+                error = max(error, float(high[0] - low[0]) - found)
+            ends.append(found if found > NO_PLAY else -math.inf)
+        return Play(ends[0], ends[1], error)
 
     def blocked(self) -> tuple[tuple[float, float], ...]:
         """Stretches of the crank's turn in which there is no room.
@@ -474,14 +535,13 @@ class Rooms:
         free = heights >= 0
         if free.all() or not free.any():
             return ()
-        step, ends = 2 * np.pi / POSITIONS, []
-        for i in np.flatnonzero(free != np.roll(free, -1)):
-            low, high = grid[i], grid[i] + step
-            for _ in range(STEPS):
-                middle = (low + high) / 2
-                inside = self.rooms(np.array([middle]))[0][0] >= 0
-                low, high = (middle, high) if inside == free[i] else (low, middle)
-            ends.append((self.crank_angle(high), bool(free[i])))
+        turns = np.flatnonzero(free != np.roll(free, -1))
+        low, high = grid[turns], grid[turns] + 2 * np.pi / POSITIONS
+        for _ in range(HALVINGS):
+            middle = (low + high) / 2
+            before = (self.rooms(middle)[0] >= 0) == free[turns]
+            low, high = np.where(before, middle, low), np.where(before, high, middle)
+        ends = [*zip(map(self.crank_angle, high.tolist()), free[turns].tolist(), strict=True)]
         turn = self.mechanism.crank_angle_per_wave
         starts = [angle for angle, begins in ends if begins]
         stops = [angle for angle, begins in ends if not begins]

@@ -138,6 +138,7 @@ NOTES = {
     "many_satellites": "The sum over all satellites, as vectors.",
     "of_bending": "The bending stress.",
     "solved": "Solved with clearance, deviations and elasticity as they are given.",
+    "of_distances": "By the distances of pins and holes, searched over the turn.",
     "simulated": "Counted over random pieces.",
     "root": "Found by narrowing a range until the result is what is wanted.",
     "felt": "Less than decimals lose: taken as none.",

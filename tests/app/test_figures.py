@@ -21,6 +21,12 @@ STEEL = {"youngs_modulus_GPa": 210, "poissons_ratio": 0.3, "allowable_pressure_M
 CHARTS = {
     "cyclogram": MECHANISM,
     "contact-force": {**MECHANISM, **LOAD},
+    "fit": {
+        "mechanism": MECHANISM,
+        "load": {"pin_circle_radius_mm": 50},
+        "contact": {**CONTACT, "eccentricity_mm": 1.9},
+        "deviations": {"pin_radial_mm": [0.2, 0, 0]},
+    },
     "hertz": {**CONTACT, "force_N": 9000, "pin_material": STEEL, "hole_material": STEEL},
     "crank-planetary": {"mechanism": MECHANISM, "load": LOAD, "contact": CONTACT},
 }

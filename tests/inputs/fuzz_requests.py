@@ -382,6 +382,25 @@ def load_sharing(r: Draw) -> Body:
     return body
 
 
+def fit(r: Draw) -> Body:
+    """Pins in holes of any size, with deviations at times that are as large as the parts."""
+    design = real_design(r)
+    design["mechanism"]["pins"] = min(design["mechanism"]["pins"], 60)
+    body = {name: design[name] for name in ("mechanism", "contact")}
+    radius = design["load"]["pin_circle_radius_mm"]
+    body["load"] = {"pin_circle_radius_mm": radius}
+    pins = body["mechanism"]["pins"]
+    if r.chance(0.6):
+        size = r.choice((1e-3, 0.1, 1.0, radius if radius < 1e6 else 1.0))
+        row = [r.uniform(-size, size) for _ in range(pins)]
+        body["deviations"] = {r.choice(("pin_radial_mm", "pin_tangential_mm")): row}
+    if r.chance(0.2):
+        body["crank_support"] = {"radial_clearance_mm": r.choice((0.0, 0.01, 1.0))}
+    body["crank_angle_deg"] = [r.uniform(-360, 360)]
+    body["include"] = ["positions"] + [each for each in ("discs", "elastic") if r.chance(0.3)]
+    return body
+
+
 def pin_strength(r: Draw) -> Body:
     """Strength of the pins on their supports, with all ways to judge its fatigue."""
     torque = load(r)
@@ -678,6 +697,7 @@ DESIGNS: dict[str, Callable[[Draw], Body]] = {
     "hertz": hertz,
     "crank-planetary": fitting(crank_planetary),
     "output-efficiency": fitting(with_forces(output_efficiency)),
+    "fit": fit,
     "load-sharing": load_sharing,
     "pin-strength": fitting(with_forces(pin_strength)),
     "tolerance-study": tolerance_study,

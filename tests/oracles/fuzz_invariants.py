@@ -343,6 +343,43 @@ async def load_sharing(body: Body, answer: Body, ask: Ask) -> None:
         expect(turn["loaded_pairs_min"] <= turn["loaded_pairs_max"], "loaded pairs")
 
 
+async def fit(body: Body, answer: Body, ask: Ask) -> None:
+    """The state is that of the extremes, positions lie between them, discs alone have more room."""
+    own = answer["fit"]
+    if own["state"] == "no_bound":
+        expect("least_room_mm" not in own and "positions" not in answer, "bound", own)
+        return
+    least, greatest, error = (
+        own[f"{name}_mm"] for name in ("least_room", "greatest_room", "room_error")
+    )
+    nothing = 1e-8 * (body["contact"]["pin_radius_mm"] + body["contact"]["eccentricity_mm"])
+    expect(least <= greatest + error, "extremes", least, greatest)
+    if own["state"] == "fits":
+        expect(least >= -nothing, "fits", least)
+    else:
+        expect(least < 0, "does not fit", least)
+        needed = own["needed_hole_radius_mm"]
+        equal(needed + least, hole_of(body), "hole", 1e-9, size=needed)
+        jams = own["state"] == "binds_in_turning"
+        expect((greatest >= -nothing) if jams else (greatest < 0), own["state"], greatest)
+    for position in answer["positions"]:
+        room = position["room_mm"]
+        expect(least - error <= room <= greatest + error, "room", least, room, greatest)
+        expect(("window_arcmin" in position) == (room >= 0), "window", room)
+        low, high = position.get("window_arcmin", (0, 0))
+        expect(low <= high, "window", low, high)
+    for disc in own.get("discs", ()):
+        expect(disc["least_room_mm"] >= least - 2 * error, "disc", disc, least)
+
+
+def hole_of(body: Body) -> float:
+    """Radius of the holes, mm."""
+    own = body["contact"]
+    if own.get("hole_radius_mm") is not None:
+        return float(own["hole_radius_mm"])
+    return float(own["pin_radius_mm"] + own["eccentricity_mm"] + own.get("hole_clearance_mm", 0.0))
+
+
 async def pin_strength(body: Body, answer: Body, ask: Ask) -> None:
     """Stresses of one section, the cycle within its largest moment, the force of its own."""
     error = answer["accuracy"]["relative_error"]
@@ -533,6 +570,7 @@ INVARIANTS: dict[str, Callable[[Body, Body, Ask], Awaitable[None]]] = {
     "hertz": hertz,
     "crank-planetary": crank_planetary,
     "output-efficiency": output_efficiency,
+    "fit": fit,
     "load-sharing": load_sharing,
     "pin-strength": pin_strength,
     "satellite-bearing": satellite_bearing,

@@ -1,0 +1,273 @@
+"""Whether pins and holes go together and turn, by geometry: request, answer, figure."""
+
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+from pydantic import Field
+
+from app.calculations.contact_force import pin_circle_radius
+from app.calculations.fit_answer import (
+    DiscOut,
+    ElasticOut,
+    FitPositionOut,
+    FitResponse,
+    WholeFitOut,
+)
+from app.calculations.mechanism import MechanismFields
+from app.calculations.pin_contact import PinContactFields
+from app.calculations.real_mechanism import CrankSupportFields, DeviationsFields, RealContactFields
+from app.model import (
+    Angle,
+    Calculation,
+    Maybe,
+    RequestModel,
+    Size,
+    Values,
+    accuracy_values,
+    quantity,
+    warning,
+)
+from app.running import run
+from app.settings import Settings
+from app.sources import JOHNSON_1985
+from app.theme import INK, Amount, Figure, Theme, axis, curve, layout, marker, text
+from app.units import from_si, to_si
+from app.worked import stated
+from core.errors import InvalidInput
+from core.output.contact_law import HertzLaw
+from core.output.fit import Fit
+from core.output.mechanism import Mechanism
+from core.output.pin_geometry import SLIPPED, slip_notices
+from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.room import POSITIONS
+from core.results import ROUNDING, Accuracy, Notice
+
+Section = Literal["positions", "elastic", "discs", "worked"]
+
+MAX_FIT_PAIRS = 240
+"""Most pairs whose room and play are searched over the turn: each has dead angles of its own."""
+
+MAX_POSITIONS = 1000
+"""Most crank angles of one request."""
+
+MAX_ARCS = 100_000
+"""Most lags of pairs: crank angles times pairs."""
+
+
+DRAWN_ANGLES = 721
+"""Crank angles of the figure's curves, besides the ends of what jams."""
+
+BOUNDS = frozenset({"room_error_mm", "angle_error_arcmin"})
+"""Errors of results, which have no worked step."""
+
+LEFT_OUT = ("bodies_rigid", "friction", "heat", "pin_bending", "shaft_bearings", "tilt")
+"""What the model leaves out."""
+
+
+class PinCircleFields(RequestModel, group="load"):
+    """Where the pins stand: no load is asked."""
+
+    pin_circle_radius_mm: Size = pin_circle_radius()
+
+
+class FitRequest(RequestModel, group="positions"):
+    """Mechanism and contact as the parts are made, and which results are wanted."""
+
+    mechanism: MechanismFields
+    load: PinCircleFields
+    contact: RealContactFields
+    deviations: Maybe[DeviationsFields] = None
+    crank_support: Maybe[CrankSupportFields] = None
+    crank_angle_deg: list[Angle] = quantity(
+        "Crank angles", "φ", default=[0.0], min_length=1, max_length=MAX_POSITIONS
+    )
+    """Crank angles of the positions."""
+    include: list[Section] = Field(
+        default=[],
+        max_length=4,
+        description="Results besides the fit: the room and the lags of each pin at the crank "
+        "angles, what elasticity takes up of a misfit, each satellite by itself, how the numbers "
+        "were got.",
+    )
+
+    def refuse_beyond(self, settings: Settings) -> None:
+        """Refuse what exceeds the operator's limits, what takes too long, and lists of deviations
+        that do not fit the mechanism.
+        """
+        self.mechanism.refuse_beyond(settings)
+        super().refuse_beyond(settings)
+        limit = MAX_FIT_PAIRS
+        if "positions" in self.include:
+            limit = min(limit, MAX_ARCS // len(self.crank_angle_deg))
+        if self.mechanism.pairs > limit:
+            most = self.mechanism.most_pins(limit)
+            raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **most)
+        if self.deviations is not None:
+            self.deviations.refuse_other_lengths(self.mechanism.pins, self.mechanism.satellites)
+
+    @cached_property
+    def built(self) -> Mechanism:
+        """The mechanism, built once."""
+        return self.mechanism.mechanism()
+
+    def fit(self) -> Fit:
+        """The pins in their holes, in SI units; bearings that give do so in first order."""
+        support = None if self.crank_support is None else self.crank_support.section()
+        return Fit(
+            RealMechanism(
+                mechanism=self.built,
+                pin_circle_radius=to_si("radius_mm", self.load.pin_circle_radius_mm),
+                **self.contact.sizes(),
+                law=HertzLaw(),
+                deviations=Deviations() if self.deviations is None else self.deviations.section(),
+                exact=support is None,
+                support=support,
+            )
+        )
+
+    def fit_to_draw(self) -> Fit:
+        """The same, of holes that hold their pins."""
+        fit = self.fit()
+        fit.refuse_without_bound()
+        return fit
+
+    def solve_all(self) -> tuple[Values, Accuracy, tuple[Notice, ...]]:
+        """What is asked for, its accuracy, and what is to be known of it."""
+        fit = self.fit()
+        values: Values = {"fit": WholeFitOut.values(fit)}
+        asked = {*self.include} if fit.state != "no_bound" else {}
+        if "discs" in asked:
+            values["fit"]["discs"] = [*map(DiscOut.values, fit.rooms.discs())]
+        if "elastic" in asked and (elastic := ElasticOut.values(fit.elastic)):
+            values["fit"]["elastic"] = elastic
+        if "positions" in asked:
+            angles = np.array(to_si("crank_angle_deg", self.crank_angle_deg))
+            values["positions"] = FitPositionOut.all_values(fit.rooms, angles)
+        notices = fit_notices(self.contact, self.load.pin_circle_radius_mm, fit)
+        return values, room_accuracy(fit), notices
+
+
+def fit_notices(
+    contact: PinContactFields, pin_circle_radius_mm: float, fit: Fit
+) -> tuple[Notice, ...]:
+    """What of the sizes looks like a slip, and satellites that are put on by other holes."""
+    sizes = contact.sizes_on(pin_circle_radius_mm)
+    slips = slip_notices(**{name: sizes[name] for name in SLIPPED})
+    return (*slips, *((Notice("next_hole"),) if any(fit.real.numbered[1]) else ()))
+
+
+def room_accuracy(fit: Fit) -> Accuracy:
+    """Accuracy of the least room: relative to itself, at most 1."""
+    if fit.state == "no_bound":
+        return Accuracy("closed_form", ROUNDING, 1)
+    if fit.rooms.even:
+        return Accuracy("closed_form", 4 * ROUNDING, 1)
+    error, least = fit.rooms.error, abs(fit.room.least)
+    return Accuracy("arcs_zoomed", error / least if error < least else 1.0, POSITIONS)
+
+
+def fit_figure(fit: Fit, theme: Theme) -> Figure:
+    """Room over a turn of the wave, in all and of each satellite by itself, with its least place;
+    shaded where the parts jam.
+
+    Parameters
+    ----------
+    fit : Fit
+        Pins in their holes, which hold them.
+    theme : {"light", "dark"}
+        Look of the figure.
+
+    Returns
+    -------
+    dict
+        ``{data, layout}``.
+    """
+    rooms, mechanism, room = fit.rooms, fit.real.mechanism, fit.room
+    end = mechanism.crank_angle_per_wave
+    blocked = rooms.blocked() if room.state == "binds_in_turning" else ()
+    edges = np.array([each % end for ends in blocked for each in ends])
+    least = [] if room.crank_angle is None else [room.crank_angle]
+    angle = np.unique(np.concatenate((np.linspace(0.0, end, DRAWN_ANGLES), edges, least)))
+    wave, shown = mechanism.wave_angle(angle), from_si("angle_deg", angle)
+    value, at = Amount("%{y:.5g}", "mm"), Amount("%{x:.2f}", "°")
+    data = []
+    several = range(mechanism.satellites) if mechanism.satellites > 1 else ()
+    for name, disc in ((text("room"), None), *((text("satellite", satellite=j + 1), j)
+                                               for j in several)):  # fmt: skip
+        heights = from_si("room_mm", rooms.rooms(wave, disc)[0])
+        hovered = text("at_angle", name=name, value=value, angle=at)
+        index = 0 if disc is None else disc + 1
+        trace = curve(name, shown, heights, index, theme, hovered)
+        if disc is not None:
+            trace["line"] |= {"width": 1}
+        data.append(trace)
+    for place in least:
+        name = text("least_room")
+        hovered = text("at_angle", name=name, value=value, angle=at)
+        where = from_si("angle_deg", place), from_si("room_mm", room.least)
+        data.append(marker(name, *where, theme, hovered))
+    if room.state == "does_not_fit":
+        blocked = ((0.0, end),)
+    return {
+        "data": data,
+        "layout": layout(
+            theme,
+            height=420,
+            xaxis=axis(theme, text("crank_angle"), "°", range=[0, from_si("angle_deg", end)]),
+            yaxis=axis(theme, text("room"), "mm", rangemode="tozero"),
+            shapes=[
+                _shaded(theme, *from_si("angle_deg", list(ends)))
+                for start, stop in blocked
+                for ends in ([(start, stop)] if stop <= end else [(start, end), (0.0, stop - end)])
+            ],
+        ),
+    }
+
+
+def _shaded(theme: Theme, start: float, stop: float) -> Figure:
+    """A stretch of crank angles, deg, in which the parts jam."""
+    return {
+        "type": "rect",
+        "xref": "x",
+        "yref": "paper",
+        "x0": start,
+        "x1": stop,
+        "y0": 0,
+        "y1": 1,
+        "layer": "below",
+        "line": {"width": 0},
+        "fillcolor": INK[theme]["alert"],
+        "opacity": 0.15,
+    }
+
+
+def solve(body: FitRequest) -> Values:
+    """Whether pins and holes go together and turn, and how much room is left, by geometry."""
+    (values, accuracy, notices), run_time_us = run(body, body.solve_all)
+    values["accuracy"] = accuracy_values(accuracy, run_time_us)
+    if notices:
+        values["warnings"] = [*map(warning, notices)]
+    if "worked" in body.include:
+        values["worked"] = stated("fit", values["fit"], "of_distances", BOUNDS)
+    return values
+
+
+def figure(body: FitRequest, theme: Theme = "light") -> Figure:
+    """Room over the crank angle, its least place, and where the parts jam, for Plotly.js."""
+    run(body, body.mechanism.refuse_undrawable)
+    fit, _ = run(body, body.fit_to_draw)
+    return fit_figure(fit, theme)
+
+
+CALCULATION = Calculation(
+    name="fit",
+    title="Room of the pins in their holes",
+    tag="crank-planetary",
+    request=FitRequest,
+    answer=FitResponse,
+    solve=solve,
+    figure=figure,
+    sources=(JOHNSON_1985,),
+    neglects=LEFT_OUT,
+)
