@@ -126,7 +126,8 @@ def _left_out(
     """
     loads = np.asarray(load)
     with np.errstate(divide="ignore"):  # without a load a bearing lasts for ever
-        moved = float(of(np.abs(loads - force) if short else loads + force) / of(loads))
+        other, own = of(np.abs(loads - force) if short else loads + force), of(loads)
+        moved = 1.0 if other == own else float(other / own)  # both may last for ever
     return max(moved - 1, 0.0) if short else 1 - moved
 
 

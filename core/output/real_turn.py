@@ -16,6 +16,9 @@ from core.output.turn import Rows, Turn, joined
 ENOUGH = 1e-5
 """How far a sample may lie off the straight line between its neighbours, over the largest force."""
 
+FELT = 4.0
+"""How many times its own error a sample has to lie off that line, to be more than noise."""
+
 HALVINGS = 16
 """How often the samples beside a kink are halved."""
 
@@ -52,7 +55,8 @@ def sampled(turn: Turn) -> SampledTurn:
     rows = turn.fine
     for _ in range(HALVINGS):
         wave = rows["wave"]
-        rough = _off(turn, rows) > ENOUGH * rows["forces"].max()
+        felt = np.maximum(ENOUGH * rows["forces"].max(), FELT * rows["force_error"])
+        rough = _off(turn, rows) > felt
         gaps = np.diff(wave, append=wave[0] + turn.period)
         between = (wave + gaps / 2)[rough | np.roll(rough, -1)]
         if not len(between):

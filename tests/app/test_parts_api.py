@@ -48,6 +48,11 @@ WINCH = {
 }
 FITTED = {name: value for name, value in WINCH["contact"].items() if name != "hole_radius_mm"}
 FITTED |= {"fit": "H7/f7"}
+VANISHING = {
+    "torque": {"load": {"output_torque_Nm": 1e-12, "peak_torque_Nm": 2e-12}},
+    "rating": {"bearing": {"dynamic_rating_N": 1e-12, "static_rating_N": 1e-12}},
+    "circle": {"load": {"pin_circle_radius_mm": 1e-6}},
+}
 BY_FORCES = ("contact", "pins", "satellite_bearing", "crank_bearings", "losses")
 
 
@@ -218,3 +223,16 @@ async def test_perfect_parts_are_said_to_be(api):
         body["contact"] = FITTED
         answer, *_ = await asked(api, body, path)
         assert "perfect_parts" not in [each["code"] for each in answer.get("warnings", ())]
+
+
+@pytest.mark.parametrize("what", VANISHING)
+async def test_what_next_to_vanishes_is_judged_too(api, what):
+    """Forces below their own error are not looked at ever closer, lives without end compare, and a
+    part that a refusal opens says it in the refusal's words.
+    """
+    answer = await api.post(PATH, json=winch(contact=FITTED, **VANISHING[what]))
+    assert answer.status_code == 200, answer.text
+    body = answer.json()
+    assert body["verdict"] == {"torque": "incomplete", "rating": "fail", "circle": "fail"}[what]
+    for part in body["parts"]:
+        assert ("detail" in part) == (part["status"] == "open")

@@ -390,3 +390,18 @@ def test_the_face_load_factor_takes_arrays() -> None:
         assert many[index] == pytest.approx(one, rel=1e-15)
     with pytest.raises(InvalidInput):
         face_load_factor(slope=-1e-3, contact_length=0.02, approach=1e-5)
+
+
+@pytest.mark.parametrize("torque", [1e-3, 1e-8, 1e-14, 1e-20])
+def test_samples_of_a_torque_that_vanishes_are_few(torque: float) -> None:
+    """Where forces are of the size of their error, no more samples make them straighter."""
+    real = RealMechanism(
+        mechanism=Mechanism.evenly_spaced(pins=8, satellites=2, ratio=43.0),
+        pin_circle_radius=0.05,
+        pin_radius=0.007,
+        eccentricity=1.5e-3,
+        contact_length=0.02,
+        clearance=2e-5,
+        law=LinearLaw(5e8),
+    )
+    assert real_turn(real=real, output_torque=torque).wave.size < 5_000
