@@ -49,7 +49,7 @@ WINCH = {
 FITTED = {name: value for name, value in WINCH["contact"].items() if name != "hole_radius_mm"}
 FITTED |= {"fit": "H7/f7"}
 VANISHING = {
-    "torque": {"load": {"output_torque_Nm": 1e-12, "peak_torque_Nm": 2e-12}},
+    "torque": {"load": {"output_torque_Nm": 1e-9, "peak_torque_Nm": 2e-9}},
     "rating": {"bearing": {"dynamic_rating_N": 1e-12, "static_rating_N": 1e-12}},
     "circle": {"load": {"pin_circle_radius_mm": 1e-6}},
 }
