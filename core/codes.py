@@ -143,8 +143,8 @@ _UNKNOWN = {
     "which are meant for teeth",
     "life_without_speed": "No input speed is given: how the limit falls over the life is left out",
     "limit_unknown": "No limit of the pressure is known for this material: enter one. The pitting "
-    "limit of tables of gears or worm wheels will do, that of its maker for such a contact, or of a "
-    "test of this pair",
+    "limit of tables of gears or worm wheels will do, that of its maker for such a contact, or of "
+    "a test of this pair",
     "mass_unknown": "No mass of a satellite is given",
     "no_bush": "The pv is that of a bush: a bare pin touches its wider hole along a narrow strip",
     "no_involute": "It is one of involute teeth",
