@@ -58,6 +58,10 @@ class Service:
         self.app = create_app(Settings(max_seconds=300.0))
         self.runner = asyncio.Runner()
 
+    def close(self) -> None:
+        """End its event loop."""
+        self.runner.close()
+
     def post(self, calculation: str, body: dict[str, Any]) -> tuple[int, Any]:
         """Status and answer of a calculation."""
         sent = exchange(self.app, API + calculation, json.dumps(body).encode())

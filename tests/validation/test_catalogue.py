@@ -10,6 +10,7 @@ knowingly, how far they may be apart, and why.
 import json
 from collections import Counter
 from collections.abc import Iterator
+from contextlib import closing
 from pathlib import Path
 from typing import Any, get_args
 
@@ -47,9 +48,10 @@ def at(answer: Any, pointer: str) -> Any:
 
 
 @pytest.fixture(scope="module")
-def service() -> Service:
+def service() -> Iterator[Service]:
     """One service for all of them."""
-    return Service()
+    with closing(Service()) as running:
+        yield running
 
 
 def test_there_are_enough_and_of_many_kinds() -> None:
