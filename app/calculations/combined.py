@@ -2,6 +2,7 @@
 
 import math
 from collections import ChainMap
+from functools import partial
 from typing import Any
 
 from pydantic import Field
@@ -61,29 +62,32 @@ def combined(request: Any, verdict: Verdict, fixes: list[Fix]) -> Values | None:
     """
     steps: list[Values] = []
     kept = set(KEPT)
-    while verdict.verdict in ("fail", "marginal"):
+    reached: str = verdict.verdict
+    while reached in ("fail", "marginal") and len(steps) < MOST:
+        if steps:  # the design as it is has been judged, and looked through
+            request = _changed(request, steps[-1]["sets"])
+            verdict = crank_verdict(request.results)
+            codes = codes_to_fix(verdict, "governing")
+            fixes = crank_fixes(results=request.results, codes=codes, current=verdict)
         cures = [
             each
             for each in fixes
             if (each.code, each.status) == (verdict.governing, "solved")
             and each.variable not in kept
         ]
-        if not cures or len(steps) == MOST:
+        if not cures:
             break
-        best = min(cures, key=lambda fix: _rank(fix, verdict))
+        best = min(cures, key=partial(_rank, verdict))
         steps.append(fix_values(best, request))
         kept.add(best.variable)
-        request = _changed(request, steps[-1]["sets"])
-        verdict = crank_verdict(request.results)
-        codes = codes_to_fix(verdict, "governing")
-        fixes = crank_fixes(results=request.results, codes=codes, current=verdict)
-    if len(steps) < 2 or verdict.verdict == "fail":
+        reached = best.verdict
+    if len(steps) < 2 or reached == "fail":
         return None
     sets = dict(ChainMap(*(step["sets"] for step in reversed(steps))))
-    return {"sets": sets, "steps": steps, "verdict": steps[-1]["verdict"]}
+    return {"sets": sets, "steps": steps, "verdict": reached}
 
 
-def _rank(fix: Fix, verdict: Verdict) -> tuple[int, bool, float]:
+def _rank(verdict: Verdict, fix: Fix) -> tuple[int, bool, float]:
     """How many checks fail with a fix, whether it changes sizes of parts, and how much."""
     failing = {each.code for each in verdict.checks if each.status == "fail"} - {fix.code}
     for each in fix.side_effects:

@@ -10,31 +10,31 @@ from pydantic import Field, model_validator
 
 from app.calculations.checks import (
     FixesFor,
-    JudgedResponse,
-    PartOut,
     ScopedRequirementsFields,
     codes_to_fix,
     judgement,
 )
-from app.calculations.combined import CombinedOut, combined
+from app.calculations.combined import combined
 from app.calculations.contact_force import (
     ContactForceResponse,
     ForceCurvesOut,
     contact_force_figure,
 )
+from app.calculations.crank_planetary_answer import (
+    CrankPlanetaryResponse,
+    DesignHertzOut,
+    LoadSharingOut,
+)
 from app.calculations.crankshaft import CrankshaftFields, CrankshaftResponse
 from app.calculations.cyclogram import CyclogramFields, CyclogramResponse, cyclogram_figure
 from app.calculations.design import (
     DesignFields,
-    ForcesUsed,
     SatelliteBodyFields,
-    forces_used,
 )
 from app.calculations.fatigue import PinFatigueFields
 from app.calculations.fit_answer import FitOut
 from app.calculations.geometry_answer import GeometryOut
-from app.calculations.hertz import HertzResponse
-from app.calculations.load_sharing_answer import OverTurnOut, RealCyclogramOut
+from app.calculations.load_sharing_answer import RealCyclogramOut
 from app.calculations.mechanism import MAX_PAIRS
 from app.calculations.output_efficiency import FrictionFields, OutputEfficiencyResponse
 from app.calculations.pin_strength import PinStrengthResponse
@@ -42,15 +42,12 @@ from app.calculations.ring import RingFields
 from app.calculations.satellite_bearing import BearingFields, SatelliteBearingResponse
 from app.calculations.usual_fit_answer import UsualFitOut
 from app.model import (
-    AccuracyOut,
     Angle,
     Calculation,
     Maybe,
     Values,
-    WarningOut,
     field_error,
     quantity,
-    result,
     warning,
 )
 from app.running import run
@@ -89,7 +86,6 @@ from core.output.pin_geometry import (
     pin_geometry,
 )
 from core.output.real_cyclogram import RealCyclogram, carried_forces, real_cyclogram
-from core.output.sampled_turn import WAYS
 from core.output.turn import Turn
 from core.results import Notice
 from core.worked.crank import bearing_steps, shaft_steps
@@ -446,89 +442,6 @@ WORKED: dict[Section, Callable[[CrankPlanetaryRequest], list[Step]]] = {
     **{each: partial(CrankPlanetaryRequest.strength_steps, section=each) for each in STRENGTH},
 }
 """What works the sections of the answer; the others are solved over the turn."""
-
-
-class LoadSharingOut(OverTurnOut):
-    """The mechanism as it is made, over the turn, under the torque without the dynamic factor."""
-
-    torque_direction: Literal["driving", "reverse"] = result(
-        "Direction of the torque: of both the one with the larger pressure."
-    )
-    judged_force_N: Maybe[float] = result(
-        "Force with the largest pressure under the dynamic load: that of the section hertz and of "
-        "the checks.",
-        symbol="F",
-    )
-    curves: Maybe[ForceCurvesOut] = result(
-        "Force of every pair over the turn, where `load.include` asks for curves."
-    )
-    accuracy: AccuracyOut
-    warnings: Maybe[list[WarningOut]] = None
-
-    @classmethod
-    def values(cls, result: RealForces, run_time_us: float | None = None, **given: Any) -> Values:
-        """Values of the forces over the turn; `judged_force_N` and `curves` are given."""
-        direction = next(name for name, ways in WAYS.items() if ways == (result.way,))
-        return super().values(result.turn, run_time_us, torque_direction=direction, **given)
-
-
-class DesignHertzOut(HertzResponse):
-    """The contact with the largest pressure."""
-
-    line_load_factor: Maybe[float] = result(
-        "Largest line load over the even one of the force, where pins bend: by how they share the "
-        "load, and by their slope. All else is said of that line load.",
-        symbol="K_b",
-    )
-
-
-class CrankPlanetaryResponse(JudgedResponse):
-    """One section for each that was asked, and always the verdict."""
-
-    model: ForcesUsed = forces_used()
-    parts: list[PartOut] = Field(description="The parts of the reducer, of which the verdict is.")
-    largest_torque_of: Maybe[list[str]] = Field(description="Parts that the largest torque is of.")
-    cyclogram: Maybe[CyclogramResponse] = result("As `/cyclogram` answers.")
-    contact_force: Maybe[ContactForceResponse] = result("As `/contact-force` answers.")
-    load_sharing: Maybe[LoadSharingOut] = result("As `/load-sharing` answers over the turn.")
-    real_cyclogram: Maybe[RealCyclogramOut] = result(
-        "Which pairs carry by the forces of `load_sharing`, in its direction of the torque."
-    )
-    hertz: Maybe[DesignHertzOut] = result(
-        "As `/hertz` answers, under the peak of the contact force; with clearance, deviations or a "
-        "law of contact of the pair and under the force with the largest pressure; with bending "
-        "pins under the largest line load."
-    )
-    pin_strength: Maybe[PinStrengthResponse] = result(
-        "As `/pin-strength` answers, with the deflection: under the torque times its factor, the "
-        "static safety under the peak torque."
-    )
-    output_efficiency: Maybe[OutputEfficiencyResponse] = result(
-        "As `/output-efficiency` answers, under the torque without its factor."
-    )
-    satellite_bearing: Maybe[SatelliteBearingResponse] = result(
-        "As `/satellite-bearing` answers, under the torque without its factor, the static safety "
-        "under the peak torque."
-    )
-    crankshaft: Maybe[CrankshaftResponse] = result(
-        "As `/crankshaft` answers, under the torque without its factor."
-    )
-    fit: Maybe[FitOut] = result(
-        "How the pins fit into their holes, whichever sections are asked, where their sizes and "
-        "their circle are given."
-    )
-    geometry: Maybe[GeometryOut] = result("Pins and holes at the crank angle asked.")
-    combined: Maybe[CombinedOut] = result(
-        "Changes of several inputs with which no check fails, where no change of one is enough."
-    )
-    usual_fit: Maybe[UsualFitOut] = result(
-        "The design with a usual clearance, where it is not known, or 0, and sizes have such a fit."
-    )
-    warnings: Maybe[list[WarningOut]] = Field(
-        description="How pins and holes fit, whichever sections are asked: `interference`, "
-        "`wall_holes`, `pins_apart` (such a mechanism is not possible), `clearance`, "
-        "`eccentricity_assumed`; not what `checks` say.",
-    )
 
 
 def over_one_axis(pattern: Figure, forces: Figure) -> Figure:
