@@ -26,7 +26,12 @@ from app.calculations.crank_planetary_answer import (
     LoadSharingOut,
 )
 from app.calculations.crankshaft import CrankshaftFields, CrankshaftResponse
-from app.calculations.cyclogram import CyclogramFields, CyclogramResponse, cyclogram_figure
+from app.calculations.cyclogram import (
+    CyclogramFields,
+    CyclogramResponse,
+    cyclogram_figure,
+    over_one_axis,
+)
 from app.calculations.design import (
     DesignFields,
     SatelliteBodyFields,
@@ -442,42 +447,6 @@ WORKED: dict[Section, Callable[[CrankPlanetaryRequest], list[Step]]] = {
     **{each: partial(CrankPlanetaryRequest.strength_steps, section=each) for each in STRENGTH},
 }
 """What works the sections of the answer; the others are solved over the turn."""
-
-
-def over_one_axis(pattern: Figure, forces: Figure) -> Figure:
-    """The forces under the cyclogram, both over the same crank angle.
-
-    Parameters
-    ----------
-    pattern, forces : dict
-        Figures of the cyclogram and of the contact force.
-
-    Returns
-    -------
-    dict
-        ``{data, layout}``.
-    """
-    upper, lower = pattern["layout"], forces["layout"]
-    total = upper["height"] + lower["height"]
-    share = lower["height"] / total
-
-    def raised(axis: Figure) -> Figure:
-        low, high = axis["domain"]
-        return {**axis, "domain": [share + (1 - share) * low, share + (1 - share) * high]}
-
-    return {
-        "data": pattern["data"] + [{**trace, "yaxis": "y3"} for trace in forces["data"]],
-        "layout": {
-            **upper,
-            "height": total,
-            "xaxis": {**upper["xaxis"], "anchor": "y3"},
-            "yaxis": raised(upper["yaxis"]),
-            "yaxis2": raised(upper["yaxis2"]),
-            "yaxis3": {**lower["yaxis"], "domain": [0, 0.85 * share]},
-            "shapes": lower["shapes"] + upper["shapes"],
-            "annotations": [{**each, "yref": "y3"} for each in lower["annotations"]],
-        },
-    }
 
 
 ANSWERS: dict[Section, Callable[..., Values]] = {
