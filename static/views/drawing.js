@@ -146,6 +146,7 @@ export function createDrawingView({ calculator, on }) {
 
   const redraw = following(({ shown, curves }) => [shown, curves], (state) => {
     const next = drawable(state);
+    root.dataset.stale = String(!next && latest !== null); // until the curves of the answer are there
     if (!next) return;
     latest = next;
     draw();

@@ -5,7 +5,7 @@ from typing import Any
 from xml.etree import ElementTree
 
 import pytest
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Browser, Page, Route, expect
 
 from tests.browser.calculator_page import ask, box, first_example, settled, show
 
@@ -305,6 +305,20 @@ def test_a_field_and_its_part_point_at_each_other(page: Page, service: str) -> N
         "pointerover"
     )
     expect(page.locator('[data-path="load.pin_circle_radius_mm"].lit')).to_be_attached()
+
+
+def test_a_drawing_is_pale_until_the_forces_of_the_newest_answer_are_there(
+    page: Page, service: str
+) -> None:
+    open_mechanism(page, service)
+    held: list[Route] = []
+    page.route("**/chart*", lambda route: held.append(route))
+    box(page, "contact.hole_radius_mm").fill("8")
+    settled(page)
+    expect(page.locator('.mechanism[data-stale="true"]')).to_contain_text("6.5 mm")
+    for route in held:
+        route.continue_()
+    expect(page.locator('.mechanism[data-stale="false"]')).to_contain_text("8 mm")
 
 
 def test_a_changed_size_is_drawn_and_the_angle_stays(page: Page, service: str) -> None:

@@ -117,6 +117,7 @@ def test_diameters_are_diameters_everywhere_and_in_the_link(newcomer: Page, serv
     newcomer.locator('[data-path="contact.hole_clearance_mm"] .box').fill("0.02")
     newcomer.locator('[data-path="bearings.on"] input').check()
     settled(newcomer)
+    expect(newcomer.locator('.shown .mechanism[data-stale="false"]')).to_be_attached()
     texts = newcomer.locator(".shown .drawing .label").all_text_contents()
     labels = {text.replace("\u00a0", " ") for text in texts}
     assert {"2R = 56 mm", "2rin = 16 mm", "2rout = 20.04 mm"} <= labels
