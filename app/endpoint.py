@@ -100,7 +100,7 @@ def route_of(calculation: Calculation, *, drawn: bool = False) -> type[APIRoute]
         if len(sent) <= LIGHT_BYTES:
             body = read_body(calculation, sent, record.settings)
         if body is not None and body.cost() <= LIGHT_COST:
-            content = _content(calculation, body, theme, zipped)
+            content = content_of(calculation, body, theme, zipped)
         else:
             asked = calculation.name, sent, theme, zipped, record.settings
             async with wanted(record):
@@ -114,7 +114,7 @@ def route_of(calculation: Calculation, *, drawn: bool = False) -> type[APIRoute]
     return CalculationRoute
 
 
-def _content(
+def content_of(
     calculation: Calculation, body: RequestModel, theme: str | None, zipped: bool
 ) -> bytes:
     """The answer of a calculation, compressed where it is large and the client takes that."""
@@ -133,7 +133,7 @@ def _answer(
 ) -> None:
     """The same from the bytes of a request, in a process."""
     calculation = CALCULATIONS[name]
-    tell(_content(calculation, read_body(calculation, sent, settings), theme, zipped))
+    tell(content_of(calculation, read_body(calculation, sent, settings), theme, zipped))
 
 
 async def _told_by_lines(request: Request, name: str, sent: bytes, record: Record) -> Response:
@@ -141,7 +141,7 @@ async def _told_by_lines(request: Request, name: str, sent: bytes, record: Recor
     settings = record.settings.model_copy(update={"max_seconds": record.settings.max_study_seconds})
     parts = in_parts(
         request.app.state.jobs,
-        *(_progress, name, sent, settings),
+        *(told_progress, name, sent, settings),
         record=record,
         limit_s=settings.max_seconds,
     )
@@ -159,7 +159,7 @@ async def _told_by_lines(request: Request, name: str, sent: bytes, record: Recor
     return StreamingResponse(lines(), headers=AS_IT_COMES, media_type=LINES)
 
 
-def _progress(tell: Tell, name: str, sent: bytes, settings: Settings) -> None:
+def told_progress(tell: Tell, name: str, sent: bytes, settings: Settings) -> None:
     """Lines of a study in a process, behind an empty one where the request is right."""
     calculation = CALCULATIONS[name]
     body = read_body(calculation, sent, settings)

@@ -52,7 +52,7 @@ async def in_parts(
     jobs: Jobs, job: Job, *args: Any, record: Record, limit_s: float, admitted: bool = False
 ) -> AsyncGenerator[Any]:
     """What a job tells, in a process, as it comes; its refusal at the end, as `in_process`."""
-    running = jobs.run(_told, job, args, limit_s=limit_s, admitted=admitted, client=record.client)
+    running = jobs.run(told, job, args, limit_s=limit_s, admitted=admitted, client=record.client)
     refusal: Exception | None = None
     async with aclosing(running):
         async for part, calculation_us in running:
@@ -94,7 +94,7 @@ async def wanted(record: Record) -> AsyncIterator[None]:
         watching.cancel()
 
 
-def _told(tell: Callable[..., None], job: Job, args: tuple[Any, ...]) -> None:
+def told(tell: Callable[..., None], job: Job, args: tuple[Any, ...]) -> None:
     """Do a job in this process, and tell with each part how long its calculations took; or its
     error.
     """

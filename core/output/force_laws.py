@@ -123,7 +123,7 @@ class _Power(ForceLaw):
             places = part.low, part.high
             found += [(self._force(index, place), index, place) for place in places]
             tangents = (math.tan(2 * math.pi * place) for place in places)
-            low, high = (self._look(index, tangent) for tangent in tangents)
+            low, high = (self.look(index, tangent) for tangent in tangents)
             ends.append((low, high))
         highest = max(found)[0]
         # The most promising segments first: the higher the peak found, the less is left to search.
@@ -158,7 +158,7 @@ class _Power(ForceLaw):
             if visible and (summits == 1 or width <= max(NARROW * apart, tiny)):
                 yield self._summit(index, left, right)
             elif width > tiny:
-                middle = self._look(index, (left.tangent + right.tangent) / 2)
+                middle = self.look(index, (left.tangent + right.tangent) / 2)
                 highest = max(highest, middle.force)
                 stretches += [(middle, right), (left, middle)]
 
@@ -167,7 +167,7 @@ class _Power(ForceLaw):
         start, stop = left.tangent, right.tangent
         place = start + left.slope / (left.slope - right.slope) * (stop - start)
         for _ in range(100):
-            here = self._look(index, place)
+            here = self.look(index, place)
             if here.slope == 0 and here.change <= 0:
                 break
             if here.slope > 0:
@@ -182,7 +182,7 @@ class _Power(ForceLaw):
                 break
         return place
 
-    def _look(self, index: int, tangent: float) -> Look:
+    def look(self, index: int, tangent: float) -> Look:
         total = lead = falling = rising = 0.0
         power = self.exponent
         weights, cosines, sines = self.directions[index]

@@ -65,7 +65,7 @@ def gate(tmp_path):
 @pytest.fixture
 def held(gate, monkeypatch):
     """A closed gate before all that services in this process hand to others."""
-    monkeypatch.setattr(processes, "_told", partial(jobs_to_run.told_when_let, gate.path))
+    monkeypatch.setattr(processes, "told", partial(jobs_to_run.told_when_let, gate.path))
     return gate
 
 

@@ -48,7 +48,7 @@ def held(gate: Path, tell, job=None, *asked):
 def told_when_let(gate: Path, *asked: Any) -> None:
     """What the service does in a process, once a test lets it pass."""
     wait_at(gate)
-    processes._told(*asked)
+    processes.told(*asked)
 
 
 def told_half_way(gate: Path, *asked: Any) -> None:
@@ -65,7 +65,7 @@ def told_half_way(gate: Path, *asked: Any) -> None:
         patch.dict(CALCULATIONS, {study.name: replace(study, reporting=half)}),
         patch.object(endpoint, "PROGRESS_S", -1.0),
     ):
-        processes._told(*asked)
+        processes.told(*asked)
 
 
 def pid_of(tell):

@@ -266,7 +266,7 @@ def test_what_stays_in_the_event_loop_is_little_work_whatever_the_exponent_is(na
             def answer(content=content, theme=theme):
                 with suppress(Problem, ImpossibleMechanism):
                     body = read_body(calculation, content, Settings())
-                    endpoint._content(calculation, body, theme, zipped=True)
+                    endpoint.content_of(calculation, body, theme, zipped=True)
 
             assert steps(answer) < MOST_STEPS
     by_exponent = {"contact-force", "crank-planetary", "output-efficiency", "satellite-bearing"}

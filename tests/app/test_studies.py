@@ -73,7 +73,7 @@ async def test_progress_comes_before_the_end_and_leaving_ends_the_study(gate, mo
     app = create_app(Settings(processes=1, max_study_seconds=300))
     half_way = partial(jobs_to_run.told_half_way, gate.path)
     with monkeypatch.context() as patched:
-        patched.setattr(processes, "_told", half_way)
+        patched.setattr(processes, "told", half_way)
         client = Client(app, STUDY)
         first = await client.lines.get()
     assert first == {"progress": 0.5} and not client.answering.done()
@@ -181,7 +181,7 @@ def test_so_much_is_told_only_as_anyone_can_see(monkeypatch):
 
     def lines():
         told = []
-        endpoint._progress(told.append, PATH, content, Settings())
+        endpoint.told_progress(told.append, PATH, content, Settings())
         assert told[0] == b""
         return [json.loads(line) for line in told[1:]]
 

@@ -8,10 +8,10 @@ from copy import deepcopy
 from pathlib import Path
 from typing import Any
 
+import httpx
 import pytest
 from pydantic import TypeAdapter, ValidationError
 
-from app.about import _words
 from app.examples import EXAMPLES
 from app.problems import Problem
 from app.registry import CALCULATIONS
@@ -196,8 +196,9 @@ def test_every_quantity_has_its_unit_and_every_text_is_used() -> None:
         assert set(table) <= texts, set(table) - texts
 
 
-def test_every_code_has_words() -> None:
-    titles = json.loads(_words().plain.body)
+@pytest.mark.anyio
+async def test_every_code_has_words(api: httpx.AsyncClient) -> None:
+    titles = (await api.get("words")).json()
     for calculation, body in REQUESTS.values():
         for step in steps_of(calculation, body):
             for field in ("note", "method"):

@@ -8,7 +8,7 @@ import pytest
 
 from core.output.driving_set import segments
 from core.output.force_bounds import Look, least_total, most_summits
-from core.output.force_laws import _Power
+from core.output.force_laws import force_law
 from core.output.mechanism import Mechanism
 from tests.oracles.seeds import seeds
 
@@ -20,13 +20,13 @@ def stretches(seed: int) -> tuple[float, list[list[Look]]]:
     mechanism = Mechanism(pins=r.randint(3, 8), crank_angles=angles, ratio=20.0)
     exponent = r.choice([1e-6, 0.3, 0.9, 1.1, 1.5, 3.0, 4.09, 30.0])
     parts = list(segments(mechanism.phases))
-    law = _Power(parts, exponent)
+    law = force_law(parts=parts, exponent=exponent)
     found = []
     for index, part in enumerate(parts):
         low, high = (math.tan(2 * math.pi * place) for place in (part.low, part.high))
         start, stop = sorted(r.uniform(low, high) for _ in range(2))
         places = [start + (stop - start) * i / 200 for i in range(201)]
-        found.append([law._look(index, place) for place in places])
+        found.append([law.look(index, place) for place in places])
     return exponent, found
 
 
@@ -50,11 +50,11 @@ def test_bounds_hold_all_along(seed: int) -> None:
 
 def test_a_summit_that_parts_in_two_is_not_taken_for_one() -> None:
     parts = list(segments(Mechanism(pins=5, crank_angles=(0.3,), ratio=20.0).phases))
-    law = _Power(parts, 4.088)
+    law = force_law(parts=parts, exponent=4.088)
     parted = 0
     for index, part in enumerate(parts):
         low, high = (math.tan(2 * math.pi * place) for place in (part.low, part.high))
-        looks = [law._look(index, low + (high - low) * i / 2000) for i in range(2001)]
+        looks = [law.look(index, low + (high - low) * i / 2000) for i in range(2001)]
         if sum(a.slope > 0 >= b.slope for a, b in pairwise(looks)) > 1:
             parted += 1
             least = least_total(looks[0], looks[-1], 4.088)
