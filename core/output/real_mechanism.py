@@ -380,6 +380,7 @@ class RealMechanism:
             solve=shared.solve,
             played=shared.played,
             wave_torque=shared.wave_torque,
+            clear=lambda *_: 0.0,  # satellites have no common lag
         )
 
     def contact(self, pair: int, force: float) -> HertzContact | None:

@@ -988,24 +988,69 @@ def narrow(
     return b, at_b, error, looks
 
 
+def clear(psi: float, lag: float, setup: Setup, pairs: Pairs, room: Room) -> float:
+    """How far the wave may turn on from where `at` was called before any pair can touch at a lag.
+
+    At one lag what `at` makes of a pair is ``k + m*cos(psi - psi_0)``: it changes by no more than m
+    for each radian.
+    """
+    sine, half = math.sin(lag), math.sin(lag / 2)
+    less, turn = -2 * half * half, 2 * math.pi
+    if not setup.exact:
+        sine = lag
+    for j in range(setup.satellites):
+        arm = abs(pairs.arm[j])
+        for i in range(j * setup.pins, (j + 1) * setup.pins):
+            x, y, own = pairs.x[i], pairs.y[i], setup.direction * sine
+            if setup.exact:
+                over = room.q[i] + less * room.u[i] + sine * room.v[i]
+                most = arm * math.hypot(
+                    pairs.ex[i] + less * x + own * y, pairs.ey[i] + less * y - own * x
+                )
+            else:
+                over = room.q[i] + lag * room.v[i]
+                most = arm * math.hypot(pairs.ex[i] + own * x, pairs.ey[i] + own * y)
+            if over >= 0:
+                return 0.0
+            if -over < most * turn:
+                turn = -over / most
+    return turn
+
+
 def fitting(setup: Setup, pairs: Pairs, room: Room) -> int:
-    """Whether a piece goes together without load: FITS, BINDS or NOWHERE."""
-    free = 0
-    for k in range(FIT_POSITIONS):
-        psi = 2 * math.pi * k / FIT_POSITIONS
+    """Whether a piece goes together without load: FITS, BINDS or NOWHERE. Positions up to which no
+    pair can touch at the middle of the play are not looked at.
+    """
+    free = blocked = False
+    step = 2 * math.pi / FIT_POSITIONS
+    k = 0
+    while k < FIT_POSITIONS and not (free and blocked):
+        psi = k * step
         low, high = played(psi, setup, pairs, room)
         if low <= high + JUST * setup.eccentricity / setup.radius:
-            free += 1
-    if free == FIT_POSITIONS:
-        return FITS
-    return BINDS if free else NOWHERE
+            free = True
+            if math.isfinite(low) and math.isfinite(high):
+                k += int(clear(psi, (low + high) / 2, setup, pairs, room) / step)
+        else:
+            blocked = True
+        k += 1
+    if free and blocked:
+        return BINDS
+    return FITS if free else NOWHERE
 
 
 def piece(
-    sample: int, positions: int, lost: bool, load: Load, pairs: Pairs, room: Room, results: Pieces
+    sample: int,
+    positions: int,
+    under_load: bool,
+    lost: bool,
+    load: Load,
+    pairs: Pairs,
+    room: Room,
+    results: Pieces,
 ) -> bool:
-    """Quantities of a piece that fits, over even positions of the wave; whether it can work. The
-    lost motion is taken only where it is asked.
+    """Quantities of a piece that fits, over even positions of the wave; whether it can work. What
+    takes the forces under load, and the lost motion, are taken only where they are asked.
     """
     peak = pressure = backlash = motion = 0.0
     least_lag, most_lag, stiffness = math.inf, -math.inf, math.inf
@@ -1014,13 +1059,17 @@ def piece(
         return False
     for k in range(positions):
         psi = 2 * math.pi * k / positions
-        found = solve(psi, load.torque, load.setup, pairs, room)
-        if judged(found, load.setup, pairs, room) != SOLVED:
-            return False
-        peak, pressure = max(peak, largest(room)), max(pressure, hardest(pairs, room))
-        least_lag, most_lag = min(least_lag, found.lag), max(most_lag, found.lag)
-        backlash = max(backlash, found.high - found.low)
-        stiffness = min(stiffness, found.stiffness)
+        if under_load:
+            found = solve(psi, load.torque, load.setup, pairs, room)
+            if judged(found, load.setup, pairs, room) != SOLVED:
+                return False
+            peak, pressure = max(peak, largest(room)), max(pressure, hardest(pairs, room))
+            least_lag, most_lag = min(least_lag, found.lag), max(most_lag, found.lag)
+            stiffness = min(stiffness, found.stiffness)
+            low, high = found.low, found.high
+        else:
+            low, high = played(psi, load.setup, pairs, room)
+        backlash = max(backlash, high - low)
         if lost:
             both, can = value(LOST_MOTION, psi, load, pairs, room)
             if not can:
@@ -1043,6 +1092,7 @@ def none(sample: int, results: Pieces) -> None:
 def pieces(
     errors: Errors[Sequence[Row]],
     positions: int,
+    under_load: bool,
     lost: bool,
     law: Law,
     load: Load,
@@ -1066,5 +1116,5 @@ def pieces(
             errors.disc_phase[sample],
         )
         can = prepare(load.setup, law, own, phase, compliance, pairs) < 0
-        if not (can and piece(sample, positions, lost, load, pairs, room, results)):
+        if not (can and piece(sample, positions, under_load, lost, load, pairs, room, results)):
             none(sample, results)

@@ -6,9 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.arrays import FloatArray
-from core.output.sharing_kernel import FITS, Errors
+from core.output.sharing_kernel import FITS
 from core.tolerance.quantiles import Estimate, percentile, share
 from core.tolerance.study import Study
+from core.tolerance.tolerances import Drawn
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +59,7 @@ def contributions(
     estimated from the same pieces.
     """
 
-    def first_quantity(pieces: Errors[FloatArray]) -> FloatArray:
+    def first_quantity(pieces: Drawn) -> FloatArray:
         values, fits = study.values(pieces)
         return np.where(fits == FITS, 1.0, 0.0) if to_fit else values[:, 0]
 

@@ -1,9 +1,9 @@
 """What tolerances do to many pieces: peak force, pressure, transmission error, backlash, ..."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -26,7 +26,7 @@ from core.output.sharing_kernel import (
 from core.output.summits import summits
 from core.output.turn import Turn
 from core.tolerance.quantiles import Estimate, percentile, share
-from core.tolerance.tolerances import Tolerances, deviations
+from core.tolerance.tolerances import Drawn, Tolerances, deviations
 
 QUANTITIES = (
     "peak_force",
@@ -129,6 +129,33 @@ class ToleranceStudy:
         return share(successes=int((kept & self.fits).sum()), count=count)
 
 
+def on_threads(study: "Study", pieces: Drawn) -> Iterator[tuple[int, Pieces]]:
+    """Quantities of pieces on the processors of this machine, where the loops are compiled.
+
+    Parameters
+    ----------
+    study : Study
+        What is asked.
+    pieces : Drawn
+        The pieces.
+
+    Yields
+    ------
+    int, Pieces
+        How many are done, and the quantities of the latest of these, block by block.
+    """
+    blocks = [pieces.part(first, first + BLOCK) for first in range(0, len(pieces), BLOCK)]
+    with ThreadPoolExecutor(study.threads or at_hand().threads) as threads:
+        done = 0
+        for each, found in zip(blocks, threads.map(study.block, blocks), strict=True):
+            done += len(each)
+            yield done, found
+
+
+def _untold(done: int) -> None:
+    """Nobody asks how much is done."""
+
+
 @dataclass(frozen=True, slots=True)
 class Study:
     """A design, its tolerances, and what is asked."""
@@ -139,13 +166,13 @@ class Study:
     samples: int = 4096  # how many pieces
     seed: int = 0  # of the draws
     # Called with the number of pieces done.
-    progress: Callable[[int], None] = field(default=lambda done: None)
+    progress: Callable[[int], None] = _untold
     threads: int = 0  # how many, where the loops are compiled; 0 for one to a processor
+    # What makes the quantities of pieces, as `on_threads` does, which says what it gives.
+    workers: "Callable[[Study, Drawn], Iterator[tuple[int, Pieces]]]" = on_threads
 
-    def pieces(
-        self, *, tolerances: Tolerances | None = None, other: Sequence[str] = ()
-    ) -> Errors[FloatArray]:
-        """Deviations of the pieces.
+    def pieces(self, *, tolerances: Tolerances | None = None, other: Sequence[str] = ()) -> Drawn:
+        """The pieces.
 
         Parameters
         ----------
@@ -156,25 +183,25 @@ class Study:
 
         Returns
         -------
-        Errors
-            A table of each.
+        Drawn
         """
         own = self.real.mechanism
-        return (tolerances or self.tolerances).drawn(
+        return Drawn(
+            tolerances=tolerances or self.tolerances,
             pins=own.pins,
             satellites=own.satellites,
             seed=self.seed,
-            samples=self.samples,
-            other=other,
+            samples=range(self.samples),
+            other=tuple(other),
         )
 
-    def values(self, pieces: Errors[FloatArray]) -> tuple[FloatArray, FloatArray]:
-        """Quantities of pieces, and which of them fit; on all processors where the loops are
-        compiled, with the same bits however they are split.
+    def values(self, pieces: Drawn) -> tuple[FloatArray, FloatArray]:
+        """Quantities of pieces, and which of them fit; the same bits however they are split, and
+        whoever works.
 
         Parameters
         ----------
-        pieces : Errors
+        pieces : Drawn
             The pieces.
 
         Returns
@@ -184,19 +211,14 @@ class Study:
         fits : array, shape (pieces,)
             FITS, BINDS or NOWHERE of `core.output.sharing_kernel`.
         """
-        kernel, count = at_hand(), len(pieces.pin_radial)
-        if self.real.shared is not None:
-            kernel = PLAIN
-        blocks = [range(count)[first : first + BLOCK] for first in range(0, count, BLOCK)]
-
-        def block(samples: range) -> Pieces:
-            return self._block(kernel, Errors(*[t[samples.start : samples.stop] for t in pieces]))
-
         found = []
-        with ThreadPoolExecutor(self.threads or kernel.threads) as threads:
-            for samples, results in zip(blocks, threads.map(block, blocks), strict=True):
-                found.append(results)
-                self.progress(samples.stop)
+        for done, results in self.workers(self, pieces):
+            found.append(results)
+            self.progress(done)
+        return self._columns(found)
+
+    def _columns(self, found: Sequence[Pieces]) -> tuple[FloatArray, FloatArray]:
+        """Columns of what is asked, of the quantities of all blocks."""
         columns = {
             name: np.concatenate([getattr(each, name) for each in found]) for name in Pieces._fields
         }
@@ -205,9 +227,39 @@ class Study:
         values = np.stack([columns[name] for name in self.asked.quantities], axis=1)
         return values, columns["fits"]
 
-    def _block(self, kernel: Any, pieces: Errors[FloatArray]) -> Pieces:
-        """Quantities of some pieces, in the kernel's rows."""
+    def values_of(self, rows: Errors[FloatArray]) -> tuple[FloatArray, FloatArray]:
+        """The same of a few given pieces, here.
+
+        Parameters
+        ----------
+        rows : Errors
+            Their deviations, a table of each.
+
+        Returns
+        -------
+        values, fits : array
+            As `values` gives them.
+        """
+        return self._columns([self._block(rows)])
+
+    def block(self, pieces: Drawn) -> Pieces:
+        """Quantities of some pieces, wherever that is called.
+
+        Parameters
+        ----------
+        pieces : Drawn
+            The pieces.
+
+        Returns
+        -------
+        Pieces
+            In the kernel's rows; of the pressure the force over the reduced radius.
+        """
+        return self._block(pieces.rows())
+
+    def _block(self, pieces: Errors[FloatArray]) -> Pieces:
         real, asked = self.real, self.asked
+        kernel = at_hand() if real.shared is None else PLAIN
         direction = math.copysign(1.0, asked.output_torque)
         sizes = real.setup(direction), real.setup(-direction)
         count = sizes[0].pins * sizes[0].satellites
@@ -218,10 +270,12 @@ class Study:
         results: Pieces = rows(Pieces, len(pieces.pin_radial))
         load = Load(abs(asked.output_torque), asked.lost_motion_share, *sizes)
         lost = "lost_motion" in asked.quantities
+        under_load = bool({*asked.quantities} - {"backlash_max", "lost_motion"})
         if real.shared is None:
             kernel.pieces(
                 Errors(*map(kernel.table, pieces)),
                 asked.positions,
+                under_load,
                 lost,
                 real.law_constants,
                 load,
@@ -233,30 +287,34 @@ class Study:
             )
             return results
         for i in range(len(pieces.pin_radial)):
-            own = self.piece(pieces, i)
+            own = self._piece(pieces, i)
             try:
                 pairs, loops = own.pairs, own.loops
             except ImpossibleMechanism:
                 kernel.none(i, results)
                 continue
-            if not loops.piece(i, asked.positions, lost, load, pairs, own.room(), results):
+            wanted = i, asked.positions, under_load, lost
+            if not loops.piece(*wanted, load, pairs, own.room(), results):
                 kernel.none(i, results)
         return results
 
-    def piece(self, pieces: Errors[FloatArray], index: int) -> RealMechanism:
+    def piece(self, pieces: Drawn, index: int) -> RealMechanism:
         """The mechanism of one piece.
 
         Parameters
         ----------
-        pieces : Errors
+        pieces : Drawn
             The pieces.
         index : int
-            Which.
+            Which of them.
 
         Returns
         -------
         RealMechanism
         """
+        return self._piece(pieces.part(index, index + 1).rows(), 0)
+
+    def _piece(self, pieces: Errors[FloatArray], index: int) -> RealMechanism:
         rows = {name: table[index] for name, table in pieces._asdict().items()}
         own = deviations(rows=rows, pins=self.real.mechanism.pins)
         return replace(self.real, deviations=own)
@@ -310,8 +368,7 @@ def _nominal(study: Study) -> dict[str, float]:
     """
     real, asked = study.real, study.asked
     rows = real.deviations.rows(real.mechanism.pins, real.mechanism.satellites)
-    quiet = replace(study, progress=lambda done: None)
-    (values,), (fits,) = quiet.values(Errors(*[np.array([row]) for row in rows]))
+    (values,), (fits,) = study.values_of(Errors(*[np.array([row]) for row in rows]))
     if fits != FITS:
         return {}
     if np.isnan(values).any():
@@ -325,14 +382,13 @@ def _places(positions: int) -> list[float]:
     return [2 * math.pi * k / positions for k in range(positions)]
 
 
-def _grid_errors(study: Study, pieces: Errors[FloatArray], values: FloatArray) -> dict[str, float]:
+def _grid_errors(study: Study, pieces: Drawn, values: FloatArray) -> dict[str, float]:
     """What the positions miss of each quantity."""
     asked, missed = study.asked, {}
     others = tuple(name for name in asked.quantities if name != "peak_force")
     if others:
         finer = replace(asked, quantities=others, positions=FINER * asked.positions)
-        finer_study = replace(study, asked=finer, progress=lambda done: None)
-        fine, _ = finer_study.values(Errors(*[table[:FINER_SAMPLES] for table in pieces]))
+        fine, _ = replace(study, asked=finer).values_of(pieces.part(0, FINER_SAMPLES).rows())
         for name, column in zip(others, fine.T, strict=True):
             coarse = values[:FINER_SAMPLES, asked.quantities.index(name)]
             both = ~np.isnan(coarse) & ~np.isnan(column)
@@ -344,7 +400,7 @@ def _grid_errors(study: Study, pieces: Errors[FloatArray], values: FloatArray) -
     return missed
 
 
-def _missed_peak(study: Study, pieces: Errors[FloatArray], values: FloatArray) -> float:
+def _missed_peak(study: Study, pieces: Drawn, values: FloatArray) -> float:
     """Mean of what the positions miss of the peak, over the samples of the highest peaks."""
     peaks = values[:, study.asked.quantities.index("peak_force")]
     order = [i for i in np.argsort(-peaks) if not np.isnan(peaks[i])]

@@ -1,6 +1,6 @@
 """What the parts are made to, and pieces drawn from it."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -31,54 +31,6 @@ class Tolerances:
     def sources(self) -> tuple[str, ...]:
         """Names of what varies."""
         return tuple(name for name in KINDS if getattr(self, name) is not None)
-
-    def drawn(
-        self, *, pins: int, satellites: int, seed: int, samples: int, other: Sequence[str] = ()
-    ) -> Errors[FloatArray]:
-        """Deviations of many pieces.
-
-        Parameters
-        ----------
-        pins, satellites : int
-            Numbers N and K.
-        seed : int
-            Of the study.
-        samples : int
-            How many pieces.
-        other : sequence of str
-            Sources that are drawn from the second, independent sample.
-
-        Returns
-        -------
-        Errors
-            A table of each deviation, C-contiguous: a row for each piece.
-        """
-
-        def stream(source: str, part: int, count: int, common: bool) -> FloatArray:
-            kind = KINDS[source][part] + (OTHER if source in other else 0)
-            columns = [
-                uniforms(seed=seed, kind=kind, index=index, samples=samples)
-                for index in range(1 if common else count)
-            ]
-            return np.stack(columns * (count if common else 1), axis=1)
-
-        counts = {"pin": pins, "hole": pins * satellites}
-        rows = {
-            name: np.zeros((samples, counts.get(name.split("_")[0], satellites)))
-            for name in Errors._fields
-        }
-        for source in self.sources:
-            of, given = source.split("_")[0], getattr(self, source)
-            count = counts.get(of, satellites)
-            if isinstance(given, Spread):
-                rows[source] = given.values(stream(source, 0, count, given.common))
-                continue
-            rows[f"{of}_radial"], rows[f"{of}_tangential"] = zone_places(
-                diameter=given,
-                radius_uniform=stream(source, 0, count, False),
-                angle_uniform=stream(source, 1, count, False),
-            )
-        return Errors(**{name: np.ascontiguousarray(row) for name, row in rows.items()})
 
     def middle(self, *, pins: int, satellites: int) -> Deviations:
         """The piece at the middle of all limits.
@@ -118,6 +70,71 @@ class Tolerances:
             middle = (given.lower + given.upper) / 2
             return replace(self, **{source: replace(given, lower=middle, upper=middle)})  # type: ignore[arg-type]
         return replace(self, **{source: None})
+
+
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """Pieces that a seed draws, made where they are calculated; none hangs on the others."""
+
+    tolerances: Tolerances
+    pins: int  # N
+    satellites: int  # K
+    seed: int  # of the study
+    samples: range  # numbers of the pieces, one after the other
+    other: tuple[str, ...] = ()  # sources that are drawn from the second, independent sample
+
+    def __len__(self) -> int:
+        return len(self.samples)
+
+    def part(self, first: int, last: int) -> "Drawn":
+        """Some of them.
+
+        Parameters
+        ----------
+        first, last : int
+            Of these pieces the first one, and the one after the last.
+
+        Returns
+        -------
+        Drawn
+        """
+        return replace(self, samples=self.samples[first:last])
+
+    def rows(self) -> Errors[FloatArray]:
+        """Deviations of the pieces.
+
+        Returns
+        -------
+        Errors
+            A table of each deviation, C-contiguous: a row for each piece.
+        """
+
+        def stream(source: str, part: int, count: int, common: bool) -> FloatArray:
+            kind = KINDS[source][part] + (OTHER if source in self.other else 0)
+            first, samples = self.samples.start, len(self)
+            columns = [
+                uniforms(seed=self.seed, kind=kind, index=index, samples=samples, first=first)
+                for index in range(1 if common else count)
+            ]
+            return np.stack(columns * (count if common else 1), axis=1)
+
+        counts = {"pin": self.pins, "hole": self.pins * self.satellites}
+        rows = {
+            name: np.zeros((len(self), counts.get(name.split("_")[0], self.satellites)))
+            for name in Errors._fields
+        }
+        for source in self.tolerances.sources:
+            of, given = source.split("_")[0], getattr(self.tolerances, source)
+            count = counts.get(of, self.satellites)
+            if isinstance(given, Spread):
+                rows[source] = given.values(stream(source, 0, count, given.common))
+                continue
+            rows[f"{of}_radial"], rows[f"{of}_tangential"] = zone_places(
+                diameter=given,
+                radius_uniform=stream(source, 0, count, False),
+                angle_uniform=stream(source, 1, count, False),
+            )
+        return Errors(**{name: np.ascontiguousarray(row) for name, row in rows.items()})
 
 
 def deviations(*, rows: Mapping[str, FloatArray], pins: int) -> Deviations:

@@ -6,19 +6,24 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from statistics import NormalDist
 from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
 
 from core.errors import InvalidInput
+from core.output.compiled import in_place_of
 from core.output.fit import Fit
+from core.output.mechanism import Mechanism
 from core.output.real_mechanism import Deviations
+from core.output.satellite_support import Shares
+from core.output.sharing_kernel import BINDS, FITS, JUST, NOWHERE
 from core.tolerance.contributions import contributions
 from core.tolerance.draws import Spread, uniforms, zone_places
 from core.tolerance.iso286 import GRADES, NEAREST, SIZES, class_limits
 from core.tolerance.quantiles import percentile, refuse_few, share
 from core.tolerance.study import QUANTITIES, Evaluation, Study, tolerance_study
-from core.tolerance.tolerances import Tolerances
+from core.tolerance.tolerances import Drawn, Tolerances
 from tests.inputs.real_mechanisms import STEEL, design
 
 UNIT = {5: 7, 6: 10, 7: 16, 8: 25, 9: 40, 10: 64, 11: 100}
@@ -95,8 +100,8 @@ def test_normal_deviations_are_those_of_the_normal_distribution() -> None:
 
 def test_common_sizes_and_the_second_sample() -> None:
     both = Tolerances(pin_radius=Spread(0.0, 1e-5, common=True), hole_radius=Spread(0.0, 1e-5))
-    sizes = {"pins": 4, "satellites": 2, "seed": 5, "samples": 3}
-    first, mixed = both.drawn(**sizes), both.drawn(**sizes, other=["hole_radius"])
+    pieces = Drawn(both, pins=4, satellites=2, seed=5, samples=range(3))
+    first, mixed = pieces.rows(), replace(pieces, other=("hole_radius",)).rows()
     assert all(len({*piece}) == 1 for piece in first.pin_radius.tolist())
     assert all(len({*piece}) == 8 for piece in first.hole_radius.tolist())
     assert (first.pin_radius == mixed.pin_radius).all()
@@ -238,11 +243,69 @@ def test_pieces_that_do_not_fit_are_counted_and_left_out() -> None:
     assert kept.value == pytest.approx(1 - found.cannot_assemble.value)
     fitting = found.yield_within(quantity="peak_force", limit=1e9, of_fitting=True)
     assert fitting.value == 1
-    # as each piece by itself
+    # As each piece by itself.
     pieces = study.pieces()
     states = [Fit(study.piece(pieces, i)).room.state for i in range(40)]
     assert [state == "fits" for state in states] == found.fits.tolist()
     assert [state == "binds_in_turning" for state in states] == found.binds.tolist()
+
+
+def test_a_part_of_the_pieces_is_made_alone() -> None:
+    pieces = Study(design(), LOOSE, ASKED, samples=50, seed=3).pieces()
+    whole, part = pieces.rows(), pieces.part(21, 38).part(2, 9)
+    assert len(part) == 7
+    for own, rows in zip(part.rows(), whole, strict=True):
+        assert own.tolist() == rows[23:30].tolist()
+
+
+@pytest.mark.parametrize(
+    ("exact", "support"), [(True, None), (False, None), (False, Shares((0.6, 0.4)))]
+)
+@pytest.mark.parametrize("clearance", [3e-6, 8e-6, 1e-4])
+def test_positions_that_are_passed_over_have_room(clearance, exact, support) -> None:
+    """States as by looking at all positions of the turn, at a part of them."""
+    two = Mechanism.evenly_spaced(pins=6, satellites=2, ratio=18.0)
+    real = design(mechanism=two, clearance=clearance, exact=exact, support=support)
+    study = Study(real, LOOSE, ASKED, samples=4 if support else 12)
+    looks = 0
+    for i in range(study.samples):
+        piece = study.piece(study.pieces(), i)
+        setup, pairs, room, played = piece.setup(1.0), piece.pairs, piece.room(), piece.loops.played
+
+        def counted(*asked: Any, played: Any = played) -> Any:
+            nonlocal looks
+            looks += 1
+            return played(*asked)
+
+        ends = [played(2 * math.pi * k / 720, setup, pairs, room) for k in range(720)]
+        free = {low <= high + JUST * setup.eccentricity / setup.radius for low, high in ends}
+        expected = BINDS if len(free) == 2 else FITS if True in free else NOWHERE
+        own = in_place_of(played=counted, **({"clear": piece.loops.clear} if support else {}))
+        assert own.fitting(setup, pairs, room) == expected
+    if clearance == 1e-4 and not support:
+        assert looks < 40 * study.samples
+
+
+def test_backlash_alone_and_lost_motion_alone_are_those_of_the_whole_study() -> None:
+    asked = replace(ASKED, quantities=QUANTITIES)
+    real = design(pin_material=STEEL, hole_material=STEEL)
+    study = Study(real, LOOSE, asked, samples=16)
+    whole, _ = study.values(study.pieces())
+    for name in ("backlash_max", "lost_motion"):
+        alone = replace(study, asked=replace(asked, quantities=(name,)))
+        values, _ = alone.values(alone.pieces())
+        assert values[:, 0].tolist() == whole[:, QUANTITIES.index(name)].tolist()
+
+
+def test_a_backlash_alone_is_not_solved_for_forces(monkeypatch: pytest.MonkeyPatch) -> None:
+    def none(*_: Any) -> None:
+        raise AssertionError
+
+    monkeypatch.setattr("core.tolerance.study.at_hand", lambda: in_place_of(solve=none))
+    study = Study(design(), LOOSE, replace(ASKED, quantities=("backlash_max",)), samples=2)
+    assert np.isfinite(study.values(study.pieces())[0]).all()
+    with pytest.raises(AssertionError):
+        replace(study, asked=ASKED).values(study.pieces())
 
 
 def test_what_each_tolerance_does_to_the_fit() -> None:
