@@ -65,6 +65,9 @@ SHARED_PER_SECOND = 25_000
 LOST_MOTION_SOLVES = 3
 """Solves of a position where the lost motion is asked: in both directions besides."""
 
+BACKLASH_SOLVES = 0.1
+"""What a position takes where the backlash alone is asked, whose ends are closed forms."""
+
 FEWEST = 20
 """Samples that a mechanism must allow: else it has too many pairs for a study."""
 
@@ -188,16 +191,16 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
         """
         rate = SHARED_PER_SECOND if self.interpreted else POSITIONS_PER_SECOND
         budget, positions = int(rate * settings.max_seconds), times * self._positions_of_a_pair
-        most = budget // (positions * self.mechanism.pairs)
+        most = int(budget / (positions * self.mechanism.pairs))
         if most < FEWEST:
-            limit = self.mechanism.most_pins(budget // (positions * FEWEST))
+            limit = self.mechanism.most_pins(int(budget / (positions * FEWEST)))
             raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **limit)
         self._fitting = min(self._fitting, most)
         if self.drawn > most:
             raise InvalidInput("samples", self.samples, "service_limit", limit=most)
 
     @property
-    def _positions_of_a_pair(self) -> int:
+    def _positions_of_a_pair(self) -> float:
         """Positions at which a pair is solved for each sample."""
         each = self._solves(self.names)
         if "contributions" in self.include:
@@ -206,7 +209,9 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
         return each * self.crank_angles * self.times_as_long
 
     @staticmethod
-    def _solves(names: list[str]) -> int:
+    def _solves(names: list[str]) -> float:
+        if names == ["backlash_max_arcmin"]:
+            return BACKLASH_SOLVES
         return LOST_MOTION_SOLVES if "lost_motion_arcmin" in names else 1
 
     @property

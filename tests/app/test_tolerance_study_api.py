@@ -14,6 +14,7 @@ from pydantic import ValidationError
 
 from app.calculations.real_design import TIMES_AS_LONG
 from app.calculations.tolerance_study import (
+    BACKLASH_SOLVES,
     POSITIONS_PER_SECOND,
     SHARED_PER_SECOND,
     ToleranceStudyRequest,
@@ -386,6 +387,8 @@ def test_work_is_bounded_by_samples_pairs_and_positions():
     ToleranceStudyRequest.model_validate(body).refuse_beyond(Settings(max_seconds=3000))
     lost = body | {"quantities": ["lost_motion_arcmin"], "limits": {}}
     assert refusal(lost, 10)[2] == {"limit": most // 3}
+    backlash = body | {"quantities": ["backlash_max_arcmin"], "limits": {}}
+    assert refusal(backlash, 10)[2] == {"limit": int(budget / (12 * 60 * BACKLASH_SOLVES))}
     ranked = body | {"include": ["contributions"]}
     assert refusal(ranked, 10)[2] == {"limit": budget // (12 * 60 * 15)}
     many = body | {"mechanism": {"pins": 4000, "ratio": 20}, "samples": 1, "percentiles": []}
