@@ -12,12 +12,12 @@ import numpy as np
 import pytest
 
 from core.errors import InvalidInput
-from core.output.compiled import in_place_of
+from core.output.compiled import PLAIN, in_place_of
 from core.output.fit import Fit
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import Deviations
 from core.output.satellite_support import Shares
-from core.output.sharing_kernel import BINDS, FITS, JUST, NOWHERE
+from core.output.sharing_kernel import BINDS, FITS, JUST, NOWHERE, Pairs, Room, Setup
 from core.tolerance.contributions import contributions
 from core.tolerance.draws import Spread, uniforms, zone_places
 from core.tolerance.iso286 import GRADES, NEAREST, SIZES, class_limits
@@ -284,6 +284,31 @@ def test_positions_that_are_passed_over_have_room(clearance, exact, support) -> 
         assert own.fitting(setup, pairs, room) == expected
     if clearance == 1e-4 and not support:
         assert looks < 40 * study.samples
+
+
+def over(psi: float, lag: float, setup: Setup, pairs: Pairs, room: Room) -> np.ndarray:
+    """``|d|^2 - C^2`` of each pair at a lag, or its approach."""
+    PLAIN.at(psi, setup, pairs, room)
+    u, v = (math.cos(lag) - 1, math.sin(lag)) if setup.exact else (0.0, lag)
+    return np.array(room.q) + u * np.array(room.u) + v * np.array(room.v)
+
+
+@pytest.mark.parametrize("exact", [True, False])
+def test_what_is_passed_over_is_what_the_swing_of_a_pair_allows(exact: bool) -> None:
+    """The swing of each pair at one lag is read from a whole turn."""
+    two = Mechanism.evenly_spaced(pins=3, satellites=2, ratio=18.0)
+    wide = replace(LOOSE, pin_position=3e-5, eccentricity=Spread(-5e-6, 5e-6))
+    study = Study(design(mechanism=two, exact=exact, clearance=4e-5), wide, ASKED, samples=12)
+    turn = [2 * math.pi * k / 360 for k in range(360)]
+    for i in range(study.samples):
+        piece = study.piece(study.pieces(), i)
+        of_piece = piece.setup(1.0 if i % 2 else -1.0), piece.pairs, piece.room()
+        low, high = PLAIN.played(0.5 * i, *of_piece)
+        lag = low + (0.1 + 0.07 * i) * (high - low)
+        swing = np.ptp([over(psi, lag, *of_piece) for psi in turn], axis=0) / 2
+        expected = min(-over(0.5 * i, lag, *of_piece) / swing)
+        found = PLAIN.clear(0.5 * i, lag, *of_piece)
+        assert found == pytest.approx(min(expected, 2 * math.pi), rel=1e-4) and found > 0
 
 
 def test_backlash_alone_and_lost_motion_alone_are_those_of_the_whole_study() -> None:
