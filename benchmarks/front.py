@@ -17,7 +17,7 @@ from benchmarks.stability import REPORT
 from core.output.mechanism import Mechanism
 from core.precession.rollers import RollerByLength
 from core.precession.shaft import ShaftSection
-from core.results import ROUNDING
+from core.precision import ROUNDING
 from core.work_precision.means import total_force_study
 from core.work_precision.peaks import peak_force_study
 from core.work_precision.precession import (

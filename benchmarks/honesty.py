@@ -88,7 +88,7 @@ class Verdict:
     @property
     def honest(self) -> bool:
         """Whether every practical case is answered, every number checked, every statement true, and
-        of use where it is practical.
+        of use where it is practical, and no practical one beyond what the method promises.
         """
         answered = not any(
             each.refused or each.stated >= NOTHING_KNOWN
@@ -96,8 +96,14 @@ class Verdict:
             if not each.extreme
         )
         true = not any(each.false or each.unknown for each in self.answered)
+        kept = not any(each.beyond for each in self.half(False))
         few = len(self.half(False)) < JUDGED_FROM
-        return answered and true and (few or self.overstated[0] <= self.calculation.most_overstated)
+        return (
+            answered
+            and true
+            and kept
+            and (few or self.overstated[0] <= self.calculation.most_overstated)
+        )
 
     def row(self) -> str:
         """Its row of the table."""
@@ -133,6 +139,9 @@ class Verdict:
                 f"FALSE {self.calculation.name} {place}: {count} numbers, {practical} practical "
                 f"cases, by up to {factor:.3g}: {worst.body}\n"
             )
+        for each in self.half(False):
+            if each.beyond:
+                text += f"BEYOND ITS CLASS {self.calculation.name}: {each.body}\n"
         unknown = set().union(*(each.unknown for each in self.answered))
         if unknown:
             text += f"NOT CHECKED {self.calculation.name}: {', '.join(sorted(unknown))}\n"

@@ -21,6 +21,7 @@ codes               what is refused, strained, not known: a code for each fact, 
 errors              what a calculation refuses, and why
 derived             what follows from a design, worked out once, or why it is not known
 arrays              one function for a number and for arrays of designs; types
+precision           what methods promise, and what is one number but for rounding
 results             accuracy and validity notices that every result carries
 contact_life        how the limit of a pressure falls with the number of loads
 materials           elastic materials, effective modulus, a small table with sources

@@ -29,7 +29,8 @@ from core.arrays import (
 )
 from core.errors import InvalidInput
 from core.materials import ContactLimit, ElasticMaterial, effective_modulus, mismatch
-from core.results import ROUNDING, Accuracy, Notice, poorly_known
+from core.precision import ROUNDING
+from core.results import Accuracy, Notice, poorly_known
 
 SHEAR_DEPTH = math.sqrt((math.sqrt(5) - 1) / 2)
 """Depth of the largest shear stress over the half-width, 0.786."""

@@ -22,7 +22,7 @@ from core.arrays import (
     where,
 )
 from core.errors import InvalidInput
-from core.results import ROUNDING
+from core.precision import ROUNDING
 
 
 @dataclass(frozen=True, slots=True)

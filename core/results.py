@@ -5,9 +5,7 @@ from typing import Any, NamedTuple
 
 from core.arrays import Number
 from core.codes import CODES
-
-ROUNDING = 2.0**-52
-"""Spacing of the doubles next to 1: the unit in which rounding errors are counted."""
+from core.precision import HARDLY_KNOWN
 
 METHODS = {
     "approximation": "approximation (2018, eq. 5)",
@@ -91,10 +89,6 @@ class Notice:
     def detail(self) -> str:
         """What is strained and what it means, in English, with the core's names."""
         return CODES[self.code].text.format(**self.params)
-
-
-HARDLY_KNOWN = 1e-2
-"""Relative error above which a number is no guide."""
 
 
 def poorly_known(accuracy: Accuracy) -> tuple[Notice, ...]:

@@ -41,7 +41,8 @@ from core.output.mechanism import Mechanism
 from core.output.pin_geometry import SLIPPED, slip_notices
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.room import POSITIONS
-from core.results import ROUNDING, Accuracy, Notice
+from core.precision import ROUNDING
+from core.results import Accuracy, Notice
 
 Section = Literal["positions", "elastic", "discs", "worked"]
 
@@ -163,7 +164,7 @@ def room_accuracy(fit: Fit) -> Accuracy:
         return Accuracy("closed_form", ROUNDING, 1)
     if fit.rooms.even:
         return Accuracy("closed_form", 4 * ROUNDING, 1)
-    error, least = fit.rooms.error, abs(fit.room.least)
+    error, least = fit.room.error, abs(fit.room.least)
     return Accuracy("arcs_zoomed", error / least if error < least else 1.0, POSITIONS)
 
 

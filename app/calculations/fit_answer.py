@@ -120,7 +120,7 @@ class WholeFitOut(FitOut):
         equation="min(R, √(r_in² + R²·sin²(π/N)))",
     )
     greatest_room_mm: Maybe[float] = result("Greatest room over the turn.")
-    room_error_mm: Maybe[float] = result("Estimate of the error of each room.")
+    room_error_mm: Maybe[float] = result("Bound of the error of each room.")
     least_room_arcmin: Maybe[float] = result(
         "Least angle that the unloaded output can turn, over the turn; below 0 by how much pairs "
         "miss each other, absent where a pin is in its hole at no lag.",

@@ -37,12 +37,12 @@ from core.output.contact_law import (
 from core.output.real_mechanism import Deviations
 from core.output.sampled_turn import Direction
 from core.output.satellite_support import (
-    SUM_ERROR,
     CrankSupport,
     ElasticMesh,
     SatelliteSupport,
     Shares,
 )
+from core.precision import SAME
 
 Kind = Literal["hertz", "palmgren", "linear", "power"]
 
@@ -209,7 +209,7 @@ class SatelliteCouplingFields(RequestModel, group="satellite_coupling"):
     @model_validator(mode="after")
     def _shares_of_one(self) -> Self:
         total = math.fsum(self.shares or [1.0])
-        if abs(total - 1) > SUM_ERROR:
+        if abs(total - 1) > SAME:
             raise field_error("shares", "sum_not_one", sum=total)
         return self
 

@@ -8,6 +8,7 @@ from pydantic import Field, model_validator
 from app.calculations.contact_force import ContactForceRequest
 from app.calculations.contact_line import ContactLineRequest
 from app.calculations.crankshaft import CrankshaftRequest
+from app.calculations.fit import FitRequest
 from app.calculations.load_sharing import LoadSharingRequest
 from app.calculations.meshing_load import MeshingLoadRequest
 from app.calculations.output_efficiency import OutputEfficiencyRequest
@@ -44,6 +45,7 @@ from core.work_precision.precession import (
 from core.work_precision.rollers import roller_sharing_study
 from core.work_precision.study import SETTINGS, Reference, WorkPoint, WorkPrecision
 from core.work_precision.tolerance import COST, tolerance_sampling_study
+from core.work_precision.turns import carried_ends_study, least_room_study
 
 MAX_ROLLERS = 24
 """Most rollers of a study: its reference is calculated for each."""
@@ -227,14 +229,33 @@ class ShaftDeflectionStudy(Study):
 
 
 class LoadSharingStudy(Study):
-    """Peak force with clearance and errors; of a torque that alternates its driving direction."""
+    """Peak force with clearance and errors, or from where to where pairs carry; of a torque that
+    alternates its driving direction.
+    """
 
     calculation: Literal["load-sharing"] = compared()
     input: LoadSharingRequest
+    quantity: Literal["peak_force", "carried_ends"] = Field(
+        default="peak_force",
+        description="Whose error is measured: of the peak force, or of the crank angles from and "
+        "to which pairs carry.",
+    )
 
     def solve(self) -> WorkPrecision:
         """The study."""
-        return real_peak_study(real=self.input.real(), output_torque=self.input.torque)
+        study = real_peak_study if self.quantity == "peak_force" else carried_ends_study
+        return study(real=self.input.real(), output_torque=self.input.torque)
+
+
+class FitStudy(Study):
+    """Least room of the pins in their holes over the turn."""
+
+    calculation: Literal["fit"] = compared()
+    input: FitRequest
+
+    def solve(self) -> WorkPrecision:
+        """The study."""
+        return least_room_study(rooms=self.input.fit_to_draw().rooms)
 
 
 class ToleranceSamplingStudy(Study):
@@ -274,6 +295,7 @@ WorkPrecisionRequest = Annotated[
     | RollerSharingStudy
     | ShaftDeflectionStudy
     | LoadSharingStudy
+    | FitStudy
     | ToleranceSamplingStudy,
     Field(discriminator="calculation"),
 ]

@@ -8,8 +8,7 @@ from typing import Any, Literal, NamedTuple, get_args
 from core.checks.part import Outcome, PartVerdict, whole
 from core.derived import UNKNOWN
 from core.errors import ImpossibleMechanism, InvalidInput, NotKnown
-from core.output.pin_geometry import FIT_TOLERANCE
-from core.results import ROUNDING
+from core.precision import AS_TYPED, ROUNDING
 
 Status = Literal["pass", "marginal", "fail", "not_checked", "not_asked", "not_applicable"]
 
@@ -251,7 +250,7 @@ def judged(
     status: Status = "pass"
     if doubtful and reserve is not None:  # without one: sizes that are asked for are there
         status = "marginal"
-        if error > 1e-9:
+        if error > AS_TYPED:
             more.setdefault("reason", "pressure_error")
     elif not (part <= whole or doubtful):
         status = "marginal" if warning else "fail"
@@ -329,13 +328,13 @@ def gap(kind: Kind, *, width: float, size: float) -> Check:
     width : float
         Width of the gap, m.
     size : float
-        Size of the parts beside it, m: of which rounding may take `FIT_TOLERANCE`.
+        Size of the parts beside it, m: of which rounding may take `AS_TYPED`.
 
     Returns
     -------
     Check
     """
-    there = width > FIT_TOLERANCE * size
+    there = width > AS_TYPED * size
     found = judged(kind, width if there else min(width, 0.0), 0.0)
     return found if there else found._replace(status="fail", impossible=True)
 
@@ -358,7 +357,7 @@ def wall(
     width : float
         Width of the wall, m.
     size : float
-        Size of the parts beside it, m: of which rounding may take `FIT_TOLERANCE`.
+        Size of the parts beside it, m: of which rounding may take `AS_TYPED`.
     least : float, optional
         Least width that is asked, m.
     guide : float, optional

@@ -7,6 +7,7 @@ from core.checks.check import Check, design_check, judged
 from core.design.document import Design
 from core.design.results import Results
 from core.output.mechanism import assembly_angles
+from core.precision import AS_TYPED
 
 _check = partial(design_check, group="mechanism", part="contact")
 
@@ -47,7 +48,7 @@ def dead_centre(design: Design, results: Results) -> Check:
 def crank_balance(design: Design, results: Results) -> Check:
     angles = design.mechanism.built.crank_angles
     off = abs(sum(cmath.exp(1j * angle) for angle in angles)) / len(angles)
-    if off <= 1e-9:
+    if off <= AS_TYPED:
         return Check(crank_balance, "pass", value=0.0, limit=0.0)
     return Check(crank_balance, "not_asked", value=off, limit=0.0, reason="unbalanced")
 

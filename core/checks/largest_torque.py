@@ -12,9 +12,10 @@ from core.checks.check import MARGIN, Check, Verdict
 from core.checks.crank_planetary import crank_check, crank_checks, of_parts
 from core.design.document import Design, changed
 from core.design.results import Results
+from core.precision import JUDGED
 
-LOOKS, SETTLED = 8, 1e-5
-"""Torques at most that are looked at, and how far the last one's reserve may be off 1."""
+LOOKS = 8
+"""Torques at most that are looked at, until the last one's reserve is as far off 1 as `JUDGED`."""
 
 FURTHER, NEAR = 2, 0.1
 """Torques at most that are looked at for the reserves of checks that fail later, and how near the
@@ -199,7 +200,7 @@ class _Torques:
             left = self.look(math.exp(x))
             if left is None:
                 unsolved = x
-            elif abs(left) <= SETTLED:
+            elif abs(left) <= JUDGED:
                 return math.exp(self.first()), True
             elif left >= 0:
                 holds = max(holds, math.exp(x))

@@ -21,6 +21,7 @@ from core.design.sections import Requirements
 from core.precession.line_contact import LineContact
 from core.precession.shaft_deflection import ShaftDeflection
 from core.precession.shaft_strength import ShaftStrength
+from core.precision import AS_TYPED
 from core.results import Notice
 
 
@@ -96,7 +97,7 @@ def line_spacing(design: ShaftDesign) -> Check:
     turn = 2 * math.pi
     places = sorted(angle % turn for angle in design.positions)
     apart = [after - before for before, after in pairwise([*places, places[0] + turn])]
-    apart = [each for each in apart if 1e-9 < each < turn - 1e-9]
+    apart = [each for each in apart if AS_TYPED < each < turn - AS_TYPED]
     if not apart:
         return Check(line_spacing, "not_applicable", reason="one_only")
     pitch, size = 2 * design.roller_circle_radius * math.sin(min(apart) / 2), design.roller_radius

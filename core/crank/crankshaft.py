@@ -21,7 +21,8 @@ from core.output.mechanism import Mechanism
 from core.output.pin_search import MISSED, largest
 from core.output.pin_turn import satellite_turn
 from core.output.sampled_turn import WAYS, Direction, Made, SampledTurn
-from core.results import ROUNDING, Accuracy, Notice, poorly_known
+from core.precision import ROUNDING
+from core.results import Accuracy, Notice, poorly_known
 
 
 @dataclass(frozen=True, slots=True)

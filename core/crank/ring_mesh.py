@@ -10,7 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.arrays import Number, check_positive, every, refuse
-from core.results import ROUNDING, Notice
+from core.precision import ROUNDING
+from core.results import Notice
 
 STEEP = math.radians(55)
 """Operating pressure angle above which the ring presses the satellite more than it turns it."""

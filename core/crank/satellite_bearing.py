@@ -33,13 +33,11 @@ from core.output.pin_forces import force_ratios, pressure_cosines
 from core.output.pin_search import MISSED, largest
 from core.output.pin_turn import BLOCK, COARSEST, SatelliteTurn, combine, satellite_turn
 from core.output.sampled_turn import WAYS, Direction, Made, SampledTurn
-from core.results import ROUNDING, Accuracy, Notice, poorly_known
+from core.precision import CONVERGED, ROUNDING
+from core.results import Accuracy, Notice, poorly_known
 
 FINEST = 9
 """Level of the last rule of the mean, some 3500 nodes an arc."""
-
-CONVERGED = 1e-14
-"""Relative difference of two rules that ends them."""
 
 
 @dataclass(frozen=True, slots=True)

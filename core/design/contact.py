@@ -5,7 +5,7 @@ from collections.abc import Callable
 
 from core.hertz import HertzContact
 from core.numerics.inverse import edge
-from core.results import ROUNDING
+from core.precision import ROUNDING
 
 SHAKEDOWN = 4 / math.sqrt(3)
 """Largest pressure of elastic shakedown over the yield strength: the largest orthogonal shear, a

@@ -28,20 +28,15 @@ from core.output.mechanism import Mechanism
 from core.output.pin_beam import check_apart
 from core.output.real_mechanism import Deviations
 from core.output.satellite_support import CrankSupport, ElasticMesh, SatelliteSupport, Shares
+from core.precision import AS_TYPED, SAME
 
 Body = Literal["pin", "hole"]
 
 DRAWN = 1e-3
 """Part of a distance that is lost where it is rounded on a drawing."""
 
-SAME = 1e-12
-"""Difference of diameters that is rounding, as a part of them."""
-
 WALL_GUIDE = 0.03
 """Least wall between holes over the diameter of the ring's pin circle (Wang 2016, 32, 33)."""
-
-TYPED = 1e-9
-"""Part of a torque that is lost where its limit is written down."""
 
 
 class NotGiven:
@@ -157,7 +152,7 @@ class Design:
         if peak is None:
             return
         working = self.load.output_torque * self.load_factor
-        if peak < working * (1 - TYPED):
+        if peak < working * (1 - AS_TYPED):
             raise InvalidInput("load.peak_torque", peak, "below_working", limit=working)
 
     @property

@@ -6,10 +6,11 @@ from functools import cached_property
 from typing import Self
 
 from core.hertz import HertzContact
-from core.output.over_turn import TIE, OverTurn
+from core.output.over_turn import OverTurn
 from core.output.real_mechanism import RealMechanism
 from core.output.sampled_turn import WAYS, Direction
 from core.output.turn import Turn
+from core.precision import AS_TYPED
 
 
 @dataclass(frozen=True)
@@ -65,7 +66,7 @@ class RealForces:
         """Index of the pair with the largest pressure, satellite by satellite."""
         pins, peak = self.real.mechanism.pins, self.turn.peak_pair
         force = [each for row in self.turn.pair_force for each in row]
-        force[(peak.satellite - 1) * pins + peak.pin - 1] *= 1 + TIE  # of pairs alike that one
+        force[(peak.satellite - 1) * pins + peak.pin - 1] *= 1 + AS_TYPED  # of pairs alike that one
         return self.real.hardest_pair(force)
 
     @cached_property

@@ -156,7 +156,7 @@ class Contact:
     @cached_property
     def clearance(self) -> float | None:
         """Hole radius less pin radius and eccentricity, m: interference below 0, and 0 within
-        `core.output.pin_geometry.FIT_TOLERANCE`; None where they are not all given.
+        `core.precision.AS_TYPED`; None where they are not all given.
         """
         if self.pin_radius is None or self.hole_radius is None or self.eccentricity is None:
             return None

@@ -15,8 +15,9 @@ from core.errors import CalculationError
 from core.fixes.changes import count_may_change, value_of, vary
 from core.fixes.fix import PIN_SIZES, RANGE, WHOLE, Cure, Fix, aim, fix_of, in_order
 from core.numerics.inverse import Solution
+from core.precision import SEARCHED
 
-SEARCHED, NUDGE = 9, 0.02
+LOOKS, NUDGE = 9, 0.02
 """Most looks of a search by secants, and by which part an input is changed first."""
 
 STRENGTH = ("pin", "friction", "bearing", "crankshaft")
@@ -118,7 +119,7 @@ def _secant(met: Callable[[float], float], before: float) -> float | None:
     """Where a measure that is about a power of an input is 1, or a trifle more."""
     points: list[tuple[float, float]] = []
     value, growth = before, 0.0
-    for look in range(SEARCHED):
+    for look in range(LOOKS):
         try:
             found = met(value)
         except (CalculationError, AssertionError):
@@ -126,7 +127,7 @@ def _secant(met: Callable[[float], float], before: float) -> float | None:
         if not found > 0:
             return None
         points.append((math.log(value), math.log(found)))
-        if 0 <= points[-1][1] <= 1e-6:
+        if 0 <= points[-1][1] <= SEARCHED:
             break
         if look == 0:
             value = before * (1 + NUDGE)
@@ -136,7 +137,7 @@ def _secant(met: Callable[[float], float], before: float) -> float | None:
         if not abs(growth) > 0.1:
             return None
         # a trifle beyond, so that it is met from the safe side
-        value = math.exp(points[-1][0] - (points[-1][1] - 5e-7) / growth)
+        value = math.exp(points[-1][0] - (points[-1][1] - SEARCHED / 2) / growth)
         if not before / RANGE <= value <= before * RANGE:
             return None
     return value
@@ -156,7 +157,7 @@ def _less_clearance(results: Results, code: str, current: Verdict) -> Fix | None
         return None
     value, slope = check.value, backlash / clearance
     place = clearance
-    for _ in range(SEARCHED):
+    for _ in range(LOOKS):
         if value <= check.limit:
             break
         before, former = place, value

@@ -14,6 +14,7 @@ from itertools import pairwise
 from typing import Literal
 
 from core.errors import InvalidInput
+from core.precision import ROUNDING
 
 Sense = Literal["at_least", "at_most", "equals"]
 Want = Literal["smallest", "largest"]
@@ -28,7 +29,7 @@ FINER = 16
 MOST_WHOLE = 1000
 """Most whole numbers that are tried."""
 
-TOLERANCE = 2.0**-50
+TOLERANCE = 4 * ROUNDING
 """Width of a bracket over its size when it is narrow enough: 4 spacings of doubles."""
 
 

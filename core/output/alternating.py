@@ -5,15 +5,16 @@ from typing import Any
 
 from core.arrays import FloatArray
 from core.output.loaded_position import LoadedPosition, loaded_position
-from core.output.over_turn import TIE, OverTurn
+from core.output.over_turn import OverTurn
 from core.output.real_curves import RealCurves, real_curves
 from core.output.real_mechanism import RealMechanism
+from core.precision import AS_TYPED
 from core.results import Accuracy, Notice
 
 
 def _reverse(driving: float, reverse: float) -> bool:
     """Whether the largest force is that of the reverse torque; of equal ones it is not."""
-    return reverse > driving * (1 + TIE)
+    return reverse > driving * (1 + AS_TYPED)
 
 
 def worse_position(

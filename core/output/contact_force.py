@@ -17,7 +17,8 @@ from core.output.pin_forces import (
     force_ratios,
     reference_force,
 )
-from core.results import ROUNDING, Accuracy, Notice, poorly_known
+from core.precision import ROUNDING
+from core.results import Accuracy, Notice, poorly_known
 
 
 class PairNumber(NamedTuple):

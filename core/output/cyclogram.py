@@ -12,8 +12,9 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from core.errors import InvalidInput
-from core.output.mechanism import SAME_PHASE, Mechanism, WavePhases
-from core.results import ROUNDING, Accuracy, Notice, poorly_known
+from core.output.mechanism import Mechanism, WavePhases
+from core.precision import ROUNDING, SAME
+from core.results import Accuracy, Notice, poorly_known
 
 MAX_DRIVING_PHASES = 40_000
 """Most driving phases (pairs times wave turns) that one cyclogram lists."""
@@ -103,8 +104,8 @@ def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:
     phases = mechanism.phases
     per_wave = mechanism.crank_angle_per_wave
     shown = _Range(revolutions * 2 * math.pi, per_wave)
-    if shown.waves <= SAME_PHASE:
-        shortest = SAME_PHASE * per_wave / (2 * math.pi)
+    if shown.waves <= SAME:
+        shortest = SAME * per_wave / (2 * math.pi)
         raise InvalidInput("revolutions", revolutions, "too_short_range", limit=shortest)
     pair_count = mechanism.pins * mechanism.satellites
     if shown.waves * pair_count > MAX_DRIVING_PHASES:
@@ -144,7 +145,7 @@ class _Range:
         self.end = end
         self.per_wave = per_wave
         self.waves = end / per_wave
-        self.sliver = SAME_PHASE * max(1.0, self.waves)  # of rounding, not shown
+        self.sliver = SAME * max(1.0, self.waves)  # of rounding, not shown
 
     def crank_angle(self, position: float) -> float:
         """Crank angle of a wave position, rad."""

@@ -14,7 +14,7 @@ import numpy as np
 
 from core.arrays import FloatArray
 from core.output.mechanism import WavePhases
-from core.results import ROUNDING
+from core.precision import ROUNDING
 
 
 @dataclass(frozen=True, slots=True)

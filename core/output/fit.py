@@ -7,11 +7,11 @@ from itertools import chain
 from typing import Literal
 
 from core.errors import ImpossibleMechanism
-from core.output.pin_geometry import FIT_TOLERANCE
 from core.output.real_mechanism import RealMechanism
 from core.output.room import Binding, Rooms, State, TurnRoom
 from core.output.satellite_support import CrankSupport, Shares
 from core.output.sharing_kernel import alone
+from core.precision import AS_TYPED
 
 Misfit = Literal[
     "", "fits_by_bearing_clearance", "pressed_without_load", "jams", "discs_out_of_phase",
@@ -160,7 +160,7 @@ class Fit:
         given = 0.0
         if isinstance(self.real.support, CrankSupport):
             given = self.real.support.radial_clearance / 2
-        nothing = FIT_TOLERANCE * (self.real.pin_radius + self.real.eccentricity)
+        nothing = AS_TYPED * (self.real.pin_radius + self.real.eccentricity)
         short = -self.room.least - given
         return short if short > nothing else 0.0
 

@@ -17,7 +17,7 @@ from core.output.force_bounds import (
     most_summits,
     next_place,
 )
-from core.results import ROUNDING
+from core.precision import ROUNDING
 
 MANY = 24
 """Driving pairs above which arrays are faster than a loop."""

@@ -14,16 +14,15 @@ from functools import cached_property, lru_cache
 import numpy as np
 
 from core.arrays import FloatArray, Number, check_not_negative, check_positive, every, refuse
+from core.numerics.extremes import zoom
 from core.numerics.quadrature import tanh_sinh_rule
 from core.output.contact_force import force_peak
 from core.output.driving_set import Segment, segments
 from core.output.mechanism import Mechanism, WavePhases
 from core.output.peak_force import PHASE_ROUNDING
 from core.output.pin_forces import force_ratios
-from core.results import ROUNDING, Accuracy, Notice, poorly_known
-
-CONVERGED = 1e-14
-"""Relative difference of two rules, each of twice the nodes of the one before, that ends them."""
+from core.precision import CONVERGED, ROUNDING
+from core.results import Accuracy, Notice, poorly_known
 
 COARSEST, FINEST = 3, 9
 """Levels of the first and the last rule: 56 and some 3500 nodes a segment."""
@@ -39,9 +38,6 @@ AT_SWITCH = 2 * PHASE_ROUNDING
 """How near a place is to where a pair begins or ends to drive if it is there but for rounding,
 turns. Below the exponent 1, where a power of next to nothing is much, its cosine is 0 there."""
 
-ZOOMS = 8
-"""How often a stretch is narrowed to an eighth around an extreme: the width's square vanishes."""
-
 
 @dataclass(frozen=True, slots=True)
 class TotalForce:
@@ -51,7 +47,7 @@ class TotalForce:
     """
 
     mean: float  # over the whole turn
-    least: float  # ranges shorter than `SAME_PHASE` are left out
+    least: float  # ranges shorter than `SAME` are left out
     largest: float  # likewise
     accuracy: Accuracy
 
@@ -197,12 +193,14 @@ class _Sums:
 
     def zoom(self, start: float, stop: float, sign: int) -> tuple[float, float]:
         """Largest total force between two places, or least for the sign -1, and its place."""
-        for _ in range(ZOOMS):
-            places = np.linspace(start, stop, 17)
-            values = sign * self.ratio(places)
-            index = int(values.argmax())
-            start, stop = places[max(index - 1, 0)], places[min(index + 1, 16)]
-        return float(values[index]), float(places[index])
+        places, heights, _ = zoom(
+            values=lambda places: sign * self.ratio(places),
+            places=np.array([(start + stop) / 2]),
+            width=(stop - start) / 2,
+            low=start,
+            high=stop,
+        )
+        return float(heights[0]), float(places[0])
 
     def least_cosine(self) -> float:
         """Least mean cosine of the driving pairs."""

@@ -9,7 +9,7 @@ Everything about it follows from one angle. With the wave angle ``psi = crank_an
 each turn of psi, at known angles.
 
 Angles of the wave are counted in turns, so that pins an N-th of a turn apart stay so exactly, and
-phases closer than `SAME_PHASE` are one phase: rounding invents no slivers.
+phases closer than `SAME` are one phase: rounding invents no slivers.
 """
 
 import math
@@ -19,10 +19,7 @@ from functools import cached_property
 
 from core.arrays import Number
 from core.errors import InvalidInput
-from core.results import ROUNDING
-
-SAME_PHASE = 1e-12
-"""Phases closer than this are one phase, in turns: 4e-10 degrees, finer than any part is made."""
+from core.precision import ROUNDING, SAME
 
 
 @dataclass(frozen=True)
@@ -157,7 +154,7 @@ class WavePhases:
             places.append((scaled - whole, j, whole))
             furthest = max(furthest, abs(angle))
         places.sort()
-        tolerance = SAME_PHASE * cells
+        tolerance = SAME * cells
         per_sector = cells // pins
         lowest = places[0][0]
         snapped, representative = 0.0, -math.inf
@@ -204,11 +201,11 @@ class WavePhases:
         switches.sort()
         merged: list[tuple[float, int]] = []
         for position, growth in switches:
-            if merged and position - merged[-1][0] <= SAME_PHASE:
+            if merged and position - merged[-1][0] <= SAME:
                 merged[-1] = merged[-1][0], merged[-1][1] + growth
             else:
                 merged.append((position, growth))
-        if len(merged) > 1 and merged[0][0] + sector - merged[-1][0] <= SAME_PHASE:
+        if len(merged) > 1 and merged[0][0] + sector - merged[-1][0] <= SAME:
             merged[0] = merged[0][0], merged[0][1] + merged.pop()[1]
         return merged
 
@@ -225,10 +222,10 @@ class WavePhases:
         zones = []
         for index, upper in enumerate(phases):
             gap = upper - phases[index - 1] if index else 1 - phases[-1] + upper
-            if gap >= 0.5 - SAME_PHASE:
+            if gap >= 0.5 - SAME:
                 start = (1 - upper) % 1.0
                 length = gap - 0.5
-                zones.append((start, start + (length if length > SAME_PHASE else 0.0)))
+                zones.append((start, start + (length if length > SAME else 0.0)))
         return sorted(zones)
 
 
@@ -245,7 +242,7 @@ def _symmetry(
         for i in range(size):
             turn, other = divmod(i + step, size)
             off = max(off, abs(phases[other] + sector * turn - phases[i] - sector / repeats))
-        if off <= SAME_PHASE:
+        if off <= SAME:
             return repeats, off * repeats
     return 1, 0.0
 

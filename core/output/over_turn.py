@@ -7,11 +7,13 @@ derivative.
 """
 
 import math
+from collections.abc import Callable
+from operator import itemgetter
 from typing import NamedTuple
 
 import numpy as np
 
-from core.arrays import check_finite, check_single
+from core.arrays import FloatArray, check_finite, check_single
 from core.derived import derived
 from core.errors import InvalidInput
 from core.hertz import HertzContact
@@ -31,13 +33,31 @@ from core.output.sharing_kernel import (
 )
 from core.output.summits import Grid, Summit, all_summits, highest, summits
 from core.output.turn import Rows, Turn
-from core.results import ROUNDING, Accuracy, Notice, poorly_known
+from core.precision import AS_TYPED, ROUNDING, SAME
+from core.results import Accuracy, Notice, poorly_known
 
-TIE = 1e-9
-"""Relative difference below which two summits are one peak, reported at the first crank angle."""
+HALVINGS = 16
+"""How often a step of the grid in which pairs take over from each other is halved."""
+
+FELT = 2.0
+"""How many times its own error a force is there at least, where it is looked for."""
 
 FLAT = 1e-7
 """How far the place of a smooth summit may be off by the rounding of its height, rad."""
+
+
+def _play_error(rows: Rows) -> FloatArray:
+    """What rounding does to the play: where pairs press it is 0, of which nothing is lost."""
+    press = rows["low"] > rows["high"] + rows["play_error"]
+    return np.where(press, 0.0, 2 * rows["play_error"])
+
+
+ROUNDED: dict[str, Callable[[Rows], FloatArray]] = {
+    "backlash": _play_error,
+    "high": itemgetter("play_error"),
+    "lag": itemgetter("lag_error"),
+}
+"""What rounding does to a quantity at positions, of the angles."""
 
 
 class Peak(NamedTuple):
@@ -57,6 +77,31 @@ class Extreme(NamedTuple):
 
     value: float  # in the unit of what is looked at
     error: float  # an estimate
+
+
+def by_rounding(*, heights: FloatArray, errors: FloatArray) -> float:
+    """By how much rounding moves the largest of some values at most: where they are known worst,
+    they need not be near it.
+
+    Parameters
+    ----------
+    heights, errors : array, shape (n,)
+        Values, and bounds of their errors.
+
+    Returns
+    -------
+    float
+
+    Examples
+    --------
+    The largest is known to 1e-9, and the value that is not known lies far below:
+
+    >>> off = by_rounding(heights=np.array([5.0, 3.0, 1.0]), errors=np.array([1e-9, 1.0, 1e-9]))
+    >>> round(off, 12)
+    1e-09
+    """
+    top = int(heights.argmax())
+    return max(float((heights + errors).max() - heights[top]), float(errors[top]))
 
 
 class OverTurn:
@@ -104,7 +149,7 @@ class OverTurn:
         offs = [
             (psi - first) % turn.period
             for summit in found
-            if summit.height >= peak * (1 - TIE)
+            if summit.height >= peak * (1 - AS_TYPED)
             for psi in summit.alike
         ]
         off = min(0.0 if each > turn.period - FLAT else each for each in offs)
@@ -170,7 +215,7 @@ class OverTurn:
         if self._contact is None:
             return None
         pressure, curved = float(self._contact.max_pressure), self.real.pairs.curved
-        if max(curved) > min(curved) * (1 + 1e-12):
+        if max(curved) > min(curved) * (1 + SAME):
             grid = self._grid(self.turn.fine, "pressure")
             tops = summits(grid=grid, narrow=self.turn.narrow(PRESSURE))
             top = max(tops, key=lambda summit: summit.height)
@@ -187,7 +232,10 @@ class OverTurn:
         top, missed = highest(coarse=coarse, fine=fine, narrow=turn.narrow(kind, sign))
         top, more = self._above(again, kind, top, sign)
         jumps = kind == STIFFNESS  # on the high side of a jump nothing is missed
-        return Extreme(sign * top.height, missed + more + (0.0 if jumps else top.error))
+        error = missed + more + (0.0 if jumps else top.error)
+        if name in ROUNDED:
+            error += by_rounding(heights=fine.heights, errors=ROUNDED[name](turn.fine))
+        return Extreme(sign * top.height, error)
 
     def _spread(self, name: str, kind: int) -> Extreme:
         """Largest less least value over the turn."""
@@ -217,7 +265,10 @@ class OverTurn:
         top, missed = highest(coarse=coarse, fine=lost, narrow=narrow)
         again = turn.values(LOST_MOTION, turn.again["wave"], turn.period)
         top, more = self._above(again, LOST_MOTION, top)
-        return Extreme(top.height, missed + more + top.error)
+        there = np.searchsorted(turn.fine["wave"], lost.places)
+        lags = 2 * turn.fine["lag_error"][there]  # as good as under all of the torque
+        rounding = by_rounding(heights=lost.heights, errors=lags)
+        return Extreme(top.height, missed + more + top.error + rounding)
 
     @property
     def lost_motion(self) -> float:
@@ -269,15 +320,42 @@ class OverTurn:
         """Estimate of the error of the stiffnesses, relative."""
         return max(each.error / each.value for each in self._stiffness) + 8 * ROUNDING
 
+    @derived
+    def _loaded(self) -> tuple[int, int]:
+        """Least and largest number of pairs that carry, on the grid and where, between two of its
+        positions, some take up and others leave: there it is halved until they are apart.
+        """
+        turn, rows = self.turn, self.turn.fine
+        first = turn.poses([float(rows["wave"][0]) + turn.period])
+        low, high = rows["wave"], np.append(rows["wave"][1:], first["wave"])
+        here, there = rows["forces"] > 0, np.concatenate((rows["forces"][1:], first["forces"])) > 0
+        least, most = int(rows["loaded"].min()), int(rows["loaded"].max())
+        for _ in range(HALVINGS):
+            handed = (here & ~there).any(axis=1) & (there & ~here).any(axis=1)
+            if not handed.any():
+                break
+            low, high, here, there = low[handed], high[handed], here[handed], there[handed]
+            middle = (low + high) / 2
+            between = turn.poses(middle.tolist())
+            carries = between["forces"] > 0
+            felt = between["forces"] > FELT * between["force_error"][:, None]
+            least = min(least, int(carries.sum(axis=1).min()))
+            most = max(most, int(felt.sum(axis=1).max()))
+            low, high = np.concatenate((low, middle)), np.concatenate((middle, high))
+            here, there = np.concatenate((here, carries)), np.concatenate((carries, there))
+        return least, most
+
     @property
     def loaded_pairs_min(self) -> int:
         """Least number of pairs that carry."""
-        return int(self.turn.fine["loaded"].min())
+        return self._loaded[0]
 
     @property
     def loaded_pairs_max(self) -> int:
-        """Largest number of pairs that carry."""
-        return int(self.turn.fine["loaded"].max())
+        """Largest number of pairs that carry; who carries for less than the grid's step only may
+        not be counted.
+        """
+        return self._loaded[1]
 
     @derived
     def _ripple(self) -> Extreme:
@@ -297,10 +375,8 @@ class OverTurn:
     @property
     def angle_error(self) -> float:
         """Estimate of the error of backlash, lost motion and transmission errors, rad."""
-        rows = self.turn.fine
-        rounding = float(rows["lag_error"].max() + 2 * rows["play_error"].max())
         found = *self._backlash, self._lost_motion, self._lag, self._unloaded
-        return rounding + max(each.error for each in found)
+        return max(each.error for each in found)
 
     @property
     def accuracy(self) -> Accuracy:

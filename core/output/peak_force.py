@@ -11,9 +11,10 @@ from dataclasses import dataclass
 
 from core.output.driving_set import segments
 from core.output.force_laws import force_law
-from core.output.mechanism import SAME_PHASE, Mechanism, WavePhases
+from core.output.mechanism import Mechanism, WavePhases
 from core.output.pin_forces import check_exponent, refuse_dead_centre
-from core.results import ROUNDING, Accuracy
+from core.precision import ROUNDING, SAME
+from core.results import Accuracy
 
 EQUAL = 1e-13
 """Peaks closer than this, or than their errors, are one peak reached more than once."""
@@ -134,7 +135,7 @@ def _evenly_spaced_peak(mechanism: Mechanism) -> PeakForce:
 def _first_repeat(position: float, repeat: float) -> float:
     """First repeat of a wave position at or after 0; a rounding error beside a repeat is 0."""
     first = position % repeat
-    return first if SAME_PHASE < first < repeat - SAME_PHASE else 0.0
+    return first if SAME < first < repeat - SAME else 0.0
 
 
 def _best_pair(phases: WavePhases, position: float) -> tuple[int, int]:
@@ -143,7 +144,7 @@ def _best_pair(phases: WavePhases, position: float) -> tuple[int, int]:
     for satellite, phase in enumerate(phases.satellite_phase):
         off = (0.75 - position - phase) * phases.pins
         # Midway between two pins the first of them is the one to name.
-        pin = math.ceil(off - 0.5 - SAME_PHASE * phases.pins)
+        pin = math.ceil(off - 0.5 - SAME * phases.pins)
         distance = round(abs(off - pin) / phases.pins, 12)
         places.append((distance, satellite, pin % phases.pins))
     _, satellite, pin = min(places)

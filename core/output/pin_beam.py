@@ -26,7 +26,7 @@ from core.arrays import (
     where,
 )
 from core.errors import InvalidInput
-from core.results import ROUNDING
+from core.precision import ROUNDING
 
 Support = Literal["cantilever", "supported", "fixed"]
 """Held in the carrier at one end; at both, free to tilt; at both, built in."""

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from core.fatigue import CycleFatigue, FatigueStrength, judge_cycle
-from core.results import ROUNDING
+from core.precision import ROUNDING
 
 NOTHING = 16 * ROUNDING
 """A stress beside a larger one that is rounding only."""

@@ -15,8 +15,9 @@ import numpy as np
 
 from core.arrays import FloatArray, check_not_negative, check_positive, check_single
 from core.errors import ImpossibleMechanism, InvalidInput
-from core.output.mechanism import SAME_PHASE, Mechanism
-from core.results import ROUNDING, Notice
+from core.output.mechanism import Mechanism
+from core.precision import ROUNDING, SAME
+from core.results import Notice
 
 MAX_FORCE_EXPONENT = 1e6
 """Largest exponent v for which forces are resolved to their stated error."""
@@ -225,7 +226,7 @@ def approximation_notices(*, mechanism: Mechanism, force_exponent: float) -> tup
     if mechanism.satellites == 2:
         first, second = mechanism.crank_angles
         off = abs(math.remainder(second - first - math.pi, 2 * math.pi))
-        if off > 2 * math.pi * SAME_PHASE:
+        if off > 2 * math.pi * SAME:
             notices.append(Notice("approximation_spacing"))
     return tuple(notices)
 

@@ -15,15 +15,12 @@ from core.arrays import FloatArray, check_positive, check_single
 from core.errors import InvalidInput
 from core.output.mechanism import Mechanism
 from core.output.pin_forces import pressure_cosines
-from core.results import ROUNDING, Accuracy, Notice
-
-FIT_TOLERANCE = 1e-9
-"""Clearance or a wall below this fraction of the hole radius is none: the radii are decimal
-numbers."""
+from core.precision import AS_TYPED, ROUNDING
+from core.results import Accuracy, Notice
 
 
 def felt(*, clearance: float, hole_radius: float) -> float:
-    """A clearance, or interference below 0, as calculations take it: 0 within `FIT_TOLERANCE`.
+    """A clearance, or interference below 0, as calculations take it: 0 within `AS_TYPED`.
 
     Parameters
     ----------
@@ -41,7 +38,7 @@ def felt(*, clearance: float, hole_radius: float) -> float:
     >>> felt(clearance=0.01 - 0.008 - 0.002, hole_radius=0.01)
     0.0
     """
-    return 0.0 if abs(clearance) <= FIT_TOLERANCE * hole_radius else clearance
+    return 0.0 if abs(clearance) <= AS_TYPED * hole_radius else clearance
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +46,7 @@ class PinFit:
     """How pins and holes fit by their sizes alone, at any crank angle."""
 
     eccentricity: float  # e, m: the given one, or what leaves no clearance
-    clearance: float  # r_out - r_in - e, m; < 0 interference, 0 within `FIT_TOLERANCE`
+    clearance: float  # r_out - r_in - e, m; < 0 interference, 0 within `AS_TYPED`
     notices: tuple[Notice, ...]  # clearance, interference, parts that overlap, assumed eccentricity
 
 
@@ -112,7 +109,7 @@ def pin_fit(
     if eccentricity is None:
         eccentricity = hole_radius - pin_radius
     check_positive(eccentricity=eccentricity)
-    tolerance = FIT_TOLERANCE * hole_radius
+    tolerance = AS_TYPED * hole_radius
     clearance = felt(clearance=hole_radius - pin_radius - eccentricity, hole_radius=hole_radius)
     apart = math.inf
     if pin_circle_radius is not None:
@@ -186,7 +183,7 @@ def slip_notices(
         return ()
     pin, hole, e = pin_radius, hole_radius, eccentricity
     clearance = hole - pin - e
-    tolerance = FIT_TOLERANCE * hole
+    tolerance = AS_TYPED * hole
     found = []
     if clearance >= LIKE_ECCENTRICITY * e - tolerance:
         found.append(Notice("clearance_like_eccentricity", {"ratio": clearance / e}))

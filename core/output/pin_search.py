@@ -24,6 +24,7 @@ from numpy.typing import NDArray
 from core.arrays import BoolArray, FloatArray, IntArray
 from core.output.pin_turn import BLOCK, Turn, combine
 from core.output.sampled_turn import PinSamples
+from core.precision import CONVERGED
 
 ROUGH, ROUGHLY = 2, 1 - 1e-6
 """Rounds over the turn while points are still dropped, and what part of the largest they find at
@@ -82,9 +83,6 @@ ALONG, SECTIONS = 4, 24
 """Parts of each stretch of the pin that are looked at first, at least, and about how many sections
 where there are few stretches and directions do not count."""
 
-ENOUGH = 1e-14
-"""What a largest value may be missed by, as a part of it."""
-
 NEAR, NEAR_AROUND = 1e-3, 1e-5
 """What may be left, as a part of it, when the search goes on in all variables at once: along the
 pin, where all summits over the turn are followed, and where directions count too."""
@@ -97,9 +95,6 @@ CLOSER = 3
 
 POINTS = 300
 """About how many points are looked at then where values are known in closed form."""
-
-CLOSED = 1 - 1e-14
-"""What part of the largest closed forms find at least."""
 
 Measure = Callable[..., FloatArray]
 """Of the sums of the satellites' forces times each of their arms."""
@@ -512,7 +507,7 @@ def highest(
         found = [value(at.of(each), rounds) for each in blocks]
         values, room, above = map(np.concatenate, zip(*found, strict=True))
         best = max(best, float(values.max()))
-        share = CLOSED if closed else ROUGHLY if rounds else SAMPLED
+        share = 1 - CONVERGED if closed else ROUGHLY if rounds else SAMPLED
         least = max(min(best * share, float(values.max())), beyond * share)
         kept = np.flatnonzero(values + room >= least)
         if not len(kept):
@@ -623,7 +618,7 @@ def first_of(*, values: FloatArray, section: FloatArray) -> int:
     -------
     int
     """
-    alike = np.flatnonzero(values >= values.max() * (1 - ENOUGH))
+    alike = np.flatnonzero(values >= values.max() * (1 - CONVERGED))
     return int(alike[section[alike].argmin()])
 
 

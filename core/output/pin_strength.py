@@ -21,10 +21,11 @@ from core.output.loaded_pin import LoadedPin, PinLoads
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam, Support, section_stress
 from core.output.pin_fatigue import FatigueStrength, PinFatigue, judged
-from core.output.pin_search import ENOUGH, first_of
+from core.output.pin_search import SETTLED, first_of
 from core.output.pin_turn import PinTurn, combine, pin_turn
 from core.output.sampled_turn import WAYS, Direction, Made, PinSamples, SampledTurn
-from core.results import ROUNDING, Accuracy, Notice, poorly_known
+from core.precision import ROUNDING
+from core.results import Accuracy, Notice, poorly_known
 
 AT_ZERO = 1e-6
 """Directions closer to 0 than this, rad, are 0: none is known better."""
@@ -273,7 +274,7 @@ def pin_stresses(
             alternates=len(ways) > 1,  # the reverse is the same the other way
         )
         cases = [case]
-        error = 2 * peak.accuracy.relative_error + ENOUGH
+        error = 2 * peak.accuracy.relative_error + 4 * SETTLED
         error += ROUNDING * (32 + 4 * force_exponent)
         method, evaluations = "locus_support", case.turn.forces[0].size
         static = static_torque / torque

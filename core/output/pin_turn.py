@@ -27,7 +27,7 @@ from core.output.driving_set import segments
 from core.output.losses import AT_SWITCH
 from core.output.mechanism import Mechanism
 from core.output.peak_force import PHASE_ROUNDING
-from core.results import ROUNDING
+from core.precision import ROUNDING
 
 MANY = 64
 """Driving pairs above which samples are fewer: each pair changes little over an arc."""

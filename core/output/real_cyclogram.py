@@ -7,14 +7,16 @@ it is solved: on a grid, between whose places the ends are halved down.
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
-from core.arrays import FloatArray
+from core.arrays import BoolArray, FloatArray, IntArray
 from core.output.cyclogram import CountInterval, DrivingPair
 from core.output.mechanism import Mechanism
 from core.output.turn import Turn
-from core.results import ROUNDING, Accuracy
+from core.precision import ROUNDING
+from core.results import Accuracy
 
 SAMPLES = 720
 """Places of the grid over a turn of the wave, none of which is a switching angle."""
@@ -24,6 +26,15 @@ HALVINGS = 16
 
 WIDER = 4.0
 """By what an end is less sure where the force beside it is still within its own error."""
+
+
+class Ends(NamedTuple):
+    """Where pairs begin and end to carry."""
+
+    wave: FloatArray  # wave angles from crank angle 0, rad, shape (n,)
+    pair: IntArray  # which pair, satellite by satellite, shape (n,)
+    falls: BoolArray  # whether it ends there, shape (n,)
+    carries: BoolArray  # which pairs carry at the first place, shape (K*N,)
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,20 +80,10 @@ def real_cyclogram(*, turn: Turn, revolutions: float = 1.0) -> RealCyclogram:
     of `core.output.loaded_position`; a force is zero where its pair has not closed its gap.
     """
     mechanism, solved = turn.real.mechanism, turn.evaluations
-    first = mechanism.initial_crank_angle
     step = 2 * math.pi / SAMPLES
-    places = first + step * (np.arange(SAMPLES) + 1 / math.pi)
-    carries = turn.poses(places.tolist())["forces"] > 0
-    place, pair = np.nonzero(carries != np.roll(carries, -1, axis=0))
-    low, high = places[place], places[place] + step
-    before = carries[place, pair]
-    for _ in range(HALVINGS if len(place) else 0):
-        middle = (low + high) / 2
-        same = (_forces(turn, middle, pair)[0] > 0) == before
-        low, high = np.where(same, middle, low), np.where(same, high, middle)
-    ends = (low + high) / 2
-    sure = _sure(turn, ends, pair, np.where(before, -1.0, 1.0), step / 2.0 ** (HALVINGS + 1))
-    ends -= first  # from crank angle 0
+    ends, pair, falls, carries = carried_ends(turn=turn, samples=SAMPLES, halvings=HALVINGS)
+    inward, width = np.where(falls, -1.0, 1.0), step / 2.0 ** (HALVINGS + 1)
+    sure = _sure(turn, ends + mechanism.initial_crank_angle, pair, inward, width)
     per_wave = mechanism.crank_angle_per_wave
     crank = per_wave / (2 * math.pi)
     error = crank * sure + 8 * ROUNDING * per_wave
@@ -91,10 +92,10 @@ def real_cyclogram(*, turn: Turn, revolutions: float = 1.0) -> RealCyclogram:
         DrivingPair(
             index // mechanism.pins + 1,
             index % mechanism.pins + 1,
-            _intervals(ends[pair == index], before[pair == index], bool(carries[0, index]),
+            _intervals(ends[pair == index], falls[pair == index], bool(carries[index]),
                        mechanism, shown),
         )
-        for index in range(carries.shape[1])
+        for index in range(len(carries))
     )  # fmt: skip
     counts = _counts(pairs, shown, error)
     numbers = [each.pairs for each in counts]
@@ -106,8 +107,41 @@ def real_cyclogram(*, turn: Turn, revolutions: float = 1.0) -> RealCyclogram:
         max_loaded=max(numbers),
         end_error=error,
         step=crank * step,
-        accuracy=Accuracy("newton_bracket", error / per_wave, turn.evaluations - solved),
+        accuracy=Accuracy("bisection", error / per_wave, turn.evaluations - solved),
     )
+
+
+def carried_ends(*, turn: Turn, samples: int, halvings: int) -> Ends:
+    """Where over a turn of the wave pairs begin and end to carry.
+
+    Parameters
+    ----------
+    turn : Turn
+        The mechanism as it is made under its torque.
+    samples : int
+        Places of the grid.
+    halvings : int
+        How often a step that holds an end is halved.
+
+    Returns
+    -------
+    Ends
+
+    Raises
+    ------
+    ImpossibleMechanism
+        See `core.output.real_mechanism.RealMechanism.solved`.
+    """
+    first, step = turn.real.mechanism.initial_crank_angle, 2 * math.pi / samples
+    places = first + step * (np.arange(samples) + 1 / math.pi)
+    carries = turn.poses(places.tolist())["forces"] > 0
+    place, pair = np.nonzero(carries != np.roll(carries, -1, axis=0))
+    low, high, falls = places[place], places[place] + step, carries[place, pair]
+    for _ in range(halvings if len(place) else 0):
+        middle = (low + high) / 2
+        same = (_forces(turn, middle, pair)[0] > 0) == falls
+        low, high = np.where(same, middle, low), np.where(same, high, middle)
+    return Ends((low + high) / 2 - first, pair, falls, carries[0])
 
 
 def carried_forces(

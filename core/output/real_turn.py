@@ -12,9 +12,7 @@ from core.arrays import ComplexArray, FloatArray
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.sampled_turn import SampledTurn, off_straight
 from core.output.turn import Rows, Turn, joined
-
-ENOUGH = 1e-5
-"""How far a sample may lie off the straight line between its neighbours, over the largest force."""
+from core.precision import JUDGED
 
 FELT = 4.0
 """How many times its own error a sample has to lie off that line, to be more than noise."""
@@ -55,7 +53,7 @@ def sampled(turn: Turn) -> SampledTurn:
     rows = turn.fine
     for _ in range(HALVINGS):
         wave = rows["wave"]
-        felt = np.maximum(ENOUGH * rows["forces"].max(), FELT * rows["force_error"])
+        felt = np.maximum(JUDGED * rows["forces"].max(), FELT * rows["force_error"])
         rough = _off(turn, rows) > felt
         gaps = np.diff(wave, append=wave[0] + turn.period)
         between = (wave + gaps / 2)[rough | np.roll(rough, -1)]

@@ -14,10 +14,10 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from core.arrays import ComplexArray, FloatArray, IntArray
+from core.numerics.extremes import CLOSER_BY, ZOOMS, zoom
 from core.output.mechanism import Mechanism
-from core.output.pin_geometry import FIT_TOLERANCE
 from core.output.real_mechanism import Deviations
-from core.results import ROUNDING
+from core.precision import AS_TYPED, ROUNDING
 
 State = Literal["fits", "binds_in_turning", "does_not_fit", "no_bound"]
 Side = Literal["driving", "reverse", "radial"]
@@ -35,9 +35,6 @@ STEPS = 60
 HALVINGS = 48
 """Halvings of a stretch of lags, to their rounding."""
 
-POINTS, ZOOMS = np.linspace(-1.0, 1.0, 17), 8
-"""Places about an extreme, and how often closer ones follow: to 1e-9 rad of the wave at last."""
-
 NEAR = 1e-7
 """Wave angle within which a place is that of the turn's start, rad."""
 
@@ -52,9 +49,6 @@ NO_PLAY = -1e3
 
 TINY = 1e-300
 """What is divided by in the place of 0."""
-
-TIE = 1e-9
-"""Part of the eccentricity within which pairs bind alike, and a room that varies is flat."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,8 +88,17 @@ class TurnRoom:
     state: State
     # Least room, m: by how much all pins might grow, or below 0 must shrink, until they just fit.
     least: float
+    error: float  # estimate of its error, m
     crank_angle: float | None  # where it is least, rad; None where it is the same at all
     binding: tuple[Binding, ...]  # the pairs that limit it there; none where all do alike
+
+
+class _Extreme(NamedTuple):
+    """A largest or least value over the turn."""
+
+    place: float  # wave angle, rad
+    height: float  # in the unit of what is sampled
+    error: float  # in that unit
 
 
 class _Pairs(NamedTuple):
@@ -291,10 +294,10 @@ class Rooms:
 
     @property
     def error(self) -> float:
-        """Estimate of the error of rooms over the turn, m: the last places about an extreme are as
+        """Bound of the error of rooms over the turn, m: the last places about an extreme are as
         far apart, and a hole moves on a circle of the eccentricity.
         """
-        last = 0.0 if self.even else 2 * np.pi / POSITIONS * (POINTS[1] - POINTS[0]) ** ZOOMS
+        last = 0.0 if self.even else 2 * np.pi / POSITIONS * CLOSER_BY**ZOOMS
         return float(self._steepest * last) + 4 * self._rounding
 
     @property
@@ -314,25 +317,20 @@ class Rooms:
         places: FloatArray,
         width: FloatArray | float,
         sign: int,
-    ) -> tuple[float, float]:
+    ) -> _Extreme:
         """First place and height of the largest value (sign 1) or the least near some places: the
         best of some points, then of as many closer ones.
         """
-        height = -np.inf * np.ones(len(places))
-        for _ in range(ZOOMS):
-            fine = np.add.outer(places, width * POINTS) if np.ndim(width) == 0 else (
-                places[:, None] + np.multiply.outer(width, POINTS))  # fmt: skip
-            found = sign * values(fine.ravel()).reshape(fine.shape)
-            best = found.argmax(axis=1)
-            row = np.arange(len(places))
-            places, height = fine[row, best], found[row, best]
-            width = width * (POINTS[1] - POINTS[0])
-        alike = places[height >= height.max() - TIE * self.eccentricity]
+        places, height, errors = zoom(
+            values=lambda wave: sign * values(wave), places=places, width=width
+        )
+        alike = places[height >= height.max() - AS_TYPED * self.eccentricity]
         first = alike[((alike - self._start() + NEAR) % (2 * np.pi)).argmin()]
-        return float(first), float(sign * height.max())
+        error = float(errors[height.argmax()]) + self._rounding
+        return _Extreme(float(first), float(sign * height.max()), error)
 
     def _extreme(self, grid: FloatArray, heights: FloatArray, sign: int, disc: int | None
-                 ) -> tuple[float, float]:  # fmt: skip
+                 ) -> _Extreme:  # fmt: skip
         """Place and height of the greatest room over the turn (sign 1), or of the least."""
         signed, step = sign * heights, 2 * np.pi / len(grid)
         best = signed.max()
@@ -361,40 +359,42 @@ class Rooms:
         """
         pin, hole, gap, eccentricity, _ = self._placed
         if (gap >= np.abs(pin) + np.abs(hole) + eccentricity[:, None]).all():
-            return TurnRoom("no_bound", math.inf, None, ())
+            return TurnRoom("no_bound", math.inf, 0.0, None, ())
         if self.even:
-            return self._turn_room(self.clearance, None, (), disc)
+            return self._turn_room(self.clearance, self._rounding, None, (), disc)
         grid = self._grid()
         heights, _ = self.rooms(grid, disc)
-        least, flat = float(heights.min()), self._flat(heights)
+        least, flat, error = float(heights.min()), self._flat(heights), self._rounding
         if not flat:
-            place, least = self._extreme(grid, heights, -1, disc)
+            place, least, error = self._extreme(grid, heights, -1, disc)
         below = self._below(grid, heights, disc) if least >= 0 else None
         if below is not None:  # between positions, where no least one was seen
-            place, least = self._narrowed(
+            place, least, error = self._narrowed(
                 lambda wave: self.rooms(wave, disc)[0], np.array([below]), 1e-3, -1
             )
         elif flat:
-            return self._turn_room(least, None, (), disc)
+            error = AS_TYPED * self.eccentricity
+            return self._turn_room(least, error, None, (), disc)
         angle = self.crank_angle(place)
-        return self._turn_room(least, angle, self._binding(place, disc), disc)
+        return self._turn_room(least, error, angle, self._binding(place, disc), disc)
 
     def _turn_room(
         self,
         least: float,
+        error: float,
         angle: float | None,
         binding: tuple[Binding, ...],
         disc: int | None,
     ) -> TurnRoom:
         state: State = "fits"
-        nothing = -FIT_TOLERANCE * (self.pin_radius + self.eccentricity)
+        nothing = -AS_TYPED * (self.pin_radius + self.eccentricity)
         if least < nothing:
             state = "binds_in_turning" if self.greatest(disc) >= nothing else "does_not_fit"
-        return TurnRoom(state, least, angle, binding)
+        return TurnRoom(state, least, error, angle, binding)
 
     def _flat(self, heights: FloatArray) -> bool:
         """Whether the room is the same at all positions."""
-        return float(np.ptp(heights)) <= TIE * self.eccentricity
+        return float(np.ptp(heights)) <= AS_TYPED * self.eccentricity
 
     def greatest(self, disc: int | None = None) -> float:
         """Greatest room over the turn, m.
@@ -414,7 +414,7 @@ class Rooms:
         heights, _ = self.rooms(grid, disc)
         if self._flat(heights):
             return float(heights.max())
-        return self._extreme(grid, heights, 1, disc)[1]
+        return self._extreme(grid, heights, 1, disc).height
 
     def _below(self, grid: FloatArray, heights: FloatArray, disc: int | None) -> float | None:
         """A position without room between those of a grid that all have some, or None: intervals in
@@ -447,7 +447,7 @@ class Rooms:
         away = np.maximum(pairs.gap - left, TINY)
         lever = pairs.p * pairs.h * np.sin(lag - pairs.nearest) / away
         found = []
-        for i in np.flatnonzero(left <= room + TIE * self.eccentricity):
+        for i in np.flatnonzero(left <= room + AS_TYPED * self.eccentricity):
             j, n = divmod(int(i), self.mechanism.pins)
             side: Side = "driving" if lever[i] > 0 else "reverse"
             if abs(lever[i]) <= RADIAL * self.pin_circle_radius:
@@ -493,7 +493,7 @@ class Rooms:
         near = step * 2.0 ** -np.arange(1, CLUSTER + 1)
         around = np.add.outer(dead, np.concatenate([-near, [0.0], near])).ravel() - self._start()
         wave = np.unique(np.concatenate([step * np.arange(POSITIONS), around % period]))
-        wave = self._start() + wave[np.diff(wave, append=period) > TIE]
+        wave = self._start() + wave[np.diff(wave, append=period) > AS_TYPED]
 
         def height(places: FloatArray) -> FloatArray:
             low, high = self.windows(places)
@@ -512,7 +512,7 @@ class Rooms:
             place, found = float(wave[signed.argmax()]), float(heights[signed.argmax()])
             if found > NO_PLAY:
                 width = np.maximum(after, before)[tops]
-                narrowed, closer = self._narrowed(height, wave[tops], width, sign)
+                narrowed, closer, _ = self._narrowed(height, wave[tops], width, sign)
                 if sign * closer > sign * found:
                     place, found = narrowed, closer
             if found > NO_PLAY:

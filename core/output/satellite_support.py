@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from core.arrays import check_positive
 from core.errors import InvalidInput
 from core.output.sharing_kernel import (
-    EPS,
     SOLVED,
     Pairs,
     Position,
@@ -23,9 +22,7 @@ from core.output.sharing_kernel import (
     solve,
     wave_torque,
 )
-
-SUM_ERROR = 1e-12
-"""By how much the sum of the shares may be off 1: what rounding of their decimals does."""
+from core.precision import ROUNDING, SAME
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,7 +87,7 @@ class Shares:
             low=low,
             high=high,
             play_error=mean("play_error"),
-            lag_error=mean("lag_error") + 2 * EPS * max(abs(each.lag) for each in found),
+            lag_error=mean("lag_error") + 2 * ROUNDING * max(abs(each.lag) for each in found),
             force_error=max(each.force_error for each in found),
             status=next((each.status for each in found if each.status != SOLVED), SOLVED),
             steps=sum(each.steps for each in found),
@@ -155,7 +152,7 @@ def check_support(*, support: SatelliteSupport | None, satellites: int, exact: b
             )
         for j, share in enumerate(given):
             check_positive(**{f"shares[{j}]": share})
-        if not abs(math.fsum(given) - 1) <= SUM_ERROR:
+        if not abs(math.fsum(given) - 1) <= SAME:
             raise InvalidInput("shares", given, "sum_not_one", sum=math.fsum(given))
         return
     check_positive(stiffness=support.stiffness)

@@ -20,7 +20,7 @@ import numpy as np
 from core.arrays import FloatArray, check_positive
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.numerics.quadrature import NODES, WEIGHTS, resolves_complex_poles, resolves_real_pole
-from core.results import ROUNDING
+from core.precision import ROUNDING
 
 
 class LinePoint(NamedTuple):

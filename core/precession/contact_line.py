@@ -18,7 +18,8 @@ from core.precession.rollers import (
     RollerByLength,
     stands_in_line,
 )
-from core.results import ROUNDING, Accuracy, Notice, poorly_known
+from core.precision import ROUNDING
+from core.results import Accuracy, Notice, poorly_known
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,8 @@ from core.arrays import check_positive
 from core.errors import InvalidInput
 from core.hertz import HALF_WIDTH_RATIO_LIMIT
 from core.materials import ElasticMaterial, effective_modulus
-from core.results import ROUNDING, Accuracy, Notice
+from core.precision import ROUNDING
+from core.results import Accuracy, Notice
 
 
 @dataclass(frozen=True, slots=True)

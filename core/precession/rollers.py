@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 from core.errors import InvalidInput
-from core.results import ROUNDING
+from core.precision import ROUNDING
 
 SAME = 8 * ROUNDING
 """Relative difference below which two doubles stand for the same number."""

@@ -15,7 +15,7 @@ import numpy as np
 
 from core.arrays import FloatArray, Vector
 from core.errors import InvalidInput
-from core.results import ROUNDING
+from core.precision import ROUNDING
 
 Plane = tuple[float, float]
 

@@ -14,7 +14,8 @@ from core.precession.shaft import (
     shaft_pieces,
     shaft_stretches,
 )
-from core.results import ROUNDING, Accuracy, Notice, poorly_known
+from core.precision import ROUNDING
+from core.results import Accuracy, Notice, poorly_known
 
 SHORT_SHAFT = 3.3
 """Length over largest diameter below which shear adds more than 5 % to a deflection."""

@@ -14,7 +14,8 @@ from core.errors import InvalidInput
 from core.fatigue import CycleFatigue, FatigueStrength, judge_cycle
 from core.load_sharing import share_load
 from core.materials import check_poissons_ratio
-from core.results import ROUNDING, Accuracy, Notice, poorly_known
+from core.precision import ROUNDING
+from core.results import Accuracy, Notice, poorly_known
 
 SHEAR_FACTOR = 1.11
 """Uneven shear over a round section, the source's rounding of 10/9."""

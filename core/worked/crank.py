@@ -11,12 +11,11 @@ from core.crank.crankshaft import Balance
 from core.crank.satellite_bearing import SatelliteBearings
 from core.design.results import Results
 from core.output.sampled_turn import WAYS
+from core.precision import AS_TYPED, SAME
 from core.worked.pins import static_step
 from core.worked.sharing import Shares, ideal_turn
 from core.worked.step import MOST_TERMS, Sheet, Step, total
 from core.worked.turn import IdealTurn, Measure, Position, is_at
-
-ROUNDING = 1e-9
 
 MOST_SATELLITES = 4
 """Satellites whose forces on the crankshaft are worked."""
@@ -83,7 +82,7 @@ def _ring(sheet: Sheet, results: Results, found: SatelliteBearings) -> None:
         # The series of small k loses no digits; the closed form is the same.
         closed = -(2 - (1 - k * k) / k * 2 * math.atanh(k)) / (math.pi * k)
         formula = "-(2-(1-k^2)/k*l)/(pi*k)"
-        if math.isclose(closed, ratio, rel_tol=ROUNDING):
+        if math.isclose(closed, ratio, rel_tol=AS_TYPED):
             sheet.work("radial_force_ratio", "rho", ratio, formula, note="shortened")
         else:
             sheet.state("radial_force_ratio", "rho", ratio, "shortened")
@@ -114,7 +113,7 @@ def worst_bearing(found: SatelliteBearings) -> int:
     """
     most, loads = 0, found.equivalent_load.tolist()
     for index, load in enumerate(loads):
-        if load > loads[most] * (1 + ROUNDING):
+        if load > loads[most] * (1 + AS_TYPED):
             most = index
     return most
 
@@ -268,7 +267,7 @@ def _reaction(sheet: Sheet, results: Results, turn: IdealTurn, i: int, peak: flo
         size = measure(way)
         at = turn.worst(size)
         value = float(size(at)[0])
-        if best is None or value > best[0] * (1 + 1e-12):
+        if best is None or value > best[0] * (1 + SAME):
             best = value, way, at
     assert best is not None
     _, way, at = best
@@ -318,7 +317,7 @@ def _balance(sheet: Sheet, results: Results, balance: Balance) -> None:
     middle = (first + last) / 2
     arms = np.array(shaft.satellite_positions) - middle
     arm = abs(complex((arms * np.exp(1j * np.array(cranks))).sum()))
-    if arm <= ROUNDING * np.abs(arms).sum():
+    if arm <= AS_TYPED * np.abs(arms).sum():
         arm = 0.0
     if many:
         sheet.state("couple_arm", "d", arm, "many_satellites")

@@ -8,6 +8,7 @@ from core.design.real_forces import RealForces
 from core.design.results import Results
 from core.hertz import SHEAR_DEPTH, SHEAR_RATIO, HertzContact
 from core.materials import ElasticMaterial
+from core.precision import AS_TYPED
 from core.worked.step import Sheet, Step
 
 PAPER = {"source": "yanchevsky2018", "equation": "2"}
@@ -170,10 +171,6 @@ def _life(
     )
 
 
-SAME = 1e-9
-"""Difference of radii that is rounding, as a part of them."""
-
-
 def judged_steps(results: Results) -> list[Step]:
     """Steps of the contact of a design that is judged.
 
@@ -193,8 +190,8 @@ def judged_steps(results: Results) -> list[Step]:
     if real:  # with what deviates of them
         own = float(found.half_width / found.half_width_ratio)
         wide = float(found.reduced_radius * own / (found.reduced_radius - own))
-        radius = radius if math.isclose(radius, own, rel_tol=SAME) else own
-        hole = hole if math.isclose(hole, wide, rel_tol=SAME) else wide
+        radius = radius if math.isclose(radius, own, rel_tol=AS_TYPED) else own
+        hole = hole if math.isclose(hole, wide, rel_tol=AS_TYPED) else wide
     turning = None
     if load.input_speed is not None and math.isfinite(life):
         turning = load.input_speed, life, design.mechanism.ratio

@@ -9,6 +9,7 @@ from core.output.contact_force import ContactForce
 from core.output.cyclogram import Cyclogram
 from core.output.mechanism import Mechanism, assembly_angles
 from core.output.pin_forces import pressure_cosines
+from core.precision import CONVERGED, SAME
 from core.worked.step import MOST_TERMS, Sheet, Step, total
 from core.worked.turn import IdealTurn, Position, is_at
 
@@ -20,9 +21,6 @@ MOST_SATELLITES = 6
 
 MOST_PAIRS = 500
 """Pairs up to which the position of least support is looked for."""
-
-LOST = 1e-14
-"""Part of a radius that rounding loses."""
 
 HALF, TURN = math.pi, 2 * math.pi
 
@@ -196,7 +194,7 @@ def _peak(sheet: Sheet, mechanism: Mechanism, found: ContactForce, exponent: flo
         0.0: {"source": "zyl", "equation": "1"},
         1.0: {"source": "yanchevsky2018", "equation": "4", "erratum": "arcsin"},
     }.get(exponent, {"source": "yanchevskiy2021", "equation": "10"})
-    pairs = np.argwhere(cosines > 1e-12)
+    pairs = np.argwhere(cosines > SAME)
     params = {"params": {"count": len(pairs)}}
     if len(pairs) > MOST_TERMS:
         sheet.state("peak_force", "F", found.peak_force, "many", **said, **params)
@@ -228,7 +226,7 @@ def _equal_sharing(sheet: Sheet, mechanism: Mechanism, peak: float) -> None:
 
     reference = sheet.known["F_0"].value
     at = turn.worst(most)
-    angles = [each for each in at.angle[0].tolist() if math.cos(each) > 1e-12]
+    angles = [each for each in at.angle[0].tolist() if math.cos(each) > SAME]
     if not is_at(at, measure=most, value=peak):
         sheet.state("equal_sharing_peak", "F_e", peak, "least_support", **said)
         return
@@ -260,7 +258,7 @@ def clearance_steps(
     sheet.take("r_in", "pin_radius", pin_radius)
     sheet.take("e", "eccentricity", eccentricity)
     said = {"source": "yanchevskiy2021", "erratum": "intersection"}
-    if clearance == 0 and abs(hole_radius - pin_radius - eccentricity) > LOST * hole_radius:
+    if clearance == 0 and abs(hole_radius - pin_radius - eccentricity) > CONVERGED * hole_radius:
         sheet.state("clearance", "c", clearance, "felt", **said)
     else:
         sheet.work("clearance", "c", clearance, "r_out-r_in-e", **said)

@@ -12,6 +12,7 @@ from core.precession.meshing_load import MeshingLoad
 from core.precession.shaft import ShaftSection, shaft_pieces
 from core.precession.shaft_deflection import Deflection, ShaftDeflection
 from core.precession.shaft_strength import ShaftStrength
+from core.precision import AS_TYPED
 from core.worked.fatigue import cycle_steps
 from core.worked.hertz import JOHNSON, MODULUS, take_materials
 from core.worked.step import MOST_TERMS, Sheet, Step, total
@@ -177,7 +178,7 @@ class _Shaft:
         return min(
             diameter
             for start, end, diameter, _ in self.stretches
-            if start <= place * (1 + 1e-9) and place <= end * (1 + 1e-9)
+            if start <= place * (1 + AS_TYPED) and place <= end * (1 + AS_TYPED)
         )
 
     def take(self, sheet: Sheet) -> None:

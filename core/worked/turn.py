@@ -12,14 +12,16 @@ from itertools import pairwise
 import numpy as np
 
 from core.arrays import FloatArray
+from core.numerics.extremes import zoom
 from core.output.mechanism import Mechanism
+from core.precision import SAME
 from core.worked.step import MOST_TERMS
 
 SHORT = 1e-9
 """Segment that only rounding makes, rad."""
 
-STEPS, ROUNDS = 24, 9
-"""Steps of a segment between which the largest value is sought, and how often."""
+STEPS = 24
+"""Steps of a segment beside the best of which the largest value is sought."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,15 +142,21 @@ class IdealTurn:
         """
         best: tuple[float, Position] | None = None
         for low, high in self.segments:
-            middle, ends = (low + high) / 2, (low, high)
-            for _ in range(ROUNDS):
-                places = np.linspace(low, high, STEPS + 1)
-                values = measure(self.at(places, middle))
-                top = int(values.argmax())
-                if best is None or values[top] > best[0] * (1 + 1e-12):
-                    best = float(values[top]), self.at(places[top : top + 1], middle)
-                step = (high - low) / STEPS
-                low = max(ends[0], float(places[top]) - step)
-                high = min(ends[1], float(places[top]) + step)
+            middle = (low + high) / 2
+
+            def values(wave: FloatArray, within: float = middle) -> FloatArray:
+                return measure(self.at(wave, within))
+
+            steps = np.linspace(low, high, STEPS + 1)
+            top = int(values(steps).argmax())
+            place, value, _ = zoom(
+                values=values,
+                places=steps[top : top + 1],
+                width=(high - low) / STEPS,
+                low=low,
+                high=high,
+            )
+            if best is None or value[0] > best[0] * (1 + SAME):
+                best = float(value[0]), self.at(place, middle)
         assert best is not None
         return best[1]

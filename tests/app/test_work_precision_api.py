@@ -334,6 +334,32 @@ async def test_samples_miss_the_real_peak_downwards_and_narrowed_summits_do_not(
     assert times[-1] > 20 * times[0]
 
 
+@pytest.mark.parametrize("calculation", ["fit", "load-sharing"])
+async def test_more_angles_miss_less_of_the_turn_and_a_search_between_them_next_to_nothing(
+    api, calculation
+):
+    own = {"input": REQUESTS[calculation], "calculation": calculation}
+    body = own | ({"quantity": "carried_ends"} if calculation == "load-sharing" else {})
+    response = await api.post("work-precision", json=body)
+    answer = response.json()
+    assert response.status_code == 200 and answer["reference"]["digits"] == 12
+    sampling = [point for point in answer["points"] if point["method"] == "sampling"]
+    errors = [point["relative_error"] for point in sampling]
+    assert errors[0] > 50 * errors[-1] > 0
+    assert answer["chosen"]["relative_error"] < min(2e-8, errors[-1])
+
+
+async def test_a_study_of_holes_that_hold_no_pins_is_refused(api):
+    own = REQUESTS["fit"]
+    body = {
+        "calculation": "fit",
+        "input": own | {"contact": own["contact"] | {"hole_radius_mm": 99}},
+    }
+    response = await api.post("work-precision", json=body)
+    assert response.status_code == 422
+    assert response.json()["errors"][0]["pointer"].startswith("/input/contact/")
+
+
 async def test_a_study_of_the_real_peak_has_a_limit(api):
     own = REQUESTS["load-sharing"]
     many = {**own, "mechanism": {**own["mechanism"], "pins": 19}, "deviations": {}}

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from core.numerics.extremes import other_places, second_look
+from core.numerics.extremes import other_places, second_look, zoom
 
 
 def spike(place: float) -> float:
@@ -51,3 +51,27 @@ def test_of_what_is_alike_everywhere_nothing_is_narrowed() -> None:
     places = other_places(count=97)
     found = second_look(places=places, heights=np.ones(97), known=1.0, narrow=by_thirds)
     assert found[1] == 1.0
+
+
+@pytest.mark.parametrize("width", [1e-4, 1e-2, 0.5])
+def test_a_spike_about_a_sample_is_found_at_its_tip(width: float) -> None:
+    def narrow_spike(places: np.ndarray) -> np.ndarray:
+        return np.maximum(1 - np.abs(places - 1.3) / width, np.cos(places) / 10)
+
+    places, heights, errors = zoom(
+        values=narrow_spike, places=np.array([0.0, 1.3 - width / 3]), width=width
+    )
+    assert heights[1] == pytest.approx(1.0, abs=1e-7) and abs(places[1] - 1.3) < 1e-7 * width
+    assert 1 - heights[1] <= errors[1] < 1e-6 and errors[0] < 1e-12
+    assert heights[0] == pytest.approx(0.1)
+
+
+def test_nothing_is_looked_at_beyond_the_ends() -> None:
+    seen: list[float] = []
+
+    def rising(places: np.ndarray) -> np.ndarray:
+        seen.extend(places.tolist())
+        return places
+
+    place, height, _ = zoom(values=rising, places=np.array([0.9]), width=0.5, low=0.5, high=1.0)
+    assert place[0] == height[0] == max(seen) == 1.0 and min(seen) >= 0.5

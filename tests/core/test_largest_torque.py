@@ -98,7 +98,7 @@ def test_where_looking_ends_the_largest_torque_that_holds_is_answered(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     design = having(MADE, output_torque=2400.0)
-    monkeypatch.setattr("core.checks.largest_torque.SETTLED", 0.0)
+    monkeypatch.setattr("core.checks.largest_torque.JUDGED", 0.0)
     found = crank_verdict(Results(design))
     assert found.largest_torque_estimated and found.torque_reserve is not None
     assert not under(design, found.torque_reserve * (1 - 1e-12)).counts["fail"]

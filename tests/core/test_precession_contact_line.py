@@ -13,7 +13,7 @@ from core.errors import CalculationError, ImpossibleMechanism, InvalidInput
 from core.numerics.quadrature import NODES
 from core.precession.contact_line import ContactLine, contact_lines, contact_points
 from core.precession.rollers import RollerByAngle, RollerByLength, wheel_rollers
-from core.results import HARDLY_KNOWN, ROUNDING
+from core.precision import HARDLY_KNOWN, ROUNDING
 from tests.oracles.condition import condition
 from tests.oracles.precession import z_of_angle
 

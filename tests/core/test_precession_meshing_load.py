@@ -13,7 +13,7 @@ from core.errors import ImpossibleMechanism, InvalidInput
 from core.precession.contact_line import contact_points
 from core.precession.meshing_load import MeshingLoad, line_load, meshing_load
 from core.precession.rollers import RollerByAngle, RollerByLength
-from core.results import ROUNDING
+from core.precision import ROUNDING
 from tests.oracles.condition import condition
 
 GEAR: dict[str, Any] = {

@@ -15,7 +15,7 @@ from mpmath import mp, mpf
 from core.errors import InvalidInput
 from core.precession.shaft import ShaftSection, shaft_diagram
 from core.precession.shaft_deflection import ShaftDeflection, shaft_deflection
-from core.results import ROUNDING
+from core.precision import ROUNDING
 from tests.oracles.condition import meant
 from tests.oracles.shaft import exact_deflection
 

@@ -77,6 +77,14 @@ def test_as_many_carry_as_over_the_turn_and_at_each_place(real: RealMechanism) -
         assert carrying == each.pairs
 
 
+def test_a_handover_shorter_than_the_grid_is_counted() -> None:
+    turn = Turn(made(), 1e-3)
+    found, over = real_cyclogram(turn=turn), OverTurn(turn)
+    seen = set(turn.fine["loaded"].astype(int).tolist())
+    assert (found.min_loaded, found.max_loaded) == (over.loaded_pairs_min, over.loaded_pairs_max)
+    assert {over.loaded_pairs_min, over.loaded_pairs_max} - seen
+
+
 def test_all_pairs_carry_always_where_they_are_pressed() -> None:
     found = real_cyclogram(turn=Turn(made(clearance=-2e-4), 1.0))
     assert all(pair.driving == ((0.0, 2 * math.pi),) for pair in found.pairs)

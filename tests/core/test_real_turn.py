@@ -130,7 +130,7 @@ def test_the_stated_error_is_that_of_closer_samples(monkeypatch: pytest.MonkeyPa
         (lambda of: crankshaft(**shaft, made=of), ("peak_reaction", "equivalent_reaction")),
     )
     found = [call(rough) for call, _ in calls]
-    monkeypatch.setattr("core.output.real_turn.ENOUGH", 1e-6)
+    monkeypatch.setattr("core.output.real_turn.JUDGED", 1e-6)
     close = made(UNLIKE)
     assert len(close(500.0).wave) > 2 * len(rough(500.0).wave)
     for one, (call, names) in zip(found, calls, strict=True):

@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
+from core.precision import CLASSES
 from tests.inputs.in_process import Service
 from tests.oracles.answers.calculation import Calculation, Draw
 
@@ -35,6 +36,8 @@ class Outcome:
         Numbers that are further off than is stated: stated and measured error by pointer.
     unknown : set of str
         Numbers that nothing is known of.
+    beyond : bool
+        Whether more is stated than the method promises.
     """
 
     extreme: bool
@@ -45,6 +48,7 @@ class Outcome:
     stated: float = 0.0
     false: dict[str, tuple[float, float]] = field(default_factory=dict)
     unknown: frozenset[str] = frozenset()
+    beyond: bool = False
 
 
 @cache
@@ -81,4 +85,5 @@ def outcome(calculation: Calculation, seed: int) -> Outcome:
             if stated < NOTHING_KNOWN and not error <= stated
         },
         unknown=frozenset(calculation.not_checked(answer, numbers)),
+        beyond=whole > CLASSES[answer["accuracy"]["method_code"]],
     )

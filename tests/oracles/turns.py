@@ -16,6 +16,9 @@ HALVINGS = 55
 NARROWED = 24
 """Summits of a scan about which is looked closer."""
 
+ROUNDS = 10
+"""How often, to an eighth: to 1e-12 rad of a scan of some thousand positions."""
+
 
 @dataclass(frozen=True)
 class Made:
@@ -70,6 +73,15 @@ class Made:
             low, high = np.where(short, middle, low), np.where(short, high, middle)
         return (low + high) / 2, forces((low + high) / 2)
 
+    def play(self, psi: Array) -> Array:
+        """How far the unloaded output turns to and fro, rad; 0 where pairs press."""
+        levers, gaps = self.sizes(psi)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            touches = gaps / levers
+        high = np.where(levers > 0, touches, np.inf).min(axis=0)
+        low = np.where(levers < 0, touches, -np.inf).max(axis=0)
+        return np.maximum(high - low, 0.0)
+
     def force(self, psi: Array, torque: float) -> Array:
         """Largest force at positions, N."""
         return self.lag(psi, torque)[1].max(axis=0)
@@ -87,7 +99,7 @@ def largest(value: Callable[[Array], Array], positions: int) -> float:
     tops = np.flatnonzero((heights >= np.roll(heights, 1)) & (heights >= np.roll(heights, -1)))
     tops = tops[np.argsort(-heights[tops])][:NARROWED]
     best, centres = float(heights.max()), places[tops]
-    for _ in range(6):
+    for _ in range(ROUNDS):
         around = centres[:, None] + step * np.linspace(-1, 1, 17)
         found = value(around.ravel()).reshape(around.shape)
         best = max(best, float(found.max()))
