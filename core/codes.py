@@ -147,6 +147,7 @@ _UNKNOWN = {
     "a test of this pair",
     "mass_unknown": "No mass of a satellite is given",
     "no_bush": "The pv is that of a bush: a bare pin touches its wider hole along a narrow strip",
+    "members_locked": "The members turn as one: nothing rolls or slides",
     "no_involute": "It is one of involute teeth",
     "no_life_curve": "How the limit falls over the life is not known for this material: it is left "
     "out",

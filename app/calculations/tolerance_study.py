@@ -10,6 +10,7 @@ from typing import Annotated, Any, Literal, Self
 import numpy as np
 from pydantic import Field, PrivateAttr, model_validator
 
+from app.calculations.members_answer import factor_at_output
 from app.calculations.real_design import LEFT_OUT, RealDesignFields
 from app.calculations.real_mechanism import OneWayLoadFields, RealContactFields
 from app.calculations.tolerance_answer import ToleranceStudyResponse
@@ -298,35 +299,43 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
         given = min(len(self._percentiles(name, found)) for name in self.names)
         return (Notice("too_few_fit", {"fits": fits}),) if given < asked else ()
 
+    def seen(self, name: str, value: Any) -> Any:
+        """A quantity of the output, in its unit, of what the satellites do against the pins."""
+        return from_si(name, value * factor_at_output(name, self.members))
+
+    def estimate(self, estimate: Estimate, name: str) -> Values:
+        """A number of the sample, of the output, with its interval."""
+        return {end: self.seen(name, getattr(estimate, end)) for end in ("value", "low", "high")}
+
     def _percentiles(self, name: str, found: ToleranceStudy) -> list[Values]:
         """The percentiles that the pieces which fit give."""
         given = []
         for percent in self.percentiles:
             with suppress(InvalidInput):
                 each = found.percentile(quantity=core_name(name), percent=percent)
-                given.append({"percent": percent} | _estimate(each, name))
+                given.append({"percent": percent} | self.estimate(each, name))
         return given
 
     def _quantity(self, name: str, found: ToleranceStudy) -> Values:
         quantity = core_name(name)
-        column = found.column(quantity)
+        column, factor = found.column(quantity), factor_at_output(name, self.members)
         values: Values = {
             "percentiles": self._percentiles(name, found),
             "angle_grid_error": found.angle_grid_error[quantity],
         }
         if quantity in found.nominal:
-            values["nominal"] = from_si(name, found.nominal[quantity])
+            values["nominal"] = self.seen(name, found.nominal[quantity])
         if len(column):
-            values["mean"] = from_si(name, float(column.mean()))
+            values["mean"] = self.seen(name, float(column.mean()))
         limit = self.given_limits.get(name)
         if limit is not None:
-            asked: dict[str, Any] = {"quantity": quantity, "limit": to_si(name, limit)}
+            asked: dict[str, Any] = {"quantity": quantity, "limit": to_si(name, limit) / factor}
             values["yield"] = {"limit": limit} | _estimate(found.yield_within(**asked))
             if found.fits.any():
                 of_fitting = found.yield_within(**asked, of_fitting=True)
                 values["yield_of_fitting"] = {"limit": limit} | _estimate(of_fitting)
         if "histogram" in self.include and len(column):
-            values["histogram"] = _histogram(from_si(name, column))
+            values["histogram"] = _histogram(self.seen(name, column))
         return values
 
     def _contributions(self, study: Study, to_fit: bool = False) -> list[Values]:
@@ -338,7 +347,7 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
         def without(each: Estimate) -> Values:
             if to_fit:
                 return {"fits_without": _estimate(each)}
-            return {"percentile_without": {"percent": percent} | _estimate(each, self.names[0])}
+            return {"percentile_without": {"percent": percent} | self.estimate(each, self.names[0])}
 
         return [
             {
