@@ -56,6 +56,7 @@ OF_REQUESTS = {
     "not_there": "names no number in {field}",
     "not_valid": "is not valid",
     "of_another_kind": "does not belong to the kind {kind}",
+    "of_other_output": "does not belong to the output {output}",
     "one_of_coupling": "must be {limit}: a coupling has one disc",
     "ratio_below_one": "must be at least {limit}: the crank turns faster than the output, its "
     "inverse is {offered:.9g}; two shafts that pins couple are the output coupling",

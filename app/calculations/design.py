@@ -167,7 +167,7 @@ class DesignFields(GivingFields):
             self.refuse_giving()
             for name in RINGLESS:
                 if getattr(self, name, None) is not None:
-                    raise field_error(name, "of_another_kind", kind="coupling")
+                    raise field_error(name, "of_other_output", output="coupling")
         return self
 
     @model_validator(mode="after")
@@ -177,7 +177,7 @@ class DesignFields(GivingFields):
             return self
         given = [name for name in OF_BOTH if getattr(load, name) is not None]
         if given and not both:
-            raise field_error(f"load/{given[0]}", "of_another_kind", kind=self.mechanism.output)
+            raise field_error(f"load/{given[0]}", "of_other_output", output=self.mechanism.output)
         if given and load.input_speed_rpm is None:
             raise field_error("load/input_speed_rpm", "needed_beside", field=given[0])
         if both and not given and load.input_speed_rpm is not None:

@@ -121,7 +121,7 @@ class MechanismFields(RequestModel, group="mechanism"):
         if ratio == 0:
             raise field_error("ratio", "not_zero")
         if ratio is not None and abs(ratio) < 1:
-            raise field_error("ratio", "ratio_below_one", limit=1, offered=abs(1 / ratio))
+            raise field_error("ratio", "ratio_below_one", limit=1, offered=1 / ratio)
         if ratio is not None and ratio < 0 and self.output == "ring":
             raise field_error("ratio", "sign_of_ring", offered=-ratio)
         if teeth is not None and self.ring_teeth is not None and self.ring_teeth > 2 * teeth:

@@ -113,4 +113,8 @@ def at_output(values: Values, members: Members) -> Values:
 def _times(value: Any, factor: float) -> Any:
     if factor == 1 or value is None:
         return value
-    return [_times(each, factor) for each in value] if isinstance(value, list) else value * factor
+    return (
+        [_times(each, factor) for each in value]
+        if isinstance(value, (list, tuple))
+        else value * factor
+    )
