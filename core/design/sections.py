@@ -104,9 +104,6 @@ class Load:
 
     Attributes
     ----------
-    ring_speed, carrier_speed : float or None
-        Where ring and pins are both the output: the speed of one of them, positive in the sense of
-        the crank, rad/s.
     torque_direction : {"driving", "reverse", "alternating"}
         Direction of the torque; of both the worse is judged.
     application_factor : float or None
@@ -124,8 +121,8 @@ class Load:
     application_factor: float | None = None
     peak_torque: float | None = None
     peak_kind: PeakKind = "start"  # at which the peak torque acts
-    ring_speed: float | None = None
-    carrier_speed: float | None = None
+    ring_speed: float | None = None  # where both are the output, in the sense of the crank, rad/s
+    carrier_speed: float | None = None  # the same of the pins, instead, rad/s
 
 
 class PairSizes(NamedTuple):

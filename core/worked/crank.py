@@ -27,7 +27,9 @@ LETTERS: tuple[Literal["A"], Literal["B"]] = ("A", "B")
 
 def _take(sheet: Sheet, results: Results) -> None:
     """Let the load and what turns be known."""
-    take_torque(sheet, results.design.members, results.design.load.output_torque)
+    take_torque(
+        sheet, members=results.design.members, output_torque=results.design.load.output_torque
+    )
     sheet.take("R", "pin_circle_radius", results.design.load.pin_circle_radius)
     sheet.take("e", "eccentricity", results.design.contact.eccentricity)
     sheet.take("u", "ratio", results.design.mechanism.ratio)
@@ -133,7 +135,7 @@ def bearing_steps(results: Results) -> list[Step]:
     """
     sheet, bearing, found = Sheet(), results.design.bearing, results.satellite_bearing
     _take(sheet, results)
-    take_speed(sheet, results)
+    take_speed(sheet, results=results)
     sheet.work("relative_speed", "n", found.relative_speed, "n_1*(1+1/u)")
     _ring(sheet, results, found)
     j = worst_bearing(found)

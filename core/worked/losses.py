@@ -22,10 +22,10 @@ def loss_steps(results: Results) -> list[Step]:
     radius = "r_in" if found.sleeve_speed is None else "r_s"
     slow = "" if found.sleeve_speed is None else "*r_p/r_s"
     wave = sheet.take_ratio(design.mechanism.ratio)
-    take_speed(sheet, results)
+    take_speed(sheet, results=results)
     sheet.take("e", "eccentricity", contact.eccentricity)
     sheet.take("R", "pin_circle_radius", load.pin_circle_radius)
-    take_torque(sheet, design.members, load.output_torque)
+    take_torque(sheet, members=design.members, output_torque=load.output_torque)
     sheet.take("b", "contact_length", contact.contact_length)
     sheet.take(radius, "pin_radius", contact.pin_radius)
     sheet.take("r_p", "bolt_radius", design.pin.diameter / 2 if design.pin else None)

@@ -15,7 +15,7 @@ TURNING = {
 """
 
 
-def take_torque(sheet: Sheet, members: Members, output_torque: float) -> None:
+def take_torque(sheet: Sheet, *, members: Members, output_torque: float) -> None:
     """Let the torque T on the pins be known, by that of the output.
 
     Parameters
@@ -35,7 +35,7 @@ def take_torque(sheet: Sheet, members: Members, output_torque: float) -> None:
     sheet.work("pin_torque", "T", output_torque * members.pin_share, "T_r*u/(u+1)")
 
 
-def take_speed(sheet: Sheet, results: Results) -> None:
+def take_speed(sheet: Sheet, *, results: Results) -> None:
     """Let the speed n_1 of the crank against the ring be known, where there is one.
 
     Parameters
@@ -98,7 +98,7 @@ def member_steps(results: Results) -> list[Step]:
     ratio = {"pins": "-u", "ring": "u+1"}.get(members.output, "")
     if ratio:
         sheet.work("output_ratio", "i", found.output_ratio, ratio)
-    take_torque(sheet, members, load.output_torque)
+    take_torque(sheet, members=members, output_torque=load.output_torque)
     sheet.work("crank_torque", "T_1", found.crank_torque, "T/u")
     sheet.work("ring_torque", "T_3", found.ring_torque, "-(T+T_1)")
     if speeds is None:

@@ -108,7 +108,7 @@ def _fatigue(sheet: Sheet, results: Results, found: PinStrength) -> None:
         if speed is not None:
             life = results.design.requirements.life if basis.life is None else basis.life
             cycles = speed * life / results.design.mechanism.built.crank_angle_per_wave
-            take_speed(sheet, results)
+            take_speed(sheet, results=results)
             finite_life(sheet, cycle=cycle, ratio=ratio, life=life, cycles=cycles)
 
     cycle_steps(
@@ -122,7 +122,7 @@ def _fatigue(sheet: Sheet, results: Results, found: PinStrength) -> None:
     )
     if cycle.life is not None:
         wave = sheet.take_ratio(ratio)
-        take_speed(sheet, results)
+        take_speed(sheet, results=results)
         formula = f"2*pi*N/(n_1{wave})"
         sheet.work("fatigue_life", "L", cycle.life, formula, note="turns_in_radians")
 
@@ -142,7 +142,9 @@ def _deflection(sheet: Sheet, results: Results, found: PinDeflection) -> None:
         return
     take_beam(sheet, results=results)
     sheet.take("K_A", "dynamic_factor", results.design.load_factor)
-    take_torque(sheet, results.design.members, results.design.load.output_torque)
+    take_torque(
+        sheet, members=results.design.members, output_torque=results.design.load.output_torque
+    )
     sheet.take("R", "pin_circle_radius", results.design.load.pin_circle_radius)
     for code, (symbol, satellite, value) in parts.items():
         _bent(sheet, results, turn, code, symbol, satellite, value)
