@@ -411,6 +411,15 @@ _LIMITS = {
         why="Only the pin is then twice as thick.",
         mend="If it is the diameter, halve it.",
     ),
+    "guide_tolerances": _limit(
+        "Tolerances that are not given are guides of how the parts are made: sources differ by a "
+        "factor of two.",
+        title="Guides of a process",
+        tests="Whether tolerances are those of the parts, or guides of how such parts are made.",
+        why="What comes out depends on the machine, the material and the care: sources differ by a "
+        "factor of two.",
+        mend="Measure some parts, and enter what they come to.",
+    ),
     "pressed_without_load": _limit(
         "Pins and holes press without load: there is no play, and the mechanism can be assembled "
         "only by force.",

@@ -32,6 +32,15 @@ class Tolerances:
         """Names of what varies."""
         return tuple(name for name in KINDS if getattr(self, name) is not None)
 
+    @property
+    def mean_clearance(self) -> float:
+        """What the middles of all limits add to the radial clearance of pin and hole, m."""
+
+        def middle(spread: Spread | None) -> float:
+            return 0.0 if spread is None else (spread.lower + spread.upper) / 2
+
+        return middle(self.hole_radius) - middle(self.pin_radius) - middle(self.eccentricity)
+
     def drawn(
         self, *, pins: int, satellites: int, seed: int, samples: int, other: Sequence[str] = ()
     ) -> Errors[FloatArray]:
