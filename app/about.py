@@ -42,7 +42,8 @@ from core.materials import (
     Verified,
 )
 from core.results import METHODS
-from core.tolerance.iso286 import CLASSES, GRADES, SIZES, class_limits
+from core.tolerance.iso286 import CLASSES, GRADES, SIZES, Limits, class_limits
+from core.tolerance.processes import PROCESSES, Process, ProcessName, Size
 from core.work_precision.study import SETTINGS
 from core.worked import words as worked_words
 
@@ -148,6 +149,63 @@ class MaterialTable(ResponseModel):
     """The table of materials."""
 
     materials: list[MaterialOut]
+
+
+class SizeOut(ResponseModel):
+    """Limits of a diameter, or its ISO 286 class."""
+
+    tolerance_class: Maybe[str] = Field(alias="class", description="The class.")
+    lower_mm: Maybe[float] = Field(description="Lower limit deviation.")
+    upper_mm: Maybe[float] = Field(description="Upper limit deviation.")
+
+    @classmethod
+    def of(cls, size: Size) -> "SizeOut | None":
+        """Answer of a size; None where there is none."""
+        if isinstance(size, Limits):
+            ends = {end: from_si("size_mm", getattr(size, end)) for end in ("lower", "upper")}
+            return cls(**{"lower_mm": ends["lower"], "upper_mm": ends["upper"]})
+        return None if size is None else cls(**{"class": size})
+
+
+class ProcessEntry(ResponseModel):
+    """What a way of making parts usually comes to: guides, on the part as it is made."""
+
+    code: ProcessName = Field(description="Its name in requests.")
+    title: str = Field(description="What it is.")
+    hole_diameter: Maybe[SizeOut] = Field(description="Of the diameter of holes.")
+    pin_diameter: Maybe[SizeOut] = Field(
+        description="Of the diameter of pins; absent where it makes none."
+    )
+    position_mm: float = Field(description="Diameter of the round zone of each centre.")
+    clearance_mm: float = Field(
+        description="Radial clearance with which such parts usually run; no request takes it from "
+        "here."
+    )
+    least_clearance_mm: float = Field(description="The least that the sources name.")
+    largest_clearance_mm: float = Field(description="The largest that they name.")
+    source: str = Field(description="Where the numbers come from.")
+
+    @classmethod
+    def of(cls, each: Process) -> "ProcessEntry":
+        """Answer of a process."""
+        sizes = {f"{part}_diameter": SizeOut.of(each.size(part)) for part in ("hole", "pin")}
+        least, largest = each.clearances
+        return cls(
+            code=each.code,
+            title=each.title,
+            position_mm=from_si("position_mm", each.position),
+            clearance_mm=from_si("clearance_mm", each.clearance),
+            least_clearance_mm=from_si("clearance_mm", least),
+            largest_clearance_mm=from_si("clearance_mm", largest),
+            source=each.source,
+            **{name: size for name, size in sizes.items() if size is not None},
+        )
+
+
+class ProcessTable(ResponseModel):
+    """Ways of making parts, from coarse to fine."""
+
+    processes: list[ProcessEntry]
 
 
 class Example(ResponseModel):
@@ -416,6 +474,14 @@ async def tolerances(
     names = CLASS_NAMES if name is None else (name,)
     found = [ClassOut.of(each, size_mm) for each in names]
     return ClassList(size_mm=size_mm, source=ISO_286, tolerances=found)
+
+
+@router.get("/processes", operation_id="processes", response_model_exclude_none=True)
+async def processes() -> ProcessTable:
+    """What ways of making parts usually come to, each with its sources: guides, for tolerances that
+    nobody knows better.
+    """
+    return ProcessTable(processes=[ProcessEntry.of(each) for each in PROCESSES.values()])
 
 
 @router.get("/examples", operation_id="examples")

@@ -210,6 +210,7 @@ def request_schema(schema: dict[str, Any], model: type["RequestModel"]) -> None:
     for forms, _, _ in _alternatives(model):
         names = dict.fromkeys(name for form in forms for name in form)
         rules.append({"oneOf": [_only(form, names) for form in forms]})
+    rules += model.RULES
     rules += [rule for kind in model.KINDS if (rule := _kind_schema(model, kind))["then"]]
     if rules:
         schema["allOf"] = rules
@@ -239,6 +240,9 @@ class RequestModel(BaseModel):
 
     KINDS: ClassVar[Kinds] = {}
     """What its kinds have; fields that no kind has are those of all. None: without a kind."""
+
+    RULES: ClassVar[tuple[dict[str, Any], ...]] = ()
+    """What its JSON schema says besides, of which a validator says the same."""
 
     def __init_subclass__(cls, *, group: str | None = None, **config: Any) -> None:
         super().__init_subclass__(**config)

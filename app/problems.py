@@ -51,15 +51,19 @@ OF_REQUESTS = {
     "needed_beside": "is needed beside {field}",
     "needed_for": "is needed for {section}",
     "no_class_of_size": "is known for diameters up to {limit_mm:g} mm only",
-    "not_this_mechanism": "must be pins: where several crankshafts drive the output, as in an RV "
-    "reducer, there are no pins in holes, and this calculation says nothing of it",
+    "not_this_mechanism": "must be another: where several crankshafts drive the output, as in an "
+    "RV reducer, there are no pins in holes, and this calculation says nothing of it",
     "not_there": "names no number in {field}",
     "not_valid": "is not valid",
     "of_another_kind": "does not belong to the kind {kind}",
+    "of_other_output": "does not belong to the output {output}",
+    "one_of_coupling": "must be {limit}: a coupling has one disc",
     "ratio_below_one": "must be at least {limit}: the crank turns faster than the output, its "
-    "inverse is {offered:.9g}; a coupling without reduction is not calculated yet",
+    "inverse is {offered:.9g}; two shafts that pins couple are the output coupling",
     "ratio_of_teeth": "must be at most {limit}, twice {field}: with more the ratio is below 1",
     "service_limit": "must be at most {limit}: this service takes no more",
+    "sign_of_ring": "must not be negative: the ring turns with the crank; {offered:.9g} is that of "
+    "crank and pins",
     "string_type": "must be a text",
     "string_unicode": "is not valid text",
     "teeth_disagree": "must be {expected}, ring teeth less satellite teeth, or left out",

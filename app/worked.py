@@ -27,7 +27,7 @@ QUANTITIES: dict[str, str] = {
     "peak_force peak_load peak_ring_force peak_shear_force pin_force pins_force reaction_B "
     "reaction_C reaction_part reference_force static_rating",
     "Nm": "bending_moment bending_moment_B bending_moment_clamp couple input_torque moment "
-    "output_torque peak_moment satellite_torque torque",
+    "crank_torque output_torque peak_moment pin_torque ring_torque satellite_torque torque",
     "MPa": "amplitude bending_stress conformal_pressure endurance_limit finite_strength "
     "governing_pressure limit max_pressure max_shear max_stress mean mean_pressure min_stress "
     "notch_strength peak_bending_stress peak_equivalent_stress peak_shear_stress peak_stress "
@@ -37,9 +37,10 @@ QUANTITIES: dict[str, str] = {
     "mm_per_N": "bending_compliance shear_compliance unit_deflection",
     "mrad_per_N": "unit_slope",
     "mrad": "slope",
-    "rpm": "input_speed relative_speed sleeve_speed",
+    "rpm": "bearing_speed carrier_speed crank_to_ring_speed input_speed relative_speed ring_speed "
+    "sleeve_speed turning_speed",
     "h": "basic_life fatigue_life life system_life",
-    "W": "mean_loss output_power",
+    "W": "carrier_power crank_power mean_loss output_power ring_power",
     "kg": "satellite_mass",
     "kg_mm": "unbalance",
     "m_per_s": "sliding_speed",
@@ -51,10 +52,11 @@ QUANTITIES: dict[str, str] = {
     "life_factor line_load_factor load_nonuniformity load_parameter load_parameter_again "
     "loaded_rollers loads logarithm mating_safety max_driving max_efficiency mean_driving "
     "mean_total_force_ratio min_driving min_efficiency neuber_root notch peak_force_ratio pin pins "
-    "pitches poissons_ratio radial_force_ratio ratio ratio_u12 relative_position_error "
-    "relative_stiffness relative_stress reliability repeats ring_teeth roller_safety rollers "
-    "safety_factor safety_hole safety_pin satellite_teeth satellites shortening sides "
-    "simplification_error_B simplification_error_C size static_rating_safety static_safety_factor "
+    "output_ratio pitches poissons_ratio radial_force_ratio ratio ratio_u12 "
+    "relative_position_error relative_stiffness relative_stress reliability repeats ring_teeth "
+    "roller_safety rollers safety_factor safety_hole safety_pin satellite_teeth satellites "
+    "shortening sides simplification_error_B simplification_error_C size static_rating_safety "
+    "static_safety_factor "
     "strength_fraction stress_concentration stress_ratio surface teeth_difference "
     "theoretical_factor torque_share turns unit_shear",
 }

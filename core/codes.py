@@ -147,6 +147,7 @@ _UNKNOWN = {
     "a test of this pair",
     "mass_unknown": "No mass of a satellite is given",
     "no_bush": "The pv is that of a bush: a bare pin touches its wider hole along a narrow strip",
+    "members_locked": "The members turn as one: nothing rolls or slides",
     "no_involute": "It is one of involute teeth",
     "no_life_curve": "How the limit falls over the life is not known for this material: it is left "
     "out",
@@ -409,6 +410,15 @@ _LIMITS = {
         tests="Whether half of the pin's radius would fit.",
         why="Only the pin is then twice as thick.",
         mend="If it is the diameter, halve it.",
+    ),
+    "guide_tolerances": _limit(
+        "Tolerances that are not given are guides of how the parts are made: sources differ by a "
+        "factor of two.",
+        title="Guides of a process",
+        tests="Whether tolerances are those of the parts, or guides of how such parts are made.",
+        why="What comes out depends on the machine, the material and the care: sources differ by a "
+        "factor of two.",
+        mend="Measure some parts, and enter what they come to.",
     ),
     "pressed_without_load": _limit(
         "Pins and holes press without load: there is no play, and the mechanism can be assembled "

@@ -53,6 +53,7 @@ from core.output.contact_force import (
     force_curves,
 )
 from core.output.mechanism import Mechanism
+from core.output.members import Members
 from core.output.pin_forces import (
     force_ratios,
     output_torque_from_input,
@@ -108,37 +109,42 @@ class TorqueFields(RequestModel, group="load"):
     )
 
     output_torque_Nm: Maybe[Size] = quantity("Output torque", "T", step=10)
-    """Torque on the output link."""
+    """Torque of the output; where both are it that on the pins."""
     input_torque_Nm: Maybe[Size] = quantity("Input torque", "T₁", step=1)
-    """Torque on the crankshaft; T = T₁·u·η."""
+    """Torque on the crankshaft; T = T₁·i·η, i being u, or u + 1 where the ring is the output."""
     efficiency: Maybe[float] = quantity("Efficiency", "η", step=0.01, ge=1e-3, le=1)
     """Efficiency of the reducer, needed with the input torque."""
     pin_circle_radius_mm: Size = pin_circle_radius()
     force_exponent: float = quantity("Force exponent", "v", default=1.0, step=0.1, ge=0, le=1e6)
     """Force ∝ approach^v: 0 equal sharing, 1 linear, 10/9 and 3/2 the usual contact laws."""
 
-    def force_given(self, mechanism: Mechanism) -> dict[str, Any]:
+    def force_given(self, members: Members) -> dict[str, Any]:
         """The load as the worked steps of the force take it."""
         driven_by = None
         if self.input_torque_Nm is not None and self.efficiency is not None:
             driven_by = self.input_torque_Nm, self.efficiency
         return {
-            "output_torque": self.torque(mechanism),
+            "members": members,
+            "output_torque": self.torque(members),
             "pin_circle_radius": to_si("pin_circle_radius_mm", self.pin_circle_radius_mm),
             "force_exponent": self.force_exponent,
             "driven_by": driven_by,
         }
 
-    def torque(self, mechanism: Mechanism) -> float:
-        """Torque on the output link, N*m."""
+    def torque(self, members: Members) -> float:
+        """Torque of the output, N*m."""
         if self.output_torque_Nm is not None:
             return self.output_torque_Nm
         assert self.input_torque_Nm is not None and self.efficiency is not None
         return output_torque_from_input(
             input_torque=self.input_torque_Nm,
-            ratio=mechanism.ratio,
+            ratio=members.torque_ratio,
             efficiency=self.efficiency,
         )
+
+    def pin_torque(self, members: Members) -> float:
+        """Torque on the pins, N*m."""
+        return self.torque(members) * members.pin_share
 
 
 class CurveFields(RequestModel, group="load"):
@@ -189,11 +195,11 @@ class LoadFields(CurveFields, TorqueFields):
         """Points of each curve; 0 where none is asked."""
         return self.samples if "curves" in self.include else 0
 
-    def solve_for(self, mechanism: Mechanism) -> ContactForce:
+    def solve_for(self, mechanism: Mechanism, members: Members) -> ContactForce:
         """Contact force of a mechanism under this load; what is not included is not computed."""
         return contact_force(
             mechanism=mechanism,
-            output_torque=self.torque(mechanism),
+            output_torque=self.pin_torque(members),
             pin_circle_radius=to_si("pin_circle_radius_mm", self.pin_circle_radius_mm),
             force_exponent=self.force_exponent,
             curve_samples=self.samples_of(mechanism) if "curves" in self.include else None,
@@ -201,10 +207,10 @@ class LoadFields(CurveFields, TorqueFields):
             approximation="approximation" in self.include,
         )
 
-    def forces_at(self, mechanism: Mechanism, crank_angle: float) -> FloatArray:
+    def forces_at(self, mechanism: Mechanism, members: Members, crank_angle: float) -> FloatArray:
         """Force of every pair, N, shape (K, N), at a crank angle, rad."""
         reference = reference_force(
-            output_torque=self.torque(mechanism),
+            output_torque=self.pin_torque(members),
             pin_circle_radius=to_si("pin_circle_radius_mm", self.pin_circle_radius_mm),
         )
         ratios = force_ratios(
@@ -215,10 +221,12 @@ class LoadFields(CurveFields, TorqueFields):
         forces: FloatArray = reference * ratios[0]
         return forces
 
-    def solve_for_drawing(self, mechanism: Mechanism) -> tuple[ContactForce, FloatArray]:
+    def solve_for_drawing(
+        self, mechanism: Mechanism, members: Members
+    ) -> tuple[ContactForce, FloatArray]:
         """Contact force with curves fit to be drawn, and the switching angles, rad."""
         angles, switching = drawing_angles(mechanism=mechanism)
-        force = self.model_copy(update={"include": []}).solve_for(mechanism)
+        force = self.model_copy(update={"include": []}).solve_for(mechanism, members)
         curves = force_curves(
             mechanism=mechanism,
             crank_angle=angles,
@@ -234,7 +242,7 @@ def force_of_one(mechanism: MechanismFields, load: LoadFields) -> Values:
     try:
         found = contact_force(
             mechanism=one,
-            output_torque=load.torque(one),
+            output_torque=load.pin_torque(mechanism.members),
             pin_circle_radius=to_si("pin_circle_radius_mm", load.pin_circle_radius_mm),
             force_exponent=load.force_exponent,
         )
@@ -260,12 +268,13 @@ class ContactForceRequest(MechanismFields, LoadFields):
 
     def solve(self) -> ContactForce:
         """Contact force of the mechanism under the load."""
-        return self.solve_for(self.mechanism())
+        return self.solve_for(self.mechanism(), self.members)
 
     def steps(self) -> list[Step]:
         """Worked steps of the force."""
         mechanism = self.mechanism()
-        return force_steps(mechanism=mechanism, found=self.solve(), **self.force_given(mechanism))
+        given = self.force_given(self.members)
+        return force_steps(mechanism=mechanism, found=self.solve(), **given)
 
 
 class ForceCurvesOut(ResponseModel):
@@ -407,7 +416,9 @@ def solve(body: ContactForceRequest) -> Values:
 def figure(body: ContactForceRequest, theme: Theme = "light") -> Figure:
     """Force of every pair over the turn as a Plotly figure, ready for Plotly.js."""
     run(body, body.refuse_undrawable)
-    (force, switching), run_time_us = run(body, lambda: body.solve_for_drawing(body.mechanism()))
+    (force, switching), run_time_us = run(
+        body, lambda: body.solve_for_drawing(body.mechanism(), body.members)
+    )
     answer = ContactForceResponse.values(force, run_time_us)
     return contact_force_figure(answer, from_si("switching_deg", switching), theme)
 

@@ -41,6 +41,7 @@ from app.calculations.fit_answer import FitOut
 from app.calculations.geometry_answer import GeometryOut
 from app.calculations.load_sharing_answer import RealCyclogramOut
 from app.calculations.mechanism import MAX_PAIRS
+from app.calculations.members_answer import MembersOut, at_output
 from app.calculations.output_efficiency import FrictionFields, OutputEfficiencyResponse
 from app.calculations.pin_strength import PinStrengthResponse
 from app.calculations.ring import RingFields
@@ -97,11 +98,13 @@ from core.worked.crank import bearing_steps, shaft_steps
 from core.worked.hertz import judged_steps
 from core.worked.losses import loss_steps
 from core.worked.mechanism import clearance_steps, cyclogram_steps, force_steps
+from core.worked.members import member_steps
 from core.worked.pins import strength_steps
 from core.worked.step import Step
 
 Section = Literal[
     "cyclogram",
+    "members",
     "contact_force",
     "load_sharing",
     "real_cyclogram",
@@ -125,6 +128,7 @@ _TURNING = (*_TOUCHING, "load/input_speed_rpm", "contact/eccentricity_mm")
 
 _NEEDS: dict[Section, tuple[str, ...]] = {
     "cyclogram": (),
+    "members": ("load",),
     "contact_force": ("load",),
     "load_sharing": _TOUCHING,
     "real_cyclogram": _TOUCHING,
@@ -194,8 +198,8 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         max_length=len(_NEEDS),
         description="Sections of the answer: what is not named is not computed. Where it is "
         "absent: all but real_cyclogram, geometry, usual_fit, checks, fixes and combined, as far "
-        "as their input is given; load_sharing where clearance, deviations, a contact law, "
-        "satellites that give or pins that bend are. "
+        "as their input is given; members where others than the pins are the output; load_sharing "
+        "where clearance, deviations, a contact law, satellites that give or pins that bend are. "
         "load_sharing and hertz with these are left out then where the forces cannot be solved. "
         "What rests on the forces of parts that cannot be put together is always: the check "
         "interference says why.",
@@ -259,6 +263,8 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     def usual_sections(self) -> list[Section]:
         """Sections where none are named."""
         usual: tuple[Section, ...] = ("cyclogram", "contact_force", "hertz", *STRENGTH)
+        if self.mechanism.output != "pins":
+            usual = ("members", *usual)
         allowed = [each for each in usual if all(map(self._has, _NEEDS[each]))]
         allowed = [
             each for each in allowed if self.mechanism.pairs <= MOST_PAIRS.get(each, MAX_PAIRS)
@@ -291,7 +297,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         load = self.load
         if "contact_force" not in self.sections:
             load = load.model_copy(update={"include": []})
-        return load.solve_for(self.design.driven)
+        return load.solve_for(self.design.driven, self.design.members)
 
     @cached_property
     def results(self) -> Results:
@@ -335,7 +341,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         return force_steps(
             mechanism=self.design.driven,
             found=self.solve_force(),
-            **self.load.force_given(self.built),
+            **self.load.force_given(self.design.members),
         )
 
     def hertz_steps(self) -> list[Step]:
@@ -415,12 +421,13 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         curves = None
         if self.load is not None and self.load.curve_samples:
             curves, _ = run(self, partial(self.real_curves, self.load.samples_of(self.built)))
-        return LoadSharingOut.values(
+        values = LoadSharingOut.values(
             sharing,
             run_us,
             judged_force_N=force_N,
             curves=curves and ForceCurvesOut.values(curves),
         )
+        return at_output(values, self.design.members)
 
     def solve_geometry(self) -> tuple[PinGeometry, FloatArray]:
         """Pins and holes at the crank angle, and the force of each pair there, N."""
@@ -430,7 +437,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         sizes["eccentricity"] = pin_fit(pins=self.mechanism.pins, **sizes).eccentricity
         geometry = pin_geometry(mechanism=self.built, crank_angle=crank_angle, **sizes)
         if not self.results.solved:
-            forces = self.load.forces_at(self.design.driven, crank_angle)
+            forces = self.load.forces_at(self.design.driven, self.design.members, crank_angle)
         else:
             solved = self.results.real_forces
             torque = solved.way * solved.torque
@@ -441,6 +448,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
 
 WORKED: dict[Section, Callable[[CrankPlanetaryRequest], list[Step]]] = {
     "cyclogram": CrankPlanetaryRequest.cyclogram_steps,
+    "members": lambda body: member_steps(body.results),
     "contact_force": CrankPlanetaryRequest.force_steps,
     "hertz": CrankPlanetaryRequest.hertz_steps,
     "geometry": CrankPlanetaryRequest.clearance_steps,
@@ -470,6 +478,9 @@ def solve(body: CrankPlanetaryRequest) -> Values:
     sections: Values = {}
     if "cyclogram" in asked:
         sections["cyclogram"] = CyclogramResponse.values(*run(body, body.mechanism.solve))
+    if "members" in asked:
+        loads, _ = run(body, lambda: body.results.member_loads)
+        sections["members"] = MembersOut.values(loads, output=body.mechanism.output)
     if "contact_force" in asked:
         sections["contact_force"] = ContactForceResponse.values(*run(body, body.solve_force))
     if "load_sharing" in asked:
@@ -540,7 +551,9 @@ def _force_figure(body: CrankPlanetaryRequest, theme: Theme) -> Figure:
     """The forces; where they are solved with the largest ideal one as a thin line."""
     load = body.load
     assert load is not None
-    (force, switching), _ = run(body, lambda: load.solve_for_drawing(body.carrying))
+    (force, switching), _ = run(
+        body, lambda: load.solve_for_drawing(body.carrying, body.design.members)
+    )
     ideal = ContactForceResponse.values(force)
     if not body.draws_real:
         return contact_force_figure(ideal, from_si("switching_deg", switching), theme)

@@ -14,6 +14,7 @@ from app.calculations.fit_answer import FitOut
 from app.calculations.geometry_answer import GeometryOut
 from app.calculations.hertz import HertzResponse
 from app.calculations.load_sharing_answer import OverTurnOut, RealCyclogramOut
+from app.calculations.members_answer import MembersOut
 from app.calculations.output_efficiency import OutputEfficiencyResponse
 from app.calculations.pin_strength import PinStrengthResponse
 from app.calculations.satellite_bearing import SatelliteBearingResponse
@@ -64,6 +65,10 @@ class CrankPlanetaryResponse(JudgedResponse):
     parts: list[PartOut] = Field(description="The parts of the reducer, of which the verdict is.")
     largest_torque_of: Maybe[list[str]] = Field(description="Parts that the largest torque is of.")
     cyclogram: Maybe[CyclogramResponse] = result("As `/cyclogram` answers.")
+    members: Maybe[MembersOut] = result(
+        "Speeds, torques and powers of crank, pins and ring; where others than the pins are the "
+        "output, or where asked."
+    )
     contact_force: Maybe[ContactForceResponse] = result("As `/contact-force` answers.")
     load_sharing: Maybe[LoadSharingOut] = result("As `/load-sharing` answers over the turn.")
     real_cyclogram: Maybe[RealCyclogramOut] = result(

@@ -29,11 +29,23 @@ from app.units import from_si
 from app.worked import worked
 from core.crank.crankshaft import Crankshaft, ReactionCurves
 from core.design.curves import design_reactions
-from core.design.sections import RollingBearing, Shaft
+from core.design.sections import RollingBearing, Seat, Shaft
 from core.worked.crank import shaft_steps
 from core.worked.step import Step
 
 Place = Annotated[float, Field(ge=-1e12, le=1e12)]
+
+
+class SeatedBearingFields(ShaftBearingFields, group="crankshaft"):
+    """A bearing of the crankshaft, and what it sits in."""
+
+    seat: Seat = quantity("Sits in", alias="in", default="housing")
+    """The housing, or the part of the pins or of the ring where that turns: the life is that of the
+    speed against it."""
+
+    def section(self) -> RollingBearing:
+        """The bearing in SI units."""
+        return RollingBearing(**self.to_core())
 
 
 class CrankshaftFields(RequestModel, group="crankshaft"):
@@ -53,10 +65,10 @@ class CrankshaftFields(RequestModel, group="crankshaft"):
     """Of a crank inside the bearing of its satellite."""
     shaft_diameter_mm: Maybe[Size] = quantity("Diameter of the shaft", "d_s", step=1)
     """Of the shaft between the cranks and in its bearings."""
-    bearings: Maybe[list[ShaftBearingFields]] = Field(
+    bearings: Maybe[list[SeatedBearingFields]] = Field(
         min_length=2,
         max_length=2,
-        description="Both bearings, in the housing; ball bearings where not given.",
+        description="Both bearings; ball bearings in the housing where not given.",
     )
 
     def section(self, _: Any) -> Shaft:
@@ -65,7 +77,7 @@ class CrankshaftFields(RequestModel, group="crankshaft"):
         for name in ("satellite_positions", "bearing_positions"):
             own[name] = tuple(own[name])
         if self.bearings is not None:
-            own["bearings"] = tuple(RollingBearing(**each.to_core()) for each in self.bearings)
+            own["bearings"] = tuple(each.section() for each in self.bearings)
         return Shaft(**own)
 
 

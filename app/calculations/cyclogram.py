@@ -59,7 +59,7 @@ class CyclogramFields(MechanismFields, RangeFields):
     @property
     def driving_phases(self) -> float:
         """About how often pairs drive in the range, at least once each."""
-        return self.pairs * max(1.0, self.revolutions * (1 + 1 / self.ratio_given()))
+        return self.pairs * max(1.0, self.revolutions * self.mechanism().waves_per_turn)
 
     def refuse_undrawable(self) -> None:
         """Refuse a figure of more pairs or driving phases than anyone can tell apart.

@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterator
 from dataclasses import fields, replace
 from functools import cached_property, partial
-from typing import Any, Literal, Self, TypeVar, cast
+from typing import Annotated, Any, ClassVar, Literal, Self, TypeVar, cast
 
-from pydantic import model_validator
+from pydantic import AfterValidator, Field, model_validator
 
 from app.calculations.contact_force import (
     LoadFields,
@@ -28,7 +28,17 @@ from app.calculations.real_mechanism import (
     assumed_pin,
     torque_direction,
 )
-from app.model import Maybe, RequestModel, Size, field_error, quantity, result
+from app.model import (
+    NO_DUST,
+    Forms,
+    Maybe,
+    RequestModel,
+    Size,
+    field_error,
+    no_dust,
+    quantity,
+    result,
+)
 from app.settings import Settings
 from app.units import to_si
 from core.arrays import FloatArray
@@ -45,7 +55,17 @@ ForcesUsed = Literal["ideal", "real"]
 
 Result = TypeVar("Result")
 
+Speed = Annotated[float, Field(ge=-1e6, le=1e6, json_schema_extra=NO_DUST), AfterValidator(no_dust)]
+"""A speed with its sense."""
+
 input_speed = partial(quantity, "Input speed", "n₁", step=50, help="Speed of the crankshaft.")
+
+
+OF_BOTH = "ring_speed_rpm", "carrier_speed_rpm"
+"""Speeds of which one is given where ring and pins are both the output."""
+
+RINGLESS = "gear", "bearing", "crankshaft"
+"""Sections that a coupling has none of."""
 
 
 class DesignLoadFields(LoadFields, group="load"):
@@ -58,11 +78,17 @@ class DesignLoadFields(LoadFields, group="load"):
     peak_kind: PeakKind = quantity("Kind of the peak", default="start", advanced=True)
     """Of a start, which comes again and again, or of an emergency stop: static safety of bearings
     1.5 or 1."""
+    ring_speed_rpm: Maybe[Speed] = quantity("Ring speed", "n_r", step=10, advanced=True)
+    """Where ring and pins are both the output: of the ring, positive in the sense of the crank."""
+    carrier_speed_rpm: Maybe[Speed] = quantity("Speed of the pins", "n_c", step=10, advanced=True)
+    """The same of the pins, instead."""
+
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("ring_speed_rpm",), ("carrier_speed_rpm",), ()),)
 
     def section(self, whole: Any) -> Load:
         """The load in SI units."""
         return Load(
-            output_torque=self.torque(whole.built),
+            output_torque=self.torque(whole.mechanism.members),
             pin_circle_radius=to_si("radius_mm", self.pin_circle_radius_mm),
             force_exponent=self.force_exponent,
             torque_direction=self.torque_direction,
@@ -70,6 +96,8 @@ class DesignLoadFields(LoadFields, group="load"):
             application_factor=self.application_factor,
             peak_torque=self.peak_torque_Nm,
             peak_kind=self.peak_kind,
+            ring_speed=to_si("speed_rpm", self.ring_speed_rpm),
+            carrier_speed=to_si("speed_rpm", self.carrier_speed_rpm),
         )
 
 
@@ -134,6 +162,29 @@ class DesignFields(GivingFields):
         return self
 
     @model_validator(mode="after")
+    def _of_a_coupling(self) -> Self:
+        if self.mechanism.output == "coupling":
+            self.refuse_giving()
+            for name in RINGLESS:
+                if getattr(self, name, None) is not None:
+                    raise field_error(name, "of_other_output", output="coupling")
+        return self
+
+    @model_validator(mode="after")
+    def _speeds_of_both(self) -> Self:
+        load, both = self.load, self.mechanism.output == "both"
+        if load is None:
+            return self
+        given = [name for name in OF_BOTH if getattr(load, name) is not None]
+        if given and not both:
+            raise field_error(f"load/{given[0]}", "of_other_output", output=self.mechanism.output)
+        if given and load.input_speed_rpm is None:
+            raise field_error("load/input_speed_rpm", "needed_beside", field=given[0])
+        if both and not given and load.input_speed_rpm is not None:
+            raise field_error(f"load/{OF_BOTH[0]}", "needed_beside", field="input_speed_rpm")
+        return self
+
+    @model_validator(mode="after")
     def _pin_in_sleeve(self) -> Self:
         friction = getattr(self, "friction", None)
         if friction is not None and friction.sleeve and self.pin is None:
@@ -173,11 +224,11 @@ class DesignFields(GivingFields):
 
     def notices(self) -> tuple[Notice, ...]:
         """Also a ratio that no cycloid disc with one lobe less has."""
-        gear, ratio = getattr(self, "gear", None), self.mechanism.ratio
+        gear, ratio = getattr(self, "gear", None), self.mechanism.typed_ratio()
         found = super().notices()
         cycloid = gear is not None and gear.kind == "cycloid" and gear.teeth_difference in (None, 1)
         if cycloid and ratio is not None and not ratio.is_integer():
-            found += (Notice("ratio_not_whole", {"ratio": abs(ratio)}),)
+            found += (Notice("ratio_not_whole", {"ratio": ratio}),)
         return found
 
     @property

@@ -15,6 +15,7 @@ from app.calculations.fit_answer import (
     WholeFitOut,
 )
 from app.calculations.mechanism import MechanismFields
+from app.calculations.members_answer import at_output
 from app.calculations.pin_contact import PinContactFields
 from app.calculations.real_mechanism import CrankSupportFields, DeviationsFields, RealContactFields
 from app.model import (
@@ -136,7 +137,8 @@ class FitRequest(RequestModel, group="positions"):
     def solve_all(self) -> tuple[Values, Accuracy, tuple[Notice, ...]]:
         """What is asked for, its accuracy, and what is to be known of it."""
         fit = self.fit()
-        values: Values = {"fit": WholeFitOut.values(fit)}
+        members = self.mechanism.members
+        values: Values = {"fit": at_output(WholeFitOut.values(fit), members)}
         asked = {*self.include} if fit.state != "no_bound" else {}
         if "discs" in asked:
             values["fit"]["discs"] = [*map(DiscOut.values, fit.rooms.discs())]
@@ -144,7 +146,7 @@ class FitRequest(RequestModel, group="positions"):
             values["fit"]["elastic"] = elastic
         if "positions" in asked:
             angles = np.array(to_si("crank_angle_deg", self.crank_angle_deg))
-            values["positions"] = FitPositionOut.all_values(fit.rooms, angles)
+            values["positions"] = FitPositionOut.all_values(fit.rooms, members, angles)
         notices = fit_notices(self.contact, self.load.pin_circle_radius_mm, fit)
         return values, room_accuracy(fit), notices
 

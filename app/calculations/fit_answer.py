@@ -16,6 +16,7 @@ from app.model import (
 from app.units import from_si
 from core.arrays import FloatArray
 from core.output.fit import Fit
+from core.output.members import Members
 from core.output.room import Rooms
 
 ALL_ROUND = math.pi
@@ -184,13 +185,15 @@ class FitPositionOut(ResponseModel):
     )
 
     @classmethod
-    def all_values(cls, rooms: Rooms, crank_angle: FloatArray) -> list[Values]:
+    def all_values(cls, rooms: Rooms, members: Members, crank_angle: FloatArray) -> list[Values]:
         """Values at crank angles.
 
         Parameters
         ----------
         rooms : Rooms
             Pins in their holes.
+        members : Members
+            Which is the output.
         crank_angle : array, shape (M,)
             Crank angles, rad.
 
@@ -201,7 +204,10 @@ class FitPositionOut(ResponseModel):
         wave, pins = rooms.mechanism.wave_angle(crank_angle), rooms.mechanism.pins
         found = []
         for angle, room, low, high in zip(
-            crank_angle.tolist(), rooms.rooms(wave)[0].tolist(), *rooms.arcs(wave), strict=True
+            crank_angle.tolist(),
+            rooms.rooms(wave)[0].tolist(),
+            *map(members.angle_at_output, rooms.arcs(wave)),
+            strict=True,
         ):
             arcs = [*map(_arc, low.tolist(), high.tolist())]
             values = {

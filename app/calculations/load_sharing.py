@@ -18,6 +18,7 @@ from app.calculations.load_sharing_answer import (
     StiffnessCurveOut,
 )
 from app.calculations.load_sharing_figure import Drawn, load_sharing_figure
+from app.calculations.members_answer import at_output
 from app.calculations.real_design import LEFT_OUT, RealDesignFields
 from app.calculations.real_mechanism import DeviationsFields
 from app.model import LARGEST, Angle, Calculation, Maybe, Values, accuracy_values, quantity, warning
@@ -114,9 +115,9 @@ class LoadSharingRequest(CurveFields, RealDesignFields, group="positions"):
 
     @property
     def torques(self) -> list[float]:
-        """Torques of the curve of the lag, N*m."""
+        """Torques on the pins of the curve of the lag, N*m."""
         if self.torques_Nm is not None:
-            return self.torques_Nm
+            return [torque * self.members.pin_share for torque in self.torques_Nm]
         return [share * abs(self.torque) for share in SHARES]
 
     @property
@@ -158,29 +159,35 @@ class LoadSharingRequest(CurveFields, RealDesignFields, group="positions"):
         if "over_turn" in asked:
             turn, direction = self.turn(real)
             each_pair = pressures(turn.pair_force)
-            solved.values["over_turn"] = OverTurnOut.values(
-                turn, pressure_MPa=each_pair, torque_direction=direction
-            )
+            found = OverTurnOut.values(turn, pressure_MPa=each_pair, torque_direction=direction)
+            solved.values["over_turn"] = at_output(found, self.members)
             solved.take(turn.accuracy, turn.notices)
         if "positions" in asked or (pressed and "over_turn" not in asked):
             solved.values["positions"] = positions = []
             for angle in self.crank_angles:
-                found, direction = self.position(real, angle)
-                solved.take(found.accuracy, found.notices)
+                there, direction = self.position(real, angle)
+                solved.take(there.accuracy, there.notices)
                 values = PositionOut.values(
-                    found, pressure_MPa=pressures(found.force), torque_direction=direction
+                    there, pressure_MPa=pressures(there.force), torque_direction=direction
                 )
-                positions.append(values)
+                positions.append(at_output(values, self.members))
         if "curves" in asked:
             curves, direction = self.curves(real, 2 * math.pi, self.samples)
             solved.take(curves.accuracy)
-            solved.values["curves"] = RealCurvesOut.values(
-                curves, pairs=self.pairs_of_curves(), torque_direction=direction
+            drives = self.members.input_torque(
+                curves.input_torque, -self.torque if direction == "reverse" else self.torque
             )
+            found = RealCurvesOut.values(
+                replace(curves, input_torque=drives),
+                pairs=self.pairs_of_curves(),
+                torque_direction=direction,
+            )
+            solved.values["curves"] = at_output(found, self.members)
         if "stiffness_curve" in asked:
             lag = self.lag_curve(real)
             solved.take(lag.accuracy)
-            solved.values["stiffness_curve"] = StiffnessCurveOut.values(lag)
+            found = StiffnessCurveOut.values(lag)
+            solved.values["stiffness_curve"] = at_output(found, self.members)
         if "ideal" in asked:
             ideal = force_peak(self.built, law_kind(real.law)[1])
             solved.take(ideal.accuracy)
@@ -250,15 +257,17 @@ class LoadSharingRequest(CurveFields, RealDesignFields, group="positions"):
             reference=abs(self.torque) / real.pin_circle_radius,
             force_exponent=law_kind(real.law)[1],
         )
+        members = self.members
+        play = loaded_position(
+            real=real, crank_angle=self.crank_angles[0], output_torque=self.torque
+        ).play
         return Drawn(
-            curves=curves,
+            curves=curves.at_output(members),
             ideal=ideal.force,
             pairs=[(pair.satellite, pair.pin) for pair in ideal.pairs],
             pressure=np.array([each.max_pressure for each in hardest if each is not None]),
-            lag_curve=self.lag_curve(real),
-            play=loaded_position(
-                real=real, crank_angle=self.crank_angles[0], output_torque=self.torque
-            ).play,
+            lag_curve=self.lag_curve(real).at_output(members),
+            play=play and tuple(map(members.angle_at_output, play)),
         )
 
 

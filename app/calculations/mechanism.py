@@ -1,12 +1,14 @@
 """The parallel-crank mechanism as a request gives it."""
 
-from typing import Any, ClassVar, Literal, Self
+import math
+from typing import Any, ClassVar, Literal, Self, cast
 
 from pydantic import model_validator
 
 from app.model import (
     Angle,
     Forms,
+    Kinds,
     Maybe,
     RequestModel,
     ResponseModel,
@@ -20,6 +22,7 @@ from app.units import to_si
 from core.design.sections import MechanismSection
 from core.errors import InvalidInput
 from core.output.mechanism import Mechanism, ratio_from_teeth
+from core.output.members import Members, Output
 from core.results import Notice
 
 MAX_PAIRS = 10_000
@@ -36,12 +39,37 @@ PAIR_POINTS = 240
 """Points of a pair, whose forces are searched and integrated over the turn."""
 
 
+OF_RINGS = ("ratio", "satellite_teeth", "ring_teeth", "crank_spacing_deg", "crank_angles_deg")
+"""Fields of a mechanism that has a ring, and cranks."""
+
+
 class MechanismFields(RequestModel, group="mechanism"):
     """Pins, satellites, cranks and ratio."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
-        (("ratio",), ("satellite_teeth", "ring_teeth")),
+        (("ratio",), ("output_ratio",), ("satellite_teeth", "ring_teeth"), ()),
         (("crank_spacing_deg",), ("crank_angles_deg",), ()),
+    )
+    KIND: ClassVar[str] = "output"
+    KINDS: ClassVar[Kinds] = {
+        "pins": ((), OF_RINGS),
+        "ring": ((), (*OF_RINGS, "output_ratio")),
+        "both": ((), OF_RINGS),
+        "coupling": ((), ()),
+        "crankshafts": ((), OF_RINGS),
+    }
+    RULES: ClassVar[tuple[dict[str, Any], ...]] = (
+        {
+            "if": {"properties": {"output": {"const": "coupling"}}, "required": ["output"]},
+            "then": {"properties": {"satellites": {"maximum": 1}}},
+            "else": {
+                "anyOf": [
+                    {"required": ["ratio"]},
+                    {"required": ["output_ratio"]},
+                    {"required": ["satellite_teeth", "ring_teeth"]},
+                ]
+            },
+        },
     )
 
     pins: Whole = quantity("Pins", "N", step=1, ge=1, le=MAX_PAIRS)
@@ -57,15 +85,20 @@ class MechanismFields(RequestModel, group="mechanism"):
     ratio: Maybe[float] = quantity(
         "Ratio", "u", step=1, schema={"anyOf": [{"minimum": 1}, {"maximum": -1}]}, ge=-1e9, le=1e9
     )
-    """Speed of the crank over speed of the output, u = z₂/(z₃ − z₂), at least 1; a sign is that of
-    the output, which turns the other way."""
+    """Speed of the crank over that of the pins while the ring stands still, u = z₂/(z₃ − z₂), at
+    least 1; a sign is that of the pins, which turn the other way."""
+    output_ratio: Maybe[float] = quantity("Ratio of the output", "i", step=1, ge=2, le=1e9)
+    """Where the ring is the output: speed of the crank over that of the ring, i = u + 1."""
     satellite_teeth: Maybe[Whole] = quantity("Satellite teeth", "z₂", step=1, ge=1, le=10**6)
     """Number of teeth of a satellite; gives the ratio and the assembly angles."""
     ring_teeth: Maybe[Whole] = quantity("Ring teeth", "z₃", step=1, ge=2, le=10**6)
     """Number of teeth of the ring, more than the satellite has."""
-    output: Literal["pins", "crankshafts"] = quantity("Output", default="pins", advanced=True)
-    """By pins in holes; a reducer whose crankshafts drive the output, as an RV, is another
-    mechanism, which is not calculated."""
+    output: Literal["pins", "ring", "both", "coupling", "crankshafts"] = quantity(
+        "Output", default="pins", advanced=True
+    )
+    """The pins while the ring stands still, the ring while the pins do, or both; or two shafts an
+    eccentricity apart that the pins couple, without a ring. A reducer whose crankshafts drive the
+    output, as an RV, is another mechanism, which is not calculated."""
     initial_crank_angle_deg: Angle = quantity(
         "Initial wave angle", "φ₀", default=0.0, step=15, advanced=True
     )
@@ -76,17 +109,21 @@ class MechanismFields(RequestModel, group="mechanism"):
 
     @model_validator(mode="after")
     def _by_pins(self) -> Self:
-        if self.output != "pins":
+        if self.output == "crankshafts":
             raise field_error("output", "not_this_mechanism")
         return self
 
     @model_validator(mode="after")
     def _reduces(self) -> Self:
         ratio, teeth = self.ratio, self.satellite_teeth
+        if self.output != "coupling" and {None} == {ratio, teeth, self.output_ratio}:
+            raise field_error("ratio", "needed", field="satellite_teeth")
         if ratio == 0:
             raise field_error("ratio", "not_zero")
         if ratio is not None and abs(ratio) < 1:
             raise field_error("ratio", "ratio_below_one", limit=1, offered=1 / ratio)
+        if ratio is not None and ratio < 0 and self.output == "ring":
+            raise field_error("ratio", "sign_of_ring", offered=-ratio)
         if teeth is not None and self.ring_teeth is not None and self.ring_teeth > 2 * teeth:
             raise field_error(
                 "ring_teeth", "ratio_of_teeth", limit=2 * teeth, field="satellite_teeth"
@@ -98,6 +135,10 @@ class MechanismFields(RequestModel, group="mechanism"):
         angles = self.crank_angles_deg
         if angles is not None and "satellites" not in self.model_fields_set:
             self.satellites = len(angles)
+        if self.output == "coupling":
+            if "satellites" in self.model_fields_set and self.satellites > 1:
+                raise field_error("satellites", "one_of_coupling", limit=1)
+            self.satellites = 1
         if angles is not None and len(angles) != self.satellites:
             count = {"expected": self.satellites, "actual": len(angles)}
             raise field_error("crank_angles_deg", "different_length", **count)
@@ -173,16 +214,24 @@ class MechanismFields(RequestModel, group="mechanism"):
         signed = self.ratio is not None and self.ratio < 0
         return (Notice("ratio_sign", {"ratio": self.ratio_given()}),) if signed else ()
 
+    def typed_ratio(self) -> float | None:
+        """Ratio u where it is typed as a number."""
+        if self.output_ratio is not None:
+            return self.output_ratio - 1
+        return None if self.ratio is None else abs(self.ratio)
+
     def ratio_given(self) -> float:
-        """Ratio u, as such or by the numbers of teeth.
+        """Ratio u, as such, by that of the ring or by the numbers of teeth; infinite of a coupling.
 
         Raises
         ------
         InvalidInput
             If no ratio has such teeth.
         """
-        if self.ratio is not None:
-            return abs(self.ratio)
+        if self.output == "coupling":
+            return math.inf
+        if (ratio := self.typed_ratio()) is not None:
+            return ratio
         assert self.satellite_teeth is not None and self.ring_teeth is not None
         return ratio_from_teeth(satellite_teeth=self.satellite_teeth, ring_teeth=self.ring_teeth)
 
@@ -193,6 +242,7 @@ class MechanismFields(RequestModel, group="mechanism"):
             pins=self.pins,
             satellites=self.satellites,
             ratio=self.ratio_given(),
+            output=cast(Output, self.output),
             crank_spacing=to_si("spacing_deg", self.crank_spacing_deg),
             crank_angles=angles and tuple(angles),
             initial_crank_angle=to_si("initial_crank_angle_deg", self.initial_crank_angle_deg),
@@ -202,6 +252,11 @@ class MechanismFields(RequestModel, group="mechanism"):
     def mechanism(self) -> Mechanism:
         """The mechanism in SI units."""
         return self.section().built
+
+    @property
+    def members(self) -> Members:
+        """Crank, pins and ring, one of which is the output."""
+        return self.section().members
 
 
 class PairOut(ResponseModel):

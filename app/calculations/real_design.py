@@ -18,6 +18,7 @@ from app.calculations.real_mechanism import (
 from app.model import Maybe, field_error, quantity
 from app.units import to_si
 from core.output.mechanism import Mechanism
+from core.output.members import Members
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.satellite_support import Shares
 
@@ -58,6 +59,12 @@ class RealDesignFields(GivingFields, group="contact_law"):
     """Share of the torque, in both directions, under which the lost motion is taken."""
 
     @model_validator(mode="after")
+    def _of_a_coupling(self) -> Self:
+        if self.mechanism.output == "coupling":
+            self.refuse_giving()
+        return self
+
+    @model_validator(mode="after")
     def _first_order(self) -> Self:
         if self.geometry == "exact" and (self.coupled or self.crank_support is not None):
             beside = "satellite_coupling" if self.coupled else "crank_support"
@@ -85,9 +92,14 @@ class RealDesignFields(GivingFields, group="contact_law"):
         return self.mechanism.mechanism()
 
     @cached_property
+    def members(self) -> Members:
+        """Crank, pins and ring, one of which is the output."""
+        return self.mechanism.members
+
+    @cached_property
     def torque(self) -> float:
-        """Torque with the sign of its direction, N*m."""
-        return self.load.signed_torque(self.load.torque(self.built))
+        """Torque on the pins with the sign of its direction, N*m."""
+        return self.load.signed_torque(self.load.pin_torque(self.members))
 
     def made(self, deviations: Deviations) -> RealMechanism:
         """The mechanism as it is made, in SI units."""

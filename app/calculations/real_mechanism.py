@@ -232,6 +232,18 @@ class GivingFields(RequestModel):
             raise field_error("satellite_coupling", "only_one", field="crank_support")
         return self
 
+    def refuse_giving(self) -> None:
+        """Refuse satellites that give, of two shafts that pins couple: there are none.
+
+        Raises
+        ------
+        PydanticCustomError
+            If any is given.
+        """
+        for name in ("crank_support", "satellite_coupling"):
+            if getattr(self, name) is not None:
+                raise field_error(name, "of_other_output", output="coupling")
+
     @property
     def coupled(self) -> bool:
         """Whether the coupling gives."""

@@ -3,6 +3,7 @@
 from pydantic import Field
 
 from app.model import AccuracyOut, AssumingResponse, Maybe, ResponseModel, WarningOut, result
+from core.tolerance.processes import ProcessName
 
 
 class EstimateOut(ResponseModel):
@@ -105,6 +106,25 @@ class StudyAccuracyOut(AccuracyOut):
     )
 
 
+class ProcessOut(ResponseModel):
+    """How the parts are made, and what follows from that alone: guides, as `GET /processes` has
+    them.
+    """
+
+    code: ProcessName = result(
+        "Process of the holes; where only that of the pins is said, of these."
+    )
+    source: str = result("Where its numbers come from.")
+    pin_code: Maybe[ProcessName] = result("Process of the pins, where that is another.")
+    pin_source: Maybe[str] = result("Where the numbers of that come from.")
+    filled: list[str] = result("Pointers to the fields that it fills: those that are not given.")
+    mean_clearance_mm: float = result(
+        "Clearance of pins and holes at the middle of all limits: beside the nominal one where "
+        "holes come out small, or pins large.",
+        symbol="c",
+    )
+
+
 class ToleranceStudyResponse(AssumingResponse):
     """What tolerances do to the pieces."""
 
@@ -122,6 +142,7 @@ class ToleranceStudyResponse(AssumingResponse):
     cannot_work: int = result(
         "Pieces that fit and cannot work: they are not in the percentiles, and fail the yield."
     )
+    process: Maybe[ProcessOut] = result("How the parts are made, where that is said.")
     fit_contributions: Maybe[list[ContributionOut]] = result(
         "What each tolerance does to whether the pieces fit, the largest first: in the place of "
         "the contributions to a quantity, where fewer than 95 % of the pieces fit."

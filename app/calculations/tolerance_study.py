@@ -1,7 +1,7 @@
 """What tolerances do to the pieces: request and answer."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property, partial
@@ -10,6 +10,7 @@ from typing import Annotated, Any, Literal, Self
 import numpy as np
 from pydantic import Field, PrivateAttr, model_validator
 
+from app.calculations.members_answer import factor_at_output
 from app.calculations.real_design import LEFT_OUT, RealDesignFields
 from app.calculations.real_mechanism import OneWayLoadFields, RealContactFields
 from app.calculations.tolerance_answer import ToleranceStudyResponse
@@ -140,15 +141,17 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
 
     @cached_property
     def spread(self) -> TolerancesFields:
-        """What the parts are made to: of a fit the classes of both diameters."""
+        """What the parts are made to, with the guides of processes: of a fit the classes of both
+        diameters.
+        """
         if self.contact.fit is None:
-            return self.tolerances
+            return self.tolerances.filled()
         hole, pin = self.contact.fit.split("/")
         classes: Values = {
             "hole_diameter": HoleDiameterFields.model_validate({"class": hole}),
             "pin_diameter": PinDiameterFields.model_validate({"class": pin}),
         }
-        return self.tolerances.model_copy(update=classes)
+        return self.tolerances.filled(without=DIAMETERS).model_copy(update=classes)
 
     @cached_property
     def basic(self) -> RealContactFields:
@@ -204,8 +207,7 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
         """Positions at which a pair is solved for each sample."""
         each = self._solves(self.names)
         if "contributions" in self.include:
-            sources = [name for name, given in self.spread if given is not None]
-            each += (2 * len(sources) + 2) * self._solves(self.names[:1])
+            each += (2 * len(self.spread.spreads()) + 2) * self._solves(self.names[:1])
         return each * self.crank_angles * self.times_as_long
 
     @staticmethod
@@ -260,8 +262,7 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
         """How many pieces are calculated."""
         if "contributions" not in self.include:
             return self.drawn
-        sources = sum(given is not None for _, given in self.spread)
-        return self.drawn * (2 * sources + 3)
+        return self.drawn * (2 * len(self.spread.spreads()) + 3)
 
     def solve(self, report: Report = lambda share: None) -> tuple[Values, Accuracy]:
         """What is asked for, and its accuracy; how much of it is done is reported, from 0 to 1."""
@@ -278,6 +279,8 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
             "cannot_assemble": _estimate(found.cannot_assemble),
             "cannot_work": int((np.isnan(found.values[:, 0]) & found.fits).sum()),
         }
+        if (process := self.process()) is not None:
+            values["process"] = process
         if "contributions" in self.include:
             if share < MOST_FIT:
                 values["fit_contributions"] = self._contributions(study, to_fit=True)
@@ -295,6 +298,40 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
             values["warnings"] = [*map(warning, notices)]
         return values, Accuracy("monte_carlo", sampling + grid, self._pieces * self.crank_angles)
 
+    @property
+    def guided(self) -> Values:
+        """What processes fill, by the names of tolerances."""
+        said = DIAMETERS if self.contact.fit is not None else ()
+        return {name: each for name, each in self.tolerances.guides.items() if name not in said}
+
+    def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
+        """Also what processes fill."""
+        yield from super().assumed()
+        for name, value in self.guided.items():
+            yield ("tolerances", name), value
+
+    def notices(self) -> tuple[Notice, ...]:
+        """Also that tolerances are guides."""
+        guides = (Notice("guide_tolerances"),) if self.guided else ()
+        return (*super().notices(), *guides)
+
+    def process(self) -> Values | None:
+        """How the parts are made, and what of that is taken; None where it is not said."""
+        made = [self.tolerances.process_of(part) for part in ("hole", "pin")]
+        known = [each for each in made if each is not None]
+        if not known:
+            return None
+        first, last = known[0], known[-1]
+        other = {"pin_code": last.code, "pin_source": last.source} if last != first else {}
+        more = self.spread.tolerances(self.basic).mean_clearance
+        return {
+            "code": first.code,
+            "source": first.source,
+            **other,
+            "filled": [f"/tolerances/{name}" for name in self.guided],
+            "mean_clearance_mm": from_si("clearance_mm", self.basic.sizes()["clearance"] + more),
+        }
+
     def _few(self, found: ToleranceStudy) -> tuple[Notice, ...]:
         """Percentiles that are left out since too few pieces fit."""
         fits, asked = int(found.fits.sum()), len(self.percentiles)
@@ -303,35 +340,43 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
         given = min(len(self._percentiles(name, found)) for name in self.names)
         return (Notice("too_few_fit", {"fits": fits}),) if given < asked else ()
 
+    def seen(self, name: str, value: Any) -> Any:
+        """A quantity of the output, in its unit, of what the satellites do against the pins."""
+        return from_si(name, value * factor_at_output(name, self.members))
+
+    def estimate(self, estimate: Estimate, name: str) -> Values:
+        """A number of the sample, of the output, with its interval."""
+        return {end: self.seen(name, getattr(estimate, end)) for end in ("value", "low", "high")}
+
     def _percentiles(self, name: str, found: ToleranceStudy) -> list[Values]:
         """The percentiles that the pieces which fit give."""
         given = []
         for percent in self.percentiles:
             with suppress(InvalidInput):
                 each = found.percentile(quantity=core_name(name), percent=percent)
-                given.append({"percent": percent} | _estimate(each, name))
+                given.append({"percent": percent} | self.estimate(each, name))
         return given
 
     def _quantity(self, name: str, found: ToleranceStudy) -> Values:
         quantity = core_name(name)
-        column = found.column(quantity)
+        column, factor = found.column(quantity), factor_at_output(name, self.members)
         values: Values = {
             "percentiles": self._percentiles(name, found),
             "angle_grid_error": found.angle_grid_error[quantity],
         }
         if quantity in found.nominal:
-            values["nominal"] = from_si(name, found.nominal[quantity])
+            values["nominal"] = self.seen(name, found.nominal[quantity])
         if len(column):
-            values["mean"] = from_si(name, float(column.mean()))
+            values["mean"] = self.seen(name, float(column.mean()))
         limit = self.given_limits.get(name)
         if limit is not None:
-            asked: dict[str, Any] = {"quantity": quantity, "limit": to_si(name, limit)}
+            asked: dict[str, Any] = {"quantity": quantity, "limit": to_si(name, limit) / factor}
             values["yield"] = {"limit": limit} | _estimate(found.yield_within(**asked))
             if found.fits.any():
                 of_fitting = found.yield_within(**asked, of_fitting=True)
                 values["yield_of_fitting"] = {"limit": limit} | _estimate(of_fitting)
         if "histogram" in self.include and len(column):
-            values["histogram"] = _histogram(from_si(name, column))
+            values["histogram"] = _histogram(self.seen(name, column))
         return values
 
     def _contributions(self, study: Study, to_fit: bool = False) -> list[Values]:
@@ -343,7 +388,7 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
         def without(each: Estimate) -> Values:
             if to_fit:
                 return {"fits_without": _estimate(each)}
-            return {"percentile_without": {"percent": percent} | _estimate(each, self.names[0])}
+            return {"percentile_without": {"percent": percent} | self.estimate(each, self.names[0])}
 
         return [
             {

@@ -1,9 +1,9 @@
 """What the parts are made to, as a request gives it."""
 
 import re
-from collections.abc import Iterator
-from functools import partial
-from typing import Annotated, Any, Literal, Self
+from collections.abc import Collection, Iterator
+from functools import cached_property, partial
+from typing import Annotated, Any, Literal, Self, get_args
 
 from pydantic import ConfigDict, Discriminator, Field, Tag, model_validator
 
@@ -15,16 +15,23 @@ from app.model import (
     Maybe,
     RequestModel,
     Size,
+    Values,
     field_error,
     quantity,
     request_schema,
 )
 from app.problems import refusal
-from app.units import to_si
+from app.units import from_si, to_si
 from core.errors import InvalidInput
 from core.tolerance.draws import Distribution, Spread
-from core.tolerance.iso286 import SIZES, class_limits
+from core.tolerance.iso286 import SIZES, Limits, class_limits
+from core.tolerance.processes import PROCESSES, Process, ProcessName
 from core.tolerance.tolerances import Tolerances
+
+Part = Literal["pin", "hole"]
+
+PARTS: tuple[Part, ...] = get_args(Part)
+"""Parts that may be made in different ways."""
 
 
 class _SpreadFields(RequestModel, group="tolerances"):
@@ -172,6 +179,12 @@ class TolerancesFields(RequestModel, group="tolerances"):
     of its own.
     """
 
+    process: Maybe[ProcessName] = quantity("Process")
+    """How the parts are made: fills what is not given with guides of `GET /processes`."""
+    pin_process: Maybe[ProcessName] = quantity("Process of the pins", advanced=True)
+    """The same of the pins alone, as where these are bought."""
+    hole_process: Maybe[ProcessName] = quantity("Process of the holes", advanced=True)
+    """The same of the holes alone."""
     pin_position_mm: Maybe[Size] = quantity("Position of the pins", "t", step=0.001)
     """Diameter of the round zone of each pin's centre."""
     hole_position_mm: Maybe[Size] = quantity("Position of the holes", "t_j", step=0.001)
@@ -186,6 +199,37 @@ class TolerancesFields(RequestModel, group="tolerances"):
     """Angle of each crank: plus or minus so much, or limits."""
     disc_phase_deg: Maybe[PhaseSpread] = quantity("Disc phase", "η", step=0.001)
     """Angle of each disc's holes against its teeth: plus or minus so much, or limits."""
+
+    def process_of(self, part: Part) -> Process | None:
+        """How pins, or holes, are made; None where that is not said."""
+        own: ProcessName | None = getattr(self, f"{part}_process") or self.process
+        return None if own is None else PROCESSES[own]
+
+    @cached_property
+    def guides(self) -> Values:
+        """What processes fill: the values of fields that are not given."""
+        found: Values = {}
+        for part in PARTS:
+            if (process := self.process_of(part)) is None:
+                continue
+            found[f"{part}_position_mm"] = from_si("position_mm", process.position)
+            size = process.size(part)
+            if isinstance(size, Limits):
+                ends = {end: from_si("size_mm", getattr(size, end)) for end in ("lower", "upper")}
+                found[f"{part}_diameter"] = {f"{end}_mm": value for end, value in ends.items()}
+            elif size is not None:
+                found[f"{part}_diameter"] = {"class": size}
+        return {name: value for name, value in found.items() if getattr(self, name) is None}
+
+    def filled(self, without: Collection[str] = ()) -> "TolerancesFields":
+        """The same with the guides of their processes, but for fields that are said elsewhere."""
+        guides = {name: each for name, each in self.guides.items() if name not in without}
+        values = TolerancesFields.model_validate(guides)
+        return self.model_copy(update={name: getattr(values, name) for name in guides})
+
+    def spreads(self) -> list[str]:
+        """Names of what varies."""
+        return [name for name, given in self if given is not None and "process" not in name]
 
     def tolerances(self, contact: RealContactFields) -> Tolerances:
         """The same in SI units, for a contact's sizes.

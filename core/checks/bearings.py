@@ -182,8 +182,8 @@ def bearing_fits(design: Design, results: Results) -> Check:
     needed=False,
 )
 def bearing_speed(design: Design, results: Results) -> Check:
-    speed, limit = design.known_speed, design.bearing.limiting_speed
-    value = speed * (1 + 1 / design.mechanism.ratio)
+    limit = design.bearing.limiting_speed
+    value = design.known_speeds.turning * design.mechanism.built.waves_per_turn
     if limit is None:
         missing = ("bearing.limiting_speed",)
         return Check(bearing_speed, "not_asked", value=value, reason="no_limit", missing=missing)
@@ -313,14 +313,20 @@ def crank_bearing_fits(design: Design, results: Results) -> Check:
     needed=False,
 )
 def crank_bearing_speed(design: Design, results: Results) -> Check:
-    speed = design.known_speed
-    limits = [each.limiting_speed for each in _of_crank(design) if each.limiting_speed is not None]
-    if not limits:
+    speeds, bearings = design.known_speeds, _of_crank(design)
+    used = [
+        (speed / each.limiting_speed, speed, each.limiting_speed)
+        for each in bearings
+        if each.limiting_speed is not None and (speed := speeds.against(each.seat)) is not None
+    ]
+    if not used:
+        value = max(speeds.against(each.seat) for each in bearings)
         missing = ("crankshaft.bearings",)
         return Check(
-            crank_bearing_speed, "not_asked", value=speed, reason="no_limit", missing=missing
+            crank_bearing_speed, "not_asked", value=value, reason="no_limit", missing=missing
         )
-    return judged(crank_bearing_speed, speed, min(limits))
+    _, speed, limit = max(used)
+    return judged(crank_bearing_speed, speed, limit)
 
 
 BEARINGS = (

@@ -159,6 +159,8 @@ def _required_life(design: Design, results: Results) -> dict[str, Any]:
 )
 def bearing_life(design: Design, results: Results) -> Check:
     found, limit = results.satellite_bearing, design.requirements.life
+    if found.relative_speed == 0:
+        return Check(bearing_life, "not_applicable", limit=limit, reason="members_locked")
     lives, power = _lives(found, design.bearing), EXPONENTS[design.bearing.kind]
     worst = int(np.argmin(lives))
     value = float(lives[worst])
@@ -259,6 +261,8 @@ def system_life(design: Design, results: Results) -> Check:
     if design.bearing.weibull_slope is None:
         return Check(kind, "not_asked", missing=("bearing.weibull_slope",))
     found, slope = results.satellite_bearing, design.bearing.weibull_slope
+    if found.relative_speed == 0:
+        return Check(kind, "not_applicable", limit=limit, reason="members_locked")
     lives, power = _lives(found, design.bearing), EXPONENTS[design.bearing.kind]
     value = float(life_together(lives=lives, weibull_slope=slope))
     error = 4 * power * float(found.accuracy.relative_error)
@@ -303,6 +307,8 @@ def crank_bearing_life(design: Design, results: Results) -> Check:
     for each in bearings:
         _required(each.dynamic_rating, "crankshaft.bearings")
     found = results.crankshaft
+    if not any(design.known_speeds.against(each.seat) for each in bearings):
+        return Check(kind, "not_applicable", limit=limit, reason="members_locked")
     lives = [math.inf if each is None else each for each in found.basic_life]
     if math.isinf(min(lives)):
         return Check(kind, "not_applicable", limit=limit, reason="unloaded")

@@ -40,7 +40,8 @@ _check = partial(
 )
 def backlash(design: Design, results: Results) -> Measure:
     of_fit = design.known_clearance and 0.0  # none, or interference
-    return Measure(results.loading.turn.backlash_max if results.solved else of_fit)
+    play = results.loading.turn.backlash_max if results.solved else of_fit
+    return Measure(design.members.angle_at_output(play))
 
 
 @_check(
@@ -66,7 +67,7 @@ def lost_motion(design: Design, results: Results) -> Measure:
     asked = design.requirements.max_lost_motion is not None
     if not (design.known_clearance is not None and (solved or asked)):
         raise NotKnown("no_limit")
-    return Measure(results.real_forces.turn.lost_motion)
+    return Measure(design.members.angle_at_output(results.real_forces.turn.lost_motion))
 
 
 PLAY = (backlash, lost_motion)

@@ -74,6 +74,7 @@ def crankshaft(
     dynamic_ratings: tuple[float | None, float | None] = (None, None),
     satellite_mass: float | None = None,
     input_speed: float | None = None,
+    bearing_speeds: tuple[float, float] | None = None,
     torque_direction: Direction = "driving",
     made: Made | None = None,
 ) -> Crankshaft:
@@ -109,6 +110,9 @@ def crankshaft(
         Mass m of a satellite, kg, > 0.
     input_speed : float, optional
         Speed of the crank against the housing, rad/s, > 0; for balance and life.
+    bearing_speeds : tuple of float, optional
+        Speed of the crank against what each bearing sits in, rad/s, where that is not the housing;
+        one that does not turn has no life.
     torque_direction : {"driving", "reverse", "alternating"}
         Of both directions the worse counts.
     made : callable, optional
@@ -186,14 +190,15 @@ def crankshaft(
             carried,
             exponents,
         )
+    speeds = bearing_speeds or (input_speed, input_speed)
     lives: list[float | None] = [None, None]
     error = 0.0
     for row in np.flatnonzero(found.most).tolist():
         load, rating = float(found.equivalent[row]), dynamic_ratings[row]
         own = float(found.off[row]) / load
         error = max(error, own + MISSED + found.truncation)
-        if rating is not None and input_speed is not None:
-            million = 1e6 * 2 * math.pi / input_speed
+        if rating is not None and (speed := speeds[row]):
+            million = 1e6 * 2 * math.pi / speed
             lives[row] = million * rating_life(load=load, rating=rating, kind=kinds[row])
             error = max(error, exponents[row] * own + found.truncation)
     accuracy = Accuracy(found.method, error + 8 * ROUNDING, found.evaluations)

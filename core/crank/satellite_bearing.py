@@ -18,7 +18,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from core.arrays import ComplexArray, FloatArray, Number, check_positive, check_single
+from core.arrays import (
+    ComplexArray,
+    FloatArray,
+    Number,
+    check_not_negative,
+    check_positive,
+    check_single,
+    every,
+)
 from core.crank.bearing_life import (
     EXPONENTS,
     Bearing,
@@ -109,7 +117,7 @@ def satellite_bearings(
     mesh : RingMesh
         The ring's force along the crank.
     input_speed : float or array, optional
-        Speed w_in of the crank, rad/s, > 0; without it there is no life.
+        Speed w_in of the crank against the ring, rad/s; without it, or at 0, there is no life.
     kind : {"ball", "roller"}
         Rolling elements.
     dynamic_rating, static_rating : float or array, optional
@@ -163,8 +171,8 @@ def satellite_bearings(
     )
     relative_speed = None
     if input_speed is not None:
-        check_positive(input_speed=input_speed)
-        relative_speed = input_speed * ((1 + mechanism.ratio) / mechanism.ratio)
+        check_not_negative(input_speed=input_speed)
+        relative_speed = input_speed * mechanism.waves_per_turn
     static_torque = output_torque if peak_torque is None else peak_torque
     check_positive(peak_torque=static_torque)
     ratio = mechanism.ratio
@@ -192,7 +200,7 @@ def satellite_bearings(
     equivalent = np.asarray(ring_factor)[..., None] * loads.mean
     basic = life = safety = together = None
     factor = reliability_factor(percent=reliability_percent)
-    if dynamic_rating is not None and relative_speed is not None:
+    if dynamic_rating is not None and relative_speed is not None and every(relative_speed > 0):
         rating = np.asarray(dynamic_rating, dtype=np.float64)[..., None]
         turning = 1e6 * 2 * math.pi / np.asarray(relative_speed)[..., None]
         carrying = equivalent > 0

@@ -53,7 +53,7 @@ def _load_curves(results: Results, crank_angle: FloatArray) -> list[BearingCurve
             bearing_curves(
                 mechanism=design.mechanism.built,
                 force_exponent=load.force_exponent,
-                output_torque=load.output_torque,
+                output_torque=design.pin_torque,
                 pin_circle_radius=load.pin_circle_radius,
                 eccentricity=eccentricity,
                 radial_force_ratio=rho,
@@ -66,7 +66,7 @@ def _load_curves(results: Results, crank_angle: FloatArray) -> list[BearingCurve
     wave = design.mechanism.built.wave_angle(crank_angle)
     curves = []
     for way in ways:
-        turn = made(way * load.output_torque)
+        turn = made(way * design.pin_torque)
         parts = made_parts(turn=turn, arm=arm, radial_force_ratio=rho)
         loads = turn.at(wave=wave, values=parts.load).T
         curves.append(BearingCurves(crank_angle, loads.imag, loads.real, np.abs(loads)))
@@ -114,7 +114,8 @@ def design_reactions(*, results: Results, crank_angle: FloatArray) -> ReactionCu
     shaft, load = results.design.crankshaft, results.design.load
     cranks = results.design.mechanism.built.crank_angles
     if results.made is not None:
-        cranks = results.made(WAYS[load.torque_direction][0] * load.output_torque).crank_angles
+        torque = WAYS[load.torque_direction][0] * results.design.pin_torque
+        cranks = results.made(torque).crank_angles
     cases = [
         reaction_curves(
             loads=each,

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Literal, TypeVar, cast
 
+from core.derived import if_known
 from core.design.sections import (
     Contact,
     DesignPin,
@@ -25,6 +26,7 @@ from core.errors import InvalidInput, NotKnown
 from core.materials import ElasticMaterial
 from core.output.contact_law import ContactLaw
 from core.output.mechanism import Mechanism
+from core.output.members import Members, MemberSpeeds
 from core.output.pin_beam import check_apart
 from core.output.real_mechanism import Deviations
 from core.output.satellite_support import CrankSupport, ElasticMesh, SatelliteSupport, Shares
@@ -37,6 +39,9 @@ DRAWN = 1e-3
 
 WALL_GUIDE = 0.03
 """Least wall between holes over the diameter of the ring's pin circle (Wang 2016, 32, 33)."""
+
+RINGLESS = ("teeth", "satellite_bearing", "crank_bearings")
+"""Parts that a coupling has none of."""
 
 
 class NotGiven:
@@ -179,9 +184,15 @@ class Design:
 
     @property
     def scope(self) -> tuple[str, ...]:
-        """Parts that are judged: those that are asked for, without teeth where there are none."""
-        asked, toothless = self.requirements.scope, self.gear and self.gear.kind == "none"
-        return tuple(part for part in asked if not (toothless and part == "teeth"))
+        """Parts that are judged: those that are asked for, without teeth where there are none, and
+        of a coupling without what is about a ring and cranks.
+        """
+        none: tuple[str, ...] = ()
+        if self.members.output == "coupling":
+            none = RINGLESS
+        elif self.gear and self.gear.kind == "none":
+            none = ("teeth",)
+        return tuple(part for part in self.requirements.scope if part not in none)
 
     @property
     def bends(self) -> bool:
@@ -222,6 +233,37 @@ class Design:
         if speed is None:
             raise NotKnown("speed_missing", "load.input_speed")
         return speed
+
+    @property
+    def members(self) -> Members:
+        """Crank, pins and ring, one of which is the output."""
+        return self.mechanism.members
+
+    @property
+    def pin_torque(self) -> float:
+        """Torque on the pins, N*m: of which forces, and all that follows from them, are."""
+        return self.load.output_torque * self.members.pin_share
+
+    @property
+    def speeds(self) -> MemberSpeeds | None:
+        """Speeds of the members; None where they are not given."""
+        return if_known(lambda: self.known_speeds)
+
+    @property
+    def known_speeds(self) -> MemberSpeeds:
+        """These, which have to be given."""
+        given = {"ring": self.load.ring_speed, "carrier": self.load.carrier_speed}
+        speeds = self.members.speeds(crank=self.known_speed, **given)
+        if speeds is None:
+            raise NotKnown("speed_missing", "load.ring_speed")
+        return speeds
+
+    @property
+    def turning_speed(self) -> float | None:
+        """Speed of the crank against the ring, rad/s: of load cycles; None where it is not given,
+        or they turn as one.
+        """
+        return (self.speeds and self.speeds.turning) or None
 
     def too_many(self, most: int) -> NotKnown:
         """What is not calculated of so many pairs.
@@ -270,7 +312,7 @@ class Design:
         """How often a place of pin or hole is loaded over a life, s, once a turn of the satellite
         against its crank; None without a speed, or without an end.
         """
-        speed = self.load.input_speed if self.load else None
+        speed = self.turning_speed
         if speed is None or math.isinf(life):
             return None
         return speed * life / self.mechanism.built.crank_angle_per_wave
@@ -338,14 +380,15 @@ class Design:
 
     @property
     def static_torque(self) -> float:
-        """Torque of static strength, N*m."""
+        """Torque of static strength on the pins, N*m."""
         peak = self.load.peak_torque
-        return self.load.output_torque * self.load_factor if peak is None else peak
+        share = self.members.pin_share
+        return self.pin_torque * self.load_factor if peak is None else peak * share
 
     @property
     def static_share(self) -> float:
         """That torque over the one with the factor."""
-        return self.static_torque / (self.load.output_torque * self.load_factor)
+        return self.static_torque / (self.pin_torque * self.load_factor)
 
 
 Document = TypeVar("Document")

@@ -27,6 +27,7 @@ from core.output.contact_law import HertzLaw, contact_compliance
 from core.output.edge_load import EdgeLoad, SlopingContacts
 from core.output.fit import Fit
 from core.output.losses import PinLosses, pin_losses
+from core.output.members import MemberLoads
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
 from core.output.real_mechanism import Deviations, RealMechanism
@@ -71,11 +72,18 @@ class Results:
         return Results(self.design, equal=True)
 
     @derived
+    def member_loads(self) -> MemberLoads:
+        """Torques, speeds and powers of crank, pins and ring, without losses."""
+        design = self.design
+        torque = design.load.output_torque
+        return design.members.loads(output_torque=torque, speeds=design.speeds)
+
+    @derived
     def contact_force(self) -> ContactForce:
         """The ideal contact force."""
         load = self.design.load
         return contact_force(
-            output_torque=load.output_torque,
+            output_torque=self.design.pin_torque,
             pin_circle_radius=load.pin_circle_radius,
             force_exponent=load.force_exponent,
             mechanism=self.design.driven,
@@ -140,7 +148,7 @@ class Results:
         load = self.design.load
         return RealForces.solved(
             turn=self.turn,
-            torque=load.output_torque * factor,
+            torque=self.design.pin_torque * factor,
             direction=load.torque_direction,
         )
 
@@ -196,7 +204,7 @@ class Results:
         return {
             "mechanism": self.design.mechanism.built,
             "force_exponent": load.force_exponent,
-            "output_torque": load.output_torque,
+            "output_torque": self.design.pin_torque,
             "pin_circle_radius": load.pin_circle_radius,
             "torque_direction": load.torque_direction,
             "made": self.made,
@@ -207,7 +215,7 @@ class Results:
         """The same, with what turns."""
         moving = {
             "eccentricity": self.design.contact.eccentricity,
-            "input_speed": self.design.load.input_speed,
+            "input_speed": self.design.speeds and self.design.speeds.turning,
         }
         return self._forced | moving
 
@@ -275,7 +283,7 @@ class Results:
             found = self.pin_stresses.strength(
                 rotates=self.design.pin.rotates,
                 fatigue=fatigue,
-                input_speed=self.design.load.input_speed,
+                input_speed=self.design.turning_speed,
                 deflection=True,
                 locus=locus,
             )
@@ -372,7 +380,7 @@ class Results:
         factor *= self.line_load_factor
         if not self.solved:
             return self.contact_at(factor * self.design.static_share)
-        torque = self.design.static_torque / self.design.load.output_torque
+        torque = self.design.static_torque / self.design.pin_torque
         return self.real_forces_at(torque).contact_at(factor)
 
     @derived
@@ -408,14 +416,15 @@ class Results:
 
     def _losses(self) -> PinLosses:
         design, friction, load = self.design, self.design.friction, self.design.load
-        eccentricity, speed, turn = design.known_eccentricity, design.known_speed, self.lossy_turn
+        eccentricity, turn = design.known_eccentricity, self.lossy_turn
+        speeds = design.known_speeds
         life = design.requirements.life if friction.life is None else friction.life
         found = pin_losses(
             mechanism=design.driven,
             force_exponent=load.force_exponent,
-            output_torque=load.output_torque,
+            output_torque=design.pin_torque,
             pin_circle_radius=load.pin_circle_radius,
-            input_speed=speed,
+            input_speed=speeds.turning,
             eccentricity=eccentricity,
             pin_radius=design.contact.pin_radius,
             hole_radius=design.contact.hole_radius,
@@ -424,13 +433,14 @@ class Results:
             diameter=design.pin.diameter if friction.sleeve and design.pin else None,
             wear_rate=friction.wear_rate,
             life=None if friction.wear_rate is None else life,
+            output_power=self.member_loads.output_power,
         )
         bare = design.sleeved and not friction.sleeve
         if bare and design.pin.diameter < 2 * design.contact.pair.pin_radius:
             found = replace(found, notices=(*found.notices, Notice("thin_without_sleeve")))
         if turn is None:
             return found
-        reference = load.output_torque / load.pin_circle_radius
+        reference = design.pin_torque / load.pin_circle_radius
         largest = max(float(np.abs(turn.on_pins).max()) for turn in self._lossy_turns)
         return made_losses(losses=found, turn=turn, reference=reference, largest=largest)
 
@@ -442,7 +452,8 @@ class Results:
         if self.made is None:
             return []
         load = self.design.load
-        return [self.made(way * load.output_torque) for way in WAYS[load.torque_direction]]
+        torque = self.design.pin_torque
+        return [self.made(way * torque) for way in WAYS[load.torque_direction]]
 
     @derived
     def lossy_turn(self) -> SampledTurn | None:
@@ -496,11 +507,12 @@ class Results:
         own = self.design.crankshaft
         if not own:
             raise NotKnown("section_missing", "crankshaft")
-        mesh, speed = self.ring_mesh, self.design.known_speed
+        mesh, speeds = self.ring_mesh, self.design.known_speeds
         self._limit_pairs(MOST_BEARING_PAIRS)
-        given = self._turning | {"input_speed": speed}
+        given = self._turning | {"input_speed": speeds.crank}
         if own.bearings is not None:
             given |= {
+                "bearing_speeds": tuple(speeds.against(each.seat) for each in own.bearings),
                 "kinds": tuple(each.kind for each in own.bearings),
                 "dynamic_ratings": tuple(each.dynamic_rating for each in own.bearings),
             }

@@ -27,6 +27,7 @@ from core.fatigue import (
 from core.materials import ElasticMaterial
 from core.output.contact_law import PinSupport
 from core.output.mechanism import Mechanism
+from core.output.members import Members, Output
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_geometry import felt
 from core.output.sampled_turn import Direction
@@ -35,6 +36,8 @@ from core.results import Notice
 RingKind = Literal["involute", "cycloid", "none"]
 
 PeakKind = Literal["start", "emergency"]
+
+Seat = Literal["housing", "carrier", "ring"]
 
 PartName = Literal[
     "contact", "pins", "teeth", "satellite_bearing", "crank_bearings", "body", "losses"
@@ -54,7 +57,8 @@ class MechanismSection:
 
     pins: int  # N
     satellites: int  # K
-    ratio: float  # u
+    ratio: float  # u; infinite of a coupling
+    output: Output = "pins"
     crank_spacing: float | None = None  # between neighbours, rad; None for an even spacing
     crank_angles: tuple[float, ...] | None = None  # of each crank, rad, instead of a spacing
     initial_crank_angle: float = 0.0  # wave angle at crank angle 0, rad
@@ -64,6 +68,11 @@ class MechanismSection:
     def pairs(self) -> int:
         """Number of pairs of pin and hole."""
         return self.pins * self.satellites
+
+    @property
+    def members(self) -> Members:
+        """Crank, pins and ring, one of which is the output."""
+        return Members(self.output, self.ratio)
 
     @property
     def built(self) -> Mechanism:
@@ -91,7 +100,7 @@ def _built(given: MechanismSection) -> Mechanism:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Load:
-    """Torque, its direction, its lever, and the speed.
+    """Torque of the output, its direction, its lever, and the speeds.
 
     Attributes
     ----------
@@ -104,7 +113,7 @@ class Load:
         not given.
     """
 
-    output_torque: float  # T, N*m
+    output_torque: float  # of the output, where both are it on the pins, N*m
     pin_circle_radius: float  # R, m
     force_exponent: float = 1.0  # v, of the force over the approach
     torque_direction: Direction = "driving"
@@ -112,6 +121,8 @@ class Load:
     application_factor: float | None = None
     peak_torque: float | None = None
     peak_kind: PeakKind = "start"  # at which the peak torque acts
+    ring_speed: float | None = None  # where both are the output, in the sense of the crank, rad/s
+    carrier_speed: float | None = None  # the same of the pins, instead, rad/s
 
 
 class PairSizes(NamedTuple):
@@ -565,6 +576,7 @@ class RollingBearing:
     outer_diameter: float | None = None  # D, m
     width: float | None = None  # B, m
     limiting_speed: float | None = None  # of its rings against each other, rad/s
+    seat: Seat = "housing"  # what one of the crankshaft sits in
 
     @property
     def sizes(self) -> tuple[float, float, float] | None:

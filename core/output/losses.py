@@ -298,6 +298,7 @@ def pin_losses(
     hole_radius: Number | None = None,
     wear_rate: Number | None = None,
     life: Number | None = None,
+    output_power: Number | None = None,
 ) -> PinLosses:
     """Sliding speed, loss, efficiency, pv and wear of the pins in the holes.
 
@@ -318,11 +319,11 @@ def pin_losses(
     force_exponent : float
         Exponent v of the force over the approach.
     output_torque : float or array
-        Torque T on the output link, N*m.
+        Torque T on the pins, N*m.
     pin_circle_radius : float or array
         Radius R of the circle of pin centres, m, > 0.
     input_speed : float or array
-        Speed w_in of the crank, rad/s, > 0.
+        Speed w_in of the crank against the ring, rad/s; 0 where they turn together.
     eccentricity : float or array
         Eccentricity e of the cranks, m, > 0.
     pin_radius : float or array
@@ -339,6 +340,8 @@ def pin_losses(
         Wear rate k: volume over force and distance, m^2/N.
     life : float or array, optional
         Time in which it wears, s.
+    output_power : float or array, optional
+        Power of the output, W, > 0; ``T*w_in/u``, that of the pins, where not given.
 
     Returns
     -------
@@ -372,12 +375,11 @@ def pin_losses(
     check_positive(
         output_torque=output_torque,
         pin_circle_radius=pin_circle_radius,
-        input_speed=input_speed,
         eccentricity=eccentricity,
         pin_radius=pin_radius,
         contact_length=contact_length,
     )
-    check_not_negative(friction_coefficient=friction_coefficient)
+    check_not_negative(friction_coefficient=friction_coefficient, input_speed=input_speed)
     slows: Number = 1.0
     if diameter is not None:
         check_positive(diameter=diameter)
@@ -390,12 +392,16 @@ def pin_losses(
     peak = force_peak(mechanism, force_exponent)
     ratio = mechanism.ratio
     reference = output_torque / pin_circle_radius
-    relative_speed = input_speed * ((1 + ratio) / ratio)
+    relative_speed = input_speed * mechanism.waves_per_turn
     sliding = eccentricity * relative_speed
     sliding_speed = sliding * slows
     loss = friction_coefficient * sliding_speed * reference
-    output_power = output_torque * input_speed / ratio
-    share = friction_coefficient * slows * (eccentricity / pin_circle_radius) * (1 + ratio)
+    if output_power is None:
+        output_power = output_torque * input_speed / ratio
+        share = friction_coefficient * slows * (eccentricity / pin_circle_radius) * (1 + ratio)
+    else:
+        check_positive(output_power=output_power)
+        share = loss / output_power
     peak_force = reference * peak.peak_force_ratio
     pv = sliding / (2 * pin_radius * contact_length)
     worn = hole_worn = None

@@ -34,7 +34,9 @@ class Mechanism:
 
     pins: int  # N, at least 1
     crank_angles: tuple[float, ...]  # alpha_j, rad: one for each of the K satellites
-    ratio: float  # u = z2/(z3 - z2) > 0, crank speed over output speed
+    # u = z2/(z3 - z2) > 0, crank speed over that of the pins; infinite of two shafts that pins
+    # couple, where satellites never turn.
+    ratio: float
     # Wave angle at crank angle 0, rad. Half a turn gives the sign of Yanchevsky et al. 2018, and is
     # also what reversing the torque does.
     initial_crank_angle: float = 0.0
@@ -44,7 +46,7 @@ class Mechanism:
             raise InvalidInput("pins", self.pins, "greater_than_equal", limit=1)
         if not self.crank_angles:
             raise InvalidInput("satellites", 0, "greater_than_equal", limit=1)
-        if not (0 < self.ratio < math.inf):
+        if not self.ratio > 0:
             raise InvalidInput("ratio", self.ratio, "greater_than", limit=0)
         for index, angle in enumerate(self.crank_angles):
             if not math.isfinite(angle):
@@ -95,9 +97,15 @@ class Mechanism:
         return len(self.crank_angles)
 
     @property
+    def waves_per_turn(self) -> float:
+        """Turns of the wave in one of the crank against the ring: 1 + 1/u."""
+        return 1.0 if math.isinf(self.ratio) else (1 + self.ratio) / self.ratio
+
+    @property
     def crank_angle_per_wave(self) -> float:
         """Crank angle in which the wave angle makes one turn, rad: 2*pi/(1 + 1/u)."""
-        return 2 * math.pi * self.ratio / (1 + self.ratio)
+        turn = 2 * math.pi
+        return turn if math.isinf(self.ratio) else turn * self.ratio / (1 + self.ratio)
 
     def wave_angle(self, crank_angle: Number) -> Number:
         """Wave angle at a crank angle, rad: ``phi*(1 + 1/u)`` and the initial one."""

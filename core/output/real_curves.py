@@ -2,12 +2,13 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from core.arrays import FloatArray, check_single
 from core.errors import InvalidInput
+from core.output.members import Members
 from core.output.real_mechanism import RealMechanism
 from core.results import Accuracy
 
@@ -27,6 +28,28 @@ class RealCurves:
     stiffness: FloatArray  # torque over rotation, N*m/rad, shape (M,)
     input_torque: FloatArray  # of the crank, without friction, N*m, shape (M,)
     accuracy: Accuracy  # of the forces, over the largest
+
+    def at_output(self, members: Members) -> "RealCurves":
+        """The same with the angles of the output.
+
+        Parameters
+        ----------
+        members : Members
+            Which is the output.
+
+        Returns
+        -------
+        RealCurves
+        """
+        angle = members.angle_at_output
+        return replace(
+            self,
+            rotation=angle(self.rotation),
+            reverse_rotation=angle(self.reverse_rotation),
+            play_from=angle(self.play_from),
+            play_to=angle(self.play_to),
+            stiffness=members.stiffness_at_output(self.stiffness),
+        )
 
 
 def real_curves(
@@ -107,6 +130,25 @@ class StiffnessCurve:
     rotation: tuple[float, ...]  # lag under each, rad, shape (M,)
     stiffness: tuple[float, ...]  # slope of the torque over the lag at each, N*m/rad, shape (M,)
     accuracy: Accuracy  # of the lags, over the largest
+
+    def at_output(self, members: Members) -> "StiffnessCurve":
+        """The same with torques and angles of the output.
+
+        Parameters
+        ----------
+        members : Members
+            Which is the output.
+
+        Returns
+        -------
+        StiffnessCurve
+        """
+        return replace(
+            self,
+            torque=tuple(map(members.torque_at_output, self.torque)),
+            rotation=tuple(map(members.angle_at_output, self.rotation)),
+            stiffness=tuple(map(members.stiffness_at_output, self.stiffness)),
+        )
 
 
 def stiffness_curve(

@@ -358,8 +358,8 @@ class RealMechanism:
             if status == TOO_WIDE:
                 j, n = divmod(too_wide(self.pairs, room), setup.pins)
                 params = {"satellite": j + 1, "pin": n + 1}
-            ratio, start = self.mechanism.ratio, self.mechanism.initial_crank_angle
-            angle = (psi - start) % (2 * math.pi) * ratio / (1 + ratio)
+            start = self.mechanism.initial_crank_angle
+            angle = (psi - start) % (2 * math.pi) / self.mechanism.waves_per_turn
             raise ImpossibleMechanism(REFUSALS[status], {"crank_angle": angle}, **params)
         return position
 

@@ -7,6 +7,7 @@ Modules, in reading order (each may use those above it)
 -------------------------------------------------------
 step                a step, and the sheet on which steps follow each other
 words               what steps say by code, in English
+members             crank, pins and ring: ratio, torques, speeds, powers
 turn                where over a turn of the ideal forces a value is largest
 fatigue             a stress cycle: its limit by factors, its safety
 hertz               the contact of pin and hole

@@ -12,6 +12,7 @@ from core.crank.satellite_bearing import SatelliteBearings
 from core.design.results import Results
 from core.output.sampled_turn import WAYS
 from core.precision import AS_TYPED, SAME
+from core.worked.members import take_speed, take_torque
 from core.worked.pins import static_step
 from core.worked.sharing import Shares, ideal_turn
 from core.worked.step import MOST_TERMS, Sheet, Step, total
@@ -25,11 +26,12 @@ LETTERS: tuple[Literal["A"], Literal["B"]] = ("A", "B")
 
 def _take(sheet: Sheet, results: Results) -> None:
     """Let the load and what turns be known."""
-    sheet.take("T", "output_torque", results.design.load.output_torque)
+    take_torque(
+        sheet, members=results.design.members, output_torque=results.design.load.output_torque
+    )
     sheet.take("R", "pin_circle_radius", results.design.load.pin_circle_radius)
     sheet.take("e", "eccentricity", results.design.contact.eccentricity)
     sheet.take("u", "ratio", results.design.mechanism.ratio)
-    sheet.take("n_1", "input_speed", results.design.load.input_speed)
 
 
 def _life(
@@ -46,7 +48,7 @@ class _Loads:
     """What the ideal forces do at the satellites: W across the crank, S of the pins, N."""
 
     def __init__(self, results: Results) -> None:
-        design, torque = results.design, results.design.load.output_torque
+        design, torque = results.design, results.design.pin_torque
         self.across = torque / (design.known_eccentricity * design.mechanism.ratio)
         self.along = torque / design.load.pin_circle_radius
 
@@ -132,6 +134,7 @@ def bearing_steps(results: Results) -> list[Step]:
     """
     sheet, bearing, found = Sheet(), results.design.bearing, results.satellite_bearing
     _take(sheet, results)
+    take_speed(sheet, results=results)
     sheet.work("relative_speed", "n", found.relative_speed, "n_1*(1+1/u)")
     _ring(sheet, results, found)
     j = worst_bearing(found)
@@ -162,7 +165,7 @@ def bearing_steps(results: Results) -> list[Step]:
         value=None if found.static_safety_factor is None else float(found.static_safety_factor[j]),
         limit="C_0",
         load="Q_max",
-        share=results.design.static_torque / results.design.load.output_torque,
+        share=results.design.static_torque / results.design.pin_torque,
         source="iso76",
     )
     sheet.state("system_life", "L_s", found.system_life, "together")
@@ -182,7 +185,7 @@ def _peak_load(sheet: Sheet, results: Results, turn: IdealTurn, j: int, peak: fl
     if not is_at(at, measure=size, value=peak):
         sheet.state("peak_load", "Q_max", peak, "bearing_load", **where)
         return
-    loads.steps(sheet, Shares(sheet, turn, at), j, results.design.load.output_torque)
+    loads.steps(sheet, Shares(sheet, turn, at), j, results.design.pin_torque)
     w, s = f"W_{j + 1}", f"S_{j + 1}"
     sheet.work("peak_load", "Q_max", peak, f"sqrt({w}^2+(rho*{w}+{s})^2)",
                note="bearing_load", **where)  # fmt: skip
@@ -218,6 +221,8 @@ def shaft_steps(results: Results) -> list[Step]:
     """
     sheet, shaft, found = Sheet(), results.design.crankshaft, results.crankshaft
     _take(sheet, results)
+    speeds = results.design.known_speeds
+    sheet.take("n_1", "input_speed", speeds.crank)
     sheet.take("rho", "radial_force_ratio", results.ring_mesh.radial_force_ratio)
     for letter, place in zip(LETTERS, shaft.bearing_positions, strict=True):
         sheet.take(f"z_{letter}", "bearing_position", place)
@@ -230,8 +235,11 @@ def shaft_steps(results: Results) -> list[Step]:
         load = f"P_{letter}"
         sheet.state("equivalent", load, equivalent, "equivalent_reaction")
         if shaft.bearings is not None:
-            rating = shaft.bearings[i].dynamic_rating
-            _life(sheet, kind, rating, found.basic_life[i], load, "n_1")
+            rating, speed = shaft.bearings[i].dynamic_rating, "n_1"
+            if shaft.bearings[i].seat != "housing":
+                speed = f"n_{letter}"
+                sheet.take(speed, "bearing_speed", speeds.against(shaft.bearings[i].seat))
+            _life(sheet, kind, rating, found.basic_life[i], load, speed)
     if found.balance is not None:
         _balance(sheet, results, found.balance)
     return sheet.steps
@@ -278,7 +286,7 @@ def _reaction(sheet: Sheet, results: Results, turn: IdealTurn, i: int, peak: flo
     minus, plus = ("-", "+") if way > 0 else ("+", "-")
     along, across = [], []
     for j in range(mechanism.satellites):
-        loads.steps(sheet, shares, j, results.design.load.output_torque)
+        loads.steps(sheet, shares, j, results.design.pin_torque)
         n = j + 1
         sheet.take(f"z_{n}", "satellite_position", places[j])
         sheet.take(f"alpha_{n}", "crank_angle", mechanism.crank_angles[j])

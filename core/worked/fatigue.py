@@ -83,7 +83,6 @@ def finite_life(
     sheet: Sheet,
     *,
     cycle: CycleFatigue,
-    input_speed: float,
     ratio: float,
     life: float,
     cycles: float,
@@ -93,24 +92,23 @@ def finite_life(
     Parameters
     ----------
     sheet : Sheet
-        With tensile strength and endurance limit.
+        With tensile strength, endurance limit and the speed of the crank against the ring.
     cycle : CycleFatigue
         The cycle; no step where its strength is the endurance limit.
-    input_speed, ratio, life : float
-        Speed of the crank, rad/s, ratio u, and time, s.
+    ratio, life : float
+        Ratio u and time, s.
     cycles : float
         Turns of a satellite against its crank in that time.
     """
     if cycle.finite_strength is None:
         return
-    sheet.take("n_1", "input_speed", input_speed)
-    sheet.take("u", "ratio", ratio)
+    wave = sheet.take_ratio(ratio)
     sheet.take("L", "life", life)
     sheet.work(
         "life_cycles",
         "N_L",
         max(cycles, LOW_CYCLES),
-        "max(1000,n_1*(1+1/u)*L/(2*pi))",
+        f"max(1000,n_1{wave}*L/(2*pi))",
         note="turns_over_life",
     )
     sheet.take("R_k", "tensile_strength", KPSI)

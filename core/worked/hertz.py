@@ -150,10 +150,9 @@ def _life(
 ) -> None:
     """How the limit of a body falls over the life."""
     speed, life, ratio = turning
-    sheet.take("n_1", "input_speed", speed)
+    sheet.take("n_1", "turning_speed", speed)
     sheet.take("L", "life", life)
-    sheet.take("u", "ratio", ratio)
-    formula = "n_1*(1+1/u)*L/(2*pi)"
+    formula = f"n_1{sheet.take_ratio(ratio)}*L/(2*pi)"
     sheet.work("loads", "N_L", loads, formula, note="turns_over_life")
     line = CURVES[curve]
     sheet.take("Z_m", "factor", line.most)
@@ -184,7 +183,7 @@ def judged_steps(results: Results) -> list[Step]:
     list of Step
     """
     design, found, force = results.design, results.hertz, results.judged_forces
-    load, contact, life = design.load, design.contact, design.requirements.life
+    contact, life = design.contact, design.requirements.life
     length, radius, hole = contact.pair
     real = isinstance(force, RealForces)
     if real:  # with what deviates of them
@@ -193,8 +192,9 @@ def judged_steps(results: Results) -> list[Step]:
         radius = radius if math.isclose(radius, own, rel_tol=AS_TYPED) else own
         hole = hole if math.isclose(hole, wide, rel_tol=AS_TYPED) else wide
     turning = None
-    if load.input_speed is not None and math.isfinite(life):
-        turning = load.input_speed, life, design.mechanism.ratio
+    speed = design.turning_speed
+    if speed is not None and math.isfinite(life):
+        turning = speed, life, design.mechanism.ratio
     return hertz_steps(
         found=found,
         force=force.force if isinstance(force, RealForces) else force.peak_force,

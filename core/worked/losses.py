@@ -1,6 +1,7 @@
 """Worked steps of friction and wear of the pins."""
 
 from core.design.results import Results
+from core.worked.members import output_power_of, take_speed, take_torque
 from core.worked.step import Sheet, Step
 
 
@@ -20,11 +21,11 @@ def loss_steps(results: Results) -> list[Step]:
     load, contact, friction = design.load, design.contact, design.friction
     radius = "r_in" if found.sleeve_speed is None else "r_s"
     slow = "" if found.sleeve_speed is None else "*r_p/r_s"
-    sheet.take("n_1", "input_speed", load.input_speed)
-    sheet.take("u", "ratio", design.mechanism.ratio)
+    wave = sheet.take_ratio(design.mechanism.ratio)
+    take_speed(sheet, results=results)
     sheet.take("e", "eccentricity", contact.eccentricity)
     sheet.take("R", "pin_circle_radius", load.pin_circle_radius)
-    sheet.take("T", "output_torque", load.output_torque)
+    take_torque(sheet, members=design.members, output_torque=load.output_torque)
     sheet.take("b", "contact_length", contact.contact_length)
     sheet.take(radius, "pin_radius", contact.pin_radius)
     sheet.take("r_p", "bolt_radius", design.pin.diameter / 2 if design.pin else None)
@@ -35,12 +36,16 @@ def loss_steps(results: Results) -> list[Step]:
     sheet.take("k", "wear_rate", friction.wear_rate)
     sheet.take("t", "life", design.requirements.life if friction.life is None else friction.life)
     turns = {"note": "turns_in_radians"}
-    sheet.work("relative_speed", "n", found.relative_speed, "n_1*(1+1/u)")
+    sheet.work("relative_speed", "n", found.relative_speed, f"n_1{wave}")
     sheet.work("sliding_speed", "v", found.sliding_speed, f"e*n{slow}", **turns)
     sheet.work("sleeve_speed", "n_s", found.sleeve_speed, f"n*e/{radius}")
     sheet.state("peak_force", "F", found.peak_force, "search")
     sheet.state("mean_total_force_ratio", "f", found.mean_total_force_ratio, "mean_of_turn")
-    sheet.work("output_power", "P_2", found.output_power, "T*n_1/u", **turns)
+    power = output_power_of(results)
+    if power:
+        sheet.work("output_power", "P_2", found.output_power, power, **turns)
+    else:
+        sheet.state("output_power", "P_2", found.output_power, "powers_out")
     sheet.work("mean_loss", "P", found.mean_loss, "mu*v*f*T/R")
     sheet.work("efficiency", "eta", found.efficiency, "P_2/(P_2+P)")
     sheet.state("min_efficiency", "eta_min", found.min_efficiency, "over_turn")

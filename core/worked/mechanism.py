@@ -8,8 +8,10 @@ from core.arrays import FloatArray
 from core.output.contact_force import ContactForce
 from core.output.cyclogram import Cyclogram
 from core.output.mechanism import Mechanism, assembly_angles
+from core.output.members import Members
 from core.output.pin_forces import pressure_cosines
 from core.precision import CONVERGED, SAME
+from core.worked.members import take_torque
 from core.worked.step import MOST_TERMS, Sheet, Step, total
 from core.worked.turn import IdealTurn, Position, is_at
 
@@ -25,14 +27,17 @@ MOST_PAIRS = 500
 HALF, TURN = math.pi, 2 * math.pi
 
 
-def _ratio(sheet: Sheet, mechanism: Mechanism, teeth: tuple[int, int] | None) -> None:
-    """The ratio from the teeth of satellite and ring, where it follows from these."""
-    sheet.take("u", "ratio", mechanism.ratio)
+def _ratio(sheet: Sheet, mechanism: Mechanism, teeth: tuple[int, int] | None) -> str:
+    """The ratio from the teeth of satellite and ring, where it follows from these; the factor of
+    the wave.
+    """
+    wave = sheet.take_ratio(mechanism.ratio)
     if teeth is not None:
         sheet.take("z_2", "satellite_teeth", teeth[0])
         sheet.take("z_3", "ring_teeth", teeth[1])
         formula = "z_2/(z_3-z_2)"
         sheet.work("ratio", "u", mechanism.ratio, formula, source="yanchevsky2018")
+    return wave
 
 
 def cyclogram_steps(
@@ -60,12 +65,12 @@ def cyclogram_steps(
     list of Step
     """
     sheet = Sheet()
-    _ratio(sheet, mechanism, teeth)
+    slower = _ratio(sheet, mechanism, teeth).replace("*", "/")
     sheet.take("h", "half_turn", HALF)
     sheet.take("t", "full_turn", TURN)
-    formula = "h/(1+1/u)"
+    formula = f"h{slower}"
     sheet.work("working_phase", "phi_w", found.working_phase, formula, **EQUATION_6, note="working")
-    sheet.work("period", "phi_T", found.period, "t/(1+1/u)", **EQUATION_6)
+    sheet.work("period", "phi_T", found.period, f"t{slower}", **EQUATION_6)
     sheet.take("N", "pins", mechanism.pins)
     sheet.take("K", "satellites", mechanism.satellites)
     sheet.take("m", "repeats", mechanism.phases.symmetry)
@@ -111,6 +116,7 @@ def force_steps(
     *,
     mechanism: Mechanism,
     found: ContactForce,
+    members: Members,
     output_torque: float,
     pin_circle_radius: float,
     force_exponent: float,
@@ -124,6 +130,8 @@ def force_steps(
         The mechanism whose pairs drive where those that carry do.
     found : ContactForce
         Its force.
+    members : Members
+        Which member is the output.
     output_torque, pin_circle_radius, force_exponent : float
         T, N*m, R, m, and v.
     driven_by : tuple of float, optional
@@ -134,17 +142,19 @@ def force_steps(
     list of Step
     """
     sheet = Sheet()
-    sheet.take("u", "ratio", mechanism.ratio)
-    sheet.take("T", "output_torque", output_torque)
-    if driven_by is not None:
+    wave = sheet.take_ratio(mechanism.ratio)
+    if driven_by is None:
+        take_torque(sheet, members=members, output_torque=output_torque)
+    else:  # on the pins alike, whichever is the output
         sheet.take("T_in", "input_torque", driven_by[0])
         sheet.take("eta", "efficiency", driven_by[1])
-        source = {"source": "yanchevskiy2021"}
-        sheet.work("output_torque", "T", output_torque, "T_in*u*eta", **source)
+        pins, by = output_torque * members.pin_share, "*u" if wave else ""
+        code = "output_torque" if members.pin_share == 1 else "pin_torque"
+        sheet.work(code, "T", pins, f"T_in{by}*eta", source="yanchevskiy2021")
     sheet.take("R", "pin_circle_radius", pin_circle_radius)
     sheet.work("reference_force", "F_0", found.reference_force, "T/R", **EQUATION_11)
     sheet.state("peak_crank_angle", "phi", found.peak_crank_angle, "search")
-    _peak(sheet, mechanism, found, force_exponent)
+    _peak(sheet, mechanism, found, force_exponent, wave)
     sheet.work("peak_force_ratio", "f", found.peak_force_ratio, "F/F_0",
                **EQUATION_11, erratum="below1")  # fmt: skip
     if found.equal_sharing_peak is not None:
@@ -164,7 +174,9 @@ def force_steps(
     return sheet.steps
 
 
-def _peak(sheet: Sheet, mechanism: Mechanism, found: ContactForce, exponent: float) -> None:
+def _peak(
+    sheet: Sheet, mechanism: Mechanism, found: ContactForce, exponent: float, faster: str
+) -> None:
     """The pressure angle of the pair of the peak, and its force."""
     satellite, pin = found.peak_pair
     start = mechanism.initial_crank_angle
@@ -182,7 +194,7 @@ def _peak(sheet: Sheet, mechanism: Mechanism, found: ContactForce, exponent: flo
         "pressure_angle",
         "gamma_p",
         math.remainder(angle, TURN),
-        f"phi*(1+1/u)+phi_0+alpha_{satellite}+t*(n-1)/N+r-k*t",
+        f"phi{faster}+phi_0+alpha_{satellite}+t*(n-1)/N+r-k*t",
         **EQUATION_6,
         note="pressure_angle",
         params={"satellite": satellite, "pin": pin},

@@ -6,6 +6,7 @@ from core.arrays import FloatArray
 from core.design.results import Results
 from core.output.pin_strength import PinDeflection, PinStrength
 from core.worked.fatigue import cycle_steps, finite_life
+from core.worked.members import take_speed, take_torque
 from core.worked.sharing import Shares, beam_of, ideal_turn, take_beam, unit_steps
 from core.worked.step import Sheet, Step
 from core.worked.turn import IdealTurn, Position, is_at
@@ -101,15 +102,14 @@ def _fatigue(sheet: Sheet, results: Results, found: PinStrength) -> None:
     sheet.state("direction", "chi", cycle.direction, "worst_cycle")
     sheet.state("max_stress", "sigma_max", cycle.max_stress, "worst_cycle")
     sheet.state("min_stress", "sigma_min", cycle.min_stress, "worst_cycle")
-    speed, ratio = results.design.load.input_speed, results.design.mechanism.ratio
+    speed, ratio = results.design.turning_speed, results.design.mechanism.ratio
 
     def finite() -> None:
         if speed is not None:
             life = results.design.requirements.life if basis.life is None else basis.life
             cycles = speed * life / results.design.mechanism.built.crank_angle_per_wave
-            finite_life(
-                sheet, cycle=cycle, input_speed=speed, ratio=ratio, life=life, cycles=cycles
-            )
+            take_speed(sheet, results=results)
+            finite_life(sheet, cycle=cycle, ratio=ratio, life=life, cycles=cycles)
 
     cycle_steps(
         sheet,
@@ -121,9 +121,9 @@ def _fatigue(sheet: Sheet, results: Results, found: PinStrength) -> None:
         finite=finite,
     )
     if cycle.life is not None:
-        sheet.take("n_1", "input_speed", speed)
-        sheet.take("u", "ratio", ratio)
-        formula = "2*pi*N/(n_1*(1+1/u))"
+        wave = sheet.take_ratio(ratio)
+        take_speed(sheet, results=results)
+        formula = f"2*pi*N/(n_1{wave})"
         sheet.work("fatigue_life", "L", cycle.life, formula, note="turns_in_radians")
 
 
@@ -142,7 +142,9 @@ def _deflection(sheet: Sheet, results: Results, found: PinDeflection) -> None:
         return
     take_beam(sheet, results=results)
     sheet.take("K_A", "dynamic_factor", results.design.load_factor)
-    sheet.take("T", "output_torque", results.design.load.output_torque)
+    take_torque(
+        sheet, members=results.design.members, output_torque=results.design.load.output_torque
+    )
     sheet.take("R", "pin_circle_radius", results.design.load.pin_circle_radius)
     for code, (symbol, satellite, value) in parts.items():
         _bent(sheet, results, turn, code, symbol, satellite, value)
@@ -189,7 +191,8 @@ def _bent(
         forces.append(f"F_{j + 1}")
         column = shares.pairs.index((j, n, angle))
         load = results.design.load
-        force = results.design.load_factor * load.output_torque / load.pin_circle_radius
+        torque = results.design.load_factor * results.design.pin_torque
+        force = torque / load.pin_circle_radius
         sheet.work(
             "pin_force",
             forces[-1],

@@ -1,5 +1,6 @@
 """A worked step: how one number of an answer follows from others; and the sheet that they fill."""
 
+import math
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -112,6 +113,25 @@ class Sheet:
         """
         if value is not None:
             self.known[symbol] = Amount(quantity, float(value))
+
+    def take_ratio(self, ratio: float) -> str:
+        """Let the ratio u be known.
+
+        Parameters
+        ----------
+        ratio : float
+            Infinite of a coupling.
+
+        Returns
+        -------
+        str
+            The factor in formulas by which the wave turns faster than the crank; none of a
+            coupling.
+        """
+        if math.isinf(ratio):
+            return ""
+        self.take("u", "ratio", ratio)
+        return "*(1+1/u)"
 
     def work(self, code: str, symbol: str, result: Any, formula: str, **said: Any) -> None:
         """Add a step by a formula over what is known; none where there is no result.

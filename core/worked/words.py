@@ -3,6 +3,9 @@
 VALUES = {
     "ratio": "Ratio",
     "output_torque": "Output torque",
+    "pin_torque": "Torque on the pins",
+    "bearing_speed": "Speed of the crank against the bearing’s seat",
+    "turning_speed": "Speed of the crank against the ring",
     "pressure_angle": "Pressure angle of the pair of the peak",
     "line_load": "Line load",
     "load_parameter": "Load parameter",
@@ -50,6 +53,8 @@ NOTES = {
     "angle.",
     "least_support": "The sum runs over the driving pairs at the switching angle where it is "
     "smallest.",
+    "powers_out": "What leaves by the members whose torque turns against their speed.",
+    "willis": "Of one planet gear: n_in + u·n_c = (u + 1)·n_r.",
     "narrow": "Hertz's theory asks for a contact much narrower than the pin.",
     "conformal_angle": "Found by Newton's method so that λ before and after agree.",
     "governs_hertz": "Hertz's pressure governs.",

@@ -58,6 +58,7 @@ PHYSICAL = {code for code, each in CODES.items() if each.kind == "impossible"} |
     "right_angle",
     "roller_without_arm",
     "service_limit",
+    "sign_of_ring",
     "smaller_than",
     "sum_not_one",
     "teeth_disagree",
@@ -77,7 +78,7 @@ together, is too much, or too little to be meant."""
 UNDESCRIBED = re.compile("/input/|/requests/")
 """Of another calculation, which the body names."""
 
-BETWEEN_FIELDS = {"first_order_only", "needed_for"}
+BETWEEN_FIELDS = {"first_order_only", "needed_for", "of_other_output"}
 """Codes of rules between fields, which stand in their validators only."""
 
 NEEDED = {"needed", "needed_beside", "only_one"}
@@ -95,6 +96,8 @@ OF_OTHER_FIELDS = (
     "/fatigue/notch",
     "/gear/teeth_difference",
     "/load/application_factor",
+    "/load/input_speed_rpm",
+    "/load/ring_speed_rpm",
     "/pin",
     "/pin/contact_length_mm",
     "/pin/diameter_mm",

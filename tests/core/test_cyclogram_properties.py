@@ -290,7 +290,6 @@ def test_assembly_rotations_are_within_half_a_pitch(
         ("pins", {"pins": -3}),
         ("ratio", {"ratio": 0.0}),
         ("ratio", {"ratio": -20.0}),
-        ("ratio", {"ratio": math.inf}),
         ("ratio", {"ratio": math.nan}),
         ("crank_angles[1]", {"crank_angles": (0.0, math.nan)}),
         ("initial_crank_angle", {"initial_crank_angle": math.inf}),

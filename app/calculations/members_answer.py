@@ -1,0 +1,120 @@
+"""Crank, pins and ring in answers: their speeds, torques and powers, and what is said of the output
+by its angles, torques and stiffness.
+"""
+
+from typing import Any
+
+from app.model import Maybe, ResponseModel, Values, result
+from app.units import from_si, suffix
+from core.output.members import MemberLoads, Members, Output
+
+SPEEDS = {
+    "crank_speed_rpm": "crank",
+    "carrier_speed_rpm": "carrier",
+    "ring_speed_rpm": "ring",
+    "relative_speed_rpm": "relative",
+    "crank_to_ring_speed_rpm": "crank_to_ring",
+}
+
+TORQUES = ("torque_Nm", "satellite_torque_Nm")
+"""Torques of the output; that of the crank is the same whichever is the output."""
+
+
+class MembersOut(ResponseModel):
+    """Crank, pins and ring under the torque in its driving sense, without losses. All speeds and
+    torques are positive in the sense of the crank, torques on a member from outside; a power is
+    negative where it leaves. Speeds and powers are absent where none is given.
+
+    Of a coupling the line of centres stands for the crank, the disc with the holes for the ring.
+    """
+
+    BESIDE = ("output", *SPEEDS)
+
+    output: Output = result("Which is the output.")
+    output_ratio: Maybe[float] = result(
+        "Speed of the crank over that of the output, negative where they turn apart; of a coupling "
+        "that of its shafts; absent where both are the output.",
+        symbol="i",
+    )
+    crank_speed_rpm: Maybe[float] = result("Speed of the crank.", symbol="n₁")
+    carrier_speed_rpm: Maybe[float] = result(
+        "Speed of the pins, with which the satellites turn.",
+        symbol="n_c",
+        equation="n₁ + u·n_c = (u + 1)·n_r",
+    )
+    ring_speed_rpm: Maybe[float] = result("Speed of the ring.", symbol="n_r")
+    relative_speed_rpm: Maybe[float] = result(
+        "Speed of the crank against the pins: of the satellites’ bearings, of sliding and of load "
+        "cycles.",
+        symbol="n",
+    )
+    crank_to_ring_speed_rpm: Maybe[float] = result(
+        "Speed of the crank against the ring, from which the calculations start.", symbol="n₁ − n_r"
+    )
+    pin_torque_Nm: float = result("Torque on the pins.", symbol="T")
+    crank_torque_Nm: float = result("Torque on the crank.", symbol="T₁", equation="T/u")
+    ring_torque_Nm: float = result("Torque on the ring.", symbol="T_r", equation="−T·(1 + 1/u)")
+    crank_power_W: Maybe[float] = result("Power that enters by the crank.", symbol="P₁")
+    carrier_power_W: Maybe[float] = result("Power that enters by the pins.", symbol="P_c")
+    ring_power_W: Maybe[float] = result("Power that enters by the ring.", symbol="P_r")
+    power_balance_W: Maybe[float] = result("Sum of the powers: 0 but for rounding.")
+
+    @classmethod
+    def values(cls, result: MemberLoads, run_time_us: float | None = None, **given: Any) -> Values:
+        """Values of the core's loads; `output` is given."""
+        speeds = {
+            name: None if result.speeds is None else from_si(name, getattr(result.speeds, each))
+            for name, each in SPEEDS.items()
+        }
+        return super().values(result, run_time_us, **speeds, **given)
+
+
+def factor_at_output(name: str, members: Members) -> float:
+    """What a quantity of the pins is multiplied by to be that of the output.
+
+    Parameters
+    ----------
+    name : str
+        API name of the quantity, which ends in its unit.
+    members : Members
+        Which is the output.
+
+    Returns
+    -------
+    float
+    """
+    unit = suffix(name)
+    if unit == "arcmin":
+        return float(members.angle_at_output(1.0))
+    if unit == "Nm_per_arcmin":
+        return float(members.stiffness_at_output(1.0))
+    return float(members.torque_at_output(1.0)) if name in TORQUES else 1.0
+
+
+def at_output(values: Values, members: Members) -> Values:
+    """Values of an answer with angles, torques and stiffness as the output has them.
+
+    Parameters
+    ----------
+    values : dict
+        What was calculated of the satellites against the pins, by API names.
+    members : Members
+        Which is the output.
+
+    Returns
+    -------
+    dict
+    """
+    if members.pin_share == 1:
+        return values
+    return {name: _times(value, factor_at_output(name, members)) for name, value in values.items()}
+
+
+def _times(value: Any, factor: float) -> Any:
+    if factor == 1 or value is None:
+        return value
+    return (
+        [_times(each, factor) for each in value]
+        if isinstance(value, (list, tuple))
+        else value * factor
+    )

@@ -1,0 +1,148 @@
+"""What parts come to by the way in which they are made: guides, where nothing better is known.
+
+Limits of diameters and zones of places on the part as it is made, of a hole and a pin of some tens
+of millimetres, by services and makers who publish them. Sources differ by a factor of two; none of
+these numbers is a standard.
+"""
+
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+from core.tolerance.iso286 import Limits
+
+ProcessName = Literal["fdm", "sla", "sls", "mjf", "laser_cut", "milled", "precise", "ground"]
+
+Size = Limits | str | None
+"""Deviations of a diameter, m; its ISO 286 class; None where the process makes no such part."""
+
+
+@dataclass(frozen=True, slots=True)
+class Process:
+    """What a process usually comes to."""
+
+    code: ProcessName
+    title: str  # in English
+    hole: Size  # diameter of holes
+    pin: Size  # diameter of pins
+    position: float  # diameter of the zone of the centres of holes and pins, m
+    # Radial clearance with which such parts usually run, m: that, and between which the sources
+    # name it.
+    clearance: float
+    clearances: tuple[float, float]
+    source: str
+
+    def size(self, of: Literal["hole", "pin"]) -> Size:
+        """Deviations or class of the diameter of its holes, or of its pins.
+
+        Parameters
+        ----------
+        of : {"hole", "pin"}
+            Which.
+
+        Returns
+        -------
+        Limits, str or None
+        """
+        return self.hole if of == "hole" else self.pin
+
+
+def _mm(lower: float, upper: float) -> Limits:
+    return Limits(lower / 1000, upper / 1000)
+
+
+PROCESSES = {
+    each.code: each
+    for each in (
+        Process(
+            "fdm",
+            "Printed from filament",
+            hole=_mm(-0.40, 0.0),
+            pin=_mm(0.0, 0.20),
+            position=0.3e-3,
+            clearance=0.25e-3,
+            clearances=(0.15e-3, 0.5e-3),
+            source="Layer X (holes 0.1 to 0.3 mm under size, ±0.3 mm); Makelab (±0.2 mm); Rigid "
+            "Prints (±0.2 to ±0.4 mm by material); Forge Labs (moving parts 0.5 mm all round)",
+        ),
+        Process(
+            "sla",
+            "Printed from resin",
+            hole=_mm(-0.10, 0.10),
+            pin=_mm(-0.10, 0.10),
+            position=0.2e-3,
+            clearance=0.15e-3,
+            clearances=(0.125e-3, 0.25e-3),
+            source="Makelab (±0.1 mm, ±0.15 mm at 100 mm); Forge Labs (±0.25 % or ±0.25 mm); "
+            "Additive3D Asia (±0.2 mm)",
+        ),
+        Process(
+            "sls",
+            "Sintered powder (SLS)",
+            hole=_mm(-0.30, 0.10),
+            pin=_mm(-0.20, 0.20),
+            position=0.3e-3,
+            clearance=0.25e-3,
+            clearances=(0.15e-3, 0.3e-3),
+            source="Brisk (moving parts 0.3 mm at least, 0.5 to 0.6 mm); Protolabs (±0.25 mm); "
+            "Materialise (0.5 to 0.6 mm)",
+        ),
+        Process(
+            "mjf",
+            "Fused powder (MJF)",
+            hole=_mm(-0.30, 0.30),
+            pin=_mm(-0.30, 0.30),
+            position=0.4e-3,
+            clearance=0.25e-3,
+            clearances=(0.25e-3, 0.25e-3),
+            source="Tronix3D and HP (±0.30 mm and 0.002 mm/mm; 0.5 mm); Protolabs (±0.305 mm); "
+            "Makelab (±0.3 mm)",
+        ),
+        Process(
+            "laser_cut",
+            "Cut by laser",
+            hole=_mm(-0.25, 0.25),
+            pin=None,
+            position=0.25e-3,
+            clearance=0.15e-3,
+            clearances=(0.15e-3, 0.15e-3),
+            source="Big Blue Saw (holes ±0.25 mm, places 0.13 mm); Snijlab by ISO 9013-1 (sheet to "
+            "3 mm ±0.2 mm, to 6 mm ±0.3 to ±0.4 mm); kerf and taper not compensated",
+        ),
+        Process(
+            "milled",
+            "Milled, holes reamed, drawn pins",
+            hole=_mm(-0.025, 0.025),
+            pin="h6",
+            position=0.1e-3,
+            clearance=0.03e-3,
+            clearances=(0.03e-3, 0.03e-3),
+            source="FOB Proto (reamed ±0.025 mm; drilled +0.1 to +0.3 mm); Protolabs (±0.127 mm in "
+            "general); ISO 2768-f (±0.1 mm to 30 mm)",
+        ),
+        Process(
+            "precise",
+            "Milled precisely, ground pins",
+            hole="H7",
+            pin="h6",
+            position=0.03e-3,
+            clearance=0.015e-3,
+            clearances=(0.01e-3, 0.02e-3),
+            source="FOB Proto (precision reamed ±0.015 mm, bored ±0.010 mm); the zone of places is "
+            "an estimate",
+        ),
+        Process(
+            "ground",
+            "Jig bored or ground",
+            hole="H6",
+            pin="h5",
+            position=0.01e-3,
+            clearance=0.005e-3,
+            clearances=(0.005e-3, 0.005e-3),
+            source="FOB Proto (jig bored ±0.005 mm, places ±0.003 mm; ground ±0.003 mm); "
+            "ChinaMachPro (IT6 by grinding)",
+        ),
+    )
+}
+"""By code, from coarse to fine."""
+
+assert {*PROCESSES} == {*get_args(ProcessName)}
