@@ -261,7 +261,7 @@ class RealMechanism:
 
     @property
     def compliance(self) -> list[float]:
-        """Of the pin at each satellite, m/N."""
+        """Of the pin at each satellite, with the wall about its bore, m/N."""
         satellites = self.mechanism.satellites
         if self.pin is None:
             return [0.0] * satellites
@@ -278,7 +278,8 @@ class RealMechanism:
             positions=self.pin.satellite_positions,
             width=self.contact_length,
         )
-        return [*pin_compliance(self.pin)]
+        wall = self.pin.wall_compliance(self.contact_length)
+        return [each + wall for each in pin_compliance(self.pin)]
 
     @cached_property
     def numbered(self) -> tuple[Deviations, tuple[int, ...]]:
