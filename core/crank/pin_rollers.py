@@ -104,9 +104,9 @@ class _Loads:
 
     peak: float
     equivalent: float
+    accuracy: Accuracy
     satellite: int = 1  # from 1
     pin: int = 1
-    accuracy: Accuracy = Accuracy("sampling", 0.0, 0)
 
 
 def pin_rollers(
@@ -273,8 +273,8 @@ def _made(made: Made, ways: tuple[float, ...], torque: float, power: float) -> _
         turn = made(way * torque)
         force = np.abs(turn.on_pins)
         means = turn.mean(force**power) ** (1 / power)
-        satellite, pin = np.unravel_index(int(means.argmax()), means.shape)
-        found.append((float(means.max()), float(force.max()), int(satellite), int(pin), turn))
+        satellite, pin = divmod(int(means.argmax()), means.shape[1])
+        found.append((float(means.max()), float(force.max()), satellite, pin, turn))
     equivalent, _, satellite, pin, _ = max(found, key=lambda each: each[0])
     turns = [each[-1] for each in found]
     return _Loads(

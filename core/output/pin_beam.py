@@ -33,6 +33,7 @@ from core.results import ROUNDING
 Support = Literal["cantilever", "supported", "fixed"]
 """Held in the carrier at one end; at both, free to tilt; at both, built in."""
 
+
 def check_apart(*, name: str, positions: Sequence[float], width: float) -> None:
     """Refuse satellites that reach into each other.
 

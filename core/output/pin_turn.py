@@ -208,7 +208,7 @@ class Turn:
         return lambda way: own(way) / total(way)
 
     def nodes_of(self, *levels: int) -> tuple[NDArray[Any], FloatArray]:
-        """What is asked of the pairs at the nodes of rules of the whole turn, and the weights of each.
+        """What is asked of the pairs at the nodes of rules of the whole turn, and their weights.
 
         Parameters
         ----------
