@@ -37,7 +37,7 @@ class Ratings:
 class NamedBearing:
     """A bearing by its name."""
 
-    name: str
+    name: str  # without what says how it is closed
     kind: Literal["ball", "roller"]  # rolling elements
     bore_diameter: float  # d, m
     outer_diameter: float  # D, m

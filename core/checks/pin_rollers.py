@@ -12,11 +12,11 @@ from core.design.document import Design
 from core.design.results import Results
 from core.errors import NotKnown
 
-_SHARES = ("rollers.kind", "rollers.ratings", "rollers.rolling_elements", "rollers.per_satellite")
+_SHARES = ("rollers.kind", "rollers.ratings", "rollers.rolling_elements")
 
 _FIXES = ("load.pin_circle_radius", "mechanism.pins", "load.output_torque")
 
-_PEAK = (*LOADED, "rollers.per_satellite", "load.peak_torque")
+_PEAK = (*LOADED, "load.peak_torque")
 
 _check = partial(
     design_check,
@@ -138,7 +138,7 @@ def pin_roller_max_load(design: Design, results: Results) -> Check:
     unit="N",
     formula="F ≥ 0.0167·C₀",
     why="Below it outer rings slide in the holes before they roll.",
-    inputs=(*FORCES, "rollers.per_satellite", "rollers.static_rating"),
+    inputs=(*FORCES, "rollers.static_rating"),
     fixes=(),
     source="track_rollers",
     keep="above",
