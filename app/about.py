@@ -23,8 +23,9 @@ from app.problems import KINDS, RESPONSES, TEXTS
 from app.record import root_path
 from app.registry import CALCULATIONS
 from app.sources import ISO_286
-from app.units import api_value, from_si, to_si
+from app.units import api_value, core_name, from_si, to_si
 from app.worked import api_name
+from core.bearings import BEARINGS, MAKERS, NamedBearing, Ratings
 from core.checks.records import CHECKS
 from core.checks.words import CHECK_SOURCES, NOT_CONSIDERED
 from core.checks.words import GROUPS as CHECK_GROUPS
@@ -206,6 +207,59 @@ class ProcessTable(ResponseModel):
     """Ways of making parts, from coarse to fine."""
 
     processes: list[ProcessEntry]
+
+
+class BearingRatingsOut(ResponseModel):
+    """Load ratings of a bearing by one maker."""
+
+    maker: str = Field(description="The maker.")
+    shielded: bool = Field(description="Whether they are of shielded bearings only.")
+    dynamic_rating_N: float = Field(description="Basic dynamic load rating C.")
+    static_rating_N: float = Field(description="Basic static load rating C₀.")
+    source: str = Field(description="Where they were read.")
+
+    @classmethod
+    def of(cls, ratings: Ratings) -> "BearingRatingsOut":
+        """Answer of a maker's ratings."""
+        return cls(
+            maker=ratings.maker,
+            shielded=ratings.shielded,
+            dynamic_rating_N=ratings.dynamic_rating,
+            static_rating_N=ratings.static_rating,
+            source=MAKERS[ratings.maker],
+        )
+
+
+class BearingOut(ResponseModel):
+    """A bearing of the table."""
+
+    name: str = Field(description="Its name in requests.")
+    kind: str = Field(description="Rolling elements.")
+    bore_diameter_mm: float = Field(description="Bore d.")
+    outer_diameter_mm: float = Field(description="Outer diameter D.")
+    width_mm: float = Field(description="Width B, of a shielded one; open ones may be narrower.")
+    dynamic_rating_N: float = Field(description="Lowest C of all makers: what the name says.")
+    static_rating_N: float = Field(description="Lowest C₀ of all makers: likewise.")
+    makers: list[BearingRatingsOut] = Field(description="Ratings as each maker states them.")
+
+    @classmethod
+    def of(cls, bearing: NamedBearing) -> "BearingOut":
+        """Answer of a table entry."""
+        sizes = ("bore_diameter_mm", "outer_diameter_mm", "width_mm")
+        return cls(
+            name=bearing.name,
+            kind=bearing.kind,
+            **{size: from_si(size, getattr(bearing, core_name(size))) for size in sizes},
+            dynamic_rating_N=bearing.dynamic_rating,
+            static_rating_N=bearing.static_rating,
+            makers=[BearingRatingsOut.of(each) for each in bearing.makers],
+        )
+
+
+class BearingTable(ResponseModel):
+    """The table of bearings."""
+
+    bearings: list[BearingOut]
 
 
 class Example(ResponseModel):
@@ -455,6 +509,12 @@ async def calculations() -> CalculationList:
 async def materials() -> MaterialTable:
     """The table of materials, each value with its source."""
     return MaterialTable(materials=[MaterialOut.of(entry) for entry in MATERIALS.values()])
+
+
+@router.get("/bearings", operation_id="bearings")
+async def bearings() -> BearingTable:
+    """The table of bearings by name, with the load ratings of each maker and their source."""
+    return BearingTable(bearings=[BearingOut.of(each) for each in BEARINGS.values()])
 
 
 @router.get("/tolerances", operation_id="tolerances", responses={422: RESPONSES[422]})

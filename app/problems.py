@@ -50,6 +50,8 @@ OF_REQUESTS = {
     "multiple_of": "must be a multiple of {limit:.15g}",
     "needed_beside": "is needed beside {field}",
     "needed_for": "is needed for {section}",
+    "no_such_bearing": "is none of the bearings by name, such as {near}; sizes and load ratings "
+    "may be given instead of it",
     "no_class_of_size": "is known for diameters up to {limit_mm:g} mm only",
     "not_this_mechanism": "must be another: where several crankshafts drive the output, as in an "
     "RV reducer, there are no pins in holes, and this calculation says nothing of it",

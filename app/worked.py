@@ -10,11 +10,13 @@ from app.units import core_name, from_si, shown_unit
 from core.worked.step import Step
 
 QUANTITIES: dict[str, str] = {
-    "mm": "arm bearing_distance bearing_position bolt_radius clearance contact_length "
+    "mm": "added_clearance arm bearing_distance bearing_position bolt_radius bore_diameter "
+    "clearance contact_length "
     "couple_arm cycle_position cylinder_length deflection deflection_B deflection_C "
     "diameter displacement eccentricity gap half_width hole_circle_radius hole_radius hole_wear "
     "length mating_radius max_shear_depth module overhang peak_moment_position "
-    "peak_stress_position pin_circle_radius pin_radius pin_wear position position_tolerance radius "
+    "peak_stress_position pin_circle_radius pin_radius pin_wear position position_tolerance "
+    "radial_clearance radius "
     "reduced_radius reference_z ring_pin_circle_radius roller_circle_radius roller_radius "
     "satellite_position scale simplified_deflection_B simplified_deflection_C span "
     "sphere_diameter sphere_width total_length unit_moment z z_max z_min",
@@ -23,9 +25,10 @@ QUANTITIES: dict[str, str] = {
     "peak_crank_angle period phi_max phi_min polar_angle position_angle pressure_angle "
     "reference_pressure_angle right_angle working_phase",
     "N": "across_force approximate_peak balance_force centre_force dynamic_rating "
-    "equal_sharing_peak equivalent equivalent_load force max_force mean_force min_load peak "
+    "dynamic_rating_as_roller equal_sharing_peak equivalent equivalent_load force max_force "
+    "mean_force min_load peak "
     "peak_force peak_load peak_ring_force peak_shear_force pin_force pins_force reaction_B "
-    "reaction_C reaction_part reference_force static_rating",
+    "reaction_C reaction_part reference_force static_rating static_rating_as_roller",
     "Nm": "bending_moment bending_moment_B bending_moment_clamp couple input_torque moment "
     "crank_torque output_torque peak_moment pin_torque ring_torque satellite_torque torque",
     "MPa": "amplitude bending_stress conformal_pressure endurance_limit finite_strength "
@@ -37,8 +40,8 @@ QUANTITIES: dict[str, str] = {
     "mm_per_N": "bending_compliance shear_compliance unit_deflection",
     "mrad_per_N": "unit_slope",
     "mrad": "slope",
-    "rpm": "bearing_speed carrier_speed crank_to_ring_speed input_speed relative_speed ring_speed "
-    "sleeve_speed turning_speed",
+    "rpm": "bearing_speed carrier_speed crank_to_ring_speed input_speed relative_speed "
+    "ring_speed sleeve_speed speed turning_speed",
     "h": "basic_life fatigue_life life system_life",
     "W": "carrier_power crank_power mean_loss output_power ring_power",
     "kg": "satellite_mass",
@@ -53,10 +56,10 @@ QUANTITIES: dict[str, str] = {
     "loaded_rollers loads logarithm mating_safety max_driving max_efficiency mean_driving "
     "mean_total_force_ratio min_driving min_efficiency neuber_root notch peak_force_ratio pin pins "
     "output_ratio pitches poissons_ratio radial_force_ratio ratio ratio_u12 "
-    "relative_position_error relative_stiffness relative_stress reliability repeats ring_teeth "
-    "roller_safety rollers safety_factor safety_hole safety_pin satellite_teeth satellites "
-    "shortening sides simplification_error_B simplification_error_C size static_rating_safety "
-    "static_safety_factor "
+    "relative_position_error relative_stiffness relative_stress reliability repeats "
+    "ring_teeth roller_safety rollers rolling_elements safety_factor safety_hole safety_pin "
+    "satellite_teeth satellites shear_coefficient shortening sides simplification_error_B "
+    "simplification_error_C size static_rating_safety static_safety_factor "
     "strength_fraction stress_concentration stress_ratio surface teeth_difference "
     "theoretical_factor torque_share turns unit_shear",
 }

@@ -25,6 +25,7 @@ precision           what methods promise, and what is one number but for roundin
 results             accuracy and validity notices that every result carries
 contact_life        how the limit of a pressure falls with the number of loads
 materials           elastic materials, effective modulus, a small table with sources
+bearings            rolling bearings by name, with the ratings of several makers
 numerics            tools that know nothing of their use: quadrature, extremes, the inverse
 load_sharing        one displacement shared by many unilateral contacts
 fatigue             endurance limit by named factors, criteria, finite life

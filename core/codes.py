@@ -49,6 +49,8 @@ _INVALID = {
     "different_length": "must have {expected} entries, has {actual}",
     "different_sum": "must have lengths that add up to {field} and {other}, {needed_length:g} m, "
     "not {given_length:g} m",
+    "drawn_cup": "must be those of a roller, or with an outer diameter: a drawn cup or a cage of "
+    "needles has no ring that could roll by itself",
     "finite_number": "must be a finite number",
     "first_order_only": "must be of first order beside {field}: what satellites give is not known "
     "in exact geometry",
@@ -161,8 +163,11 @@ _UNKNOWN = {
     "one of the ring's pins",
     "rough_guide": "The contact is too wide for Hertz, and the materials too different for a "
     "conformal pressure: the pressure is a rough guide",
+    "roller_tilted": "The pins slope more than the formula of the life is made for",
+    "rollers_roll": "Rollers roll in the holes: nothing slides or wears there",
     "section_missing": "A part of the design that it needs is not given",
     "size_missing": "A size that it needs is not given",
+    "solid_pin": "The pins are solid, or their bores too small to matter",
     "speed_missing": "No input speed is given",
     "steady_load": "The load turns with the shaft and bends it one way all the time",
     "tested_limit": "The tested limit of this material counts, not its yield strength",
@@ -192,6 +197,15 @@ _LIMITS = {
         why="With clearance fewer pairs carry, and more each: forces and stresses grow, often by "
         "half and more.",
         mend="Give the clearance, or a fit; 0 where perfect parts are meant.",
+    ),
+    "outer_ring_not_supported": _limit(
+        "No seat holds the outer rings that roll in the holes: {dynamic:.3g} of the dynamic rating "
+        "of the bearing is left, a lower bound.",
+        title="Outer rings without a seat",
+        tests="Whether the ratings are those of a roller.",
+        why="Ratings of bearings hold in a rigid seat; here the two rolling elements next to the "
+        "load carry nearly all of it, and the ring bends.",
+        mend="Give the ratings of a track roller, or the number of rolling elements.",
     ),
     "perfect_parts": _limit(
         "No clearance: the numbers are those of perfect parts, which every real one misses.",
@@ -454,6 +468,15 @@ _LIMITS = {
         "radius.",
         why="A half-space stands for the hole only there; the stiffness is off elsewhere.",
         mend="Take a depth of half to one and a half hole radii, or leave it out.",
+    ),
+    "roller_clearance_unknown": _limit(
+        "The clearance of the rollers on the pins is not given: the numbers are those of rollers "
+        "without, which every real one misses.",
+        title="Clearance of the rollers not known",
+        tests="Whether the radial clearance of the rollers is given.",
+        why="Half of it adds to the clearance of pins and holes: fewer pairs carry, and more each.",
+        mend="Give the radial internal clearance: track rollers of the class CN have 0.020 to "
+        "0.045 mm, of C2 none to 0.025 mm.",
     ),
     "sand_cast": _limit(
         "The bronze is the sand-cast CuSn12-C-GS, whose limit is not known; the centrifugally cast "

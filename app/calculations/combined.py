@@ -26,6 +26,8 @@ CHEAP = (
     "contact.hole_radius",
     "bearing.dynamic_rating",
     "bearing.static_rating",
+    "rollers.dynamic_rating",
+    "rollers.static_rating",
     "crankshaft.bearings.dynamic_rating",
 )
 """Inputs that are changed before sizes of parts: the fit, and the rating of bearings."""

@@ -43,6 +43,7 @@ from app.calculations.load_sharing_answer import RealCyclogramOut
 from app.calculations.mechanism import MAX_PAIRS
 from app.calculations.members_answer import MembersOut, at_output
 from app.calculations.output_efficiency import FrictionFields, OutputEfficiencyResponse
+from app.calculations.pin_rollers_answer import RollersOut
 from app.calculations.pin_strength import PinStrengthResponse
 from app.calculations.ring import RingFields
 from app.calculations.satellite_bearing import BearingFields, SatelliteBearingResponse
@@ -99,6 +100,7 @@ from core.worked.hertz import judged_steps
 from core.worked.losses import loss_steps
 from core.worked.mechanism import clearance_steps, cyclogram_steps, force_steps
 from core.worked.members import member_steps
+from core.worked.pin_rollers import roller_steps
 from core.worked.pins import strength_steps
 from core.worked.step import Step
 
@@ -113,6 +115,7 @@ Section = Literal[
     "output_efficiency",
     "satellite_bearing",
     "crankshaft",
+    "rollers",
     "geometry",
     "usual_fit",
     "checks",
@@ -137,6 +140,7 @@ _NEEDS: dict[Section, tuple[str, ...]] = {
     "output_efficiency": (*_TURNING, "friction"),
     "satellite_bearing": (*_TURNING, "gear", "bearing"),
     "crankshaft": (*_TURNING, "gear", "crankshaft"),
+    "rollers": (*_TOUCHING, "contact/eccentricity_mm", "rollers"),
     "geometry": _TOUCHING,
     "usual_fit": (*_TOUCHING, "contact/eccentricity_mm"),
     "checks": (),
@@ -154,6 +158,7 @@ STRENGTH: tuple[Section, ...] = (
     "output_efficiency",
     "satellite_bearing",
     "crankshaft",
+    "rollers",
 )
 """Sections of strength and life."""
 
@@ -161,6 +166,7 @@ STEPS: dict[Section, Callable[[Results], list[Step]]] = {
     "output_efficiency": loss_steps,
     "satellite_bearing": bearing_steps,
     "crankshaft": shaft_steps,
+    "rollers": roller_steps,
 }
 """Worked steps of those that are worked from the results of a design alone."""
 
@@ -171,6 +177,7 @@ MOST_PAIRS: dict[Section, int] = {
     "pin_strength": MOST_PIN_PAIRS,
     "satellite_bearing": MOST_BEARING_PAIRS,
     "crankshaft": MOST_BEARING_PAIRS,
+    "rollers": MOST_BEARING_PAIRS,
 }
 """Most pairs of which they are calculated."""
 
@@ -217,7 +224,9 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         return self
 
     def _has(self, part: str) -> bool:
-        """Whether a part of the request, or a field of one, is given."""
+        """Whether a part of the request, or a field of one, is given; rollers have friction."""
+        if part == "friction" and self.rollers is not None:
+            return True
         value: Any = self
         for name in part.split("/"):
             value = None if value is None else getattr(value, name)
@@ -375,6 +384,8 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
 
     def strength(self, section: Section) -> Any:
         """Result of a section of strength and life."""
+        if section == "rollers":
+            return self.results.rollers_on_pins
         return getattr(self.results, section)
 
     @cached_property
@@ -464,6 +475,7 @@ ANSWERS: dict[Section, Callable[..., Values]] = {
     ),
     "satellite_bearing": SatelliteBearingResponse.values,
     "crankshaft": CrankshaftResponse.values,
+    "rollers": RollersOut.values,
 }
 """Values of the sections of strength and life, by their results."""
 

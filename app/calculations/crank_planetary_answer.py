@@ -16,6 +16,7 @@ from app.calculations.hertz import HertzResponse
 from app.calculations.load_sharing_answer import OverTurnOut, RealCyclogramOut
 from app.calculations.members_answer import MembersOut
 from app.calculations.output_efficiency import OutputEfficiencyResponse
+from app.calculations.pin_rollers_answer import RollersOut
 from app.calculations.pin_strength import PinStrengthResponse
 from app.calculations.satellite_bearing import SatelliteBearingResponse
 from app.calculations.usual_fit_answer import UsualFitOut
@@ -92,6 +93,10 @@ class CrankPlanetaryResponse(JudgedResponse):
     )
     crankshaft: Maybe[CrankshaftResponse] = result(
         "As `/crankshaft` answers, under the torque without its factor."
+    )
+    rollers: Maybe[RollersOut] = result(
+        "Rolling bearings on the pins, under the torque without its factor, the static safety "
+        "under the peak torque."
     )
     fit: Maybe[FitOut] = result(
         "How the pins fit into their holes, whichever sections are asked, where their sizes and "

@@ -1,6 +1,7 @@
 """Reactions and balance of the crankshaft: request, answer, figure."""
 
 import math
+from collections.abc import Iterator
 from typing import Annotated, Any
 
 import numpy as np
@@ -70,6 +71,12 @@ class CrankshaftFields(RequestModel, group="crankshaft"):
         max_length=2,
         description="Both bearings; ball bearings in the housing where not given.",
     )
+
+    def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
+        """Also what names of bearings say."""
+        yield from super().assumed()
+        for index, each in enumerate(self.bearings or ()):
+            yield from ((("bearings", str(index), *path), value) for path, value in each.assumed())
 
     def section(self, _: Any) -> Shaft:
         """The shaft in SI units."""

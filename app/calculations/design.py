@@ -20,6 +20,7 @@ from app.calculations.hertz import MaterialFields
 from app.calculations.mechanism import MechanismFields
 from app.calculations.pin import PinMaterial, pin_places, strengths_of
 from app.calculations.pin_contact import PinContactFields
+from app.calculations.pin_rollers import RollersFields
 from app.calculations.real_mechanism import (
     BentPinFields,
     ContactLawFields,
@@ -119,13 +120,16 @@ class DesignPinFields(BentPinFields, group="pin"):
 
     def section(self, whole: Any) -> DesignPin:
         """The pin in SI units; what is not given is that of the contact."""
-        held = self.held(whole.contact)
+        rollers = getattr(whole, "rollers", None)
+        bore = None if rollers is None else rollers.to_core().get("bore_diameter")
+        held = self.held(whole.contact, bore)
         material: str | MaterialFields = self.material or whole.contact.pin_material
         return DesignPin(
             support=held.support,
             diameter=held.diameter,
             satellite_positions=held.satellite_positions,
             span=held.span,
+            bore_diameter=held.bore_diameter,
             contact_length=to_si("contact_length_mm", self.contact_length_mm),
             rotates=self.rotates,
             **strengths_of(material),
@@ -153,6 +157,18 @@ class DesignFields(GivingFields):
     contact_law: Maybe[ContactLawFields] = None
     deviations: Maybe[DeviationsFields] = None
     pin: Maybe[DesignPinFields] = None
+    rollers: Maybe[RollersFields] = None
+
+    @model_validator(mode="after")
+    def _rollers_on_pins(self) -> Self:
+        if self.rollers is None:
+            return self
+        if self.contact is None or self.contact.pin_radius_mm is None:
+            raise field_error("contact/pin_radius_mm", "needed_beside", field="rollers")
+        friction = getattr(self, "friction", None)
+        if friction is not None and self.rollers.friction_coefficient is not None:
+            raise field_error("friction/coefficient", "only_one", field="friction_coefficient")
+        return self
 
     @model_validator(mode="after")
     def _one_factor(self) -> Self:
@@ -207,9 +223,16 @@ class DesignFields(GivingFields):
     @cached_property
     def as_made(self) -> bool:
         """Whether clearance, deviations, a law of contact or satellites that give are given."""
-        loose = self.contact is not None and self.contact.clearance_mm() > 0
+        loose = self.contact is not None and self._clearance_mm(self.contact) > 0
         sections = (self.contact_law, self.deviations, self.support)
         return loose or any(each is not None for each in sections)
+
+    def _clearance_mm(self, contact: PinContactFields) -> float:
+        """Radial clearance with what rollers add to one that is known."""
+        given = contact.clearance_mm()
+        if self.rollers is None or contact.pin_radius_mm is None or contact.clearance_unknown:
+            return given
+        return given + (self.rollers.radial_clearance_mm or 0.0) / 2
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """Also the material of the pins, which is that of the contact."""

@@ -88,11 +88,15 @@ class WornFields(FrictionFields):
 
 
 class OutputEfficiencyRequest(CurveFields, DesignFields):
-    """Mechanism, load, contact and friction."""
+    """Mechanism, load, contact, and friction or rollers."""
+
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
+        (("friction",), ("rollers",), ("friction", "rollers")),
+    )
 
     load: DrivenLoadFields
     contact: SlidingContactFields
-    friction: WornFields
+    friction: Maybe[WornFields] = None
     pin: Maybe[SleevedPinFields] = None
     include: list[Literal["curves", "worked"]] = Field(
         default=[], max_length=2, description="Optional results: what is not named is not computed."

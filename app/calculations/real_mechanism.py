@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from functools import cached_property, partial
 from typing import Annotated, Any, ClassVar, Literal, Self, get_args
 
-from pydantic import Field, model_validator
+from pydantic import Field, field_validator, model_validator
 
 from app.calculations.contact_force import TorqueFields
 from app.calculations.hertz import Material, eccentricity, material_of
@@ -14,11 +14,13 @@ from app.calculations.pin import HeldPinFields
 from app.calculations.pin_contact import Deviation, PinContactFields
 from app.model import (
     LARGEST,
+    NO_DUST,
     Kinds,
     Maybe,
     RequestModel,
     Size,
     field_error,
+    no_dust,
     quantity,
 )
 from app.problems import invalid_input, refusal, wrong
@@ -137,14 +139,22 @@ class BentPinFields(HeldPinFields, group="pin"):
     """How the pins are held, and where the satellites load them."""
 
     diameter_mm: Maybe[Size] = quantity("Pin diameter", "d", step=0.5)
-    """Diameter of the pin itself, inside its sleeve where it has one."""
+    """Diameter of the pin itself, inside its sleeve or its rollers where it has them."""
+    bore_diameter_mm: float = quantity(
+        "Bore of the pin", "d_i", default=0.0, step=0.5, ge=0, le=LARGEST, schema=NO_DUST
+    )
+    """Diameter of its bore, up to 0.95 of its own; 0 of a solid pin."""
     material: Maybe[Material] = quantity("Material of the pin")
     """A name of the table of materials, or values; that of the contact where it has one."""
 
-    def held(self, contact: PinContactFields | None) -> PinSupport:
-        """The pin in SI units; what is not given is that of the contact."""
+    _bore_size = field_validator("bore_diameter_mm")(no_dust)
+
+    def held(self, contact: PinContactFields | None, in_rollers: float | None = None) -> PinSupport:
+        """The pin in SI units; what is not given is that of the contact, or the bore of its
+        rollers, m.
+        """
         own = self.to_core()
-        diameter, material = own.get("diameter"), self.material
+        diameter, material = own.get("diameter", in_rollers), self.material
         if contact is not None:
             diameter = diameter or 2 * to_si("radius_mm", contact.pin_radius_mm)
             material = material or contact.pin_material
@@ -156,6 +166,7 @@ class BentPinFields(HeldPinFields, group="pin"):
             satellite_positions=tuple(own.get("satellite_positions", ())),
             material=given,
             span=own.get("span"),
+            bore_diameter=own["bore_diameter"],
         )
 
 

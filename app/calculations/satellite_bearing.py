@@ -1,6 +1,6 @@
 """Load and life of the satellites' bearings: request, answer, figure."""
 
-from typing import Any, ClassVar, Literal, Self
+from typing import Any, Literal, Self
 
 import numpy as np
 from pydantic import model_validator
@@ -11,15 +11,14 @@ from app.calculations.design import (
     ForcesUsed,
     forces_used,
 )
+from app.calculations.named_bearing import NamedBearingFields, bearing_name
 from app.calculations.pin_contact import CrankContactFields
 from app.calculations.ring import RingFields
 from app.model import (
     AccuracyOut,
     AssumingResponse,
     Calculation,
-    Forms,
     Maybe,
-    RequestModel,
     ResponseModel,
     Size,
     Values,
@@ -44,12 +43,11 @@ OF_PINS = ("contact_law", "deviations", "pin", "crank_support", "satellite_coupl
 """Sections that say something of pins and holes."""
 
 
-class ShaftBearingFields(RequestModel, group="bearing"):
+class ShaftBearingFields(NamedBearingFields, group="bearing"):
     """A bearing of the crankshaft."""
 
-    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ()
-
-    kind: Literal["ball", "roller"] = quantity("Rolling elements")
+    name: Maybe[str] = bearing_name()
+    kind: Maybe[Literal["ball", "roller"]] = quantity("Rolling elements")
     """Balls: the life falls with the cube of the load; rollers: with its power 10/3."""
     dynamic_rating_N: Maybe[Size] = quantity("Dynamic load rating", "C", step=100)
     """Basic dynamic load rating; without it no life is answered."""

@@ -12,6 +12,7 @@ from core.checks.fit import FIT
 from core.checks.friction import FRICTION
 from core.checks.part import PARTS, Part, PartVerdict
 from core.checks.pin_contact import CONTACT, life_considered
+from core.checks.pin_rollers import PIN_ROLLERS
 from core.checks.pins import PINS
 from core.checks.play import PLAY
 from core.checks.space import SPACE
@@ -21,7 +22,18 @@ from core.errors import NotKnown
 
 CRANK_CHECKS = {
     kind.code: kind
-    for kind in (*CRANKS, *FIT, *CONTACT, *PLAY, *SPACE, *PINS, *FRICTION, *CRANK, *BEARINGS)
+    for kind in (
+        *CRANKS,
+        *FIT,
+        *CONTACT,
+        *PLAY,
+        *SPACE,
+        *PINS,
+        *FRICTION,
+        *CRANK,
+        *BEARINGS,
+        *PIN_ROLLERS,
+    )
 }
 """By code."""
 
@@ -159,7 +171,11 @@ def _part(design: Design, part: Part, made: list[Check]) -> PartVerdict:
 
 def _lacks(design: Design, part: Part, own: list[Check]) -> Iterator[NotKnown]:
     """What is not known of a part, for which it is open."""
-    absent = tuple(name for name in part.sections if not getattr(design, name))
+    absent = tuple(
+        name
+        for name in part.sections
+        if not (design.rubs if name == "friction" else getattr(design, name))
+    )
     if absent:
         yield NotKnown("section_missing", *absent)
     if part.by_forces and design.clearance_unknown:

@@ -28,7 +28,7 @@ _check = partial(
     unit="mm",
     formula="min(C − |P·exp(−iθ) − H|) ≥ 0",
     why="Otherwise the parts cannot be put together, jam, or press without load.",
-    inputs=(*HOLE, "contact.eccentricity", "deviations"),
+    inputs=(*HOLE, "contact.eccentricity", "deviations", "rollers.radial_clearance"),
     keep="above",
 )
 def interference(design: Design, results: Results) -> Check:

@@ -8,9 +8,7 @@ from core.design.document import Design
 from core.design.results import Results
 from core.errors import NotKnown
 
-_check = partial(
-    design_check, group="friction", part="losses", needs=("touching", "load", "friction")
-)
+_check = partial(design_check, group="friction", part="losses", needs=("touching", "load", "rubs"))
 
 
 @_check(
@@ -23,6 +21,9 @@ _check = partial(
         "mechanism.ratio",
         "friction.coefficient",
         "friction.sleeve",
+        "rollers.kind",
+        "rollers.bore_diameter",
+        "rollers.friction_coefficient",
         "requirements.min_efficiency",
     ),
     fixes=("friction.coefficient", "load.pin_circle_radius", "pin.diameter"),
@@ -55,7 +56,9 @@ def efficiency(design: Design, results: Results) -> Measure:
     source="user",
     asks="max_sliding_speed",
 )
-def sliding_speed(design: Design, results: Results) -> Measure:
+def sliding_speed(design: Design, results: Results) -> Check | Measure:
+    if design.rollers:
+        return Check(sliding_speed, "not_applicable", reason="rollers_roll")
     return Measure(float(results.output_efficiency.sliding_speed))
 
 
@@ -94,6 +97,8 @@ def _with_torque(results: Results, value: float) -> Measure:
 )
 def pv(design: Design, results: Results) -> Check | Measure:
     """Of a sleeve, which is a bush; a bare pin in a wider hole is none."""
+    if design.rollers:
+        return Check(pv, "not_applicable", reason="rollers_roll")
     value = float(results.output_efficiency.peak_pv)
     if not design.friction.sleeve:
         return Check(pv, "not_applicable", value=value, reason="no_bush")
@@ -125,7 +130,9 @@ def pv(design: Design, results: Results) -> Check | Measure:
     source="archard_1953",
     asks="max_wear",
 )
-def wear(design: Design, results: Results) -> Measure:
+def wear(design: Design, results: Results) -> Check | Measure:
+    if design.rollers:
+        return Check(wear, "not_applicable", reason="rollers_roll")
     losses = results.output_efficiency
     depths = [float(each) for each in (losses.pin_wear, losses.hole_wear) if each is not None]
     if not depths:

@@ -21,6 +21,7 @@ SHARING = (
     "contact.pin_material",
     "contact.hole_material",
     "pin.diameter",  # of pins that bend
+    "pin.bore_diameter",
     "pin.satellite_positions",
     "pin.support",
     "pin.span",
@@ -30,6 +31,9 @@ SHARING = (
     "deviations",
     "crank_support",
     "satellite_coupling",
+    "rollers.radial_clearance",
+    "rollers.width",  # how long they touch
+    "rollers.per_satellite",
 )
 """Of pins and holes as they are made: how satellites and pins share the load."""
 

@@ -133,6 +133,32 @@ def pin_fatigue(design: Design, results: Results) -> Check:
     return _of_size(results, check._replace(reason="finite_life") if lasts else check)
 
 
+@_check(
+    "pin_wall",
+    title="Wall about the bore of the pins",
+    unit="MPa",
+    formula="σ_w(T_max) ≤ R_e/S_F",
+    why="Above it the pin is squeezed flat under the satellite.",
+    inputs=(*LOADED, "load.peak_torque", "requirements.bending_safety"),
+    fixes=("pin.bore_diameter", *_FIXES, "load.peak_torque"),
+    source="pin_wall",
+)
+def pin_wall(design: Design, results: Results) -> Check:
+    pin = design.pin
+    if not pin.section.walled:
+        return Check(pin_wall, "not_applicable", reason="solid_pin")
+    stress = results.wall_stress
+    if pin.material.yield_strength is None:
+        missing = ("pin.material.yield_strength",)
+        return Check(pin_wall, "not_checked", value=stress, reason="yield_unknown", missing=missing)
+    limit = pin.material.yield_strength / design.requirements.bending_safety
+    error = 4 * results.pin_loads.accuracy.relative_error
+    found = judged(
+        pin_wall, stress, limit, reserve=limit / stress, error=error, rough=results.solved
+    )
+    return _of_size(results, found)
+
+
 SLEEVE = 0.1
 """Least wall of a sleeve over the diameter of its pin: tables of cycloid drives have 0.18 to 0.27,
 wrapped bushes 0.1."""
@@ -157,4 +183,4 @@ def wall_sleeve(design: Design, results: Results) -> Check:
     return wall(wall_sleeve, width=width, size=radius, guide=guide)
 
 
-PINS = (pin_static, pin_deflection, pin_slope, pin_fatigue, wall_sleeve)
+PINS = (pin_static, pin_deflection, pin_slope, pin_fatigue, wall_sleeve, pin_wall)

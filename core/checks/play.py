@@ -34,6 +34,7 @@ _check = partial(
         "contact.eccentricity",
         "deviations",
         "crank_support",
+        "rollers.radial_clearance",
         "requirements.max_backlash",
     ),
     asks="max_backlash",

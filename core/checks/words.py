@@ -10,6 +10,7 @@ GROUPS = {
     "geometry": "Pins and holes",
     "play": "Play of the output",
     "pin": "Strength of the pins",
+    "pin_rollers": "Rollers on the pins",
     "friction": "Friction and wear",
     "gear": "Ring",
     "bearing": "Bearings of the satellites",
@@ -42,7 +43,11 @@ CHECK_SOURCES = {
     "ovsyannikov_2019": "Ovsyannikov et al. 2019",
     "ovsyannikov_2019_length": "Ovsyannikov et al. 2019, before fig. 3: usually rollers are at "
     "least ten times as long as the centre distance, tilted by about 12°",
+    "pin_wall": "derived: a ring bent by the force and held by the shear of the pin, as a curved "
+    "beam: 1.5 to 37 % above plane elasticity",
     "pin_beam": "beam theory, the true locus of the moment; yield strength of the material",
+    "roller_rating": "ISO 281:2007 and ISO 76, with the ratings that were given; of bearings whose "
+    "outer ring nothing supports, what the two elements next to the load carry",
     "roots": "geometry; where no root radius is given: of a cycloid disc r_f = R_p − e − r_p, of "
     "involute teeth r_f = m·(z₂/2 − 1.25 + x) by the basic rack of ISO 53, with a profile shift "
     "taken as 0 ≤ x ≤ 1.25",
@@ -54,6 +59,8 @@ CHECK_SOURCES = {
     "ISO 76; where none is known, what it bears for many loads it bears once",
     "steep": "derived: above 55° the ring presses the satellite along the crank far more than it "
     "turns it",
+    "tilt_guide": "Tribology Handbook, A22: a slope for which the formula of the life holds",
+    "track_rollers": "catalogue of SKF: 0.0167 of the static rating of track rollers",
     "user": "the limit that was asked",
     "wang_2016": "Wang, Luo, Su 2016, eqs 32, 33, and the wall that was asked",
     "yanchevskiy_2021": "Yanchevskiy, Niekhoroshykh 2021",

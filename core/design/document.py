@@ -10,14 +10,17 @@ from typing import Any, Literal, TypeVar, cast
 
 from core.derived import if_known
 from core.design.sections import (
+    SAME,
     Contact,
     DesignPin,
     FatigueBasis,
     Friction,
     Load,
     MechanismSection,
+    PairSizes,
     Requirements,
     Ring,
+    Rollers,
     RollingBearing,
     SatelliteBody,
     Shaft,
@@ -28,6 +31,7 @@ from core.output.contact_law import ContactLaw
 from core.output.mechanism import Mechanism
 from core.output.members import Members, MemberSpeeds
 from core.output.pin_beam import check_apart
+from core.output.pin_section import MOST_BORE
 from core.output.real_mechanism import Deviations
 from core.output.satellite_support import CrankSupport, ElasticMesh, SatelliteSupport, Shares
 from core.precision import AS_TYPED, SAME
@@ -89,8 +93,8 @@ class Design:
     ------
     InvalidInput
         If the peak torque is below the working one, satellites reach into each other, their places
-        on pins and crankshaft differ, a pin is thicker than what touches the hole, or pins of the
-        ring overlap.
+        on pins and crankshaft differ, a pin is thicker than what touches the hole, pins of the
+        ring overlap, or rollers do not belong to pins and holes.
     """
 
     mechanism: MechanismSection  # pins, satellites, cranks, ratio
@@ -103,6 +107,7 @@ class Design:
     pin: DesignPin = _optional("pin")  # how it is held, bends and breaks
     fatigue: FatigueBasis = _optional("fatigue")  # what that of the pins is judged by
     friction: Friction = _optional("friction")
+    rollers: Rollers = _optional("rollers")  # rolling bearings on the pins
     gear: Ring = _optional("gear")  # teeth or pins of the ring
     bearing: RollingBearing = _optional("bearing")  # of a satellite on its crank
     crankshaft: Shaft = _optional("crankshaft")  # places of satellites and bearings
@@ -113,6 +118,7 @@ class Design:
         self._check_peak()
         self._check_places()
         self._check_thickness()
+        self._check_rollers()
         if self.gear:
             self.gear.check_pins_apart(self.mechanism.ratio)
         if self.bearing:
@@ -144,13 +150,29 @@ class Design:
                 raise InvalidInput(name, on_shaft[index], "other_pitch", limit=abs(there))
 
     def _check_thickness(self) -> None:
-        """No pin is thicker than what touches the hole."""
+        """No pin is thicker than what touches the hole, and no bore nearly as wide as its pin."""
+        bore, widest = (self.pin.bore_diameter, self.pin.diameter) if self.pin else (0.0, 0.0)
+        if bore > MOST_BORE * widest:
+            limit = MOST_BORE * widest
+            raise InvalidInput("pin.bore_diameter", bore, "less_than_equal", limit=limit)
         if not (self.pin and self.touching):
             return
         radius, diameter = self.contact.pair.pin_radius, self.pin.diameter
         if diameter > 2 * radius * (1 + SAME):
             most = {"field": "pin_radius", "limit": 2 * radius}
             raise InvalidInput("pin.diameter", diameter, "too_thick", **most)
+
+    def _check_rollers(self) -> None:
+        """Rollers fit onto their pins and are what touches the holes; no sleeve is beside them."""
+        rollers = self.rollers
+        if not rollers:
+            return
+        rollers.check(self.contact.pin_radius if self.contact else None)
+        if self.pin and not math.isclose(self.pin.diameter, rollers.bore_diameter, rel_tol=SAME):
+            other = {"field": "bore_diameter"}
+            raise InvalidInput("pin.diameter", self.pin.diameter, "only_one", **other)
+        if self.friction and self.friction.sleeve:
+            raise InvalidInput("friction.sleeve", True, "only_one", field="rollers")
 
     def _check_peak(self) -> None:
         peak = self.load.peak_torque if self.load else None
@@ -174,8 +196,32 @@ class Design:
     def as_made(self) -> bool:
         """Whether clearance, deviations, a law of contact or satellites that give are stated."""
         stated = (self.contact_law, self.deviations, self.support)
-        clearance = self.contact.clearance if self.contact else None
-        return (clearance or 0.0) > 0 or any(each is not None for each in stated)
+        clearance = (self.contact.clearance or 0.0) if self.contact else 0.0
+        if self.touching and not self.clearance_unknown:
+            clearance += self.roller_play
+        return clearance > 0 or any(each is not None for each in stated)
+
+    @property
+    def roller_play(self) -> float:
+        """What rollers give to either side on their pins, m: it adds to the clearance."""
+        return self.rollers.play if self.rollers else 0.0
+
+    @property
+    def pair(self) -> PairSizes:
+        """Sizes of a pair that touches: no longer than its rollers are."""
+        pair = self.contact.pair
+        length = self.rollers.length if self.rollers else math.inf
+        return pair._replace(contact_length=min(pair.contact_length, length))
+
+    @property
+    def rubs(self) -> bool:
+        """Whether friction of the output is known: given, or that of rollers."""
+        return bool(self.friction) or bool(self.rollers)
+
+    @property
+    def output_friction(self) -> Friction:
+        """Friction of the output: of rollers, of sleeves, or of pins in their holes."""
+        return self.rollers.friction(self.friction or None) if self.rollers else self.friction
 
     @property
     def clearance_unknown(self) -> bool:
@@ -373,7 +419,7 @@ class Design:
     @property
     def sleeved(self) -> bool:
         """Whether what touches the hole is not the pin, but a sleeve of it."""
-        if not (self.pin and self.touching):
+        if self.rollers or not (self.pin and self.touching):
             return False
         touching = 2 * self.contact.pair.pin_radius
         return not math.isclose(self.pin.diameter, touching, rel_tol=SAME)

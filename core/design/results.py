@@ -3,7 +3,7 @@ known.
 """
 
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from typing import Any
 
@@ -11,9 +11,10 @@ import numpy as np
 
 from core.arrays import Number
 from core.crank.crankshaft import Crankshaft, crankshaft
+from core.crank.pin_rollers import PinRollers, pin_rollers
 from core.crank.ring_mesh import RingMesh
 from core.crank.satellite_bearing import SatelliteBearings, satellite_bearings
-from core.derived import derived
+from core.derived import derived, if_known
 from core.design.contact import SHAKEDOWN, force_factor
 from core.design.document import Design
 from core.design.losses import made_losses
@@ -45,6 +46,16 @@ MOST_PIN_PAIRS = 500
 
 MOST_BEARING_PAIRS = 2000
 """Most pairs of which the forces on the satellites are integrated over the turn."""
+
+
+@dataclass(frozen=True, slots=True)
+class RollersOnPins:
+    """Rollers on the pins, and what they do besides carrying."""
+
+    loads: PinRollers  # of the one that is loaded most
+    loss: float | None  # of all, mean over the turn, W
+    added_clearance: float  # to that of pins and holes, m
+    tilt: float | None  # largest slope of a pin in them, rad
 
 
 class Results:
@@ -93,7 +104,7 @@ class Results:
     def real(self) -> RealMechanism:
         """The mechanism as it is made, of at most `MOST_REAL_PAIRS`, or `MOST_GIVING_PAIRS`."""
         design = self.design
-        radius, pair = design.load.pin_circle_radius, design.contact.pair
+        radius, pair = design.load.pin_circle_radius, design.pair
         most = MOST_REAL_PAIRS if design.support is None else MOST_GIVING_PAIRS
         if design.mechanism.pairs > most:
             raise design.too_many(most)
@@ -119,6 +130,7 @@ class Results:
             deviations=design.deviations or Deviations(),
             exact=design.support is None,
             support=design.support,
+            roller_play=design.roller_play,
         )
 
     @derived
@@ -184,7 +196,7 @@ class Results:
     def compliance(self) -> Callable[[Number], Number]:
         """Approach of a contact over its force, m/N, of forces, N."""
         contact = self.design.contact
-        length, pin_radius, hole_radius = contact.pair
+        length, pin_radius, hole_radius = self.design.pair
         if not hole_radius > pin_radius:
             than = {"field": "pin_radius", "limit": pin_radius}
             raise InvalidInput("contact.hole_radius", hole_radius, "larger_than", **than)
@@ -244,6 +256,7 @@ class Results:
             "application_factor": self.design.load_factor,
             "peak_torque": self.design.static_torque,
             "diameter": pin.diameter,
+            "bore_diameter": pin.bore_diameter,
             "contact_length": self.design.pin_length,
             "satellite_positions": pin.satellite_positions,
             "material": pin.material,
@@ -289,6 +302,28 @@ class Results:
             )
         return replace(found, notices=notices + self.size_notices + found.notices)
 
+    @derived
+    def static_pin_force(self) -> float:
+        """Largest force of a satellite on a pin under the torque of static strength, N."""
+        design = self.design
+        if self.made is None:
+            return float(self.contact_force.peak_force * design.static_torque / self._torque)
+        ways = WAYS[design.load.torque_direction]
+        return max(float(abs(self.made(way * design.static_torque).on_pins).max()) for way in ways)
+
+    @property
+    def _torque(self) -> float:
+        return float(self.design.load.output_torque)
+
+    @derived
+    def wall_stress(self) -> float:
+        """Largest bending stress of the wall about a pin's bore under that force, Pa."""
+        pin = self.design.pin
+        if not pin:
+            raise NotKnown("section_missing", "pin")
+        width = min(self.design.pin_length, self.design.pair.contact_length)
+        return float(pin.section.wall_stress(line_load=self.static_pin_force / width))
+
     @property
     def size_notices(self) -> tuple[Notice, ...]:
         """Whether the pin is thicker than its material's strengths hold for."""
@@ -320,7 +355,7 @@ class Results:
         """The contacts of pins that slope; None without pins."""
         if not self.design.pin:
             return None
-        stresses, length = self.pin_stresses, self.design.contact.pair.contact_length
+        stresses, length = self.pin_stresses, self.design.pair.contact_length
         return SlopingContacts(stresses.pin, stresses.loads, length, self.compliance)
 
     @derived
@@ -334,7 +369,7 @@ class Results:
         if isinstance(force, RealForces):
             return force.contact_at(factor)
         return hertz(
-            **contact.pair._asdict(),
+            **self.design.pair._asdict(),
             force=force.peak_force * factor,
             pin_material=self.design.lasting["pin"],
             hole_material=self.design.lasting["hole"],
@@ -410,12 +445,20 @@ class Results:
     @derived
     def output_efficiency(self) -> PinLosses:
         """Friction and wear of the pins under the torque, by the forces that are judged."""
-        if not self.design.friction:
+        if not self.design.rubs:
             raise NotKnown("section_missing", "friction")
         return named(self.design, "pin", self._losses)
 
+    @property
+    def _rubbing_diameter(self) -> float | None:
+        """Diameter at which rollers or sleeves turn on their pins, m."""
+        design = self.design
+        if design.rollers:
+            return design.rollers.bore_diameter
+        return design.pin.diameter if design.friction.sleeve and design.pin else None
+
     def _losses(self) -> PinLosses:
-        design, friction, load = self.design, self.design.friction, self.design.load
+        design, friction, load = self.design, self.design.output_friction, self.design.load
         eccentricity, turn = design.known_eccentricity, self.lossy_turn
         speeds = design.known_speeds
         life = design.requirements.life if friction.life is None else friction.life
@@ -430,7 +473,7 @@ class Results:
             hole_radius=design.contact.hole_radius,
             contact_length=design.contact.contact_length,
             friction_coefficient=friction.coefficient,
-            diameter=design.pin.diameter if friction.sleeve and design.pin else None,
+            diameter=self._rubbing_diameter,
             wear_rate=friction.wear_rate,
             life=None if friction.wear_rate is None else life,
             output_power=self.member_loads.output_power,
@@ -459,6 +502,42 @@ class Results:
     def lossy_turn(self) -> SampledTurn | None:
         """Of these the ones with the larger losses."""
         return max(self._lossy_turns, key=lambda turn: float(turn.mean(turn.total)), default=None)
+
+    @derived
+    def rollers(self) -> PinRollers:
+        """Loads and life of the rollers on the pins under the torque, their static safety under the
+        peak torque, of at most `MOST_BEARING_PAIRS`. Without a speed there is no life.
+        """
+        own, design = self.design.rollers, self.design
+        if not own:
+            raise NotKnown("section_missing", "rollers")
+        eccentricity = design.known_eccentricity
+        self._limit_pairs(MOST_BEARING_PAIRS)
+        found = pin_rollers(
+            **self._turning | {"eccentricity": eccentricity},
+            pin_radius=design.pair.pin_radius,
+            peak_torque=design.static_torque,
+            kind=own.kind,
+            ratings=own.ratings,
+            per_satellite=own.per_satellite,
+            dynamic_rating=own.dynamic_rating,
+            static_rating=own.static_rating,
+            rolling_elements=own.rolling_elements,
+        )
+        if own.radial_clearance is not None:
+            return found
+        return replace(found, notices=(Notice("roller_clearance_unknown"), *found.notices))
+
+    @property
+    def rollers_on_pins(self) -> "RollersOnPins":
+        """The same with loss, clearance and tilt, as far as these are known."""
+        deflection = if_known(lambda: self.pin_loads.deflection)
+        return RollersOnPins(
+            loads=self.rollers,
+            loss=if_known(lambda: float(self.output_efficiency.mean_loss)),
+            added_clearance=self.design.roller_play,
+            tilt=None if deflection is None else deflection.slope,
+        )
 
     @derived
     def ring_mesh(self) -> RingMesh:

@@ -8,6 +8,7 @@ from functools import cached_property, lru_cache
 from typing import Literal, NamedTuple, get_args
 
 from core.crank.bearing_life import Bearing
+from core.crank.pin_rollers import FRICTION, Ratings, RollerKind
 from core.crank.ring_mesh import RingMesh, cycloid_mesh, involute_mesh
 from core.errors import InvalidInput, NotKnown
 from core.fatigue import (
@@ -45,6 +46,9 @@ PartName = Literal[
 
 PART_NAMES: tuple[PartName, ...] = get_args(PartName)
 """Parts of a reducer: `core.checks.part`."""
+
+SAME = 1e-12
+"""Difference of diameters that is rounding, as a part of them."""
 
 DEDENDUM = 1.25
 """Depth of the roots of involute teeth within their reference circle without a profile shift, over
@@ -253,6 +257,8 @@ class DesignPin(PinSupport):
         Whether that is a steel, for which there is a rule of the endurance limit.
     valid_diameter : float or None
         Largest diameter that these strengths hold for, m.
+    bore_diameter : float
+        Diameter d_i of its bore, m; 0 of a solid pin.
     """
 
     contact_length: float | None = None
@@ -414,6 +420,96 @@ class Friction:
     sleeve: bool = False
     wear_rate: float | None = None
     life: float | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rollers:
+    """Rolling bearings on the pins, whose outer rings roll in the holes, as catalogues give them.
+
+    Attributes
+    ----------
+    kind : {"ball", "cylindrical", "needle"}
+        What rolls.
+    ratings : {"bearing", "roller"}
+        What the load ratings are of: a bearing in a rigid seat, or a roller.
+    bore_diameter : float
+        That of the pins, m.
+    outer_diameter : float or None
+        Twice the radius that touches the hole, m.
+    per_satellite : int
+        Rollers side by side under each satellite.
+    radial_clearance : float or None
+        Radial internal clearance, m: an outer ring moves by half of it to either side.
+    """
+
+    kind: RollerKind
+    ratings: Ratings = "bearing"
+    bore_diameter: float  # d
+    outer_diameter: float | None = None  # D
+    width: float | None = None  # B of one, m
+    per_satellite: int = 1
+    dynamic_rating: float | None = None  # C of one, N
+    static_rating: float | None = None  # C0, N
+    rolling_elements: int | None = None  # Z
+    max_radial_load: float | None = None  # F_r that its maker allows, N
+    max_static_radial_load: float | None = None  # F_0r likewise, N
+    radial_clearance: float | None = None  # G_r
+    friction_coefficient: float | None = None  # mu_b, at the bore
+    limiting_speed: float | None = None  # of the outer ring on the pin, rad/s
+
+    @property
+    def play(self) -> float:
+        """What an outer ring gives to either side, m."""
+        return (self.radial_clearance or 0.0) / 2
+
+    @property
+    def length(self) -> float:
+        """Of all rollers under a satellite, m; infinite where their width is not given."""
+        return math.inf if self.width is None else self.per_satellite * self.width
+
+    def check(self, pin_radius: float | None) -> None:
+        """Refuse sizes that contradict each other, and rollers without a ring of their own.
+
+        Parameters
+        ----------
+        pin_radius : float or None
+            Radius of what touches the hole, m.
+
+        Raises
+        ------
+        InvalidInput
+            If they do.
+        """
+        outer = self.outer_diameter
+        if outer is None and self.kind == "needle" and self.ratings == "bearing":
+            raise InvalidInput("rollers.ratings", self.ratings, "drawn_cup")
+        touching = None if pin_radius is None else 2 * pin_radius
+        sizes = [("pin_radius", touching), ("outer_diameter", outer)]
+        given = [(field, size) for field, size in sizes if size is not None]
+        if len(given) > 1 and not math.isclose(given[0][1], given[1][1], rel_tol=SAME):
+            touches = {"field": "pin_radius", "limit": touching}
+            raise InvalidInput("rollers.outer_diameter", outer, "only_one", **touches)
+        for field, size in given:
+            if not self.bore_diameter < size:
+                bore, than = self.bore_diameter, {"field": field, "limit": size}
+                raise InvalidInput("rollers.bore_diameter", bore, "smaller_than", **than)
+
+    def friction(self, given: "Friction | None") -> "Friction":
+        """Friction of the output: that of the rollers, on their pins.
+
+        Parameters
+        ----------
+        given : Friction or None
+            What is given of it besides.
+
+        Returns
+        -------
+        Friction
+        """
+        coefficient = self.friction_coefficient
+        if coefficient is None:
+            coefficient = given.coefficient if given else FRICTION[self.kind]
+        return Friction(coefficient=coefficient, sleeve=True)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

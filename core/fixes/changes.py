@@ -65,13 +65,16 @@ def value_of(*, design: Design, variable: str) -> float | None:
     -------
     float or None
         None where it is not given, or no input of its own: the diameter of a pin without a sleeve
-        is that of the contact, with one the contact is not the pin's; the hole of a fit follows it.
+        is that of the contact, with one the contact is not the pin's; of rollers both are theirs;
+        the hole of a fit follows it.
     """
     if variable == RATING:
         bearings = design.crankshaft.bearings if design.crankshaft else None
         ratings = [each.dynamic_rating for each in bearings or ()]
         return None if not ratings or None in ratings else min(ratings)  # type: ignore[type-var]
     if variable == "pin.diameter" and not design.sleeved:
+        return None
+    if variable == "contact.pin_radius" and design.rollers:
         return None
     if variable == "contact.hole_radius" and design.contact.iso_fit:
         return None

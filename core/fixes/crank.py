@@ -20,7 +20,7 @@ from core.precision import SEARCHED
 LOOKS, NUDGE = 9, 0.02
 """Most looks of a search by secants, and by which part an input is changed first."""
 
-STRENGTH = ("pin", "friction", "bearing", "crankshaft")
+STRENGTH = ("pin", "pin_rollers", "friction", "bearing", "crankshaft")
 """Groups of checks that are about powers of their inputs."""
 
 

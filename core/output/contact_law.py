@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from core.arrays import Number, check_positive, larger, log
 from core.errors import InvalidInput
 from core.materials import ElasticMaterial, effective_modulus
-from core.output.pin_beam import SHEAR_COEFFICIENT, Support
+from core.output.pin_beam import Support
+from core.output.pin_section import PinSection, check_bore
 from core.output.sharing_kernel import HERTZ, HERTZ_END, LINEAR, POWER, Law, pair_law
 
 MIN_EXPONENT, MAX_EXPONENT = 0.5, 3.0
@@ -60,6 +61,31 @@ class PinSupport:
     satellite_positions: tuple[float, ...]  # z_j of their middles from the support, m, > 0
     material: ElasticMaterial  # of the pin
     span: float | None = None  # L of the supports, m; needed with two
+    bore_diameter: float = 0.0  # d_i of its bore, m, from 0 to 0.95 d
+
+    @property
+    def section(self) -> PinSection:
+        """Its section."""
+        return PinSection(self.diameter, self.bore_diameter)
+
+    def wall_compliance(self, contact_length: float) -> float:
+        """How much the wall about its bore gives under a force, m/N: in series with each contact.
+
+        Parameters
+        ----------
+        contact_length : float
+            Length b on which the force presses, m, > 0.
+
+        Returns
+        -------
+        float
+        """
+        given = self.section.wall_compliance(
+            contact_length=contact_length,
+            youngs_modulus=self.material.youngs_modulus,
+            poissons_ratio=self.material.poissons_ratio,
+        )
+        return float(given)
 
 
 def pin_compliance(pin: PinSupport) -> tuple[float, ...]:
@@ -82,7 +108,7 @@ def pin_compliance(pin: PinSupport) -> tuple[float, ...]:
 
     Notes
     -----
-    With ``I = pi*d^4/64``, ``S = pi*d^2/4`` and the shear factor 10/9: a cantilever
+    With I, S and k of the section, of a solid pin ``pi*d^4/64``, ``pi*d^2/4``, 10/9: a cantilever
     ``z^3/(3*E*I) + k*z/(G*S)``; two supports ``z^2*(L - z)^2/(3*E*I*L) + k*z*(L - z)/(G*S*L)``;
     clamped ends take from this what their moments turn back. Each satellite loads the pin for
     itself: the bending by another satellite's force on the same pin is left out.
@@ -95,9 +121,12 @@ def pin_compliance(pin: PinSupport) -> tuple[float, ...]:
     [3.057, 38.285]
     """
     check_positive(diameter=pin.diameter)
-    bending = pin.material.youngs_modulus * math.pi * pin.diameter**4 / 64
-    shear_modulus = pin.material.youngs_modulus / (2 * (1 + pin.material.poissons_ratio))
-    shear = SHEAR_COEFFICIENT / (shear_modulus * math.pi * pin.diameter**2 / 4)
+    check_bore(bore_diameter=pin.bore_diameter, diameter=pin.diameter)
+    d, bore, ratio = pin.diameter, pin.bore_diameter, pin.material.poissons_ratio
+    bending = pin.material.youngs_modulus * math.pi * (d**4 - bore**4) / 64
+    shear_modulus = pin.material.youngs_modulus / (2 * (1 + ratio))
+    coefficient = pin.section.shear_coefficient(ratio)
+    shear = coefficient / (shear_modulus * math.pi * (d**2 - bore**2) / 4)
     span = pin.span
     compliances = []
     for index, z in enumerate(pin.satellite_positions):

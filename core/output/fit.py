@@ -51,7 +51,7 @@ class Fit:
             pin_circle_radius=real.pin_circle_radius,
             pin_radius=real.pin_radius,
             eccentricity=real.eccentricity,
-            clearance=real.clearance,
+            clearance=real.clearance + real.roller_play,
             deviations=real.numbered[0],
         )
 

@@ -28,6 +28,7 @@ from core.output.pin_search import (
     sampled,
     summits,
 )
+from core.output.pin_section import PinSection
 from core.output.pin_turn import PinTurn, combine
 from core.output.sampled_turn import PinSamples
 
@@ -58,16 +59,22 @@ class LoadedPin:
     beam: PinBeam  # in its supports
     diameter: float  # d, m
     positions: FloatArray  # middle planes of the satellites, m, shape (K,)
+    bore_diameter: float = 0.0  # d_i, m
 
-    @property
+    @cached_property
+    def section(self) -> PinSection:
+        """Its section."""
+        return PinSection(self.diameter, self.bore_diameter)
+
+    @cached_property
     def area(self) -> float:
-        """Of its section, m^2."""
-        return math.pi * self.diameter**2 / 4
+        """Area over which a shear force has 3/4 of its largest stress as its mean, m^2."""
+        return float(self.section.shear_area)
 
-    @property
+    @cached_property
     def modulus(self) -> float:
         """Section modulus W, m^3."""
-        return math.pi * self.diameter**3 / 32
+        return float(self.section.modulus)
 
     @cached_property
     def ends(self) -> FloatArray:

@@ -6,7 +6,8 @@ The moment is positive as that of a cantilever, the deflection in the direction 
 
     E*I*theta' = M,   w' = theta + k*V/(G*A),   V = -M',   k = 10/9
 
-(Timoshenko's beam, the shear coefficient of Ovsyannikov et al. 2019). All four are polynomials
+(Timoshenko's beam, the shear coefficient of Ovsyannikov et al. 2019; of a tube as in
+`core.output.pin_section`). All four are polynomials
 between the ends of the load, in forms that lose no digits where the load is short.
 """
 
@@ -26,13 +27,11 @@ from core.arrays import (
     where,
 )
 from core.errors import InvalidInput
+from core.output.pin_section import PinSection
 from core.precision import ROUNDING
 
 Support = Literal["cantilever", "supported", "fixed"]
 """Held in the carrier at one end; at both, free to tilt; at both, built in."""
-
-SHEAR_COEFFICIENT = 10 / 9
-"""Shear coefficient k of a round section."""
 
 
 def check_apart(*, name: str, positions: Sequence[float], width: float) -> None:
@@ -87,6 +86,7 @@ class PinBeam:
         youngs_modulus: Number,
         poissons_ratio: Number,
         span: Number | None = None,
+        bore_diameter: Number = 0.0,
     ) -> "PinBeam":
         """A pin of one diameter.
 
@@ -104,6 +104,8 @@ class PinBeam:
             Poisson's ratio.
         span : float or array, optional
             Distance L of the two supports, m, > 0; needed but for a cantilever.
+        bore_diameter : float or array
+            Diameter of its bore, m, from 0 on, smaller than d.
 
         Returns
         -------
@@ -114,10 +116,11 @@ class PinBeam:
         )
         if span is not None:
             check_positive(span=span)
-        inertia = math.pi * diameter**4 / 64
-        # I/A = d^2/16, E/G = 2*(1 + v)
-        shear = SHEAR_COEFFICIENT * (1 + poissons_ratio) * diameter**2 / 8
-        return cls(support, contact_length, youngs_modulus * inertia, shear, span)
+        section = PinSection(diameter, bore_diameter)
+        # I/A = (d^2 + d_i^2)/16, E/G = 2*(1 + v)
+        turned = section.shear_coefficient(poissons_ratio) * (1 + poissons_ratio)
+        shear = turned * (diameter**2 + bore_diameter**2) / 8
+        return cls(support, contact_length, youngs_modulus * section.inertia, shear, span)
 
     def _integral(self, times: Literal[1, 2, 3, 4], x: Number, z: Number) -> Number:
         """Integral of the load from 0 to x, so many times."""

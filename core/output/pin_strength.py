@@ -3,7 +3,7 @@
 The force on a pin turns while it grows and falls, so that no fixed rule says what cycle the stress
 makes: it follows from the locus that the bending moment of a section describes over the turn. With
 the support function ``h(chi)``, the locus' largest moment in the direction chi, a point of the
-section's edge goes from ``-h(chi + pi)/W`` to ``h(chi)/W``, ``W = pi*d^3/32``.
+section's edge goes from ``-h(chi + pi)/W`` to ``h(chi)/W``, ``W = pi*d^3/32`` of a solid pin.
 """
 
 import math
@@ -22,6 +22,7 @@ from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam, Support, section_stress
 from core.output.pin_fatigue import FatigueStrength, PinFatigue, judged
 from core.output.pin_search import SETTLED, first_of
+from core.output.pin_section import check_bore
 from core.output.pin_turn import PinTurn, combine, pin_turn
 from core.output.sampled_turn import WAYS, Direction, Made, PinSamples, SampledTurn
 from core.precision import ROUNDING
@@ -176,6 +177,7 @@ def pin_stresses(
     output_torque: float,
     pin_circle_radius: float,
     diameter: float,
+    bore_diameter: float = 0.0,
     contact_length: float,
     satellite_positions: tuple[float, ...],
     material: ElasticMaterial,
@@ -203,6 +205,8 @@ def pin_stresses(
         Radius R of the circle of pin centres, m, > 0.
     diameter : float
         Diameter d of the pin, m, > 0.
+    bore_diameter : float
+        Diameter of its bore, m, from 0 to 0.95 d.
     contact_length : float
         Length b over which each force is spread evenly, m, > 0.
     satellite_positions : tuple of float
@@ -254,16 +258,18 @@ def pin_stresses(
     check_positive(peak_torque=static_torque)
     if support != "cantilever" and span is None:
         raise InvalidInput("span", None, "needed", field="support")
+    check_bore(bore_diameter=bore_diameter, diameter=diameter)
     beam = PinBeam.round(
         support=support,
         diameter=diameter,
+        bore_diameter=bore_diameter,
         contact_length=contact_length,
         youngs_modulus=material.youngs_modulus,
         poissons_ratio=material.poissons_ratio,
         span=span if support != "cantilever" else None,
     )
     _check_positions(mechanism, satellite_positions, contact_length, beam.span)
-    pin = LoadedPin(beam, diameter, np.array(satellite_positions))
+    pin = LoadedPin(beam, diameter, np.array(satellite_positions), bore_diameter)
     ways = WAYS[torque_direction]
     static, again = 1.0, list[PinLoads]()
     if made is None:

@@ -207,6 +207,27 @@ class Turn:
         own, total = self._own(arcs), self.pairs.total(self.part[arcs])
         return lambda way: own(way) / total(way)
 
+    def nodes_of(self, *levels: int) -> tuple[NDArray[Any], FloatArray]:
+        """What is asked of the pairs at the nodes of rules of the whole turn, and their weights.
+
+        Parameters
+        ----------
+        *levels : int
+            Of the tanh-sinh rules of each arc.
+
+        Returns
+        -------
+        values : array, shape (K, n)
+        weights : array, shape (n, rules)
+        """
+        start, stop = self.tangents[:, self.arcs]
+        way, weights = _rules(*levels)
+        whole = 2 * np.pi * (self.ends[1] - self.ends[0]).sum()
+        slopes = (stop - start) / ((1 + _between(start, stop, way) ** 2) * whole)
+        values = self.at(self.arcs)(way).swapaxes(0, 1)
+        weights = slopes[..., None] * weights
+        return values.reshape(len(values), -1), weights.reshape(-1, len(levels))
+
 
 class PinTurn(Turn):
     """Forces of the satellites on a pin over F0, tangential + i*radial; made as `AllPairs`."""
@@ -296,27 +317,6 @@ class SatelliteTurn(Turn):
         aligned = len(phases.sector_phases) == phases.symmetry  # no rounding of angles between them
         self.off = 2 * math.pi * ((ROUNDING if aligned else PHASE_ROUNDING) + phases.error)
         super().__init__(mechanism, force_exponent, own.tolist(), phases.symmetry)
-
-    def nodes_of(self, *levels: int) -> tuple[FloatArray, FloatArray]:
-        """Shares and forces at the nodes of rules of the whole turn, and the weights of each.
-
-        Parameters
-        ----------
-        *levels : int
-            Of the tanh-sinh rules of each arc.
-
-        Returns
-        -------
-        values : array, shape (2*K, n)
-        weights : array, shape (n, rules)
-        """
-        start, stop = self.tangents[:, self.arcs]
-        way, weights = _rules(*levels)
-        whole = 2 * np.pi * (self.ends[1] - self.ends[0]).sum()
-        slopes = (stop - start) / ((1 + _between(start, stop, way) ** 2) * whole)
-        values = self.at(self.arcs)(way).swapaxes(0, 1)
-        weights = slopes[..., None] * weights
-        return values.reshape(len(values), -1), weights.reshape(-1, len(levels))
 
     @cached_property
     def coarse_nodes(self) -> tuple[FloatArray, FloatArray]:

@@ -189,6 +189,8 @@ class RealMechanism:
     exact: bool = True
     # What the satellites' bearings or mesh give, in first order; rigid where not given.
     support: SatelliteSupport | None = None
+    # What rollers give to either side on their pins, m: in the play, not in the curvatures.
+    roller_play: float = 0.0
 
     def __post_init__(self) -> None:
         sizes = {
@@ -225,11 +227,12 @@ class RealMechanism:
         Setup
         """
         kind, exponent = law_kind(self.law)
-        support, gives, loose = RIGID, 0.0, 0.0
+        support, gives, loose = RIGID, 0.0, self.roller_play
         if isinstance(self.support, ElasticMesh):
             support, gives = MESH, 1 / self.support.stiffness
         if isinstance(self.support, CrankSupport):
-            gives, loose = 1 / self.support.stiffness, self.support.radial_clearance / 2
+            gives = 1 / self.support.stiffness
+            loose += self.support.radial_clearance / 2
             support = CRANK if gives > 0 else RIGID
         return Setup(
             pins=self.mechanism.pins,
@@ -261,7 +264,7 @@ class RealMechanism:
 
     @property
     def compliance(self) -> list[float]:
-        """Of the pin at each satellite, m/N."""
+        """Of the pin at each satellite, with the wall about its bore, m/N."""
         satellites = self.mechanism.satellites
         if self.pin is None:
             return [0.0] * satellites
@@ -278,7 +281,8 @@ class RealMechanism:
             positions=self.pin.satellite_positions,
             width=self.contact_length,
         )
-        return [*pin_compliance(self.pin)]
+        wall = self.pin.wall_compliance(self.contact_length)
+        return [each + wall for each in pin_compliance(self.pin)]
 
     @cached_property
     def numbered(self) -> tuple[Deviations, tuple[int, ...]]:

@@ -77,7 +77,7 @@ class Setup(NamedTuple):
     exponent: float  # of the force over the approach; about 10/9 for Hertz, for start and steps
     support: int  # RIGID, CRANK, MESH
     gives: float  # compliance of that, m/N or rad/(N*m)
-    loose: float  # what the bearings' clearance adds to every gap
+    loose: float  # what the clearance of bearings, on cranks or pins, adds to every gap
 
 
 class Law(NamedTuple):
@@ -193,7 +193,7 @@ def prepare(
             p_r, p_t = errors.pin_radial[n], errors.pin_tangential[n]
             h_r, h_t = errors.hole_radial[i], errors.hole_tangential[i]
             larger = errors.hole_radius[i] - errors.pin_radius[n]
-            gap = setup.clearance + larger - errors.eccentricity[j]
+            gap = setup.clearance + larger - errors.eccentricity[j] + setup.loose
             off = abs(p_r) + abs(p_t) + abs(h_r) + abs(h_t) + abs(eta) * radius
             loose = abs(setup.clearance) + abs(larger) + abs(errors.eccentricity[j])
             if setup.exact:
@@ -205,12 +205,13 @@ def prepare(
                 pairs.k0[i] = ex * ex + ey * ey - gap * (2 * own + gap)
                 pairs.k1[i] = 2 * (ex * x + ey * y - (x * x + y * y))
                 pairs.k2[i] = 2 * (ex * y - ey * x)
-                pairs.size[i] = (2 * abs(own) + off) * off + loose * (2 * abs(own) + abs(gap))
+                pairs.size[i] = (2 * abs(own) + off) * off
+                pairs.size[i] += (loose + setup.loose) * (2 * abs(own) + abs(gap))
             else:
                 e_r, e_t = p_r - h_r, p_t - h_t - eta * radius
                 pairs.x[i], pairs.y[i] = -radius * ry, radius * rx
                 pairs.ex[i], pairs.ey[i] = e_t * ry - e_r * rx, -e_r * ry - e_t * rx
-                pairs.k0[i], pairs.k1[i], pairs.k2[i] = -gap - setup.loose, 0.0, 0.0
+                pairs.k0[i], pairs.k1[i], pairs.k2[i] = -gap, 0.0, 0.0
                 pairs.size[i] = off + loose + setup.loose
             difference = setup.eccentricity + setup.clearance + larger
             pin = setup.pin_radius + errors.pin_radius[n]

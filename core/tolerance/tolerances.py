@@ -41,59 +41,6 @@ class Tolerances:
 
         return middle(self.hole_radius) - middle(self.pin_radius) - middle(self.eccentricity)
 
-    def middle(spread: Spread | None) -> float:
-            return 0.0 if spread is None else (spread.lower + spread.upper) / 2
-
-        return middle(self.hole_radius) - middle(self.pin_radius) - middle(self.eccentricity)
-
-    def drawn(
-        self, *, pins: int, satellites: int, seed: int, samples: int, other: Sequence[str] = ()
-    ) -> Errors[FloatArray]:
-        """Deviations of many pieces.
-
-        Parameters
-        ----------
-        pins, satellites : int
-            Numbers N and K.
-        seed : int
-            Of the study.
-        samples : int
-            How many pieces.
-        other : sequence of str
-            Sources that are drawn from the second, independent sample.
-
-        Returns
-        -------
-        Errors
-            A table of each deviation, C-contiguous: a row for each piece.
-        """
-
-        def stream(source: str, part: int, count: int, common: bool) -> FloatArray:
-            kind = KINDS[source][part] + (OTHER if source in other else 0)
-            columns = [
-                uniforms(seed=seed, kind=kind, index=index, samples=samples)
-                for index in range(1 if common else count)
-            ]
-            return np.stack(columns * (count if common else 1), axis=1)
-
-        counts = {"pin": pins, "hole": pins * satellites}
-        rows = {
-            name: np.zeros((samples, counts.get(name.split("_")[0], satellites)))
-            for name in Errors._fields
-        }
-        for source in self.sources:
-            of, given = source.split("_")[0], getattr(self, source)
-            count = counts.get(of, satellites)
-            if isinstance(given, Spread):
-                rows[source] = given.values(stream(source, 0, count, given.common))
-                continue
-            rows[f"{of}_radial"], rows[f"{of}_tangential"] = zone_places(
-                diameter=given,
-                radius_uniform=stream(source, 0, count, False),
-                angle_uniform=stream(source, 1, count, False),
-            )
-        return Errors(**{name: np.ascontiguousarray(row) for name, row in rows.items()})
-
     def middle(self, *, pins: int, satellites: int) -> Deviations:
         """The piece at the middle of all limits.
 

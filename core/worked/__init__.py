@@ -16,6 +16,7 @@ sharing             a pin under a unit force, and ideal forces on it
 pins                strength of the pins
 losses              friction and wear of the pins
 crank               bearings of the satellites, crankshaft, balance
+pin_rollers         rolling bearings as rollers on the pins
 precession          the precessional gear and its shaft
 rollers             swinging rollers
 """

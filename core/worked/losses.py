@@ -11,14 +11,15 @@ def loss_steps(results: Results) -> list[Step]:
     Parameters
     ----------
     results : Results
-        Results of a design with friction.
+        Results of a design with friction, or with rollers.
 
     Returns
     -------
     list of Step
     """
     sheet, found, design = Sheet(), results.output_efficiency, results.design
-    load, contact, friction = design.load, design.contact, design.friction
+    load, contact, friction = design.load, design.contact, design.output_friction
+    rolled = design.rollers.bore_diameter if design.rollers else None
     radius = "r_in" if found.sleeve_speed is None else "r_s"
     slow = "" if found.sleeve_speed is None else "*r_p/r_s"
     wave = sheet.take_ratio(design.mechanism.ratio)
@@ -28,7 +29,8 @@ def loss_steps(results: Results) -> list[Step]:
     take_torque(sheet, members=design.members, output_torque=load.output_torque)
     sheet.take("b", "contact_length", contact.contact_length)
     sheet.take(radius, "pin_radius", contact.pin_radius)
-    sheet.take("r_p", "bolt_radius", design.pin.diameter / 2 if design.pin else None)
+    inner = design.pin.diameter if rolled is None and design.pin else rolled
+    sheet.take("r_p", "bolt_radius", None if inner is None else inner / 2)
     sheet.take("r_out", "hole_radius", contact.hole_radius)
     sheet.take("mu", "coefficient", friction.coefficient)
     sheet.take("N", "pins", design.mechanism.pins)

@@ -68,13 +68,17 @@ def strength_steps(*, results: Results, found: PinStrength) -> list[Step]:
     """
     sheet, pin = Sheet(), results.design.pin
     sheet.take("d", "diameter", pin.diameter)
+    sheet.take("d_i", "bore_diameter", pin.bore_diameter or None)
     sheet.state("peak_force", "F_max", found.peak_force, "shared")
     sheet.state("peak_moment_position", "x", found.peak_moment_position, "section")
     sheet.state("peak_moment", "M", found.peak_moment, "section")
-    formula = "32*M/(pi*d^3)"
+    formula, sheared = "32*M/(pi*d^3)", "16*V/(3*pi*d^2)"
+    if pin.bore_diameter:
+        formula = "32*M*d/(pi*(d^4-d_i^4))"
+        sheared = "16*V/(3*pi*(d^2-d_i^2))*(1+d*d_i/(d^2+d_i^2))"
     sheet.work("peak_bending_stress", "sigma_b", found.peak_bending_stress, formula)
     sheet.state("peak_shear_force", "V", found.peak_shear_force, "section")
-    sheet.work("peak_shear_stress", "tau", found.peak_shear_stress, "16*V/(3*pi*d^2)")
+    sheet.work("peak_shear_stress", "tau", found.peak_shear_stress, sheared)
     sheet.state("peak_equivalent_stress", "sigma_v", found.peak_equivalent_stress, "equivalent")
     sheet.take("R_e", "yield_strength", pin.material.yield_strength)
     static_step(

@@ -55,6 +55,7 @@ def beam_of(results: Results) -> PinBeam:
     return PinBeam.round(
         support=pin.support,
         diameter=pin.diameter,
+        bore_diameter=pin.bore_diameter,
         contact_length=results.design.pin_length,
         youngs_modulus=pin.material.youngs_modulus,
         poissons_ratio=pin.material.poissons_ratio,
@@ -76,6 +77,7 @@ def take_beam(sheet: Sheet, *, results: Results) -> None:
     sheet.take("E", "youngs_modulus", float(pin.material.youngs_modulus))
     sheet.take("nu", "poissons_ratio", float(pin.material.poissons_ratio))
     sheet.take("d", "diameter", pin.diameter)
+    sheet.take("d_i", "bore_diameter", pin.bore_diameter or None)
     sheet.take("b", "contact_length", results.design.pin_length)
     sheet.take("L", "span", None if pin.support == "cantilever" else pin.span)
 
@@ -109,7 +111,15 @@ def unit_steps(sheet: Sheet, *, results: Results, at: int, by: int) -> tuple[str
         own = formula.replace("V", f"V_{by + 1}").replace("M_u", f"M_{by + 1}")
         return own.replace("x", f"z_{at + 1}").replace("#", f"z_{by + 1}")
 
+    area, inertia, k, square = "d^2", "d^4", "10/9", "d^2"
+    if pin.bore_diameter:
+        area, inertia, k, square = "(d^2-d_i^2)", "(d^4-d_i^4)", "k_s", "(d^2+d_i^2)"
+        around = "((7+6*nu)*(1+(d_i/d)^2)^2)"
+        coefficient = pin.section.shear_coefficient(float(pin.material.poissons_ratio))
+        formula = f"10/9*(1+(20+12*nu)*(d_i/d)^2/{around})"
+        sheet.work("shear_coefficient", k, coefficient, formula)
     for symbol, formula in HELD[pin.support].items():
+        formula = formula.replace("10/9*(1+nu)*d^2", f"{k}*(1+nu)*{square}")
         code, value = ("unit_shear", shear) if symbol == "V" else ("unit_moment", moment)
         sheet.work(code, placed(symbol), value, placed(formula))
     beyond = x - z
@@ -124,10 +134,10 @@ def unit_steps(sheet: Sheet, *, results: Results, at: int, by: int) -> tuple[str
         "unit_deflection",
         f"c_{marks}",
         beam.deflection(x, z),
-        f"64*({bent})/(pi*E*d^4)+10/9*8*(1+nu)*({sheared})/(pi*E*d^2)",
+        f"64*({bent})/(pi*E*{inertia})+{k}*8*(1+nu)*({sheared})/(pi*E*{area})",
         **said,
     )
-    slope = f"64*({turned})/(pi*E*d^4)"
+    slope = f"64*({turned})/(pi*E*{inertia})"
     sheet.work("unit_slope", f"s_{marks}", beam.slope(x, z), slope)
     return f"c_{marks}", f"s_{marks}"
 

@@ -21,6 +21,7 @@ VALUES = {
     "full_arm_load": "Line load where the arm is R_C",
     "couple_arm": "Arm of the cranks' couple",
     "neuber_root": "Root of Neuber's length, in √mm",
+    "shear_coefficient": "Shear coefficient of the bored pin",
     "unit_shear": "Shear force at the carrier by a unit force",
     "unit_moment": "Moment at the carrier by a unit force",
     "unit_deflection": "Deflection by a unit force",
@@ -120,7 +121,7 @@ NOTES = {
     "about_middle": "Each satellite counts at its distance from the middle of the bearings.",
     "opposite": "Opposite to what it balances; counted as the crank angles are.",
     "unit_force": "At satellite {at}, by a force at satellite {from}, spread evenly over b: "
-    "bending and, with the coefficient 10/9, shear.",
+    "bending and, with the coefficient 10/9 of a solid pin, shear.",
     "alike": "Where the value sought is largest, satellites sharing alike; the sum below runs "
     "over all pairs that drive there.",
     "equilibrium": "Moments about the other bearing, of the satellites' W and S where the "

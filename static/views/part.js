@@ -30,9 +30,10 @@ function stacked({ data, layout }) {
 export function createView({ id, section, client, titles, figures, calculations, logic }) {
   const root = element(html`<div class="part"><p class="state"></p><dl class="numbers"></dl><div class="all"></div>
     <p class="left-out note"></p></div>`);
-  const { model } = calculations.find(({ name }) => logic.figure.path.startsWith(`/${name}/`));
+  const path = logic.figure?.path ?? `${logic.path}/`;
+  const { model } = calculations.find(({ name }) => path.startsWith(`/${name}/`));
   const part = (name) => root.querySelector(`.${name}`);
-  const figure = createFigure({
+  const figure = logic.figure && createFigure({
     figure: { shape: stacked, height: NARROW.matches ? TALL : HEIGHT, ...logic.figure }, client, titles,
     on: { charted() {}, turned() {}, set() {}, picked() {} },
   });
@@ -40,8 +41,8 @@ export function createView({ id, section, client, titles, figures, calculations,
   const calculator = { id, drawing: logic.drawing, figures: [], elsewhere: ["locus", "curves", "forces", ...Object.keys(lists)] };
   const drawing = logic.drawing && createDrawingView({ calculator, on: {} });
   if (drawing) part("all").before(drawing.root);
-  part("left-out").before(figure.root);
-  figures.push(figure);
+  if (figure) part("left-out").before(figure.root);
+  if (figure) figures.push(figure);
   const bounds = logic.bounds && createBounds({ bounds: logic.bounds, client, titles });
   if (bounds) part("left-out").before(bounds.root);
 
@@ -66,13 +67,13 @@ export function createView({ id, section, client, titles, figures, calculations,
         : state.shown?.answer[section] ? "" : message("results.missing");
       numbers(state);
       drawing?.update({ ...state, about: { ...state.about, calculator } });
-      figure.update(state);
+      figure?.update(state);
       bounds?.update(state);
     },
     close() {
       bounds?.close();
       drawing?.close();
-      figure.close();
+      figure?.close();
     },
   };
 }

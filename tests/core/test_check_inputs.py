@@ -18,7 +18,7 @@ from core.checks.crank_planetary import crank_checks
 from core.checks.records import CHECKS
 from core.design.document import Design
 from core.design.results import Results
-from core.design.sections import FatigueBasis, Requirements, Ring, RollingBearing
+from core.design.sections import FatigueBasis, Requirements, Ring, Rollers, RollingBearing
 from core.errors import CalculationError
 from core.materials import MATERIALS
 from tests.inputs.checks import WHOLE, having
@@ -64,7 +64,46 @@ ALL = having(
 """All sections and demands; the satellites' bearings by the room for them."""
 BEARING: RollingBearing = replace(ALL.bearing, **ENVELOPE)  # type: ignore[type-var]
 TIRED = FatigueBasis(surface="ground", fatigue_notch_factor=1.5)
+ROLLERS = Rollers(
+    kind="ball",
+    bore_diameter=0.010,
+    width=0.006,
+    per_satellite=2,
+    dynamic_rating=90e3,
+    static_rating=30e3,
+    rolling_elements=8,
+    max_radial_load=3000.0,
+    max_static_radial_load=4000.0,
+    radial_clearance=4e-5,
+    limiting_speed=60.0,
+)
+ROLLED = having(
+    ALL,
+    friction=replace(ALL.friction, sleeve=False),  # type: ignore[type-var]
+    pin=replace(ALL.pin, diameter=0.010, bore_diameter=0.004),  # type: ignore[type-var]
+    rollers=ROLLERS,
+    hole_radius=0.01002,
+    peak_torque=700.0,
+)
 DESIGNS = {
+    "bored pins": having(ALL, pin=replace(ALL.pin, bore_diameter=0.007)),  # type: ignore[type-var]
+    "rollers": ROLLED,
+    "rollers, held by their bending": having(
+        ROLLED, rollers=replace(ROLLERS, max_static_radial_load=None), max_lost_motion=0.02
+    ),
+    "rollers without clearance": having(
+        ROLLED, hole_radius=0.010, rollers=replace(ROLLERS, radial_clearance=None, width=0.02)
+    ),
+    "rollers under ideal forces": having(
+        ROLLED,
+        pin=None,
+        hole_radius=0.010,
+        rollers=replace(ROLLERS, radial_clearance=None),
+        peak_torque=None,
+    ),
+    "rollers on pins that are not known": having(
+        ROLLED, pin=None, rollers=replace(ROLLERS, friction_coefficient=0.002), peak_torque=None
+    ),
     "ideal": ALL,
     "stated sharing": having(ALL, distribution_factor=1.2),
     "stated sharing, uneven cranks": having(ALL, distribution_factor=1.2, crank_spacing=2.0),

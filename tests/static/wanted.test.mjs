@@ -395,6 +395,12 @@ test("a design document switches on the groups whose parts it has, and is asked 
   assert.deepEqual(wantedSections(input), ["pin_strength", "output_efficiency", "satellite_bearing", "crankshaft"]);
   assert.deepEqual(partsOf(input, wantedSections(input)), { ...document, gear: ratio });
   assert.deepEqual(input.besides.strength, { on: "on", surface: "sleeved", fatigue: "notch" });
+  const rollers = { name: "686", radial_clearance_mm: 0.02 };
+  const rolling = inputOf({ mechanism: { pins: 6 }, ...document, friction: undefined, rollers });
+  assert.deepEqual(wantedSections(rolling), ["pin_strength", "rollers", "satellite_bearing", "crankshaft"]);
+  assert.deepEqual(partsOf(rolling, wantedSections(rolling)).rollers, rollers);
+  const rubbing = inputOf({ ...document, rollers });
+  assert.equal(partsOf(rubbing, wantedSections(rubbing)).friction, undefined, "rollers have a friction of their own");
   for (const [part, section] of [["pin", "pin_strength"], ["friction", "output_efficiency"], ["bearing", "satellite_bearing"]]) {
     assert.deepEqual(wantedSections(inputOf({ [part]: document[part] })), [section]);
   }

@@ -17,7 +17,7 @@ import { inputOf, MADE, partsOf, WANTED, wantedSections } from "./wanted.js";
 
 const MOST_ROWS = 24;
 const DESIGN = [ // parts that are judged beside the contact
-  ...MADE, "pin", "fatigue", "friction", "gear", "bearing", "crankshaft", "satellite_body", "requirements",
+  ...MADE, "pin", "fatigue", "rollers", "friction", "gear", "bearing", "crankshaft", "satellite_body", "requirements",
 ];
 
 /** Cranks spaced unevenly: the peak lies between all even steps, so that sampling has to pay for digits. */

@@ -9,8 +9,8 @@ const designBody = figureBody("friction");
 
 /** Without the wear, which takes a life and is not drawn. */
 function lossBody(input, answer, requests) {
-  const { friction: { wear_rate_mm3_per_Nm, ...friction }, ...body } = designBody(input, answer, requests);
-  return { ...body, friction };
+  const { friction: { wear_rate_mm3_per_Nm, ...friction } = {}, ...body } = designBody(input, answer, requests);
+  return { ...body, ...(body.rollers ? {} : { friction }) };
 }
 
 export function cells(section) {

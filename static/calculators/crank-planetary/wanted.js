@@ -68,23 +68,42 @@ const STUDY = {
     "lost_motion_arcmin", "stiffness_min_Nm_per_arcmin"].map((name) => [`limits.${name}`, rare])),
 };
 
+const BARE = ["rolling.on", undefined, "", "off"]; // where no rollers are on the pins
+
 const asked = (...names) => Object.fromEntries(names.map((name) => [`requirements.${name}`, rare]));
 const STRENGTH = {
   "pin.support": {},
   "pin.satellite_positions_mm": { required: true, follows: (input) => planes(input, GAP) },
   "pin.span_mm": { when: ["pin.support", "supported", "fixed"], required: true },
   "pin.material": { without: ["allowable_pressure_MPa", "life_curve"] },
-  "strength.surface": { options: ["bare", "sleeved"], default: "bare", words: ["surface", "strength"] },
+  "strength.surface": { options: ["bare", "sleeved"], default: "bare", words: ["surface", "strength"], when: BARE },
   "pin.diameter_mm": { when: ["strength.surface", "sleeved"], required: true, words: ["diameter", "strength"] },
   ...fatigueFields("strength.fatigue", ["notch_factor", "notch", "endurance_limit", "plain"]),
   "fatigue.life_h": { ...rare, when: ["strength.fatigue", "notch_factor", "notch", "endurance_limit"] },
+  "pin.bore_diameter_mm": rare,
   "pin.rotates": rare,
   ...asked("bending_safety", "fatigue_safety", "max_deflection_mm", "max_slope_mrad"),
 };
 
+const named = ["rollers.name", undefined, ""]; // where no name says it
+const ROLLING = {
+  "rollers.name": {},
+  "rollers.kind": { when: named, default: "ball" },
+  "rollers.bore_diameter_mm": {},
+  "rollers.outer_diameter_mm": {},
+  "rollers.width_mm": {},
+  "rollers.radial_clearance_mm": {},
+  "rollers.dynamic_rating_N": {},
+  "rollers.static_rating_N": {},
+  "rollers.ratings": {},
+  "rollers.rolling_elements": {},
+  ...Object.fromEntries(["per_satellite", "max_radial_load_N", "max_static_radial_load_N", "friction_coefficient", "limiting_speed_rpm"]
+    .map((name) => [`rollers.${name}`, rare])),
+};
+
 const LOSSES = {
-  "friction.coefficient": { required: true },
-  "friction.wear_rate_mm3_per_Nm": {},
+  "friction.coefficient": { required: true, when: BARE },
+  "friction.wear_rate_mm3_per_Nm": { when: BARE },
   ...asked("min_efficiency", "max_wear_mm", "max_pv_MPa_m_per_s", "max_sliding_speed_m_per_s"),
 };
 
@@ -97,7 +116,8 @@ const BEARINGS = {
   "gear.ring_pin_circle_radius_mm": ring("cycloid"),
   "gear.ring_pin_radius_mm": { when: ["gear.kind", "cycloid"] },
   "gear.radial_force_ratio": ring("ratio"),
-  "bearing.kind": { default: "roller" },
+  "bearing.name": {},
+  "bearing.kind": { default: "roller", when: ["bearing.name", undefined, ""] },
   "bearing.dynamic_rating_N": {},
   "bearing.static_rating_N": {},
   "bearing.bore_diameter_mm": {},
@@ -211,6 +231,15 @@ export const WANTED = [
     load: () => Promise.all([import("./strength.js"), import("../../views/part.js")]),
   },
   {
+    id: "rolling",
+    section: "rollers",
+    paths: WHOLE,
+    fields: ROLLING,
+    judged: true,
+    starts: () => ({ "load.input_speed_rpm": USUAL_RPM }),
+    load: () => Promise.all([import("./pin_rollers.js"), import("../../views/part.js")]),
+  },
+  {
     id: "losses",
     section: "output_efficiency",
     paths: WHOLE,
@@ -251,10 +280,11 @@ export const sleeved = (input) => isOn(input, "strength") && input.besides.stren
 /** The parts of the document that the groups which are on say, for these sections of the answer. */
 export function partsOf(input, sections) {
   const on = (id) => isOn(input, id) && sections.includes(WANTED.find((group) => group.id === id).section);
-  const { pin, fatigue, friction, gear: { kind, ...gear } = {}, bearing, crankshaft, requirements } = input.besides ?? {};
+  const { pin, fatigue, rollers, friction, gear: { kind, ...gear } = {}, bearing, crankshaft, requirements } = input.besides ?? {};
   return {
     ...(on("strength") && { pin, ...(fatigue && { fatigue }) }),
-    ...(on("losses") && { friction: { ...friction, sleeve: on("strength") && sleeved(input) } }),
+    ...(on("rolling") && { rollers }),
+    ...(on("losses") && !on("rolling") && { friction: { ...friction, sleeve: on("strength") && sleeved(input) } }),
     ...(on("bearings") && { gear: { ...(kind !== "ratio" && { kind }), ...gear }, bearing }),
     ...(on("crank") && { crankshaft }),
     ...(requirements && { requirements: { ...input.requirements, ...requirements } }),
@@ -262,7 +292,7 @@ export function partsOf(input, sections) {
 }
 
 /** What the form shows of a design document: the groups are on whose parts it has; a pin of one material has it in one field. */
-export function inputOf({ pin: given, fatigue = {}, friction, gear, bearing, crankshaft, ...own }) {
+export function inputOf({ pin: given, fatigue = {}, rollers, friction, gear, bearing, crankshaft, ...own }) {
   const { requirements, contact } = own;
   const { material, ...bare } = given ?? {};
   const pin = given && JSON.stringify(material) === JSON.stringify(contact?.pin_material) ? bare : given;
@@ -273,6 +303,7 @@ export function inputOf({ pin: given, fatigue = {}, friction, gear, bearing, cra
     ...own,
     besides: {
       ...(pin && { strength: { ...on, surface: friction?.sleeve ? "sleeved" : "bare", fatigue: way }, pin, fatigue }),
+      ...(rollers && { rolling: on, rollers }),
       ...(friction && { losses: on, friction }),
       ...((bearing || crankshaft) && { bearings: on, gear: { kind: "ratio", ...gear }, bearing }),
       ...(crankshaft && { crank: on, crankshaft }),
@@ -295,7 +326,7 @@ export function figureBody(...own) {
       mechanism,
       load,
       ...(answer?.load_sharing && { contact_law: {} }),
-      ...Object.fromEntries(["contact", "pin", ...MADE, ...own].filter((part) => parts[part]).map((part) => [part, parts[part]])),
+      ...Object.fromEntries(["contact", "pin", "rollers", ...MADE, ...own].filter((part) => parts[part]).map((part) => [part, parts[part]])),
     };
   };
 }

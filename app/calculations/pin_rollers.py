@@ -1,0 +1,68 @@
+"""Rolling bearings as rollers on the pins, as a section of a design: its fields."""
+
+from typing import Any, ClassVar
+
+from app.calculations.named_bearing import NamedBearingFields, bearing_name
+from app.model import LARGEST, Forms, Maybe, Size, Whole, quantity
+from core.bearings import NamedBearing
+from core.crank.pin_rollers import Ratings, RollerKind
+from core.design.sections import Rollers
+
+
+class RollersFields(NamedBearingFields, group="rollers"):
+    """Rolling bearings on the pins, whose outer rings roll in the holes."""
+
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
+        (("bore_diameter_mm",), ("name",), ("bore_diameter_mm", "name")),
+    )
+
+    name: Maybe[str] = bearing_name()
+    kind: Maybe[RollerKind] = quantity("Rolling elements")
+    """Balls, cylindrical rollers or needles."""
+    bore_diameter_mm: Maybe[Size] = quantity("Bore", "d", step=1)
+    """Of the bearing: the diameter of the pins."""
+    outer_diameter_mm: Maybe[Size] = quantity("Outer diameter", "D", step=1)
+    """Of the bearing: twice the radius that touches the holes."""
+    width_mm: Maybe[Size] = quantity("Width", "B", step=0.5)
+    """Of one bearing; a contact is no longer than its bearings are."""
+    per_satellite: Whole = quantity(
+        "Bearings side by side", "n", default=1, ge=1, le=20, advanced=True
+    )
+    """On each pin under each satellite; they share its force evenly."""
+    dynamic_rating_N: Maybe[Size] = quantity("Dynamic load rating", "C", step=100)
+    """Basic dynamic load rating of one of them, for the life."""
+    static_rating_N: Maybe[Size] = quantity("Static load rating", "C₀", step=100)
+    """Basic static load rating of one of them, for the static safety."""
+    ratings: Ratings = quantity("Ratings of", default="bearing")
+    """A bearing, whose ratings hold in a rigid seat: what is left without one is taken, a lower
+    bound; or a track roller, whose maker has that in them."""
+    rolling_elements: Maybe[Whole] = quantity("Number of elements", "Z", ge=3, le=200)
+    """Balls or rollers of a bearing: the more, the less of its ratings is left."""
+    max_radial_load_N: Maybe[Size] = quantity("Largest load", "F_r", step=100, advanced=True)
+    """That the maker of a track roller allows, by the bending of its outer ring."""
+    max_static_radial_load_N: Maybe[Size] = quantity(
+        "Largest static load", "F_0r", step=100, advanced=True
+    )
+    """The same at the peak torque."""
+    radial_clearance_mm: Maybe[float] = quantity(
+        "Clearance of the bearings", "G_r", step=0.005, ge=0, le=LARGEST
+    )
+    """Radial internal clearance, as catalogues give it: half of it adds to the clearance of pins
+    and holes."""
+    friction_coefficient: Maybe[float] = quantity(
+        "Friction of the bearings", "μ_b", step=0.0005, ge=0, le=10, advanced=True
+    )
+    """At the bore; 0.0015 for balls, 0.002 for cylindrical rollers, 0.003 for needles where not
+    given."""
+    limiting_speed_rpm: Maybe[Size] = quantity("Limiting speed", "n_lim", step=500, advanced=True)
+    """Of the catalogue; without it the speed is not judged."""
+
+    def said(self, named: NamedBearing, quantity: str) -> Any:
+        """The kind by the rolling elements."""
+        if quantity == "kind":
+            return "ball" if named.kind == "ball" else "cylindrical"
+        return super().said(named, quantity)
+
+    def section(self, _: Any) -> Rollers:
+        """The same in SI units."""
+        return Rollers(**self.to_core())
