@@ -61,6 +61,8 @@ _INVALID = {
     "larger_than": "must be larger than {field}, {limit:.9g}",
     "less_than": "must be less than {limit:.15g}",
     "less_than_equal": "must be at most {limit:.15g}",
+    "more_than_whole": "must be at most {limit:d}, the number of satellites: none carries more "
+    "than all of the torque",
     "needed": "is needed: this or {field}",
     "no_arm": "must not be a multiple of half a turn: there the contact has no arm",
     "no_fit": "must be an ISO 286 class of the hole and one of the pin, such as H7/f7",

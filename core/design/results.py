@@ -233,8 +233,8 @@ class Results:
         """The pins and what loads them, as arguments of `pin_stresses`."""
         pin = self.design.pin
         return self._forced | {
-            "application_factor": self.design.load_factor,
-            "peak_torque": self.design.static_torque,
+            "application_factor": self.design.load_factor * self.design.distribution_factor,
+            "peak_torque": self.design.static_torque * self.design.distribution_factor,
             "diameter": pin.diameter,
             "contact_length": self.design.pin_length,
             "satellite_positions": pin.satellite_positions,
@@ -305,7 +305,8 @@ class Results:
             return 1.0
         if isinstance(judged, RealForces):
             return edge.force / judged.force
-        return edge.force / (self.design.load_factor * judged.peak_force)
+        uneven = self.design.load_factor * self.design.distribution_factor
+        return edge.force / (uneven * judged.peak_force)
 
     @derived
     def sloping(self) -> SlopingContacts | None:
@@ -331,7 +332,7 @@ class Results:
             pin_material=self.design.lasting["pin"],
             hole_material=self.design.lasting["hole"],
             dynamic_factor=self.design.load_factor,
-            distribution_factor=contact.distribution_factor,
+            distribution_factor=self.design.distribution_factor,
         )
 
     @cached_property
@@ -421,6 +422,7 @@ class Results:
             hole_radius=design.contact.hole_radius,
             contact_length=design.contact.contact_length,
             friction_coefficient=friction.coefficient,
+            distribution_factor=design.distribution_factor,
             diameter=design.pin.diameter if friction.sleeve and design.pin else None,
             wear_rate=friction.wear_rate,
             life=None if friction.wear_rate is None else life,
@@ -478,6 +480,7 @@ class Results:
             lambda: satellite_bearings(
                 **self._turning,
                 mesh=mesh,
+                distribution_factor=self.design.disc_factor,
                 kind=bearing.kind,
                 dynamic_rating=bearing.dynamic_rating,
                 static_rating=bearing.static_rating,
@@ -510,6 +513,7 @@ class Results:
             lambda: crankshaft(
                 **given,
                 mesh=mesh,
+                distribution_factor=self.design.disc_factor,
                 satellite_positions=own.satellite_positions,
                 bearing_positions=own.bearing_positions,
                 satellite_mass=own.satellite_mass,

@@ -34,6 +34,9 @@ from core.results import Notice
 
 RingKind = Literal["involute", "cycloid", "none"]
 
+SharedBy = Literal["discs", "pins"]
+"""Whose uneven share a distribution factor states: of satellites, or of the pairs of one."""
+
 PeakKind = Literal["start", "emergency"]
 
 PartName = Literal[
@@ -133,7 +136,8 @@ class Contact:
     pin_material: ElasticMaterial | None = None  # that of the pin's surface, or of its sleeve
     hole_material: ElasticMaterial | None = None  # that of the satellite
     dynamic_factor: float = 1.0  # on the force, where the load has no application factor
-    distribution_factor: float = 1.0  # K_alpha, of the satellites' uneven share
+    distribution_factor: float = 1.0  # K_alpha, on the largest force by an uneven share
+    distribution_of: SharedBy | None = None  # whose share; None: discs where there are several
     own_limits: tuple[str, ...] = ()  # which of the two materials are given by values
     clearance_stated: bool = False  # whether one of 0 is: else a hole of just pin and e says none
     iso_fit: str = ""  # the classes that the clearance is of, as H7/f7; empty where it is a number

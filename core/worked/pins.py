@@ -142,6 +142,7 @@ def _deflection(sheet: Sheet, results: Results, found: PinDeflection) -> None:
         return
     take_beam(sheet, results=results)
     sheet.take("K_A", "dynamic_factor", results.design.load_factor)
+    sheet.take("K_alpha", "distribution_factor", results.design.distribution_factor)
     sheet.take("T", "output_torque", results.design.load.output_torque)
     sheet.take("R", "pin_circle_radius", results.design.load.pin_circle_radius)
     for code, (symbol, satellite, value) in parts.items():
@@ -190,11 +191,12 @@ def _bent(
         column = shares.pairs.index((j, n, angle))
         load = results.design.load
         force = results.design.load_factor * load.output_torque / load.pin_circle_radius
+        force *= results.design.distribution_factor
         sheet.work(
             "pin_force",
             forces[-1],
             force * float(at.force[0, column]),
-            f"K_A*T/R*{shares.one(shares.pairs[column])}",
+            f"K_A*K_alpha*T/R*{shares.one(shares.pairs[column])}",
             note="alike",
         )
     if len(pairs) == 1:

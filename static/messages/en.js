@@ -88,7 +88,7 @@ export default {
   },
   // Words of choices from a list.
   option: {
-    start: "Start", emergency: "Emergency stop", pins: "Pins in holes", crankshafts: "Crankshafts (RV)",
+    discs: "Satellites", start: "Start", emergency: "Emergency stop", pins: "Pins in holes", crankshafts: "Crankshafts (RV)",
     driving: "Driving", reverse: "Reverse",
     alternating: "Alternating, the worse of both",
     hertz: "Hertz", palmgren: "Palmgren", linear: "Linear", power: "Power law",

@@ -215,7 +215,7 @@ export default {
     materials: ["contact.pin_material", "contact.hole_material"],
     requirements: ["scope", "life_h", "pitting_safety", "min_wall_mm", "max_outer_diameter_mm", "max_backlash_arcmin", "max_lost_motion_arcmin"].map((name) => `requirements.${name}`),
     satellite_body: ["outer", "root", "bore"].map((name) => `satellite_body.${name}_radius_mm`),
-    more: ["load.force_exponent", "contact.distribution_factor", "mechanism.initial_crank_angle_deg", "mechanism.revolutions", "mechanism.output"],
+    more: ["load.force_exponent", "contact.distribution_factor", "contact.distribution_of", "mechanism.initial_crank_angle_deg", "mechanism.revolutions", "mechanism.output"],
   },
   hidden: [
     ...WANTED.flatMap(({ fields }) => Object.keys(fields)), // asked where they are wanted
