@@ -225,6 +225,16 @@ _LIMITS = {
         why="Thicker steel hardens less deep: it is weaker than the table says.",
         mend="Give the strengths of the material at this size.",
     ),
+    "uneven_sharing": _limit(
+        "Satellite {satellite} carries {share:.3g} of the torque, an even share is {even:.3g} "
+        "({reason}).",
+        title="Uneven sharing",
+        tests="Whether a satellite carries more than 1.1 times an even share of the torque.",
+        why="Its pins, its bearing and the crankshaft's bearings carry as much more: lives fall by "
+        "the third power.",
+        mend="Hold the pins at both ends, make them thicker or closer errors; see what `shares` "
+        "says of the reason.",
+    ),
     "clearance_like_eccentricity": _limit(
         "The clearance is {ratio:.3g} of the eccentricity: such mechanisms move, with very much "
         "play; clearances of working ones are near a hundredth.",

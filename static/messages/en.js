@@ -103,6 +103,11 @@ export default {
     hardened: "Steel, through- or case-hardened", nitrided: "Nitrided steel, cast iron", nitrocarburised: "Nitrocarburised steel",
     involute: "Involute teeth", cycloid: "Pins, cycloid disc", none: "Left out", ratio: "Ratio of forces", ball: "Balls", roller: "Rollers",
   },
+  shares: {
+    carried: "Shares of the torque, satellite by satellite: {shares}",
+    even: "«{check}» with even shares: {value}",
+    reason: { pin_bending: "bending of the pins", deviations: "deviations", crank_support: "bearings of the cranks that give", clearance: "clearance of uneven cranks", given: "as stated" },
+  },
   besides: {
     older: "Numbers of earlier inputs",
     needed: "Still needed: {fields}",

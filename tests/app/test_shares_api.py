@@ -104,3 +104,66 @@ async def test_what_no_share_can_be_is_refused(api, body, more, code):
 async def test_of_pins_there_may_be_more_than_satellites(api):
     answer = await answered(api, with_factor(STATED, 3.0, distribution_of="pins"))
     assert answer["pin_strength"]["peak_force_N"] == pytest.approx(1e4, rel=1e-12)
+
+
+async def test_a_stated_share_is_answered(api):
+    answer = await answered(api, with_factor(STATED, 1.5) | {"include": ["checks"]})
+    shares = answer["shares"]
+    assert (shares["model"], shares["reason"]) == ("factor", "given")
+    assert shares["largest"] == 0.75
+    assert sorted(each["share"] for each in shares["discs"]) == [0.25, 0.75]
+    (warned,) = [each for each in answer["warnings"] if each["code"] == "uneven_sharing"]
+    assert (warned["params"]["share"], warned["params"]["even"]) == (0.75, 0.5)
+    assert "shares" not in await answered(api, with_factor(STATED, 1.5, distribution_of="pins"))
+    loose = with_factor(STATED, 1.0, hole_clearance_mm=0.02)
+    del loose["pin"]
+    assert "shares" not in await answered(api, loose)
+
+
+REDUCER = {
+    "mechanism": {"pins": 4, "satellites": 2, "satellite_teeth": 29, "ring_teeth": 30},
+    "load": {"output_torque_Nm": 116, "pin_circle_radius_mm": 33.875, "input_speed_rpm": 600},
+    "contact": {
+        "contact_length_mm": 13.5,
+        "pin_radius_mm": 6,
+        "hole_radius_mm": 7.250025,
+        "eccentricity_mm": 1.250025,
+    },
+    "pin": {"satellite_positions_mm": [6.75, 23.25], "support": "cantilever"},
+    "gear": {
+        "kind": "cycloid",
+        "ring_pin_circle_radius_mm": 52.5,
+        "ring_pin_radius_mm": 3.5,
+    },
+    "bearing": {"kind": "roller", "dynamic_rating_N": 34500},
+    "crankshaft": {
+        "satellite_positions_mm": [16, 32.5],
+        "bearing_positions_mm": [0, 48.5],
+        "bearings": [{"kind": "ball", "dynamic_rating_N": 2850}] * 2,
+    },
+    "requirements": {"life_h": 10000},
+    "include": ["checks", "pin_strength", "crankshaft"],
+}
+"""An open design of a whole reducer, whose pins are held at one end."""
+
+
+async def test_a_share_that_decides_is_said(api):
+    """A crank bearing lasts 37 h by it, and 1345 h where both satellites carry alike."""
+    answer = await answered(api, REDUCER)
+    shares = answer["shares"]
+    assert (shares["model"], shares["reason"]) == ("real", "pin_bending")
+    assert shares["largest"] == pytest.approx(0.895, abs=2e-3)
+    assert shares["discs"][0]["share"] == shares["largest"]
+    assert shares["discs"][0]["torque_Nm"] == pytest.approx(116 * shares["largest"], rel=1e-12)
+    assert answer["governing"] == shares["governs"][0] == "crank_bearing_life"
+    governing = answer["checks"][0]
+    assert governing["value"] == pytest.approx(37.5, abs=0.1)
+    even = {each["check"]: each for each in shares["even"]}["crank_bearing_life"]
+    assert (even["unit"], even["status"]) == ("h", "fail")
+    assert even["value"] == pytest.approx(1344.6, abs=0.1)
+    (warned,) = [each for each in answer["warnings"] if each["code"] == "uneven_sharing"]
+    params = warned["params"]
+    assert (params["satellite"], params["reason"]) == (1, "pin_bending")
+    assert (params["check"], params["unit"]) == ("crank_bearing_life", "h")
+    assert (params["check_value"], params["even_value"]) == (governing["value"], even["value"])
+    assert "0.894" in warned["detail"] and "1345 h" in warned["detail"]

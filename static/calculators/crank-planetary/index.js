@@ -57,7 +57,7 @@ export function pressedBy(contact, { contact_force: ideal, load_sharing: real, h
   return { contact: { ...contact, dynamic_factor: 1, distribution_factor: 1 }, force: real.judged_force_N, edge };
 }
 
-function hertzBody({ contact: { eccentricity_mm: e, hole_clearance_mm: clearance, fit, ...given } }, answer) {
+function hertzBody({ contact: { eccentricity_mm: e, hole_clearance_mm: clearance, fit, distribution_of, ...given } }, answer) {
   const { contact, force, edge } = pressedBy(given, answer);
   const hole = fit && { hole_radius_mm: tidy(given.pin_radius_mm + e + answer.geometry.clearance_mm) };
   return { ...contact, ...hole, force_N: force * edge };
