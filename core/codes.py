@@ -63,6 +63,8 @@ _INVALID = {
     "larger_than": "must be larger than {field}, {limit:.9g}",
     "less_than": "must be less than {limit:.15g}",
     "less_than_equal": "must be at most {limit:.15g}",
+    "more_than_whole": "must be at most {limit:d}, the number of satellites: none carries more "
+    "than all of the torque",
     "needed": "is needed: this or {field}",
     "no_arm": "must not be a multiple of half a turn: there the contact has no arm",
     "no_fit": "must be an ISO 286 class of the hole and one of the pin, such as H7/f7",
@@ -237,6 +239,16 @@ _LIMITS = {
         tests="Whether the pin is as thin as the strengths of its material hold for.",
         why="Thicker steel hardens less deep: it is weaker than the table says.",
         mend="Give the strengths of the material at this size.",
+    ),
+    "uneven_sharing": _limit(
+        "Satellite {satellite} carries {share:.3g} of the torque, an even share is {even:.3g} "
+        "({reason}).",
+        title="Uneven sharing",
+        tests="Whether a satellite carries more than 1.1 times an even share of the torque.",
+        why="Its pins, its bearing and the crankshaft's bearings carry as much more: lives fall by "
+        "the third power.",
+        mend="Hold the pins at both ends, make them thicker or closer errors; see what `shares` "
+        "says of the reason.",
     ),
     "clearance_like_eccentricity": _limit(
         "The clearance is {ratio:.3g} of the eccentricity: such mechanisms move, with very much "

@@ -47,6 +47,7 @@ from app.calculations.pin_rollers_answer import RollersOut
 from app.calculations.pin_strength import PinStrengthResponse
 from app.calculations.ring import RingFields
 from app.calculations.satellite_bearing import BearingFields, SatelliteBearingResponse
+from app.calculations.shares_answer import SharesOut, shares_warnings
 from app.calculations.usual_fit_answer import UsualFitOut
 from app.model import (
     Angle,
@@ -76,7 +77,9 @@ from app.theme import Figure, Theme
 from app.units import from_si, to_si
 from app.worked import worked
 from core.arrays import FloatArray
+from core.checks.check import Verdict
 from core.checks.largest_torque import crank_verdict
+from core.checks.shares import DiscShares, disc_shares
 from core.checks.usual_fit import usual_fit
 from core.derived import if_known
 from core.design.real_forces import RealForces
@@ -321,9 +324,19 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
             if name != "pin" or self.contact is not None
         }
 
+    @cached_property
+    def verdict(self) -> Verdict:
+        """The verdict of the design."""
+        return crank_verdict(self.results, every="checks" in self.sections)
+
+    @cached_property
+    def shares(self) -> DiscShares | None:
+        """How the satellites share the torque, where they do not alike."""
+        return disc_shares(results=self.results, found=self.verdict)
+
     def judge(self) -> Values:
         """Verdict, and checks and fixes, of one input and of several, where asked."""
-        found = crank_verdict(self.results, every="checks" in self.sections)
+        found = self.verdict
         fixes: list[Fix] = []
         if {"fixes", "combined"} & {*self.sections}:
             codes = codes_to_fix(found, self.fixes_for)
@@ -523,9 +536,14 @@ def solve(body: CrankPlanetaryRequest) -> Values:
     )
     if "pin_strength" not in asked:  # which tells it itself
         notices += run(body, lambda: body.results.size_notices)[0]
-    if notices:
-        sections["warnings"] = [warning(each) for each in notices]
     judged, _ = run(body, body.judge)
+    warnings = [warning(each) for each in notices]
+    shares, _ = run(body, lambda: body.shares)
+    if shares is not None:
+        sections["shares"] = SharesOut.of(shares)
+        warnings += shares_warnings(shares)
+    if warnings:
+        sections["warnings"] = warnings
     return judged | {"model": body.forces} | sections
 
 

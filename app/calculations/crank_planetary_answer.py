@@ -19,6 +19,7 @@ from app.calculations.output_efficiency import OutputEfficiencyResponse
 from app.calculations.pin_rollers_answer import RollersOut
 from app.calculations.pin_strength import PinStrengthResponse
 from app.calculations.satellite_bearing import SatelliteBearingResponse
+from app.calculations.shares_answer import SharesOut
 from app.calculations.usual_fit_answer import UsualFitOut
 from app.model import AccuracyOut, Maybe, Values, WarningOut, result
 from core.design.real_forces import RealForces
@@ -64,6 +65,9 @@ class CrankPlanetaryResponse(JudgedResponse):
 
     model: ForcesUsed = forces_used()
     parts: list[PartOut] = Field(description="The parts of the reducer, of which the verdict is.")
+    shares: Maybe[SharesOut] = result(
+        "How the satellites share the torque, where one does not carry its part within 1 %."
+    )
     largest_torque_of: Maybe[list[str]] = Field(description="Parts that the largest torque is of.")
     cyclogram: Maybe[CyclogramResponse] = result("As `/cyclogram` answers.")
     members: Maybe[MembersOut] = result(
@@ -112,5 +116,5 @@ class CrankPlanetaryResponse(JudgedResponse):
     warnings: Maybe[list[WarningOut]] = Field(
         description="How pins and holes fit, whichever sections are asked: `interference`, "
         "`wall_holes`, `pins_apart` (such a mechanism is not possible), `clearance`, "
-        "`eccentricity_assumed`; not what `checks` say.",
+        "`eccentricity_assumed`, not what `checks` say; and `uneven_sharing` of `shares`.",
     )

@@ -117,7 +117,16 @@ eccentricity = partial(
     step=0.5,
     help="Eccentricity of the cranks; where it may be left out: hole radius − pin radius.",
 )
-"""Fields that may be left out in some requests, and not in others."""
+distribution_factor = partial(
+    quantity,
+    "Distribution factor",
+    "K_α",
+    default=1.0,
+    step=0.05,
+    help="Factor on the largest force by an uneven share of satellites or pins, wherever that "
+    "force goes. Torque, loss and efficiency are those of all forces together.",
+)
+"""Fields that may be left out in some requests, and not in others, or have other limits."""
 
 
 class ContactFields(RequestModel, group="contact"):
@@ -132,8 +141,7 @@ class ContactFields(RequestModel, group="contact"):
     """A name of the table of materials, or values."""
     dynamic_factor: Size = quantity("Dynamic factor", "K_A", default=1.0, step=0.05)
     """Factor of the dynamic load."""
-    distribution_factor: Size = quantity("Distribution factor", "K_α", default=1.0, step=0.05)
-    """Factor of uneven load sharing between the pairs."""
+    distribution_factor: Size = distribution_factor()
 
     ASSUMED: ClassVar[tuple[str, ...]] = ("pin_material", "hole_material")
 

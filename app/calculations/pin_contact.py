@@ -10,6 +10,7 @@ from pydantic import Field, model_validator
 from app.calculations.hertz import (
     ContactFields,
     contact_length,
+    distribution_factor,
     eccentricity,
     hole_radius,
     material_of,
@@ -17,7 +18,7 @@ from app.calculations.hertz import (
 )
 from app.model import Forms, Maybe, Size, field_error, quantity
 from app.units import to_si
-from core.design.sections import Contact
+from core.design.sections import Contact, SharedBy
 from core.output.pin_geometry import felt
 from core.results import Notice
 from core.tolerance.iso286 import CLASSES, GRADES, SIZES, fit_clearance
@@ -55,6 +56,11 @@ class PinContactFields(ContactFields, group="contact"):
     fit: Maybe[str] = quantity("Fit", schema={"pattern": FIT, "x-options": USUAL_FITS})
     """ISO 286 classes of the hole and of what touches it, as H7/f7, instead of the clearance: half
     of the mean clearance of the two diameters."""
+    distribution_factor: float = distribution_factor(ge=1, le=1e12)
+    distribution_of: Maybe[SharedBy] = quantity("Uneven share of", advanced=True)
+    """Of satellites, of which one carries so many times its part of the torque, at most all of it,
+    and the others evenly what is left; or of the pins of each, of which no bearing feels anything.
+    Where it is not given, of satellites if there are several."""
 
     @model_validator(mode="after")
     def _fit_says_the_clearance(self) -> Self:
@@ -151,6 +157,7 @@ class PinContactFields(ContactFields, group="contact"):
             eccentricity=to_si("eccentricity_mm", self.eccentricity_mm),
             dynamic_factor=self.dynamic_factor,
             distribution_factor=self.distribution_factor,
+            distribution_of=self.distribution_of,
             clearance_stated=self.stated_clearance_mm is not None,
             iso_fit=self.fit or "",
             own_limits=tuple(name for name, each in given.items() if not isinstance(each, str)),

@@ -8,7 +8,7 @@ from typing import Annotated, Any, ClassVar, Literal, Self, get_args
 from pydantic import Field, field_validator, model_validator
 
 from app.calculations.contact_force import TorqueFields
-from app.calculations.hertz import Material, eccentricity, material_of
+from app.calculations.hertz import Material, distribution_factor, eccentricity, material_of
 from app.calculations.mechanism import MAX_SATELLITES
 from app.calculations.pin import HeldPinFields
 from app.calculations.pin_contact import Deviation, PinContactFields
@@ -88,10 +88,7 @@ class RealContactFields(PinContactFields, group="contact"):
     """
 
     eccentricity_mm: Size = eccentricity()
-    distribution_factor: float = quantity(
-        "Distribution factor", "K_α", default=1.0, step=0.05, ge=1e-12, le=1
-    )
-    """Factor of uneven load sharing between the pairs."""
+    distribution_factor: float = distribution_factor(ge=1e-12, le=1)
 
     def sizes(self) -> dict[str, Any]:
         """Sizes and materials in SI units, as the core's arguments."""

@@ -22,6 +22,7 @@ pin_rollers         bearings as rollers on the pins: life, load, speed, room, ti
 bearings            bearings as they are bought: ratings that can be, room, speed, least load
 crank_planetary     all checks of the reducer
 largest_torque      the largest torque of the reducer as it is made
+shares              which satellite carries how much, and what hangs on it
 usual_fit           the reducer with a usual clearance, where none is known
 rollers             swinging rollers
 shaft               the precessional gear and its shaft

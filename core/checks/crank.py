@@ -9,7 +9,7 @@ import numpy as np
 
 from core.arrays import FloatArray
 from core.checks.check import Check, Measure, design_check, judged
-from core.checks.inputs import BEARING_LOAD, FORCES, LIFE, RING, ROOTS
+from core.checks.inputs import BEARING_LOAD, LIFE, OF_DISCS, RING, ROOTS
 from core.checks.space import within_roots
 from core.crank.bearing_life import EXPONENTS, PEAK_SAFETY, STATIC_SAFETY
 from core.crank.bearing_life import system_life as life_together
@@ -283,10 +283,8 @@ def system_life(design: Design, results: Results) -> Check:
     formula="L_10h ≥ L",
     why="Otherwise a bearing of the crankshaft fails before the life that is asked.",
     inputs=(
-        *FORCES,
+        *OF_DISCS,
         *LIFE,
-        "mechanism.ratio",
-        *RING,
         "crankshaft.bearings",
         "crankshaft.satellite_positions",
         "crankshaft.bearing_positions",

@@ -69,7 +69,10 @@ RING = (
 )
 """Of the ring's force on a satellite."""
 
-BEARING_LOAD = (*FORCES, "mechanism.ratio", *RING, "bearing.kind")
+OF_DISCS = (*FORCES, "contact.distribution_of", "mechanism.ratio", *RING)
+"""Of the loads of satellites on the crank."""
+
+BEARING_LOAD = (*OF_DISCS, "bearing.kind")
 """Of the load of a satellite's bearing."""
 
 ROOTS = (

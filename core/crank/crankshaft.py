@@ -8,13 +8,14 @@ that the shaft is bent one way all the time.
 
 import math
 from dataclasses import dataclass
+from itertools import product
 
 import numpy as np
 
 from core.arrays import ComplexArray, FloatArray, check_positive, check_single
 from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
 from core.crank.ring_mesh import RingMesh
-from core.crank.satellite_bearing import BearingCurves, made_parts, mean_power
+from core.crank.satellite_bearing import BearingCurves, made_parts, mean_power, uneven_shares
 from core.errors import InvalidInput
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
@@ -68,6 +69,7 @@ def crankshaft(
     pin_circle_radius: float,
     eccentricity: float,
     mesh: RingMesh,
+    distribution_factor: float = 1.0,
     satellite_positions: tuple[float, ...],
     bearing_positions: tuple[float, float],
     kinds: tuple[Bearing, Bearing] = ("ball", "ball"),
@@ -98,6 +100,10 @@ def crankshaft(
         Eccentricity e of the cranks, m, > 0.
     mesh : RingMesh
         The ring's force along the crank.
+    distribution_factor : float
+        Factor K_alpha of one satellite's share, from 1 to K, where that is stated: it carries
+        K_alpha/K of the torque, the others what is left, and of all choices of it the worst counts
+        for each bearing. Of ideal forces.
     satellite_positions : tuple of float
         Middle planes z of the satellites along the shaft, m.
     bearing_positions : tuple of float
@@ -179,6 +185,7 @@ def crankshaft(
             carried=carried,
             arms=arms,
             arm_error=arm_error,
+            distribution_factor=distribution_factor,
             exponents=exponents,
             ways=ways,
         )
@@ -242,6 +249,7 @@ def _ideal_reactions(
     carried: FloatArray,
     arms: ComplexArray,
     arm_error: FloatArray,
+    distribution_factor: float,
     exponents: list[float],
     ways: tuple[float, ...],
 ) -> _Reactions:
@@ -255,9 +263,11 @@ def _ideal_reactions(
     share_error = math.hypot(1, rho) * share_error + mesh.error * abs(rho) * share
     own = np.abs(carried) * (across * share_error + pins * force_error)
     own += arm_error * (across * math.hypot(1, rho) * share + pins * force)
-    off = own.sum(axis=1)
-    for way in ways:
-        both = np.concatenate((across * (1j * way + rho) * arms, pins * arms), axis=1)
+    shares = uneven_shares(satellites=mechanism.satellites, distribution_factor=distribution_factor)
+    off = shares.max() * own.sum(axis=1)
+    for way, own_shares in product(ways, shares):
+        held = own_shares * arms
+        both = np.concatenate((across * (1j * way + rho) * held, pins * held), axis=1)
         found = largest(turn=turn, arms=(both,), measure=np.abs)
         rows = np.flatnonzero(found > off)
         if not len(rows):

@@ -57,7 +57,7 @@ class SatelliteBearings:
     radial_force_ratio: Number  # rho of the ring's force along the crank to that across it
     operating_pressure_angle: Number | None  # of involute teeth, rad
     peak_load: FloatArray  # largest over the turn, N, shape (..., K)
-    min_load: FloatArray  # least, N, shape (..., K)
+    min_load: FloatArray  # least, of a satellite that carries least, N, shape (..., K)
     equivalent_load: FloatArray  # P, the factor of the rings in it, N, shape (..., K)
     peak_ring_force: FloatArray  # largest resultant of the ring on each, N, shape (..., K)
     # Time that 90 % of such bearings reach, s, shape (..., K), where rating and speed are known;
@@ -85,6 +85,7 @@ def satellite_bearings(
     eccentricity: Number,
     mesh: RingMesh,
     input_speed: Number | None = None,
+    distribution_factor: float = 1.0,
     kind: Bearing,
     dynamic_rating: Number | None = None,
     static_rating: Number | None = None,
@@ -118,6 +119,10 @@ def satellite_bearings(
         The ring's force along the crank.
     input_speed : float or array, optional
         Speed w_in of the crank against the ring, rad/s; without it, or at 0, there is no life.
+    distribution_factor : float
+        Factor K_alpha of one satellite's share, from 1 to K, where that is stated: every bearing is
+        judged as the one that carries K_alpha/K of the torque, the least load as one of the others,
+        and together they last as with the worst choice of that one. Of ideal forces.
     kind : {"ball", "roller"}
         Rolling elements.
     dynamic_rating, static_rating : float or array, optional
@@ -181,7 +186,7 @@ def satellite_bearings(
         loads = _ideal_loads(
             mechanism=mechanism,
             force_exponent=force_exponent,
-            across=output_torque / (eccentricity * ratio),
+            across=distribution_factor * output_torque / (eccentricity * ratio),
             arm=eccentricity * ratio / pin_circle_radius,
             mesh=mesh,
             exponent=EXPONENTS[kind],
@@ -197,6 +202,7 @@ def satellite_bearings(
 
         loads = solved(output_torque)
         static = loads.most if static_rating is None else solved(static_torque).most
+    shares = uneven_shares(satellites=mechanism.satellites, distribution_factor=distribution_factor)
     equivalent = np.asarray(ring_factor)[..., None] * loads.mean
     basic = life = safety = together = None
     factor = reliability_factor(percent=reliability_percent)
@@ -209,7 +215,7 @@ def satellite_bearings(
         basic = np.where(carrying, basic, math.inf)
         life = factor * basic
         if weibull_slope is not None:
-            together = system_life(lives=life, weibull_slope=weibull_slope)
+            together = _together(life, shares, EXPONENTS[kind], weibull_slope)
     if static_rating is not None:
         check_positive(static_rating=static_rating)
         rating = np.asarray(static_rating, dtype=np.float64)[..., None]
@@ -223,7 +229,7 @@ def satellite_bearings(
         radial_force_ratio=rho,
         operating_pressure_angle=mesh.operating_pressure_angle,
         peak_load=loads.most,
-        min_load=loads.least,
+        min_load=loads.least * (shares.min() / distribution_factor),
         equivalent_load=equivalent,
         peak_ring_force=loads.ring * np.sqrt(1 + np.square(rho))[..., None],
         basic_life=basic,
@@ -233,6 +239,47 @@ def satellite_bearings(
         accuracy=accuracy,
         notices=(*mesh.notices, *_idle(loads), *poorly_known(accuracy)),
     )
+
+
+def uneven_shares(*, satellites: int, distribution_factor: float) -> FloatArray:
+    """Shares of the torque over 1/K, where a satellite carries K_alpha/K of it and the others
+    evenly what is left: ``(K - K_alpha)/(K - 1)``.
+
+    Parameters
+    ----------
+    satellites : int
+        Their number K.
+    distribution_factor : float
+        K_alpha, from 1 to K.
+
+    Returns
+    -------
+    array, shape (K, K)
+        A row for each choice of that satellite; shape (1, K) where all are alike.
+
+    Examples
+    --------
+    >>> uneven_shares(satellites=3, distribution_factor=2.0)[0].tolist()
+    [2.0, 0.5, 0.5]
+    """
+    if distribution_factor == 1:
+        return np.ones((1, satellites))
+    rest = (satellites - distribution_factor) / (satellites - 1)
+    return np.where(np.eye(satellites, dtype=bool), distribution_factor, rest)
+
+
+def _together(
+    life: FloatArray, shares: FloatArray, exponent: float, weibull_slope: Number
+) -> Number:
+    """Life of all bearings together by the worst choice of the one that carries most, of the lives
+    that each would have as that one.
+    """
+    with np.errstate(divide="ignore"):  # what carries nothing lasts for ever
+        longer = (shares.max() / shares) ** exponent
+    slope = np.asarray(weibull_slope)[..., None]
+    lives = life[..., None, :] * longer
+    found: FloatArray = np.asarray(system_life(lives=lives, weibull_slope=slope))
+    return found.min(axis=-1)
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,9 +2,14 @@
 
 import numpy as np
 
-from core.arrays import FloatArray, IntArray
+from core.arrays import ComplexArray, FloatArray, IntArray
 from core.crank.crankshaft import ReactionCurves, reaction_curves
-from core.crank.satellite_bearing import BearingCurves, bearing_curves, made_parts
+from core.crank.satellite_bearing import (
+    BearingCurves,
+    bearing_curves,
+    made_parts,
+    uneven_shares,
+)
 from core.design.results import Results
 from core.output.losses import LossCurves, PinLosses, loss_curves
 from core.output.sampled_turn import WAYS
@@ -43,14 +48,19 @@ def design_losses(*, results: Results, losses: PinLosses, crank_angle: FloatArra
     return LossCurves(crank_angle, loss, 1 / (1 + loss / losses.output_power))
 
 
-def _load_curves(results: Results, crank_angle: FloatArray) -> list[BearingCurves]:
-    """Load of the satellites' bearings at crank angles in each direction of the torque."""
+def _load_curves(
+    results: Results, crank_angle: FloatArray, shares: FloatArray
+) -> list[BearingCurves]:
+    """Load of the satellites' bearings at crank angles in each direction of the torque, and by each
+    row of shares over 1/K, of ideal forces.
+    """
     design, load, made = results.design, results.design.load, results.made
     eccentricity, rho = design.known_eccentricity, float(results.ring_mesh.radial_force_ratio)
     ways = WAYS[load.torque_direction]
+    curves = []
     if made is None:
-        return [
-            bearing_curves(
+        for way in ways:
+            found = bearing_curves(
                 mechanism=design.mechanism.built,
                 force_exponent=load.force_exponent,
                 output_torque=design.pin_torque,
@@ -60,17 +70,21 @@ def _load_curves(results: Results, crank_angle: FloatArray) -> list[BearingCurve
                 crank_angle=crank_angle,
                 torque_direction="driving" if way > 0 else "reverse",
             )
-            for way in ways
-        ]
+            loads = found.along + 1j * found.across
+            curves += [_of_loads(crank_angle, own * loads) for own in shares]
+        return curves
     arm = eccentricity * design.mechanism.ratio
     wave = design.mechanism.built.wave_angle(crank_angle)
-    curves = []
     for way in ways:
         turn = made(way * design.pin_torque)
         parts = made_parts(turn=turn, arm=arm, radial_force_ratio=rho)
-        loads = turn.at(wave=wave, values=parts.load).T
-        curves.append(BearingCurves(crank_angle, loads.imag, loads.real, np.abs(loads)))
+        curves.append(_of_loads(crank_angle, turn.at(wave=wave, values=parts.load).T))
     return curves
+
+
+def _of_loads(crank_angle: FloatArray, loads: ComplexArray) -> BearingCurves:
+    """Curves of loads along the crank, and i times those across it, shape (n, K)."""
+    return BearingCurves(crank_angle, loads.imag, loads.real, np.abs(loads))
 
 
 def design_bearings(*, results: Results, crank_angle: FloatArray) -> BearingCurves:
@@ -88,7 +102,7 @@ def design_bearings(*, results: Results, crank_angle: FloatArray) -> BearingCurv
     -------
     BearingCurves
     """
-    cases = _load_curves(results, crank_angle)
+    cases = _load_curves(results, crank_angle, np.array([[results.design.disc_factor]]))
     worst = _worst([each.load for each in cases])
     across, along, load = (
         np.choose(worst, [getattr(each, name) for each in cases])
@@ -111,11 +125,14 @@ def design_reactions(*, results: Results, crank_angle: FloatArray) -> ReactionCu
     -------
     ReactionCurves
     """
-    shaft, load = results.design.crankshaft, results.design.load
-    cranks = results.design.mechanism.built.crank_angles
+    design, shaft, load = results.design, results.design.crankshaft, results.design.load
+    cranks = design.mechanism.built.crank_angles
     if results.made is not None:
-        torque = WAYS[load.torque_direction][0] * results.design.pin_torque
+        torque = WAYS[load.torque_direction][0] * design.pin_torque
         cranks = results.made(torque).crank_angles
+    shares = uneven_shares(
+        satellites=design.mechanism.satellites, distribution_factor=design.disc_factor
+    )
     cases = [
         reaction_curves(
             loads=each,
@@ -123,7 +140,7 @@ def design_reactions(*, results: Results, crank_angle: FloatArray) -> ReactionCu
             satellite_positions=shaft.satellite_positions,
             bearing_positions=shaft.bearing_positions,
         ).reaction
-        for each in _load_curves(results, crank_angle)
+        for each in _load_curves(results, crank_angle, shares)
     ]
     worst = _worst([np.abs(each) for each in cases])
     return ReactionCurves(crank_angle, np.choose(worst, cases))

@@ -10,7 +10,6 @@ from typing import Any, Literal, TypeVar, cast
 
 from core.derived import if_known
 from core.design.sections import (
-    SAME,
     Contact,
     DesignPin,
     FatigueBasis,
@@ -24,6 +23,7 @@ from core.design.sections import (
     RollingBearing,
     SatelliteBody,
     Shaft,
+    SharedBy,
 )
 from core.errors import InvalidInput, NotKnown
 from core.materials import ElasticMaterial
@@ -92,9 +92,10 @@ class Design:
     Raises
     ------
     InvalidInput
-        If the peak torque is below the working one, satellites reach into each other, their places
-        on pins and crankshaft differ, a pin is thicker than what touches the hole, pins of the
-        ring overlap, or rollers do not belong to pins and holes.
+        If the peak torque is below the working one, a distribution factor is below 1 or gives a
+        satellite more than the torque, satellites reach into each other, their places on pins and
+        crankshaft differ, a pin is thicker than what touches the hole, pins of the ring overlap, or
+        rollers do not belong to pins and holes.
     """
 
     mechanism: MechanismSection  # pins, satellites, cranks, ratio
@@ -116,6 +117,7 @@ class Design:
 
     def __post_init__(self) -> None:
         self._check_peak()
+        self._check_distribution()
         self._check_places()
         self._check_thickness()
         self._check_rollers()
@@ -173,6 +175,19 @@ class Design:
             raise InvalidInput("pin.diameter", self.pin.diameter, "only_one", **other)
         if self.friction and self.friction.sleeve:
             raise InvalidInput("friction.sleeve", True, "only_one", field="rollers")
+
+    def _check_distribution(self) -> None:
+        """No satellite carries more than the whole torque, and the one that carries most no less
+        than its part.
+        """
+        name = "contact.distribution_factor"
+        factor, most = (self.contact.distribution_factor if self.contact else 1.0), math.inf
+        if self.distribution_of == "discs":
+            most = self.mechanism.satellites
+        if factor < 1:
+            raise InvalidInput(name, factor, "greater_than_equal", limit=1.0)
+        if factor > most:
+            raise InvalidInput(name, factor, "more_than_whole", limit=most)
 
     def _check_peak(self) -> None:
         peak = self.load.peak_torque if self.load else None
@@ -245,6 +260,26 @@ class Design:
         """Whether pins bend where the satellites press them, and no sharing of theirs is stated."""
         places = self.pin.satellite_positions if self.pin and self.touching else None
         return bool(places) and self.contact.distribution_factor == 1
+
+    @property
+    def distribution_of(self) -> SharedBy:
+        """Whose uneven share the distribution factor is of."""
+        stated = self.contact.distribution_of if self.contact else None
+        return stated or ("discs" if self.mechanism.satellites > 1 else "pins")
+
+    @property
+    def distribution_factor(self) -> float:
+        """Factor on the largest force by an uneven share that is stated: 1 beside forces that are
+        solved, which have their own.
+        """
+        return 1.0 if self.as_made or not self.contact else self.contact.distribution_factor
+
+    @property
+    def disc_factor(self) -> float:
+        """The same on all forces of one satellite, whichever: it carries so many times its part of
+        the torque, and the others what is left, evenly.
+        """
+        return self.distribution_factor if self.distribution_of == "discs" else 1.0
 
     @property
     def load_factor(self) -> float:

@@ -253,8 +253,8 @@ class Results:
         """The pins and what loads them, as arguments of `pin_stresses`."""
         pin = self.design.pin
         return self._forced | {
-            "application_factor": self.design.load_factor,
-            "peak_torque": self.design.static_torque,
+            "application_factor": self.design.load_factor * self.design.distribution_factor,
+            "peak_torque": self.design.static_torque * self.design.distribution_factor,
             "diameter": pin.diameter,
             "bore_diameter": pin.bore_diameter,
             "contact_length": self.design.pin_length,
@@ -348,7 +348,8 @@ class Results:
             return 1.0
         if isinstance(judged, RealForces):
             return edge.force / judged.force
-        return edge.force / (self.design.load_factor * judged.peak_force)
+        uneven = self.design.load_factor * self.design.distribution_factor
+        return edge.force / (uneven * judged.peak_force)
 
     @derived
     def sloping(self) -> SlopingContacts | None:
@@ -365,7 +366,7 @@ class Results:
 
     def contact_at(self, factor: float) -> HertzContact:
         """The contact under so many times its force."""
-        force, contact = self.judged_forces, self.design.contact
+        force = self.judged_forces
         if isinstance(force, RealForces):
             return force.contact_at(factor)
         return hertz(
@@ -374,7 +375,7 @@ class Results:
             pin_material=self.design.lasting["pin"],
             hole_material=self.design.lasting["hole"],
             dynamic_factor=self.design.load_factor,
-            distribution_factor=contact.distribution_factor,
+            distribution_factor=self.design.distribution_factor,
         )
 
     @cached_property
@@ -473,6 +474,7 @@ class Results:
             hole_radius=design.contact.hole_radius,
             contact_length=design.contact.contact_length,
             friction_coefficient=friction.coefficient,
+            distribution_factor=design.distribution_factor,
             diameter=self._rubbing_diameter,
             wear_rate=friction.wear_rate,
             life=None if friction.wear_rate is None else life,
@@ -568,6 +570,7 @@ class Results:
             lambda: satellite_bearings(
                 **self._turning,
                 mesh=mesh,
+                distribution_factor=self.design.disc_factor,
                 kind=bearing.kind,
                 dynamic_rating=bearing.dynamic_rating,
                 static_rating=bearing.static_rating,
@@ -601,6 +604,7 @@ class Results:
             lambda: crankshaft(
                 **given,
                 mesh=mesh,
+                distribution_factor=self.design.disc_factor,
                 satellite_positions=own.satellite_positions,
                 bearing_positions=own.bearing_positions,
                 satellite_mass=own.satellite_mass,

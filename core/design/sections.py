@@ -36,6 +36,9 @@ from core.results import Notice
 
 RingKind = Literal["involute", "cycloid", "none"]
 
+SharedBy = Literal["discs", "pins"]
+"""Whose uneven share a distribution factor states: of satellites, or of the pairs of one."""
+
 PeakKind = Literal["start", "emergency"]
 
 Seat = Literal["housing", "carrier", "ring"]
@@ -46,9 +49,6 @@ PartName = Literal[
 
 PART_NAMES: tuple[PartName, ...] = get_args(PartName)
 """Parts of a reducer: `core.checks.part`."""
-
-SAME = 1e-12
-"""Difference of diameters that is rounding, as a part of them."""
 
 DEDENDUM = 1.25
 """Depth of the roots of involute teeth within their reference circle without a profile shift, over
@@ -148,7 +148,8 @@ class Contact:
     pin_material: ElasticMaterial | None = None  # that of the pin's surface, or of its sleeve
     hole_material: ElasticMaterial | None = None  # that of the satellite
     dynamic_factor: float = 1.0  # on the force, where the load has no application factor
-    distribution_factor: float = 1.0  # K_alpha, of the satellites' uneven share
+    distribution_factor: float = 1.0  # K_alpha, on the largest force by an uneven share
+    distribution_of: SharedBy | None = None  # whose share; None: discs where there are several
     own_limits: tuple[str, ...] = ()  # which of the two materials are given by values
     clearance_stated: bool = False  # whether one of 0 is: else a hole of just pin and e says none
     iso_fit: str = ""  # the classes that the clearance is of, as H7/f7; empty where it is a number

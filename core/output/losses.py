@@ -294,6 +294,7 @@ def pin_losses(
     pin_radius: Number,
     contact_length: Number,
     friction_coefficient: Number,
+    distribution_factor: Number = 1.0,
     diameter: Number | None = None,
     hole_radius: Number | None = None,
     wear_rate: Number | None = None,
@@ -332,6 +333,9 @@ def pin_losses(
         Length b of the contact, m, > 0.
     friction_coefficient : float or array
         Friction coefficient mu of the surfaces that slide, >= 0.
+    distribution_factor : float or array
+        Factor K_alpha on the largest force, by an uneven share, >= 1: of pv and wear where they are
+        largest; the loss is that of all forces together.
     diameter : float or array, optional
         Diameter 2*r_p of the pin in its sleeve, m, < 2*r_s; without it there are no sleeves.
     hole_radius : float or array, optional
@@ -378,6 +382,7 @@ def pin_losses(
         eccentricity=eccentricity,
         pin_radius=pin_radius,
         contact_length=contact_length,
+        distribution_factor=distribution_factor,
     )
     check_not_negative(friction_coefficient=friction_coefficient, input_speed=input_speed)
     slows: Number = 1.0
@@ -402,7 +407,7 @@ def pin_losses(
     else:
         check_positive(output_power=output_power)
         share = loss / output_power
-    peak_force = reference * peak.peak_force_ratio
+    peak_force = distribution_factor * reference * peak.peak_force_ratio
     pv = sliding / (2 * pin_radius * contact_length)
     worn = hole_worn = None
     if wear_rate is not None and life is not None:

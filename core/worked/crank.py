@@ -32,6 +32,7 @@ def _take(sheet: Sheet, results: Results) -> None:
     sheet.take("R", "pin_circle_radius", results.design.load.pin_circle_radius)
     sheet.take("e", "eccentricity", results.design.contact.eccentricity)
     sheet.take("u", "ratio", results.design.mechanism.ratio)
+    sheet.take("K_alpha", "distribution_factor", results.design.disc_factor)
 
 
 def _life(
@@ -51,10 +52,12 @@ class _Loads:
         design, torque = results.design, results.design.pin_torque
         self.across = torque / (design.known_eccentricity * design.mechanism.ratio)
         self.along = torque / design.load.pin_circle_radius
+        self.factor = design.disc_factor
 
     def of(self, at: Position, satellite: int) -> tuple[FloatArray, FloatArray]:
-        """W and S of a satellite, shape (n,)."""
-        return self.across * at.share(satellite), self.along * at.pins(satellite)
+        """W and S of a satellite, shape (n,): of the one that carries most."""
+        across, along = self.factor * self.across, self.factor * self.along
+        return across * at.share(satellite), along * at.pins(satellite)
 
     def steps(self, sheet: Sheet, shares: Shares, satellite: int, torque: float) -> None:
         """Steps to W and S of a satellite at a position."""
@@ -64,12 +67,12 @@ class _Loads:
         sheet.work(
             "satellite_torque",
             f"T_{index}",
-            torque * share,
-            f"T*{shares.share(satellite)}",
+            self.factor * torque * share,
+            f"K_alpha*T*{shares.share(satellite)}",
             note="alike",
         )
         sheet.work("across_force", f"W_{index}", across, f"T_{index}/(e*u)")
-        formula = f"T/R*{shares.pins(satellite)}"
+        formula = f"K_alpha*T/R*{shares.pins(satellite)}"
         sheet.work("pins_force", f"S_{index}", pins, formula, note="alike")
 
 
@@ -203,7 +206,7 @@ def _ring_force(sheet: Sheet, results: Results, turn: IdealTurn, j: int, ring: f
         sheet.state("peak_ring_force", "F_r", ring, "bearing_load", params={"satellite": j + 1})
         return
     shares = Shares(sheet, turn, at)
-    formula = f"T/(e*u)*{shares.share(j)}*sqrt(1+rho^2)"
+    formula = f"K_alpha*T/(e*u)*{shares.share(j)}*sqrt(1+rho^2)"
     sheet.work("peak_ring_force", "F_r", ring, formula, note="alike")
 
 
@@ -258,7 +261,7 @@ def _summed(
 
 def _reaction(sheet: Sheet, results: Results, turn: IdealTurn, i: int, peak: float) -> bool:
     """Reaction of a bearing by moments about the other; whether it is written out."""
-    if peak == 0:
+    if peak == 0 or results.design.disc_factor != 1:  # which satellite carries most is chosen
         return False
     shaft, mechanism = results.design.crankshaft, results.design.mechanism.built
     first, last = shaft.bearing_positions

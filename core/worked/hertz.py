@@ -204,7 +204,7 @@ def judged_steps(results: Results) -> list[Step]:
         pin_material=design.lasting["pin"],
         hole_material=design.lasting["hole"],
         dynamic_factor=1.0 if real else design.load_factor,
-        distribution_factor=1.0 if real else contact.distribution_factor,
+        distribution_factor=1.0 if real else design.distribution_factor,
         line_load_factor=results.line_load_factor if design.pin else 1.0,
         turning=turning,
     )

@@ -146,6 +146,7 @@ def _deflection(sheet: Sheet, results: Results, found: PinDeflection) -> None:
         return
     take_beam(sheet, results=results)
     sheet.take("K_A", "dynamic_factor", results.design.load_factor)
+    sheet.take("K_alpha", "distribution_factor", results.design.distribution_factor)
     take_torque(
         sheet, members=results.design.members, output_torque=results.design.load.output_torque
     )
@@ -196,12 +197,12 @@ def _bent(
         column = shares.pairs.index((j, n, angle))
         load = results.design.load
         torque = results.design.load_factor * results.design.pin_torque
-        force = torque / load.pin_circle_radius
+        force = torque / load.pin_circle_radius * results.design.distribution_factor
         sheet.work(
             "pin_force",
             forces[-1],
             force * float(at.force[0, column]),
-            f"K_A*T/R*{shares.one(shares.pairs[column])}",
+            f"K_A*K_alpha*T/R*{shares.one(shares.pairs[column])}",
             note="alike",
         )
     if len(pairs) == 1:

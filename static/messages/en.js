@@ -91,6 +91,7 @@ export default {
   option: {
     cylindrical: "Cylindrical rollers", needle: "Needles", bearing: "A bearing in its seat",
     start: "Start", emergency: "Emergency stop", pins: "Pins in holes", crankshafts: "Crankshafts (RV)",
+    discs: "Satellites", start: "Start", emergency: "Emergency stop", pins: "Pins in holes", crankshafts: "Crankshafts (RV)",
     driving: "Driving", reverse: "Reverse",
     alternating: "Alternating, the worse of both",
     hertz: "Hertz", palmgren: "Palmgren", linear: "Linear", power: "Power law",
@@ -104,6 +105,11 @@ export default {
     shigley_9: "9th", shigley_11: "11th",
     hardened: "Steel, through- or case-hardened", nitrided: "Nitrided steel, cast iron", nitrocarburised: "Nitrocarburised steel",
     involute: "Involute teeth", cycloid: "Pins, cycloid disc", none: "Left out", ratio: "Ratio of forces", ball: "Balls", roller: "Rollers",
+  },
+  shares: {
+    carried: "Shares of the torque, satellite by satellite: {shares}",
+    even: "«{check}» with even shares: {value}",
+    reason: { pin_bending: "bending of the pins", deviations: "deviations", crank_support: "bearings of the cranks that give", clearance: "clearance of uneven cranks", given: "as stated" },
   },
   besides: {
     older: "Numbers of earlier inputs",

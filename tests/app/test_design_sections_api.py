@@ -621,7 +621,6 @@ async def test_what_the_forces_do_not_need_is_taken_and_not_used(api, section):
         body,
         load__include=["curves"],
         load__samples=11,
-        contact__distribution_factor=1.3,
         contact__hole_radius_mm=10.0,
     )
     one, other = [await answered(api, each, path) for each in (body, more)]

@@ -57,7 +57,7 @@ export function pressedBy(contact, { contact_force: ideal, load_sharing: real, h
   return { contact: { ...contact, dynamic_factor: 1, distribution_factor: 1 }, force: real.judged_force_N, edge };
 }
 
-function hertzBody({ contact: { eccentricity_mm: e, hole_clearance_mm: clearance, fit, ...given } }, answer) {
+function hertzBody({ contact: { eccentricity_mm: e, hole_clearance_mm: clearance, fit, distribution_of, ...given } }, answer) {
   const { contact, force, edge } = pressedBy(given, answer);
   const hole = fit && { hole_radius_mm: tidy(given.pin_radius_mm + e + answer.geometry.clearance_mm) };
   return { ...contact, ...hole, force_N: force * edge };
@@ -215,7 +215,7 @@ export default {
     materials: ["contact.pin_material", "contact.hole_material"],
     requirements: ["scope", "life_h", "pitting_safety", "min_wall_mm", "max_outer_diameter_mm", "max_backlash_arcmin", "max_lost_motion_arcmin"].map((name) => `requirements.${name}`),
     satellite_body: ["outer", "root", "bore"].map((name) => `satellite_body.${name}_radius_mm`),
-    more: ["load.force_exponent", "contact.distribution_factor", "mechanism.initial_crank_angle_deg", "mechanism.revolutions", "mechanism.output"],
+    more: ["load.force_exponent", "contact.distribution_factor", "contact.distribution_of", "mechanism.initial_crank_angle_deg", "mechanism.revolutions", "mechanism.output"],
   },
   hidden: [
     ...WANTED.flatMap(({ fields }) => Object.keys(fields)), // asked where they are wanted

@@ -1,6 +1,6 @@
 /** The verdict in plain words: what the answer means for the design. No DOM. */
 import { formatAngle, formatNumber, formatQuantity } from "../../lib/format.js";
-import { message } from "../../messages/index.js";
+import { message, said } from "../../messages/index.js";
 
 const say = (key, values) => message(`words.${key}`, values);
 
@@ -34,11 +34,22 @@ function pressed({ peak_force_N: peak }, { line_load_factor: edge = 1 }, factor)
   })];
 }
 
+/** What each satellite carries, and what the check that decides would say if all carried alike. */
+function shared({ discs, even: [even] = [] }) {
+  const shares = discs.map(({ share }) => formatQuantity(100 * share, "%", 3)).join("; ");
+  const texts = [message("shares.carried", { shares })];
+  if (even?.value !== undefined) {
+    texts.push(message("shares.even", { check: said("checks", even.check).title, value: formatQuantity(even.value, even.unit, 3) }));
+  }
+  return ["", `${texts.join(". ")}.`];
+}
+
 /** Sentences `[level, text]`; how the parts stand their load is said by the checks. */
-export function sentences({ cyclogram, contact_force: force, load_sharing: real, hertz }, { input } = {}) {
+export function sentences({ cyclogram, contact_force: force, load_sharing: real, hertz, shares }, { input } = {}) {
   return [
     cyclogram && transmission(cyclogram, real),
     force && real ? made(force, real) : force?.equal_sharing_peak_N !== undefined && evenness(force),
     force && hertz && !real && pressed(force, hertz, factorOf(input?.contact)),
+    shares && shared(shares),
   ];
 }

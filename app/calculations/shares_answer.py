@@ -1,0 +1,92 @@
+"""Answer of which satellite carries how much of the torque."""
+
+from typing import Any
+
+from pydantic import Field
+
+from app.model import Maybe, ResponseModel, Values, result, warning
+from app.units import from_si, shown_unit
+from core.checks.check import STATUSES, Check, Status
+from core.checks.records import CHECKS
+from core.checks.shares import DiscShares, ShareModel, ShareReason
+
+
+class DiscShareOut(ResponseModel):
+    """What a satellite carries."""
+
+    satellite: int = result("Satellite.")
+    torque_Nm: float = result("Mean over the turn, under the torque without its factor.")
+    share: float = result("The same of the whole.")
+    share_at_peak: float = result("Share at the crank angle of the largest force.")
+
+
+class EvenOut(ResponseModel):
+    """A check where satellites share alike."""
+
+    check: str = Field(description="Which.", json_schema_extra={"enum": [*CHECKS]})
+    status: Status = Field(description=f"How it would go: {', '.join(STATUSES)}.")
+    value: Maybe[float] = Field(description="What it would compare, in `unit`.")
+    unit: str = Field(description="Unit as shown; empty for plain numbers.")
+
+
+class SharesOut(ResponseModel):
+    """How the satellites share the torque."""
+
+    model: ShareModel = Field(
+        description="`real` by forces that are solved, `factor` by `contact.distribution_factor`, "
+        "of whichever satellite, `given` by `satellite_coupling.shares`."
+    )
+    discs: list[DiscShareOut]
+    largest: float = result("Largest share.")
+    reason: ShareReason = Field(description="What makes them differ most.")
+    governs: list[str] = Field(
+        description="Checks that decide a part, and rest on the shares.",
+        json_schema_extra={"items": {"type": "string", "enum": [*CHECKS]}},
+    )
+    even: Maybe[list[EvenOut]] = Field(
+        description="What these checks would say if all carried alike; where no other solution of "
+        "the forces is needed for it."
+    )
+
+    @classmethod
+    def of(cls, found: DiscShares) -> Values:
+        """Values of the shares."""
+        values: Values = {
+            "model": found.model,
+            "discs": [
+                {
+                    "satellite": each.satellite,
+                    "torque_Nm": each.torque,
+                    "share": each.share,
+                    "share_at_peak": each.share_at_peak,
+                }
+                for each in found.discs
+            ],
+            "largest": found.largest.share,
+            "reason": found.reason,
+            "governs": [each.check.code for each in found.governs],
+        }
+        even = [_compared(each.even) for each in found.governs if each.even is not None]
+        return values | ({"even": even} if even else {})
+
+
+def _compared(check: Check) -> Values:
+    unit = f"value_{check.kind.unit}"
+    values: Values = {"check": check.code, "status": check.status, "unit": shown_unit(unit)}
+    return values if check.value is None else values | {"value": from_si(unit, check.value)}
+
+
+def shares_warnings(found: DiscShares) -> list[Values]:
+    """That one carries much more than its part, and what the number that decides would be."""
+    said = [warning(each) for each in found.notices]
+    for values in said:
+        for governed in found.governs[:1]:
+            if governed.even is None or governed.even.value is None:
+                continue
+            own, even = _compared(governed.check), _compared(governed.even)
+            params: dict[str, Any] = {"check": own["check"], "check_value": own["value"]}
+            values["params"] |= params | {"even_value": even["value"], "unit": own["unit"]}
+            title, unit = CHECKS[own["check"]].title, own["unit"]
+            values["detail"] += f" {title}: {own['value']:.4g} {unit}".rstrip()
+            values["detail"] += f", with an even share {even['value']:.4g} {unit}".rstrip() + "."
+    return said

@@ -1,0 +1,193 @@
+"""Which satellite carries how much of the torque, where they do not share it alike, and why."""
+
+import math
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Literal
+
+from core.checks.check import Check, Verdict
+from core.checks.crank_planetary import crank_check
+from core.derived import if_known
+from core.design.document import changed
+from core.design.results import Results
+from core.output.contact_law import pin_compliance
+from core.output.real_mechanism import Deviations
+from core.output.satellite_support import Shares
+from core.results import Notice
+
+ShareModel = Literal["real", "factor", "given"]
+
+ShareReason = Literal["pin_bending", "deviations", "crank_support", "clearance", "given"]
+
+ALIKE = 0.01
+"""Part of 1/K by which shares may differ and be called alike."""
+
+UNEVEN = 1.1
+"""Share times K above which the sharing is said to be uneven."""
+
+EVEN_CRANKS = 1e-9
+"""Difference of the angles between cranks that is rounding, rad."""
+
+
+@dataclass(frozen=True, slots=True)
+class DiscShare:
+    """What a satellite carries."""
+
+    satellite: int  # from 1
+    torque: float  # mean over the turn, N*m
+    share: float  # of the whole
+    share_at_peak: float  # where the force is largest
+
+
+@dataclass(frozen=True, slots=True)
+class Governed:
+    """A number that hangs on the shares."""
+
+    check: Check
+    even: Check | None  # the same where satellites share alike, if that needs no other solution
+
+
+@dataclass(frozen=True, slots=True)
+class DiscShares:
+    """How the satellites share the torque."""
+
+    model: ShareModel  # by forces that are solved, by a factor, or by shares that are stated
+    discs: tuple[DiscShare, ...]
+    reason: ShareReason  # what makes them differ most
+    governs: tuple[Governed, ...]  # checks that decide a part and rest on the shares
+
+    @property
+    def largest(self) -> DiscShare:
+        """The satellite that carries most."""
+        return max(self.discs, key=lambda each: each.share)
+
+    @property
+    def notices(self) -> tuple[Notice, ...]:
+        """That one carries much more than its part."""
+        largest, even = self.largest, 1 / len(self.discs)
+        if largest.share <= UNEVEN * even:
+            return ()
+        said = {"satellite": largest.satellite, "share": largest.share, "even": even}
+        return (Notice("uneven_sharing", said | {"reason": self.reason}),)
+
+
+def disc_shares(*, results: Results, found: Verdict) -> DiscShares | None:
+    """How the satellites share the torque, over the turn.
+
+    Parameters
+    ----------
+    results : Results
+        Results of a design.
+    found : Verdict
+        Its checks.
+
+    Returns
+    -------
+    DiscShares or None
+        None where all carry 1/K, within `ALIKE`, or nothing is known of their forces.
+    """
+    design = results.design
+    count = design.mechanism.satellites
+    if count == 1 or not (design.load and design.touching):
+        return None
+    if design.disc_factor > 1:
+        model, reason, discs = _by_factor(results)
+    else:
+        solved = if_known(lambda: _by_forces(results))
+        if solved is None:
+            return None
+        model, reason, discs = solved
+    if max(abs(each.share * count - 1) for each in discs) <= ALIKE:
+        return None
+    return DiscShares(model, discs, reason, _governed(results, found))
+
+
+Sharing = tuple[ShareModel, ShareReason, tuple[DiscShare, ...]]
+
+
+def _by_factor(results: Results) -> Sharing:
+    """One satellite with K_alpha/K, that of the largest pressure; the others with what is left."""
+    design = results.design
+    count, torque = design.mechanism.satellites, design.load.output_torque
+    place = if_known(lambda: results.peak) or {}
+    most = int(place.get("satellite", 1))
+    rest = (1 - design.disc_factor / count) / (count - 1)
+    shares = [design.disc_factor / count if j == most else rest for j in range(1, count + 1)]
+    discs = (DiscShare(j, torque * each, each, each) for j, each in enumerate(shares, 1))
+    return "factor", "given", tuple(discs)
+
+
+def _by_forces(results: Results) -> Sharing | None:
+    """By the forces that are solved; None where these are ideal, or all satellites alike."""
+    design = results.design
+    if not results.solved or _alike(results):
+        return None
+    forces, torque = results.real_forces, design.load.output_torque
+    assert results.made is not None  # of forces that are solved
+    turn = results.made(forces.way * torque)
+    means = turn.mean(turn.couple)
+    wave = design.mechanism.built.wave_angle(forces.turn.peak_crank_angle)
+    there = turn.at(wave=wave, values=turn.couple)
+    shares, at_peak = means / means.sum(), there / there.sum()
+    discs = tuple(
+        DiscShare(j + 1, torque * share, share, peak)
+        for j, (share, peak) in enumerate(zip(shares.tolist(), at_peak.tolist(), strict=True))
+    )
+    if isinstance(design.support, Shares):
+        return "given", "given", discs
+    return "real", _reason(results, shares.tolist()), discs
+
+
+def _alike(results: Results) -> bool:
+    """Whether every satellite meets over the turn what every other one does."""
+    design = results.design
+    angles = sorted(each % (2 * math.pi) for each in design.mechanism.built.crank_angles)
+    gap = 2 * math.pi / len(angles)
+    even = all(abs(b - a - gap) < EVEN_CRANKS for a, b in pairwise(angles))
+    bends = design.pin and design.pin.satellite_positions
+    stated = isinstance(design.support, Shares) or _deviating(results)
+    return even and not bends and not stated
+
+
+def _deviating(results: Results) -> bool:
+    """Whether a size or a place deviates."""
+    return results.design.deviations not in (None, Deviations())
+
+
+def _reason(results: Results, shares: list[float]) -> ShareReason:
+    """What makes them differ most: bending where it explains half, by springs in parallel, one for
+    each satellite, of contact and pin in series.
+    """
+    design, count = results.design, len(shares)
+    most = shares.index(max(shares))
+    bends = design.pin and design.pin.satellite_positions
+    if bends:
+        load = design.load
+        contact = float(results.compliance(load.output_torque / load.pin_circle_radius / count))
+        stiffness = [1 / (contact + each) for each in pin_compliance(design.pin)]
+        more = stiffness[most] / sum(stiffness) - 1 / count
+        if more >= (shares[most] - 1 / count) / 2:
+            return "pin_bending"
+    if _deviating(results):
+        return "deviations"
+    if bends:
+        return "pin_bending"
+    return "clearance" if design.support is None else "crank_support"
+
+
+def _governed(results: Results, found: Verdict) -> tuple[Governed, ...]:
+    """The checks that decide, of those that grow with the forces of satellites."""
+    design = results.design
+    decide = {found.governing, *(part.governing for part in found.parts)}
+    even: Results | None = None
+    if design.disc_factor > 1:
+        even = Results(changed(design, {"contact.distribution_factor": 1.0}), equal=True)
+    elif not design.as_made:
+        even = results.equal
+    return tuple(
+        Governed(check, None if even is None else crank_check(check.code, even))
+        for check in found.checks
+        if check.code in decide
+        and check.torque_reserve is not None
+        and "satellite_coupling" in check.kind.inputs
+    )
