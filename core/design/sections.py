@@ -32,6 +32,7 @@ from core.output.members import Members, Output
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_geometry import felt
 from core.output.sampled_turn import Direction
+from core.precision import SAME
 from core.results import Notice
 
 RingKind = Literal["involute", "cycloid", "none"]
