@@ -13,7 +13,7 @@ import { figureText } from "../../service_texts.js";
 import { createDrawing } from "./drawing.js";
 import { cranksOf, fitted, MOST_PAIRS, ratioOf, refuseMore } from "./mechanism.js";
 import { factorOf, sentences } from "./sentences.js";
-import { inputOf, MADE, partsOf, WANTED, wantedSections } from "./wanted.js";
+import { BESIDE, inputOf, MADE, partsOf, WANTED, wantedSections } from "./wanted.js";
 
 const MOST_ROWS = 24;
 const DESIGN = [ // parts that are judged beside the contact
@@ -358,6 +358,7 @@ export default {
   ],
 
   wanted: WANTED,
+  beside: BESIDE,
   inputOf,
   /** No step of a safety that is not shown. */
   worked: ({ code }, { hertz }) => hertz?.safety || !/^(safety_|loads$|life_factor$)/.test(code),
