@@ -82,7 +82,6 @@ from core.design.results import MOST_BEARING_PAIRS, MOST_PIN_PAIRS, Results
 from core.fixes.crank import crank_fixes
 from core.fixes.fix import Fix
 from core.output.contact_force import ContactForce, ForceCurves, PairNumber, drawing_angles
-from core.output.cyclogram import cyclogram
 from core.output.loaded_position import loaded_position
 from core.output.mechanism import Mechanism
 from core.output.pin_geometry import (
@@ -330,11 +329,12 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         return cyclogram_steps(found=found, **self.mechanism.cyclogram_given())
 
     def force_steps(self) -> list[Step]:
-        """Worked steps of the ideal force."""
+        """Worked steps of the ideal force, which say so where others are judged."""
         assert self.load is not None
         return force_steps(
             mechanism=self.design.driven,
             found=self.solve_force(),
+            judged=not self.results.solved,
             **self.load.force_given(self.built),
         )
 
@@ -469,7 +469,8 @@ def solve(body: CrankPlanetaryRequest) -> Values:
     asked, _ = run(body, lambda: body.sections)
     sections: Values = {}
     if "cyclogram" in asked:
-        sections["cyclogram"] = CyclogramResponse.values(*run(body, body.mechanism.solve))
+        pattern = run(body, lambda: body.mechanism.solve_for(body.design.driven))
+        sections["cyclogram"] = CyclogramResponse.values(*pattern)
     if "contact_force" in asked:
         sections["contact_force"] = ContactForceResponse.values(*run(body, body.solve_force))
     if "load_sharing" in asked:
@@ -526,14 +527,12 @@ def _pattern_figure(body: CrankPlanetaryRequest, theme: Theme) -> Figure:
     """The cyclogram; where forces are solved that of the pairs which carry, about it the ideal
     one.
     """
+    ideal, _ = run(body, lambda: body.mechanism.solve_for(body.carrying))
+    answer = CyclogramResponse.values(ideal)
     if not body.draws_real:
-        return cyclogram_figure(CyclogramResponse.values(*run(body, body.mechanism.solve)), theme)
-    turns = body.mechanism.revolutions
-    ideal, _ = run(body, lambda: cyclogram(mechanism=body.carrying, revolutions=turns))
+        return cyclogram_figure(answer, theme)
     real, _ = run(body, body.solve_real_cyclogram)
-    return cyclogram_figure(
-        CyclogramResponse.values((ideal, None)), theme, RealCyclogramOut.values(real)
-    )
+    return cyclogram_figure(answer, theme, RealCyclogramOut.values(real))
 
 
 def _force_figure(body: CrankPlanetaryRequest, theme: Theme) -> Figure:

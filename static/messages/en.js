@@ -116,7 +116,7 @@ export default {
     cell: "{row}, {title}",
     paste: "Columns copied from a table can be pasted into any box.",
     ratio: "Ratio to the ideal force",
-    ideal: "ideal {force} with this law of contact",
+    ideal: "ideal by the law of contact {force}, not by exponent v as “Peak force, ideal”",
     least: "least {value}",
     range: "{from} to {to}",
     clearance: "Radial clearance",

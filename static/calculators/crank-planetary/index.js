@@ -38,11 +38,11 @@ const drawn = (body) => (input) => {
 };
 
 /**
- * A figure of the whole reducer's one in the place of an ideal one, where forces are solved: of that body by which they
- * were.
+ * A figure of the whole reducer's one in the place of an ideal one, where forces are solved or the torque turns back,
+ * which the ideal ones do not know: of that body by which the numbers were asked.
  */
 const real = (section) => ({
-  shows: (input, answer) => Boolean(answer ? answer.load_sharing : willBeSolved(input)),
+  shows: (input, answer) => input.load?.torque_direction === "reverse" || Boolean(answer ? answer.load_sharing : willBeSolved(input)),
   path: "/crank-planetary/chart",
   body(input, answer, [{ body }]) {
     refuseMore(body.mechanism, MOST_PAIRS.drawn);
