@@ -1,6 +1,6 @@
 /**
- * Asking the service for a group that is off until wanted, `about` of the calculator's `wanted`: a `live` one beside
- * the results, another when it is run. Loaded when the first is switched on.
+ * Asking the service for a group that is off until wanted, or that `shows` by itself: a `live` one beside the results,
+ * another when it is run. Loaded when the first is shown.
  *
  * `logic.asked(input, filled)` is what the boxes ask, without the service; `logic.bodyOf(asked, client)` the body of the
  * request, and `logic.ask({ client, body, signal, progressed })` its answer.
@@ -10,7 +10,7 @@ import { besided, refusedBesides, wants } from "./store.js";
 
 const AGAIN_MS = 4000; // until a live group that the service could not answer asks again
 
-export function createBeside({ store, client, id, logic }) {
+export function createBeside({ store, client, id, logic, shows = (state) => wants(state, id) }) {
   const newest = newestOnly();
   let again = 0; // the timer after a failure of the service
   let asked = null; // the inputs or the results with which a live group was asked
@@ -66,7 +66,7 @@ export function createBeside({ store, client, id, logic }) {
     update(state) {
       const { shown, phase, pending, reading: { filled } } = state;
       const now = { computing: pending, fresh: shown }[phase];
-      if (!wants(state, id)) {
+      if (!shows(state)) {
         if (asked) cancel();
         asked = null;
       } else if (logic.live && now && now !== asked && pending === filled) {

@@ -302,7 +302,9 @@ class ContactForceResponse(AssumingResponse):
         "Torque over the radius of the pin circle.", symbol="F_0", equation="2018; 2021"
     )
     peak_force_N: float = result(
-        "Largest contact force over the turn.", symbol="F_max", equation="2021, eq. 10"
+        "Largest ideal contact force over the turn, by force_exponent.",
+        symbol="F_max",
+        equation="2021, eq. 10",
     )
     peak_force_ratio: float = result(
         "Largest contact force over the reference force.", symbol="f", equation="2021, eq. 11"

@@ -87,7 +87,6 @@ from core.design.results import MOST_BEARING_PAIRS, MOST_PIN_PAIRS, Results
 from core.fixes.crank import crank_fixes
 from core.fixes.fix import Fix
 from core.output.contact_force import ContactForce, ForceCurves, PairNumber, drawing_angles
-from core.output.cyclogram import cyclogram
 from core.output.loaded_position import loaded_position
 from core.output.mechanism import Mechanism
 from core.output.pin_geometry import (
@@ -358,11 +357,12 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         return cyclogram_steps(found=found, **self.mechanism.cyclogram_given())
 
     def force_steps(self) -> list[Step]:
-        """Worked steps of the ideal force."""
+        """Worked steps of the ideal force, which say so where others are judged."""
         assert self.load is not None
         return force_steps(
             mechanism=self.design.driven,
             found=self.solve_force(),
+            judged=not self.results.solved,
             **self.load.force_given(self.design.members),
         )
 
@@ -502,7 +502,8 @@ def solve(body: CrankPlanetaryRequest) -> Values:
     asked, _ = run(body, lambda: body.sections)
     sections: Values = {}
     if "cyclogram" in asked:
-        sections["cyclogram"] = CyclogramResponse.values(*run(body, body.mechanism.solve))
+        pattern = run(body, lambda: body.mechanism.solve_for(body.design.driven))
+        sections["cyclogram"] = CyclogramResponse.values(*pattern)
     if "members" in asked:
         loads, _ = run(body, lambda: body.results.member_loads)
         sections["members"] = MembersOut.values(loads, output=body.mechanism.output)
@@ -567,14 +568,12 @@ def _pattern_figure(body: CrankPlanetaryRequest, theme: Theme) -> Figure:
     """The cyclogram; where forces are solved that of the pairs which carry, about it the ideal
     one.
     """
+    ideal, _ = run(body, lambda: body.mechanism.solve_for(body.carrying))
+    answer = CyclogramResponse.values(ideal)
     if not body.draws_real:
-        return cyclogram_figure(CyclogramResponse.values(*run(body, body.mechanism.solve)), theme)
-    turns = body.mechanism.revolutions
-    ideal, _ = run(body, lambda: cyclogram(mechanism=body.carrying, revolutions=turns))
+        return cyclogram_figure(answer, theme)
     real, _ = run(body, body.solve_real_cyclogram)
-    return cyclogram_figure(
-        CyclogramResponse.values((ideal, None)), theme, RealCyclogramOut.values(real)
-    )
+    return cyclogram_figure(answer, theme, RealCyclogramOut.values(real))
 
 
 def _force_figure(body: CrankPlanetaryRequest, theme: Theme) -> Figure:

@@ -23,7 +23,7 @@ from app.units import UNITS
 from app.worked import worked
 from core.errors import InvalidInput
 from core.output.cyclogram import Cyclogram, cyclogram
-from core.output.mechanism import AssemblyAngle, assembly_angles
+from core.output.mechanism import AssemblyAngle, Mechanism, assembly_angles
 from core.worked.mechanism import cyclogram_steps
 from core.worked.step import Step
 
@@ -76,7 +76,12 @@ class CyclogramFields(MechanismFields, RangeFields):
 
     def solve(self) -> tuple[Cyclogram, tuple[AssemblyAngle, ...] | None]:
         """Cyclogram, and the assembly angles where the numbers of teeth are given."""
-        mechanism = self.mechanism()
+        return self.solve_for(self.mechanism())
+
+    def solve_for(self, mechanism: Mechanism) -> tuple[Cyclogram, tuple[AssemblyAngle, ...] | None]:
+        """The same of this mechanism under a torque: of the one whose pairs drive where its pairs
+        carry.
+        """
         assembly = (
             assembly_angles(mechanism=mechanism, satellite_teeth=self.satellite_teeth)
             if self.satellite_teeth is not None

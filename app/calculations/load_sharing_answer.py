@@ -198,7 +198,8 @@ class IdealOut(ResponseModel):
     """The same mechanism without clearance and deviations, in first order."""
 
     peak_force_N: float = result(
-        "Largest force by the exponent of the contact law, 10/9 for Hertz and Palmgren.",
+        "Largest ideal force by the exponent of the contact law, 10/9 for Hertz and Palmgren; that "
+        "of /contact-force is by its own force_exponent, 1 where none is given.",
         symbol="F_max",
         equation="2021, eq. 10",
     )

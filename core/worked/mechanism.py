@@ -121,6 +121,7 @@ def force_steps(
     pin_circle_radius: float,
     force_exponent: float,
     driven_by: tuple[float, float] | None = None,
+    judged: bool = True,
 ) -> list[Step]:
     """Steps of the contact force.
 
@@ -136,6 +137,8 @@ def force_steps(
         T, N*m, R, m, and v.
     driven_by : tuple of float, optional
         Torque of the crank, N*m, and efficiency, where the torque is given by these.
+    judged : bool, optional
+        Whether these forces are those that are judged, not others that are solved.
 
     Returns
     -------
@@ -152,7 +155,8 @@ def force_steps(
         code = "output_torque" if members.pin_share == 1 else "pin_torque"
         sheet.work(code, "T", pins, f"T_in{by}*eta", source="yanchevskiy2021")
     sheet.take("R", "pin_circle_radius", pin_circle_radius)
-    sheet.work("reference_force", "F_0", found.reference_force, "T/R", **EQUATION_11)
+    note = "" if judged else "ideal_beside_solved"
+    sheet.work("reference_force", "F_0", found.reference_force, "T/R", **EQUATION_11, note=note)
     sheet.state("peak_crank_angle", "phi", found.peak_crank_angle, "search")
     _peak(sheet, mechanism, found, force_exponent, wave)
     sheet.work("peak_force_ratio", "f", found.peak_force_ratio, "F/F_0",

@@ -135,6 +135,9 @@ NOTES = {
     "about_y": "q_C times the sum over the lines of ∫ A·(z − l)/z ds, computed numerically; s is "
     "the length along each line.",
     "own_torque": "The torque itself.",
+    "ideal_beside_solved": "These steps are of the ideal mechanism, without clearance, errors and "
+    "bending. What is judged are the forces that are solved: the real peak force and all that "
+    "rests on it.",
     "conformal_logarithm": "ln(1 + tan²(ε/2)).",
     "conformal_logarithm_of_pressure": "ln((√(1 + b²) + b)/(√(1 + b²) − b)) with b = tan(ε/2).",
     "logarithm_of_shortening": "ln((1 + k)/(1 − k)).",

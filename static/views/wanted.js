@@ -1,4 +1,7 @@
-/** The places of the groups that are off until wanted: hidden until then; what is shown there is loaded when one is switched on. */
+/**
+ * The places of the groups that are off until wanted, and of those that show by themselves: hidden until then; what is
+ * shown there is loaded when one is.
+ */
 import { element, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 import { besided, wants } from "../store.js";
@@ -10,12 +13,13 @@ import { foldable } from "./fold.js";
  */
 export function createWanted({ calculator, ...parts }) {
   const root = element(html`<div class="besides"></div>`);
-  const groups = (calculator.wanted ?? []).filter(({ load }) => load).map(({ id, section, load }) => {
+  const all = [...calculator.beside ?? [], ...calculator.wanted ?? []].filter(({ load }) => load);
+  const groups = all.map(({ id, section, load, shows = (state) => wants(state, id) }) => {
     const place = element(html`<section class="card beside-card" data-wanted="${id}" aria-labelledby="wanted-${id}" hidden>
       <h2 id="wanted-${id}">${message(`${id}.title`)}</h2></section>`);
     root.append(place);
     const fold = foldable(place, `wanted-${id}`);
-    return { id, section, load, place, fold, loading: null, asking: null, view: null };
+    return { id, section, load, shows, place, fold, loading: null, asking: null, view: null };
   });
   let closed = false;
 
@@ -25,7 +29,7 @@ export function createWanted({ calculator, ...parts }) {
     if (!loaded) group.loading = null; // the next change tries again
     if (!loaded || closed) return;
     const [[logic, { createView }], { createBeside }] = loaded;
-    group.asking = createBeside?.({ ...parts, id: group.id, logic });
+    group.asking = createBeside?.({ ...parts, ...group, logic });
     group.view = createView({ ...parts, ...group, logic });
     group.place.append(group.view.root);
     if (group.view.controls) parts.inputs.querySelector(`[data-group="${group.id}"] .wanted-fields`).append(group.view.controls);
@@ -34,7 +38,7 @@ export function createWanted({ calculator, ...parts }) {
 
   function update(state) {
     for (const group of groups) {
-      const on = wants(state, group.id);
+      const on = group.shows(state);
       group.place.hidden = !on;
       if (on) group.loading ??= open(group);
       group.asking?.update(state);

@@ -280,6 +280,14 @@ async def test_the_geometry_has_the_real_forces(api):
     assert [each["driving"] for each in pairs] == [force > 0 for force in forces]
 
 
+@pytest.mark.parametrize("body", [IDEAL, changed()])
+async def test_steps_of_the_ideal_force_say_where_others_are_judged(api, body):
+    answer = await answered(api, {**body, "include": ["contact_force", "worked"]})
+    notes = {step["code"]: step.get("note") for step in answer["worked"]}
+    solved = answer["model"] == "real"
+    assert notes["reference_force_N"] == ("ideal_beside_solved" if solved else None)
+
+
 async def test_in_reverse_the_other_pairs_carry(api):
     bodies = [
         changed(IDEAL, load__torque_direction=way, crank_angle_deg=20.0, include=["geometry"])

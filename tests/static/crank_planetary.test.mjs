@@ -188,6 +188,7 @@ test("figures show the forces that are solved, by the body by which they were; b
     const { shows, path, body: bodyOf } = figure.real;
     assert.deepEqual([input, loose, { ...input, besides: { real: { on: "on" } } }].map((one) => shows(one)), [false, true, true]);
     assert.deepEqual([shows(loose, { contact_force: {} }), shows(loose, { load_sharing: {} })], [false, true]);
+    assert.ok(shows({ ...input, load: { torque_direction: "reverse" } }, { contact_force: {} })); // the ideal figures know no direction
     assert.equal(path, "/crank-planetary/chart");
     assert.deepEqual(bodyOf(loose, {}, [{ body }]), { ...body, include: [section] });
     assert.throws(() => bodyOf(loose, {}, [{ body: { mechanism: { pins: 300 } } }]), { status: 422 });

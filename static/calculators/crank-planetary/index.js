@@ -13,7 +13,7 @@ import { figureText } from "../../service_texts.js";
 import { createDrawing } from "./drawing.js";
 import { cranksOf, fitted, MOST_PAIRS, ratioOf, refuseMore } from "./mechanism.js";
 import { factorOf, sentences } from "./sentences.js";
-import { inputOf, MADE, partsOf, WANTED, wantedSections } from "./wanted.js";
+import { BESIDE, inputOf, MADE, partsOf, WANTED, wantedSections } from "./wanted.js";
 
 const MOST_ROWS = 24;
 const DESIGN = [ // parts that are judged beside the contact
@@ -38,11 +38,11 @@ const drawn = (body) => (input) => {
 };
 
 /**
- * A figure of the whole reducer's one in the place of an ideal one, where forces are solved: of that body by which they
- * were.
+ * A figure of the whole reducer's one in the place of an ideal one, where forces are solved or the torque turns back,
+ * which the ideal ones do not know: of that body by which the numbers were asked.
  */
 const real = (section) => ({
-  shows: (input, answer) => Boolean(answer ? answer.load_sharing : willBeSolved(input)),
+  shows: (input, answer) => input.load?.torque_direction === "reverse" || Boolean(answer ? answer.load_sharing : willBeSolved(input)),
   path: "/crank-planetary/chart",
   body(input, answer, [{ body }]) {
     refuseMore(body.mechanism, MOST_PAIRS.drawn);
@@ -358,6 +358,7 @@ export default {
   ],
 
   wanted: WANTED,
+  beside: BESIDE,
   inputOf,
   /** No step of a safety that is not shown. */
   worked: ({ code }, { hertz }) => hertz?.safety || !/^(safety_|loads$|life_factor$)/.test(code),

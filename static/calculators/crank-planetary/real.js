@@ -79,7 +79,7 @@ export function range(from, to, unit, digits = 4) {
   return least === most ? last : message("real.range", { from: least, to: last });
 }
 
-const DOMAINS = { yaxis: [0.72, 1], yaxis2: [0.49, 0.67], yaxis3: [0.27, 0.44], yaxis4: [0, 0.18] };
+const DOMAINS = { yaxis2: [0.66, 1], yaxis3: [0.38, 0.58], yaxis4: [0, 0.25] };
 const LONG_TITLE = 18;
 
 /** A title in two lines where it is longer than its axis. */
@@ -88,12 +88,10 @@ function broken(text) {
   return text.length > LONG_TITLE && place > 0 ? `${text.slice(0, place)}<br>${text.slice(place + 1)}` : text;
 }
 
-/** The service's figure: pairs are told apart by colour and dashes, not by a long legend, and the ideal ones are said to be. */
-export function shaped({ data, layout }) {
-  const isPair = ({ name }) => /^\d+\.\d+$/.test(name);
+/** The service's figure without its forces, which have a figure of their own. */
+function shape({ data, layout: { yaxis, ...layout } }) {
   return {
-    data: data.map((trace) => (isPair(trace)
-      ? { ...trace, showlegend: false, name: trace.line.width === 1 ? message("real.idealPair", { pair: trace.name }) : trace.name } : trace)),
+    data: data.filter((trace) => trace.yaxis),
     layout: {
       ...layout,
       ...Object.fromEntries(Object.entries(DOMAINS).map(([axis, domain]) => [axis, {
@@ -102,6 +100,11 @@ export function shaped({ data, layout }) {
     },
   };
 }
+
+/** Its figure. */
+export const figure = { id: "real", path: "/load-sharing/chart", body: drawn, shape, height: 680 };
+
+export const note = "real.lines";
 
 /** The numbers that decide, as cells: `{ label, value, note }`. */
 export function cells({ over_turn: turn, ideal }) {
@@ -142,7 +145,7 @@ export function rows({ over_turn: turn, clearance_mm: clearance }, { lost_motion
 }
 
 /** What the numbers mean, `[level, sentence]`. */
-export function sentences({ over_turn: turn, ideal }, { pins, satellites }) {
+export function sentences({ over_turn: turn, ideal }, { mechanism: { pins, satellites } }) {
   return [
     ["", message(ideal.ratio > 1.001 ? "real.more" : "real.alike", {
       ratio: formatNumber(ideal.ratio, 3), loaded: range(turn.loaded_pairs_min, turn.loaded_pairs_max, ""), all: pins * satellites,

@@ -2,10 +2,12 @@
  * The groups of the crank-planetary form that are off until wanted: their fields, by the paths of the bodies that they
  * ask with, and the page's own. What they ask and say is in modules of their own, loaded when they are switched on.
  */
+import { judgedOf } from "../../lib/checks.js";
 import { fatigueFields } from "../../lib/fatigue.js";
 import { tidy } from "../../lib/format.js";
 import { message } from "../../messages/index.js";
 import { figureText } from "../../service_texts.js";
+import { wants } from "../../store.js";
 import { MOST_PAIRS, ratioOf, refuseMore } from "./mechanism.js";
 
 const MOST_ROWS = 400; // of a table; more are for other programs
@@ -266,6 +268,22 @@ export const WANTED = [
     judged: true,
     load: () => Promise.all([import("./crank.js"), import("../../views/part.js")]),
   },
+];
+
+/**
+ * How pins and holes fit stands with the mechanism as it is made, and where its check finds fault; not of satellites that
+ * turn each for itself: these are no one fit.
+ */
+function showsFit(state) {
+  const { about: { calculator }, shown, reading: { input } } = state;
+  if (input.besides?.satellite_coupling) return false;
+  const check = judgedOf(calculator, shown?.answer)?.checks?.find(({ code }) => code === "interference");
+  return wants(state, "real") || ["fail", "marginal"].includes(check?.status);
+}
+
+/** Groups that nobody switches: shown where `shows(state)` says so. */
+export const BESIDE = [
+  { id: "fit", shows: showsFit, load: () => Promise.all([import("./fit.js"), import("../../views/live.js")]) },
 ];
 
 /** Whether a group is on. */
