@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from core.arrays import Number
+from core.results import ROUNDING, Accuracy
 
 Output = Literal["pins", "ring", "both", "coupling"]
 """Which member is driven: that of the pins while the ring stands still, the ring while the pins do,
@@ -70,6 +71,7 @@ class MemberLoads:
     crank_power: float | None  # W
     carrier_power: float | None  # W, negative where it leaves
     ring_power: float | None  # W
+    accuracy: Accuracy = Accuracy("closed_form", 8 * ROUNDING, 1)
 
     @property
     def power_balance(self) -> float | None:

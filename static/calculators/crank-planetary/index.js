@@ -273,6 +273,9 @@ export default {
   /** A section that the answer has beside these, where the forces are solved. */
   solved: "load_sharing",
 
+  /** One that it has where others than the pins are the output. */
+  besides: ["members"],
+
   async ask({ post, get, input: given, filled, sections: all, tables }) {
     const wanted = wantedSections(given);
     const sections = all.filter((id) => wanted.includes(id) || !WANTED.some(({ section }) => section === id));
