@@ -465,11 +465,11 @@ _LIMITS = {
         mend="Give the teeth, or a whole ratio.",
     ),
     "ratio_sign": _limit(
-        "The ratio is taken as {ratio:.6g}: its sign says that the output turns the other way, "
-        "which that of every such mechanism does.",
+        "The ratio is taken as {ratio:.6g}: its sign says that the pins turn the other way, "
+        "which those of every such mechanism do.",
         title="Sign of the ratio",
         tests="Whether the ratio is given without a sign.",
-        why="The output of every such mechanism turns against the crank: the sign is known.",
+        why="The pins of every such mechanism turn against the crank: the sign is known.",
         mend="Nothing, if it is meant so.",
     ),
     "reference_depth": _limit(

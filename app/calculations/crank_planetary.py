@@ -505,8 +505,9 @@ def solve(body: CrankPlanetaryRequest) -> Values:
         pattern = run(body, lambda: body.mechanism.solve_for(body.design.driven))
         sections["cyclogram"] = CyclogramResponse.values(*pattern)
     if "members" in asked:
-        loads, _ = run(body, lambda: body.results.member_loads)
-        sections["members"] = MembersOut.values(loads, output=body.mechanism.output)
+        loads, members_us = run(body, lambda: body.results.member_loads)
+        output = body.mechanism.output
+        sections["members"] = MembersOut.values(loads, members_us, output=output)
     if "contact_force" in asked:
         sections["contact_force"] = ContactForceResponse.values(*run(body, body.solve_force))
     if "load_sharing" in asked:

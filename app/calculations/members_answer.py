@@ -4,7 +4,7 @@ by its angles, torques and stiffness.
 
 from typing import Any
 
-from app.model import Maybe, ResponseModel, Values, result
+from app.model import AccuracyOut, Maybe, ResponseModel, Values, result
 from app.units import from_si, suffix
 from core.output.members import MemberLoads, Members, Output
 
@@ -58,6 +58,7 @@ class MembersOut(ResponseModel):
     carrier_power_W: Maybe[float] = result("Power that enters by the pins.", symbol="P_c")
     ring_power_W: Maybe[float] = result("Power that enters by the ring.", symbol="P_r")
     power_balance_W: Maybe[float] = result("Sum of the powers: 0 but for rounding.")
+    accuracy: AccuracyOut
 
     @classmethod
     def values(cls, result: MemberLoads, run_time_us: float | None = None, **given: Any) -> Values:

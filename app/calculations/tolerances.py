@@ -180,7 +180,7 @@ class TolerancesFields(RequestModel, group="tolerances"):
     """
 
     process: Maybe[ProcessName] = quantity("Process")
-    """How the parts are made: fills what is not given with guides of `GET /processes`."""
+    """How the parts are made: fills what is not given with guides for such parts."""
     pin_process: Maybe[ProcessName] = quantity("Process of the pins", advanced=True)
     """The same of the pins alone, as where these are bought."""
     hole_process: Maybe[ProcessName] = quantity("Process of the holes", advanced=True)

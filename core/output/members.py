@@ -11,10 +11,14 @@ from dataclasses import dataclass
 from typing import Literal
 
 from core.arrays import Number
+from core.results import ROUNDING, Accuracy
 
 Output = Literal["pins", "ring", "both", "coupling"]
 """Which member is driven: that of the pins while the ring stands still, the ring while the pins do,
 or both; or two shafts that pins couple, an eccentricity apart, without a ring."""
+
+CLOSED = Accuracy("closed_form", 8 * ROUNDING, 1)
+"""How exact they are: their numbers follow in a few steps."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,10 +70,11 @@ class MemberLoads:
     pin_torque: float  # T_c, N*m, as all torques positive in the sense of the crank
     crank_torque: float  # T_1, N*m
     ring_torque: float  # T_r, N*m
-    speeds: MemberSpeeds | None  # where they are known
-    crank_power: float | None  # W
-    carrier_power: float | None  # W, negative where it leaves
-    ring_power: float | None  # W
+    speeds: MemberSpeeds | None = None  # where they are known
+    crank_power: float | None = None  # W
+    carrier_power: float | None = None  # W, negative where it leaves
+    ring_power: float | None = None  # W
+    accuracy: Accuracy = CLOSED
 
     @property
     def power_balance(self) -> float | None:
@@ -211,7 +216,15 @@ class Members:
             pins = -pins
         crank = pins / self.ratio
         ring = -(pins + crank)
-        powers: tuple[float | None, ...] = (None, None, None)
-        if speeds is not None:
-            powers = crank * speeds.crank, pins * speeds.carrier, ring * speeds.ring
-        return MemberLoads(self.output_ratio, pins, crank, ring, speeds, *powers)
+        if speeds is None:
+            return MemberLoads(self.output_ratio, pins, crank, ring)
+        return MemberLoads(
+            self.output_ratio,
+            pins,
+            crank,
+            ring,
+            speeds,
+            crank_power=crank * speeds.crank,
+            carrier_power=pins * speeds.carrier,
+            ring_power=ring * speeds.ring,
+        )

@@ -38,7 +38,7 @@ def loss_steps(results: Results) -> list[Step]:
     sheet.take("k", "wear_rate", friction.wear_rate)
     sheet.take("t", "life", design.requirements.life if friction.life is None else friction.life)
     turns = {"note": "turns_in_radians"}
-    sheet.work("relative_speed", "n", found.relative_speed, f"n_1{wave}")
+    sheet.work_wave("relative_speed", "n", found.relative_speed, f"n_1{wave}")
     sheet.work("sliding_speed", "v", found.sliding_speed, f"e*n{slow}", **turns)
     sheet.work("sleeve_speed", "n_s", found.sleeve_speed, f"n*e/{radius}")
     sheet.state("peak_force", "F", found.peak_force, "search")

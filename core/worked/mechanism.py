@@ -69,8 +69,10 @@ def cyclogram_steps(
     sheet.take("h", "half_turn", HALF)
     sheet.take("t", "full_turn", TURN)
     formula = f"h{slower}"
-    sheet.work("working_phase", "phi_w", found.working_phase, formula, **EQUATION_6, note="working")
-    sheet.work("period", "phi_T", found.period, f"t{slower}", **EQUATION_6)
+    sheet.work_wave(
+        "working_phase", "phi_w", found.working_phase, formula, **EQUATION_6, note="working"
+    )
+    sheet.work_wave("period", "phi_T", found.period, f"t{slower}", **EQUATION_6)
     sheet.take("N", "pins", mechanism.pins)
     sheet.take("K", "satellites", mechanism.satellites)
     sheet.take("m", "repeats", mechanism.phases.symmetry)

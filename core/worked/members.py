@@ -95,12 +95,11 @@ def member_steps(results: Results) -> list[Step]:
     if members.output == "coupling":
         return []
     sheet.take_ratio(members.ratio)
-    ratio = {"pins": "-u", "ring": "u+1"}.get(members.output, "")
-    if ratio:
-        sheet.work("output_ratio", "i", found.output_ratio, ratio)
     take_torque(sheet, members=members, output_torque=load.output_torque)
     sheet.work("crank_torque", "T_1", found.crank_torque, "T/u")
     sheet.work("ring_torque", "T_3", found.ring_torque, "-(T+T_1)")
+    ratio = {"pins": "-T/T_1", "ring": "-T_3/T_1"}.get(members.output, "")
+    sheet.work("output_ratio", "i", found.output_ratio, ratio)
     if speeds is None:
         return sheet.steps
     sheet.take("n_in", "input_speed", speeds.crank)

@@ -153,6 +153,26 @@ class Sheet:
         self._add(Step(code=code, symbol=symbol, result=float(result), formula=formula,
                        values=values, **said))  # fmt: skip
 
+    def work_wave(self, code: str, symbol: str, result: Any, formula: str, **said: Any) -> None:
+        """Add a step by a formula with the factor of `take_ratio`; of a coupling, of which there is
+        none, it says that its shafts turn alike.
+
+        Parameters
+        ----------
+        code, symbol : str
+            What is worked out.
+        result : float or None
+            The result, in SI units.
+        formula : str
+            Formula.
+        **said
+            Other fields of `Step`.
+        """
+        if "u" in self.known:
+            self.work(code, symbol, result, formula, **said)
+        else:
+            self.state(code, symbol, result, "of_shafts")
+
     def state(self, code: str, symbol: str, result: Any, method: str, **said: Any) -> None:
         """Add a step of what was searched, solved, counted or given.
 

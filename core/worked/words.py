@@ -54,6 +54,7 @@ NOTES = {
     "angle.",
     "least_support": "The sum runs over the driving pairs at the switching angle where it is "
     "smallest.",
+    "of_shafts": "Two shafts that pins couple turn alike, and the wave with them.",
     "powers_out": "What leaves by the members whose torque turns against their speed.",
     "willis": "Of one planet gear: n_in + u·n_c = (u + 1)·n_r.",
     "narrow": "Hertz's theory asks for a contact much narrower than the pin.",

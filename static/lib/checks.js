@@ -10,9 +10,9 @@ export const ASIDE = [
   "largest_torque_Nm", "largest_torque_estimated", "largest_torque_of", "parts", "model", "assumed", "fit",
 ];
 
-/** The sections whose values are listed: those that are asked, and that of forces which are solved, where there is one. */
-export const listedOf = ({ sections, solved }, answers) =>
-  (answers.some((answer) => answer?.[solved]) ? [solved, ...sections] : sections);
+/** The sections whose values are listed: those that are asked, and those that an answer has beside these, as that of forces which are solved. */
+export const listedOf = ({ sections, solved, besides = [] }, answers) =>
+  [...[...besides, solved].filter((id) => answers.some((answer) => answer?.[id])), ...sections];
 
 /** The values of a section as `[[name, value]]`, those of its parts too, named after the part where there are words for that. */
 export function flattened(section) {

@@ -262,10 +262,13 @@ async def test_the_ratio_may_be_that_of_the_ring(api):
     by_u = await answered(api, PATH, body)
     mechanism = {name: value for name, value in body["mechanism"].items() if name != "ratio"}
     by_i = await answered(api, PATH, body | {"mechanism": mechanism | {"output_ratio": 21}})
+    for each in (by_u, by_i):
+        del each["members"]["accuracy"]
     assert by_i["members"] == by_u["members"]
     assert by_i["contact_force"]["peak_force_N"] == by_u["contact_force"]["peak_force_N"]
     teeth = mechanism | {"satellite_teeth": 20, "ring_teeth": 21}
-    assert (await answered(api, PATH, body | {"mechanism": teeth}))["members"] == by_u["members"]
+    by_teeth = (await answered(api, PATH, body | {"mechanism": teeth}))["members"]
+    assert by_teeth.pop("accuracy") and by_teeth == by_u["members"]
 
 
 @pytest.mark.parametrize(

@@ -132,6 +132,22 @@ EQUAL = {
         "include": ["equal_sharing", "approximation"],
     },
 }
+RING = _design(BARE, 4000.0) | {
+    "mechanism": {"pins": 6, "satellites": 2, "ratio": 20.0, "output": "ring"},
+    "crankshaft": BARE["crankshaft"]
+    | {"bearings": [each | {"in": "ring"} for each in BARE["crankshaft"]["bearings"]]},
+}
+BOTH = _design(BARE, 4000.0, ring_speed_rpm=-40.0) | {
+    "mechanism": {"pins": 6, "satellites": 2, "ratio": 20.0, "output": "both"}
+}
+BY_PINS = _design(BARE, 4000.0, carrier_speed_rpm=30.0) | {"mechanism": BOTH["mechanism"]}
+COUPLING = {
+    "mechanism": {"pins": 5, "output": "coupling"},
+    "load": {"output_torque_Nm": 40.0, "pin_circle_radius_mm": 30.0, "input_speed_rpm": 600.0},
+    "contact": CONTACT,
+    "friction": BARE["friction"],
+    "requirements": {"life_h": 2000.0},
+}
 THREE = _design(BUILT_IN, 4000.0, torque_direction="reverse") | {
     "mechanism": {"pins": 5, "satellites": 3, "ratio": 20.0}
 }
@@ -195,6 +211,20 @@ REQUESTS: dict[str, tuple[str, dict[str, Any]]] = {
     "short life": ("crank-planetary", _design(BARE, 5.0)),
     "sleeved": ("crank-planetary", SLEEVED_4000),
     "three": ("crank-planetary", THREE),
+    "ring": ("crank-planetary", RING),
+    "ring's members": ("crank-planetary", RING | {"include": ["members"]}),
+    "members": ("crank-planetary", BARE_4000 | {"include": ["members"]}),
+    "both": ("crank-planetary", BOTH | {"include": ["members", "output_efficiency"]}),
+    "both by the pins": (
+        "crank-planetary",
+        BY_PINS | {"include": ["members", "satellite_bearing"]},
+    ),
+    "coupling": ("crank-planetary", COUPLING),
+    "coupling driven": (
+        "contact-force",
+        COUPLING["mechanism"]
+        | {"input_torque_Nm": 40.0, "efficiency": 0.9, "pin_circle_radius_mm": 30.0},
+    ),
     "skew": ("crank-planetary", SKEW),
     "cyclogram": ("cyclogram", TEETH["mechanism"]),
     "force": ("contact-force", EQUAL["mechanism"] | EQUAL["load"]),

@@ -11,7 +11,7 @@ import { inDiameters } from "../../lib/units.js";
 import { message, quantityWords } from "../../messages/index.js";
 import { figureText } from "../../service_texts.js";
 import { createDrawing } from "./drawing.js";
-import { cranksOf, fitted, MOST_PAIRS, ratioOf, refuseMore } from "./mechanism.js";
+import { askedOf, cranksOf, fitted, MOST_PAIRS, ratioOf, refuseMore } from "./mechanism.js";
 import { factorOf, sentences } from "./sentences.js";
 import { BESIDE, inputOf, MADE, partsOf, WANTED, wantedSections } from "./wanted.js";
 
@@ -27,8 +27,11 @@ const TRADE_OFF = {
 };
 
 /** /cyclogram and /contact-force ask the mechanism's fields beside their own. */
-function forceBody({ mechanism: { revolutions, ...mechanism }, load: { input_speed_rpm, peak_torque_Nm, peak_kind, torque_direction, ...load } }) {
-  return { ...mechanism, ...load };
+function forceBody({
+  mechanism: { revolutions, ...mechanism },
+  load: { input_speed_rpm, ring_speed_rpm, carrier_speed_rpm, peak_torque_Nm, peak_kind, torque_direction, ...load },
+}) {
+  return { ...askedOf(mechanism), ...load };
 }
 
 /** The body of a figure, of no more pairs than are drawn. */
@@ -65,7 +68,7 @@ function hertzBody({ contact: { eccentricity_mm: e, hole_clearance_mm: clearance
 
 /** The design with all that is wanted of it for these sections of the answer: the verdict is of that too. */
 async function madeOf({ besides, ...given }, filled, get, sections = wantedSections({ besides })) {
-  const input = { ...given, ...partsOf({ ...given, besides }, sections), ...(given.contact && { contact: fitted(given.contact) }) };
+  const input = { ...given, mechanism: askedOf(given.mechanism), ...partsOf({ ...given, besides }, sections), ...(given.contact && { contact: fitted(given.contact) }) };
   if (besides?.real?.on !== "on") return input;
   const { asked, bodyOf } = await import("./real.js");
   const made = await bodyOf(asked({ ...given, besides }, filled), { get });
@@ -215,7 +218,7 @@ export default {
     materials: ["contact.pin_material", "contact.hole_material"],
     requirements: ["scope", "life_h", "pitting_safety", "min_wall_mm", "max_outer_diameter_mm", "max_backlash_arcmin", "max_lost_motion_arcmin"].map((name) => `requirements.${name}`),
     satellite_body: ["outer", "root", "bore"].map((name) => `satellite_body.${name}_radius_mm`),
-    more: ["load.force_exponent", "contact.distribution_factor", "contact.distribution_of", "mechanism.initial_crank_angle_deg", "mechanism.revolutions", "mechanism.output"],
+    more: ["load.force_exponent", "contact.distribution_factor", "contact.distribution_of", "mechanism.initial_crank_angle_deg", "mechanism.revolutions", "mechanism.output", "load.ring_speed_rpm", "load.carrier_speed_rpm"],
   },
   hidden: [
     ...WANTED.flatMap(({ fields }) => Object.keys(fields)), // asked where they are wanted
@@ -224,7 +227,7 @@ export default {
   ],
   choices: {
     cranks: { spacing: ["mechanism.crank_spacing_deg"], list: ["mechanism.crank_angles_deg"] },
-    ratio: { value: ["mechanism.ratio"], teeth: ["mechanism.satellite_teeth", "mechanism.ring_teeth"] },
+    ratio: { value: ["mechanism.ratio"], ring: ["mechanism.output_ratio"], teeth: ["mechanism.satellite_teeth", "mechanism.ring_teeth"] },
     play: { radial: ["contact.hole_clearance_mm"], fits: ["contact.fit"] },
     torque: { output: ["load.output_torque_Nm"], input: ["load.input_torque_Nm", "load.efficiency"] },
   },
@@ -257,6 +260,7 @@ export default {
   seeds: {
     "cranks.list": ({ mechanism }) => ({ "mechanism.crank_angles_deg": cranksOf(mechanism).map(tidy) }),
     "ratio.teeth": ({ mechanism }) => teethOf(ratioOf(mechanism)),
+    "ratio.ring": ({ mechanism }) => ({ "mechanism.output": "ring", "mechanism.output_ratio": tidy(ratioOf(mechanism) + 1) }),
     "torque.input": ({ mechanism, load }) => ({
       "load.efficiency": 1,
       "load.input_torque_Nm": tidy(load?.output_torque_Nm / ratioOf(mechanism)),
@@ -268,6 +272,9 @@ export default {
 
   /** A section that the answer has beside these, where the forces are solved. */
   solved: "load_sharing",
+
+  /** One that it has where others than the pins are the output. */
+  besides: ["members"],
 
   async ask({ post, get, input: given, filled, sections: all, tables }) {
     const wanted = wantedSections(given);
@@ -283,7 +290,7 @@ export default {
         contact: input.contact,
         ...Object.fromEntries(DESIGN.filter((part) => input[part]).map((part) => [part, input[part]])),
       }),
-      include: [...sections, ...(solved ? [this.solved] : []), ...(solved && tables.has("cyclogram") ? ["real_cyclogram"] : []), "checks"],
+      include: [...sections, ...(sections.includes("contact_force") && (filled.mechanism.output ?? "pins") !== "pins" ? ["members"] : []), ...(solved ? [this.solved] : []), ...(solved && tables.has("cyclogram") ? ["real_cyclogram"] : []), "checks"],
     }));
   },
 
@@ -327,7 +334,7 @@ export default {
       follows: ({ data, y }) => (data.type === "bar" ? y : null),
       section: "cyclogram",
       path: "/cyclogram/chart",
-      body: drawn(({ mechanism }) => mechanism),
+      body: drawn(({ mechanism }) => askedOf(mechanism)),
       real: real("cyclogram"),
       height: ({ mechanism: { pins = 3, satellites = 1 } }) => 190 + 22 * Math.min(pins * satellites, MOST_ROWS),
       tables: phaseTables,

@@ -22,13 +22,23 @@ function modulo(value, period) {
   return value - period * Math.floor(value / period);
 }
 
-/** The ratio as a number: a sign is that of the output, which the service takes off. */
-export function ratioOf({ ratio, satellite_teeth: z2, ring_teeth: z3 }) {
-  return Math.abs(ratio ?? z2 / (z3 - z2));
+/** The ratio of crank and pins as a number: a sign is that of the pins, which the service takes off; a coupling has no end of it. */
+export function ratioOf({ output, ratio, output_ratio: ofRing, satellite_teeth: z2, ring_teeth: z3 }) {
+  if (output === "coupling") return Infinity;
+  return Math.abs(ratio ?? (ofRing === undefined ? z2 / (z3 - z2) : ofRing - 1));
+}
+
+const OF_RINGS = ["ratio", "output_ratio", "satellite_teeth", "ring_teeth", "satellites", "crank_spacing_deg", "crank_angles_deg"];
+
+/** A mechanism as it is asked for: of a coupling without what is about a ring and cranks. */
+export function askedOf(mechanism = {}) {
+  if (mechanism.output !== "coupling") return mechanism;
+  return Object.fromEntries(Object.entries(mechanism).filter(([name]) => !OF_RINGS.includes(name)));
 }
 
 /** Angles of the cranks against the first, degrees. */
-export function cranksOf({ satellites, crank_spacing_deg: spacing, crank_angles_deg: angles }) {
+export function cranksOf({ output, satellites, crank_spacing_deg: spacing, crank_angles_deg: angles }) {
+  if (output === "coupling") return [0];
   return angles ?? Array.from({ length: satellites }, (_, j) => j * (spacing ?? 360 / satellites));
 }
 
@@ -61,7 +71,7 @@ export function pitchRadii({ eccentricity, ratio }) {
 
 /** Angle of pin 1 from Y, against the clock. */
 export function pinAngle({ ratio }, angle) {
-  return modulo(angle, 360 * ratio) / ratio;
+  return Number.isFinite(ratio) ? modulo(angle, 360 * ratio) / ratio : 0;
 }
 
 /** Directions of the cranks, from the reducer's centre to the satellites'. */

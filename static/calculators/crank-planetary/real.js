@@ -4,7 +4,7 @@
  */
 import { formatAngle, formatNumber, formatQuantity, quantityParts, tidy } from "../../lib/format.js";
 import { message, quantityWords } from "../../messages/index.js";
-import { eccentricityOf, fitted, MOST_PAIRS, refuseMore } from "./mechanism.js";
+import { askedOf, eccentricityOf, fitted, MOST_PAIRS, refuseMore } from "./mechanism.js";
 import { partsOf } from "./wanted.js";
 
 /** What is left between pin and hole by their sizes, without the noise of binary differences. */
@@ -14,7 +14,7 @@ function playOf({ hole_radius_mm: hole, pin_radius_mm: pin, eccentricity_mm: ecc
 
 /** The parts that the real calculations share, as bodies say them; a clearance of its own stands for the hole. */
 export function designOf({
-  mechanism: { revolutions, ...mechanism } = {}, load: { force_exponent, input_speed_rpm, peak_torque_Nm, peak_kind, ...load } = {}, contact = {}, besides = {},
+  mechanism: { revolutions, ...mechanism } = {}, load: { force_exponent, input_speed_rpm, ring_speed_rpm, carrier_speed_rpm, peak_torque_Nm, peak_kind, ...load } = {}, contact = {}, besides = {},
 }) {
   const { contact_law: law, satellite_coupling: shared, lost_motion_torque_share: share } = besides;
   const geometry = shared ? "first_order" : besides.geometry; // no other is to be had for given shares
@@ -22,7 +22,7 @@ export function designOf({
   const material = typeof besides.pin?.material === "string" ? besides.pin.material : elastic;
   const sizes = { ...contact, eccentricity_mm: eccentricityOf(contact) };
   return {
-    mechanism,
+    mechanism: askedOf(mechanism),
     load,
     contact: fitted(sizes),
     ...(law && { contact_law: law }),

@@ -115,11 +115,22 @@ export function advice(name, of) {
   ].filter(Boolean);
 }
 
+/** How the parts are made, and which tolerances that stands for, in words. */
+function processOf({ code, pin_code: ofPins, source, pin_source: pinSource, filled, mean_clearance_mm: clearance }) {
+  return {
+    process: [code, ofPins].filter(Boolean).map((one) => message(`option.${one}`)).join("; "),
+    filled: filled.map((pointer) => sourceTitle(pointer.split("/").pop())).join("; "),
+    clearance: formatQuantity(clearance, "mm", 3),
+    source: [source, pinSource].filter(Boolean).join("; "),
+  };
+}
+
 /** How exact the numbers of a quantity are, in words, and which pieces are no good. */
-export function exactness(name, of, { samples, cannot_assemble: pressed, binds_in_turning: binds = 0, cannot_work: broken }, { crank_angles: angles }) {
+export function exactness(name, of, { process: made, samples, cannot_assemble: pressed, binds_in_turning: binds = 0, cannot_work: broken }, { crank_angles: angles }) {
   const error = Math.max(...of.percentiles.map(({ value, low, high }) => Math.min((high - low) / 2 / Math.abs(value), 1) || 0));
   const quantity = titleOf(name);
   return [
+    made && ["warning", message("study.process", processOf(made))],
     of.percentiles.length > 0 && ["", message("study.sampling", { quantity, error: share(error, 2), samples })],
     ["", message("study.grid", { quantity, error: share(of.angle_grid_error, 2), angles })],
     pressed.value > 0 && ["warning", message("study.pressed", { share: share(pressed.value), low: formatNumber(100 * pressed.low, 2), high: share(pressed.high, 2), binds })],

@@ -17,6 +17,7 @@ const deviated = (part) => ["radial", "tangential", "radius"].map((way) => `devi
 const law = (...kinds) => ({ when: ["contact_law.kind", ...kinds], required: true });
 const rare = { advanced: true };
 const classOf = (part, letters) => ({ like: `tolerances.${part}_diameter.class`, words: [`${part}_class`, "study"], ...letters });
+const byOwn = { when: ["study.sizes", "class", "limits"] };
 const byLimits = (part, end) => ({ when: ["study.sizes", "limits"], words: [`${part}_${end}`, "study"] });
 
 const REAL = {
@@ -48,9 +49,12 @@ const REAL = {
 };
 
 const STUDY = {
-  "tolerances.pin_position_mm": {},
-  "tolerances.hole_position_mm": {},
-  "study.sizes": { options: ["class", "limits"], default: "class", words: ["sizes", "study"] },
+  "study.sizes": { options: ["class", "limits", "process"], default: "class", words: ["sizes", "study"] },
+  "tolerances.process": { when: ["study.sizes", "process"], required: true },
+  "tolerances.pin_process": { when: ["study.sizes", "process"], options: [""] },
+  "tolerances.hole_process": { ...rare, when: ["study.sizes", "process"], options: [""] },
+  "tolerances.pin_position_mm": byOwn,
+  "tolerances.hole_position_mm": byOwn,
   "tolerances.pin_diameter.class": classOf("pin", { when: ["study.sizes", "class"], options: [""] }),
   "tolerances.hole_diameter.class": classOf("hole", { when: ["study.sizes", "class"], options: [""] }),
   "tolerances.pin_diameter.lower_mm": byLimits("pin", "lower"),
