@@ -114,8 +114,8 @@ class Design:
     def __post_init__(self) -> None:
         self._check_peak()
         self._check_places()
-        self._check_thickness()
         self._check_rollers()
+        self._check_thickness()
         if self.gear:
             self.gear.check_pins_apart(self.mechanism.ratio)
         if self.bearing:
