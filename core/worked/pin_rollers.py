@@ -27,7 +27,7 @@ def roller_steps(results: Results) -> list[Step]:
     -------
     list of Step
     """
-    sheet, design, found = Sheet(), results.design, results.rollers
+    sheet, design, found = Sheet(), results.design, results.roller_loads
     own, elements = design.rollers, KINDS[design.rollers.kind]
     sheet.take("n_1", "input_speed", design.load.input_speed)
     sheet.take("u", "ratio", design.mechanism.ratio)

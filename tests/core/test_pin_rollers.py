@@ -204,9 +204,11 @@ def test_a_clearance_that_is_not_known_stays_so() -> None:
     assert design.clearance_unknown and not design.as_made
     stated = having(design, clearance_stated=True)
     assert stated.as_made and not stated.clearance_unknown
-    codes = [each.code for each in Results(rolled()).rollers.notices]
+    codes = [each.code for each in Results(rolled()).roller_loads.notices]
     assert "roller_clearance_unknown" in codes
-    assert "roller_clearance_unknown" not in [each.code for each in Results(stated).rollers.notices]
+    assert "roller_clearance_unknown" not in [
+        each.code for each in Results(stated).roller_loads.notices
+    ]
 
 
 def test_a_contact_is_no_longer_than_its_rollers() -> None:
@@ -275,7 +277,7 @@ def test_each_limit_is_where_it_says() -> None:
     design = rolled(
         replace(ROLLERS, max_radial_load=5e3, max_static_radial_load=8e3, limiting_speed=100.0)
     )
-    loads = Results(design).rollers
+    loads = Results(design).roller_loads
     life = check_of("pin_roller_life", design)
     assert life.value == loads.life and life.limit == design.requirements.life
     assert life.torque_reserve == pytest.approx((life.value / life.limit) ** (1 / 3))
