@@ -10,13 +10,13 @@ from app.units import core_name, from_si, shown_unit
 from core.worked.step import Step
 
 QUANTITIES: dict[str, str] = {
-    "mm": "added_clearance arm bearing_distance bearing_position bolt_radius bore_diameter "
+    "mm": "arm bearing_distance bearing_position bolt_radius bore_diameter "
     "clearance contact_length "
     "couple_arm cycle_position cylinder_length deflection deflection_B deflection_C "
     "diameter displacement eccentricity gap half_width hole_circle_radius hole_radius hole_wear "
     "length mating_radius max_shear_depth module overhang peak_moment_position "
     "peak_stress_position pin_circle_radius pin_radius pin_wear position position_tolerance "
-    "radial_clearance radius "
+    "radius "
     "reduced_radius reference_z ring_pin_circle_radius roller_circle_radius roller_radius "
     "satellite_position scale simplified_deflection_B simplified_deflection_C span "
     "sphere_diameter sphere_width total_length unit_moment z z_max z_min",
@@ -55,7 +55,7 @@ QUANTITIES: dict[str, str] = {
     "life_factor line_load_factor load_nonuniformity load_parameter load_parameter_again "
     "loaded_rollers loads logarithm mating_safety max_driving max_efficiency mean_driving "
     "mean_total_force_ratio min_driving min_efficiency neuber_root notch peak_force_ratio pin pins "
-    "output_ratio pitches poissons_ratio radial_force_ratio ratio ratio_u12 "
+    "output_ratio pitches poissons_ratio radial_force_ratio rating_share ratio ratio_u12 "
     "relative_position_error relative_stiffness relative_stress reliability repeats "
     "ring_teeth roller_safety rollers rolling_elements safety_factor safety_hole safety_pin "
     "satellite_teeth satellites shear_coefficient shortening sides simplification_error_B "

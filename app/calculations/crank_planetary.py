@@ -397,8 +397,6 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
 
     def strength(self, section: Section) -> Any:
         """Result of a section of strength and life."""
-        if section == "rollers":
-            return self.results.rollers_on_pins
         return getattr(self.results, section)
 
     @cached_property

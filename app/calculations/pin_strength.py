@@ -166,9 +166,11 @@ class PinStrengthOut(ResponseModel):
     peak_force_N: float = result("Largest contact force over the turn.", symbol="F_max")
     peak_moment_Nm: float = result("Largest bending moment of any section.", symbol="M")
     peak_moment_position_mm: float = result("That section, from the carrier's face.", symbol="x")
-    peak_bending_stress_MPa: float = result("Its stress, 32·M/(π·d³).", symbol="σ_b")
+    peak_bending_stress_MPa: float = result(
+        "Its stress, M/W; 32·M/(π·d³) of a solid pin.", symbol="σ_b"
+    )
     peak_shear_force_N: float = result("Largest shear force of any section.", symbol="V")
-    peak_shear_stress_MPa: float = result("Its largest stress, 4/3·V/A.", symbol="τ")
+    peak_shear_stress_MPa: float = result("Its largest stress, 4/3·V/A of a solid pin.", symbol="τ")
     peak_equivalent_stress_MPa: float = result(
         "Largest equivalent stress (Mises) of any section.", symbol="σ_v"
     )

@@ -18,8 +18,8 @@ play                backlash and lost motion of the output
 fit                 room of the pins in their holes, clearance
 space               walls between holes, to rim and bore; space between pins, for satellites
 crank               ring, bearings of the satellites, crankshaft
-pin_rollers         bearings as rollers on the pins: life, load, speed, room, tilt
 bearings            bearings as they are bought: ratings that can be, room, speed, least load
+pin_rollers         bearings as rollers on the pins: life, load, speed, room, tilt
 crank_planetary     all checks of the reducer
 largest_torque      the largest torque of the reducer as it is made
 shares              which satellite carries how much, and what hangs on it

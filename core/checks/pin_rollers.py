@@ -48,7 +48,7 @@ def _required(value: float | None, *missing: str) -> float:
 def pin_roller_life(design: Design, results: Results) -> Check:
     _required(design.rollers.dynamic_rating, "rollers.dynamic_rating")
     design.known_speed  # noqa: B018 - of which the life is a matter
-    found, power = results.rollers, EXPONENTS[KINDS[design.rollers.kind]]
+    found, power = results.roller_loads, EXPONENTS[KINDS[design.rollers.kind]]
     limit, value = design.requirements.life, _required(found.life)
     return judged(
         pin_roller_life,
@@ -89,7 +89,7 @@ def _static_limit(design: Design) -> float:
 )
 def pin_roller_static(design: Design, results: Results) -> Check:
     _required(design.rollers.static_rating, "rollers.static_rating")
-    found, limit = results.rollers, _static_limit(design)
+    found, limit = results.roller_loads, _static_limit(design)
     value = _required(found.static_safety_factor)
     return judged(
         pin_roller_static,
@@ -112,7 +112,7 @@ def pin_roller_static(design: Design, results: Results) -> Check:
     source="user",
 )
 def pin_roller_max_load(design: Design, results: Results) -> Check:
-    own, found = design.rollers, results.rollers
+    own, found = design.rollers, results.roller_loads
     loads = (
         (found.peak_load * design.load_factor, own.max_radial_load),
         (found.static_load, own.max_static_radial_load),
@@ -147,7 +147,7 @@ def pin_roller_max_load(design: Design, results: Results) -> Check:
 def pin_roller_min_load(design: Design, results: Results) -> Check:
     """Of the largest load over the turn: half of it no roller is loaded."""
     rating = _required(design.rollers.static_rating, "rollers.static_rating")
-    found = results.rollers
+    found = results.roller_loads
     return judged(
         pin_roller_min_load,
         found.peak_load,

@@ -285,7 +285,7 @@ def _made(made: Made, ways: tuple[float, ...], torque: float, power: float) -> _
         pin=pin + 1,
         accuracy=Accuracy(
             "sampling",
-            max(turn.error for turn in turns),
+            float(max(turn.error for turn in turns)),
             sum(turn.evaluations for turn in turns),
         ),
     )

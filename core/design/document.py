@@ -119,8 +119,8 @@ class Design:
         self._check_peak()
         self._check_distribution()
         self._check_places()
-        self._check_thickness()
         self._check_rollers()
+        self._check_thickness()
         if self.gear:
             self.gear.check_pins_apart(self.mechanism.ratio)
         if self.bearing:

@@ -506,7 +506,7 @@ class Results:
         return max(self._lossy_turns, key=lambda turn: float(turn.mean(turn.total)), default=None)
 
     @derived
-    def rollers(self) -> PinRollers:
+    def roller_loads(self) -> PinRollers:
         """Loads and life of the rollers on the pins under the torque, their static safety under the
         peak torque, of at most `MOST_BEARING_PAIRS`. Without a speed there is no life.
         """
@@ -531,11 +531,11 @@ class Results:
         return replace(found, notices=(Notice("roller_clearance_unknown"), *found.notices))
 
     @property
-    def rollers_on_pins(self) -> "RollersOnPins":
+    def rollers(self) -> "RollersOnPins":
         """The same with loss, clearance and tilt, as far as these are known."""
         deflection = if_known(lambda: self.pin_loads.deflection)
         return RollersOnPins(
-            loads=self.rollers,
+            loads=self.roller_loads,
             loss=if_known(lambda: float(self.output_efficiency.mean_loss)),
             added_clearance=self.design.roller_play,
             tilt=None if deflection is None else deflection.slope,

@@ -249,6 +249,8 @@ class DesignPin(PinSupport):
         The pin's material, with its yield strength.
     span : float or None
         Distance L of the supports, m.
+    bore_diameter : float
+        Diameter d_i of its bore, m; 0 of a solid pin.
     contact_length : float or None
         Length of the contact along it, m; that of the contact where not given.
     rotates : bool
@@ -259,8 +261,6 @@ class DesignPin(PinSupport):
         Whether that is a steel, for which there is a rule of the endurance limit.
     valid_diameter : float or None
         Largest diameter that these strengths hold for, m.
-    bore_diameter : float
-        Diameter d_i of its bore, m; 0 of a solid pin.
     """
 
     contact_length: float | None = None

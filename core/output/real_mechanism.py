@@ -404,11 +404,14 @@ class RealMechanism:
         if self.pin_material is None or self.hole_material is None:
             return None
         radius = self.pin_radii[pair]
+        apart = self.pairs.distance[pair]
+        if self.exact:
+            apart -= self.roller_play  # which lets the centres move, not the radii grow
         return hertz(
             force=force,
             contact_length=self.contact_length,
             pin_radius=radius,
-            hole_radius=radius + self.pairs.distance[pair],
+            hole_radius=radius + apart,
             pin_material=self.pin_material,
             hole_material=self.hole_material,
         )

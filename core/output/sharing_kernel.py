@@ -118,7 +118,7 @@ class Pairs(NamedTuple):
     k0: Row  # constant parts of q, u, v
     k1: Row
     k2: Row
-    distance: Row  # of the centres in contact
+    distance: Row  # of the centres in contact; in first order that of the radii
     size: Row  # of the terms that make q: times the rounding, its error
     a: Row  # law: LINEAR 1/k + C; POWER k; HERTZ A + C
     b: Row  # POWER C; HERTZ B
@@ -215,7 +215,7 @@ def prepare(
                 pairs.size[i] = off + loose + setup.loose
             difference = setup.eccentricity + setup.clearance + larger
             pin = setup.pin_radius + errors.pin_radius[n]
-            pairs.distance[i] = difference
+            pairs.distance[i] = difference + setup.loose if setup.exact else difference
             if min(difference, pin, own) <= 0:
                 none = i if none < 0 else none
             else:

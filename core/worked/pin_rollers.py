@@ -27,8 +27,8 @@ def roller_steps(results: Results) -> list[Step]:
     -------
     list of Step
     """
-    sheet, own, beside = Sheet(), results.design.rollers, results.rollers_on_pins
-    design, found, elements = results.design, beside.loads, KINDS[own.kind]
+    sheet, design, found = Sheet(), results.design, results.roller_loads
+    own, elements = design.rollers, KINDS[design.rollers.kind]
     sheet.take("n_1", "input_speed", design.load.input_speed)
     sheet.take("u", "ratio", design.mechanism.ratio)
     sheet.take("e", "eccentricity", design.contact.eccentricity)
@@ -36,21 +36,23 @@ def roller_steps(results: Results) -> list[Step]:
     sheet.take("C", "dynamic_rating", own.dynamic_rating)
     sheet.take("C_0", "static_rating", own.static_rating)
     sheet.take("Z", "rolling_elements", own.rolling_elements)
-    sheet.take("G_r", "radial_clearance", own.radial_clearance)
     sheet.work("speed", "n_s", found.speed, "n_1*(1+1/u)*e/r_s")
     sheet.state("peak_load", "F", found.peak_load, "shared")
     where = {"params": {"satellite": found.satellite}}
     sheet.state("equivalent_load", "P", found.equivalent_load, "equivalent_load", **where)
-    dynamic, still = "1", "1"
-    if own.ratings == "bearing":
-        dynamic, still = LEFT[elements], "min(1,5/Z)"
-        if own.rolling_elements is None:
-            dynamic, still = (f"{share:g}" for share in UNKNOWN_ELEMENTS[elements])
+    left = (LEFT[elements], "min(1,5/Z)")
+    if own.rolling_elements is None:
+        left = ("s", "s_0")
+        for symbol, share in zip(left, UNKNOWN_ELEMENTS[elements], strict=True):
+            sheet.take(symbol, "rating_share", share)
     for code, symbol, rating, formula in (
-        ("dynamic_rating_as_roller", "C_w", found.dynamic_rating_as_roller, f"C*{dynamic}"),
-        ("static_rating_as_roller", "C_0w", found.static_rating_as_roller, f"C_0*{still}"),
+        ("dynamic_rating_as_roller", "C_w", found.dynamic_rating_as_roller, f"C*{left[0]}"),
+        ("static_rating_as_roller", "C_0w", found.static_rating_as_roller, f"C_0*{left[1]}"),
     ):
-        sheet.work(code, symbol, rating, formula)
+        if own.ratings == "roller":
+            sheet.state(code, symbol, rating, "given")
+        else:
+            sheet.work(code, symbol, rating, formula)
     power = "10/3" if math.isclose(EXPONENTS[elements], 10 / 3) else "3"
     formula = f"2*pi*10^6*(C_w/P)^({power})/n_s"
     sheet.work("life", "L", found.life, formula, source="iso281", note="turns_in_radians")
@@ -65,6 +67,4 @@ def roller_steps(results: Results) -> list[Step]:
         share=design.static_torque / design.load.output_torque,
         source="iso76",
     )
-    if own.radial_clearance is not None:
-        sheet.work("added_clearance", "c_b", beside.added_clearance, "G_r/2")
     return sheet.steps

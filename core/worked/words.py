@@ -21,6 +21,7 @@ VALUES = {
     "full_arm_load": "Line load where the arm is R_C",
     "couple_arm": "Arm of the cranks' couple",
     "neuber_root": "Root of Neuber's length, in √mm",
+    "rating_share": "Share of the rating that is left",
     "shear_coefficient": "Shear coefficient of the bored pin",
     "unit_shear": "Shear force at the carrier by a unit force",
     "unit_moment": "Moment at the carrier by a unit force",

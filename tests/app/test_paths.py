@@ -52,7 +52,8 @@ def test_the_inputs_of_a_check_are_those_that_are_given() -> None:
     alone = inputs()
     assert {"/mechanism/pins", "/contact/pin_radius_mm", "/requirements/pitting_safety"} <= alone
     assert not any(each.startswith("/pin/") for each in alone)
-    assert inputs(pin=PIN) - alone == {"/pin/satellite_positions_mm", "/pin/support"}
+    bent = {"/pin/satellite_positions_mm", "/pin/support", "/pin/bore_diameter_mm"}
+    assert inputs(pin=PIN) - alone == bent
     thinner = inputs(pin=PIN | {"diameter_mm": 15.0})
     assert thinner - alone == {"/pin/satellite_positions_mm", "/pin/support", "/pin/diameter_mm"}
     assert inputs() == alone

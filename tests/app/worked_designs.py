@@ -193,6 +193,29 @@ STEPPED = {
 }
 TOOTH = STEEL | {"youngs_modulus_GPa": 118.0, "poissons_ratio": 0.34}
 
+BORED = _design({"pin": BARE["pin"] | {"bore_diameter_mm": 9.0}}, 4000.0)
+BORED_BUILT_IN = _design(
+    {"pin": BARE["pin"] | {"bore_diameter_mm": 5.0, "support": "fixed", "span_mm": 52.0}}, 4000.0
+)
+RATED = {"dynamic_rating_N": 30000.0, "static_rating_N": 20000.0}
+ROLLED = _design(
+    {"rollers": {"kind": "ball", "bore_diameter_mm": 10.0, "rolling_elements": 8, **RATED}}, 4000.0
+)
+ROLLED_BY_NEEDLES = _design(
+    {
+        "pin": BARE["pin"],
+        "rollers": {
+            "kind": "needle",
+            "bore_diameter_mm": 10.0,
+            "outer_diameter_mm": 16.0,
+            "radial_clearance_mm": 0.02,
+            "ratings": "bearing",
+            **RATED,
+        },
+    },
+    4000.0,
+    peak_torque_Nm=900.0,
+)
 BARE_4000, SLEEVED_4000 = _design(BARE, 4000.0), _design(SLEEVED, 4000.0, peak_torque_Nm=900.0)
 
 _WORN = {"life_h": 4000.0}
@@ -237,6 +260,11 @@ REQUESTS: dict[str, tuple[str, dict[str, Any]]] = {
         "pin-strength",
         _single(BARE_4000, "pin", fatigue=BARE["fatigue"] | _WORN, include=["deflection"]),
     ),
+    "bored": ("pin-strength", _single(BORED, "pin", include=["deflection"])),
+    "bored, built in": ("pin-strength", _single(BORED_BUILT_IN, "pin", include=["deflection"])),
+    "rolled": ("crank-planetary", ROLLED),
+    "rolled by needles": ("crank-planetary", ROLLED_BY_NEEDLES),
+    "losses of rollers": ("output-efficiency", _single(ROLLED, "rollers")),
     "losses": ("output-efficiency", _single(BARE_4000, friction=BARE["friction"] | _WORN)),
     "bearing": ("satellite-bearing", _single(BARE_4000, "pin", "gear", "bearing")),
     "shaft": ("crankshaft", _single(BARE_4000, "pin", "gear", "crankshaft")),

@@ -94,6 +94,13 @@ DESIGNS = {
     "rollers without clearance": having(
         ROLLED, hole_radius=0.010, rollers=replace(ROLLERS, radial_clearance=None, width=0.02)
     ),
+    "rollers and bored pins under stated sharing": having(
+        ROLLED,
+        hole_radius=0.010,
+        rollers=replace(ROLLERS, radial_clearance=None),
+        peak_torque=None,
+        distribution_factor=1.2,
+    ),
     "rollers under ideal forces": having(
         ROLLED,
         pin=None,
