@@ -11,7 +11,7 @@ from core.worked.step import Step
 
 QUANTITIES: dict[str, str] = {
     "mm": "arm bearing_distance bearing_position bolt_radius clearance contact_length "
-    "couple_arm cycle_position cylinder_length deflection deflection_B deflection_C "
+    "counterweight_position cycle_position cylinder_length deflection deflection_B deflection_C "
     "diameter displacement eccentricity gap half_width hole_circle_radius hole_radius hole_wear "
     "length mating_radius max_shear_depth module overhang peak_moment_position "
     "peak_stress_position pin_circle_radius pin_radius pin_wear position position_tolerance radius "
@@ -22,10 +22,11 @@ QUANTITIES: dict[str, str] = {
     "initial_crank_angle nutation_angle operating_pressure_angle pattern_period "
     "peak_crank_angle period phi_max phi_min polar_angle position_angle pressure_angle "
     "reference_pressure_angle right_angle working_phase",
-    "N": "across_force approximate_peak balance_force centre_force dynamic_rating "
-    "equal_sharing_peak equivalent equivalent_load force max_force mean_force min_load peak "
-    "peak_force peak_load peak_ring_force peak_shear_force pin_force pins_force reaction_B "
-    "reaction_C reaction_part reference_force static_rating",
+    "N": "across_force approximate_peak balance_force centre_force centrifugal_force "
+    "dynamic_rating equal_sharing_peak equivalent equivalent_load force max_force "
+    "mean_force min_load peak peak_force peak_load peak_ring_force peak_shear_force "
+    "pin_force pins_force reaction_B reaction_C reaction_part reference_force "
+    "static_rating",
     "Nm": "bending_moment bending_moment_B bending_moment_clamp couple input_torque moment "
     "output_torque peak_moment satellite_torque torque",
     "MPa": "amplitude bending_stress conformal_pressure endurance_limit finite_strength "
@@ -40,8 +41,9 @@ QUANTITIES: dict[str, str] = {
     "rpm": "input_speed relative_speed sleeve_speed",
     "h": "basic_life fatigue_life life system_life",
     "W": "mean_loss output_power",
-    "kg": "satellite_mass",
+    "kg": "rotor_mass satellite_mass",
     "kg_mm": "unbalance",
+    "mm_per_s": "grade",
     "m_per_s": "sliding_speed",
     "MPa_m_per_s": "mean_pv peak_pv",
     "mm3_per_Nm": "wear_rate",

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from functools import cache
 
+from core.checks.balance import BALANCE
 from core.checks.bearings import BEARINGS
 from core.checks.check import Check, Verdict, make_check, rank, verdict
 from core.checks.crank import CRANK
@@ -21,7 +22,18 @@ from core.errors import NotKnown
 
 CRANK_CHECKS = {
     kind.code: kind
-    for kind in (*CRANKS, *FIT, *CONTACT, *PLAY, *SPACE, *PINS, *FRICTION, *CRANK, *BEARINGS)
+    for kind in (
+        *CRANKS,
+        *FIT,
+        *CONTACT,
+        *PLAY,
+        *SPACE,
+        *PINS,
+        *FRICTION,
+        *CRANK,
+        *BEARINGS,
+        *BALANCE,
+    )
 }
 """By code."""
 

@@ -52,7 +52,7 @@ class DiscShares:
     """How the satellites share the torque."""
 
     model: ShareModel  # by forces that are solved, by a factor, or by shares that are stated
-    discs: tuple[DiscShare, ...]
+    discs: tuple[DiscShare, ...]  # each satellite
     reason: ShareReason  # what makes them differ most
     governs: tuple[Governed, ...]  # checks that decide a part and rest on the shares
 

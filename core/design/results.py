@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from core.arrays import Number
+from core.crank.balance import Balance, balance
 from core.crank.crankshaft import Crankshaft, crankshaft
 from core.crank.ring_mesh import RingMesh
 from core.crank.satellite_bearing import SatelliteBearings, satellite_bearings
@@ -64,6 +65,13 @@ class Results:
         self.solved = design.as_made or (design.bends and not equal)
         """Whether the forces that are judged are solved over the turn: those of the mechanism as it
         is made, or of perfect parts whose pins bend; else they are the ideal ones."""
+
+    @property
+    def uneven_growth(self) -> bool:
+        """Whether loads of bearings do not grow with the torque: of forces that are solved, and
+        with centrifugal ones beside them.
+        """
+        return self.solved or self.centrifugal > 0
 
     @cached_property
     def equal(self) -> "Results":
@@ -481,6 +489,7 @@ class Results:
                 **self._turning,
                 mesh=mesh,
                 distribution_factor=self.design.disc_factor,
+                centrifugal=self.centrifugal,
                 kind=bearing.kind,
                 dynamic_rating=bearing.dynamic_rating,
                 static_rating=bearing.static_rating,
@@ -496,12 +505,20 @@ class Results:
         """Reactions and balance of the crankshaft under the torque, of at most
         `MOST_BEARING_PAIRS`.
         """
+        return self._crankshaft()
+
+    @derived
+    def still_crankshaft(self) -> Crankshaft:
+        """The same without centrifugal forces."""
+        return self._crankshaft(satellite_mass=None)
+
+    def _crankshaft(self, **other: Any) -> Crankshaft:
         own = self.design.crankshaft
         if not own:
             raise NotKnown("section_missing", "crankshaft")
         mesh, speed = self.ring_mesh, self.design.known_speed
         self._limit_pairs(MOST_BEARING_PAIRS)
-        given = self._turning | {"input_speed": speed}
+        given = self._turning | self._on_shaft | {"input_speed": speed} | other
         if own.bearings is not None:
             given |= {
                 "kinds": tuple(each.kind for each in own.bearings),
@@ -510,20 +527,45 @@ class Results:
         return named(
             self.design,
             "crankshaft",
-            lambda: crankshaft(
-                **given,
-                mesh=mesh,
-                distribution_factor=self.design.disc_factor,
-                satellite_positions=own.satellite_positions,
-                bearing_positions=own.bearing_positions,
-                satellite_mass=own.satellite_mass,
+            lambda: crankshaft(**given, mesh=mesh, distribution_factor=self.design.disc_factor),
+        )
+
+    @property
+    def _on_shaft(self) -> dict[str, Any]:
+        """Places and masses of the crankshaft, as arguments."""
+        own = self.design.crankshaft
+        return {
+            "satellite_positions": own.satellite_positions,
+            "bearing_positions": own.bearing_positions,
+            "satellite_mass": own.satellite_mass,
+            "counterweights": own.counterweights,
+            "rotor_mass": own.rotor_mass,
+        }
+
+    @derived
+    def balance(self) -> Balance:
+        """Balance of the crankshaft at its speed, whatever the forces are."""
+        design, made = self.design, self.design.deviations
+        if not design.crankshaft or design.crankshaft.satellite_mass is None:
+            raise NotKnown("mass_unknown", "crankshaft.satellite_mass")
+        if made is not None and any((*made.eccentricity, *made.crank_phase)):
+            raise NotKnown("cranks_deviate")
+        speed, eccentricity = design.known_speed, design.known_eccentricity
+        return named(
+            design,
+            "crankshaft",
+            lambda: balance(
+                eccentricity=eccentricity,
+                crank_angles=design.mechanism.built.crank_angles,
+                input_speed=speed,
+                **self._on_shaft,
             ),
         )
 
     @property
     def centrifugal(self) -> float:
-        """Centrifugal force of a satellite, N, which the loads of bearings leave out; 0 where mass
-        or speed is not known.
+        """Centrifugal force of a satellite, N, which relieves its bearing; 0 where mass or speed is
+        not known.
         """
         shaft, speed = self.design.crankshaft, self.design.load.input_speed
         mass = shaft.satellite_mass if shaft else None
