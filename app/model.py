@@ -571,8 +571,7 @@ NEGLECTED = {
     "bearing_elasticity": "play and elasticity of the bearings",
     "bodies_rigid": "the deformation of discs, hole walls, carrier and crankshaft",
     "body_strength": "the strength of teeth, discs, carrier and crankshaft",
-    "centrifugal_forces": "the centrifugal forces of the satellites on their bearings and those of "
-    "the crankshaft",
+    "centrifugal_forces": "the centrifugal forces of satellites whose mass is not given",
     "clearance": "clearance of pins and holes, and with it lost motion",
     "contact_compliance": "the compliance of the contacts of spheres and holes",
     "deviations": "deviations of the parts from their nominal shape and place",

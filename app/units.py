@@ -22,6 +22,7 @@ UNITS: dict[str, tuple[str, float]] = {
     "mm_per_N": ("mm/N", 1e-3),
     "mrad_per_N": ("mrad/N", 1e-3),
     "kg_mm": ("kg·mm", 1e-3),
+    "mm_per_s": ("mm/s", 1e-3),
     "mm": ("mm", 1e-3),
     "Nm": ("N·m", 1.0),
     "N": ("N", 1.0),

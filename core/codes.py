@@ -687,6 +687,9 @@ WAS = {
         "pins_apart": "pins_overlap",
         "wall_holes": "holes_overlap",
     },
+    "checks": {
+        "unbalance_force": "crank_balance",
+    },
     "reasons": {
         "beyond_first_order": "no_balance",
         "beyond_hertz": "no_pressure",
@@ -701,4 +704,5 @@ WAS = {
         "too_many_pairs": "too_large",
     },
 }
-"""Which code of refusals, of warnings and of reasons of checks a code replaces; for one release."""
+"""Which code of refusals, of warnings, of checks and of their reasons a code replaces; for one
+release."""

@@ -74,9 +74,16 @@ class RequirementsFields(RequestModel, group="requirements"):
     max_outer_diameter_mm: Maybe[Size] = quantity("Largest diameter", "D_max", step=5)
     """Largest diameter of the space in which the satellites move."""
     max_unbalance_N: Maybe[Size] = quantity("Largest unbalanced force", "F_U", step=10)
-    """Largest force of the satellites' masses on the crankshaft."""
+    """Largest force of what turns with the crankshaft and is not balanced."""
     max_unbalance_couple_Nm: Maybe[Size] = quantity("Largest unbalanced couple", "M_U", step=0.1)
-    """Largest couple of the satellites' masses on the crankshaft."""
+    """Largest couple of the same, about the middle of the bearings."""
+    max_unbalance_share: Maybe[float] = quantity(
+        "Largest share of unbalance", step=0.05, gt=0, le=1e6
+    )
+    """Largest force of it on a bearing of the crankshaft, over the most that the mechanism does."""
+    balance_grade_mm_per_s: Maybe[Size] = quantity("Balance grade", "G", step=0.5)
+    """Largest speed of the centre of what turns about the axis, as G of ISO 21940-11; where nothing
+    is asked, 16 is a guide."""
 
     def section(self, _: Any) -> Requirements:
         """The same in SI units."""
@@ -142,6 +149,7 @@ class CheckOut(ResponseModel):
     """One check: what is compared, how it went, and why."""
 
     code: str = Field(description="Which check.", json_schema_extra={"enum": [*CHECKS]})
+    was: Maybe[str] = Field(description=REPLACED)
     title: str = Field(description="What it is, in English.")
     group: str = Field(description="What it is about.", json_schema_extra={"enum": [*GROUPS]})
     status: Status = Field(description="How it went.")
@@ -271,9 +279,10 @@ SOURCES = LIMIT_SOURCES | CHECK_SOURCES
 @cache
 def _kind_values(code: str) -> Values:
     """What is the same of all checks of a kind."""
-    kind = CHECKS[code]
+    kind, was = CHECKS[code], WAS["checks"].get(code)
     return {
         "code": code,
+        **({} if was is None else {"was": was}),
         "title": kind.title,
         "group": kind.group,
         "unit": shown_unit(f"value_{kind.unit}"),

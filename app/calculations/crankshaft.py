@@ -2,16 +2,17 @@
 
 import math
 from collections.abc import Iterator
-from typing import Annotated, Any
+from typing import Annotated, Any, Self
 
 import numpy as np
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from app.calculations.design import ForcesUsed, forces_used
 from app.calculations.mechanism import MAX_SATELLITES
 from app.calculations.satellite_bearing import CrankedRequest, ShaftBearingFields
 from app.model import (
     AccuracyOut,
+    Angle,
     AssumingResponse,
     Calculation,
     Maybe,
@@ -20,6 +21,7 @@ from app.model import (
     Size,
     Values,
     WarningOut,
+    field_error,
     quantity,
     result,
 )
@@ -28,6 +30,7 @@ from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si
 from app.worked import worked
+from core.crank.balance import Counterweight
 from core.crank.crankshaft import Crankshaft, ReactionCurves
 from core.design.curves import design_reactions
 from core.design.sections import RollingBearing, Seat, Shaft
@@ -35,6 +38,23 @@ from core.worked.crank import shaft_steps
 from core.worked.step import Step
 
 Place = Annotated[float, Field(ge=-1e12, le=1e12)]
+
+Unbalance = Annotated[float, Field(ge=0, le=1e12)]
+
+
+MAX_WEIGHTS = 20
+"""Counterweights at most."""
+
+
+class CounterweightFields(RequestModel, group="crankshaft"):
+    """A mass on the shaft that is off its axis."""
+
+    unbalance_kg_mm: Unbalance = quantity("Unbalance", "U", step=0.1)
+    """Mass times the distance of its centre from the axis."""
+    position_mm: Place = quantity("Place", "z", step=1)
+    """Of its middle along the shaft, counted as the satellites' are."""
+    angle_deg: Angle = quantity("Direction", "β", default=180.0, step=15)
+    """Counted as the crank angles are; 180° is opposite to a crank at 0°."""
 
 
 class SeatedBearingFields(ShaftBearingFields, group="crankshaft"):
@@ -61,7 +81,14 @@ class CrankshaftFields(RequestModel, group="crankshaft"):
     )
     """Of both bearings along the shaft, ascending; satellites may lie beyond."""
     satellite_mass_kg: Maybe[Size] = quantity("Mass of a satellite", "m", step=0.1)
-    """With its bearing; without it no balance is answered."""
+    """With its bearing; without it no balance is answered, and no bearing feels it."""
+    counterweights: Maybe[list[CounterweightFields]] = quantity(
+        "Counterweights", max_length=MAX_WEIGHTS
+    )
+    """Masses on the shaft besides the satellites, whose mass has to be given then."""
+    rotor_mass_kg: Maybe[Size] = quantity("Mass of what turns", "M", step=0.1)
+    """Of all that turns with the crankshaft, for the grade of its balance; where it is not given,
+    that of the satellites."""
     eccentric_diameter_mm: Maybe[Size] = quantity("Diameter of the eccentrics", "d_e", step=1)
     """Of a crank inside the bearing of its satellite."""
     shaft_diameter_mm: Maybe[Size] = quantity("Diameter of the shaft", "d_s", step=1)
@@ -78,11 +105,20 @@ class CrankshaftFields(RequestModel, group="crankshaft"):
         for index, each in enumerate(self.bearings or ()):
             yield from ((("bearings", str(index), *path), value) for path, value in each.assumed())
 
+    @model_validator(mode="after")
+    def _weights_of_masses(self) -> Self:
+        if self.counterweights and self.satellite_mass_kg is None:
+            raise field_error("satellite_mass_kg", "needed_beside", field="counterweights")
+        return self
+
     def section(self, _: Any) -> Shaft:
         """The shaft in SI units."""
         own = self.to_core()
         for name in ("satellite_positions", "bearing_positions"):
             own[name] = tuple(own[name])
+        own["counterweights"] = tuple(
+            Counterweight(**each.to_core()) for each in self.counterweights or ()
+        )
         if self.bearings is not None:
             own["bearings"] = tuple(each.section() for each in self.bearings)
         return Shaft(**own)
@@ -114,7 +150,11 @@ class CrankshaftRequest(CrankedRequest):
 class ShaftBearingOut(ResponseModel):
     """A bearing of the shaft."""
 
-    peak_N: float = result("Largest reaction over the turn.", symbol="R_max")
+    peak_N: float = result(
+        "Largest reaction over the turn, with that to the centrifugal forces where the balance is "
+        "known.",
+        symbol="R_max",
+    )
     equivalent_N: float = result("Equivalent load, ⟨Rᵖ⟩^(1/p).", symbol="P")
     basic_life_h: Maybe[float] = result(
         "Time that 90 % of such bearings in the housing reach, (C/P)ᵖ million turns.",
@@ -130,13 +170,15 @@ class CorrectionOut(ResponseModel):
 
 
 class BalanceOut(ResponseModel):
-    """Centrifugal forces of the satellites."""
+    """Centrifugal forces of satellites and counterweights."""
 
     unbalance_kg_mm: float = result("Mass times radius that is left.", symbol="U")
     force_N: float = result("Its force, U·ω₁².", symbol="F")
-    couple_Nm: float = result(
-        "Couple of the satellites about the middle of the bearings.", symbol="M"
+    couple_Nm: float = result("Couple about the middle of the bearings.", symbol="M")
+    grade_mm_per_s: float = result(
+        "Speed of the centre of what turns about the axis, U·ω₁/M.", symbol="G"
     )
+    bearing_force_N: list[float] = result("Size of the reaction of each bearing to it.")
     corrections: list[CorrectionOut]
 
 

@@ -10,7 +10,7 @@ part                parts of the reducer, of whose verdicts the design's is made
 words               groups of checks, sources, what is left out
 inputs              inputs that checks of several elements depend on
 check               a check and its record, a value against its limit, the verdict of all checks
-cranks              dead centres, balance of the crank spacing, satellites that differ
+cranks              dead centres, satellites that differ
 pin_contact         pressure, shakedown and yield where pin and hole touch
 pins                static strength, fatigue, deflection and slope of the pins
 friction            efficiency, sliding speed, pv and wear
@@ -20,6 +20,7 @@ space               walls between holes, to rim and bore; space between pins, fo
 crank               ring, bearings of the satellites, crankshaft
 bearings            bearings as they are bought: ratings that can be, room, speed, least load
 pin_rollers         bearings as rollers on the pins: life, load, speed, room, tilt
+balance             what turns with the crankshaft and is not balanced
 crank_planetary     all checks of the reducer
 largest_torque      the largest torque of the reducer as it is made
 shares              which satellite carries how much, and what hangs on it

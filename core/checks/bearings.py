@@ -196,7 +196,7 @@ def bearing_speed(design: Design, results: Results) -> Check:
     unit="N",
     formula="Q_min ≥ 0.01·C (balls), 0.02·C (rollers)",
     why="Below it rolling elements slide, and tracks are smeared.",
-    inputs=(*BEARING_LOAD, "bearing.dynamic_rating"),
+    inputs=(*BEARING_LOAD, "load.input_speed", "bearing.dynamic_rating"),
     fixes=(),
     source="slip",
     keep="above",
@@ -226,6 +226,7 @@ def bearing_min_load(design: Design, results: Results) -> Check:
     why="Above it the formula of the life promises more than the bearing lasts.",
     inputs=(
         *BEARING_LOAD,
+        "load.input_speed",
         "bearing.ring_factor",
         "bearing.dynamic_rating",
         "bearing.static_rating",

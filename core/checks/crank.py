@@ -1,18 +1,16 @@
 """Checks of the crank: ring, bearings of the satellites, crankshaft."""
 
 import math
-from collections.abc import Callable
 from functools import partial
 from typing import Any, TypeVar
 
 import numpy as np
 
 from core.arrays import FloatArray
-from core.checks.check import Check, Measure, design_check, judged
+from core.checks.check import Check, design_check, judged
 from core.checks.inputs import BEARING_LOAD, LIFE, OF_DISCS, RING, ROOTS
 from core.checks.space import within_roots
 from core.crank.bearing_life import EXPONENTS, PEAK_SAFETY, STATIC_SAFETY
-from core.crank.bearing_life import system_life as life_together
 from core.crank.ring_mesh import STEEP
 from core.crank.satellite_bearing import SatelliteBearings
 from core.derived import if_known
@@ -23,14 +21,6 @@ from core.errors import NotKnown
 
 Value = TypeVar("Value")
 
-_BALANCE = (
-    "load.input_speed",
-    "contact.eccentricity",
-    "crankshaft.satellite_mass",
-    "crankshaft.satellite_positions",
-    "mechanism.crank_spacing",
-    "mechanism.crank_angles",
-)
 _LIFE_FIXES = (
     "bearing.dynamic_rating",
     "load.pin_circle_radius",
@@ -51,9 +41,6 @@ _shaft = partial(
     group="crankshaft",
     part="crank_bearings",
     needs=("touching", "load", "crankshaft"),
-)
-_balance = partial(
-    _shaft, fixes=("crankshaft.satellite_mass", "load.input_speed"), source="balance"
 )
 
 
@@ -113,29 +100,6 @@ def _lives(found: SatelliteBearings, bearing: RollingBearing) -> FloatArray:
     return found.life
 
 
-def _left_out(
-    force: float,
-    load: float | FloatArray,
-    *,
-    short: bool,
-    of: Callable[[FloatArray], FloatArray],
-) -> float:
-    """Relative error of a number of bearings, as of a life, by a force that their loads leave out,
-    whatever its direction: with it a load is at most their sum and, which counts where the number
-    is too small, at least their difference.
-    """
-    loads = np.asarray(load)
-    with np.errstate(divide="ignore"):  # without a load a bearing lasts for ever
-        other, own = of(np.abs(loads - force) if short else loads + force), of(loads)
-        moved = 1.0 if other == own else float(other / own)  # both may last for ever
-    return max(moved - 1, 0.0) if short else 1 - moved
-
-
-def _equivalent(results: Results) -> float:
-    """Centrifugal force of a satellite as an equivalent load has it: by the ring that turns, N."""
-    return float(results.design.bearing.ring_factor) * results.centrifugal
-
-
 def _required_life(design: Design, results: Results) -> dict[str, Any]:
     return {"limit": design.requirements.life}
 
@@ -169,14 +133,8 @@ def bearing_life(design: Design, results: Results) -> Check:
         value,
         limit,
         reserve=(value / limit) ** (1 / power),
-        error=4 * power * float(found.accuracy.relative_error)
-        + _left_out(
-            _equivalent(results),
-            float(found.equivalent_load[worst]),
-            short=value < limit,
-            of=lambda load: load**-power,
-        ),
-        rough=results.solved,
+        error=4 * power * float(found.accuracy.relative_error),
+        rough=results.uneven_growth,
         at={"satellite": worst + 1},
     )
 
@@ -196,6 +154,7 @@ def _required_safety(design: Design, results: Results) -> dict[str, Any]:
     why="Otherwise rolling elements dent their tracks.",
     inputs=(
         *BEARING_LOAD,
+        "load.input_speed",
         "contact.dynamic_factor",
         "load.application_factor",
         "load.peak_torque",
@@ -214,7 +173,7 @@ def _required_safety(design: Design, results: Results) -> dict[str, Any]:
 )
 def bearing_static(design: Design, results: Results) -> Check:
     found, limit = results.satellite_bearing, _required_safety(design, results)["limit"]
-    rating = _required(design.bearing.static_rating, "bearing.static_rating")
+    _required(design.bearing.static_rating, "bearing.static_rating")
     safety = np.asarray(found.static_safety_factor)
     worst = int(np.argmin(safety))
     value, error = float(safety[worst]), float(found.accuracy.relative_error)
@@ -223,14 +182,8 @@ def bearing_static(design: Design, results: Results) -> Check:
         value,
         limit,
         reserve=value / limit,
-        error=4 * error
-        + _left_out(
-            results.centrifugal,
-            rating / value,
-            short=value < limit,
-            of=lambda load: 1 / load,
-        ),
-        rough=results.solved,
+        error=4 * error,
+        rough=results.uneven_growth,
         limit_source="" if design.requirements.static_safety else "static_guide",
         at={"satellite": worst + 1},
     )
@@ -260,20 +213,15 @@ def system_life(design: Design, results: Results) -> Check:
         return Check(kind, "not_applicable", reason="one_only")
     if design.bearing.weibull_slope is None:
         return Check(kind, "not_asked", missing=("bearing.weibull_slope",))
-    found, slope = results.satellite_bearing, design.bearing.weibull_slope
+    found, power = results.satellite_bearing, EXPONENTS[design.bearing.kind]
     if found.relative_speed == 0:
         return Check(kind, "not_applicable", limit=limit, reason="members_locked")
-    lives, power = _lives(found, design.bearing), EXPONENTS[design.bearing.kind]
-    value = float(life_together(lives=lives, weibull_slope=slope))
+    _lives(found, design.bearing)
+    value = float(_required(found.system_life, "bearing.weibull_slope"))
     error = 4 * power * float(found.accuracy.relative_error)
-
-    def lasting(loads: FloatArray) -> FloatArray:
-        return np.asarray(life_together(lives=loads**-power, weibull_slope=slope))
-
-    error += _left_out(_equivalent(results), found.equivalent_load, short=value < limit, of=lasting)
-
     reserve = (value / limit) ** (1 / power)
-    return judged(kind, value, limit, reserve=reserve, error=error, rough=results.solved)
+    rough = results.uneven_growth
+    return judged(kind, value, limit, reserve=reserve, error=error, rough=rough)
 
 
 @_shaft(
@@ -285,9 +233,11 @@ def system_life(design: Design, results: Results) -> Check:
     inputs=(
         *OF_DISCS,
         *LIFE,
+        "crankshaft.satellite_mass",
         "crankshaft.bearings",
         "crankshaft.satellite_positions",
         "crankshaft.bearing_positions",
+        "crankshaft.counterweights",
     ),
     fixes=(
         "crankshaft.bearings.dynamic_rating",
@@ -313,68 +263,15 @@ def crank_bearing_life(design: Design, results: Results) -> Check:
     powers = [EXPONENTS[each.kind] for each in bearings]
     value, worst = min(zip(lives, (1, 2), strict=True))
     reserves = [(life / limit) ** (1 / power) for life, power in zip(lives, powers, strict=True)]
-
-    def lasting(power: float) -> Callable[[FloatArray], FloatArray]:
-        return lambda load: load**-power
-
-    left_out = 0.0
-    if found.balance is not None:  # what balances the satellites is what presses the bearings
-        speed = design.known_speed
-        left_out = max(
-            _left_out(each.unbalance * speed**2, load, short=value < limit, of=lasting(power))
-            for each, load, power in zip(
-                found.balance.corrections, found.equivalent_reaction.tolist(), powers, strict=True
-            )
-            if load
-        )
-
     return judged(
         kind,
         value,
         limit,
         reserve=min(reserves),
-        error=4 * max(powers) * float(found.accuracy.relative_error) + left_out,
-        rough=results.solved,
+        error=4 * max(powers) * float(found.accuracy.relative_error),
+        rough=results.uneven_growth,
         at={"bearing": worst},
     )
-
-
-def _unbalance(results: Results, name: str) -> Measure:
-    """What is left of the satellites' centrifugal forces."""
-    shaft, made = results.design.crankshaft, results.design.deviations
-    if shaft.satellite_mass is None:
-        raise NotKnown("mass_unknown", "crankshaft.satellite_mass")
-    if made is not None and any((*made.eccentricity, *made.crank_phase)):
-        raise NotKnown("cranks_deviate")
-    balance = results.crankshaft.balance
-    assert balance is not None  # of a mass that is known
-    return Measure(getattr(balance, name))
-
-
-@_balance(
-    "unbalance_force",
-    title="Unbalanced force of the satellites",
-    unit="N",
-    formula="|Σ m·e·ω²| ≤ F_U",
-    why="Above it the satellites shake the reducer more than is asked.",
-    inputs=(*_BALANCE, "requirements.max_unbalance"),
-    asks="max_unbalance",
-)
-def unbalance_force(design: Design, results: Results) -> Measure:
-    return _unbalance(results, "force")
-
-
-@_balance(
-    "unbalance_couple",
-    title="Unbalanced couple of the satellites",
-    unit="Nm",
-    formula="|Σ m·e·z·ω²| ≤ M_U",
-    why="Above it the satellites shake the reducer more than is asked.",
-    inputs=(*_BALANCE, "requirements.max_unbalance_couple"),
-    asks="max_unbalance_couple",
-)
-def unbalance_couple(design: Design, results: Results) -> Measure:
-    return _unbalance(results, "couple")
 
 
 CRANK = (
@@ -384,6 +281,4 @@ CRANK = (
     bearing_static,
     system_life,
     crank_bearing_life,
-    unbalance_force,
-    unbalance_couple,
 )

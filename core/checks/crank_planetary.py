@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from functools import cache
 
+from core.checks.balance import BALANCE
 from core.checks.bearings import BEARINGS
 from core.checks.check import Check, Verdict, make_check, rank, verdict
 from core.checks.crank import CRANK
@@ -33,6 +34,7 @@ CRANK_CHECKS = {
         *CRANK,
         *BEARINGS,
         *PIN_ROLLERS,
+        *BALANCE,
     )
 }
 """By code."""

@@ -1,13 +1,11 @@
-"""Checks of the mechanism alone: dead centres, balance of the crank spacing, satellites alike."""
+"""Checks of the mechanism alone: dead centres, satellites alike."""
 
-import cmath
 from functools import partial
 
 from core.checks.check import Check, design_check, judged
 from core.design.document import Design
 from core.design.results import Results
 from core.output.mechanism import assembly_angles
-from core.precision import AS_TYPED
 
 _check = partial(design_check, group="mechanism", part="contact")
 
@@ -36,24 +34,6 @@ def dead_centre(design: Design, results: Results) -> Check:
 
 
 @_check(
-    "crank_balance",
-    part="crank_bearings",
-    needed=False,
-    title="Static balance of the crank spacing",
-    formula="|Σ e^(i·α_j)|/K = 0",
-    why="Otherwise the satellites shake the reducer with every turn of the crank.",
-    inputs=("mechanism.satellites", "mechanism.crank_spacing", "mechanism.crank_angles"),
-    fixes=(),
-)
-def crank_balance(design: Design, results: Results) -> Check:
-    angles = design.mechanism.built.crank_angles
-    off = abs(sum(cmath.exp(1j * angle) for angle in angles)) / len(angles)
-    if off <= AS_TYPED:
-        return Check(crank_balance, "pass", value=0.0, limit=0.0)
-    return Check(crank_balance, "not_asked", value=off, limit=0.0, reason="unbalanced")
-
-
-@_check(
     "assembly",
     title="Satellites that differ",
     formula="ψ_j = 0",
@@ -78,4 +58,4 @@ def assembly(design: Design, results: Results) -> Check:
     return judged(assembly, float(different), 0.0, warning="different_parts")
 
 
-CRANKS = (dead_centre, crank_balance, assembly)
+CRANKS = (dead_centre, assembly)

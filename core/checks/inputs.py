@@ -72,7 +72,7 @@ RING = (
 OF_DISCS = (*FORCES, "contact.distribution_of", "mechanism.ratio", *RING)
 """Of the loads of satellites on the crank."""
 
-BEARING_LOAD = (*OF_DISCS, "bearing.kind")
+BEARING_LOAD = (*OF_DISCS, "bearing.kind", "crankshaft.satellite_mass")
 """Of the load of a satellite's bearing."""
 
 ROOTS = (

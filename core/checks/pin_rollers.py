@@ -176,7 +176,7 @@ def pin_roller_min_load(design: Design, results: Results) -> Check:
 )
 def pin_roller_speed(design: Design, results: Results) -> Check:
     turned = design.known_eccentricity / design.pair.pin_radius
-    value = design.known_speed * (1 + 1 / design.mechanism.ratio) * turned
+    value = design.known_speeds.turning * design.mechanism.built.waves_per_turn * turned
     limit = design.rollers.limiting_speed
     if limit is None:
         missing = ("rollers.limiting_speed",)

@@ -52,7 +52,7 @@ class DiscShares:
     """How the satellites share the torque."""
 
     model: ShareModel  # by forces that are solved, by a factor, or by shares that are stated
-    discs: tuple[DiscShare, ...]
+    discs: tuple[DiscShare, ...]  # each satellite
     reason: ShareReason  # what makes them differ most
     governs: tuple[Governed, ...]  # checks that decide a part and rest on the shares
 
@@ -108,7 +108,7 @@ Sharing = tuple[ShareModel, ShareReason, tuple[DiscShare, ...]]
 def _by_factor(results: Results) -> Sharing:
     """One satellite with K_alpha/K, that of the largest pressure; the others with what is left."""
     design = results.design
-    count, torque = design.mechanism.satellites, design.load.output_torque
+    count, torque = design.mechanism.satellites, design.pin_torque
     place = if_known(lambda: results.peak) or {}
     most = int(place.get("satellite", 1))
     rest = (1 - design.disc_factor / count) / (count - 1)
@@ -122,7 +122,7 @@ def _by_forces(results: Results) -> Sharing | None:
     design = results.design
     if not results.solved or _alike(results):
         return None
-    forces, torque = results.real_forces, design.load.output_torque
+    forces, torque = results.real_forces, design.pin_torque
     assert results.made is not None  # of forces that are solved
     turn = results.made(forces.way * torque)
     means = turn.mean(turn.couple)
@@ -162,8 +162,8 @@ def _reason(results: Results, shares: list[float]) -> ShareReason:
     most = shares.index(max(shares))
     bends = design.pin and design.pin.satellite_positions
     if bends:
-        load = design.load
-        contact = float(results.compliance(load.output_torque / load.pin_circle_radius / count))
+        reference = design.pin_torque / design.load.pin_circle_radius
+        contact = float(results.compliance(reference / count))
         stiffness = [1 / (contact + each) for each in pin_compliance(design.pin)]
         more = stiffness[most] / sum(stiffness) - 1 / count
         if more >= (shares[most] - 1 / count) / 2:

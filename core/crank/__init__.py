@@ -6,6 +6,7 @@ bearing_life        life of a rolling bearing: equivalent load, rating life, rel
 envelope            the largest ratings that fit between bore and outside of a bearing
 pin_rollers         bearings as rollers on the output pins: loads, ratings, life
 ring_mesh           the force of the ring on a satellite, along the crank
+balance             what satellites and counterweights do to the shaft as they turn
 satellite_bearing   load of the satellites' bearings by pins and ring, and their life
-crankshaft          reactions of the crankshaft's bearings, and its balance
+crankshaft          reactions of the crankshaft's bearings, its balance in them
 """

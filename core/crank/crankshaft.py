@@ -1,4 +1,4 @@
-"""Reactions of the crankshaft's two bearings, and its balance.
+"""Reactions of the crankshaft's two bearings, its balance in them.
 
 In the crank's frame, with the crank of satellite j in the direction ``e_j`` and ``t_j`` at a right
 angle ahead of it, a satellite presses its crank with ``-(W_j*t_j + (rho*W_j + S_j)*e_j)``: back
@@ -13,10 +13,18 @@ from itertools import product
 import numpy as np
 
 from core.arrays import ComplexArray, FloatArray, check_positive, check_single
+from core.crank.balance import (
+    Balance,
+    Counterweight,
+    balance,
+    carried,
+    carried_error,
+    check_places,
+    crank_error,
+)
 from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
 from core.crank.ring_mesh import RingMesh
 from core.crank.satellite_bearing import BearingCurves, made_parts, mean_power, uneven_shares
-from core.errors import InvalidInput
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
 from core.output.pin_search import MISSED, largest
@@ -27,30 +35,11 @@ from core.results import Accuracy, Notice, poorly_known
 
 
 @dataclass(frozen=True, slots=True)
-class Correction:
-    """What balances the shaft in the plane of a bearing."""
-
-    unbalance: float  # mass times radius, kg*m
-    angle: float  # its direction, counted as the crank angles, rad
-
-
-@dataclass(frozen=True, slots=True)
-class Balance:
-    """Centrifugal forces of the satellites on the shaft."""
-
-    unbalance: float  # mass times radius that is left, kg*m
-    force: float  # its force at the speed of the crank, N
-    couple: float  # of the satellites about the middle of the bearings, N*m
-    # In the planes of both bearings; together they balance force and couple.
-    corrections: tuple[Correction, Correction]
-
-
-@dataclass(frozen=True, slots=True)
 class Crankshaft:
     """Reactions and balance of a crankshaft."""
 
-    # Largest reaction of each bearing over the turn, N, shape (2,), without the centrifugal forces;
-    # 0 where forces that cancel leave nothing but rounding.
+    # Largest reaction of each bearing over the turn, N, shape (2,), with that to the centrifugal
+    # forces where the balance is known; 0 where forces that cancel leave nothing but rounding.
     peak_reaction: FloatArray
     equivalent_reaction: FloatArray  # equivalent load of each, N, shape (2,), likewise
     # Time that 90 % of such bearings in the housing reach, s, where rating and speed are known and
@@ -75,6 +64,8 @@ def crankshaft(
     kinds: tuple[Bearing, Bearing] = ("ball", "ball"),
     dynamic_ratings: tuple[float | None, float | None] = (None, None),
     satellite_mass: float | None = None,
+    counterweights: tuple[Counterweight, ...] = (),
+    rotor_mass: float | None = None,
     input_speed: float | None = None,
     bearing_speeds: tuple[float, float] | None = None,
     torque_direction: Direction = "driving",
@@ -113,7 +104,11 @@ def crankshaft(
     dynamic_ratings : tuple of float or None
         Basic dynamic load rating C of each bearing, N, > 0, where it is known.
     satellite_mass : float, optional
-        Mass m of a satellite, kg, > 0.
+        Mass m of a satellite with its bearing, kg, > 0.
+    counterweights : tuple of Counterweight
+        Masses besides the satellites; they count where that mass is given.
+    rotor_mass : float, optional
+        Mass of all that turns with the shaft, kg, > 0, for the grade of the balance.
     input_speed : float, optional
         Speed of the crank against the housing, rad/s, > 0; for balance and life.
     bearing_speeds : tuple of float, optional
@@ -159,20 +154,26 @@ def crankshaft(
         input_speed=input_speed,
     )
     check_positive(output_torque=output_torque, **sizes)
-    count = mechanism.satellites
-    if len(satellite_positions) != count:
-        sizes = {"expected": count, "actual": len(satellite_positions)}
-        name = "satellite_positions"
-        raise InvalidInput(name, len(satellite_positions), "different_length", **sizes)
-    first, last = bearing_positions
-    if not last > first:
-        raise InvalidInput("bearing_positions[1]", last, "greater_than", limit=first)
-    carried = _carried(satellite_positions, bearing_positions)
-    arm_error = _carried_error(carried, satellite_positions, bearing_positions)
-    cranks = _cranks(mechanism.crank_angles)
-    crank_error = ROUNDING * (4 + 2 * np.abs(mechanism.crank_angles))  # by rounding
-    arm_error = arm_error + np.abs(carried) * crank_error
-    arms = carried * cranks
+    check_places(
+        satellites=mechanism.satellites,
+        positions=satellite_positions,
+        bearings=bearing_positions,
+    )
+    held = carried(positions=satellite_positions, bearings=bearing_positions)
+    arm_error = carried_error(held, positions=satellite_positions, bearings=bearing_positions)
+    arm_error = arm_error + np.abs(held) * crank_error(np.array(mechanism.crank_angles))
+    spun = None
+    if satellite_mass is not None and input_speed is not None:
+        spun = balance(
+            satellite_mass=satellite_mass,
+            eccentricity=eccentricity,
+            crank_angles=mechanism.crank_angles,
+            satellite_positions=satellite_positions,
+            bearing_positions=bearing_positions,
+            counterweights=counterweights,
+            input_speed=input_speed,
+            rotor_mass=rotor_mass,
+        )
     ways = WAYS[torque_direction]
     exponents = [EXPONENTS[kind] for kind in kinds]
     if made is None:
@@ -182,9 +183,9 @@ def crankshaft(
             across=output_torque / (eccentricity * mechanism.ratio),
             pins=output_torque / pin_circle_radius,
             mesh=mesh,
-            carried=carried,
-            arms=arms,
+            carried=held,
             arm_error=arm_error,
+            spun=spun,
             distribution_factor=distribution_factor,
             exponents=exponents,
             ways=ways,
@@ -194,7 +195,8 @@ def crankshaft(
             [made(way * output_torque) for way in ways],
             eccentricity * mechanism.ratio,
             mesh,
-            carried,
+            held,
+            spun,
             exponents,
         )
     speeds = bearing_speeds or (input_speed, input_speed)
@@ -209,20 +211,8 @@ def crankshaft(
             lives[row] = million * rating_life(load=load, rating=rating, kind=kinds[row])
             error = max(error, exponents[row] * own + found.truncation)
     accuracy = Accuracy(found.method, error + 8 * ROUNDING, found.evaluations)
-    balance = None
-    if satellite_mass is not None and input_speed is not None:
-        check_positive(satellite_mass=satellite_mass, input_speed=input_speed)
-        left = abs(complex(cranks.sum()))
-        balance = _balance(
-            needed=-arms.sum(axis=1),
-            error=arm_error.sum(axis=1),
-            left=left if left > crank_error.sum() else 0.0,
-            unbalance=satellite_mass * eccentricity,
-            speed=input_speed,
-            distance=last - first,
-        )
     notices = (*mesh.notices, *poorly_known(accuracy))
-    return Crankshaft(found.most, found.equivalent, tuple(lives), balance, accuracy, notices)
+    return Crankshaft(found.most, found.equivalent, tuple(lives), spun, accuracy, notices)
 
 
 @dataclass(frozen=True, slots=True)
@@ -247,13 +237,15 @@ def _ideal_reactions(
     pins: float,
     mesh: RingMesh,
     carried: FloatArray,
-    arms: ComplexArray,
     arm_error: FloatArray,
+    spun: Balance | None,
     distribution_factor: float,
     exponents: list[float],
     ways: tuple[float, ...],
 ) -> _Reactions:
-    """By the ideal forces; in reverse the part across the crank changes its sign."""
+    """By the ideal forces; in reverse the part across the crank changes its sign. What stands still
+    is a part of the sum of all shares, which is 1.
+    """
     force_peak(mechanism, force_exponent)  # refuses what cannot be
     rho = float(mesh.radial_force_ratio)
     most, equivalent, truncation = np.zeros(2), np.zeros(2), 0.0
@@ -261,13 +253,17 @@ def _ideal_reactions(
     share, force = turn.forces.max(axis=(1, 2)).reshape(2, -1)
     share_error, force_error = turn.errors.reshape(2, -1)
     share_error = math.hypot(1, rho) * share_error + mesh.error * abs(rho) * share
+    arms = carried * _cranks(mechanism.crank_angles)
+    still, still_error = _still(spun)
     own = np.abs(carried) * (across * share_error + pins * force_error)
     own += arm_error * (across * math.hypot(1, rho) * share + pins * force)
     shares = uneven_shares(satellites=mechanism.satellites, distribution_factor=distribution_factor)
-    off = shares.max() * own.sum(axis=1)
+    off = shares.max() * own.sum(axis=1) + still_error
+    off += np.abs(still) * share_error.sum()
     for way, own_shares in product(ways, shares):
         held = own_shares * arms
-        both = np.concatenate((across * (1j * way + rho) * held, pins * held), axis=1)
+        rings = across * (1j * way + rho) * held + still[:, None]
+        both = np.concatenate((rings, pins * held), axis=1)
         found = largest(turn=turn, arms=(both,), measure=np.abs)
         rows = np.flatnonzero(found > off)
         if not len(rows):
@@ -291,16 +287,17 @@ def _made_reactions(
     arm: float,
     mesh: RingMesh,
     carried: FloatArray,
+    spun: Balance | None,
     exponents: list[float],
 ) -> _Reactions:
     """By the forces of the mechanism as it is made."""
-    rho = float(mesh.radial_force_ratio)
+    rho, (still, still_error) = float(mesh.radial_force_ratio), _still(spun)
     most, equivalent, off = np.zeros(2), np.zeros(2), np.zeros(2)
     for turn in turns:
         parts = made_parts(turn=turn, arm=arm, radial_force_ratio=rho)
-        reaction = carried @ (parts.load * _cranks(turn.crank_angles)[:, None])
+        reaction = carried @ (parts.load * _cranks(turn.crank_angles)[:, None]) + still[:, None]
         sizes = turn.error * np.abs(parts.load) + mesh.error * np.abs(rho * parts.ring)
-        lost = (np.abs(carried) @ sizes).max(axis=1)
+        lost = (np.abs(carried) @ sizes).max(axis=1) + still_error
         for row, size in enumerate(np.abs(reaction)):
             off[row] = max(off[row], turn.missed(reaction[row]) + lost[row])
             if size.max() > off[row]:
@@ -311,57 +308,17 @@ def _made_reactions(
     return _Reactions(most, equivalent, off, 0.0, "sampling", evaluations)
 
 
-def _carried(positions: tuple[float, ...], bearings: tuple[float, float]) -> FloatArray:
-    """What each bearing carries of a force at each satellite, shape (2, K)."""
-    places, (first, last) = np.array(positions), bearings
-    return np.array((last - places, places - first)) / (last - first)
+def _still(spun: Balance | None) -> tuple[ComplexArray, FloatArray]:
+    """Reactions to what is not balanced, N, shape (2,), and their error."""
+    if spun is None:
+        return np.zeros(2, dtype=complex), np.zeros(2)
+    return np.array(spun.reaction), np.array(spun.reaction_error)
 
 
 def _cranks(angles: tuple[float, ...]) -> ComplexArray:
     """Directions of the cranks in the crank's frame."""
     found: ComplexArray = np.exp(1j * np.array(angles))
     return found
-
-
-def _carried_error(
-    carried: FloatArray, positions: tuple[float, ...], bearings: tuple[float, float]
-) -> FloatArray:
-    """Error of what each bearing carries by rounding of places, shape (2, K)."""
-    first, last = (abs(each) for each in bearings)
-    reach = np.array([[last], [first]]) + np.abs(positions) + np.abs(carried) * (first + last)
-    found: FloatArray = ROUNDING * reach / (bearings[1] - bearings[0])
-    return found
-
-
-def _balance(
-    *,
-    needed: ComplexArray,
-    error: FloatArray,
-    left: float,
-    unbalance: float,
-    speed: float,
-    distance: float,
-) -> Balance:
-    """Force and couple of unbalances of this size, by what is left of their directions, and what
-    balances them in the bearings' planes; 0 where nothing but rounding is left.
-    """
-    both = zip(needed.tolist(), error.tolist(), strict=True)
-    first, last = [each if abs(each) > off else 0.0 for each, off in both]
-    return Balance(
-        unbalance=unbalance * left,
-        force=unbalance * left * speed**2,
-        couple=unbalance * abs(last - first) / 2 * distance * speed**2,
-        corrections=(
-            Correction(unbalance * abs(first), _turned(first)),
-            Correction(unbalance * abs(last), _turned(last)),
-        ),
-    )
-
-
-def _turned(value: complex) -> float:
-    """Direction from 0 to less than a turn, in degrees too."""
-    angle = math.atan2(value.imag, value.real) % (2 * math.pi)
-    return angle if angle < 2 * math.pi * (1 - 4 * ROUNDING) else 0.0  # that of a trifle below 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -380,6 +337,7 @@ def reaction_curves(
     crank_angles: tuple[float, ...],
     satellite_positions: tuple[float, ...],
     bearing_positions: tuple[float, float],
+    spun: Balance | None = None,
 ) -> ReactionCurves:
     """Reactions of the crankshaft's bearings to given loads of the satellites' bearings.
 
@@ -393,11 +351,14 @@ def reaction_curves(
         Middle planes z of the satellites along the shaft, m.
     bearing_positions : tuple of float
         Places A and B of the bearings, m.
+    spun : Balance, optional
+        What is added to them by what is not balanced; the loads are without it.
 
     Returns
     -------
     ReactionCurves
     """
-    held = (loads.along + 1j * loads.across) * _cranks(crank_angles)
-    carried = _carried(satellite_positions, bearing_positions)
-    return ReactionCurves(loads.crank_angle, (held[:, None, :] * carried).sum(axis=2))
+    load = (loads.along + 1j * loads.across) * _cranks(crank_angles)
+    held = carried(positions=satellite_positions, bearings=bearing_positions)
+    reaction = (load[:, None, :] * held).sum(axis=2) + _still(spun)[0]
+    return ReactionCurves(loads.crank_angle, reaction)

@@ -7,12 +7,15 @@ teeth passes the pitch point, and a part ``rho*W`` along it. With involute teeth
 direction of S, with a cycloid ring the opposite one. In the crank's frame the load stands still but
 for its ripple:
 
-    Q = hypot(W, rho*W + S)
+    Q = hypot(W, rho*W + S - m*e*w_in^2)
+
+with the centrifugal force of the satellite, which relieves its bearing, where its mass is known.
 """
 
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -86,6 +89,7 @@ def satellite_bearings(
     mesh: RingMesh,
     input_speed: Number | None = None,
     distribution_factor: float = 1.0,
+    centrifugal: Number = 0.0,
     kind: Bearing,
     dynamic_rating: Number | None = None,
     static_rating: Number | None = None,
@@ -123,6 +127,9 @@ def satellite_bearings(
         Factor K_alpha of one satellite's share, from 1 to K, where that is stated: every bearing is
         judged as the one that carries K_alpha/K of the torque, the least load as one of the others,
         and together they last as with the worst choice of that one. Of ideal forces.
+    centrifugal : float or array
+        Centrifugal force ``m*e*w_in^2`` of a satellite with its bearing, N, >= 0. The static safety
+        is the least with it and at rest.
     kind : {"ball", "roller"}
         Rolling elements.
     dynamic_rating, static_rating : float or array, optional
@@ -180,42 +187,60 @@ def satellite_bearings(
         relative_speed = input_speed * mechanism.waves_per_turn
     static_torque = output_torque if peak_torque is None else peak_torque
     check_positive(peak_torque=static_torque)
+    check_not_negative(centrifugal=centrifugal)
     ratio = mechanism.ratio
     rho = mesh.radial_force_ratio
+    spinning = bool(np.any(centrifugal))
     if made is None:
-        loads = _ideal_loads(
+        ideal = partial(
+            _ideal_loads,
             mechanism=mechanism,
             force_exponent=force_exponent,
-            across=distribution_factor * output_torque / (eccentricity * ratio),
             arm=eccentricity * ratio / pin_circle_radius,
             mesh=mesh,
             exponent=EXPONENTS[kind],
         )
-        static = np.asarray(static_torque / output_torque)[..., None] * loads.most
+        across = distribution_factor * output_torque / (eccentricity * ratio)
+        loads = others = ideal(across=across, centrifugal=centrifugal)
+        rest = uneven_shares(
+            satellites=mechanism.satellites, distribution_factor=distribution_factor
+        ).min()
+        if rest < distribution_factor:
+            others = _idle_loads(loads, centrifugal)
+            if rest:
+                part = rest / distribution_factor * across
+                others = ideal(across=part, centrifugal=centrifugal)
+        more = static_torque / output_torque
+        if spinning and static_rating is not None:
+            still = ideal(across=more * across)
+            spun = ideal(across=more * across, centrifugal=centrifugal)
+            static = np.maximum(still.most, spun.most)
+        else:
+            static = np.asarray(more)[..., None] * loads.most
     else:
         check_single(output_torque=output_torque, peak_torque=peak_torque)
         ways = WAYS[torque_direction]
 
-        def solved(torque: float) -> _Loads:
+        def solved(torque: float, relief: float) -> _Loads:
             turns = [made(way * torque) for way in ways]
-            return _made_loads(turns, eccentricity * ratio, mesh, EXPONENTS[kind])
+            return _made_loads(turns, eccentricity * ratio, mesh, relief, EXPONENTS[kind])
 
-        loads = solved(output_torque)
-        static = loads.most if static_rating is None else solved(static_torque).most
-    shares = uneven_shares(satellites=mechanism.satellites, distribution_factor=distribution_factor)
+        loads = others = solved(output_torque, centrifugal)
+        static = loads.most
+        if static_rating is not None:
+            reliefs = {0.0, float(centrifugal)}
+            static = np.maximum.reduce([solved(static_torque, each).most for each in reliefs])
     equivalent = np.asarray(ring_factor)[..., None] * loads.mean
     basic = life = safety = together = None
     factor = reliability_factor(percent=reliability_percent)
     if dynamic_rating is not None and relative_speed is not None and every(relative_speed > 0):
-        rating = np.asarray(dynamic_rating, dtype=np.float64)[..., None]
         turning = 1e6 * 2 * math.pi / np.asarray(relative_speed)[..., None]
-        carrying = equivalent > 0
-        load = np.where(carrying, equivalent, rating)
-        basic = turning * rating_life(load=load, rating=rating, kind=kind)
-        basic = np.where(carrying, basic, math.inf)
+        lasting = partial(_lives, rating=dynamic_rating, kind=kind)
+        basic = turning * lasting(equivalent)
         life = factor * basic
         if weibull_slope is not None:
-            together = _together(life, shares, EXPONENTS[kind], weibull_slope)
+            longer = lasting(np.asarray(ring_factor)[..., None] * others.mean)
+            together = _together(life, factor * turning * longer, weibull_slope)
     if static_rating is not None:
         check_positive(static_rating=static_rating)
         rating = np.asarray(static_rating, dtype=np.float64)[..., None]
@@ -229,7 +254,7 @@ def satellite_bearings(
         radial_force_ratio=rho,
         operating_pressure_angle=mesh.operating_pressure_angle,
         peak_load=loads.most,
-        min_load=loads.least * (shares.min() / distribution_factor),
+        min_load=others.least,
         equivalent_load=equivalent,
         peak_ring_force=loads.ring * np.sqrt(1 + np.square(rho))[..., None],
         basic_life=basic,
@@ -268,16 +293,23 @@ def uneven_shares(*, satellites: int, distribution_factor: float) -> FloatArray:
     return np.where(np.eye(satellites, dtype=bool), distribution_factor, rest)
 
 
-def _together(
-    life: FloatArray, shares: FloatArray, exponent: float, weibull_slope: Number
-) -> Number:
-    """Life of all bearings together by the worst choice of the one that carries most, of the lives
-    that each would have as that one.
+def _lives(load: FloatArray, *, rating: Number, kind: Bearing) -> FloatArray:
+    """Lives in million turns; infinite without a load."""
+    capacity = np.asarray(rating, dtype=np.float64)[..., None]
+    carrying = load > 0
+    some = np.where(carrying, load, capacity)
+    lives = rating_life(load=some, rating=capacity, kind=kind)
+    found: FloatArray = np.where(carrying, lives, math.inf)
+    return found
+
+
+def _together(life: FloatArray, others: FloatArray, weibull_slope: Number) -> Number:
+    """Life of all bearings together, by the worst choice of the one that carries most: by the lives
+    that each has as that one, and as one of the others.
     """
-    with np.errstate(divide="ignore"):  # what carries nothing lasts for ever
-        longer = (shares.max() / shares) ** exponent
+    one = np.eye(life.shape[-1], dtype=bool)
+    lives = np.where(one, life[..., None, :], others[..., None, :])
     slope = np.asarray(weibull_slope)[..., None]
-    lives = life[..., None, :] * longer
     found: FloatArray = np.asarray(system_life(lives=lives, weibull_slope=slope))
     return found.min(axis=-1)
 
@@ -302,6 +334,12 @@ def _idle(loads: _Loads) -> list[Notice]:
     return [Notice("satellite_idle", {"satellite": j + 1}) for j in idle.tolist()]
 
 
+def _idle_loads(loads: _Loads, centrifugal: Number) -> _Loads:
+    """Loads of bearings that only the centrifugal force of their satellite presses."""
+    own = np.broadcast_to(np.asarray(centrifugal)[..., None], loads.mean.shape).astype(float)
+    return replace(loads, most=own, least=own, mean=own, ring=0.0 * own)
+
+
 def _ideal_loads(
     *,
     mechanism: Mechanism,
@@ -309,18 +347,21 @@ def _ideal_loads(
     across: Number,
     arm: Number,
     mesh: RingMesh,
+    centrifugal: Number = 0.0,
     exponent: float,
 ) -> _Loads:
     """Loads under the ideal forces."""
     force_peak(mechanism, force_exponent)  # refuses what cannot be
-    shape = np.broadcast(mesh.radial_force_ratio, arm).shape
-    rho, along = (
-        np.full(shape, each, dtype=np.float64).ravel() for each in (mesh.radial_force_ratio, arm)
+    relief = np.asarray(centrifugal) / across if np.any(centrifugal) else 0.0
+    shape = np.broadcast(mesh.radial_force_ratio, arm, relief).shape
+    rho, along, less = (
+        np.full(shape, each, dtype=np.float64).ravel()
+        for each in (mesh.radial_force_ratio, arm, relief)
     )
     turn = satellite_turn(mechanism, force_exponent)
     phases = mechanism.phases
     even = len(phases.sector_phases) == phases.symmetry and len({*phases.multiplicity}) == 1
-    loads, off, truncation = _loads(turn, even, rho, along, exponent)
+    loads, off, truncation = _loads(turn, even, (rho, along, less), exponent)
     scale = np.asarray(across)[..., None]
     most, least, mean, ring = (scale * each for each in loads.reshape(4, *shape, -1))
     off += mesh.error * max(1.0, float(np.abs(rho).max()))  # of W, which is no more than the load
@@ -334,18 +375,21 @@ def _ideal_loads(
     )
 
 
-def _made_loads(turns: list[SampledTurn], arm: float, mesh: RingMesh, exponent: float) -> _Loads:
+def _made_loads(
+    turns: list[SampledTurn], arm: float, mesh: RingMesh, centrifugal: float, exponent: float
+) -> _Loads:
     """Loads of the mechanism as it is made; of both directions the worse. What is within their
     error nothing, is 0.
     """
     loads, rings, means, missed = [], [], [], []
     for turn in turns:
         parts = made_parts(turn=turn, arm=arm, radial_force_ratio=float(mesh.radial_force_ratio))
-        load = np.abs(parts.load)
+        held = parts.load - centrifugal
+        load = np.abs(held)
         loads.append(load)
         rings.append(np.abs(parts.ring))
         means.append(turn.mean(load**exponent) ** (1 / exponent))
-        missed.append(turn.missed(parts.load) / load.max() + turn.error)
+        missed.append(turn.missed(held) / load.max() + turn.error)
     error = max(missed) + mesh.error * max(1.0, abs(float(mesh.radial_force_ratio)))
     every, ring = np.concatenate(loads, axis=1), np.concatenate(rings, axis=1).max(axis=1)
     most = every.max(axis=1)
@@ -389,17 +433,23 @@ def made_parts(*, turn: SampledTurn, arm: float, radial_force_ratio: float) -> M
 
 
 def _loads(
-    turn: SatelliteTurn, alike: bool, rho: FloatArray, along: FloatArray, exponent: float
+    turn: SatelliteTurn,
+    alike: bool,
+    inward: tuple[FloatArray, FloatArray, FloatArray],
+    exponent: float,
 ) -> tuple[FloatArray, float, float]:
     """Largest, least (its sign turned) and equivalent load of each satellite, and the largest force
     of the ring across the crank, over that of all the torque, shape (4, designs, K); their error by
     rounding; and the error of the mean of powers.
     """
+    rho, along, less = inward  # of the ring's force, of the pins', of all torque
     satellites = len(turn.forces) // 2
     some = 1 if alike else satellites
     own, pins = np.eye(2 * satellites).reshape(2, satellites, -1)
     shares = own[:some]
+    whole = own.sum(axis=0)  # of the sum of all shares, which is 1
     inwards = rho[:, None, None] * shares + along[:, None, None] * pins[:some]
+    inwards = inwards - less[:, None, None] * whole
     inwards = inwards.reshape(-1, 2 * satellites)
     every = len(inwards)
     across = shares if len(rho) == 1 else np.tile(shares, (len(rho), 1))
@@ -411,7 +461,7 @@ def _loads(
         arms=(
             np.concatenate((across, across, shares)),
             np.concatenate((inwards, inwards, 0.0 * shares)),
-            sign * own.sum(axis=0),  # of the sum of all shares, which is 1
+            sign * whole,
         ),
         measure=lambda w, s, sign: np.copysign(np.hypot(w, s), sign),
     )
@@ -425,6 +475,7 @@ def _loads(
     )
     share, force = turn.errors.reshape(2, -1)[:, :some]
     off = np.hypot(1, rho)[:, None] * share + along[:, None] * force
+    off = off + less[:, None] * share.sum()
     error = max(float((off / mean.reshape(-1, some)).max()), float((share / ring).max()))
     loads = np.empty((4, len(rho), satellites))
     for row, each in zip(loads, (most, np.minimum(least, 0.0), mean, ring), strict=True):

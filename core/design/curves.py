@@ -51,8 +51,8 @@ def design_losses(*, results: Results, losses: PinLosses, crank_angle: FloatArra
 def _load_curves(
     results: Results, crank_angle: FloatArray, shares: FloatArray
 ) -> list[BearingCurves]:
-    """Load of the satellites' bearings at crank angles in each direction of the torque, and by each
-    row of shares over 1/K, of ideal forces.
+    """Load of the satellites' bearings by the mechanism at crank angles in each direction of the
+    torque, and by each row of shares over 1/K, of ideal forces.
     """
     design, load, made = results.design, results.design.load, results.made
     eccentricity, rho = design.known_eccentricity, float(results.ring_mesh.radial_force_ratio)
@@ -102,7 +102,11 @@ def design_bearings(*, results: Results, crank_angle: FloatArray) -> BearingCurv
     -------
     BearingCurves
     """
-    cases = _load_curves(results, crank_angle, np.array([[results.design.disc_factor]]))
+    factor, relief = np.array([[results.design.disc_factor]]), results.centrifugal
+    cases = [
+        _of_loads(crank_angle, each.along - relief + 1j * each.across)
+        for each in _load_curves(results, crank_angle, factor)
+    ]
     worst = _worst([each.load for each in cases])
     across, along, load = (
         np.choose(worst, [getattr(each, name) for each in cases])
@@ -139,6 +143,7 @@ def design_reactions(*, results: Results, crank_angle: FloatArray) -> ReactionCu
             crank_angles=cranks,
             satellite_positions=shaft.satellite_positions,
             bearing_positions=shaft.bearing_positions,
+            spun=results.crankshaft.balance,
         ).reaction
         for each in _load_curves(results, crank_angle, shares)
     ]

@@ -290,6 +290,16 @@ class Design:
         return factor
 
     @property
+    def rotor_mass(self) -> float:
+        """Mass of all that turns with the crankshaft, as far as it is known, kg."""
+        shaft = self.crankshaft
+        if shaft.rotor_mass is not None:
+            return float(shaft.rotor_mass)
+        if shaft.satellite_mass is None:
+            raise NotKnown("mass_unknown", "crankshaft.satellite_mass")
+        return float(self.mechanism.satellites * shaft.satellite_mass)
+
+    @property
     def known_eccentricity(self) -> float:
         """The eccentricity, which has to be given, m."""
         eccentricity = self.contact.eccentricity if self.contact else None

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from core.arrays import Number
+from core.crank.balance import Balance, balance
 from core.crank.crankshaft import Crankshaft, crankshaft
 from core.crank.pin_rollers import PinRollers, pin_rollers
 from core.crank.ring_mesh import RingMesh
@@ -76,6 +77,13 @@ class Results:
         self.solved = design.as_made or (design.bends and not equal)
         """Whether the forces that are judged are solved over the turn: those of the mechanism as it
         is made, or of perfect parts whose pins bend; else they are the ideal ones."""
+
+    @property
+    def uneven_growth(self) -> bool:
+        """Whether loads of bearings do not grow with the torque: of forces that are solved, and
+        with centrifugal ones beside them.
+        """
+        return self.solved or self.centrifugal > 0
 
     @cached_property
     def equal(self) -> "Results":
@@ -307,13 +315,10 @@ class Results:
         """Largest force of a satellite on a pin under the torque of static strength, N."""
         design = self.design
         if self.made is None:
-            return float(self.contact_force.peak_force * design.static_torque / self._torque)
+            share = design.static_torque * design.distribution_factor / design.pin_torque
+            return float(self.contact_force.peak_force * share)
         ways = WAYS[design.load.torque_direction]
         return max(float(abs(self.made(way * design.static_torque).on_pins).max()) for way in ways)
-
-    @property
-    def _torque(self) -> float:
-        return float(self.design.load.output_torque)
 
     @derived
     def wall_stress(self) -> float:
@@ -515,10 +520,14 @@ class Results:
             raise NotKnown("section_missing", "rollers")
         eccentricity = design.known_eccentricity
         self._limit_pairs(MOST_BEARING_PAIRS)
+        given = {
+            "eccentricity": eccentricity,
+            "output_torque": design.pin_torque * design.distribution_factor,
+            "peak_torque": design.static_torque * design.distribution_factor,
+        }
         found = pin_rollers(
-            **self._turning | {"eccentricity": eccentricity},
+            **self._turning | given,
             pin_radius=design.pair.pin_radius,
-            peak_torque=design.static_torque,
             kind=own.kind,
             ratings=own.ratings,
             per_satellite=own.per_satellite,
@@ -571,6 +580,7 @@ class Results:
                 **self._turning,
                 mesh=mesh,
                 distribution_factor=self.design.disc_factor,
+                centrifugal=self.centrifugal,
                 kind=bearing.kind,
                 dynamic_rating=bearing.dynamic_rating,
                 static_rating=bearing.static_rating,
@@ -586,12 +596,20 @@ class Results:
         """Reactions and balance of the crankshaft under the torque, of at most
         `MOST_BEARING_PAIRS`.
         """
+        return self._crankshaft()
+
+    @derived
+    def still_crankshaft(self) -> Crankshaft:
+        """The same without centrifugal forces."""
+        return self._crankshaft(satellite_mass=None)
+
+    def _crankshaft(self, **other: Any) -> Crankshaft:
         own = self.design.crankshaft
         if not own:
             raise NotKnown("section_missing", "crankshaft")
         mesh, speeds = self.ring_mesh, self.design.known_speeds
         self._limit_pairs(MOST_BEARING_PAIRS)
-        given = self._turning | {"input_speed": speeds.crank}
+        given = self._turning | self._on_shaft | {"input_speed": speeds.crank} | other
         if own.bearings is not None:
             given |= {
                 "bearing_speeds": tuple(speeds.against(each.seat) for each in own.bearings),
@@ -601,20 +619,45 @@ class Results:
         return named(
             self.design,
             "crankshaft",
-            lambda: crankshaft(
-                **given,
-                mesh=mesh,
-                distribution_factor=self.design.disc_factor,
-                satellite_positions=own.satellite_positions,
-                bearing_positions=own.bearing_positions,
-                satellite_mass=own.satellite_mass,
+            lambda: crankshaft(**given, mesh=mesh, distribution_factor=self.design.disc_factor),
+        )
+
+    @property
+    def _on_shaft(self) -> dict[str, Any]:
+        """Places and masses of the crankshaft, as arguments."""
+        own = self.design.crankshaft
+        return {
+            "satellite_positions": own.satellite_positions,
+            "bearing_positions": own.bearing_positions,
+            "satellite_mass": own.satellite_mass,
+            "counterweights": own.counterweights,
+            "rotor_mass": own.rotor_mass,
+        }
+
+    @derived
+    def balance(self) -> Balance:
+        """Balance of the crankshaft at its speed, whatever the forces are."""
+        design, made = self.design, self.design.deviations
+        if not design.crankshaft or design.crankshaft.satellite_mass is None:
+            raise NotKnown("mass_unknown", "crankshaft.satellite_mass")
+        if made is not None and any((*made.eccentricity, *made.crank_phase)):
+            raise NotKnown("cranks_deviate")
+        speed, eccentricity = design.known_speed, design.known_eccentricity
+        return named(
+            design,
+            "crankshaft",
+            lambda: balance(
+                eccentricity=eccentricity,
+                crank_angles=design.mechanism.built.crank_angles,
+                input_speed=speed,
+                **self._on_shaft,
             ),
         )
 
     @property
     def centrifugal(self) -> float:
-        """Centrifugal force of a satellite, N, which the loads of bearings leave out; 0 where mass
-        or speed is not known.
+        """Centrifugal force of a satellite, N, which relieves its bearing; 0 where mass or speed is
+        not known.
         """
         shaft, speed = self.design.crankshaft, self.design.load.input_speed
         mass = shaft.satellite_mass if shaft else None

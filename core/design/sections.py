@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import Literal, NamedTuple, get_args
 
+from core.crank.balance import Counterweight
 from core.crank.bearing_life import Bearing
 from core.crank.pin_rollers import FRICTION, Ratings, RollerKind
 from core.crank.ring_mesh import RingMesh, cycloid_mesh, involute_mesh
@@ -210,7 +211,11 @@ class Requirements:
     min_efficiency : float or None
         Least efficiency of the output mechanism.
     max_unbalance, max_unbalance_couple : float or None
-        Largest force, N, and couple, N*m, of the satellites' masses.
+        Largest force, N, and couple, N*m, of what turns with the crankshaft.
+    max_unbalance_share : float or None
+        Largest force of it on a bearing of the crankshaft over the load of the mechanism there.
+    balance_grade : float or None
+        Largest speed of the centre of what turns about the axis, m/s.
     """
 
     scope: tuple[PartName, ...] = PART_NAMES
@@ -231,6 +236,8 @@ class Requirements:
     max_outer_diameter: float | None = None  # of the reducer, m
     max_unbalance: float | None = None
     max_unbalance_couple: float | None = None
+    max_unbalance_share: float | None = None
+    balance_grade: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -712,7 +719,11 @@ class Shaft:
     bearing_positions : tuple of float
         Places of both bearings, m.
     satellite_mass : float or None
-        Mass of a satellite, kg.
+        Mass of a satellite with its bearing, kg.
+    counterweights : tuple of Counterweight
+        Masses on the shaft besides them.
+    rotor_mass : float or None
+        Mass of all that turns with the shaft, kg; that of the satellites where not given.
     bearings : tuple of RollingBearing or None
         Both bearings, where they are given.
     """
@@ -720,6 +731,8 @@ class Shaft:
     satellite_positions: tuple[float, ...]
     bearing_positions: tuple[float, float]
     satellite_mass: float | None = None
+    counterweights: tuple[Counterweight, ...] = ()
+    rotor_mass: float | None = None
     bearings: tuple[RollingBearing, RollingBearing] | None = None
     eccentric_diameter: float | None = None  # of the crank in its bearing, m
     shaft_diameter: float | None = None  # between the cranks, m

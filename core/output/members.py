@@ -11,7 +11,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 from core.arrays import Number
-from core.results import ROUNDING, Accuracy
+from core.precision import ROUNDING
+from core.results import Accuracy
 
 Output = Literal["pins", "ring", "both", "coupling"]
 """Which member is driven: that of the pins while the ring stands still, the ring while the pins do,

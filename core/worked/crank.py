@@ -6,8 +6,8 @@ from typing import Literal
 import numpy as np
 
 from core.arrays import ComplexArray, FloatArray
+from core.crank.balance import Balance
 from core.crank.bearing_life import EXPONENTS, Bearing
-from core.crank.crankshaft import Balance
 from core.crank.satellite_bearing import SatelliteBearings
 from core.design.results import Results
 from core.output.sampled_turn import WAYS
@@ -35,6 +35,14 @@ def _take(sheet: Sheet, results: Results) -> None:
     sheet.take("K_alpha", "distribution_factor", results.design.disc_factor)
 
 
+def _centrifugal(sheet: Sheet, results: Results) -> None:
+    """Centrifugal force of a satellite, where its mass is known."""
+    if results.centrifugal:
+        sheet.take("m", "satellite_mass", results.design.crankshaft.satellite_mass)
+        said = {"note": "turns_in_radians"}
+        sheet.work("centrifugal_force", "F_c", results.centrifugal, "m*e*n_1^2", **said)
+
+
 def _life(
     sheet: Sheet, kind: Bearing, rating: float | None, value: float | None, load: str, speed: str
 ) -> None:
@@ -52,12 +60,17 @@ class _Loads:
         design, torque = results.design, results.design.pin_torque
         self.across = torque / (design.known_eccentricity * design.mechanism.ratio)
         self.along = torque / design.load.pin_circle_radius
-        self.factor = design.disc_factor
+        self.factor, self.relief = design.disc_factor, results.centrifugal
 
     def of(self, at: Position, satellite: int) -> tuple[FloatArray, FloatArray]:
         """W and S of a satellite, shape (n,): of the one that carries most."""
         across, along = self.factor * self.across, self.factor * self.along
         return across * at.share(satellite), along * at.pins(satellite)
+
+    @property
+    def inwards(self) -> str:
+        """What a satellite presses along its crank, by its mark."""
+        return "rho*W_#+S_#-F_c" if self.relief else "rho*W_#+S_#"
 
     def steps(self, sheet: Sheet, shares: Shares, satellite: int, torque: float) -> None:
         """Steps to W and S of a satellite at a position."""
@@ -140,6 +153,7 @@ def bearing_steps(results: Results) -> list[Step]:
     take_speed(sheet, results=results)
     sheet.work("relative_speed", "n", found.relative_speed, "n_1*(1+1/u)")
     _ring(sheet, results, found)
+    _centrifugal(sheet, results)
     j = worst_bearing(found)
     where = {"params": {"satellite": j + 1}}
     turn = ideal_turn(sheet, results=results)
@@ -160,17 +174,22 @@ def bearing_steps(results: Results) -> list[Step]:
         percent = {"params": {"percent": bearing.reliability_percent}}
         sheet.state("life", "L_n", found.life[j], "reliable", **percent)
     sheet.take("C_0", "static_rating", bearing.static_rating)
-    static_step(
-        sheet,
-        results=results,
-        code="static_rating_safety",
-        symbol="S_0",
-        value=None if found.static_safety_factor is None else float(found.static_safety_factor[j]),
-        limit="C_0",
-        load="Q_max",
-        share=results.design.static_torque / results.design.pin_torque,
-        source="iso76",
-    )
+    static = found.static_safety_factor
+    safety, said = None if static is None else float(static[j]), {"source": "iso76"}
+    if results.centrifugal:  # which the load at rest has none of
+        sheet.state("static_rating_safety", "S_0", safety, "under_peak", **said)
+    else:
+        static_step(
+            sheet,
+            results=results,
+            code="static_rating_safety",
+            symbol="S_0",
+            value=safety,
+            limit="C_0",
+            load="Q_max",
+            share=results.design.static_torque / results.design.pin_torque,
+            **said,
+        )
     sheet.state("system_life", "L_s", found.system_life, "together")
     return sheet.steps
 
@@ -181,7 +200,7 @@ def _peak_load(sheet: Sheet, results: Results, turn: IdealTurn, j: int, peak: fl
 
     def size(at: Position) -> FloatArray:
         across, pins = loads.of(at, j)
-        found: FloatArray = np.hypot(across, rho * across + pins)
+        found: FloatArray = np.hypot(across, rho * across + pins - loads.relief)
         return found
 
     at, where = turn.worst(size), {"params": {"satellite": j + 1}}
@@ -189,9 +208,8 @@ def _peak_load(sheet: Sheet, results: Results, turn: IdealTurn, j: int, peak: fl
         sheet.state("peak_load", "Q_max", peak, "bearing_load", **where)
         return
     loads.steps(sheet, Shares(sheet, turn, at), j, results.design.pin_torque)
-    w, s = f"W_{j + 1}", f"S_{j + 1}"
-    sheet.work("peak_load", "Q_max", peak, f"sqrt({w}^2+(rho*{w}+{s})^2)",
-               note="bearing_load", **where)  # fmt: skip
+    formula = f"sqrt(W_#^2+({loads.inwards})^2)".replace("#", str(j + 1))
+    sheet.work("peak_load", "Q_max", peak, formula, note="bearing_load", **where)
 
 
 def _ring_force(sheet: Sheet, results: Results, turn: IdealTurn, j: int, ring: float) -> None:
@@ -229,6 +247,7 @@ def shaft_steps(results: Results) -> list[Step]:
     sheet.take("rho", "radial_force_ratio", results.ring_mesh.radial_force_ratio)
     for letter, place in zip(LETTERS, shaft.bearing_positions, strict=True):
         sheet.take(f"z_{letter}", "bearing_position", place)
+    _centrifugal(sheet, results)
     turn = ideal_turn(sheet, results=results)
     for i, letter in enumerate(LETTERS):
         peak, equivalent = float(found.peak_reaction[i]), float(found.equivalent_reaction[i])
@@ -249,14 +268,16 @@ def shaft_steps(results: Results) -> list[Step]:
 
 
 def _summed(
-    loads: _Loads, at: Position, arms: ComplexArray, rho: float, way: float
+    loads: _Loads, at: Position, arms: ComplexArray, rho: float, way: float, still: complex
 ) -> ComplexArray:
-    """Reaction along and across the first crank: what the satellites do, each by its arm."""
+    """Reaction along and across the first crank: what the satellites do, each by its arm, and what
+    counterweights do.
+    """
     reaction = np.zeros(len(at.angle), dtype=complex)
     for j, arm in enumerate(arms):
         across, pins = loads.of(at, j)
-        reaction += arm * (rho * across + pins + 1j * way * across)
-    return reaction
+        reaction += arm * (rho * across + pins - loads.relief + 1j * way * across)
+    return reaction + still
 
 
 def _reaction(sheet: Sheet, results: Results, turn: IdealTurn, i: int, peak: float) -> bool:
@@ -269,9 +290,15 @@ def _reaction(sheet: Sheet, results: Results, turn: IdealTurn, i: int, peak: flo
     carried = (last - places if i == 0 else places - first) / (last - first)
     cranks: ComplexArray = np.exp(1j * np.array(mechanism.crank_angles))
     loads, rho = _Loads(results), sheet.known["rho"].value
+    weights = shaft.counterweights if loads.relief else ()
+    still = 0j
+    for each in weights:
+        part = last - each.position if i == 0 else each.position - first
+        pull = results.design.known_speed**2 * each.unbalance * part / (last - first)
+        still -= pull * complex(math.cos(each.angle), math.sin(each.angle))
 
     def measure(way: float) -> Measure:
-        return lambda at: np.abs(_summed(loads, at, carried * cranks, rho, way))
+        return lambda at: np.abs(_summed(loads, at, carried * cranks, rho, way, still))
 
     best: tuple[float, float, Position] | None = None
     for way in WAYS[results.design.load.torque_direction]:
@@ -294,48 +321,66 @@ def _reaction(sheet: Sheet, results: Results, turn: IdealTurn, i: int, peak: flo
         sheet.take(f"z_{n}", "satellite_position", places[j])
         sheet.take(f"alpha_{n}", "crank_angle", mechanism.crank_angles[j])
         share = f"(z_B-z_{n})/(z_B-z_A)" if i == 0 else f"(z_{n}-z_A)/(z_B-z_A)"
-        own, w, angle = f"(rho*W_{n}+S_{n})", f"W_{n}", f"alpha_{n}"
+        own, w, angle = f"({loads.inwards})".replace("#", str(n)), f"W_{n}", f"alpha_{n}"
         along.append(f"{share}*({own}*cos({angle}){minus}{w}*sin({angle}))")
         across.append(f"{share}*({own}*sin({angle}){plus}{w}*cos({angle}))")
-    letter, reaction = LETTERS[i], complex(_summed(loads, at, carried * cranks, rho, way)[0])
+    for mark in _weights(sheet, results) if weights else ():
+        share = f"(z_B-z_{mark})/(z_B-z_A)" if i == 0 else f"(z_{mark}-z_A)/(z_B-z_A)"
+        along.append(f"-{share}*U_{mark}*n_1^2*cos(alpha_{mark})")
+        across.append(f"-{share}*U_{mark}*n_1^2*sin(alpha_{mark})")
+    letter, whole = LETTERS[i], _summed(loads, at, carried * cranks, rho, way, still)
+    reaction = complex(whole[0])
     for axis, part, terms in (("X", reaction.real, along), ("Y", reaction.imag, across)):
-        sheet.work("reaction_part", f"{axis}_{letter}", part, "+".join(terms), note="equilibrium")
+        formula = "+".join(terms).replace("+-", "-")
+        sheet.work("reaction_part", f"{axis}_{letter}", part, formula, note="equilibrium")
     sheet.work("peak", f"R_{letter}", peak, f"sqrt(X_{letter}^2+Y_{letter}^2)")
     return True
 
 
+def _weights(sheet: Sheet, results: Results) -> list[str]:
+    """Let the counterweights be known; their marks."""
+    marks = []
+    for index, each in enumerate(results.design.crankshaft.counterweights, 1):
+        marks.append(f"w{index}")
+        sheet.take(f"U_w{index}", "unbalance", each.unbalance)
+        sheet.take(f"alpha_w{index}", "angle", each.angle)
+        sheet.take(f"z_w{index}", "counterweight_position", each.position)
+    return marks
+
+
 def _balance(sheet: Sheet, results: Results, balance: Balance) -> None:
-    """Unbalance of the satellites, force and couple, and what balances it in A and B."""
+    """Unbalance of what turns, force and couple, and what balances it in A and B."""
     shaft, cranks = results.design.crankshaft, results.design.mechanism.built.crank_angles
-    first, last = shaft.bearing_positions
     sheet.take("m", "satellite_mass", shaft.satellite_mass)
     marks = [str(j + 1) for j in range(len(cranks))]
     for mark, angle, place in zip(marks, cranks, shaft.satellite_positions, strict=True):
         sheet.take(f"alpha_{mark}", "crank_angle", angle)
         sheet.take(f"z_{mark}", "satellite_position", place)
-    many = len(cranks) > MOST_TERMS
+    weights = _weights(sheet, results)
+    many = len(cranks) + len(weights) > MOST_TERMS
 
     def vector(term: str) -> str:
-        along, across = (total(f"{term}{way}(alpha_#)", marks=marks) for way in ("cos", "sin"))
-        return f"sqrt({along}^2+{across}^2)"
+        parts = []
+        for way in ("cos", "sin"):
+            part = f"m*e*{total(f'{term}{way}(alpha_#)', marks=marks)}"
+            for mark in weights:
+                part += f"+U_#*{term}{way}(alpha_#)".replace("#", mark)
+            parts.append(part)
+        return f"sqrt(({parts[0]})^2+({parts[1]})^2)"
 
     turns = {"note": "turns_in_radians"}
     if many:
         sheet.state("unbalance", "U", balance.unbalance, "many_satellites")
     else:
-        sheet.work("unbalance", "U", balance.unbalance, f"m*e*{vector('')}")
+        sheet.work("unbalance", "U", balance.unbalance, vector(""))
     sheet.work("balance_force", "F", balance.force, "U*n_1^2", **turns)
-    middle = (first + last) / 2
-    arms = np.array(shaft.satellite_positions) - middle
-    arm = abs(complex((arms * np.exp(1j * np.array(cranks))).sum()))
-    if arm <= AS_TYPED * np.abs(arms).sum():
-        arm = 0.0
     if many:
-        sheet.state("couple_arm", "d", arm, "many_satellites")
+        sheet.state("couple", "M", balance.couple, "many_satellites")
     else:
-        formula = vector("(z_#-(z_A+z_B)/2)*")
-        sheet.work("couple_arm", "d", arm, formula, note="about_middle")
-    sheet.work("couple", "M", balance.couple, "m*e*d*n_1^2", **turns)
+        formula = f"n_1^2*{vector('(z_#-(z_A+z_B)/2)*')}"
+        sheet.work("couple", "M", balance.couple, formula, **turns)
+    sheet.take("M_r", "rotor_mass", results.design.rotor_mass)
+    sheet.work("grade", "G", balance.grade, "U*n_1/M_r", **turns)
     for letter, term, correction in zip(
         LETTERS,
         ("(z_B-z_#)/(z_B-z_A)*", "(z_#-z_A)/(z_B-z_A)*"),
@@ -347,6 +392,6 @@ def _balance(sheet: Sheet, results: Results, balance: Balance) -> None:
         if many:
             sheet.state("unbalance", symbol, correction.unbalance, "carried", **said)
         else:
-            formula = f"m*e*{vector(term)}"
-            sheet.work("unbalance", symbol, correction.unbalance, formula, note="carried", **said)
+            value, formula = correction.unbalance, vector(term)
+            sheet.work("unbalance", symbol, value, formula, note="carried", **said)
         sheet.state("angle", f"alpha_{letter}", correction.angle, "opposite")

@@ -5,6 +5,7 @@ import math
 from core.crank.bearing_life import EXPONENTS
 from core.crank.pin_rollers import KINDS, UNKNOWN_ELEMENTS
 from core.design.results import Results
+from core.worked.members import take_speed
 from core.worked.pins import static_step
 from core.worked.step import Sheet, Step
 
@@ -29,14 +30,14 @@ def roller_steps(results: Results) -> list[Step]:
     """
     sheet, design, found = Sheet(), results.design, results.roller_loads
     own, elements = design.rollers, KINDS[design.rollers.kind]
-    sheet.take("n_1", "input_speed", design.load.input_speed)
-    sheet.take("u", "ratio", design.mechanism.ratio)
+    wave = sheet.take_ratio(design.mechanism.ratio)
+    take_speed(sheet, results=results)
     sheet.take("e", "eccentricity", design.contact.eccentricity)
     sheet.take("r_s", "pin_radius", design.pair.pin_radius)
     sheet.take("C", "dynamic_rating", own.dynamic_rating)
     sheet.take("C_0", "static_rating", own.static_rating)
     sheet.take("Z", "rolling_elements", own.rolling_elements)
-    sheet.work("speed", "n_s", found.speed, "n_1*(1+1/u)*e/r_s")
+    sheet.work("speed", "n_s", found.speed, f"n_1{wave}*e/r_s")
     sheet.state("peak_load", "F", found.peak_load, "shared")
     where = {"params": {"satellite": found.satellite}}
     sheet.state("equivalent_load", "P", found.equivalent_load, "equivalent_load", **where)
@@ -64,7 +65,7 @@ def roller_steps(results: Results) -> list[Step]:
         value=found.static_safety_factor,
         limit="C_0w",
         load="F",
-        share=design.static_torque / design.load.output_torque,
+        share=design.static_torque / design.pin_torque,
         source="iso76",
     )
     return sheet.steps

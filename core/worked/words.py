@@ -19,7 +19,9 @@ VALUES = {
     "shear_compliance": "Compliance in shear",
     "scale": "Length A of the contact lines",
     "full_arm_load": "Line load where the arm is R_C",
-    "couple_arm": "Arm of the cranks' couple",
+    "centrifugal_force": "Centrifugal force of a satellite",
+    "counterweight_position": "Place of a counterweight",
+    "rotor_mass": "Mass of what turns",
     "neuber_root": "Root of Neuber's length, in √mm",
     "rating_share": "Share of the rating that is left",
     "shear_coefficient": "Shear coefficient of the bored pin",
@@ -116,11 +118,10 @@ NOTES = {
     "shortened": "k = e·(u + 1)/R_p, of many pins that share as linear contacts do.",
     "reaction": "From the balance of the shaft, crank by crank, over the turn.",
     "equivalent_reaction": "The mean over the turn of the reaction to the power p, its root.",
-    "carried": "Each satellite counts by the share that {letter} carries, by its place between "
+    "carried": "Each mass counts by the share that {letter} carries, by its place between "
     "the bearings.",
     "peak_torque": "k is the peak torque over the torque of this load.",
     "under_peak": "Solved anew under the peak torque: these forces do not grow in proportion.",
-    "about_middle": "Each satellite counts at its distance from the middle of the bearings.",
     "opposite": "Opposite to what it balances; counted as the crank angles are.",
     "unit_force": "At satellite {at}, by a force at satellite {from}, spread evenly over b: "
     "bending and, with the coefficient 10/9 of a solid pin, shear.",

@@ -698,6 +698,8 @@ export default {
     unbalance_kg_mm: { title: "Unbalance", symbol: "U" },
     balance_force_N: { title: "Centrifugal force left", symbol: "F" },
     couple_Nm: { title: "Couple left", symbol: "M" },
+    grade_mm_per_s: { title: "Speed of the centre of what turns", symbol: "G" },
+    bearing_force_N: { title: "Centrifugal force on A and B" },
     corrections: { title: "What balances it, in the planes of A and B" },
     angle_deg: { title: "Direction" },
   },

@@ -75,7 +75,8 @@ def test_every_code_is_said_somewhere() -> None:
 
 def test_what_a_code_was_called_is_no_code_of_today() -> None:
     for table in WAS.values():
-        assert {*table} <= {*CODES} and not {*table.values()} & {*CURRENT}
+        known = {*CHECKS} if table is WAS["checks"] else {*CODES}
+        assert {*table} <= known and not {*table.values()} & {*CURRENT}
     assert {*WAS["warnings"]} <= {*WARNINGS}
 
 
@@ -101,6 +102,14 @@ def test_a_reason_says_what_it_was_called(code: str, was: str) -> None:
 def test_a_refusal_says_what_it_was_called(code: str, was: str) -> None:
     (error,) = refusal("/gaps_mm", code, **named(TEXTS[code])).body()["errors"]
     assert (error["code"], error["was"]) == (code, was)
+
+
+@pytest.mark.parametrize(("code", "was"), WAS["checks"].items())
+def test_a_check_says_what_it_was_called(code: str, was: str) -> None:
+    body = CALCULATIONS["crank-planetary"].request(**REQUESTS["crank-planetary"])
+    said = check_values(Check(CHECKS[code], "not_asked"), body, [])
+    assert (said["code"], said["was"]) == (code, was)
+    assert "was" not in check_values(Check(CHECKS["lost_motion"], "not_asked"), body, [])
 
 
 def test_what_has_no_other_name_says_none() -> None:

@@ -1,5 +1,6 @@
 """The crankshaft over REST."""
 
+import math
 from copy import deepcopy
 
 import pytest
@@ -19,11 +20,17 @@ def changed(**fields):
 
 async def test_the_reference_design(api):
     teeth = {"kind": "involute", "module_mm": 3.5, "teeth_difference": 1}
-    answer = (await api.post(PATH, json=REQUESTS[PATH] | {"gear": teeth})).json()
+    body = changed() | {"gear": teeth}
+    mass = body["crankshaft"].pop("satellite_mass_kg")
+    answer = (await api.post(PATH, json=body)).json()
     first, last = answer["bearings"]
     assert f"{first['peak_N']:.3f}" == f"{last['peak_N']:.3f}" == "4487.098"
     life = (30_000 / first["equivalent_N"]) ** 3 * 1e6 / 60 / 1500
     assert first["basic_life_h"] == pytest.approx(life, rel=1e-12)
+    body["crankshaft"]["satellite_mass_kg"] = mass
+    answer = (await api.post(PATH, json=body)).json()
+    relieved = [each["peak_N"] for each in answer["bearings"]]
+    assert all(4487.098 - 26.266 < each < 4487.098 for each in relieved)
     balance = answer["balance"]
     assert f"{balance['couple_Nm']:.6f}" == "1.628485"
     assert balance["unbalance_kg_mm"] == pytest.approx(0, abs=1e-12)
@@ -77,3 +84,167 @@ async def test_the_limit_of_a_place_is_in_its_unit(api):
 async def test_the_figure_shows_both_bearings(api):
     figure = (await api.post(f"{PATH}/chart", json=REQUESTS[PATH])).json()
     assert [each["name"] for each in figure["data"]] == [*["Bearing A"] * 2, *["Bearing B"] * 2]
+
+
+ALONE = {
+    "mechanism": {"pins": 6, "satellites": 1, "ratio": 20, "crank_angles_deg": [0]},
+    "load": {"input_speed_rpm": 1500, "output_torque_Nm": 250, "pin_circle_radius_mm": 50},
+    "contact": {"eccentricity_mm": 2},
+    "gear": {"radial_force_ratio": 0.7},
+    "crankshaft": {
+        "satellite_mass_kg": 1.5,
+        "satellite_positions_mm": [31],
+        "bearing_positions_mm": [0, 62],
+    },
+}
+
+
+def weighted(*weights, **shaft):
+    body = deepcopy(ALONE)
+    names = ("unbalance_kg_mm", "position_mm", "angle_deg")
+    given = [dict(zip(names, each, strict=False)) for each in weights]
+    body["crankshaft"] |= {"counterweights": given} | shaft
+    return body
+
+
+@pytest.mark.parametrize(
+    ("weights", "force", "couple", "bearings"),
+    [
+        ([], 74.0220330081702, 0.0, [37.0110165040851, 37.0110165040851]),
+        ([(3.0, 31.0)], 0.0, 0.0, [0.0, 0.0]),
+        (
+            [(1.4, 10.0, 180.0), (1.4, 50.0, 180.0)],
+            4.934802200544684,
+            0.06908723080762558,
+            [1.353090925955804, 3.58171127458888],
+        ),
+    ],
+)
+async def test_counterweights_are_in_the_balance(api, weights, force, couple, bearings):
+    answer = (await api.post(PATH, json=weighted(*weights))).json()
+    balance = answer["balance"]
+    assert balance["force_N"] == pytest.approx(force, rel=1e-9, abs=1e-9)
+    assert balance["couple_Nm"] == pytest.approx(couple, rel=1e-9, abs=1e-9)
+    assert balance["bearing_force_N"] == pytest.approx(bearings, rel=1e-9, abs=1e-9)
+    speed = 1500 * math.pi / 30
+    grade = force / speed / 1.5 * 1e3
+    assert balance["grade_mm_per_s"] == pytest.approx(grade, rel=1e-9, abs=1e-9)
+
+
+async def test_what_corrects_it_leaves_nothing(api):
+    first = (await api.post(PATH, json=weighted())).json()["balance"]["corrections"]
+    weights = [
+        (each["unbalance_kg_mm"], place, each["angle_deg"])
+        for each, place in zip(first, (0, 62), strict=True)
+    ]
+    left = (await api.post(PATH, json=weighted(*weights))).json()["balance"]
+    assert (left["force_N"], left["couple_Nm"]) == (0, 0)
+    assert [each["unbalance_kg_mm"] for each in left["corrections"]] == [0, 0]
+
+
+async def test_the_grade_is_of_what_turns(api):
+    own = (await api.post(PATH, json=weighted())).json()["balance"]["grade_mm_per_s"]
+    whole = (await api.post(PATH, json=weighted(rotor_mass_kg=6.0))).json()["balance"]
+    assert whole["grade_mm_per_s"] == pytest.approx(own / 4, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("body", "pointer", "code"),
+    [
+        (weighted((3.0, 31.0), satellite_mass_kg=None), "/satellite_mass_kg", "needed_beside"),
+        (weighted((-3.0, 31.0)), "/counterweights/0/unbalance_kg_mm", "greater_than_equal"),
+        (weighted((3.0,)), "/counterweights/0/position_mm", "missing"),
+        (weighted(*[(1.0, 1.0)] * 21), "/counterweights", "too_long"),
+        (weighted(rotor_mass_kg=0), "/rotor_mass_kg", "greater_than_equal"),
+    ],
+)
+async def test_what_no_counterweight_can_be_is_refused(api, body, pointer, code):
+    if body["crankshaft"]["satellite_mass_kg"] is None:
+        del body["crankshaft"]["satellite_mass_kg"]
+    refused = await api.post(PATH, json=body)
+    assert refused.status_code == 422
+    (error,) = refused.json()["errors"]
+    assert (error["pointer"], error["code"]) == (f"/crankshaft{pointer}", code)
+
+
+PUBLISHED = {
+    "mechanism": {"pins": 8, "satellites": 1, "satellite_teeth": 15, "ring_teeth": 16},
+    "load": {
+        "input_torque_Nm": 1.55,
+        "efficiency": 1.0,
+        "pin_circle_radius_mm": 40,
+        "input_speed_rpm": 1500,
+    },
+    "contact": {
+        "contact_length_mm": 10,
+        "pin_radius_mm": 5,
+        "hole_clearance_mm": 0.02,
+        "eccentricity_mm": 3,
+        "pin_material": {
+            "youngs_modulus_GPa": 200,
+            "poissons_ratio": 0.3,
+            "allowable_pressure_MPa": 400,
+        },
+        "hole_material": {
+            "youngs_modulus_GPa": 200,
+            "poissons_ratio": 0.3,
+            "allowable_pressure_MPa": 400,
+        },
+    },
+    "gear": {"radial_force_ratio": 0.3},
+    "crankshaft": {
+        "satellite_positions_mm": [20],
+        "bearing_positions_mm": [0, 40],
+        "satellite_mass_kg": 0.8,
+        "bearings": [
+            {
+                "kind": "ball",
+                "dynamic_rating_N": 4000,
+                "bore_diameter_mm": 10,
+                "outer_diameter_mm": 26,
+                "width_mm": 8,
+            }
+        ]
+        * 2,
+    },
+    "requirements": {"scope": ["contact", "crank_bearings"], "life_h": 1000},
+    "include": ["checks"],
+}
+"""The single disc of a published optimisation, with a shaft."""
+
+
+@pytest.mark.parametrize(
+    ("shaft", "asked", "status"),
+    [
+        ({}, {}, "marginal"),
+        ({"counterweights": [{"unbalance_kg_mm": 2.4, "position_mm": 20}]}, {}, "pass"),
+        ({}, {"max_unbalance_N": 60.0}, "pass"),
+        ({}, {"max_unbalance_N": 59.0}, "fail"),
+        ({}, {"balance_grade_mm_per_s": 500.0}, "pass"),
+        ({}, {"balance_grade_mm_per_s": 400.0}, "fail"),
+        ({}, {"max_unbalance_share": 0.5}, "pass"),
+        ({}, {"max_unbalance_share": 0.01}, "fail"),
+        ({"satellite_mass_kg": None}, {}, "not_asked"),
+    ],
+)
+async def test_a_single_disc_may_pass(api, shaft, asked, status):
+    """0.8 kg at 3 mm and 1500 rpm pull with 59.2 N."""
+    body = deepcopy(PUBLISHED)
+    body["crankshaft"] = {
+        name: value for name, value in (body["crankshaft"] | shaft).items() if value is not None
+    }
+    body["requirements"] |= asked
+    answer = (await api.post("crank-planetary", json=body)).json()
+    checks = {each["code"]: each for each in answer["checks"]}
+    force = checks["unbalance_force"]
+    assert force["status"] == status and force["was"] == "crank_balance"
+    assert "crank_balance" not in checks
+    if status == "not_asked":
+        assert force["reason"]["code"] == "mass_unknown"
+        assert force["missing"] == ["/crankshaft/satellite_mass_kg"]
+        return
+    assert force["unit"] == "N"
+    parts = {each["code"]: each["status"] for each in answer["parts"]}
+    assert parts["crank_bearings"] == status
+    assert force["source_code"] == ("user" if asked else "balance_guide")
+    assert (force.get("reason", {}).get("code") == "unbalanced") == (status == "marginal")

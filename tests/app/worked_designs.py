@@ -218,6 +218,18 @@ ROLLED_BY_NEEDLES = _design(
 )
 BARE_4000, SLEEVED_4000 = _design(BARE, 4000.0), _design(SLEEVED, 4000.0, peak_torque_Nm=900.0)
 
+WEIGHTED: dict[str, Any] = BARE["crankshaft"] | {
+    "counterweights": [
+        {"unbalance_kg_mm": 1.2, "position_mm": 5.0, "angle_deg": 170.0},
+        {"unbalance_kg_mm": 0.8, "position_mm": 70.0, "angle_deg": 40.0},
+    ],
+    "rotor_mass_kg": 5.0,
+}
+UNEVEN: dict[str, Any] = BARE_4000 | {
+    "contact": CONTACT | {"distribution_factor": 1.3},
+    "include": ["pin_strength", "satellite_bearing", "crankshaft", "hertz", "output_efficiency"],
+}
+
 _WORN = {"life_h": 4000.0}
 
 
@@ -268,6 +280,8 @@ REQUESTS: dict[str, tuple[str, dict[str, Any]]] = {
     "losses": ("output-efficiency", _single(BARE_4000, friction=BARE["friction"] | _WORN)),
     "bearing": ("satellite-bearing", _single(BARE_4000, "pin", "gear", "bearing")),
     "shaft": ("crankshaft", _single(BARE_4000, "pin", "gear", "crankshaft")),
+    "weighted": ("crankshaft", _single(BARE_4000, "gear", crankshaft=WEIGHTED)),
+    "uneven": ("crank-planetary", UNEVEN),
     "rollers": ("roller-strength", ROLLERS | {"stress_concentration": 1.7}),
     "rollers given": (
         "roller-strength",

@@ -147,7 +147,12 @@ def _shown(default):
 
 def test_the_codes_that_were_replaced_are_listed():
     text = (ROOT / "docs/api.md").read_text()
-    for table, name in (("errors", "error"), ("warnings", "warning"), ("reasons", "reason")):
+    for table, name in (
+        ("errors", "error"),
+        ("warnings", "warning"),
+        ("reasons", "reason"),
+        ("checks", "check"),
+    ):
         listed = re.findall(rf"^\| {name} `(\w+)` \| (.*) \|$", text, re.MULTILINE)
         pairs = [(new, old) for old, cell in listed for new in re.findall(r"`(\w+)`", cell)]
         assert sorted(pairs) == sorted(WAS[table].items())

@@ -130,6 +130,27 @@ DESIGNS = {
     "peak torque, uneven cranks": having(
         ALL, peak_torque=700.0, crank_spacing=2.0, hole_radius=0.01002
     ),
+    "a share of unbalance": having(ALL, max_unbalance_share=1e-4, crank_spacing=2.0),
+    "a share of unbalance beside a stated sharing": having(
+        ALL, max_unbalance_share=1e-4, crank_spacing=2.0, distribution_factor=1.2
+    ),
+    "a share of unbalance with clearance": having(
+        ALL, max_unbalance_share=1e-4, crank_spacing=2.0, hole_radius=0.01002
+    ),
+    "a balance grade": having(
+        ALL,
+        max_unbalance=None,
+        max_unbalance_couple=None,
+        balance_grade=0.01,
+        crank_spacing=2.0,
+        crankshaft=replace(ALL.crankshaft, rotor_mass=5.0),  # type: ignore[type-var]
+    ),
+    "fast": having(
+        ALL,
+        output_torque=1.0,
+        input_speed=1000.0,
+        gear=Ring(kind="cycloid", ring_pin_circle_radius=0.085, ring_pin_radius=0.005),
+    ),
     "few loads": having(
         ALL,
         fatigue=TIRED,

@@ -214,25 +214,6 @@ def test_dead_centres() -> None:
     assert math.sin(turned.at["crank_angle"] * 1.05 + 1.0) == pytest.approx(0, abs=1e-9)
 
 
-@pytest.mark.parametrize(
-    ("changes", "off"),
-    [
-        ({}, 0.0),
-        ({"satellites": 3}, 0.0),
-        ({"satellites": 1}, 1.0),
-        ({"crank_spacing": math.pi / 2}, math.sqrt(0.5)),
-        ({"satellites": 3, "crank_spacing": math.pi}, 1 / 3),
-        ({"crank_angles": (0.0, math.pi + 1e-6)}, 5e-7),
-        ({"crank_angles": (0.0, math.pi + 1e-9)}, 0.0),  # rounding
-    ],
-)
-def test_balance_of_cranks(changes: dict[str, Any], off: float) -> None:
-    found = check_of("crank_balance", having(REF, **changes))
-    assert found.value == pytest.approx(off, rel=1e-9)
-    status, reason = ("not_asked", "unbalanced") if off else ("pass", "")
-    says(found, status=status, value=found.value, limit=0.0, reason=reason)
-
-
 def test_satellites_that_differ() -> None:
     says(
         check_of("assembly", REF),
@@ -250,7 +231,7 @@ def test_satellites_that_differ() -> None:
 
 
 def test_what_is_checked_hangs_on_the_sections() -> None:
-    mechanism = {"dead_centre", "crank_balance", "assembly"}
+    mechanism = {"dead_centre", "assembly"}
     fit = {"interference", "clearance"}
     no_body = having(REF, satellite_body=None)
     no_load = having(REF, load=None)

@@ -96,7 +96,7 @@ def test_the_order_of_what_is_not_judged_and_of_equals() -> None:
     ]
     assert found["assembly"].status == "not_asked"
     # what is not known before what warns, and that before what passes, whatever their reserves
-    warned = judged(CHECKS["crank_balance"], 1.0, 0.0, warning="unbalanced")
+    warned = judged(CHECKS["unbalance_force"], 1.0, 0.0, warning="unbalanced")
     room = judged(CHECKS["line_spacing"], 1.0, 0.0)
     stressed = judged(CHECKS["roller_stress"], 1.0, 2.0, reserve=1.5)
     order = [unknown[2], warned, stressed, room, unknown[1], unknown[0]]

@@ -113,14 +113,22 @@ class ShaftTurn:
         self.cranks = [(long(mp.cos(angle)), long(mp.sin(angle))) for angle in crank_angles]
 
     def reaction(
-        self, held: Sequence[mpf], across: mpf, along: mpf, rho: mpf, exponent: mpf
+        self,
+        held: Sequence[mpf],
+        across: mpf,
+        along: mpf,
+        rho: mpf,
+        exponent: mpf,
+        still: tuple[mpf, mpf] = (mpf(0), mpf(0)),
     ) -> tuple[mpf, mpf, mpf]:
         """Largest and equivalent reaction, and largest sum of the sizes that it is made of.
 
         The bearing holds the part `held` of the force of each satellite: of `across` times its
-        share forward of its crank, of `rho` times that and `along` times its pins along it.
+        share forward of its crank, of `rho` times that and `along` times its pins along it; and
+        what stands still, along and across the zero of the cranks.
         """
-        size = max(map(abs, held)) * (across + along) or mpf(1)
+        size = max(map(abs, held)) * (across + along) + max(map(abs, still)) or mpf(1)
+        rest = [long(each / size) for each in still]
         parts = [[long(each * arm / size) for arm in held] for each in (across, along)]
         radial = long(rho)
 
@@ -130,13 +138,14 @@ class ShaftTurn:
                 yield crank, a * share, radial * a * share + b * force
 
         def load(part: int, way: Any) -> Any:
-            x = y = np.zeros_like(way)
+            x, y = (np.full_like(way, each) for each in rest)
             for (cos, sin), tangential, inward in forces(part, way):
                 x, y = x + inward * cos - tangential * sin, y + inward * sin + tangential * cos
             return np.hypot(x, y)
 
         def sizes(part: int, way: Any) -> Any:
-            return sum(abs(one) + abs(other) for _, one, other in forces(part, way))
+            own = sum(abs(one) + abs(other) for _, one, other in forces(part, way))
+            return own + abs(rest[0]) + abs(rest[1])
 
         first = self.satellites[0]
         most = first.largest(load)

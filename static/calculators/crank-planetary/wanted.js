@@ -148,9 +148,11 @@ const CRANK = {
   ...shaftBearing(0, "a"),
   ...shaftBearing(1, "b"),
   "crankshaft.satellite_mass_kg": {},
+  "crankshaft.counterweights": rare,
+  "crankshaft.rotor_mass_kg": rare,
   "crankshaft.eccentric_diameter_mm": rare,
   "crankshaft.shaft_diameter_mm": rare,
-  ...asked("max_unbalance_N", "max_unbalance_couple_Nm"),
+  ...asked("max_unbalance_N", "max_unbalance_couple_Nm", "max_unbalance_share", "balance_grade_mm_per_s"),
 };
 
 const GAP = 2; // mm between satellites, and before the first

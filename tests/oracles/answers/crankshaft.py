@@ -27,6 +27,17 @@ def request(r: Draw) -> Body:
     shaft: Body = {"satellite_positions_mm": places, "bearing_positions_mm": [first, last]}
     if r.chance(0.5):
         shaft["satellite_mass_kg"] = r.size(0.1, 10)
+        if r.chance(0.5):
+            shaft["counterweights"] = [
+                {
+                    "unbalance_kg_mm": r.size(0.1, 100),
+                    "position_mm": r.rounded(first + pitch * r.uniform(-1, count + 1)),
+                    "angle_deg": r.choice((180.0, r.decimal(0, 360))),
+                }
+                for _ in range(r.randint(1, 2))
+            ]
+        if r.chance(0.5):
+            shaft["rotor_mass_kg"] = r.size(0.1, 100)
     if r.chance(0.7):
         shaft["bearings"] = [{"kind": r.choice(("ball", "roller"))} for _ in range(2)]
         if "dynamic_rating_N" in bearing:
@@ -52,9 +63,15 @@ def numbers(body: Body, answer: Any) -> Numbers:
     exact: dict[str, mpf] = {}
     sizes: dict[str, mpf] = {}
     given = shaft.get("bearings") or [{"kind": "ball"}] * 2
+    pulls = unbalances(shaft, e, cranks) if "satellite_mass_kg" in shaft else []
     for i, (held, bearing) in enumerate(zip(arms, given, strict=True)):
+        other, here = (first, last) if i else (last, first)
+        pull = -mp.fsum(u * (other - z) / (other - here) for u, z in pulls)
+        pull *= (speed * mp.pi / 30) ** 2 / 1000
         p = mpf(3) if bearing["kind"] == "ball" else mpf(10) / 3
-        peak, equivalent, sum_of_sizes = turn.reaction(held, across, along, rho, p)
+        peak, equivalent, sum_of_sizes = turn.reaction(
+            held, across, along, rho, p, (pull.real, pull.imag)
+        )
         place, sent = f"/bearings/{i}", answer["bearings"][i]
         exact |= {f"{place}/peak_N": peak, f"{place}/equivalent_N": equivalent}
         if not sent["peak_N"]:  # nothing but rounding
@@ -65,7 +82,7 @@ def numbers(body: Body, answer: Any) -> Numbers:
                 million * (typed(bearing["dynamic_rating_N"]) / equivalent) ** p
             )
     if "satellite_mass_kg" in shaft:
-        own_exact, own_sizes = balance(answer["balance"], shaft, e, cranks, arms, speed)
+        own_exact, own_sizes = balance(answer["balance"], shaft, e, cranks, speed)
         exact |= own_exact
         sizes |= own_sizes
     found: Numbers = {}
@@ -77,33 +94,48 @@ def numbers(body: Body, answer: Any) -> Numbers:
     return found
 
 
+def unbalances(shaft: Body, e: mpf, cranks: list[mpf]) -> list[tuple[mpf, mpf]]:
+    """Mass times radius of all that is off the axis, as complex numbers, kg*mm, and its place."""
+    places = [typed(each) for each in shaft["satellite_positions_mm"]]
+    found = [
+        (typed(shaft["satellite_mass_kg"]) * e * mp.expj(crank), z)
+        for crank, z in zip(cranks, places, strict=True)
+    ]
+    for each in shaft.get("counterweights", []):
+        way = mp.expj(mp.radians(typed(each["angle_deg"])))
+        found.append((typed(each["unbalance_kg_mm"]) * way, typed(each["position_mm"])))
+    return found
+
+
 def balance(
-    sent: Any, shaft: Body, e: mpf, cranks: list[mpf], arms: list[list[mpf]], speed: mpf
+    sent: Any, shaft: Body, e: mpf, cranks: list[mpf], speed: mpf
 ) -> tuple[dict[str, mpf], dict[str, mpf]]:
     """Numbers of the balance, and the sums of sizes that they are made of."""
-    unbalances = [typed(shaft["satellite_mass_kg"]) * e * mp.expj(crank) for crank in cranks]
+    masses = unbalances(shaft, e, cranks)
     first, last = (typed(each) for each in shaft["bearing_positions_mm"])
     per_kg_mm = (speed * mp.pi / 30) ** 2 / 1000
-    lever = [typed(z) - (first + last) / 2 for z in shaft["satellite_positions_mm"]]
-    left, size = abs(mp.fsum(unbalances)), mp.fsum(map(abs, unbalances))
-    couple = abs(mp.fsum(u * z for u, z in zip(unbalances, lever, strict=True)))
-    couples = mp.fsum(
-        abs(u) * sum(abs(arm[j]) for arm in arms) * (last - first) / 2
-        for j, u in enumerate(unbalances)
-    )
+    left, size = abs(mp.fsum(u for u, _ in masses)), mp.fsum(abs(u) for u, _ in masses)
+    couple = abs(mp.fsum(u * (z - (first + last) / 2) for u, z in masses))
+    couples = mp.fsum(abs(u) * (abs(z - first) + abs(last - z)) / 2 for u, z in masses)
+    rotor = typed(shaft.get("rotor_mass_kg", 0)) or len(cranks) * typed(shaft["satellite_mass_kg"])
     exact = {
         "/balance/unbalance_kg_mm": left,
         "/balance/force_N": left * per_kg_mm,
         "/balance/couple_Nm": couple * per_kg_mm / 1000,
+        "/balance/grade_mm_per_s": left * speed * mp.pi / 30 / rotor,
     }
     sizes = {
         "/balance/unbalance_kg_mm": size,
         "/balance/force_N": size * per_kg_mm,
         "/balance/couple_Nm": couples * per_kg_mm / 1000,
+        "/balance/grade_mm_per_s": size * speed * mp.pi / 30 / rotor,
     }
-    for i, held in enumerate(arms):
-        needed = -mp.fsum(arm * u for arm, u in zip(held, unbalances, strict=True))
-        every = mp.fsum(abs(arm * u) for arm, u in zip(held, unbalances, strict=True))
+    for i, (here, other) in enumerate(((first, last), (last, first))):
+        held = [(other - z) / (other - here) for _, z in masses]
+        needed = -mp.fsum(arm * u for arm, (u, _) in zip(held, masses, strict=True))
+        every = mp.fsum(abs(arm * u) for arm, (u, _) in zip(held, masses, strict=True))
+        exact[f"/balance/bearing_force_N/{i}"] = abs(needed) * per_kg_mm
+        sizes[f"/balance/bearing_force_N/{i}"] = every * per_kg_mm
         place = f"/balance/corrections/{i}"
         exact[f"{place}/unbalance_kg_mm"], sizes[f"{place}/unbalance_kg_mm"] = abs(needed), every
         # the angle nearest to that sent; off by the part of the sum at a right angle to it

@@ -1,0 +1,107 @@
+"""Checks of the balance: what turns with the crankshaft against what is asked, or is usual."""
+
+from functools import partial
+
+from core.checks.check import Check, Kind, design_check, judged
+from core.checks.inputs import OF_DISCS
+from core.design.document import Design
+from core.design.results import Results
+from core.errors import NotKnown
+
+GRADE = 16e-3
+"""Usual speed of the centre of what turns about the axis, m/s: G 16 of ISO 21940-11."""
+
+_check = partial(
+    design_check,
+    group="crankshaft",
+    part="crank_bearings",
+    needs=("touching", "load"),
+    fixes=("crankshaft.satellite_mass", "load.input_speed"),
+    source="balance",
+    why="Above it the reducer shakes with every turn of the crank.",
+)
+_INPUTS = (
+    *OF_DISCS,  # of a share of what the mechanism does
+    "load.input_speed",
+    "crankshaft.satellite_mass",
+    "crankshaft.satellite_positions",
+    "crankshaft.bearing_positions",
+    "crankshaft.counterweights",
+    "crankshaft.rotor_mass",
+    "requirements.max_unbalance_share",
+    "requirements.balance_grade",
+)
+
+
+def _of_grade(design: Design, grade: float) -> float:
+    """Force of a centre of what turns that is so fast, N."""
+    return grade * design.rotor_mass * design.known_speed
+
+
+def _of_share(results: Results, value: float, share: float) -> float:
+    """Limit of a value where what is not balanced may load each bearing by a share of the most that
+    the mechanism does there: both grow together.
+    """
+    peaks = results.still_crankshaft.peak_reaction.tolist()
+    sizes = zip(results.balance.bearing_force, peaks, strict=True)
+    least = min((peak / force for force, peak in sizes if force), default=0.0)
+    return share * value * least
+
+
+def _judged(
+    kind: Kind, results: Results, *, name: str, demand: float | None, arm: float = 1.0
+) -> Check:
+    """What is not balanced, against the least limit that is asked; without one against the usual
+    grade, of the couple as a force in each bearing's plane of half of what the grade allows.
+    """
+    asked = results.design.requirements
+    graded = asked.balance_grade if kind is unbalance_force else None
+    demands = (demand, graded, asked.max_unbalance_share)
+    try:
+        value = float(getattr(results.balance, name))
+    except NotKnown as why:
+        if any(each is not None for each in demands):
+            raise
+        return Check(kind, "not_asked", reason=why.code, missing=why.missing)
+    limits = [] if demand is None else [demand]
+    if graded is not None:
+        limits.append(_of_grade(results.design, graded))
+    if asked.max_unbalance_share is not None:
+        limits.append(_of_share(results, value, asked.max_unbalance_share))
+    if limits:
+        return judged(kind, value, min(limits))._replace(limit_source="user")
+    usual = GRADE if asked.balance_grade is None else asked.balance_grade
+    limit = arm * _of_grade(results.design, usual)
+    return judged(kind, value, limit, warning="unbalanced", limit_source="balance_guide")
+
+
+@_check(
+    "unbalance_force",
+    title="Unbalanced force of the crankshaft",
+    unit="N",
+    formula="|Σ U|·ω² ≤ F_U, G·M·ω",
+    inputs=(*_INPUTS, "requirements.max_unbalance"),
+)
+def unbalance_force(design: Design, results: Results) -> Check:
+    return _judged(unbalance_force, results, name="force", demand=design.requirements.max_unbalance)
+
+
+@_check(
+    "unbalance_couple",
+    title="Unbalanced couple of the crankshaft",
+    unit="Nm",
+    formula="|Σ U·(z − z_m)|·ω² ≤ M_U, G·M·ω·(B − A)/2",
+    inputs=(*_INPUTS, "requirements.max_unbalance_couple"),
+)
+def unbalance_couple(design: Design, results: Results) -> Check:
+    first, last = design.crankshaft.bearing_positions if design.crankshaft else (0.0, 0.0)
+    return _judged(
+        unbalance_couple,
+        results,
+        name="couple",
+        demand=design.requirements.max_unbalance_couple,
+        arm=(last - first) / 2,
+    )
+
+
+BALANCE = (unbalance_force, unbalance_couple)

@@ -1,0 +1,249 @@
+"""Balance of the crankshaft: what satellites and counterweights do to it as they turn.
+
+A mass m on a crank pulls outwards with ``m*e*w^2`` along it, a counterweight of the unbalance U_k
+with ``U_k*w^2`` in its direction. All of it stands still in the crank's frame, as the loads of the
+mechanism do.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.arrays import ComplexArray, FloatArray, check_not_negative, check_positive
+from core.errors import InvalidInput
+from core.precision import ROUNDING
+
+
+@dataclass(frozen=True, slots=True)
+class Counterweight:
+    """A mass on the shaft that is off its axis."""
+
+    unbalance: float  # U_k, mass times radius, kg*m
+    position: float  # z_k of its middle along the shaft, m
+    angle: float  # beta_k of its direction, counted as the crank angles, rad
+
+
+@dataclass(frozen=True, slots=True)
+class Correction:
+    """What balances the shaft in the plane of a bearing."""
+
+    unbalance: float  # mass times radius, kg*m
+    angle: float  # its direction, counted as the crank angles, rad
+
+
+@dataclass(frozen=True, slots=True)
+class Balance:
+    """Centrifugal forces of satellites and counterweights on the shaft."""
+
+    unbalance: float  # mass times radius that is left, kg*m
+    force: float  # its force at the speed of the crank, N
+    couple: float  # about the middle of the bearings, N*m
+    grade: float  # speed of the centre of the turning masses about the axis, m/s
+    # Reaction of each bearing, N: along the direction from which crank angles are counted, and i
+    # times that ahead of it.
+    reaction: tuple[complex, complex]
+    reaction_error: tuple[float, float]  # of both, by rounding, N
+    # In the planes of both bearings; together they balance force and couple that are left.
+    corrections: tuple[Correction, Correction]
+
+    @property
+    def bearing_force(self) -> tuple[float, float]:
+        """Size of the reactions, N."""
+        first, last = self.reaction
+        return abs(first), abs(last)
+
+
+def balance(
+    *,
+    satellite_mass: float,
+    eccentricity: float,
+    crank_angles: tuple[float, ...],
+    satellite_positions: tuple[float, ...],
+    bearing_positions: tuple[float, float],
+    counterweights: tuple[Counterweight, ...] = (),
+    input_speed: float,
+    rotor_mass: float | None = None,
+) -> Balance:
+    """Unbalance of the shaft, its force and couple, and what corrects it.
+
+    ``U = sum m*e*e^(i*alpha_j) + sum U_k*e^(i*beta_k)``, the force ``|U|*w^2``, the couple
+    ``|sum U*(z - (A + B)/2)|*w^2``, the reactions ``R_B = -sum U*(z - A)/(B - A)*w^2`` and
+    ``R_A = -sum U*w^2 - R_B``, the grade ``|U|*w/M``. 0 where nothing but rounding is left.
+
+    Parameters
+    ----------
+    satellite_mass : float
+        Mass m of a satellite with its bearing, kg, > 0.
+    eccentricity : float
+        Eccentricity e of the cranks, m, > 0.
+    crank_angles : tuple of float
+        Angle alpha_j of each crank, rad, shape (K,).
+    satellite_positions : tuple of float
+        Middle planes z of the satellites along the shaft, m, shape (K,).
+    bearing_positions : tuple of float
+        Places A and B of the bearings, m; B beyond A.
+    counterweights : tuple of Counterweight
+        Masses besides the satellites, of unbalances >= 0.
+    input_speed : float
+        Speed w of the crank against the housing, rad/s, > 0.
+    rotor_mass : float, optional
+        Mass M of all that turns with the shaft, kg, > 0; that of the satellites where not given.
+
+    Returns
+    -------
+    Balance
+
+    Raises
+    ------
+    InvalidInput
+        If a size is out of range.
+
+    Notes
+    -----
+    Statics of rotating masses; the grade is that of ISO 21940-11.
+
+    Examples
+    --------
+    One satellite of 1.5 kg at 1500 rpm, and a counterweight opposite in its plane.
+
+    >>> alone = dict(satellite_mass=1.5, eccentricity=2e-3, crank_angles=(0.0,),
+    ...     satellite_positions=(0.031,), bearing_positions=(0.0, 0.062),
+    ...     input_speed=50*math.pi)
+    >>> found = balance(**alone)
+    >>> round(found.force, 4), [round(each, 4) for each in found.bearing_force]
+    (74.022, [37.011, 37.011])
+    >>> balance(**alone, counterweights=(Counterweight(3e-3, 0.031, math.pi),)).force
+    0.0
+    """
+    check_positive(
+        satellite_mass=satellite_mass, eccentricity=eccentricity, input_speed=input_speed
+    )
+    mass = len(crank_angles) * satellite_mass if rotor_mass is None else rotor_mass
+    check_positive(rotor_mass=mass)
+    for index, each in enumerate(counterweights):
+        check_not_negative(**{f"counterweights[{index}].unbalance": each.unbalance})
+    first, last = bearing_positions
+    check_places(
+        satellites=len(crank_angles), positions=satellite_positions, bearings=bearing_positions
+    )
+    sizes = np.array(
+        [satellite_mass * eccentricity] * len(crank_angles)
+        + [each.unbalance for each in counterweights]
+    )
+    angles = np.array([*crank_angles, *(each.angle for each in counterweights)])
+    places = (*satellite_positions, *(each.position for each in counterweights))
+    held = carried(positions=places, bearings=bearing_positions)
+    off = carried_error(held, positions=places, bearings=bearing_positions)
+    turned = sizes * crank_error(angles)
+    unbalances: ComplexArray = sizes * np.exp(1j * angles)
+    needed = -(held * unbalances).sum(axis=1)
+    error = (off * sizes + np.abs(held) * turned).sum(axis=1)
+    left = abs(complex(unbalances.sum()))
+    left = left if left > turned.sum() else 0.0
+    both = zip(needed.tolist(), error.tolist(), strict=True)
+    at_first, at_last = [each if abs(each) > lost else 0j for each, lost in both]
+    square = input_speed**2
+    return Balance(
+        unbalance=left,
+        force=left * square,
+        couple=abs(at_last - at_first) / 2 * (last - first) * square,
+        grade=left * input_speed / mass,
+        reaction=(at_first * square, at_last * square),
+        reaction_error=(error[0] * square, error[1] * square),
+        corrections=(
+            Correction(abs(at_first), _turned(at_first)),
+            Correction(abs(at_last), _turned(at_last)),
+        ),
+    )
+
+
+def check_places(
+    *, satellites: int, positions: tuple[float, ...], bearings: tuple[float, float]
+) -> None:
+    """Refuse places that are not one for each satellite, and bearings that do not ascend.
+
+    Parameters
+    ----------
+    satellites : int
+        Their number K.
+    positions : tuple of float
+        Middle planes of the satellites along the shaft, m.
+    bearings : tuple of float
+        Places of both bearings, m.
+
+    Raises
+    ------
+    InvalidInput
+        If they are so.
+    """
+    if len(positions) != satellites:
+        sizes = {"expected": satellites, "actual": len(positions)}
+        raise InvalidInput("satellite_positions", len(positions), "different_length", **sizes)
+    first, last = bearings
+    if not last > first:
+        raise InvalidInput("bearing_positions[1]", last, "greater_than", limit=first)
+
+
+def carried(*, positions: tuple[float, ...], bearings: tuple[float, float]) -> FloatArray:
+    """What each bearing carries of a force at each place of the shaft.
+
+    Parameters
+    ----------
+    positions : tuple of float
+        The places, m, shape (K,).
+    bearings : tuple of float
+        Places of both bearings, m.
+
+    Returns
+    -------
+    array, shape (2, K)
+    """
+    places, (first, last) = np.array(positions), bearings
+    return np.array((last - places, places - first)) / (last - first)
+
+
+def carried_error(
+    held: FloatArray, *, positions: tuple[float, ...], bearings: tuple[float, float]
+) -> FloatArray:
+    """Error of that by rounding of places.
+
+    Parameters
+    ----------
+    held : array, shape (2, K)
+        What they carry.
+    positions : tuple of float
+        The places, m, shape (K,).
+    bearings : tuple of float
+        Places of both bearings, m.
+
+    Returns
+    -------
+    array, shape (2, K)
+    """
+    first, last = (abs(each) for each in bearings)
+    reach = np.array([[last], [first]]) + np.abs(positions) + np.abs(held) * (first + last)
+    found: FloatArray = ROUNDING * reach / (bearings[1] - bearings[0])
+    return found
+
+
+def crank_error(angles: FloatArray) -> FloatArray:
+    """Error of a unit in a direction by rounding.
+
+    Parameters
+    ----------
+    angles : array, shape (n,)
+        Directions, rad.
+
+    Returns
+    -------
+    array, shape (n,)
+    """
+    found: FloatArray = ROUNDING * (4 + 2 * np.abs(angles))
+    return found
+
+
+def _turned(value: complex) -> float:
+    """Direction from 0 to less than a turn, in degrees too."""
+    angle = math.atan2(value.imag, value.real) % (2 * math.pi)
+    return angle if angle < 2 * math.pi * (1 - 4 * ROUNDING) else 0.0  # that of a trifle below 0
