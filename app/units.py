@@ -29,6 +29,7 @@ UNITS: dict[str, tuple[str, float]] = {
     "GPa": ("GPa", 1e9),
     "kg_m3": ("kg/m³", 1.0),
     "kg": ("kg", 1.0),
+    "C": ("°C", 1.0),
     "Nm_per_arcmin": ("N·m/′", 10_800 / math.pi),
     "arcmin": ("′", math.pi / 10_800),
     "mrad": ("mrad", 1e-3),

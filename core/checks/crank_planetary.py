@@ -13,6 +13,7 @@ from core.checks.friction import FRICTION
 from core.checks.part import PARTS, Part, PartVerdict
 from core.checks.pin_contact import CONTACT, life_considered
 from core.checks.pins import PINS
+from core.checks.plastics import PLASTICS
 from core.checks.play import PLAY
 from core.checks.space import SPACE
 from core.design.document import Design
@@ -21,7 +22,18 @@ from core.errors import NotKnown
 
 CRANK_CHECKS = {
     kind.code: kind
-    for kind in (*CRANKS, *FIT, *CONTACT, *PLAY, *SPACE, *PINS, *FRICTION, *CRANK, *BEARINGS)
+    for kind in (
+        *CRANKS,
+        *FIT,
+        *CONTACT,
+        *PLASTICS,
+        *PLAY,
+        *SPACE,
+        *PINS,
+        *FRICTION,
+        *CRANK,
+        *BEARINGS,
+    )
 }
 """By code."""
 
@@ -118,7 +130,8 @@ def of_parts(*, design: Design, checks: Iterable[Check]) -> Verdict:
         **dict.fromkeys(UNCOVERED, True),
     }
     found = verdict(made, tuple(name for name, so in left_out.items() if so), parts)
-    if design.clearance_unknown:  # with any clearance it is less
+    soft = "contact" in design.scope and bool(design.load) and design.plastics
+    if design.clearance_unknown or soft:  # with any clearance it is less; plastics may not last
         return replace(found, largest_torque_known=False, largest_torque_of=())
     return found
 
