@@ -70,8 +70,8 @@ OF_REQUESTS = {
     "to_be_drawn": "must be at most {limit:.3g} to be drawn",
     "too_long": "must have at most {limit} entries",
     "too_nested": "must hold at most {limit} lists and objects",
-    "unknown_material": "must be a material of the table or given by values: youngs_modulus_GPa, "
-    "poissons_ratio, and a strength or an allowable pressure. {materials}. Other names: {aliases}",
+    "unknown_material": "must be a material of the table, or given by values ({values}). "
+    "{materials}. Other names: {aliases}",
     "with_real_forces": "must be at most 1 with clearance, deviations or elasticity: forces "
     "are solved then, not assumed",
     "with_rollers": "must be at most {limit}, with {rollers} rollers",

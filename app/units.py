@@ -43,9 +43,15 @@ UNITS: dict[str, tuple[str, float]] = {
 first."""
 
 
+AT_C = ("deflection_C", "error_C", "reaction_C", "slope_C")
+"""Ends of names that speak of a place C, not of degrees Celsius."""
+
+
 @cache
 def suffix(field: str) -> str | None:
     """Unit suffix of an API name; None for a plain name."""
+    if field.endswith(AT_C):
+        return None
     return next((unit for unit in UNITS if field.endswith(f"_{unit}")), None)
 
 

@@ -81,7 +81,10 @@ def known_name(given: object) -> object:
         for group, title in GROUPS.items()
     )
     aliases = ", ".join(alias for names in ALIASES.values() for alias in names)
-    said = {"materials": "; ".join(groups), "aliases": aliases}
+    values = ", ".join(
+        ("youngs_modulus_GPa", "poissons_ratio", "yield_strength_MPa", "allowable_pressure_MPa")
+    )
+    said = {"values": values, "materials": "; ".join(groups), "aliases": aliases}
     raise PydanticCustomError("unknown_material", "unknown_material", said)
 
 

@@ -119,12 +119,14 @@ PLASTIC = having(
 )
 """The same with holes of plastic and bare pins, without what hangs on neither."""
 DESIGNS |= {
-    "bare pins": having(PLASTIC, hole_material=ALL.contact.hole_material),
-    "plastic": PLASTIC,
-    "plastic, stated sharing": having(PLASTIC, distribution_factor=1.2),
-    "plastic, stated sharing, uneven cranks": having(
-        PLASTIC, distribution_factor=1.2, crank_spacing=2.0
+    "bare pins": having(
+        PLASTIC,
+        hole_material=ALL.contact.hole_material,
+        friction=replace(ALL.friction, sleeve=False, coefficient=0.05),  # type: ignore[type-var]
+        distribution_factor=1.2,
     ),
+    "plastic, stated sharing": having(PLASTIC, distribution_factor=1.2),
+    "plastic, uneven cranks": having(PLASTIC, crank_spacing=2.0, hole_radius=0.01002),
     "plastic pins, peak torque": having(PLASTIC, pin_material=SOFT, peak_torque=2000.0),
 }
 
