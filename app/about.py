@@ -32,16 +32,9 @@ from core.checks.words import GROUPS as CHECK_GROUPS
 from core.codes import CODES, REFUSALS, WARNINGS, WAS, Code
 from core.contact_life import LifeCurve
 from core.errors import PLACES
-from core.materials import (
-    CRITERIA,
-    GROUPS,
-    LIMIT_SOURCES,
-    MATERIALS,
-    VERIFIED,
-    Criterion,
-    TableMaterial,
-    Verified,
-)
+from core.material_record import GROUPS, Fact, Seen, TableMaterial
+from core.material_table import ALIASES, MATERIALS
+from core.materials import CRITERIA, LIMIT_SOURCES, VERIFIED, Criterion, Verified
 from core.results import METHODS
 from core.tolerance.iso286 import CLASSES, GRADES, SIZES, Limits, class_limits
 from core.tolerance.processes import PROCESSES, Process, ProcessName, Size
@@ -80,6 +73,40 @@ class LimitOut(ResponseModel):
     )
 
 
+class FactOut(ResponseModel):
+    """A value of a material with its spread and its sources; one source alone is for reference."""
+
+    name: str = Field(description="Which, as it is called beside this list.")
+    low: Maybe[float] = Field(description="The least that was seen, in the unit of its name.")
+    high: Maybe[float] = Field(description="The largest.")
+    source: str = Field(description="Where it was seen.")
+    seen: Seen = Field(description="In how many independent sources.")
+
+    @classmethod
+    def of(cls, quantity: str, fact: Fact) -> "FactOut":
+        """Answer of a value."""
+        name = FACT_NAMES[quantity]
+        spread = {"low": from_si(name, fact.low), "high": from_si(name, fact.high)}
+        known = {end: value for end, value in spread.items() if value is not None}
+        return cls(name=name, source=fact.source, seen=fact.seen, **known)
+
+
+FACT_NAMES = {
+    "youngs_modulus": "youngs_modulus_GPa",
+    "poissons_ratio": "poissons_ratio",
+    "yield_strength": "yield_strength_MPa",
+    "strength_in_plane": "strength_in_plane_MPa",
+    "strength_across": "strength_across_MPa",
+    "softening": "softening_C",
+    "friction": "friction",
+    "wear_rate": "wear_rate_mm3_per_Nm",
+}
+"""Names of values whose sources differ, by those of the core."""
+
+OWN_FACTS = ("strength_in_plane", "strength_across", "softening", "friction", "wear_rate")
+"""Those that no other field of a material has."""
+
+
 class MaterialOut(ResponseModel):
     """A material of the table."""
 
@@ -87,8 +114,10 @@ class MaterialOut(ResponseModel):
     title: str = Field(description="Its designation.")
     group: str = Field(description="Its group, in English.")
     group_code: str = Field(description="The same by code.")
-    youngs_modulus_GPa: float = Field(description="Young's modulus.")
-    poissons_ratio: float = Field(description="Poisson's ratio.")
+    youngs_modulus_GPa: Maybe[float] = Field(
+        description="Young's modulus; absent where no source has it: then it is given by values."
+    )
+    poissons_ratio: Maybe[float] = Field(description="Poisson's ratio; absent likewise.")
     allowable_pressure_MPa: Maybe[float] = Field(
         description="Endurance limit of the contact pressure, where there is one."
     )
@@ -104,13 +133,35 @@ class MaterialOut(ResponseModel):
     strength_source: Maybe[str] = Field(
         description="Where they come from: a standard, as in two secondary sources."
     )
+    strength_in_plane_MPa: Maybe[float] = Field(
+        description="Strength of a printed plastic in the plane of its layers, the least seen."
+    )
+    strength_across_MPa: Maybe[float] = Field(description="The same across its layers.")
+    softening_C: Maybe[float] = Field(
+        description="Heat deflection temperature under 1.8 MPa, or where it goes soft."
+    )
+    friction: Maybe[float] = Field(description="Largest friction coefficient seen, dry on steel.")
+    wear_rate_mm3_per_Nm: Maybe[float] = Field(
+        description="Largest wear coefficient seen, dry: shown only, no check takes it by itself."
+    )
+    youngs_modulus_low_GPa: Maybe[float] = Field(
+        description="Least Young's modulus of its sources: deflections are judged by it."
+    )
+    youngs_modulus_high_GPa: Maybe[float] = Field(
+        description="The largest: pressures and forces are by it."
+    )
     density_kg_m3: Maybe[float] = Field(description="Density.")
     density_source: Maybe[str] = Field(description="Where it comes from.")
+    facts: Maybe[list[FactOut]] = Field(
+        description="Values whose sources differ, or of which there is one only, with these."
+    )
+    aliases: Maybe[list[str]] = Field(description="Other names that requests may have.")
 
     @classmethod
     def of(cls, entry: TableMaterial) -> "MaterialOut":
         """Answer of a table entry."""
-        material = entry.material
+        facts, spread = entry.facts, entry.facts.get("youngs_modulus")
+        modulus, ratio = entry.moduli
         limits = [
             LimitOut(
                 criterion=limit.criterion,
@@ -132,14 +183,25 @@ class MaterialOut(ResponseModel):
             "density_kg_m3": entry.density,
             "density_source": entry.density_source or None,
             "allowable_pressure_MPa": endurance[0] if endurance else None,
+            "youngs_modulus_GPa": from_si("youngs_modulus_GPa", modulus),
+            "poissons_ratio": ratio,
+            "youngs_modulus_low_GPa": spread and from_si("youngs_modulus_GPa", spread.low),
+            "youngs_modulus_high_GPa": spread and from_si("youngs_modulus_GPa", spread.high),
+            "facts": [FactOut.of(name, each) for name, each in facts.items()] or None,
+            "aliases": list(ALIASES.get(entry.name, ())) or None,
+        } | {
+            name: from_si(name, facts[each].value)
+            for each in OWN_FACTS
+            if each in facts
+            for name in (FACT_NAMES[each],)
         }
+        if "strength_in_plane" in facts:  # which is what its yield strength is
+            known["yield_strength_MPa"] = None
         return cls(
             name=entry.name,
             title=entry.title,
             group=GROUPS[entry.group],
             group_code=entry.group,
-            youngs_modulus_GPa=from_si("youngs_modulus_GPa", material.youngs_modulus),
-            poissons_ratio=material.poissons_ratio,
             limits=limits,
             source=entry.source,
             **{name: value for name, value in known.items() if value is not None},

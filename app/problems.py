@@ -37,6 +37,8 @@ MAX_NAME = 64
 OF_REQUESTS = {
     "bool_type": "must be true or false",
     "dict_type": "must be an object",
+    "elastomer": "must be stiffer: elastomers stretch by their own length at a few MPa, and their "
+    "contact is not calculated",
     "dust": "must be 0 or at least {limit:g} in size",
     "extra_forbidden": "is not a known field",
     "float_type": "must be a number",
@@ -66,12 +68,16 @@ OF_REQUESTS = {
     "service_limit": "must be at most {limit}: this service takes no more",
     "sign_of_ring": "must not be negative: the ring turns with the crank; {offered:.9g} is that of "
     "crank and pins",
+    "several_materials": "says too little: several materials are called so, which differ by much; "
+    "name one ({candidates}), or give values",
     "string_type": "must be a text",
     "string_unicode": "is not valid text",
     "teeth_disagree": "must be {expected}, ring teeth less satellite teeth, or left out",
     "to_be_drawn": "must be at most {limit:.3g} to be drawn",
     "too_long": "must have at most {limit} entries",
     "too_nested": "must hold at most {limit} lists and objects",
+    "unknown_material": "must be a material of the table, or given by values ({values}). "
+    "{materials}. Other names: {aliases}",
     "with_real_forces": "must be at most 1 with clearance, deviations or elasticity: forces "
     "are solved then, not assumed",
     "with_rollers": "must be at most {limit}, with {rollers} rollers",
@@ -164,6 +170,9 @@ _CODES = {
     "union_tag_not_found": "missing",
 }
 """Pydantic's parameters and codes where they differ from ours."""
+
+SAYING = ("dust", "several_materials", "unknown_material")
+"""Codes of ours whose text names what a validator has said."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -355,7 +364,7 @@ def _item(error: ErrorDetails, place: tuple[int | str, ...]) -> FieldProblem:
     elif code == "literal_error":
         params = {"expected": context.get("expected", context.get("expected_tags", ""))}
     else:
-        params = dict(context) if code == "dust" else {}
+        params = dict(context) if code in SAYING else {}
     return wrong(pointer(path), code if code in TEXTS else "not_valid", **params)
 
 

@@ -30,6 +30,7 @@ UNITS: dict[str, tuple[str, float]] = {
     "GPa": ("GPa", 1e9),
     "kg_m3": ("kg/m³", 1.0),
     "kg": ("kg", 1.0),
+    "C": ("°C", 1.0),
     "Nm_per_arcmin": ("N·m/′", 10_800 / math.pi),
     "arcmin": ("′", math.pi / 10_800),
     "mrad": ("mrad", 1e-3),
@@ -43,9 +44,15 @@ UNITS: dict[str, tuple[str, float]] = {
 first."""
 
 
+AT_C = ("deflection_C", "error_C", "reaction_C", "slope_C")
+"""Ends of names that speak of a place C, not of degrees Celsius."""
+
+
 @cache
 def suffix(field: str) -> str | None:
     """Unit suffix of an API name; None for a plain name."""
+    if field.endswith(AT_C):
+        return None
     return next((unit for unit in UNITS if field.endswith(f"_{unit}")), None)
 
 

@@ -26,7 +26,8 @@ from core.design.sections import Contact, Load, MechanismSection
 from core.fatigue import size_factor, utilisation
 from core.fixes.crank import crank_fixes
 from core.hertz import hertz
-from core.materials import MATERIALS, ElasticMaterial
+from core.material_table import MATERIALS
+from core.materials import ElasticMaterial
 from core.numerics.inverse import solve_for
 from core.output.contact_force import contact_force
 from core.output.cyclogram import cyclogram

@@ -24,11 +24,14 @@ arrays              one function for a number and for arrays of designs; types
 precision           what methods promise, and what is one number but for rounding
 results             accuracy and validity notices that every result carries
 contact_life        how the limit of a pressure falls with the number of loads
-materials           elastic materials, effective modulus, a small table with sources
+materials           elastic materials and their limits, effective modulus
+material_record     what is known of a material, from where; one that is given by values
+material_table      a small table of them, and by which names they are found
 bearings            rolling bearings by name, with the ratings of several makers
 numerics            tools that know nothing of their use: quadrature, extremes, the inverse
 load_sharing        one displacement shared by many unilateral contacts
 fatigue             endurance limit by named factors, criteria, finite life
+first_yield         by which pressure a sliding line contact first yields
 hertz               line contact of pin and hole, and where Hertz stops being valid
 output              the output mechanism: pins in the holes of satellites on cranks
 tolerance           what tolerances of the output mechanism do

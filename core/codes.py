@@ -75,6 +75,7 @@ _INVALID = {
     "no_mesh": "must be at least {limit:.9g}: teeth of this {field} do not mesh any nearer",
     "no_sleeve": "must be smaller than twice {field}, {limit:.9g}: there is no room for a sleeve",
     "not_in_table": "must be one of {values}",
+    "not_sourced": "is needed: no source has that of {material}",
     "not_single": "must be one number, not an array",
     "not_zero": "must not be 0",
     "only_one": "excludes {field}: give one of them",
@@ -133,13 +134,20 @@ _UNKNOWN = {
     "teeth_not_judged": "The contact and the strength of the teeth are not calculated",
     "conformal_solution": "The pressure is that of the conformal contact, which asks for no narrow "
     "one",
+    "creep_unknown": "How much of the strength lasts is not known: by one paper printed PETG "
+    "creeps in step with the load up to half of it, which is a quarter of the torque; of PLA it "
+    "says nothing. Enter the factor that a test of a day under load gives",
     "cranks_deviate": "The balance is known of cranks without deviations only",
+    "direction_unknown": "Across its layers no strength of this material is known: say that they "
+    "lie flat, enter that strength, or take pins of metal",
     "different_parts": "Satellites differ in how their holes lie against their teeth: each needs a "
     "drawing of its own",
     "discs_out_of_phase": "Each satellite by itself goes onto the pins, all together do not: the "
     "holes of one are turned against those of another",
     "finite_life": "The strength is that for the cycles of the life, one a turn of the satellite "
     "against its crank",
+    "friction_unknown": "No friction coefficient of this plastic is known: enter one; friction "
+    "lowers the load at which it yields by much",
     "fits_by_bearing_clearance": "The parts go together only as far as the clearance of the "
     "bearings on the cranks lets the satellites move",
     "jams": "The parts go together, but jam in a part of the turn",
@@ -150,6 +158,20 @@ _UNKNOWN = {
     "limit of tables of gears or worm wheels will do, that of its maker for such a contact, or of "
     "a test of this pair",
     "mass_unknown": "No mass of a satellite is given",
+    "necessary_only": "It holds, which is necessary and not enough: once, cold, dry, of solid "
+    "material",
+    "no_plastic_fatigue": "No source says how many turns such a plastic bears: run the pair under "
+    "its load for as long as it is to last",
+    "not_printed": "Only printed parts have infill behind their walls",
+    "plastic_limit_unknown": "No source gives a pressure that such a plastic bears for long: enter "
+    "one of a test of this pin in this hole, printed and loaded as it will be",
+    "plastic_rules": "A plastic creeps instead of settling: it is judged by rules of its own",
+    "shakedown_unknown": "Up to first yield it holds for certain; from there to the limit nothing "
+    "is known with so much friction",
+    "softening_unknown": "At which temperature this plastic goes soft is not known",
+    "solid_wall_unknown": "How thick the solid wall of the holes is, is not given: perimeters "
+    "times line width",
+    "temperature_unknown": "The temperature of the part is not given",
     "no_bush": "The pv is that of a bush: a bare pin touches its wider hole along a narrow strip",
     "members_locked": "The members turn as one: nothing rolls or slides",
     "no_involute": "It is one of involute teeth",
@@ -158,7 +180,7 @@ _UNKNOWN = {
     "no_limit": "No limit was asked",
     "no_teeth": "No teeth or pins of the ring are given",
     "one_only": "There is one only",
-    "plastic_first": "The first turns yield below the surface; the contact settles after that",
+    "plastic_first": "The first turns yield; the contact settles after that",
     "pressure_error": "The limit lies within the error of the value",
     "rating_unknown": "No load rating of the bearing is given",
     "roots_unknown": "The roots of the satellite's teeth are not known: enter their radius, or the "
@@ -199,6 +221,13 @@ _LIMITS = {
         why="With clearance fewer pairs carry, and more each: forces and stresses grow, often by "
         "half and more.",
         mend="Give the clearance, or a fit; 0 where perfect parts are meant.",
+    ),
+    "one_source": _limit(
+        "Some values of {material} are from one source only: take them for a guide.",
+        title="One source",
+        tests="Whether two independent sources have the stiffness of a material.",
+        why="Makers and prints differ by a factor of two and more.",
+        mend="Enter the values of the data sheet of what you use.",
     ),
     "outer_ring_not_supported": _limit(
         "No seat holds the outer rings that roll in the holes: {dynamic:.3g} of the dynamic rating "

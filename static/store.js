@@ -125,7 +125,9 @@ function seeds({ typed: { texts }, reading: { filled }, about: { model, calculat
 function fromCatalogue(fields, id, option, entries, chosen) {
   if (option === "named") return { [id]: entries[0]?.name };
   const entry = entries.find(({ name }) => name === chosen) ?? {};
-  return Object.fromEntries(fields.map(({ path, name }) => [path, entry[name]]));
+  // where sources differ the strength is asked, and the name says the rest
+  const asked = entry.facts ? ["youngs_modulus_GPa", "poissons_ratio", "yield_strength_MPa"] : [];
+  return Object.fromEntries(fields.map(({ path, name }) => [path, asked.includes(name) ? undefined : entry[name]]));
 }
 
 /** Title, author, revision or note of the design. */

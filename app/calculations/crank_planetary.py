@@ -1,7 +1,7 @@
 """The crank-planetary reducer as one job: request, answer, figure."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import cached_property, partial
 from typing import Any, Literal, Self, get_args
 
@@ -21,6 +21,7 @@ from app.calculations.contact_force import (
     contact_force_figure,
 )
 from app.calculations.crank_planetary_answer import (
+    ColdYieldOut,
     CrankPlanetaryResponse,
     DesignHertzOut,
     LoadSharingOut,
@@ -35,10 +36,12 @@ from app.calculations.cyclogram import (
 from app.calculations.design import (
     DesignFields,
     SatelliteBodyFields,
+    TemperaturesFields,
 )
 from app.calculations.fatigue import PinFatigueFields
 from app.calculations.fit_answer import FitOut
 from app.calculations.geometry_answer import GeometryOut
+from app.calculations.hertz import entry_of
 from app.calculations.load_sharing_answer import RealCyclogramOut
 from app.calculations.mechanism import MAX_PAIRS
 from app.calculations.members_answer import MembersOut, at_output
@@ -78,6 +81,7 @@ from app.units import from_si, to_si
 from app.worked import worked
 from core.arrays import FloatArray
 from core.checks.check import Verdict
+from core.checks.cold_yield import ColdYield, cold_yield
 from core.checks.largest_torque import crank_verdict
 from core.checks.shares import DiscShares, disc_shares
 from core.checks.usual_fit import usual_fit
@@ -199,6 +203,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     bearing: Maybe[BearingFields] = None
     crankshaft: Maybe[CrankshaftFields] = None
     satellite_body: Maybe[SatelliteBodyFields] = None
+    temperatures: Maybe[TemperaturesFields] = None
     requirements: ScopedRequirementsFields = Field(default_factory=ScopedRequirementsFields)
     crank_angle_deg: Angle = quantity("Crank angle", "φ", default=0.0, step=5, advanced=True)
     """Crank angle of the section geometry."""
@@ -241,6 +246,14 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
             return found  # without an eccentricity that is what is missing, and said
         perfect = (each for each in found if each.code != "perfect_parts")
         return (Notice("clearance_unknown"), *perfect)
+
+    def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
+        """Also the friction of plastics, by which they yield, where it is known."""
+        yield from super().assumed()
+        design = self.design
+        dry = design.plastics and not (design.friction or design.sleeved)
+        if dry and design.dry_friction is not None:
+            yield ("friction", "coefficient"), design.dry_friction
 
     def without(self, path: tuple[str, ...]) -> Values:
         """The peak force of one satellite, where forces are asked and their number is assumed."""
@@ -340,7 +353,10 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         if {"fixes", "combined"} & {*self.sections}:
             codes = codes_to_fix(found, self.fixes_for)
             fixes = crank_fixes(results=self.results, codes=codes, current=found)
-        values = judgement(
+        values: Values = {}
+        if (cold := cold_yield(results=self.results, found=found)) is not None:
+            values["cold_yield"] = self.cold_values(cold)
+        values |= judgement(
             found,
             self,
             torque=self.design.load.output_torque if self.design.load else None,
@@ -350,6 +366,16 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         if "combined" in self.sections:
             values["combined"] = combined(self, found, fixes)
         return {name: value for name, value in values.items() if value is not None}
+
+    def cold_values(self, cold: ColdYield) -> Values:
+        """When a plastic contact yields at once, and where its strength comes from."""
+        assert self.contact is not None
+        given = getattr(self.contact, f"{cold.body}_material")
+        own = not isinstance(given, str) and (
+            given.yield_strength_MPa or given.tensile_strength_MPa
+        )
+        entry = None if own else entry_of(given)
+        return ColdYieldOut.values(cold, source=entry and entry.strength.source)
 
     def cyclogram_steps(self) -> list[Step]:
         """Worked steps of the cyclogram."""

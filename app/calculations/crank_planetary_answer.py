@@ -21,7 +21,8 @@ from app.calculations.pin_strength import PinStrengthResponse
 from app.calculations.satellite_bearing import SatelliteBearingResponse
 from app.calculations.shares_answer import SharesOut
 from app.calculations.usual_fit_answer import UsualFitOut
-from app.model import AccuracyOut, Maybe, Values, WarningOut, result
+from app.model import AccuracyOut, Maybe, ResponseModel, Values, WarningOut, result
+from core.checks.records import CHECKS
 from core.design.real_forces import RealForces
 from core.output.sampled_turn import WAYS
 
@@ -60,6 +61,22 @@ class DesignHertzOut(HertzResponse):
     )
 
 
+class ColdYieldOut(ResponseModel):
+    """When a plastic contact yields at once. Below that nothing says that it lasts."""
+
+    torque_Nm: float = result(
+        "Torque above which the plastic yields at once, cold: the first time it acts, at 23 °C."
+    )
+    quarter_Nm: float = result("A quarter of it, at which the stress is half of the strength.")
+    strength_MPa: float = result("Strength that this is by, in the direction that is loaded.")
+    friction: float = result("Friction coefficient of what slides in the holes.", symbol="μ")
+    source: Maybe[str] = result("Where the strength comes from; absent where it was given.")
+    open: list[str] = Field(
+        description="Checks of what nothing here says, or more would have to be given for.",
+        json_schema_extra={"items": {"type": "string", "enum": [*CHECKS]}},
+    )
+
+
 class CrankPlanetaryResponse(JudgedResponse):
     """One section for each that was asked, and always the verdict."""
 
@@ -69,6 +86,10 @@ class CrankPlanetaryResponse(JudgedResponse):
         "How the satellites share the torque, where one does not carry its part within 1 %."
     )
     largest_torque_of: Maybe[list[str]] = Field(description="Parts that the largest torque is of.")
+    cold_yield: Maybe[ColdYieldOut] = Field(
+        description="Where a plastic touches and its strength and friction are known: in the place "
+        "of the largest torque, which nobody knows of it.",
+    )
     cyclogram: Maybe[CyclogramResponse] = result("As `/cyclogram` answers.")
     members: Maybe[MembersOut] = result(
         "Speeds, torques and powers of crank, pins and ring; where others than the pins are the "

@@ -18,7 +18,7 @@ from app.calculations.contact_force import (
 )
 from app.calculations.hertz import MaterialFields
 from app.calculations.mechanism import MechanismFields
-from app.calculations.pin import PinMaterial, pin_places, strengths_of
+from app.calculations.pin import pin_places, strengths_of
 from app.calculations.pin_contact import PinContactFields
 from app.calculations.pin_rollers import RollersFields
 from app.calculations.real_mechanism import (
@@ -45,7 +45,14 @@ from app.units import to_si
 from core.arrays import FloatArray
 from core.design.document import Design
 from core.design.results import Results
-from core.design.sections import DesignPin, Load, PeakKind, Requirements, SatelliteBody
+from core.design.sections import (
+    DesignPin,
+    Load,
+    PeakKind,
+    Requirements,
+    SatelliteBody,
+    Temperatures,
+)
 from core.output.contact_force import drawing_angles
 from core.output.mechanism import Mechanism
 from core.output.pin_geometry import PinFit, pin_fit
@@ -115,8 +122,6 @@ class DesignPinFields(BentPinFields, group="pin"):
     """Length of the contact along the pin: the width of the satellite."""
     rotates: bool = quantity("Pin rotates", default=False)
     """Whether the pin turns in the carrier: then its bending is fully reversed."""
-    material: Maybe[PinMaterial] = quantity("Material of the pin")
-    """A name of the table of materials, or values; that of the contact where it has one."""
 
     def section(self, whole: Any) -> DesignPin:
         """The pin in SI units; what is not given is that of the contact."""
@@ -331,7 +336,26 @@ class SatelliteBodyFields(RequestModel, group="satellite_body"):
     """Radius at the root of the satellite's teeth."""
     bore_radius_mm: Maybe[Size] = quantity("Bore radius", "r_b", step=1)
     """Radius of the satellite's bore."""
+    solid_wall_mm: Maybe[Size] = quantity("Solid wall of the holes", "w_s", step=0.4)
+    """Of a printed satellite, solid material behind the surface of its holes: perimeters times line
+    width."""
 
     def section(self, _: Any) -> SatelliteBody:
         """The same in SI units."""
         return SatelliteBody(**self.to_core())
+
+
+Celsius = Annotated[float, Field(ge=-60, le=250)]
+
+
+class TemperaturesFields(RequestModel, group="temperatures"):
+    """Temperatures of the parts at work, by which plastics are judged."""
+
+    satellite_C: Maybe[Celsius] = quantity("Satellites", "T_s", step=5)
+    """Temperature of the satellites at work; a motor nearby heats them."""
+    pins_C: Maybe[Celsius] = quantity("Pins", "T_p", step=5)
+    """Temperature of the pins at work."""
+
+    def section(self, _: Any) -> Temperatures:
+        """The same in SI units, but for degrees Celsius."""
+        return Temperatures(**self.to_core())

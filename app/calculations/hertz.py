@@ -2,9 +2,19 @@
 
 from dataclasses import dataclass
 from functools import lru_cache, partial
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
-from pydantic import Discriminator, Field, Tag, field_validator
+from pydantic import (
+    AfterValidator,
+    BeforeValidator,
+    ConfigDict,
+    Discriminator,
+    Field,
+    Tag,
+    field_validator,
+    model_validator,
+)
+from pydantic_core import PydanticCustomError
 
 from app.model import (
     UNION_TAGS,
@@ -18,8 +28,10 @@ from app.model import (
     Values,
     WarningOut,
     WorkedFields,
+    field_error,
     no_dust,
     quantity,
+    request_schema,
     result,
     warning,
 )
@@ -37,41 +49,133 @@ from core.hertz import (
     hertz,
     pressure_profile,
 )
-from core.materials import LIMIT_SOURCES, MATERIALS, ContactLimit, Criterion, ElasticMaterial
+from core.material_record import GROUPS, TableMaterial, by_values
+from core.material_table import ALIASES, ELASTOMERS, MATERIALS, NAMES, SEVERAL, plain_name
+from core.materials import LIMIT_SOURCES, ContactLimit, Criterion, ElasticMaterial, Layers
 from core.results import Notice
 from core.worked.hertz import hertz_steps
 from core.worked.step import Step
 
+
+def known_name(given: object) -> object:
+    """The name of the table that a name says; which others there are, where it says none.
+
+    Raises
+    ------
+    PydanticCustomError
+        If it says none, or too little.
+    """
+    if not isinstance(given, str):
+        return given
+    plain = plain_name(given)
+    if plain in NAMES:
+        return NAMES[plain]
+    if plain in map(plain_name, ELASTOMERS):
+        raise PydanticCustomError("elastomer", "elastomer")
+    for each, candidates in SEVERAL.items():
+        if plain == plain_name(each):
+            said = {"candidates": ", ".join(candidates) or "-"}
+            raise PydanticCustomError("several_materials", "several_materials", said)
+    groups = (
+        f"{title}: {', '.join(each.name for each in MATERIALS.values() if each.group == group)}"
+        for group, title in GROUPS.items()
+    )
+    aliases = ", ".join(alias for names in ALIASES.values() for alias in names)
+    values = ", ".join(
+        ("youngs_modulus_GPa", "poissons_ratio", "yield_strength_MPa", "allowable_pressure_MPa")
+    )
+    said = {"values": values, "materials": "; ".join(groups), "aliases": aliases}
+    raise PydanticCustomError("unknown_material", "unknown_material", said)
+
+
+def whole(name: str) -> str:
+    """A name of a material that has all that a contact needs.
+
+    Raises
+    ------
+    PydanticCustomError
+        If no source has its modulus or its Poisson's ratio: then it is given by values.
+    """
+    _refuse_missing(MATERIALS[name])
+    return name
+
+
+def _refuse_missing(entry: TableMaterial, given: Any = None) -> None:
+    for missing in entry.missing:
+        field = {"youngs_modulus": "youngs_modulus_GPa"}.get(missing, missing)
+        if getattr(given, field, None) is None:
+            raise field_error(field, "not_sourced", material=entry.name)
+
+
 if TYPE_CHECKING:
     MaterialName = str
 else:
-    MaterialName = Literal[tuple(MATERIALS)]
+    MaterialName = Annotated[Literal[tuple(MATERIALS)], BeforeValidator(known_name)]
+
+
+def _values_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
+    """A material by values has a name, or both that a contact needs."""
+    request_schema(schema, model)
+    needed = (["name"], ["youngs_modulus_GPa", "poissons_ratio"])
+    schema["anyOf"] = [{"required": names} for names in needed]
 
 
 class MaterialFields(RequestModel, group="material"):
-    """A material by its values."""
+    """A material by its values; of one with a name those that are not given are the table's."""
 
-    youngs_modulus_GPa: Size = quantity("Young's modulus", "E", step=1)
-    """Modulus of elasticity of the material."""
-    poissons_ratio: float = quantity("Poisson's ratio", "ν", step=0.01, ge=0, lt=0.5)
-    """Lateral strain over the strain along a tension."""
-    allowable_pressure_MPa: Maybe[Size] = quantity("Allowable pressure", "p_all", step=10)
-    """Allowable contact pressure: what this body is judged by."""
+    model_config = ConfigDict(json_schema_extra=_values_schema)
 
     yield_strength_MPa: Maybe[Size] = quantity("Yield strength", "R_e", step=10)
-    """Yield strength: judges bending, or yield below the surface."""
-
+    """Yield strength: judges bending, or yield below the surface; of a printed part by the data
+    sheet of its filament, in the direction in which its layers are loaded."""
+    tensile_strength_MPa: Maybe[Size] = quantity("Tensile strength", "R_m", step=10)
+    """Tensile strength: what fatigue is judged by; of a plastic, the smaller one of the two
+    strengths counts."""
+    name: Maybe[MaterialName] = quantity("Otherwise as", "")
+    """Name of the table of materials: what is not given is of it."""
+    youngs_modulus_GPa: Maybe[Size] = quantity("Young's modulus", "E", step=1)
+    """Modulus of elasticity of the material; below 20 GPa it is a plastic."""
+    poissons_ratio: Maybe[float] = quantity("Poisson's ratio", "ν", step=0.01, ge=0, lt=0.5)
+    """Lateral strain over the strain along a tension."""
+    allowable_pressure_MPa: Maybe[Size] = quantity("Allowable pressure", "p_all", step=10)
+    """Allowable contact pressure: what this body is judged by; of a plastic by a test."""
+    layers: Maybe[Layers] = quantity("Layers of the print", advanced=True)
+    """How the layers of a printed part lie: flat, across the axis of the pins, or upright, along
+    it. Strengths have to be those of the direction that is loaded: of upright ones across them."""
+    long_term_factor: Maybe[float] = quantity(
+        "Long-term factor", "k_∞", step=0.05, ge=0.01, le=1, advanced=True
+    )
+    """Strength of a plastic in the long run over that of a short test, by a test of your own."""
     life_curve: Maybe[LifeCurve] = quantity("Life curve")
     """How the allowable pressure falls over the life, which a design with a speed has: as that of
     through- or case-hardened steel, of nitrided steel and cast iron, or of nitrocarburised
     steel."""
 
+    @model_validator(mode="after")
+    def _named_or_elastic(self) -> Self:
+        if self.base is not None:
+            _refuse_missing(self.base, self)
+            return self
+        pair = ("youngs_modulus_GPa", "poissons_ratio")
+        missing = [name for name in pair if getattr(self, name) is None]
+        if len(missing) == 2:
+            raise field_error(missing[0], "needed", field="name")
+        if missing:
+            raise field_error(missing[0], "missing")
+        return self
+
+    @property
+    def base(self) -> TableMaterial | None:
+        """The material of the table whose values are taken where none are given."""
+        return None if self.name is None else MATERIALS[self.name]
+
     def material(self) -> ElasticMaterial:
         """The material in SI units."""
         own = self.to_core()
+        own.pop("name", None)
         pressure, curve = own.pop("allowable_pressure", None), own.pop("life_curve", None)
         limit = None if pressure is None else ContactLimit("given", pressure, curve=curve)
-        return ElasticMaterial(**own, limit=limit)
+        return by_values(base=self.base, limit=limit, **own)
 
 
 def material_of(given: str | MaterialFields) -> ElasticMaterial:
@@ -79,18 +183,24 @@ def material_of(given: str | MaterialFields) -> ElasticMaterial:
     return MATERIALS[given].material if isinstance(given, str) else given.material()
 
 
+def entry_of(given: str | MaterialFields) -> TableMaterial | None:
+    """The material of the table that one is, or has values of."""
+    return MATERIALS[given] if isinstance(given, str) else given.base
+
+
 def _kind(given: object) -> str:
     """Which of the two forms of a material is given, so that errors speak of that one only."""
-    return "name" if isinstance(given, str) else "values"
+    return "by_name" if isinstance(given, str) else "by_values"
 
 
 Material = Annotated[
-    Annotated[MaterialName, Tag("name")] | Annotated[MaterialFields, Tag("values")],
+    Annotated[MaterialName, AfterValidator(whole), Tag("by_name")]
+    | Annotated[MaterialFields, Tag("by_values")],
     Discriminator(_kind),
 ]
 
 
-UNION_TAGS.update(("name", "values"))
+UNION_TAGS.update(("by_name", "by_values"))
 
 
 contact_length = partial(
@@ -153,8 +263,11 @@ class ContactFields(RequestModel, group="contact"):
 
     def material_notices(self) -> tuple[Notice, ...]:
         """What a name of a material does not say."""
-        cast = "bronze_tin" in (self.pin_material, self.hole_material)
-        return (Notice("sand_cast"),) if cast else ()
+        given = (self.pin_material, self.hole_material)
+        cast = (Notice("sand_cast"),) if "bronze_tin" in given else ()
+        entries = dict.fromkeys(entry for each in given if (entry := entry_of(each)) is not None)
+        weak = (entry.name for entry in entries if entry.reference)
+        return cast + tuple(Notice("one_source", {"material": name}) for name in weak)
 
 
 MAX_FORCE_N = 1e50

@@ -2,28 +2,15 @@
 
 from dataclasses import replace
 from functools import partial
-from typing import Annotated, Any, ClassVar
-
-from pydantic import Discriminator, Tag
+from typing import Any, ClassVar
 
 from app.calculations.fatigue import STEEL_GPA
-from app.calculations.hertz import MaterialFields, MaterialName
+from app.calculations.hertz import MaterialFields
 from app.calculations.mechanism import MAX_SATELLITES
 from app.model import Kinds, Maybe, RequestModel, Size, quantity
-from app.units import to_si
-from core.materials import MATERIALS, ElasticMaterial
+from app.units import from_si, to_si
+from core.material_table import MATERIALS
 from core.output.pin_beam import Support
-
-
-class PinMaterialFields(MaterialFields, group="material"):
-    """A material of a pin by its values."""
-
-    tensile_strength_MPa: Maybe[Size] = quantity("Tensile strength", "R_m", step=10)
-    """Tensile strength: what fatigue is judged by."""
-
-    def material(self) -> ElasticMaterial:
-        """The material in SI units, without its tensile strength."""
-        return MaterialFields.material(self.model_copy(update={"tensile_strength_MPa": None}))
 
 
 def strengths_of(given: str | MaterialFields) -> dict[str, Any]:
@@ -34,27 +21,24 @@ def strengths_of(given: str | MaterialFields) -> dict[str, Any]:
         entry = MATERIALS[given]
         strength = entry.strength
         return {
-            "material": replace(entry.material, yield_strength=strength.yield_strength),
+            "material": replace(
+                entry.material,
+                yield_strength=strength.yield_strength or entry.material.yield_strength,
+            ),
             "tensile_strength": strength.tensile,
             "steel": entry.group == "steel",
             "valid_diameter": strength.valid_diameter,
         }
+    material, base = given.material(), given.base
+    strengths = (given.tensile_strength_MPa, given.yield_strength_MPa)
+    if base is not None and not any(strengths):
+        return strengths_of(base.name) | {"material": material}
     low, high = STEEL_GPA
     return {
-        "material": given.material(),
-        "tensile_strength": to_si("strength_MPa", getattr(given, "tensile_strength_MPa", None)),
-        "steel": low <= given.youngs_modulus_GPa <= high,
+        "material": material,
+        "tensile_strength": to_si("strength_MPa", given.tensile_strength_MPa),
+        "steel": low <= from_si("modulus_GPa", material.youngs_modulus) <= high,
     }
-
-
-def _kind(given: object) -> str:
-    return "name" if isinstance(given, str) else "values"
-
-
-PinMaterial = Annotated[
-    Annotated[MaterialName, Tag("name")] | Annotated[PinMaterialFields, Tag("values")],
-    Discriminator(_kind),
-]
 
 
 pin_places = partial(

@@ -140,6 +140,11 @@ class Check(NamedTuple):
         return -over if self.kind.keep == "below" else over
 
     @property
+    def only_needed(self) -> bool:
+        """Whether it holds, which is necessary and not enough to pass."""
+        return self.status == "not_checked" and self.reason == "necessary_only"
+
+    @property
     def opens(self) -> bool:
         """Whether its part cannot be judged without it."""
         return self.status == "not_checked" and self.needed
@@ -267,6 +272,24 @@ def judged(
         warning=bool(warning),
         **more,
     )
+
+
+def necessary(found: Check) -> Check:
+    """A check that is necessary and not enough: it may fail, and never passes.
+
+    Parameters
+    ----------
+    found : Check
+        A value judged against its limit.
+
+    Returns
+    -------
+    Check
+        `not_checked` where it holds, with its numbers.
+    """
+    if found.status == "fail" or found.value is None:
+        return found
+    return found._replace(status="not_checked", reason="necessary_only")
 
 
 class Measure(NamedTuple):
@@ -495,7 +518,10 @@ def verdict(
     statuses = [each.status for each in ranked]
     counts: dict[str, int] = {status: statuses.count(status) for status in STATUSES}
     decided = [each for each in ranked if each.status in ("fail", "marginal", "pass")]
-    counted = [each for each in decided if each.torque_reserve is not None and not each.warning]
+    held = (each for each in ranked if each.only_needed)
+    counted = [
+        each for each in (*decided, *held) if each.torque_reserve is not None and not each.warning
+    ]
     reserves = [each.torque_reserve for each in counted if each.torque_reserve is not None]
     least = None if _cannot_be(ranked) else min(reserves, default=None)
     outcome: Outcome = "pass"

@@ -15,6 +15,7 @@ from core.checks.part import PARTS, Part, PartVerdict
 from core.checks.pin_contact import CONTACT, life_considered
 from core.checks.pin_rollers import PIN_ROLLERS
 from core.checks.pins import PINS
+from core.checks.plastics import PLASTICS
 from core.checks.play import PLAY
 from core.checks.space import SPACE
 from core.design.document import Design
@@ -27,6 +28,7 @@ CRANK_CHECKS = {
         *CRANKS,
         *FIT,
         *CONTACT,
+        *PLASTICS,
         *PLAY,
         *SPACE,
         *PINS,
@@ -132,7 +134,8 @@ def of_parts(*, design: Design, checks: Iterable[Check]) -> Verdict:
         **dict.fromkeys(UNCOVERED, True),
     }
     found = verdict(made, tuple(name for name, so in left_out.items() if so), parts)
-    if design.clearance_unknown:  # with any clearance it is less
+    soft = "contact" in design.scope and bool(design.load) and design.plastics
+    if design.clearance_unknown or soft:  # with any clearance it is less; plastics may not last
         return replace(found, largest_torque_known=False, largest_torque_of=())
     return found
 

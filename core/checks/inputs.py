@@ -43,6 +43,9 @@ FORCES = (*FORCE, *SHARING)
 LOADED = (*FORCES, "contact.dynamic_factor", "load.application_factor")
 """The same, with the factor on stresses and pressures."""
 
+SLIDING = ("friction.coefficient", "friction.sleeve")
+"""Of what slides in the holes."""
+
 LIFE = ("load.input_speed", "requirements.life")
 
 LOADS = ("load.input_speed", "mechanism.ratio", "requirements.life")

@@ -124,6 +124,10 @@ def under(*, design: Design, factor: float) -> Design:
     return changed(design, more)
 
 
+DOUBTS = ("pressure_error", "shakedown_unknown")
+"""Reasons for which a check is marginal whatever it is under other torques."""
+
+
 class _Torques:
     """Checks of a design whose reserves are estimates, under several torques."""
 
@@ -230,7 +234,7 @@ class _Torques:
 
 def _under_margin(check: Check, holds: bool) -> Check:
     """A check that holds, or does not, under `MARGIN` times the torque."""
-    sure = check.status in ("pass", "marginal") and check.reason != "pressure_error"
+    sure = check.status in ("pass", "marginal") and check.reason not in DOUBTS
     if check.warning or not sure:
         return check
     reserve = check.torque_reserve

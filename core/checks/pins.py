@@ -2,7 +2,7 @@
 
 from functools import partial
 
-from core.checks.check import Check, Measure, design_check, judged, wall
+from core.checks.check import Check, Measure, design_check, judged, necessary, wall
 from core.checks.inputs import FATIGUE, LOADED, LOADS
 from core.design.document import Design
 from core.design.results import Results
@@ -52,30 +52,37 @@ def _of_size(results: Results, check: Check) -> Check:
     source="pin_beam",
 )
 def pin_static(design: Design, results: Results) -> Check:
-    found = results.pin_strength
+    """Of a plastic pin across its layers, unless they are said to lie otherwise: necessary only."""
+    found, material = results.pin_strength, design.pin.material
     stress, tensile = found.static_stress, design.pin.tensile_strength
-    strength = design.pin.material.yield_strength
+    strength = material.loaded_strength("pin")
     if strength is None and tensile is not None and tensile > HARDENED:
         strength = tensile
     if strength is None:
-        missing = ("pin.material.yield_strength",)
-        return Check(
-            pin_static, "not_checked", value=stress, reason="yield_unknown", missing=missing
-        )
+        reason, lacks = "yield_unknown", "pin.material.yield_strength"
+        if material.yield_strength is not None:
+            reason, lacks = "direction_unknown", "pin.material.layers"
+        return Check(pin_static, "not_checked", value=stress, reason=reason, missing=(lacks,))
     limit = strength / design.requirements.bending_safety
     error = 4 * found.accuracy.relative_error
     reserve = limit / stress
     check = judged(pin_static, stress, limit, reserve=reserve, error=error, rough=results.solved)
+    if material.plastic is not None:
+        return necessary(check)
     return _of_size(results, check)
 
 
-def _bent(results: Results, name: str, satellite: int) -> Measure:
-    """The largest deflection or slope in a satellite."""
-    found = results.pin_strength
+def _bent(results: Results, name: str, at: str, limit: float | None) -> Measure:
+    """The largest deflection or slope in a satellite; where a limit is asked, of the softest
+    material that sources allow.
+    """
+    made = results if limit is None else results.softest
+    found = made.pin_strength
+    assert found.deflection is not None
     return Measure(
         float(getattr(found.deflection, name)),
         error=4 * found.accuracy.relative_error,
-        at={"satellite": satellite},
+        at={"satellite": getattr(found.deflection, at)},
         reserve=lambda growth: growth,
         rough=results.solved,
     )
@@ -92,9 +99,7 @@ def _bent(results: Results, name: str, satellite: int) -> Measure:
     asks="max_deflection",
 )
 def pin_deflection(design: Design, results: Results) -> Measure:
-    bending = results.pin_strength.deflection
-    assert bending is not None
-    return _bent(results, "deflection", bending.satellite)
+    return _bent(results, "deflection", "satellite", design.requirements.max_deflection)
 
 
 @_check(
@@ -108,9 +113,7 @@ def pin_deflection(design: Design, results: Results) -> Measure:
     asks="max_slope",
 )
 def pin_slope(design: Design, results: Results) -> Measure:
-    bending = results.pin_strength.deflection
-    assert bending is not None
-    return _bent(results, "slope", bending.slope_satellite)
+    return _bent(results, "slope", "slope_satellite", design.requirements.max_slope)
 
 
 @_check(

@@ -63,12 +63,15 @@ def backlash(design: Design, results: Results) -> Measure:
     asks="max_lost_motion",
 )
 def lost_motion(design: Design, results: Results) -> Measure:
-    """At the torque itself, of which it takes a share; not solved for where nobody asks."""
+    """At the torque itself, of which it takes a share; not solved for where nobody asks. Asked, it
+    is that of the softest material that sources allow.
+    """
     solved = results.solved and design.load_factor == 1
     asked = design.requirements.max_lost_motion is not None
     if not (design.known_clearance is not None and (solved or asked)):
         raise NotKnown("no_limit")
-    return Measure(design.members.angle_at_output(results.real_forces.turn.lost_motion))
+    made = results.softest if asked else results
+    return Measure(design.members.angle_at_output(made.real_forces.turn.lost_motion))
 
 
 PLAY = (backlash, lost_motion)

@@ -11,6 +11,7 @@ GROUPS = {
     "play": "Play of the output",
     "pin": "Strength of the pins",
     "pin_rollers": "Rollers on the pins",
+    "plastic": "Plastic of pins and holes",
     "friction": "Friction and wear",
     "gear": "Ring",
     "bearing": "Bearings of the satellites",
@@ -38,11 +39,19 @@ CHECK_SOURCES = {
     "hertz": "Johnson, Contact Mechanics, 4.2: Hertz asks for a narrow contact",
     "iso_281_life": "ISO 281:2007, with the ratings that were given",
     "iso_76_rating": "ISO 76: the rating is the load that dents by 1e-4 of a rolling element",
-    "johnson_yield": "Johnson, Contact Mechanics, 4.2 and 9.1; recomputed: p = 1.79*Re (Mises)",
+    "first_yield": "calculated: largest equivalent stress (Mises) below a sliding line contact, by "
+    "McEwen's stresses in Johnson, Contact Mechanics, 4.2 and 7.1; the least strength of its "
+    "sources, or the one that was given",
+    "heat_deflection": "heat deflection temperature under 1.8 MPa of the material's sources, or "
+    "where it softens by these",
+    "johnson_yield": "Johnson, Contact Mechanics, 4.2, 7.1 and 9.1; recomputed (Mises) for "
+    "Poisson's ratio and friction: p = 1.79*Re for 0.3 and 0",
     "johnson_shakedown": "Melan's theorem, as in Johnson, Contact Mechanics, 9.2; recomputed: "
-    "p = 2.31*Re (Mises)",
+    "p = 2.31*Re (Mises) without friction; 2.06*Re for a friction of 0.1 (Johnson 1985)",
+    "long_term": "the factor that was given: strength in the long run over that of a short test",
     "load_sharing": "solved over the turn with clearance, deviations and elasticity, as by "
     "load sharing",
+    "no_source": "no source was found",
     "ovsyannikov_2019": "Ovsyannikov et al. 2019",
     "ovsyannikov_2019_length": "Ovsyannikov et al. 2019, before fig. 3: usually rollers are at "
     "least ten times as long as the centre distance, tilted by about 12°",
@@ -56,6 +65,8 @@ CHECK_SOURCES = {
     "taken as 0 ≤ x ≤ 1.25",
     "shigley": "Shigley, Mechanical Engineering Design, 6; or the endurance limit that was given",
     "slip": "catalogues of SKF: 0.01 of the dynamic rating for balls, 0.02 for rollers",
+    "solid_depth": "calculated: at a depth of 3 half-widths the stress has fallen to 0.32 of the "
+    "pressure, and the largest one lies at 0.75",
     "static_guide": "guide values: for running as usual 1 for balls and 1.5 for rollers, at the "
     "peak of a start 1.5, of an emergency stop 1: catalogues of SKF and IKO, after ISO 76",
     "static_pressure": "the static limit of the material, as its source has it: ISO 6336-5 or "

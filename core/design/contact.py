@@ -8,8 +8,35 @@ from core.numerics.inverse import edge
 from core.precision import ROUNDING
 
 SHAKEDOWN = 4 / math.sqrt(3)
-"""Largest pressure of elastic shakedown over the yield strength: the largest orthogonal shear, a
-quarter of it, is the shear yield strength ``Re/sqrt(3)``."""
+"""Largest pressure of elastic shakedown over the yield strength, without friction: the largest
+orthogonal shear, a quarter of it, is the shear yield strength ``Re/sqrt(3)``."""
+
+SLIDING, SLIDING_SHAKEDOWN = 0.1, 2.06
+"""The largest friction for which it is known, and what it is there (Johnson 1985: 3.565 times the
+shear yield strength)."""
+
+
+def shakedown(friction: float) -> float:
+    """Largest pressure of elastic shakedown over the yield strength, with friction.
+
+    Parameters
+    ----------
+    friction : float
+        Friction coefficient of the pair that slides, >= 0.
+
+    Returns
+    -------
+    float
+        In between by a straight line; beyond, the last known one, above which it fails for certain,
+        as friction only lowers it.
+
+    Examples
+    --------
+    >>> [round(shakedown(mu), 3) for mu in (0.0, 0.05, 0.1, 0.5)]
+    [2.309, 2.185, 2.06, 2.06]
+    """
+    part = min(friction / SLIDING, 1.0)
+    return SHAKEDOWN + part * (SLIDING_SHAKEDOWN - SHAKEDOWN)
 
 
 def force_factor(

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, Literal, TypeVar, cast
+from typing import Any, TypeVar, cast
 
 from core.derived import if_known
 from core.design.sections import (
@@ -24,9 +24,10 @@ from core.design.sections import (
     SatelliteBody,
     Shaft,
     SharedBy,
+    Temperatures,
 )
 from core.errors import InvalidInput, NotKnown
-from core.materials import ElasticMaterial
+from core.materials import Body, ElasticMaterial
 from core.output.contact_law import ContactLaw
 from core.output.mechanism import Mechanism
 from core.output.members import Members, MemberSpeeds
@@ -35,8 +36,6 @@ from core.output.pin_section import MOST_BORE
 from core.output.real_mechanism import Deviations
 from core.output.satellite_support import CrankSupport, ElasticMesh, SatelliteSupport, Shares
 from core.precision import AS_TYPED, SAME
-
-Body = Literal["pin", "hole"]
 
 DRAWN = 1e-3
 """Part of a distance that is lost where it is rounded on a drawing."""
@@ -113,6 +112,7 @@ class Design:
     bearing: RollingBearing = _optional("bearing")  # of a satellite on its crank
     crankshaft: Shaft = _optional("crankshaft")  # places of satellites and bearings
     satellite_body: SatelliteBody = _optional("satellite_body")
+    temperatures: Temperatures = _optional("temperatures")
     requirements: Requirements = Requirements()
 
     def __post_init__(self) -> None:
@@ -419,6 +419,33 @@ class Design:
             "hole": self.contact.hole_material,
         }
         return {body: each.lasting(loads) for body, each in given.items() if each is not None}
+
+    @cached_property
+    def plastics(self) -> tuple[Body, ...]:
+        """Which of pin and hole are plastic."""
+        if not self.touching:
+            return ()
+        return tuple(body for body, each in self.lasting.items() if each.plastic is not None)
+
+    @property
+    def hole_friction(self) -> float | None:
+        """Friction coefficient of what slides in the holes: 0 where sleeves roll there. Where none
+        is given it is that of `dry_friction`; None where that is not known.
+        """
+        if self.friction:
+            return 0.0 if self.friction.sleeve else self.friction.coefficient
+        return self.dry_friction if self.plastics and not self.sleeved else 0.0
+
+    @property
+    def dry_friction(self) -> float | None:
+        """Largest friction coefficient that was seen of the plastics that touch, dry on steel; None
+        where it is not known of one of them.
+        """
+        found = [
+            each.plastic.friction for each in self.lasting.values() if each.plastic is not None
+        ]
+        known = [each for each in found if each is not None]
+        return max(known, default=None) if len(known) == len(found) else None
 
     @cached_property
     def roots(self) -> tuple[float, float]:

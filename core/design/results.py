@@ -16,14 +16,15 @@ from core.crank.pin_rollers import PinRollers, pin_rollers
 from core.crank.ring_mesh import RingMesh
 from core.crank.satellite_bearing import SatelliteBearings, satellite_bearings
 from core.derived import derived, if_known
-from core.design.contact import SHAKEDOWN, force_factor
-from core.design.document import Design
+from core.design.contact import force_factor, shakedown
+from core.design.document import Design, changed
 from core.design.losses import made_losses
 from core.design.real_forces import RealForces
 from core.design.refusals import named
 from core.errors import InvalidInput, NotKnown
+from core.first_yield import first_yield
 from core.hertz import HALF_WIDTH_RATIO_LIMIT, HertzContact, hertz
-from core.materials import FIRST_YIELD
+from core.materials import Body
 from core.output.contact_force import ContactForce, contact_force
 from core.output.contact_law import HertzLaw, contact_compliance
 from core.output.edge_load import EdgeLoad, SlopingContacts
@@ -74,6 +75,7 @@ class Results:
 
     def __init__(self, design: Design, *, equal: bool = False) -> None:
         self.design = design
+        self.shared_equally = equal
         self.solved = design.as_made or (design.bends and not equal)
         """Whether the forces that are judged are solved over the turn: those of the mechanism as it
         is made, or of perfect parts whose pins bend; else they are the ideal ones."""
@@ -89,6 +91,24 @@ class Results:
     def equal(self) -> "Results":
         """The same where satellites share the load equally."""
         return Results(self.design, equal=True)
+
+    @cached_property
+    def softest(self) -> "Results":
+        """The same with the least moduli of the materials, where sources differ: by which
+        deflections are judged.
+        """
+        design = self.design
+        held = {
+            "contact.pin_material": design.contact.pin_material if design.contact else None,
+            "contact.hole_material": design.contact.hole_material if design.contact else None,
+            "pin.material": design.pin.material if design.pin else None,
+        }
+        softer = {
+            name: each.softest
+            for name, each in held.items()
+            if each is not None and each.least_modulus is not None
+        }
+        return Results(changed(design, softer), equal=self.shared_equally) if softer else self
 
     @derived
     def member_loads(self) -> MemberLoads:
@@ -392,10 +412,28 @@ class Results:
                 allowed = float(material.limit.allowable)
                 safety = self.design.requirements.pitting_safety
                 found[f"contact_pressure_{body}"] = allowed / safety
-            if material.yield_governs and material.yield_strength is not None:
-                found[f"contact_shakedown_{body}"] = SHAKEDOWN * material.yield_strength
-                found[f"contact_yield_{body}"] = FIRST_YIELD * material.yield_strength
+            flows = material.yield_governs and material.plastic is None
+            if flows and material.yield_strength is not None:
+                friction, strength = self.design.hole_friction or 0.0, material.yield_strength
+                found[f"contact_shakedown_{body}"] = shakedown(friction) * strength
+                found[f"contact_yield_{body}"] = strength * first_yield(
+                    poissons_ratio=float(material.poissons_ratio), friction=friction
+                )
         return found
+
+    def cold_limit(self, body: Body) -> float:
+        """Largest pressure at which a plastic body yields at once, Pa: cold, in the direction in
+        which it is loaded; without friction where that is not known, which is more.
+        """
+        material = self.design.lasting[body]
+        strength, name = material.loaded_strength(body), f"contact.{body}_material"
+        if strength is None:
+            if material.yield_strength is None:
+                raise NotKnown("yield_unknown", f"{name}.yield_strength", name)
+            raise NotKnown("direction_unknown", f"{name}.layers", name)
+        friction = self.design.hole_friction or 0.0
+        ratio = float(material.poissons_ratio)
+        return strength * first_yield(poissons_ratio=ratio, friction=friction)
 
     @derived
     def contact_reserves(self) -> dict[str, float]:
@@ -421,8 +459,14 @@ class Results:
         factor *= self.line_load_factor
         if not self.solved:
             return self.contact_at(factor * self.design.static_share)
-        torque = self.design.static_torque / self.design.pin_torque
-        return self.real_forces_at(torque).contact_at(factor)
+        return self.static_forces.contact_at(factor)
+
+    @derived
+    def static_forces(self) -> RealForces:
+        """Forces of the mechanism as it is made under the peak torque."""
+        if self.design.static_share == 1:
+            return self.loading
+        return self.real_forces_at(self.design.static_torque / self.design.pin_torque)
 
     @derived
     def static_contact(self) -> HertzContact:

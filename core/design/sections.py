@@ -189,6 +189,15 @@ class SatelliteBody:
     outer_radius: float | None = None  # r_o, with its teeth
     root_radius: float | None = None  # r_f, of its teeth
     bore_radius: float | None = None  # r_b
+    solid_wall: float | None = None  # of a printed one, behind the surface of its holes
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Temperatures:
+    """Temperatures of parts at work, as far as they are given, degrees Celsius."""
+
+    satellite: float | None = None
+    pins: float | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

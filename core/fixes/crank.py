@@ -187,7 +187,8 @@ def _checked(cure: Cure, exact: float) -> Fix:
 
     found = Solution("solved", exact, None, (ends,), None, True, 1)
     made = replace(cure, whole_list=whole_list).by(exact, found, "solved")
-    if verdicts[-1][cure.code].status in ("fail", "not_checked"):
+    check = verdicts[-1][cure.code]
+    if check.status in ("fail", "not_checked") and not check.only_needed:
         return replace(made, status="not_enough")
     return made
 

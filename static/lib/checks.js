@@ -7,7 +7,7 @@ const LEVELS = { pass: "good", marginal: "warning", fail: "bad", incomplete: "wa
 /** Names of an answer that say how it is judged or how exact it is: no results of their own. */
 export const ASIDE = [
   "accuracy", "warnings", "verdict", "governing", "counts", "not_considered", "checks", "fixes", "torque_reserve",
-  "largest_torque_Nm", "largest_torque_estimated", "largest_torque_of", "parts", "model", "assumed", "fit",
+  "largest_torque_Nm", "largest_torque_estimated", "largest_torque_of", "cold_yield", "parts", "model", "assumed", "fit",
 ];
 
 /** The sections whose values are listed: those that are asked, and those that an answer has beside these, as that of forces which are solved. */
@@ -174,8 +174,9 @@ export function verdictSentence(judged, titles) {
   const allowed = largest !== undefined && message("checks.largestTorque", {
     torque: `${estimated ? "≈\u00a0" : ""}${formatQuantity(largest, "N·m", torqueDigits(judged))}`,
   });
+  const cold = coldYield(judged)?.sentence;
   const governs = row?.judged && row.value && row.limit ? ofTitle(row.title, `${row.value} (${row.limit})`) : [row?.title, row?.reason].filter(Boolean).join(": ");
-  return [`${message(`verdictWord.${word}`)}.`, governs && `${governs}.`, allowed && `${allowed}.`].filter(Boolean).join(" ");
+  return [`${message(`verdictWord.${word}`)}.`, governs && `${governs}.`, allowed && `${allowed}.`, cold].filter(Boolean).join(" ");
 }
 
 /** What the checks that have been judged are about. */
@@ -218,6 +219,19 @@ export function wordNote(judged) {
     return message("verdictWord.marginalByNote", { check: titleOf(check), groups: groupsOf(judged) });
   }
   return message(`verdictWord.${word}Note`, { groups: groupsOf(judged), count: judged.counts?.not_checked });
+}
+
+/** Of plastic: above which torque it yields at once, in a sentence, and by what; nothing where that is not known. */
+export function coldYield({ cold_yield: cold }) {
+  if (!cold) return null;
+  const { torque_Nm: torque, quarter_Nm: quarter, strength_MPa: strength, friction, open } = cold;
+  return {
+    sentence: message("checks.coldYield", { torque: formatQuantity(torque, "N·m", 3), quarter: formatQuantity(quarter, "N·m", 2) }),
+    by: message("checks.coldBy", {
+      strength: formatQuantity(strength, "MPa", 3), friction: formatNumber(friction, 3),
+      open: open.map((code) => titleOf({ code })).join(", ").toLowerCase(),
+    }),
+  };
 }
 
 /** Why a verdict knows no largest torque, in words. */

@@ -178,11 +178,12 @@ function superscript(exponent) {
 const UNITS = {
   _Nm_per_arcmin: "N·m/′", _arcmin: "′", _mm_per_N: "mm/N", _mrad_per_N: "mrad/N", _N_per_mm: "N/mm", _MPa_m_per_s: "MPa·m/s", _mm_per_s: "mm/s", _m_per_s: "m/s", _mm3_per_Nm: "mm³/(N·m)",
   _kg_mm: "kg·mm", _kg_m3: "kg/m³", _kg: "kg", _mm: "mm", _Nm: "N·m", _N: "N", _MPa: "MPa", _GPa: "GPa", _deg: "°", _mrad: "mrad",
-  _rpm: "rpm", _W: "W", _h: "h", _percent: "%",
+  _rpm: "rpm", _W: "W", _h: "h", _C: "°C", _percent: "%",
 };
 
 /** The unit that ends an API field name, "" for a plain number. */
 export function unitOf(name) {
+  if (/(deflection|error|reaction|slope)_C$/.test(name)) return ""; // a place
   const suffix = Object.keys(UNITS).find((ending) => name.endsWith(ending));
   return suffix ? UNITS[suffix] : "";
 }

@@ -3,6 +3,7 @@ import { formatNumber, formatQuantity, quantityParts } from "../lib/format.js";
 import { judgedOf, pathOf, sizedBy } from "../lib/checks.js";
 import { element, html } from "../lib/html.js";
 import { message, said } from "../messages/index.js";
+import { shownUnit } from "../lib/units.js";
 import { shownFields, textIn } from "../lib/form_state.js";
 import { following, readingText, refusedAt, unread, wants } from "../store.js";
 import { createField } from "./field.js";
@@ -21,8 +22,27 @@ function choiceAbout(choice) {
 }
 
 /** What a table knows about a name: shown under the box as the values that will be used. */
+/** A value with its spread: "23 (23–65) MPa". */
+function spread(value, { low, high } = {}, unit) {
+  if (!(high > low)) return formatQuantity(value, unit);
+  return `${formatNumber(value)} (${formatNumber(low)}\u2013${formatNumber(high)})\u00a0${shownUnit(unit)}`;
+}
+
+/** Of a material whose sources differ: its values, from where to where they go, and where the strength comes from. */
+function sourced({ youngs_modulus_GPa: modulus, poissons_ratio: ratio, strength_source: given, facts = [], ...entry }) {
+  const found = Object.fromEntries(facts.map((fact) => [fact.name, fact]));
+  const name = entry.strength_in_plane_MPa === undefined ? "yield_strength_MPa" : "strength_in_plane_MPa";
+  const { seen = "two", source = given } = found[name] ?? {};
+  return [
+    modulus !== undefined && `E = ${spread(modulus, found.youngs_modulus_GPa, "GPa")}`,
+    ratio === undefined ? message("form.byValues") : `ν = ${formatNumber(ratio)}`,
+    entry[name] !== undefined && message(seen === "one" ? "form.reference" : "form.strength", { strength: spread(entry[name], found[name], "MPa"), source }),
+  ].filter(Boolean).join(", ");
+}
+
 function properties(entry) {
   if (!entry) return "";
+  if (entry.facts || entry.youngs_modulus_GPa === undefined) return sourced(entry);
   const limit = entry.limits.find(({ criterion }) => criterion === "endurance");
   return message("form.properties", {
     modulus: formatQuantity(entry.youngs_modulus_GPa, "GPa"),

@@ -3,7 +3,7 @@
  * stays in sight; under it stand the few numbers of the calculator and the line of warnings.
  */
 import {
-  assumedIn, checkRow, decisive, judgedOf, levelOfWord, notConsidered, partRow, torqueDigits, torqueUnknown, wordNote, wordOf, wordText,
+  assumedIn, checkRow, coldYield, decisive, judgedOf, levelOfWord, notConsidered, partRow, torqueDigits, torqueUnknown, wordNote, wordOf, wordText,
 } from "../lib/checks.js";
 import { formatQuantity, quantityParts } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
@@ -52,6 +52,8 @@ function usualMarkup({ class: fit, hole_clearance_mm: clearance, largest_torque_
 function torqueMarkup({ numbers }, judged, usual) {
   const label = html`<p class="label">${message("checks.torque")}</p>`;
   const { largest_torque_Nm: largest, largest_torque_estimated: estimated } = judged ?? {};
+  const cold = judged && numbers !== "part" && coldYield(judged); // of plastic nobody knows a largest one
+  if (cold) return html`${label}<p class="note cold"><b>${cold.sentence}</b> ${cold.by}</p>${usual && usualMarkup(usual)}`;
   if (largest === undefined) return html`${label}<p class="note">${judged && numbers !== "part" ? torqueUnknown(judged) : "–"}</p>${usual && usualMarkup(usual)}`;
   const { value, unit } = quantityParts(largest, "N·m", torqueDigits(judged));
   return html`${label}<p><span class="figures">${estimated && "≈\u00a0"}${value}</span> <span class="figures-unit">${unit}</span></p>

@@ -16,7 +16,8 @@ from core.design.results import Results
 from core.fixes.changes import vary
 from core.fixes.fix import PIN_SIZES
 from core.fixes.fix import WHOLE as WHOLE_NUMBERS
-from core.materials import MATERIALS, ContactLimit, ElasticMaterial
+from core.material_table import MATERIALS
+from core.materials import ContactLimit, ElasticMaterial
 from core.rollers.roller_strength import roller_strength
 from tests.inputs.checks import REF as KNOWN
 from tests.inputs.checks import check_of, fixes_of, having
@@ -43,7 +44,7 @@ designs = st.builds(
     radius=st.floats(0.01, 0.2),
     pin=st.floats(0.002, 0.03),
     gap=st.floats(1e-3, 1.0),
-    hole=st.sampled_from(sorted(MATERIALS)),
+    hole=st.sampled_from(sorted(name for name, each in MATERIALS.items() if not each.missing)),
 )
 
 

@@ -19,7 +19,8 @@ from core.design.results import Results
 from core.design.sections import Ring, RollingBearing, Shaft
 from core.errors import InvalidInput
 from core.fixes.changes import value_of, vary
-from core.materials import MATERIALS, ElasticMaterial
+from core.material_table import MATERIALS
+from core.materials import ElasticMaterial
 from core.output.contact_law import LinearLaw
 from tests.inputs.checks import REF, WHOLE, check_of, fixes_of, having, says
 

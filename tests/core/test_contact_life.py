@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 
 from core.contact_life import LifeCurve, life_factor
 from core.errors import InvalidInput
-from core.materials import MATERIALS, ContactLimit
+from core.material_table import MATERIALS
+from core.materials import ContactLimit
 
 CURVES = get_args(LifeCurve)
 
@@ -87,12 +88,15 @@ def test_a_limit_over_a_life() -> None:
 def test_the_table_knows_the_curves_of_its_steels() -> None:
     """Those whose limit is of ISO 6336; neither bearing steel nor bronze, of other standards."""
     curves = {
-        name: each.material.limit.curve for name, each in MATERIALS.items() if each.material.limit
+        name: each.material.limit.curve
+        for name, each in MATERIALS.items()
+        if not each.missing and each.material.limit
     }
     assert curves == {
         "steel_structural": "hardened",
         "steel_s355": "hardened",
         "steel_through_hardened": "hardened",
+        "steel_c45": "hardened",
         "steel_case_hardened": "hardened",
         "steel_bearing": None,
         "bronze_tin_centrifugal": None,

@@ -21,7 +21,8 @@ from core.hertz import (
     hertz,
     pressure_profile,
 )
-from core.materials import MATERIALS, ContactLimit, ElasticMaterial, mismatch
+from core.material_table import MATERIALS
+from core.materials import ContactLimit, ElasticMaterial, mismatch
 
 STEEL = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3)
 
@@ -335,8 +336,9 @@ def test_materials_of_the_table_are_plausible(name: str) -> None:
     assert entry.title
     assert entry.group
     assert entry.source
-    assert 1e9 <= entry.material.youngs_modulus <= 250e9
-    assert 0.25 <= entry.material.poissons_ratio <= 0.45
+    if not entry.missing:
+        assert 1e9 <= entry.material.youngs_modulus <= 250e9
+        assert 0.25 <= entry.material.poissons_ratio <= 0.45
     assert len({limit.criterion for limit in entry.limits}) == len(entry.limits)
     for limit in entry.limits:
         assert limit.source

@@ -13,7 +13,8 @@ from core.checks.usual_fit import usual_fit
 from core.design.document import Design
 from core.design.results import Results
 from core.design.sections import PART_NAMES, Ring, RollingBearing
-from core.materials import MATERIALS, ContactLimit, ElasticMaterial
+from core.material_table import MATERIALS
+from core.materials import ContactLimit, ElasticMaterial
 from core.tolerance.iso286 import fit_clearance
 from tests.inputs.checks import HOLE, PIN, REF, WHOLE, check_of, having
 

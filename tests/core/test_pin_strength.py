@@ -23,7 +23,7 @@ from core.fatigue import (
     surface_factor,
     utilisation,
 )
-from core.materials import MATERIALS
+from core.material_table import MATERIALS
 from core.output.loaded_pin import PinLoads
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam, section_stress

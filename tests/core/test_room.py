@@ -9,7 +9,8 @@ import pytest
 
 from core.errors import ImpossibleMechanism
 from core.hertz import hertz
-from core.materials import MATERIALS, ElasticMaterial
+from core.material_table import MATERIALS
+from core.materials import ElasticMaterial
 from core.output.contact_law import HertzLaw
 from core.output.fit import Fit, solvable
 from core.output.mechanism import Mechanism

@@ -16,7 +16,7 @@ from typing import Any
 
 from app.examples import EXAMPLES
 from app.main import app
-from core.materials import MATERIALS
+from core.material_table import MATERIALS
 
 MODELS: dict[str, Any] = app.openapi()["components"]["schemas"]
 TYPICAL = {"mm": (0.5, 100), "Nm": (1, 1e4), "N": (1, 1e5), "GPa": (1, 300), "MPa": (10, 3e3)}

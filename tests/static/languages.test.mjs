@@ -21,6 +21,7 @@ const LATIN = new RegExp(String.raw`\([A-Z][\w, -]*\)|\b(${[
   "Enter", "Esc", "Ctrl", "Alt", "Shift", "KHV Calc", "CSV", "JSON", "curl", "Python", "psi", "lbf", "sin", "cos", "tan", "true", "false", "tanh-sinh",
   "QUADPACK", "PEEK", "ISO", "DIN", "arcsin", "HBW", "CuSn", "KISSsoft", "SKF", "IKO", "MITCalc", "Roloff/Matek", "Zaretsky", "Autodesk Inventor",
   "Johnson, Contact Mechanics", "Shigley, Mechanical Engineering Design", "Shigley", "Wang, Luo, Su", "Tribology Handbook",
+  "PLA", "PETG", "ABS", "PA6-CF", "SAE", "McEwen",
 ].join("|")})`, "g");
 
 /** Every text with its key; the forms of a noun are one text. */

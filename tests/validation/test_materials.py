@@ -2,7 +2,8 @@
 
 import pytest
 
-from core.materials import MATERIALS, ElasticMaterial, effective_modulus, mismatch
+from core.material_table import MATERIALS
+from core.materials import ElasticMaterial, effective_modulus, mismatch
 
 WORM = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3)
 

@@ -17,7 +17,7 @@ import { BESIDE, inputOf, MADE, partsOf, WANTED, wantedSections } from "./wanted
 
 const MOST_ROWS = 24;
 const DESIGN = [ // parts that are judged beside the contact
-  ...MADE, "pin", "fatigue", "rollers", "friction", "gear", "bearing", "crankshaft", "satellite_body", "requirements",
+  ...MADE, "pin", "fatigue", "rollers", "friction", "gear", "bearing", "crankshaft", "satellite_body", "temperatures", "requirements",
 ];
 
 /** Cranks spaced unevenly: the peak lies between all even steps, so that sampling has to pay for digits. */
@@ -210,14 +210,17 @@ function approximated({ pins, satellites }) {
 export default {
   id: "crank-planetary",
   path: "/crank-planetary",
-  groups: ["mechanism", "load", "contact", "satellite_body", "requirements"],
+  groups: ["mechanism", "load", "contact", "satellite_body", "temperatures", "requirements"],
   arranged: {
     reducer: ["ratio", "contact.eccentricity_mm", "mechanism.satellites", "cranks"],
     pins: ["mechanism.pins", "load.pin_circle_radius_mm", "contact.pin_radius_mm", "play", "contact.hole_radius_mm", "contact.contact_length_mm"],
     load: ["torque", "load.torque_direction", "contact.dynamic_factor", "load.input_speed_rpm", "load.peak_torque_Nm", "load.peak_kind"],
     materials: ["contact.pin_material", "contact.hole_material"],
     requirements: ["scope", "life_h", "pitting_safety", "min_wall_mm", "max_outer_diameter_mm", "max_backlash_arcmin", "max_lost_motion_arcmin"].map((name) => `requirements.${name}`),
-    satellite_body: ["outer", "root", "bore"].map((name) => `satellite_body.${name}_radius_mm`),
+    satellite_body: [
+      ...["outer", "root", "bore"].map((name) => `satellite_body.${name}_radius_mm`),
+      "satellite_body.solid_wall_mm", "temperatures.satellite_C", "temperatures.pins_C",
+    ],
     more: ["load.force_exponent", "contact.distribution_factor", "contact.distribution_of", "mechanism.initial_crank_angle_deg", "mechanism.revolutions", "mechanism.output", "load.ring_speed_rpm", "load.carrier_speed_rpm"],
   },
   hidden: [
@@ -232,7 +235,8 @@ export default {
     torque: { output: ["load.output_torque_Nm"], input: ["load.input_torque_Nm", "load.efficiency"] },
   },
   optional: ["mechanism.crank_spacing_deg", "contact.hole_clearance_mm", "contact.fit"],
-  catalogues: { "contact.pin_material": "materials", "contact.hole_material": "materials", "pin.material": "materials" },
+  catalogues: Object.fromEntries(["contact.pin_material", "contact.hole_material", "pin.material"]
+    .flatMap((path) => [[path, "materials"], [`${path}.name`, "materials"]])),
 
   /** What an empty name of a table means: that of another box. It is shown only where something else was typed or is asked for. */
   alike: { "pin.material": "contact.pin_material" },

@@ -81,7 +81,7 @@ const STRENGTH = {
   "pin.support": {},
   "pin.satellite_positions_mm": { required: true, follows: (input) => planes(input, GAP) },
   "pin.span_mm": { when: ["pin.support", "supported", "fixed"], required: true },
-  "pin.material": { without: ["allowable_pressure_MPa", "life_curve"] },
+  "pin.material": { without: ["allowable_pressure_MPa", "life_curve", "long_term_factor"] },
   "strength.surface": { options: ["bare", "sleeved"], default: "bare", words: ["surface", "strength"], when: BARE },
   "pin.diameter_mm": { when: ["strength.surface", "sleeved"], required: true, words: ["diameter", "strength"] },
   ...fatigueFields("strength.fatigue", ["notch_factor", "notch", "endurance_limit", "plain"]),

@@ -91,7 +91,8 @@ export default {
   inline: ["wheel", "requirements"],
   requirements: ["bending_safety", "max_deflection_mm", "max_slope_mrad"],
   hidden: ["include", "fixes_for", ...TIRED, "line_contact"],
-  catalogues: { "line_contact.roller_material": "materials", "line_contact.mating_material": "materials" },
+  catalogues: Object.fromEntries(["line_contact.roller_material", "line_contact.mating_material"]
+    .flatMap((path) => [[path, "materials"], [`${path}.name`, "materials"]])),
   choices: {
     rollersBy: {
       list: ["rollers"],

@@ -1,0 +1,84 @@
+"""The torque at which a plastic contact yields at once: all that is known of what may not last."""
+
+from dataclasses import dataclass
+
+from core.checks.check import Verdict
+from core.checks.crank_planetary import crank_check
+from core.checks.largest_torque import under
+from core.checks.plastics import PLASTICS
+from core.design.results import Results
+from core.materials import Body
+
+LOOKS, NEAR = 6, 1e-4
+"""Torques at most that are looked at where forces are solved; how near 1 the last reserve is."""
+
+LASTING = 0.25
+"""Part of the torque under which the stress is half of the strength."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ColdYield:
+    """When the weaker plastic body of a contact yields at once."""
+
+    torque: float  # above which it does, N*m; the peak torque is as many times as large as it is
+    body: Body  # which
+    strength: float  # its strength in the direction that is loaded, Pa
+    friction: float  # mu in the holes
+    open: tuple[str, ...]  # codes of checks that would have to be made before it may last
+
+    @property
+    def quarter(self) -> float:
+        """A quarter of that torque, N*m: half of the stress."""
+        return LASTING * self.torque
+
+
+def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
+    """The torque at which a plastic contact yields at once.
+
+    Parameters
+    ----------
+    results : Results
+        Results of a design.
+    found : Verdict
+        Its checks.
+
+    Returns
+    -------
+    ColdYield or None
+        None where no plastic touches, where its strength or friction is not known, and where the
+        parts do not go together.
+    """
+    design, checks = results.design, {each.code: each for each in found.checks}
+    check = checks.get("contact_static_cold")
+    fits = checks.get("interference")
+    if check is None or found.impossible or (fits is not None and fits.status == "fail"):
+        return None
+    if check.torque_reserve is None or design.hole_friction is None:
+        return None
+    factor = check.torque_reserve
+    for _ in range(LOOKS if check.rough or results.solved else 0):
+        there = Results(under(design=design, factor=factor), equal=results.shared_equally)
+        reserve = crank_check(check.code, there).torque_reserve
+        if reserve is None:
+            return None
+        factor *= reserve
+        if abs(reserve - 1) <= NEAR:
+            break
+    body = min(design.plastics, key=results.cold_limit)
+    strength = design.lasting[body].loaded_strength(body)
+    assert strength is not None
+    judged = [kind.code for kind in PLASTICS if kind is not check.kind]
+    unknown = (
+        code
+        for code in judged
+        if checks[code].status == "not_checked" and not checks[code].only_needed
+    )
+    worn = checks.get("wear")
+    wears = () if worn is not None and worn.value is not None else ("wear",)
+    return ColdYield(
+        torque=abs(design.load.output_torque) * factor,
+        body=body,
+        strength=strength,
+        friction=design.hole_friction,
+        open=(*unknown, *wears),
+    )

@@ -1,0 +1,201 @@
+"""Checks of plastic pins and holes: what is necessary, none of which is enough.
+
+A plastic creeps, wears and goes soft, and no source says what pressure a contact of it bears for
+long. So each check here may fail, and none passes: what holds is `necessary_only`.
+"""
+
+from functools import partial
+
+from core.checks.check import Check, design_check, judged, necessary
+from core.checks.inputs import LOADED, SLIDING
+from core.checks.pin_contact import FIXES
+from core.design.contact import force_factor
+from core.design.document import Design
+from core.design.results import Results
+from core.errors import NotKnown
+from core.materials import Body
+
+DEEP = 3.0
+"""Depth of solid material below a contact over its half-width: there the pressure has fallen to a
+third, and the largest stress lies at 0.75."""
+
+_check = partial(
+    design_check,
+    group="plastic",
+    part="contact",
+    needs=("plastics", "load"),
+)
+
+
+@_check(
+    "contact_static_cold",
+    title="Plastic yields at once",
+    unit="MPa",
+    formula="p ≤ f(ν, μ)·R_min",
+    why="Above it the plastic yields under the first load, even cold.",
+    inputs=(*LOADED, *SLIDING, "load.peak_torque"),
+    fixes=(*FIXES, "load.peak_torque"),
+    source="first_yield",
+)
+def contact_static_cold(design: Design, results: Results) -> Check:
+    """Of the weaker body; where its friction is not known it fails where it would without."""
+    unknown = [] if design.hole_friction is not None else [friction_unknown()]
+    limits = []
+    for body in design.plastics:
+        try:
+            limits.append(results.cold_limit(body))
+        except NotKnown as why:
+            unknown.append(why)
+    if not limits:
+        raise unknown[0]
+    contact = results.static_contact
+    pressure, limit = contact.governing_pressure, min(limits)
+    if pressure is None:
+        raise NotKnown("hertz_impossible", ratio=float(contact.half_width_ratio))
+    found = judged(
+        contact_static_cold,
+        pressure,
+        limit,
+        reserve=force_factor(contact=contact, contact_at=results.static_contact_at, limit=limit),
+        error=(contact.conformal_error or 0.0) + 8 * contact.accuracy.relative_error,
+        at=results.peak,
+        rough=results.solved or results.edge is not None,
+    )
+    if found.status == "fail" or not unknown:
+        return necessary(found)
+    first = unknown[0]
+    return Check(
+        contact_static_cold,
+        "not_checked",
+        value=pressure,
+        reason=first.code,
+        missing=first.missing,
+        at=found.at,
+    )
+
+
+def friction_unknown() -> NotKnown:
+    """That nothing is known of the friction in the holes."""
+    return NotKnown("friction_unknown", "friction.coefficient")
+
+
+@_check(
+    "contact_solid_depth",
+    title="Solid material below the contact",
+    unit="mm",
+    formula="3·a ≤ w",
+    why="Below a thinner wall lies the infill, which gives way.",
+    inputs=(*LOADED, "load.peak_torque", "satellite_body.solid_wall"),
+    fixes=("satellite_body.solid_wall", *FIXES),
+    source="solid_depth",
+)
+def contact_solid_depth(design: Design, results: Results) -> Check:
+    """Of holes that may be printed in layers, with infill behind their walls."""
+    kind, plastic = contact_solid_depth, design.lasting["hole"].plastic
+    if plastic is None or not plastic.layered:
+        return Check(kind, "not_applicable", reason="not_printed")
+    wall = design.satellite_body.solid_wall if design.satellite_body else None
+    depth = DEEP * float(results.static_contact.half_width)
+    if wall is None:
+        missing = ("satellite_body.solid_wall",)
+        return Check(kind, "not_checked", value=depth, reason="solid_wall_unknown", missing=missing)
+    return necessary(judged(kind, depth, wall, reserve=(wall / depth) ** 2, rough=True))
+
+
+def _temperature(design: Design, body: Body) -> Check:
+    """One body against the temperature at which it goes soft."""
+    plastic = design.lasting[body].plastic
+    name = "satellite" if body == "hole" else "pins"
+    given = getattr(design.temperatures, name) if design.temperatures else None
+    if given is None:
+        raise NotKnown("temperature_unknown", f"temperatures.{name}")
+    if plastic is None or plastic.softening is None:
+        raise NotKnown("softening_unknown", f"contact.{body}_material")
+    return necessary(judged(temperature, given, plastic.softening))
+
+
+@_check(
+    "temperature",
+    title="Plastic goes soft",
+    unit="C",
+    formula="T ≤ T_soft",
+    why="Above it the plastic goes soft; a motor nearby is enough for that.",
+    inputs=(
+        "temperatures.satellite",
+        "temperatures.pins",
+        "contact.pin_material",
+        "contact.hole_material",
+    ),
+    fixes=("temperatures.satellite", "temperatures.pins"),
+    source="heat_deflection",
+)
+def temperature(design: Design, results: Results) -> Check:
+    """Of the body that fails, else of the first that is not known."""
+    found, unknown = [], []
+    for body in design.plastics:
+        try:
+            found.append(_temperature(design, body))
+        except NotKnown as why:
+            unknown.append(why)
+    failing = [check for check in found if check.status == "fail"]
+    if unknown and not failing:
+        raise unknown[0]
+    return max(failing or found, key=lambda check: check.utilisation or 0.0)
+
+
+@_check(
+    "creep",
+    title="Plastic creeps",
+    unit="MPa",
+    formula="p ≤ f(ν, μ)·R_min·k_∞",
+    why="Above it the plastic goes on giving way under the load.",
+    inputs=(*LOADED, *SLIDING),
+    fixes=FIXES,
+    source="long_term",
+)
+def creep(design: Design, results: Results) -> Check:
+    """By the part of the short strength that whoever gives it has found to last."""
+    limits = []
+    for body in design.plastics:
+        plastic = design.lasting[body].plastic
+        if plastic is None or plastic.long_term_factor is None:
+            name = f"contact.{body}_material"
+            raise NotKnown("creep_unknown", f"{name}.long_term_factor", name)
+        limits.append(plastic.long_term_factor * results.cold_limit(body))
+    if design.hole_friction is None:
+        raise friction_unknown()
+    contact, limit = results.hertz, min(limits)
+    pressure = contact.governing_pressure
+    if pressure is None:
+        raise NotKnown("hertz_impossible", ratio=float(contact.half_width_ratio))
+    largest = results.line_load_factor
+    found = judged(
+        creep,
+        pressure,
+        limit,
+        reserve=force_factor(
+            contact=contact,
+            contact_at=lambda factor: results.contact_at(factor * largest),
+            limit=limit,
+        ),
+        error=(contact.conformal_error or 0.0) + 8 * contact.accuracy.relative_error,
+        at=results.peak,
+        rough=results.solved or results.edge is not None,
+    )
+    return necessary(found)
+
+
+@_check(
+    "fatigue_plastic",
+    title="Plastic tires",
+    formula="N ≥ N_L",
+    why="Every turn loads each place of the holes once, and plastics have no endurance limit.",
+    inputs=(),
+    fixes=(),
+    source="no_source",
+)
+def fatigue_plastic(design: Design, results: Results) -> Check:
+    return Check(fatigue_plastic, "not_checked", reason="no_plastic_fatigue")
+
+
+PLASTICS = (contact_static_cold, contact_solid_depth, temperature, creep, fatigue_plastic)

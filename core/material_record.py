@@ -1,0 +1,222 @@
+"""A material of the table: what is known of it, from where; and one that is given by values."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Literal
+
+from core.errors import InvalidInput
+from core.materials import ContactLimit, ElasticMaterial, Layers, Plastic
+
+GROUPS = {
+    "steel": "Steel",
+    "cast_iron": "Cast iron",
+    "aluminium": "Aluminium",
+    "bronze": "Bronze",
+    "brass": "Brass",
+    "plastic": "Plastic",
+    "plastic_printed": "Printed plastic",
+}
+"""Kinds of materials in English, by code."""
+
+PLASTICS = ("plastic", "plastic_printed")
+"""Groups that are judged by the rules of plastics."""
+
+SOFT = 20e9
+"""Young's modulus below which a material that is given by values is a plastic, Pa: metals of pins
+and holes lie above 40 GPa, filled plastics below 15 GPa."""
+
+Seen = Literal["one", "two"]
+"""In how many independent sources a value was read."""
+
+SEEN: dict[Seen, str] = {"one": "one source, for reference", "two": "two sources"}
+"""The same in English."""
+
+
+@dataclass(frozen=True, slots=True)
+class Strength:
+    """Strength of a material, as far as it is known."""
+
+    tensile: float | None = None  # Rm, Pa
+    yield_strength: float | None = None  # Re or Rp0.2, Pa; of a printed plastic in its layers
+    # Largest diameter or wall that they hold for, m; None where their source names none.
+    valid_diameter: float | None = None
+    source: str = ""  # where they come from
+
+
+@dataclass(frozen=True, slots=True)
+class Fact:
+    """A value whose sources differ, or of which there is one only."""
+
+    value: float  # SI, temperatures in degrees Celsius
+    source: str  # where it was seen
+    low: float | None = None  # the least and the largest that were seen
+    high: float | None = None
+    seen: Seen = "two"  # one: for reference
+
+
+@dataclass(frozen=True)
+class TableMaterial:
+    """A material of the table."""
+
+    name: str  # for programs, stable
+    title: str  # name for people
+    group: str  # a key of `GROUPS`
+    moduli: tuple[float | None, float | None]  # E, Pa, and v; None where no source has them
+    source: str  # where these come from
+    limits: tuple[ContactLimit, ...] = ()  # of its contact pressure, at most one by each criterion
+    strength: Strength = Strength()
+    density: float | None = None  # kg/m^3
+    density_source: str = ""  # where that comes from
+    hardened: bool = False  # whether its strengths are those of the core
+    layered: bool = False  # whether it is printed in layers
+    facts: Mapping[str, Fact] = field(default_factory=dict, hash=False)  # by the name of the value
+
+    @property
+    def reference(self) -> tuple[str, ...]:
+        """Values that the material has from one source only."""
+        used = ("youngs_modulus", "poissons_ratio", "density")
+        return tuple(name for name in used if name in self.facts and self.facts[name].seen == "one")
+
+    @property
+    def missing(self) -> tuple[str, ...]:
+        """Of E and v, what no source has."""
+        names = ("youngs_modulus", "poissons_ratio")
+        return tuple(name for name, each in zip(names, self.moduli, strict=True) if each is None)
+
+    @cached_property
+    def material(self) -> ElasticMaterial:
+        """The material at room temperature, judged by its endurance limit where it has one.
+
+        Raises
+        ------
+        InvalidInput
+            If no source has its modulus or its Poisson's ratio.
+        """
+        return self.having()
+
+    def having(
+        self, *, youngs_modulus: float | None = None, poissons_ratio: float | None = None
+    ) -> ElasticMaterial:
+        """The material with a modulus, Pa, or a Poisson's ratio that is given.
+
+        Parameters
+        ----------
+        youngs_modulus, poissons_ratio : float, optional
+            Instead of those of the table.
+
+        Returns
+        -------
+        ElasticMaterial
+            Where sources differ, its modulus is the largest.
+
+        Raises
+        ------
+        InvalidInput
+            If one is not given that no source has.
+        """
+        modulus, ratio = youngs_modulus, poissons_ratio
+        spread, least = self.facts.get("youngs_modulus"), None
+        if modulus is None and spread is not None:
+            modulus, least = spread.high, spread.low
+        modulus, ratio = modulus or self.moduli[0], self.moduli[1] if ratio is None else ratio
+        for name, value in (("youngs_modulus", modulus), ("poissons_ratio", ratio)):
+            if value is None:
+                raise InvalidInput(name, None, "not_sourced", material=self.name)
+        assert modulus is not None and ratio is not None
+        limits = {each.criterion == "static": each for each in reversed(self.limits)}
+        static = limits.get(True)
+        return ElasticMaterial(
+            modulus,
+            ratio,
+            limits.get(False),
+            None if self.hardened else self._strength,
+            yield_governs=not self.hardened and self.group != "bronze",
+            static_pressure=None if static is None else float(static.pressure),
+            least_modulus=least,
+            plastic=self._plastic if self.group in PLASTICS else None,
+        )
+
+    @property
+    def _strength(self) -> float | None:
+        """Yield strength; of a plastic of which none is known its tensile strength."""
+        if self.group in PLASTICS and self.strength.yield_strength is None:
+            return self.strength.tensile
+        return self.strength.yield_strength
+
+    @property
+    def _plastic(self) -> Plastic:
+        friction, softening = self.facts.get("friction"), self.facts.get("softening")
+        sure = softening is not None and softening.seen == "two"
+        return Plastic(
+            layered=self.layered,
+            friction=None if friction is None else friction.value,
+            softening=softening.value if softening is not None and sure else None,
+        )
+
+
+def by_values(
+    *,
+    base: TableMaterial | None = None,
+    youngs_modulus: float | None = None,
+    poissons_ratio: float | None = None,
+    limit: ContactLimit | None = None,
+    tensile_strength: float | None = None,
+    yield_strength: float | None = None,
+    layers: Layers | None = None,
+    long_term_factor: float | None = None,
+) -> ElasticMaterial:
+    """A material by values.
+
+    Parameters
+    ----------
+    base : TableMaterial, optional
+        Whose values are taken where none are given; without one it is a plastic where its modulus
+        is below `SOFT`.
+    youngs_modulus, poissons_ratio : float, optional
+        E, Pa, and v.
+    limit : ContactLimit, optional
+        What its contact pressure is judged by.
+    tensile_strength, yield_strength : float, optional
+        Rm and Re, Pa; of a plastic the smaller one counts, in the direction that `layers` says.
+    layers : {"flat", "upright"}, optional
+        How the layers of a printed plastic lie.
+    long_term_factor : float, optional
+        Strength in the long run over that of a short test.
+
+    Returns
+    -------
+    ElasticMaterial
+
+    Raises
+    ------
+    InvalidInput
+        If E or v is not known.
+
+    Examples
+    --------
+    >>> own = by_values(youngs_modulus=2.5e9, poissons_ratio=0.38, tensile_strength=44e6)
+    >>> own.loaded_strength("hole"), own.loaded_strength("pin")
+    (44000000.0, None)
+    """
+    own = base or TableMaterial("", "", "", (None, None), "", layered=True)
+    made = own.having(youngs_modulus=youngs_modulus, poissons_ratio=poissons_ratio)
+    plastic = made.plastic
+    if base is None and made.youngs_modulus < SOFT:
+        plastic = Plastic()
+    strength = yield_strength
+    if plastic is not None:
+        given = [each for each in (yield_strength, tensile_strength) if each is not None]
+        strength = min(given, default=None)
+        plastic = replace(
+            plastic,
+            layers=layers,
+            strength_across=strength if layers == "upright" else None,
+            long_term_factor=long_term_factor,
+        )
+    return replace(
+        made,
+        limit=limit or made.limit,
+        yield_strength=made.yield_strength if strength is None else strength,
+        plastic=plastic,
+    )
