@@ -429,11 +429,11 @@ class Design:
 
     @property
     def hole_friction(self) -> float | None:
-        """Friction coefficient of what slides in the holes: 0 where sleeves roll there. Where none
+        """Friction coefficient of what slides in the holes: 0 where sleeves or rollers roll there. Where none
         is given it is that of `dry_friction`; None where that is not known.
         """
-        if self.friction:
-            return 0.0 if self.friction.sleeve else self.friction.coefficient
+        if self.friction or self.rollers:
+            return 0.0 if self.output_friction.sleeve else self.friction.coefficient
         return self.dry_friction if self.plastics and not self.sleeved else 0.0
 
     @property
