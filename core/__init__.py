@@ -27,7 +27,8 @@ materials           elastic materials, effective modulus, a small table with sou
 numerics            tools that know nothing of their use: quadrature, extremes, the inverse
 load_sharing        one displacement shared by many unilateral contacts
 fatigue             endurance limit by named factors, criteria, finite life
-hertz               line contact of pin and hole, and where Hertz stops being valid
+conformal           a pin in a hole that fits closely, of any two materials
+hertz               line contact of pin and hole, narrow or conformal, against its limits
 output              the output mechanism: pins in the holes of satellites on cranks
 tolerance           what tolerances of the output mechanism do
 rollers             swinging rollers: stiffness, load sharing, bending stress, and their curves

@@ -8,6 +8,7 @@ from pydantic import Field, model_validator
 from app.calculations.contact_force import ContactForceRequest
 from app.calculations.contact_line import ContactLineRequest
 from app.calculations.crankshaft import CrankshaftRequest
+from app.calculations.hertz import HertzRequest
 from app.calculations.load_sharing import LoadSharingRequest
 from app.calculations.meshing_load import MeshingLoadRequest
 from app.calculations.output_efficiency import OutputEfficiencyRequest
@@ -25,6 +26,7 @@ from core.design.results import Results
 from core.errors import InvalidInput
 from core.results import METHODS
 from core.rollers.roller_strength import roller_gaps
+from core.work_precision.contact import contact_pressure_study
 from core.work_precision.means import (
     equivalent_load_study,
     equivalent_reaction_study,
@@ -66,6 +68,17 @@ class PeakForceStudy(Study):
         return peak_force_study(
             mechanism=self.input.mechanism(), force_exponent=self.input.force_exponent
         )
+
+
+class ContactPressureStudy(Study):
+    """Largest pressure of pin in hole."""
+
+    calculation: Literal["hertz"] = compared()
+    input: HertzRequest
+
+    def solve(self) -> WorkPrecision:
+        """The study."""
+        return contact_pressure_study(contact=self.input.solve())
 
 
 class TotalForceStudy(Study):
@@ -265,6 +278,7 @@ def _refuse_many(rollers: int) -> None:
 
 WorkPrecisionRequest = Annotated[
     PeakForceStudy
+    | ContactPressureStudy
     | TotalForceStudy
     | PinStrengthStudy
     | SatelliteBearingStudy

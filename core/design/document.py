@@ -316,6 +316,16 @@ class Design:
         return outer / 2 if given is None and outer is not None else given
 
     @property
+    def disc_distance(self) -> float | None:
+        """Distance of a hole's axis from the nearest edge of the disc, its bore or the roots of its
+        teeth, over the hole's radius; None where neither is known.
+        """
+        bore, (low, _) = self.bore_radius, self.roots
+        circle, hole = self.load.pin_circle_radius, self.contact.pair.hole_radius
+        known = ([] if bore is None else [circle - bore]) + ([low - circle] if low else [])
+        return min(known) / hole if known else None
+
+    @property
     def wall_guide(self) -> float | None:
         """Least wall that holes usually have to each other and to the bore, m: 0.03 of the diameter
         of the ring's pin circle, or of the least that the roots of the satellite sweep; None where
