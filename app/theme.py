@@ -39,7 +39,7 @@ TEXTS = {
     "body_limit": "Limit of the {body}",
     "body_limit_hover": "Limit of the {body}: {pressure}",
     "clamp": "clamp",
-    "conformal": "Conformal (Persson)",
+    "conformal": "Conformal",
     "contact_force": "Contact force",
     "contact_line": "{name}: contact line",
     "contact_pressure": "Contact pressure",

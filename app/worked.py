@@ -11,18 +11,18 @@ from core.worked.step import Step
 
 QUANTITIES: dict[str, str] = {
     "mm": "arm bearing_distance bearing_position bolt_radius bore_diameter clearance "
-    "contact_length counterweight_position couple_arm cycle_position cylinder_length deflection "
-    "deflection_B deflection_C diameter displacement eccentricity gap half_width "
-    "hole_circle_radius hole_radius hole_wear length mating_radius max_shear_depth module "
-    "overhang peak_moment_position peak_stress_position pin_circle_radius pin_radius pin_wear "
-    "position position_tolerance radius reduced_radius reference_z ring_pin_circle_radius "
-    "roller_circle_radius roller_radius satellite_position scale simplified_deflection_B "
-    "simplified_deflection_C span sphere_diameter sphere_width total_length unit_moment z z_max "
-    "z_min",
-    "deg": "angle conformal_half_angle crank_angle direction full_turn half_turn hole_rotation "
-    "initial_crank_angle nutation_angle operating_pressure_angle pattern_period peak_crank_angle "
-    "period phi_max phi_min polar_angle position_angle pressure_angle reference_pressure_angle "
-    "right_angle working_phase",
+    "conformal_half_length contact_length counterweight_position couple_arm cycle_position "
+    "cylinder_length deflection deflection_B deflection_C diameter displacement eccentricity gap "
+    "half_width hole_circle_radius hole_radius hole_wear length mating_radius max_shear_depth "
+    "module overhang peak_moment_position peak_stress_position pin_circle_radius pin_radius "
+    "pin_wear position position_tolerance radius reduced_radius reference_z "
+    "ring_pin_circle_radius roller_circle_radius roller_radius satellite_position scale "
+    "simplified_deflection_B simplified_deflection_C span sphere_diameter sphere_width "
+    "total_length unit_moment z z_max z_min",
+    "deg": "angle conformal_half_angle conformal_half_angle_hole conformal_half_angle_pin "
+    "crank_angle direction full_turn half_turn hole_rotation initial_crank_angle nutation_angle "
+    "operating_pressure_angle pattern_period peak_crank_angle period phi_max phi_min polar_angle "
+    "position_angle pressure_angle reference_pressure_angle right_angle working_phase",
     "N": "across_force approximate_peak balance_force centre_force centrifugal_force "
     "dynamic_rating dynamic_rating_as_roller equal_sharing_peak equivalent equivalent_load force "
     "max_force mean_force min_load peak peak_force peak_load peak_ring_force peak_shear_force "
@@ -30,10 +30,10 @@ QUANTITIES: dict[str, str] = {
     "static_rating_as_roller",
     "Nm": "bending_moment bending_moment_B bending_moment_clamp couple crank_torque input_torque "
     "moment output_torque peak_moment pin_torque ring_torque satellite_torque torque",
-    "MPa": "amplitude bending_stress conformal_pressure endurance_limit finite_strength "
-    "governing_pressure limit max_pressure max_shear max_stress mean mean_pressure min_stress "
-    "notch_strength peak_bending_stress peak_equivalent_stress peak_shear_stress peak_stress "
-    "tensile_strength yield_strength",
+    "MPa": "amplitude bending_stress conformal_pressure edge_tension endurance_limit "
+    "finite_strength governing_pressure limit max_pressure max_shear max_stress mean "
+    "mean_pressure min_stress notch_strength peak_bending_stress peak_equivalent_stress "
+    "peak_shear_stress peak_stress tensile_strength yield_strength",
     "GPa": "effective_modulus shear_modulus youngs_modulus",
     "N_per_mm": "full_arm_load line_load max_line_load stiffness",
     "mm_per_N": "bending_compliance shear_compliance unit_deflection",
@@ -53,8 +53,9 @@ QUANTITIES: dict[str, str] = {
     "efficiency exponent factor fatigue_safety_factor fit_exponent fit_scale force_exponent "
     "friction_coefficient friction_couple half_turns half_width_ratio life_cycles life_factor "
     "line_load_factor load_nonuniformity load_parameter load_parameter_again loaded_rollers loads "
-    "logarithm mating_safety max_driving max_efficiency mean_driving mean_total_force_ratio "
-    "min_driving min_efficiency neuber_root notch output_ratio peak_force_ratio pin pins pitches "
+    "logarithm mating_safety max_driving max_efficiency mean_driving mean_rim_pressure "
+    "mean_total_force_ratio middle_pressure min_driving min_efficiency mismatch_alpha "
+    "mismatch_beta neuber_root notch output_ratio peak_force_ratio pin pins pitches "
     "poissons_ratio radial_force_ratio rating_share ratio ratio_u12 relative_position_error "
     "relative_stiffness relative_stress reliability repeats ring_teeth roller_safety rollers "
     "rolling_elements safety_factor safety_hole safety_pin satellite_teeth satellites "

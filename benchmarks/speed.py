@@ -16,6 +16,7 @@ from app.calculations.crank_planetary import CrankPlanetaryRequest, solve
 from app.examples import REQUESTS
 from benchmarks.options import options
 from core.checks.crank_planetary import crank_checks
+from core.conformal import conformal_contact
 from core.crank.bearing_life import rating_life
 from core.crank.crankshaft import crankshaft
 from core.crank.ring_mesh import RingMesh
@@ -159,8 +160,16 @@ def _inverse() -> object:
     return solve_for(function=lambda x: x * x, low=1.0, high=9.0, target=2.0, log=True)
 
 
+def _conformal(load: Any) -> object:
+    """Steel in PLA, from half-planes to no clearance."""
+    return conformal_contact(load_parameter=load, alpha=0.965, beta=0.21)
+
+
 CALLS: dict[str, Callable[[], object]] = {
     "hertz": _hertz,
+    "conformal contact": lambda: _conformal(2.0),
+    "conformal, a thousand": lambda: _conformal(np.geomspace(0.05, 1e4, 1000)),
+    "conformal, 1e5": lambda: _conformal(np.geomspace(0.05, 1e4, 100_000)),
     "cyclogram": lambda: cyclogram(mechanism=_mechanism()),
     "peak, evenly spaced": lambda: peak_force(mechanism=_mechanism()),
     "peak, v = 1": lambda: peak_force(mechanism=_mechanism(math.pi / 2)),

@@ -132,7 +132,7 @@ _UNKNOWN = {
     "without_sleeve": "The pins have no sleeves",
     "nothing_judged": "Nothing of it is judged",
     "teeth_not_judged": "The contact and the strength of the teeth are not calculated",
-    "conformal_solution": "The pressure is that of the conformal contact, which asks for no narrow "
+    "conformal_solution": "Wide contacts have a pressure of their own, which asks for no narrow "
     "one",
     "creep_unknown": "How much of the strength lasts is not known: by one paper printed PETG "
     "creeps in step with the load up to half of it, which is a quarter of the torque; of PLA it "
@@ -185,8 +185,6 @@ _UNKNOWN = {
     "rating_unknown": "No load rating of the bearing is given",
     "roots_unknown": "The roots of the satellite's teeth are not known: enter their radius, or the "
     "one of the ring's pins",
-    "rough_guide": "The contact is too wide for Hertz, and the materials too different for a "
-    "conformal pressure: the pressure is a rough guide",
     "roller_tilted": "The pins slope more than the formula of the life is made for",
     "rollers_roll": "Rollers roll in the holes: nothing slides or wears there",
     "section_missing": "A part of the design that it needs is not given",
@@ -287,6 +285,14 @@ _LIMITS = {
         why="Such mechanisms move, with very much play; mostly one of the sizes is a slip.",
         mend="Look at radii and eccentricity; make the hole smaller.",
     ),
+    "contact_wraps": _limit(
+        "The contact would wrap around more than half of the pin: so far nothing is known of its "
+        "pressure. Make the hole larger or the load smaller.",
+        title="No theory for this contact",
+        tests="Whether the contact stays within a quarter of a turn to each side.",
+        why="Beyond it the pin would have to fill its hole; the pressure is not known.",
+        mend="Enlarge the hole, lower the load or take a stiffer material.",
+    ),
     "cycloid_difference": _limit(
         "The ring has {difference} pins more than a satellite has lobes: where the branches of "
         "such a curve cross, its tips are cut off, so that fewer pins carry than the ratio of the "
@@ -304,6 +310,16 @@ _LIMITS = {
         "eccentricity.",
         why="Drawings say diameters; typed as radii they double every size.",
         mend="If they are diameters, halve both.",
+    ),
+    "disc_ovals": _limit(
+        "From the axis of a hole to the nearest edge of the satellite there are {distance:.3g} "
+        "radii of the hole: less than 2, and the wall ovals around the pin, which is not "
+        "calculated.",
+        title="Wall too thin for this contact",
+        tests="Whether a wall as thick as the hole's radius stands around a contact that wraps.",
+        why="The pressure is that of a hole in a wide plane; a thin wall bends around the pin, "
+        "the contact is wider, and the wall carries bending that is not calculated here.",
+        mend="Move the holes away from the edge, or make them smaller.",
     ),
     "eccentricity_assumed": _limit(
         "The eccentricity is taken as hole less pin radius: clearance or interference would not be "
@@ -338,6 +354,25 @@ _LIMITS = {
         "irons and plastics there is no such rule.",
         mend="Give the endurance limit, and the tensile strength where it is not known.",
     ),
+    "finite_disc": _limit(
+        "From the axis of a hole to the nearest edge of the satellite there are {distance:.3g} "
+        "radii of the hole: the pressure, that of a wide plane, may be off by {error:.2g} of it.",
+        title="Edge of the satellite near the hole",
+        tests="Whether the satellite reaches five radii of the hole around it, where the contact "
+        "wraps around its pin.",
+        why="A wall that is free bends around the pin, and the pressure is lower; one that is held "
+        "gives less, and it is higher.",
+        mend="Keep the pressure below its limit by so much, or move the holes away from the edge.",
+    ),
+    "finite_strain": _limit(
+        "The largest pressure is {strain:.2g} of E*: the strains are no longer small, and the "
+        "pressure is a guide.",
+        title="Large strains",
+        tests="Whether the largest pressure stays below 2 % of E*.",
+        why="Theories of contact add small displacements of shapes that stay; metals have yielded "
+        "long before.",
+        mend="Lower the pressure: a hole closer to its pin, a longer contact, a smaller load.",
+    ),
     "hardly_known": _limit(
         "Hardly anything is known of the result: its relative error may be {error:.2g}, because "
         "rounding of the input is magnified so much.",
@@ -347,16 +382,6 @@ _LIMITS = {
         "ones decides, of which hardly a digit is left.",
         mend="Move the sizes away from where they nearly cancel: a ratio from cos θ, a limit from "
         "its neighbour, an angle from its pole.",
-    ),
-    "hertz_impossible": _limit(
-        "The half-width of the contact is {ratio:.4g} of the pin's radius: wider than the pin, so "
-        "that Hertz does not apply at all, and for very different materials no conformal solution "
-        "is at hand: make the hole larger or the load smaller.",
-        title="No theory for this contact",
-        tests="Whether the calculated contact is wider than the pin.",
-        why="There Hertz's theory does not apply, and for different materials no conformal "
-        "solution is known; the pressure means nothing.",
-        mend="Enlarge the hole, lower the load or use one material for both.",
     ),
     "hertz_line_width": _limit(
         "The half-width of the contact is {ratio:.4g} of the roller's radius: Hertz is off by more "
@@ -650,16 +675,6 @@ _CHECKS = {
         mend="Make the hole radius the sum of pin radius and eccentricity, or keep the clearance "
         "small against the elastic approach.",
     ),
-    "contact_conformity": _check(
-        "The half-width of the contact is {ratio:.4g} of the pin's radius; Hertz assumes a narrow "
-        "contact and is off by more than 1 %: use the conformal pressure, or where there is none, "
-        "for very different materials, take it as a rough guide.",
-        title="Contact too wide for Hertz",
-        tests="Whether the half-width of the contact stays small against the pin radius.",
-        why="Hertz's theory assumes a narrow contact; here its pressure is off by more than 1 %.",
-        mend="Use the pressure of the conformal contact where it is given; else take the number as "
-        "a guide, enlarge the hole or lower the load.",
-    ),
     "dead_centre": _check("The mechanism cannot transmit torque: no pair drives"),
     "interference": _check(
         "The hole is smaller than pin radius + eccentricity, {limit:.9g} mm: pin and satellite "
@@ -710,7 +725,7 @@ WAS = {
     },
     "warnings": {
         "beyond_size": "strength_beyond_size",
-        "contact_conformity": "hertz_half_width",
+        "contact_wraps": "hertz_impossible",
         "endurance_unknown": "fatigue_no_basis",
         "notch_unknown": "fatigue_no_notch",
         "pins_apart": "pins_overlap",
@@ -723,7 +738,7 @@ WAS = {
         "beyond_first_order": "no_balance",
         "beyond_hertz": "no_pressure",
         "eccentricity_assumed": "eccentricity_missing",
-        "hertz_impossible": "no_pressure",
+        "contact_wraps": "hertz_impossible",
         "no_mechanism": "no_balance",
         "no_room_in_hole": "no_balance",
         "not_balanced": "no_balance",

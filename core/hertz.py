@@ -2,11 +2,12 @@
 
 Hertz replaces both bodies by half-planes, which asks for a contact much narrower than the pin.
 A pin in a hole only a little larger is nearly conformal: the contact wraps around the pin, and
-Persson's solution for a disc in a hole of the same material takes over.
+`core.conformal` takes over.
 """
 
 import math
-from typing import Any, Literal, NamedTuple
+from collections.abc import Callable
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -14,21 +15,26 @@ from core.arrays import (
     FloatArray,
     Number,
     atan,
-    atanh,
     check_not_negative,
     check_positive,
     every,
     known_where,
-    larger,
-    log1p,
     refuse,
     smaller,
     some,
     sqrt,
     where,
 )
+from core.conformal import (
+    ERROR,
+    conformal_contact,
+    edge_tension,
+    load_under_pressure,
+    pressure_over_angle,
+)
 from core.errors import InvalidInput
 from core.materials import ContactLimit, ElasticMaterial, effective_modulus, mismatch
+from core.numerics.inverse import edge
 from core.precision import ROUNDING
 from core.results import Accuracy, Notice, poorly_known
 
@@ -39,22 +45,17 @@ SHEAR_RATIO = SHEAR_DEPTH * (1 - SHEAR_DEPTH**2)
 """Largest shear stress over the largest pressure, 0.300."""
 
 HERTZ_TOLERANCE = 0.01
-"""Error of the Hertz pressure above which the conformal pressure is given beside it."""
+"""Excess of the conformal pressure over Hertz's from which it is given beside it, and governs."""
 
-CONFORMAL_LOAD = 100.38207120009
-"""Load parameter ``E1**dR/Q`` at which Persson's pressure (1964) is by just that above Hertz's:
-root found at 40 digits. Smaller loads have a larger one, and are off by less."""
+NARROW_LOAD = 785.0
+"""Load parameter ``E* dR/Q`` above which it is less for any two materials: that of Dundurs'
+constants -1 and -1/2, rounded up. Wider contacts have a smaller one."""
 
 HALF_WIDTH_RATIO_LIMIT = 0.159
 """Half-width over pin radius at which Hertz is off by `HERTZ_TOLERANCE` (identical materials)."""
 
-MISMATCH_TOLERANCE = 0.05
-"""Error of the conformal pressure by different materials up to which it is given: that of steel and
-bronze, not that of steel and plastic."""
-
-MISMATCH_SHARES = (0.07, 0.25)
-"""Bounds of the relative change of the conformal pressure over Dundurs' alpha and beta, at any
-width of the contact, by a series solution of disc and hole (see the tests)."""
+STRAIN_LIMIT = 0.02
+"""Largest pressure over E* up to which strains are small."""
 
 
 class BodySafety(NamedTuple):
@@ -82,14 +83,18 @@ class HertzContact(NamedTuple):
     max_shear_depth: Number  # 0.786*a, m
     reduced_radius: Number  # rho of the curvatures, m
     effective_modulus: Number  # E*, Pa
-    # Largest pressure of the conformal contact, Pa, where it applies (see `hertz`).
-    conformal_pressure: Number | None
-    conformal_half_angle: Number | None  # half of the angle over which that contact extends, rad
-    # Bound of the relative error of the conformal pressure by the difference of the two materials:
-    # 0 for identical ones.
-    conformal_error: Number | None
+    mismatch: tuple[Number, Number]  # Dundurs' alpha and beta, positive where the pin is stiffer
+    conformity: Number  # w/(E*(R - r)) of the line load w: how closely pin and hole fit under it
+    # Of the conformal contact, where it is wide enough to apply (see `hertz`):
+    conformal_pressure: Number | None  # its largest pressure, Pa
+    conformal_half_angle: Number | None  # eps, half of the angle over which it extends, rad
+    conformal_half_angle_pin: Number | None  # the same seen from the pin's axis, rad
+    conformal_half_angle_hole: Number | None  # and from the hole's axis, rad
+    conformal_half_length: Number | None  # half of its length along the arc, m
+    edge_tension: Number | None  # hoop tension in the hole's rim at its ends, Pa
+    conformal_error: Number | None  # relative error of these by their method: 0 for beta = 0
     # The pressure to be judged, Pa: the conformal one where it applies, else Hertz's; not known
-    # where neither theory holds.
+    # where the contact would wrap around more than half of the pin.
     governing_pressure: Number | None
     safety: tuple[BodySafety, ...]  # bodies whose limit is known, under the governing pressure
     safety_factor: Number | None  # the smaller one of both bodies, where both are known
@@ -98,13 +103,13 @@ class HertzContact(NamedTuple):
     @property
     def notices(self) -> tuple[Notice, ...]:
         """Limits of validity that one contact (not an array of them) strains."""
-        ratio = self.half_width_ratio
         unknown = poorly_known(self.accuracy)
-        if ratio <= HALF_WIDTH_RATIO_LIMIT:
-            return unknown
-        possible = self.conformal_pressure is not None or ratio <= 1
-        code = "contact_conformity" if possible else "hertz_impossible"
-        return (Notice(code, {"ratio": float(ratio)}), *unknown)
+        if self.governing_pressure is None:
+            return (Notice("contact_wraps"), *unknown)
+        strain = float(self.governing_pressure / self.effective_modulus)
+        if strain > STRAIN_LIMIT:
+            return (Notice("finite_strain", {"strain": strain}), *unknown)
+        return unknown
 
 
 def hertz(
@@ -153,10 +158,8 @@ def hertz(
     Notes
     -----
     Source: Yanchevsky et al. 2018, eq. (2); half-width, mean pressure and shear: Johnson,
-    Contact Mechanics, 4.2. The conformal pressure (R - r << r) is given where it differs from
-    Hertz by more than `HERTZ_TOLERANCE`; see `conformal_pressure_ratio`. It is that of identical
-    materials with twice the effective modulus; other materials change it by less than
-    `MISMATCH_SHARES` of Dundurs' constants.
+    Contact Mechanics, 4.2. The conformal contact is given where its pressure lies more than
+    `HERTZ_TOLERANCE` above Hertz's; see `core.conformal`.
 
     Examples
     --------
@@ -179,28 +182,20 @@ def hertz(
         refuse("hole_radius", hole_radius, difference > 0, "larger_than", **than)
 
     modulus = effective_modulus(first=pin_material, second=hole_material)
+    constants = mismatch(first=pin_material, second=hole_material)
     reduced_radius = hole_radius / difference * pin_radius
     line_load = force / contact_length * dynamic_factor * distribution_factor
-    max_pressure = sqrt(line_load / reduced_radius) * sqrt(modulus / math.pi)
+    max_pressure = _max_pressure(line_load, reduced_radius, modulus)
     half_width = 2 * sqrt(line_load / math.pi / modulus) * sqrt(reduced_radius)
     ratio = half_width / pin_radius
 
-    conformal = half_angle = conformal_error = None
-    governing, known, evaluations = max_pressure, ratio <= 1, 1
-    applies = line_load / (2 * modulus) * CONFORMAL_LOAD > difference
-    if some(applies):
-        mismatch_error = _mismatch_error(pin_material, hole_material)
-        applies = applies & (mismatch_error <= MISMATCH_TOLERANCE)
-        if some(applies):
-            load = where(applies, line_load, 1.0)
-            factor, tangent, evaluations = conformal_pressure_ratio(
-                load_parameter=2 * modulus * (difference / load)
-            )
-            conformal = known_where(applies, factor * max_pressure)
-            half_angle = known_where(applies, 2 * atan(tangent))
-            conformal_error = known_where(applies, mismatch_error)
-            governing, known = where(applies, conformal, max_pressure), known | applies
-    governing = known_where(known, governing)
+    wide = _NARROW | {"governing_pressure": max_pressure}
+    method, evaluations = "closed_form", 1
+    if some(line_load * NARROW_LOAD > modulus * difference):
+        wide, method, evaluations = _conformal(
+            line_load, pin_radius, hole_radius, modulus, constants, hole_material.poissons_ratio
+        )
+    governing = wide["governing_pressure"]
     safety = _safety(governing, pin=pin_material.limit, hole=hole_material.limit)
     return HertzContact(
         max_pressure=max_pressure,
@@ -211,16 +206,15 @@ def hertz(
         max_shear_depth=SHEAR_DEPTH * half_width,
         reduced_radius=reduced_radius,
         effective_modulus=modulus,
-        conformal_pressure=conformal,
-        conformal_half_angle=half_angle,
-        conformal_error=conformal_error,
-        governing_pressure=governing,
+        mismatch=constants,
+        conformity=line_load / modulus / difference,
+        **wide,
         safety=safety,
         safety_factor=(
             smaller(safety[0].safety_factor, safety[1].safety_factor) if len(safety) == 2 else None
         ),
         accuracy=Accuracy(
-            method="closed_form" if conformal is None else "closed_form_newton",
+            method=method,
             # rho has the difference of two radii that are known to rounding
             relative_error=ROUNDING * (8 + (hole_radius + pin_radius) / difference),
             evaluations=evaluations,
@@ -228,10 +222,68 @@ def hertz(
     )
 
 
-def _mismatch_error(first: ElasticMaterial, second: ElasticMaterial) -> Any:
-    """Bound of the error of Persson's pressure by the difference of two materials."""
-    alpha, beta = mismatch(first=first, second=second)
-    return MISMATCH_SHARES[0] * abs(alpha) + MISMATCH_SHARES[1] * abs(beta)
+def _max_pressure(line_load: Number, reduced_radius: Number, modulus: Number) -> Number:
+    """Hertz's pressure in the middle."""
+    return sqrt(line_load / reduced_radius) * sqrt(modulus / math.pi)
+
+
+_NARROW = dict.fromkeys(
+    (
+        "conformal_pressure",
+        "conformal_half_angle",
+        "conformal_half_angle_pin",
+        "conformal_half_angle_hole",
+        "conformal_half_length",
+        "edge_tension",
+        "conformal_error",
+    )
+)
+
+
+def _conformal(
+    line_load: Number,
+    pin_radius: Number,
+    hole_radius: Number,
+    modulus: Number,
+    constants: tuple[Number, Number],
+    poissons_ratio: Number,
+) -> tuple[dict[str, Number | None], str, int]:
+    """What a `HertzContact` has of the conformal contact, where that applies, and which pressure
+    governs; the method and its steps.
+    """
+    alpha, beta = constants
+    difference = hole_radius - pin_radius
+    max_pressure = _max_pressure(line_load, hole_radius / difference * pin_radius, modulus)
+    narrowest = modulus * difference / NARROW_LOAD
+    near = line_load > narrowest
+    load = where(near, line_load, narrowest)
+    parameter = modulus * (difference / load)
+    contact = conformal_contact(load_parameter=parameter, alpha=alpha, beta=beta)
+    factor = contact.pressure / sqrt(parameter / math.pi)
+    pressure = factor * max_pressure
+    known = factor == factor
+    applies = near & (factor > 1 + HERTZ_TOLERANCE)
+    governing = known_where(known, where(applies, pressure, max_pressure))
+    if not some(applies):
+        return _NARROW | {"governing_pressure": governing}, "closed_form", contact.evaluations
+    radius, eps = sqrt(pin_radius * hole_radius), 2 * atan(contact.tangent)
+    tension = edge_tension(
+        mean_pressure=contact.mean_pressure,
+        tangent=contact.tangent,
+        poissons_ratio=poissons_ratio,
+    )
+    found = {
+        "conformal_pressure": pressure,
+        "conformal_half_angle": eps,
+        "conformal_half_angle_pin": eps * sqrt(hole_radius / pin_radius),
+        "conformal_half_angle_hole": eps * sqrt(pin_radius / hole_radius),
+        "conformal_half_length": eps * radius,
+        "edge_tension": tension * load / radius,
+        "conformal_error": 2 * abs(beta) * ERROR,
+    }
+    found = {name: known_where(applies, each) for name, each in found.items()}
+    method = "integral_equation" if some(beta != 0) else "closed_form_newton"
+    return found | {"governing_pressure": governing}, method, contact.evaluations
 
 
 def _safety(
@@ -249,101 +301,52 @@ def _safety(
     return tuple(found)
 
 
-def conformal_half_angle_tangent(*, load_parameter: Number) -> tuple[Number, int]:
-    """Tangent ``b = tan(eps/2)`` of half the half-angle of a conformal contact.
+def force_factor(
+    *, contact: HertzContact, contact_at: Callable[[float], HertzContact], limit: float
+) -> float:
+    """Factor on the force at which the governing pressure of a contact is at a limit.
 
-    Solves ``E1**dR/Q = (2 - ln(b^2 + 1) - 2*b^4)/(pi*b^2*(b^2 + 1))``.
-
-    Parameters
-    ----------
-    load_parameter : float or array
-        ``E1**dR/Q``, dimensionless, >= 0: plane-strain modulus E/(1 - v^2) of one body times the
-        difference of the radii, over the load per length.
-
-    Returns
-    -------
-    b : float or array
-        Tangent of a quarter of the angle of the contact, dimensionless.
-    iterations : int
-        Newton steps taken, of an array by the slowest.
-
-    Notes
-    -----
-    Source: Persson 1964, On the stress distribution of cylindrical elastic bodies in contact;
-    identical materials. In y = b^2 the equation is concave and falling, so that Newton's method
-    from the Hertz value (or from the limit of no clearance, whichever is smaller) converges
-    from one side.
-    """
-    load = math.pi * load_parameter
-    y = 2 / larger(load, 2 / 0.84)
-    iterations = 0
-    while iterations < 60:
-        value = 2 - log1p(y) - 2 * y * y - load * y * (1 + y)
-        slope = -1 / (1 + y) - 4 * y - load * (1 + 2 * y)
-        step = value / slope
-        y = y - step
-        iterations += 1
-        if every(abs(step) <= 2 * ROUNDING * y):
-            break
-    return sqrt(y), iterations
-
-
-def conformal_pressure_ratio(*, load_parameter: Number) -> tuple[Number, Number, int]:
-    """Largest pressure of a conformal contact over the Hertz pressure of the same load.
+    Hertz's pressure grows with the root of the force, that of a conformal contact faster, up to
+    the force itself; where it takes over, the governing pressure jumps by a per cent.
 
     Parameters
     ----------
-    load_parameter : float or array
-        ``E1**dR/Q``, dimensionless, > 0, as in `conformal_half_angle_tangent`.
+    contact : HertzContact
+        The contact, under a force.
+    contact_at : callable
+        The contact under so many times the force.
+    limit : float
+        The limit, Pa, > 0.
 
     Returns
     -------
-    ratio : float or array
-        Dimensionless; 1 in the Hertz limit of a large `load_parameter`.
-    half_angle_tangent : float or array
-        ``b = tan(eps/2)`` of the contact.
-    iterations : int
-        Newton steps taken.
+    float
+        That of the widest contact of which the pressure is known, where this is below the limit.
 
     Notes
     -----
-    Source: Persson 1964. The Hertz pressure of the same contact is
-    ``Q/R*sqrt(E1**dR/Q/(2*pi))``.
-
-    Examples
-    --------
-    >>> round(conformal_pressure_ratio(load_parameter=1e6)[0], 5)
-    1.0
+    The load per length is the root of ``P/lambda = p*R_m/(E* dR)``, which grows with it.
     """
-    b, iterations = conformal_half_angle_tangent(load_parameter=load_parameter)
-    middle = conformal_pressure(position=0.0 * b, half_angle_tangent=b)
-    return middle / sqrt(load_parameter / (2 * math.pi)), b, iterations
+    ratio = float(limit / contact.max_pressure)
+    by_hertz = ratio**2
+    there = contact_at(by_hertz)
+    if there.conformal_pressure is None and there.governing_pressure is not None:
+        return by_hertz
+    alpha, beta = contact.mismatch
+    parameter = load_under_pressure(
+        pressure_parameter=ratio * math.sqrt(contact.conformity / math.pi), alpha=alpha, beta=beta
+    )
+    # not beyond the limit, or the widest contact, by the rounding of forces
+    factor = float(1 / (parameter * contact.conformity)) * (1 - 512 * ROUNDING)
+    if contact_at(factor).conformal_pressure is not None:
+        return factor
 
+    def left(factor: float) -> float:
+        there = contact_at(factor).governing_pressure
+        return math.nan if there is None else float(limit - there)
 
-def conformal_pressure(*, position: Number, half_angle_tangent: Number) -> Number:
-    """Pressure of a conformal contact, over Q/R.
-
-    Parameters
-    ----------
-    position : float or array
-        ``y = tan(angle/2)`` of the place on the pin, from 0 in the middle to b at the end.
-    half_angle_tangent : float or array
-        ``b = tan(eps/2)``, > 0.
-
-    Returns
-    -------
-    float or array
-        ``p*R/Q``, dimensionless.
-
-    Notes
-    -----
-    Source: Persson 1964; Ciavarella and Decuzzi 2001, The state of stress induced by the plane
-    frictionless cylindrical contact, I, identical materials.
-    """
-    b, y = half_angle_tangent, position
-    inner, outer = sqrt((b - y) * (b + y)), sqrt(1 + b * b)
-    ends = 2 * inner / (math.pi * outer * (1 + y * y))
-    return ends + atanh(inner / outer) / (math.pi * b * b * outer * outer)
+    met, _ = edge(inside=factor, outside=by_hertz, excess=left)  # within the jump
+    return met * (1 - 512 * ROUNDING)
 
 
 def pressure_profile(*, contact: HertzContact, samples: int = 81) -> tuple[FloatArray, FloatArray]:
@@ -366,7 +369,7 @@ def pressure_profile(*, contact: HertzContact, samples: int = 81) -> tuple[Float
 
 
 def conformal_profile(*, contact: HertzContact, samples: int = 81) -> tuple[FloatArray, FloatArray]:
-    """Pressure of the conformal contact over the arc of the pin.
+    """Pressure of the conformal contact over its arc.
 
     Parameters
     ----------
@@ -385,12 +388,12 @@ def conformal_profile(*, contact: HertzContact, samples: int = 81) -> tuple[Floa
     InvalidInput
         If the contact has no conformal pressure.
     """
-    if contact.conformal_pressure is None or contact.conformal_half_angle is None:
+    if contact.conformal_pressure is None:
         raise InvalidInput("contact", contact, "no_conformal_pressure")
-    angles = contact.conformal_half_angle * np.sin(np.linspace(-math.pi / 2, math.pi / 2, samples))
-    places = np.tan(np.abs(angles) / 2)
-    end = places[0]
-    shape = conformal_pressure(position=places, half_angle_tangent=end)
-    middle = conformal_pressure(position=0.0, half_angle_tangent=end)
-    radius = contact.half_width / contact.half_width_ratio
-    return radius * angles, contact.conformal_pressure / middle * shape
+    half_angle = contact.conformal_half_angle
+    assert half_angle is not None and contact.conformal_half_length is not None
+    places = np.sin(np.linspace(-math.pi / 2, math.pi / 2, samples))
+    shape = pressure_over_angle(
+        angles=half_angle * places, tangent=math.tan(half_angle / 2), beta=contact.mismatch[1]
+    )
+    return contact.conformal_half_length * places, contact.conformal_pressure * shape

@@ -27,6 +27,11 @@ METHODS = {
     "graded_quadrature": "Gauss-Legendre quadrature along z, panels graded to the known "
     "singularities",
     "graded_z": "graded Gauss-Legendre in z",
+    "hertz": "Hertz",
+    "identical_materials": "conformal contact of identical materials",
+    "integral_equation": "integral equation at Chebyshev nodes, Newton's method",
+    "integral_equation_finest": "integral equation with 128 and 256 terms, extrapolated",
+    "integral_equation_terms": "integral equation",
     "locus_support": "locus of the moment: sampled by segments, extremes narrowed",
     "mohr": "Mohr's integral in closed form",
     "monte_carlo": "random pieces, percentiles by order statistics",

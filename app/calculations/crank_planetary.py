@@ -477,6 +477,10 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         )
         return at_output(values, self.design.members)
 
+    def solve_disc(self) -> Notice | None:
+        """Whether the edge of the satellite is so near to its holes that the pressure is off."""
+        return if_known(lambda: self.results.disc_of(self.results.hertz))
+
     def solve_geometry(self) -> tuple[PinGeometry, FloatArray]:
         """Pins and holes at the crank angle, and the force of each pair there, N."""
         assert self.load is not None and self.contact is not None
@@ -560,6 +564,8 @@ def solve(body: CrankPlanetaryRequest) -> Values:
     notices = (() if sizes is None else sizes.notices) + (
         () if body.contact is None else body.contact.material_notices()
     )
+    if (disc := run(body, body.solve_disc)[0]) is not None:
+        notices += (disc,)
     if "pin_strength" not in asked:  # which tells it itself
         notices += run(body, lambda: body.results.size_notices)[0]
     judged, _ = run(body, body.judge)

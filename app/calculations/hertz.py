@@ -410,20 +410,30 @@ class HertzResponse(AssumingResponse):
         "Contact modulus of both bodies.", symbol="E*", equation="2018, eq. 2"
     )
     conformal_pressure_MPa: Maybe[float] = result(
-        "Largest pressure of bodies that fit closely; absent where that theory does not apply.",
+        "Largest pressure of a contact that wraps around the pin, of any two materials; absent "
+        "where it lies less than 1 % above Hertz's.",
         symbol="p_c",
         equation="Persson 1964",
     )
     conformal_half_angle_deg: Maybe[float] = result(
-        "Half of the angle of their contact.", symbol="ε", equation="Persson 1964"
+        "Half of the angle of that contact, seen from between both axes.",
+        symbol="ε",
+        equation="Persson 1964",
+    )
+    conformal_half_angle_pin_deg: Maybe[float] = result("The same on the pin.", symbol="ε·√(R/r)")
+    conformal_half_angle_hole_deg: Maybe[float] = result("The same on the hole.", symbol="ε·√(r/R)")
+    conformal_half_length_mm: Maybe[float] = result(
+        "Half of the length of that contact along the arc.", symbol="ε·√(r·R)"
+    )
+    edge_tension_MPa: Maybe[float] = result(
+        "Hoop tension in the rim of the hole at the ends of that contact.", symbol="σ_t"
     )
     conformal_error: Maybe[float] = result(
-        "Bound of the relative error of the conformal pressure by the difference of the materials.",
-        equation="Dundurs 1969",
+        "Relative error of the conformal numbers by their method; 0 where both materials are alike."
     )
     governing_pressure_MPa: Maybe[float] = Field(
-        description="The pressure that is judged: the conformal one where it applies, else "
-        "Hertz's; absent where neither theory holds."
+        description="The pressure that is judged: the conformal one where it is given, else "
+        "Hertz's; absent where the contact would wrap around more than half of the pin."
     )
     safety: Maybe[list[SafetyOut]] = Field(
         description="The bodies whose limit is known, each by its own; absent where none is."

@@ -9,6 +9,7 @@ from app.calculations.contact_force import ContactForceRequest
 from app.calculations.contact_line import ContactLineRequest
 from app.calculations.crankshaft import CrankshaftRequest
 from app.calculations.fit import FitRequest
+from app.calculations.hertz import HertzRequest
 from app.calculations.load_sharing import LoadSharingRequest
 from app.calculations.meshing_load import MeshingLoadRequest
 from app.calculations.output_efficiency import OutputEfficiencyRequest
@@ -26,6 +27,7 @@ from core.design.results import Results
 from core.errors import InvalidInput
 from core.results import METHODS
 from core.rollers.roller_strength import roller_gaps
+from core.work_precision.contact import contact_pressure_study
 from core.work_precision.means import (
     equivalent_load_study,
     equivalent_reaction_study,
@@ -68,6 +70,17 @@ class PeakForceStudy(Study):
         return peak_force_study(
             mechanism=self.input.mechanism(), force_exponent=self.input.force_exponent
         )
+
+
+class ContactPressureStudy(Study):
+    """Largest pressure of pin in hole."""
+
+    calculation: Literal["hertz"] = compared()
+    input: HertzRequest
+
+    def solve(self) -> WorkPrecision:
+        """The study."""
+        return contact_pressure_study(contact=self.input.solve())
 
 
 class TotalForceStudy(Study):
@@ -286,6 +299,7 @@ def _refuse_many(rollers: int) -> None:
 
 WorkPrecisionRequest = Annotated[
     PeakForceStudy
+    | ContactPressureStudy
     | TotalForceStudy
     | PinStrengthStudy
     | SatelliteBearingStudy

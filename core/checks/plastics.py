@@ -9,10 +9,10 @@ from functools import partial
 from core.checks.check import Check, design_check, judged, necessary
 from core.checks.inputs import LOADED, SLIDING
 from core.checks.pin_contact import FIXES
-from core.design.contact import force_factor
 from core.design.document import Design
 from core.design.results import Results
 from core.errors import NotKnown
+from core.hertz import force_factor
 from core.materials import Body
 
 DEEP = 3.0
@@ -51,7 +51,7 @@ def contact_static_cold(design: Design, results: Results) -> Check:
     contact = results.static_contact
     pressure, limit = contact.governing_pressure, min(limits)
     if pressure is None:
-        raise NotKnown("hertz_impossible", ratio=float(contact.half_width_ratio))
+        raise NotKnown("contact_wraps")
     found = judged(
         contact_static_cold,
         pressure,
@@ -167,7 +167,7 @@ def creep(design: Design, results: Results) -> Check:
     contact, limit = results.hertz, min(limits)
     pressure = contact.governing_pressure
     if pressure is None:
-        raise NotKnown("hertz_impossible", ratio=float(contact.half_width_ratio))
+        raise NotKnown("contact_wraps")
     largest = results.line_load_factor
     found = judged(
         creep,

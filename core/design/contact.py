@@ -1,11 +1,6 @@
-"""The force at which a contact is at a limit of its pressure."""
+"""Limits of the pressure of a contact, and how far off it is by the size of the disc."""
 
 import math
-from collections.abc import Callable
-
-from core.hertz import HertzContact
-from core.numerics.inverse import edge
-from core.precision import ROUNDING
 
 SHAKEDOWN = 4 / math.sqrt(3)
 """Largest pressure of elastic shakedown over the yield strength, without friction: the largest
@@ -39,41 +34,31 @@ def shakedown(friction: float) -> float:
     return SHAKEDOWN + part * (SLIDING_SHAKEDOWN - SHAKEDOWN)
 
 
-def force_factor(
-    *, contact: HertzContact, contact_at: Callable[[float], HertzContact], limit: float
-) -> float:
-    """Factor on the force at which the governing pressure of a contact is at a limit.
+OVALS = 2.0
+"""Distance of the hole's axis from the nearest edge of the disc, over its radius, below which the
+disc gives as a ring around the pin: nothing is known of the pressure of a contact that wraps."""
 
-    Hertz's pressure grows with the root of the force, Persson's faster, up to the force itself;
-    where Persson's takes over, the governing pressure jumps by a per cent.
+DISC_ERRORS = ((3.0, 0.15), (4.0, 0.08), (5.0, 0.05))
+"""That distance, and how far the pressure is off below it that is of an infinite plane: finite
+elements of a hole in a disc around it, its rim free or clamped, docs/theory.md, section 4."""
+
+
+def disc_error(distance: float) -> float:
+    """How far the pressure of a conformal contact may be off because the disc ends.
 
     Parameters
     ----------
-    contact : HertzContact
-        The contact, of a known governing pressure.
-    contact_at : callable
-        The contact under so many times the force.
-    limit : float
-        The limit, Pa, > 0.
+    distance : float
+        Of the hole's axis from the nearest edge of the disc, over the radius of the hole.
 
     Returns
     -------
     float
+        Relative error.
+
+    Examples
+    --------
+    >>> disc_error(3.5), disc_error(6.0)
+    (0.08, 0.0)
     """
-    by_hertz = float((limit / contact.max_pressure) ** 2)
-    if contact_at(by_hertz).conformal_pressure is None:
-        # where no theory holds any more, that is the end
-        return min(by_hertz, float(contact.half_width_ratio**-2))
-
-    def left(factor: float) -> float:
-        there = contact_at(factor).governing_pressure
-        return math.nan if there is None else float(limit - there)
-
-    assert contact.governing_pressure is not None
-    ratio = float(limit / contact.governing_pressure)
-    met, _ = edge(
-        inside=0.97 * min(ratio, ratio * ratio),
-        outside=1.03 * max(ratio, ratio * ratio),
-        excess=left,
-    )
-    return met * (1 - 512 * ROUNDING)  # not beyond the jump by the rounding of forces
+    return next((error for below, error in DISC_ERRORS if distance < below), 0.0)

@@ -429,8 +429,8 @@ class Design:
 
     @property
     def hole_friction(self) -> float | None:
-        """Friction coefficient of what slides in the holes: 0 where sleeves or rollers roll there. Where none
-        is given it is that of `dry_friction`; None where that is not known.
+        """Friction coefficient of what slides in the holes: 0 where sleeves or rollers roll there.
+        Where none is given it is that of `dry_friction`; None where that is not known.
         """
         if self.friction or self.rollers:
             return 0.0 if self.output_friction.sleeve else self.friction.coefficient
@@ -469,6 +469,16 @@ class Design:
         given = self.satellite_body.bore_radius if self.satellite_body else None
         outer = self.bearing.outer_diameter if self.bearing else None
         return outer / 2 if given is None and outer is not None else given
+
+    @property
+    def disc_distance(self) -> float | None:
+        """Distance of a hole's axis from the nearest edge of the disc, its bore or the roots of its
+        teeth, over the hole's radius; None where neither is known.
+        """
+        bore, (low, _) = self.bore_radius, self.roots
+        circle, hole = self.load.pin_circle_radius, self.contact.pair.hole_radius
+        known = ([] if bore is None else [circle - bore]) + ([low - circle] if low else [])
+        return min(known) / hole if known else None
 
     @property
     def wall_guide(self) -> float | None:

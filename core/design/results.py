@@ -16,14 +16,14 @@ from core.crank.pin_rollers import PinRollers, pin_rollers
 from core.crank.ring_mesh import RingMesh
 from core.crank.satellite_bearing import SatelliteBearings, satellite_bearings
 from core.derived import derived, if_known
-from core.design.contact import force_factor, shakedown
+from core.design.contact import OVALS, disc_error, shakedown
 from core.design.document import Design, changed
 from core.design.losses import made_losses
 from core.design.real_forces import RealForces
 from core.design.refusals import named
 from core.errors import InvalidInput, NotKnown
 from core.first_yield import first_yield
-from core.hertz import HALF_WIDTH_RATIO_LIMIT, HertzContact, hertz
+from core.hertz import HertzContact, force_factor, hertz
 from core.materials import Body
 from core.output.contact_force import ContactForce, contact_force
 from core.output.contact_law import HertzLaw, contact_compliance
@@ -441,9 +441,7 @@ class Results:
         check, where its pressure is known. Ideal forces on level pins grow with the torque.
         """
         contact = self.hertz
-        factors = {
-            "contact_conformity": float(HALF_WIDTH_RATIO_LIMIT / contact.half_width_ratio) ** 2
-        }
+        factors = dict[str, float]()
         if contact.governing_pressure is not None:
             largest = self.line_load_factor
             for code, limit in self.pressure_limits.items():
@@ -453,6 +451,19 @@ class Results:
                     limit=limit,
                 )
         return factors
+
+    def disc_of(self, contact: HertzContact) -> Notice | None:
+        """Whether the disc ends so near to its holes that the pressure of a contact is off by it,
+        or is not known: of one that wraps around its pin.
+        """
+        distance = self.design.disc_distance
+        if contact.conformal_pressure is None or distance is None:
+            return None
+        if distance < OVALS:
+            return Notice("disc_ovals", {"distance": distance})
+        error = disc_error(distance)
+        params = {"distance": distance, "error": error}
+        return Notice("finite_disc", params) if error else None
 
     def static_contact_at(self, factor: float) -> HertzContact:
         """The contact under so many times its force at the peak torque."""

@@ -7,6 +7,7 @@ from itertools import chain
 from typing import Literal
 
 from core.errors import ImpossibleMechanism
+from core.hertz import HertzContact, force_factor
 from core.output.real_mechanism import RealMechanism
 from core.output.room import Binding, Rooms, State, TurnRoom
 from core.output.satellite_support import CrankSupport, Shares
@@ -253,18 +254,13 @@ class Fit:
 
 def _force_under(real: RealMechanism, pair: int, pressure: float) -> float:
     """Force of a pair under which its governing pressure is a given one, N."""
-    force = 1.0
-    for _ in range(100):
+
+    def under(force: float) -> HertzContact:
         contact = real.contact(pair, force)
         assert contact is not None
-        found = contact.governing_pressure
-        if found is None:  # wider than the pin, and no other solution
-            found = contact.max_pressure
-        factor = float(pressure / found) ** 2
-        force *= factor
-        if abs(factor - 1) <= 1e-15:
-            break
-    return force
+        return contact
+
+    return force_factor(contact=under(1.0), contact_at=under, limit=pressure)
 
 
 def solvable(real: RealMechanism) -> Fit:

@@ -98,25 +98,51 @@ def hertz_steps(
 
 
 def _conformal(sheet: Sheet, found: HertzContact) -> None:
-    """Persson's contact: its angle is the root of an equation."""
-    assert found.conformal_half_angle is not None
-    modulus = sheet.known["E_star"].value
-    left = 2 * modulus * (sheet.known["r_out"].value - sheet.known["r_in"].value)
-    left /= sheet.known["w"].value
-    formula = "2*E_star*(r_out-r_in)/w"
-    sheet.work("load_parameter", "lambda", left, formula, **PERSSON)
-    angle = float(found.conformal_half_angle)
-    b = math.tan(angle / 2)
+    """The conformal contact: its angle is the root of an equation, and of materials whose beta is
+    not 0 its pressure follows from another.
+    """
+    known = {name: each.value for name, each in sheet.known.items()}
+    difference, load, modulus = known["r_out"] - known["r_in"], known["w"], known["E_star"]
+    formula = "E_star*(r_out-r_in)/w"
+    sheet.work("load_parameter", "lambda", modulus * difference / load, formula, **PERSSON)
+    alpha, beta = found.mismatch
+    formula = "E_star*((1-nu_2^2)/E_2-(1-nu_1^2)/E_1)"
+    sheet.work("mismatch_alpha", "alpha", alpha, formula, **JOHNSON)
+    formula = "E_star/2*((1-2*nu_2)*(1+nu_2)/E_2-(1-2*nu_1)*(1+nu_1)/E_1)"
+    sheet.work("mismatch_beta", "beta", beta, formula, **JOHNSON)
+    assert found.conformal_half_angle is not None and found.conformal_pressure is not None
+    angle, pressure = float(found.conformal_half_angle), found.conformal_pressure
+    radius = math.sqrt(known["r_in"] * known["r_out"])
+    assert found.edge_tension is not None
+    share = (3 - 4 * known["nu_2"]) / (2 * math.pi * (1 - known["nu_2"]))
+    mean = (found.edge_tension / load * radius - share * math.cos(angle)) / 2
     sheet.state("conformal_half_angle", "eps", angle, "conformal_angle", **PERSSON)
-    sheet.state("logarithm", "l_1", math.log1p(b * b), "conformal_logarithm", **PERSSON)
-    t = "tan(eps/2)"
-    formula = f"(2-l_1-2*{t}^4)/(pi*{t}^2*(1+{t}^2))"
-    again = (2 - math.log1p(b * b) - 2 * b**4) / (math.pi * b * b * (1 + b * b))
-    sheet.work("load_parameter_again", "lambda", again, formula, **PERSSON)
-    second = 2 * math.atanh(b / math.sqrt(1 + b * b))
-    sheet.state("logarithm", "l_2", second, "conformal_logarithm_of_pressure", **PERSSON)
-    formula = f"w/sqrt(r_out*r_in)*(2*{t}/(pi*sqrt(1+{t}^2))+l_2/(2*pi*{t}^2*(1+{t}^2)))"
-    sheet.work("conformal_pressure", "p_c", found.conformal_pressure, formula, **PERSSON)
+    t, b = "tan(eps/2)", math.tan(angle / 2)
+    if beta == 0:
+        sheet.state("logarithm", "l_1", math.log1p(b * b), "conformal_logarithm", **PERSSON)
+        bent = math.log1p(b * b) + 2 * b**4
+        again = (2 - (1 + alpha) * bent) / (2 * math.pi * b * b * (1 + b * b))
+        formula = f"(2-(1+alpha)*(l_1+2*{t}^4))/(2*pi*{t}^2*(1+{t}^2))"
+        sheet.work("load_parameter_again", "lambda", again, formula, **PERSSON)
+        second = 2 * math.atanh(b / math.sqrt(1 + b * b))
+        sheet.state("logarithm", "l_2", second, "conformal_logarithm_of_pressure", **PERSSON)
+        formula = f"w/sqrt(r_out*r_in)*(2*{t}/(pi*sqrt(1+{t}^2))+l_2/(2*pi*{t}^2*(1+{t}^2)))"
+        sheet.work("conformal_pressure", "p_c", pressure, formula, **PERSSON)
+        formula = f"(l_1+2*{t}^4)/(2*pi*{t}^2*(1+{t}^2))"
+        sheet.work("mean_rim_pressure", "P_0", mean, formula, **PERSSON)
+    else:
+        sheet.state("middle_pressure", "P_m", pressure / load * radius, "integral_equation")
+        sheet.work("conformal_pressure", "p_c", pressure, "w/sqrt(r_out*r_in)*P_m", **PERSSON)
+        sheet.state("mean_rim_pressure", "P_0", mean, "integral_equation")
+    for name, formula in (
+        ("half_angle_pin", "eps*sqrt(r_out/r_in)"),
+        ("half_angle_hole", "eps*sqrt(r_in/r_out)"),
+        ("half_length", "eps*sqrt(r_out*r_in)"),
+    ):
+        code = f"conformal_{name}"
+        sheet.work(code, f"eps_{name[5:]}", getattr(found, code), formula)
+    formula = "w/sqrt(r_out*r_in)*(2*P_0+(3-4*nu_2)/(2*pi*(1-nu_2))*cos(eps))"
+    sheet.work("edge_tension", "sigma_t", found.edge_tension, formula, note="edge_tension")
 
 
 def _safety(

@@ -36,6 +36,10 @@ VALUES = {
     "notch_strength": "Tensile strength within the range of the fit",
     "decades_left": "Part of the decades left to a million cycles",
     "logarithm": "Natural logarithm",
+    "mean_rim_pressure": "Mean pressure over the whole rim, over w/R_m",
+    "middle_pressure": "Pressure in the middle, over w/R_m",
+    "mismatch_alpha": "Dundurs' α",
+    "mismatch_beta": "Dundurs' β",
     "shortening": "Shortening of the cycloid",
     "reaction_part": "Part of the reaction",
 }
@@ -62,8 +66,10 @@ NOTES = {
     "willis": "Of one planet gear: n_in + u·n_c = (u + 1)·n_r.",
     "narrow": "Hertz's theory asks for a contact much narrower than the pin.",
     "conformal_angle": "Found by Newton's method so that λ before and after agree.",
+    "integral_equation": "From the integral equation of a disc in a hole, for this β and ε.",
+    "edge_tension": "Hoop tension in the rim of the hole at the ends of the contact.",
     "governs_hertz": "Hertz's pressure governs.",
-    "governs_conformal": "The conformal pressure governs: Hertz's is off by more than 1 %.",
+    "governs_conformal": "The conformal pressure governs: Hertz's is more than 1 % too low.",
     "limit": "The limit of its own material ({criterion}): {source}.",
     "limit_given": "The limit of its own material, as given.",
     "turns_over_life": "Turns of a satellite against its crank over the life: in each a place of "

@@ -95,6 +95,39 @@ async def test_a_study_compares_methods_and_marks_an_accurate_default(api, calcu
     assert max(point["relative_error"] for point in answer["points"]) > 1e-6
 
 
+STEEL_IN_PLA = {
+    "contact_length_mm": 20, "pin_radius_mm": 5, "hole_radius_mm": 5.05,
+    "pin_material": {"youngs_modulus_GPa": 207, "poissons_ratio": 0.3},
+    "hole_material": {"youngs_modulus_GPa": 3.5, "poissons_ratio": 0.36},
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("force", [20.0, 400.0, 2000.0])
+async def test_more_terms_of_the_pressure_are_better_until_the_calculator_is(api, force):
+    body = {"calculation": "hertz", "input": {**STEEL_IN_PLA, "force_N": force}}
+    answer = (await api.post("work-precision", json=body)).json()
+    assert answer["reference"]["digits"] == 11
+    assert answer["chosen"]["relative_error"] < 5e-9
+    errors = {
+        (each["method_code"], each["setting_value"]): each["relative_error"]
+        for each in answer["points"]
+    }
+    terms = [errors["integral_equation_terms", n] for n in (4, 8, 16, 32, 64)]
+    assert terms == sorted(terms, reverse=True) and terms[2] < 1e-6 and terms[-1] < 1e-9
+    assert 1e-4 < errors["identical_materials", 0] < 0.025
+    assert errors["hertz", 0] > 1e-4
+
+
+@pytest.mark.parametrize("force", [0.0, 1e9])
+async def test_what_has_no_pressure_is_not_compared(api, force):
+    pin, hole = STEEL_IN_PLA["hole_material"], STEEL_IN_PLA["pin_material"]
+    contact = {**STEEL_IN_PLA, "pin_material": pin, "hole_material": hole, "force_N": force}
+    answer = await api.post("work-precision", json={"calculation": "hertz", "input": contact})
+    assert answer.status_code == 422
+    (error,) = answer.json()["errors"]
+    assert (error["pointer"], error["code"]) == ("/input/force_N", "no_conformal_pressure")
+
+
 async def test_more_samples_are_better_and_dearer(api):
     body = {"calculation": "peak_force", "input": STUDIES["peak_force"]}
     points = (await api.post("work-precision", json=body)).json()["points"]

@@ -73,16 +73,12 @@ def test_the_torque_reserve_puts_each_check_at_its_limit(design: Design) -> None
         found = check_of(check.code, there)
         if found.utilisation is None or found.value is None:
             continue
-        if found.status == "not_applicable":  # Persson's pressure takes over before
-            continue
         # where the conformal pressure takes over, the pressure jumps by up to its per cent, and
-        # the limit may lie within; where Hertz ends there is no pressure beyond
+        # the limit may lie within; around more than half of the pin there is no pressure
         beyond = having(design, output_torque=there.load.output_torque * (1 + 1e-9))  # type: ignore[operator]
         after = check_of(check.code, beyond)
         assert found.utilisation <= 1 + 1e-9
         ended = after.value is None or after.value > found.value * 1.009
-        wide = Results(there).hertz is not None
-        ended = ended or (wide and float(Results(there).hertz.half_width_ratio) > 0.999)  # type: ignore[union-attr]
         assert found.utilisation == pytest.approx(1, rel=1e-9) or ended
 
 
@@ -138,7 +134,7 @@ def test_one_sense_of_utilisation(value: float, limit: float, code: str) -> None
     [
         (1.0999, "", "marginal"),
         (1.1, "", "pass"),
-        (1.01, "rough_guide", "pass"),
+        (1.01, "plastic_first", "pass"),
         (None, "", "pass"),
     ],
 )
@@ -180,7 +176,7 @@ def test_order_and_verdict() -> None:
     assert verdict([five, six, seven]).verdict == "marginal"
     assert verdict([seven]).verdict == "incomplete"
     room = judged(CHECKS["line_spacing"], 2.0, 0.0)
-    warned = judged(CHECKS["contact_conformity"], 0.1, 0.159, reserve=2.5, warning="rough_guide")
+    warned = judged(CHECKS["contact_yield_pin"], 0.1, 0.159, reserve=2.5, warning="plastic_first")
     assert verdict([room]).verdict == "incomplete"  # nothing that the load could break
     assert verdict([room, warned]).verdict == "incomplete"
     assert verdict([room, judged(CHECKS["shaft_slope"], 1.0, 2.0, reserve=2.0)]).verdict == "pass"

@@ -202,7 +202,7 @@ def test_dead_centres() -> None:
     place = found.at["crank_angle"] * 1.05
     assert math.sin(place) == pytest.approx(0, abs=1e-9)
     assert 0 <= place < 2 * math.pi + 1e-9
-    for code in ("contact_pressure_pin", "contact_shakedown_hole", "contact_conformity"):
+    for code in ("contact_pressure_pin", "contact_shakedown_hole", "contact_yield_pin"):
         unknown = check_of(code, stuck)
         assert (unknown.status, unknown.reason, unknown.value) == (
             "not_checked",

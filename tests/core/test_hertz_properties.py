@@ -8,16 +8,18 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from core.conformal import (
+    closed_pressure,
+    conformal_contact,
+    load_under_pressure,
+    widest_load,
+)
 from core.errors import InvalidInput
 from core.hertz import (
-    CONFORMAL_LOAD,
     HERTZ_TOLERANCE,
-    MISMATCH_SHARES,
-    MISMATCH_TOLERANCE,
+    NARROW_LOAD,
     HertzContact,
-    conformal_half_angle_tangent,
-    conformal_pressure,
-    conformal_pressure_ratio,
+    force_factor,
     hertz,
     pressure_profile,
 )
@@ -83,7 +85,9 @@ def test_pressure_and_width_grow_as_the_root_of_the_load(
 
 
 @given(contacts())
-def test_materials_may_change_places(contact: dict[str, object]) -> None:
+def test_materials_may_change_places_where_the_contact_is_narrow(
+    contact: dict[str, object],
+) -> None:
     one = calculate(contact)
     swapped = calculate(
         contact,
@@ -93,9 +97,11 @@ def test_materials_may_change_places(contact: dict[str, object]) -> None:
     assert swapped.max_pressure == pytest.approx(one.max_pressure, rel=1e-15)
     assert swapped.half_width == pytest.approx(one.half_width, rel=1e-15)
     assert swapped.effective_modulus == pytest.approx(one.effective_modulus, rel=1e-15)
+    if one.governing_pressure is None or one.conformal_pressure is not None:
+        return
     if one.safety_factor is None:
         assert swapped.safety_factor is None
-    else:
+    elif swapped.governing_pressure == swapped.max_pressure:
         assert swapped.safety_factor == pytest.approx(one.safety_factor, rel=1e-14)
 
 
@@ -134,9 +140,9 @@ def test_pressure_carries_the_load(contact: dict[str, object]) -> None:
 def test_each_body_is_judged_by_its_own_limit(contact: dict[str, object]) -> None:
     one = calculate(contact)
     bodies = {"pin": contact["pin_material"], "hole": contact["hole_material"]}
-    # a contact wider than the pin has no pressure to compare with, unless a conformal one
-    if one.half_width_ratio > 1 and one.conformal_pressure is None:
-        assert one.governing_pressure is None
+    if one.governing_pressure is None:  # the contact would wrap around more than half of the pin
+        assert one.conformal_pressure is None
+        assert [each.code for each in one.notices] == ["contact_wraps"]
         assert (one.safety, one.safety_factor) == ((), None)
         return
     largest = one.max_pressure if one.conformal_pressure is None else one.conformal_pressure
@@ -175,7 +181,7 @@ def test_contacts_of_an_array_are_those_one_by_one(
     for index, contact in enumerate(several):
         one = calculate(contact)
         for name in HertzContact._fields:
-            if name in ("safety", "accuracy"):
+            if name in ("safety", "accuracy", "mismatch"):
                 continue
             expected, got = getattr(one, name), getattr(together, name)
             value = math.nan if got is None else got[index]
@@ -205,35 +211,128 @@ def test_the_entry_of_an_array_that_is_refused_is_named() -> None:
 
 @given(contacts())
 def test_conformal_pressure_only_where_it_applies(contact: dict[str, object]) -> None:
-    same = calculate(contact, hole_material=contact["pin_material"])
-    if same.conformal_pressure is not None:
-        assert abs(same.conformal_pressure / same.max_pressure - 1) > HERTZ_TOLERANCE
-        assert same.conformal_pressure > same.max_pressure
-        assert same.conformal_half_angle is not None
-        assert 0 < same.conformal_half_angle < math.radians(86)
-    one = calculate(contact)
-    alpha, beta = mismatch(first=contact["pin_material"], second=contact["hole_material"])  # type: ignore[arg-type]
-    stated = MISMATCH_SHARES[0] * abs(alpha) + MISMATCH_SHARES[1] * abs(beta)
-    if stated > MISMATCH_TOLERANCE:
-        assert one.conformal_pressure is None
-    if one.conformal_pressure is None:
-        assert one.conformal_error is None
-    else:
-        assert one.conformal_error == stated
-        assert abs(one.conformal_pressure / one.max_pressure - 1) > HERTZ_TOLERANCE
+    for changes in ({}, {"hole_material": contact["pin_material"]}):
+        one = calculate(contact, **changes)
+        alpha, beta = one.mismatch
+        assert one.mismatch == mismatch(
+            first=contact["pin_material"],  # type: ignore[arg-type]
+            second=changes.get("hole_material", contact["hole_material"]),  # type: ignore[arg-type]
+        )
+        wide = one.conformity * widest_load(alpha=alpha, beta=beta) <= 1
+        found = conformal_contact(
+            load_parameter=1 / one.conformity, alpha=alpha, beta=beta
+        ).pressure / math.sqrt(1 / one.conformity / math.pi)
+        if one.conformal_pressure is None:
+            assert (one.governing_pressure is None) == (not wide)
+            assert not wide or found <= (1 + HERTZ_TOLERANCE) * (1 + 1e-12)
+            assert one.conformal_error is None and one.edge_tension is None
+            continue
+        assert one.conformal_pressure > (1 + HERTZ_TOLERANCE) * one.max_pressure
+        assert one.conformal_pressure == pytest.approx(found * one.max_pressure, rel=1e-9)
+        assert one.conformal_half_angle is not None
+        assert 0 < one.conformal_half_angle <= math.pi / 2
+        assert one.edge_tension > 0  # type: ignore[operator]
+        assert (one.conformal_error == 0) == (beta == 0)
 
 
 def test_bearing_steel_and_tempered_steel_have_a_conformal_pressure() -> None:
-    """207 on 206 GPa: within 0.1 % what equal materials of the mean modulus have."""
+    """207 on 206 GPa: nearly what equal materials of the mean modulus have."""
     sizes = {"force": 5000.0, "contact_length": 0.02, "pin_radius": 0.008, "hole_radius": 0.00802}
     bearing, tempered = ElasticMaterial(207e9, 0.3), ElasticMaterial(206e9, 0.3)
     mean = ElasticMaterial(206.4988e9, 0.3)
     one = hertz(**sizes, pin_material=bearing, hole_material=tempered)  # type: ignore[arg-type]
     same = hertz(**sizes, pin_material=mean, hole_material=mean)  # type: ignore[arg-type]
-    assert one.conformal_pressure == pytest.approx(same.conformal_pressure, rel=1e-6)
+    assert one.conformal_pressure == pytest.approx(same.conformal_pressure, rel=4e-4)
+    assert one.conformal_pressure != pytest.approx(same.conformal_pressure, rel=1e-5)
     assert one.conformal_error is not None
-    assert 0 < one.conformal_error < 1e-3
+    assert 0 < one.conformal_error < 1e-11
     assert same.conformal_error == 0
+
+
+@pytest.mark.parametrize("load_parameter", [0.3, 1.0, 5.0, 40.0])
+def test_the_pressure_is_continuous_where_the_constants_vanish(load_parameter: float) -> None:
+    """Both from both sides: the difference falls with them."""
+    same = conformal_contact(load_parameter=load_parameter)
+    for alpha, beta in ((1e-6, 0.0), (-1e-6, 0.0), (0.0, 1e-6), (0.0, -1e-6), (1e-6, 1e-6)):
+        near = conformal_contact(load_parameter=load_parameter, alpha=alpha, beta=beta)
+        nearer = conformal_contact(
+            load_parameter=load_parameter, alpha=alpha / 100, beta=beta / 100
+        )
+        for name in ("tangent", "pressure", "mean_pressure"):
+            off = getattr(near, name) - getattr(same, name)
+            assert 0 < abs(off) < 1e-6
+            assert getattr(nearer, name) - getattr(same, name) == pytest.approx(
+                off / 100, abs=1e-13
+            )
+
+
+@given(st.floats(-1, 1), st.floats(-0.25, 0.25), st.floats(-3, 4))
+def test_the_pressure_grows_with_the_load_and_its_parameter(
+    alpha: float, beta: float, power: float
+) -> None:
+    beta = max(min(alpha / 4 + beta, 0.5), -0.5)
+    load_parameter = max(widest_load(alpha=alpha, beta=beta), 0.0) + 10**power
+    one, more = (
+        conformal_contact(load_parameter=each, alpha=alpha, beta=beta)
+        for each in (load_parameter, load_parameter / 1.01)
+    )
+    assert one.tangent < more.tangent or math.isnan(more.tangent)
+    assert one.pressure < 1.01 * more.pressure or math.isnan(more.tangent)
+    again = load_under_pressure(
+        pressure_parameter=one.pressure / load_parameter, alpha=alpha, beta=beta
+    )
+    assert again == pytest.approx(load_parameter, rel=1e-10)
+
+
+def test_beyond_a_right_angle_nothing_is_known() -> None:
+    alpha, beta = -0.97, -0.2
+    least = widest_load(alpha=alpha, beta=beta)
+    assert least > 0
+    at, beyond = (
+        conformal_contact(load_parameter=least * share, alpha=alpha, beta=beta)
+        for share in (1 + 1e-9, 1 - 1e-9)
+    )
+    assert at.tangent == pytest.approx(1.0, abs=1e-7)
+    assert math.isnan(beyond.tangent) and math.isnan(beyond.pressure)
+    # a pressure that is not reached before
+    assert load_under_pressure(pressure_parameter=1e6, alpha=alpha, beta=beta) == pytest.approx(
+        least, rel=1e-12
+    )
+
+
+def test_contacts_beyond_a_right_angle_are_masked_in_arrays() -> None:
+    plastic = ElasticMaterial(2.8e9, 0.38, ContactLimit("given", 60e6))
+    force = np.array([1.0, 3e3, 1e6])
+    found = hertz(
+        force=force,
+        contact_length=0.02,
+        pin_radius=0.006,
+        hole_radius=0.00602,
+        pin_material=plastic,
+        hole_material=STEEL,
+    )
+    assert found.governing_pressure is not None and found.conformal_pressure is not None
+    assert np.isnan(found.governing_pressure).tolist() == [False, False, True]
+    assert np.isnan(found.conformal_pressure).tolist() == [True, False, True]
+    assert np.isnan(found.safety[0].safety_factor).tolist() == [False, False, True]
+
+
+@pytest.mark.parametrize("limit", [5e6, 9e6, 10e6, 10.1e6, 20e6, 60e6, 1e12])
+def test_the_force_under_which_a_pressure_is_at_its_limit(limit: float) -> None:
+    """Of a pin of plastic, whose contact wraps around its half before the largest limit."""
+    sizes = {"contact_length": 0.02, "pin_radius": 0.006, "hole_radius": 0.0065}
+    plastic = ElasticMaterial(2.8e9, 0.38)
+
+    def at(factor: float) -> HertzContact:
+        force = 100.0 * factor
+        return hertz(force=force, **sizes, pin_material=plastic, hole_material=STEEL)
+
+    factor = force_factor(contact=at(1.0), contact_at=at, limit=limit)
+    there = at(factor)
+    assert there.governing_pressure is not None and there.governing_pressure <= limit
+    after = at(factor * (1 + 1e-9)).governing_pressure
+    jump = after is None or after > 1.009 * there.governing_pressure
+    assert there.governing_pressure == pytest.approx(limit, rel=1e-9) or jump
 
 
 @given(contacts())
@@ -263,21 +362,20 @@ def test_no_load_no_pressure() -> None:
 
 @given(st.floats(1e-6, 1e12))
 def test_conformal_contact_is_wider_the_smaller_the_load_parameter(load_parameter: float) -> None:
-    b, _ = conformal_half_angle_tangent(load_parameter=load_parameter)
-    looser, _ = conformal_half_angle_tangent(load_parameter=load_parameter * 1.01)
+    one = conformal_contact(load_parameter=load_parameter)
+    b, looser = one.tangent, conformal_contact(load_parameter=load_parameter * 1.01).tangent
     assert 0 < looser < b < 0.93
     left = 2 - math.log1p(b * b) - 2 * b**4
-    right = load_parameter * math.pi * b * b * (1 + b * b)
+    right = 2 * load_parameter * math.pi * b * b * (1 + b * b)
     # near the limit of no clearance both sides vanish: their terms are of order 2
     assert left == pytest.approx(right, rel=1e-13, abs=1e-14)
-    ratio, _, _ = conformal_pressure_ratio(load_parameter=load_parameter)
-    assert ratio > 1 - 1e-14
+    assert one.pressure / math.sqrt(load_parameter / math.pi) > 1 - 1e-14
 
 
 @given(st.floats(1e-8, 0.9164))
 def test_conformal_pressure_falls_from_the_middle_to_nothing_at_the_edge(b: float) -> None:
     places = np.linspace(0.0, b, 40)
-    pressure = [conformal_pressure(position=float(y), half_angle_tangent=b) for y in places]
+    pressure = [closed_pressure(position=float(y), tangent=b) for y in places]
     assert all(after < before for before, after in pairwise(pressure))
     assert pressure[-1] == pytest.approx(0.0, abs=1e-6 * pressure[0])
 
@@ -363,6 +461,15 @@ def test_radii_that_are_equal_but_for_rounding_say_that_hardly_anything_is_known
     assert [notice.code for notice in contact.notices] == codes
 
 
-def test_the_load_from_which_the_conformal_pressure_is_given() -> None:
-    ratio, _, _ = conformal_pressure_ratio(load_parameter=CONFORMAL_LOAD)
-    assert ratio - 1 == pytest.approx(HERTZ_TOLERANCE, rel=1e-11)
+@pytest.mark.parametrize(
+    ("alpha", "beta", "load_parameter"), [(0.0, 0.0, 50.1910356000450), (-1.0, -0.5, NARROW_LOAD)]
+)
+def test_the_load_from_which_the_conformal_pressure_is_given(
+    alpha: float, beta: float, load_parameter: float
+) -> None:
+    """Of identical materials, found at 40 digits; of the two that are the first to have one."""
+    found = conformal_contact(load_parameter=load_parameter, alpha=alpha, beta=beta)
+    ratio = found.pressure / math.sqrt(load_parameter / math.pi)
+    tolerance = 1e-11 if beta == 0 else 2e-3
+    assert ratio - 1 == pytest.approx(HERTZ_TOLERANCE, rel=tolerance)
+    assert beta == 0 or ratio - 1 < HERTZ_TOLERANCE

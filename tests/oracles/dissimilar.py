@@ -2,9 +2,9 @@
 
 A pressure ``p_n*cos(n*theta)`` moves the rim of a disc by ``-p_n*R/(4*mu)*((k + 1)*n - (k - 1))``
 and that of a hole by ``p_n*R/(4*mu)*((k + 1)*n + (k - 1))``, over ``n^2 - 1`` (Kolosov,
-``k = 3 - 4*v``); both together, with Dundurs' constants, by ``A/4*p_n*(n - beta)/(n^2 - 1)``, a
-uniform pressure by ``A/8*(1 + 2*beta - alpha)``. Their sum is the gap within the
-contact, up to a shift of the disc.
+``k = 3 - 4*v``); both together, with Dundurs' constants, positive where the disc is the stiffer, by
+``A/4*p_n*(n + beta)/(n^2 - 1)``, a uniform pressure by ``A/8*(1 - 2*beta + alpha)``. Their sum is
+the gap within the contact, up to a shift of the disc.
 """
 
 from functools import cache
@@ -47,11 +47,69 @@ def contact(half_angle: float, alpha: float, beta: float) -> tuple[float, float]
     polynomials of the second kind in s, the place over the half-angle, whose Fourier coefficients
     are Bessel functions.
     """
+    weights = _weights(half_angle, alpha, beta)
+    sign = (-1.0) ** np.arange(TERMS)
+    return float(np.pi * harmonics(half_angle, weights, 1)[0]), float(np.sum(weights * sign))
+
+
+def _weights(half_angle: float, alpha: float, beta: float) -> Any:
+    """Polynomials of the pressure."""
     same, other = _moved(half_angle)
-    moved = same - beta * other
-    moved[:, 0] += half_angle / 8 * (1 + 2 * beta - alpha)
+    moved = same + beta * other
+    moved[:, 0] += half_angle / 8 * (1 - 2 * beta + alpha)
     shift = -np.cos(half_angle * _places())[:, None]
-    weights = np.linalg.solve(np.hstack([moved, shift]), -np.ones(TERMS + 1))[:-1]
-    odd, sign = 2 * np.arange(TERMS) + 1, (-1.0) ** np.arange(TERMS)
-    load = np.pi * np.sum(odd * sign * jv(odd, half_angle) * weights)
-    return float(load), float(np.sum(weights * sign))
+    return np.linalg.solve(np.hstack([moved, shift]), -np.ones(TERMS + 1))[:-1]
+
+
+def harmonics(half_angle: float, weights: Any, most: int) -> Any:
+    """``p_n`` of the pressure for n = 1 to `most`."""
+    n, odd = np.arange(1, most + 1), 2 * np.arange(TERMS) + 1
+    sign = (-1.0) ** np.arange(TERMS)
+    return (jv(odd, np.outer(n, np.full(TERMS, half_angle))) * odd * sign) @ weights / n
+
+
+def hoop_tension(half_angle: float, alpha: float, beta: float, poissons_ratio: float) -> float:
+    """Hoop stress of the hole's rim at the ends of the contact, over the load Q/R: there
+    ``2*p_0 + 2*k/(k + 1)*p_1*cos(angle)``, to `ERROR`.
+    """
+    weights = _weights(half_angle, alpha, beta)
+    k = 3 - 4 * poissons_ratio
+    first = harmonics(half_angle, weights, 1)[0]
+    around = weights[0] * half_angle / 2 + 2 * k / (k + 1) * first * np.cos(half_angle)
+    return float(around / (np.pi * first))
+
+
+def yield_factor(half_angle: float, alpha: float, beta: float, poissons_ratio: float) -> float:
+    """Largest pressure over the largest stress by Mises in the plane around the hole, to 1e-3: on a
+    grid of places, the stresses as a sum over the harmonics (Michell).
+    """
+    weights = _weights(half_angle, alpha, beta)
+    most = int(120 / half_angle) + 50
+    p, n = harmonics(half_angle, weights, most), np.arange(1, most + 1)
+    first, p, n = p[0], p[1:], n[1:]
+    mean, k = weights[0] * half_angle / 4, 3 - 4 * poissons_ratio
+    rho = 1 / (1 + half_angle * np.linspace(0.08, 1.6, 77))
+    worst = 0.0
+    for angle in half_angle * np.linspace(0, 1.1, 7):
+        a = -p / (2 * (n + 1)) * rho[:, None] ** (n + 2)
+        b = p / (2 * (n - 1)) * rho[:, None] ** n
+        radial = -(n * (n + 1) * a + (n + 2) * (n - 1) * b) @ np.cos(n * angle) - mean * rho**2
+        hoop = (n * (n + 1) * a + (n - 2) * (n - 1) * b) @ np.cos(n * angle) + mean * rho**2
+        shear = (n * ((1 - n) * b - (n + 1) * a)) @ np.sin(n * angle)
+        d = first * (k - 1) / (2 * (k + 1))
+        radial += (-first * rho + d * (rho - rho**3)) * np.cos(angle)
+        hoop += d * (rho + rho**3) * np.cos(angle)
+        shear += d * (rho - rho**3) * np.sin(angle)
+        worst = max(worst, float(_mises(radial, hoop, shear, poissons_ratio).max()))
+    s = np.linspace(0, 1, 400)
+    odd = 2 * np.arange(TERMS) + 1
+    pressure = np.sin(np.outer(np.arccos(s), odd)) @ weights
+    hoop = 2 * mean + 2 * k / (k + 1) * first * np.cos(half_angle * s) - pressure
+    worst = max(worst, float(_mises(-pressure, hoop, 0.0, poissons_ratio).max()))
+    return float(pressure[0] / worst)
+
+
+def _mises(one: Any, other: Any, shear: Any, poissons_ratio: float) -> Any:
+    along = poissons_ratio * (one + other)
+    parts = (one - other) ** 2 + (other - along) ** 2 + (along - one) ** 2
+    return np.sqrt(parts / 2 + 3 * shear**2)

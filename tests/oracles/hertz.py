@@ -30,6 +30,12 @@ def exact_tangent(load_parameter: float) -> mpf:
     return (low + high) / 2
 
 
+def exact_mean(b: mpf) -> mpf:
+    """Mean pressure over the whole rim, p_0*R/Q, of identical materials."""
+    y = b * b
+    return (mp.log(1 + y) + 2 * y * y) / (2 * mp.pi * y * (1 + y))
+
+
 def exact_pressure(y: mpf, b: mpf) -> mpf:
     """p*R/Q at y = tan(angle/2), Ciavarella and Decuzzi 2001 for identical materials."""
     inner, outer = mp.sqrt(b * b - y * y), mp.sqrt(b * b + 1)

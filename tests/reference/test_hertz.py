@@ -1,31 +1,16 @@
-"""Oracle tests: line contact in mpmath, the conformal contact against plane elasticity itself.
-
-The conformal solution is not taken on trust: its pressure is put into the displacements of a
-disc and of a hole (Michell's series for each harmonic of the pressure), and the gap that they
-leave has to be closed over the contact and open beside it.
-"""
+"""Oracle tests: line contact in mpmath."""
 
 import math
 import random
 from decimal import Decimal
 from fractions import Fraction
-from itertools import pairwise
 
 import numpy as np
 import pytest
 from mpmath import mp, mpf
 
-from core.hertz import (
-    HALF_WIDTH_RATIO_LIMIT,
-    MISMATCH_SHARES,
-    conformal_half_angle_tangent,
-    conformal_pressure,
-    conformal_pressure_ratio,
-    conformal_profile,
-    hertz,
-)
+from core.hertz import HALF_WIDTH_RATIO_LIMIT, conformal_profile, hertz
 from core.materials import ElasticMaterial
-from tests.oracles import dissimilar
 from tests.oracles.hertz import axis_shear, exact_pressure, exact_tangent
 from tests.oracles.seeds import seeds
 
@@ -112,89 +97,6 @@ def test_largest_shear_is_that_of_the_whole_stress_field() -> None:
     assert found.max_shear_depth / found.half_width == pytest.approx(0.786, abs=5e-4)
 
 
-LOAD_PARAMETERS = [1e-12, 1e-6, 1e-3, 0.03, 0.3, 1.0, 3.0, 30.0, 300.0, 1e4, 1e8, 1e14]
-
-
-@pytest.mark.parametrize("load_parameter", LOAD_PARAMETERS)
-def test_conformal_half_angle_and_peak_pressure(load_parameter: float) -> None:
-    b, _ = conformal_half_angle_tangent(load_parameter=load_parameter)
-    exact = exact_tangent(load_parameter)
-    assert abs(mpf(b) / exact - 1) < 1e-15
-    ratio, tangent, _ = conformal_pressure_ratio(load_parameter=load_parameter)
-    assert tangent == b
-    exact_ratio = exact_pressure(mpf(0), exact) / mp.sqrt(mpf(load_parameter) / (2 * mp.pi))
-    assert abs(mpf(ratio) / exact_ratio - 1) < 3e-15
-
-
-@pytest.mark.parametrize("load_parameter", [0.0, *LOAD_PARAMETERS])
-def test_conformal_pressure_carries_the_load(load_parameter: float) -> None:
-    # Q = integral of p*cos(angle)*R over the contact
-    b, _ = conformal_half_angle_tangent(load_parameter=load_parameter)
-    end = 2 * mp.atan(mpf(b))
-
-    def share(t: mpf) -> mpf:
-        # angle = end*sin(t) takes the square roots at the ends away
-        angle = end * mp.sin(t)
-        y = min(float(mp.tan(abs(angle) / 2)), b)
-        pressure = conformal_pressure(position=y, half_angle_tangent=b)
-        return mpf(pressure) * mp.cos(angle) * end * mp.cos(t)
-
-    with mp.workdps(18):
-        carried = mp.quad(share, [-mp.pi / 2, 0, mp.pi / 2], maxdegree=6)
-    assert float(carried) == pytest.approx(1.0, abs=1e-11)
-
-
-@pytest.mark.parametrize("load_parameter", [0.0, 0.05, 0.3, 1.0, 3.0, 20.0])
-def test_conformal_pressure_closes_the_gap_between_disc_and_hole(load_parameter: float) -> None:
-    """Michell's series: for a pressure p_n*cos(n*t) on both rims (plane strain, one material)
-
-    u_hole - u_disc = 4*R/E1* * p_n * n/(n^2 - 1) * cos(n*t),  n >= 2;  2*R/E1* * p_0,  n = 0
-
-    (n = 1 is a rigid motion of the disc). Contact: u_hole - u_disc + dR = C*cos(t).
-    """
-    harmonics, points = 700, 4001
-    b, _ = conformal_half_angle_tangent(load_parameter=load_parameter)
-    end = 2 * math.atan(b)
-    t = np.linspace(-np.pi / 2, np.pi / 2, points)
-    weight = end * np.cos(t) * (t[1] - t[0])
-    angle = end * np.sin(t)
-    y = np.minimum(np.abs(np.tan(angle / 2)), b)
-    pressure = np.array([conformal_pressure(position=float(p), half_angle_tangent=b) for p in y])
-    load = pressure * weight
-    # the middle of the contact, two places nearer its edge, and two outside it
-    places = np.array([0.0, 0.3, 0.6, 0.85, 1.3, 1.7]) * end
-    approach = np.full(len(places), 2 * load.sum() / (2 * math.pi))
-    for n in range(2, harmonics):
-        p_n = float((load * np.cos(n * angle)).sum()) / math.pi
-        approach += 4 * p_n * n / (n * n - 1) * np.cos(n * places)
-    # in units of Q/E1*: approach + load_parameter = C*cos(t)
-    gap = approach + load_parameter
-    rigid = gap[0] / math.cos(places[0])
-    error = gap - rigid * np.cos(places)
-    scale = float(np.abs(approach).max())
-    assert np.abs(error[:4]).max() < 2e-6 * scale
-    # beside the contact the disc has not reached the hole
-    assert (error[4:] > 0.1 * scale).all()
-
-
-def test_without_clearance_the_contact_angle_is_the_known_limit() -> None:
-    # Persson's limit: dR = 0, 2 = ln(b^2 + 1) + 2*b^4, whatever the load
-    b, _ = conformal_half_angle_tangent(load_parameter=0.0)
-    assert abs(mpf(b) / exact_tangent(0.0) - 1) < 1e-15
-    assert 2 * math.degrees(math.atan(b)) == pytest.approx(85.0, abs=0.5)
-
-
-def test_hertz_is_the_limit_of_a_narrow_contact() -> None:
-    # b -> 0: the first correction falls as b^2 ~ 1/load_parameter
-    errors = [
-        abs(conformal_pressure_ratio(load_parameter=p)[0] - 1) for p in (1e2, 1e3, 1e4, 1e5, 1e6)
-    ]
-    for wide, narrow in pairwise(errors):
-        assert narrow == pytest.approx(wide / 10, rel=0.05)
-    b, _ = conformal_half_angle_tangent(load_parameter=1e10)
-    assert b == pytest.approx(math.sqrt(2 / (math.pi * 1e10)), rel=1e-9)
-
-
 def test_limit_of_validity_is_where_hertz_is_off_by_one_per_cent() -> None:
     # a/R = 2*sqrt(2/(pi*load_parameter)) for dR << R
     def excess(load_parameter: mpf) -> mpf:
@@ -236,7 +138,7 @@ def test_the_stated_error_holds_where_nearly_equal_radii_are_typed_as_decimals()
     assert max(shares) > 0.5, "a bound of half the size would be wrong"
 
 
-def test_the_pressure_along_the_arc_is_placed_on_the_pin() -> None:
+def test_the_pressure_along_the_arc_is_placed_between_pin_and_hole() -> None:
     steel = ElasticMaterial(youngs_modulus=206e9, poissons_ratio=0.3)
     contact = hertz(
         force=2e4,
@@ -248,51 +150,9 @@ def test_the_pressure_along_the_arc_is_placed_on_the_pin() -> None:
     )
     assert contact.conformal_half_angle is not None
     arc, pressure = conformal_profile(contact=contact, samples=20001)
-    assert arc[-1] == pytest.approx(0.008 * contact.conformal_half_angle, rel=1e-14)
+    radius = math.sqrt(0.008 * 0.00802)
+    assert arc[-1] == pytest.approx(radius * contact.conformal_half_angle, rel=1e-14)
     assert pressure.max() == pytest.approx(contact.conformal_pressure, rel=1e-14)
     # the load: pressure times cosine over the arc, times the length
-    carried = np.trapezoid(pressure * np.cos(arc / 0.008), arc) * 0.02
-    assert carried == pytest.approx(2e4, rel=0.003)  # R - r << r, and where the arc is taken
-
-
-@pytest.mark.parametrize("degrees", [5, 10, 20, 40, 60, 75, 78, 83, 84.5])
-def test_the_series_of_a_disc_in_a_hole_gives_persson(degrees: float) -> None:
-    half_angle = math.radians(degrees)
-    load, pressure = dissimilar.contact(half_angle, 0.0, 0.0)
-    b = math.tan(half_angle / 2)
-    expected = conformal_pressure(position=0.0, half_angle_tangent=b)
-    assert pressure / load == pytest.approx(expected, rel=dissimilar.ERROR)
-    # E1**dR/Q of Persson is 2*E**dR/Q
-    parameter = 4.0 / load
-    assert conformal_half_angle_tangent(load_parameter=parameter)[0] == pytest.approx(
-        b, rel=dissimilar.ERROR
-    )
-
-
-@pytest.mark.parametrize("degrees", [5, 10, 20, 30, 45, 60, 70, 74, 78, 83])
-@pytest.mark.parametrize(
-    ("alpha", "beta", "widest"),
-    [
-        (0.0024, 0.0007, 85),
-        (0.39, 0.1, 85),
-        (-0.39, -0.1, 82.5),
-        (0.39, -0.1, 85),
-        (0.0, 0.2, 77.5),
-        (0.0, -0.2, 85),
-        (0.7, 0.0, 85),
-        (-0.7, 0.0, 75.5),
-    ],
-)
-def test_other_materials_change_the_conformal_pressure_less_than_stated(
-    degrees: float, alpha: float, beta: float, widest: float
-) -> None:
-    """Up to the widest contact that a load makes of these materials, in degrees."""
-    load, pressure = dissimilar.contact(math.radians(degrees), alpha, beta)
-    assert (load > 0) == (degrees < widest)
-    if load < 0:
-        return
-    ratio, _, _ = conformal_pressure_ratio(load_parameter=4.0 / load)
-    same = ratio * math.sqrt(4.0 / load / (2 * math.pi)) * load
-    share_alpha, share_beta = MISMATCH_SHARES
-    stated = share_alpha * abs(alpha) + share_beta * abs(beta)
-    assert abs(pressure / same - 1) <= stated + dissimilar.ERROR
+    carried = np.trapezoid(pressure * np.cos(arc / radius), arc) * 0.02
+    assert carried == pytest.approx(2e4, rel=1e-7)
