@@ -16,7 +16,7 @@ COMPILE := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --gen
 	--no-header --no-annotate pyproject.toml
 
 .DEFAULT_GOAL := help
-.PHONY: help run check test lint types compiled fast node accuracy compare mutations ratios house \
+.PHONY: help run check test lint types compiled fast node accuracy catalogue compare mutations ratios house \
 	bench bench-page requirements audit fuzz image soak attacks load clients picture
 
 help:  ## list the commands
@@ -84,6 +84,9 @@ accuracy: .venv/test  ## check stated errors and hard cases; writes docs/accurac
 	PYTHONPATH=. $(BIN)/python -m benchmarks.turns
 	TIMES_AS_MANY_CASES=12 $(BIN)/pytest --quiet --numprocesses auto --dist worksteal \
 		--hypothesis-profile=many tests/reference tests/core
+
+catalogue: .venv/test  ## judge reducers of catalogues and papers; writes docs/catalogue.md
+	PYTHONPATH=. $(BIN)/python -m benchmarks.catalogue
 
 compare: .venv/test  ## ask a corpus of requests of revision BASE and of this one, and compare the answers
 	PYTHONPATH=. $(BIN)/python -m benchmarks.compare $(BASE)

@@ -26,7 +26,7 @@ import { isOn, readState, shownFields, textIn, withLinks } from "./lib/form_stat
 import { query } from "./lib/url_state.js";
 import { warningsOf } from "./lib/verdict.js";
 import { message } from "./messages/index.js";
-import { ofTitle, passingText, problemText, refusalTexts, warningText } from "./service_texts.js";
+import { explained, ofTitle, passingText, problemText, refusalTexts, warningText } from "./service_texts.js";
 
 /** What is wrong with a box, in words; nothing for one that can be read. */
 export function readingText(reading) {
@@ -212,9 +212,13 @@ function refused(state, refusal) {
   return { ...state, phase, refusal: { at, text }, line: ["bad", text], said: text };
 }
 
-/** What is strained or assumed; or that there is nothing of the kind. The checks are said by the verdict. */
-function warningLine({ titles }, { answer }) {
-  const sentences = warningsOf(answer).map((warning) => warningText(warning, titles));
+/**
+ * What is strained or assumed, or that there is nothing of the kind; why checks could not be made, too, where that is
+ * explained below. The checks are said by the verdict.
+ */
+function warningLine({ calculator, titles }, { answer }) {
+  const reasons = (judgedOf(calculator, answer)?.checks ?? []).flatMap(({ reason }) => (reason && explained(reason.code) ? reason : []));
+  const sentences = [...new Set([...warningsOf(answer), ...reasons].map((warning) => warningText(warning, titles)))];
   if (sentences.length === 0) return ["", message("verdict.noWarnings")];
   const key = sentences.length === 1 ? "verdict.oneWarning" : "verdict.warnings";
   return ["warning", message(key, { count: sentences.length, first: sentences[0] })];

@@ -172,14 +172,15 @@ function placeDetail(parts, { m, directions, pins, driving, force, real }, i) {
   one.gamma.classList.toggle("none", !driving[i]);
   if (opening <= 180) setAngle(one.gamma, centre, way * 0.5, from, to);
   else setAngle(one.gamma, centre, way * 0.5, to, from);
-  // Dimensions lie away from the line through the centres, where the force and the contact are.
+  // Dimensions lie away from the line through the centres, where the force and the contact are, and from the mechanism.
   const away = clock(direction);
+  const side = direction[1] >= 0 ? 1 : -1;
   fill(one.moving, html`
     ${line(centre, hole, "crank-line", FIELD.e)}
     ${circle(hole, 2.5, "dot", FIELD.e)}
-    ${label([(centre[0] + hole[0]) / 2 + direction[1] * 12, (centre[1] + hole[1]) / 2 + direction[0] * 12 + 4], "e", { field: FIELD.e })}
-    ${radius(centre, close.size(m.pinRadius), away + 125, "r_in", { of: m.pinRadius, field: FIELD.pin, lead: close.size(m.holeRadius + m.eccentricity - m.pinRadius) + 6 })}
-    ${radius(hole, close.size(m.holeRadius), away + 55, "r_out", { of: m.holeRadius, field: FIELD.hole, lead: 10 })}`);
+    ${label([(centre[0] + hole[0]) / 2 + side * direction[1] * 12, (centre[1] + hole[1]) / 2 + side * direction[0] * 12 + 4], "e", { field: FIELD.e })}
+    ${radius(centre, close.size(m.pinRadius), away + side * 125, "r_in", { of: m.pinRadius, field: FIELD.pin, lead: close.size(m.holeRadius + m.eccentricity - m.pinRadius) + 6 })}
+    ${radius(hole, close.size(m.holeRadius), away + side * 55, "r_out", { of: m.holeRadius, field: FIELD.hole, lead: 10 })}`);
   const drives = real ? "drawing.carries" : "drawing.drives";
   one.title.textContent = message(driving[i] ? drives : "drawing.idle", {
     ...m.pairs[i], force: formatQuantity(value, "N", 4),

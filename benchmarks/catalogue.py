@@ -1,0 +1,93 @@
+"""What the service says of real reducers: their rated torque over the largest that it allows.
+
+The reducers are those of `tests/inputs/catalogue.json`, by catalogues, data sheets and papers.
+Writes docs/catalogue.md. Run by `make catalogue`.
+"""
+
+from contextlib import closing
+from copy import deepcopy
+from pathlib import Path
+from typing import Any
+
+import orjson
+
+from tests.inputs.in_process import Service
+
+ROOT = Path(__file__).parent.parent
+REPORT = ROOT / "docs" / "catalogue.md"
+REDUCERS = ROOT / "tests" / "inputs" / "catalogue.json"
+ASSUMED = "assumed: "
+HEAD = """\
+# Real reducers
+
+Made by `make catalogue` (`benchmarks/catalogue.py`): reducers by catalogues, data sheets, papers.
+Each number of a design has its document and where it stands there, or why it is assumed, in
+`tests/inputs/catalogue.json`; *assumed* counts these of all numbers. The clearance is hardly ever
+published: where it is not, the design is judged with the usual one, marked with *. The verdict is
+at the torque of the document; the largest torque is the least over the parts that are judged, which
+the next column names, and is left out where it is not known, as of plastics, whose limits are not,
+or where no smaller torque would do: teeth and what a document does not give are open. Where the
+rating is far off it, the numbers assumed are as likely wrong as the design: these are no proofs of
+either.
+
+| reducer | kind | rating, N·m | assumed | clearance, mm | verdict | governing check | \
+largest torque, N·m | of | rating over it |
+|---|---|---|---|---|---|---|---|---|---|
+"""
+
+Answer = dict[str, Any]
+
+
+def judged(service: Service, body: Answer) -> tuple[Answer, str]:
+    """Answer of a design, with the usual clearance where none is known, and that clearance."""
+    status, answer = service.post("crank-planetary", body | {"include": ["checks", "usual_fit"]})
+    assert status == 200, answer
+    contact = body["contact"]
+    open_by = {part.get("reason") for part in answer["parts"]}
+    if "usual_fit" not in answer or "clearance_unknown" not in open_by:
+        return answer, f"{contact.get('hole_clearance_mm', 0):.3g}"
+    body = deepcopy(body)
+    clearance = answer["usual_fit"]["hole_clearance_mm"]
+    body["contact"]["hole_clearance_mm"] = clearance
+    body["contact"].pop("distribution_factor", None)  # how uneven the sharing is, is solved then
+    if "eccentricity_mm" in contact:
+        body["contact"].pop("hole_radius_mm", None)
+    status, answer = service.post("crank-planetary", body | {"include": ["checks"]})
+    assert status == 200, answer
+    return answer, f"{clearance:.3g} *"
+
+
+def row(service: Service, reducer: Answer) -> tuple[str, float | None]:
+    """A row of the table, and the rating over the largest torque."""
+    answer, clearance = judged(service, reducer["body"])
+    titles = {check["code"]: check["title"] for check in answer["checks"]}
+    largest = answer.get("largest_torque_Nm")
+    over = reducer["rating_Nm"] / largest if largest else None
+    words = reducer["numbers"].values()
+    cells = [
+        reducer["name"],
+        reducer["kind"],
+        f"{reducer['rating_Nm']:g}",
+        f"{sum(word.startswith(ASSUMED) for word in words)} of {len(words)}",
+        clearance,
+        answer["verdict"],
+        titles.get(answer.get("governing"), ""),
+        "" if largest is None else f"{largest:.4g}",
+        ", ".join(answer.get("largest_torque_of", [])),
+        "" if over is None else f"{over:.2f}",
+    ]
+    return f"| {' | '.join(cells)} |", over
+
+
+def main() -> None:
+    """Judge all reducers and write the report."""
+    with closing(Service()) as service:
+        rows = [row(service, reducer) for reducer in orjson.loads(REDUCERS.read_bytes())]
+    REPORT.write_text(HEAD + "\n".join(line for line, _ in rows) + "\n", encoding="utf-8")
+    known = sorted(over for _, over in rows if over is not None)
+    print(f"{len(rows)} reducers, {len(known)} with a largest torque; rating over it:")
+    print(" ".join(f"{over:.2f}" for over in known))
+
+
+if __name__ == "__main__":
+    main()
