@@ -285,7 +285,6 @@ def system_life(design: Design, results: Results) -> Check:
     inputs=(
         *FORCES,
         *LIFE,
-        "mechanism.ratio",
         *RING,
         "crankshaft.bearings",
         "crankshaft.satellite_positions",

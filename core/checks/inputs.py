@@ -7,6 +7,7 @@ FORCE = (
     "mechanism.satellites",
     "mechanism.crank_spacing",
     "mechanism.crank_angles",
+    "mechanism.ratio",  # of the torque of a ring
     "load.force_exponent",
     "contact.distribution_factor",  # of perfect parts: whether their sharing is solved
 )
@@ -39,9 +40,10 @@ FORCES = (*FORCE, *SHARING)
 LOADED = (*FORCES, "contact.dynamic_factor", "load.application_factor")
 """The same, with the factor on stresses and pressures."""
 
-LIFE = ("load.input_speed", "requirements.life")
+SPEEDS = ("load.input_speed", "load.ring_speed", "load.carrier_speed")
+"""Of crank, pins and ring against each other."""
 
-LOADS = ("load.input_speed", "mechanism.ratio", "requirements.life")
+LIFE = (*SPEEDS, "requirements.life")
 """Of how often a load comes in the life."""
 
 FATIGUE = (
@@ -65,7 +67,7 @@ RING = (
 )
 """Of the ring's force on a satellite."""
 
-BEARING_LOAD = (*FORCES, "mechanism.ratio", *RING, "bearing.kind")
+BEARING_LOAD = (*FORCES, *RING, "bearing.kind")
 """Of the load of a satellite's bearing."""
 
 ROOTS = (
