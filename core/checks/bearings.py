@@ -8,7 +8,7 @@ from functools import partial
 import numpy as np
 
 from core.checks.check import Check, Kind, design_check, judged
-from core.checks.inputs import BEARING_LOAD
+from core.checks.inputs import BEARING_LOAD, SPEEDS
 from core.crank.envelope import (
     HIGH,
     IMPOSSIBLE,
@@ -176,7 +176,7 @@ def bearing_fits(design: Design, results: Results) -> Check:
     unit="rpm",
     formula="n₁·(1 + 1/u) ≤ n_lim",
     why="Above it the bearing gets too hot.",
-    inputs=("load.input_speed", "mechanism.ratio", "bearing.limiting_speed"),
+    inputs=(*SPEEDS, "mechanism.ratio", "bearing.limiting_speed"),
     fixes=("load.input_speed",),
     source="user",
     needed=False,
@@ -309,24 +309,21 @@ def crank_bearing_fits(design: Design, results: Results) -> Check:
     unit="rpm",
     formula="n₁ ≤ n_lim",
     why="Above it the bearing gets too hot.",
-    inputs=("load.input_speed", "crankshaft.bearings"),
+    inputs=(*SPEEDS, "mechanism.ratio", "crankshaft.bearings"),
     source="user",
     needed=False,
 )
 def crank_bearing_speed(design: Design, results: Results) -> Check:
-    speeds, bearings = design.known_speeds, _of_crank(design)
-    used = [
-        (speed / each.limiting_speed, speed, each.limiting_speed)
-        for each in bearings
-        if each.limiting_speed is not None and (speed := speeds.against(each.seat)) is not None
-    ]
-    if not used:
-        value = max(speeds.against(each.seat) for each in bearings)
+    speeds = design.known_speeds
+    turning = [(speeds.against(each.seat), each.limiting_speed) for each in _of_crank(design)]
+    limited = [(speed, limit) for speed, limit in turning if limit is not None]
+    if not limited:
+        value = max(speed for speed, _ in turning)
         missing = ("crankshaft.bearings",)
         return Check(
             crank_bearing_speed, "not_asked", value=value, reason="no_limit", missing=missing
         )
-    _, speed, limit = max(used)
+    speed, limit = max(limited, key=lambda each: each[0] / each[1])
     return judged(crank_bearing_speed, speed, limit)
 
 

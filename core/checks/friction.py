@@ -3,7 +3,7 @@
 from functools import partial
 
 from core.checks.check import Check, Measure, design_check
-from core.checks.inputs import FORCES, LIFE
+from core.checks.inputs import FORCES, LIFE, SPEEDS
 from core.design.document import Design
 from core.design.results import Results
 from core.errors import NotKnown
@@ -18,7 +18,7 @@ _check = partial(design_check, group="friction", part="losses", needs=("touching
     why="Below it more is lost than is asked.",
     inputs=(
         *FORCES,
-        "mechanism.ratio",
+        *SPEEDS,
         "friction.coefficient",
         "friction.sleeve",
         "rollers.kind",
@@ -44,7 +44,7 @@ def efficiency(design: Design, results: Results) -> Measure:
     formula="v ≤ v_max",
     why="Above it the surfaces get hot.",
     inputs=(
-        "load.input_speed",
+        *SPEEDS,
         "mechanism.ratio",
         "contact.eccentricity",
         "friction.sleeve",
@@ -80,8 +80,7 @@ def _with_torque(results: Results, value: float) -> Measure:
     why="Above it the surfaces get hot and wear fast.",
     inputs=(
         *FORCES,
-        "load.input_speed",
-        "mechanism.ratio",
+        *SPEEDS,
         "friction.sleeve",
         "requirements.max_pv",
     ),
@@ -114,7 +113,6 @@ def pv(design: Design, results: Results) -> Check | Measure:
     inputs=(
         *FORCES,
         *LIFE,
-        "mechanism.ratio",
         "friction.wear_rate",
         "friction.life",
         "requirements.max_wear",

@@ -7,6 +7,7 @@ FORCE = (
     "mechanism.satellites",
     "mechanism.crank_spacing",
     "mechanism.crank_angles",
+    "mechanism.ratio",  # of the torque of a ring
     "load.force_exponent",
     "contact.distribution_factor",  # of perfect parts: whether their sharing is solved
 )
@@ -46,9 +47,10 @@ LOADED = (*FORCES, "contact.dynamic_factor", "load.application_factor")
 SLIDING = ("friction.coefficient", "friction.sleeve")
 """Of what slides in the holes."""
 
-LIFE = ("load.input_speed", "requirements.life")
+SPEEDS = ("load.input_speed", "load.ring_speed", "load.carrier_speed")
+"""Of crank, pins and ring against each other."""
 
-LOADS = ("load.input_speed", "mechanism.ratio", "requirements.life")
+LIFE = (*SPEEDS, "requirements.life")
 """Of how often a load comes in the life."""
 
 FATIGUE = (
@@ -72,7 +74,7 @@ RING = (
 )
 """Of the ring's force on a satellite."""
 
-OF_DISCS = (*FORCES, "contact.distribution_of", "mechanism.ratio", *RING)
+OF_DISCS = (*FORCES, "contact.distribution_of", *RING)
 """Of the loads of satellites on the crank."""
 
 BEARING_LOAD = (*OF_DISCS, "bearing.kind", "crankshaft.satellite_mass")

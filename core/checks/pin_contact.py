@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any, get_args
 
 from core.checks.check import Check, Kind, design_check, judged
-from core.checks.inputs import LOADED, LOADS, SLIDING
+from core.checks.inputs import LIFE, LOADED, SLIDING
 from core.derived import if_known
 from core.design.contact import SLIDING as KNOWN_SLIDING
 from core.design.document import Design
@@ -101,7 +101,7 @@ def _pressure(body: Body) -> Kind:
         title=f"Contact pressure of the {body}",
         formula="p ≤ p_all·Z_NT/S",
         why=f"Above it the surface of the {body} pits within the life.",
-        inputs=(*LOADED, *LOADS, "requirements.pitting_safety"),
+        inputs=(*LOADED, *LIFE, "requirements.pitting_safety"),
         source="yanchevsky_2018",
         known=known,
     )

@@ -3,7 +3,7 @@
 from functools import partial
 
 from core.checks.check import Check, Measure, design_check, judged, necessary, wall
-from core.checks.inputs import FATIGUE, LOADED, LOADS
+from core.checks.inputs import FATIGUE, LIFE, LOADED
 from core.design.document import Design
 from core.design.results import Results
 
@@ -121,7 +121,7 @@ def pin_slope(design: Design, results: Results) -> Measure:
     title="Fatigue of the pins",
     formula="n ≥ S_D",
     why="Below it the pins break after some time where they bend most.",
-    inputs=(*LOADED, *FATIGUE, *LOADS, "requirements.fatigue_safety"),
+    inputs=(*LOADED, *FATIGUE, *LIFE, "requirements.fatigue_safety"),
     source="shigley",
     keep="above",
 )

@@ -343,8 +343,8 @@ class Design:
     @property
     def known_speeds(self) -> MemberSpeeds:
         """These, which have to be given."""
-        given = {"ring": self.load.ring_speed, "carrier": self.load.carrier_speed}
-        speeds = self.members.speeds(crank=self.known_speed, **given)
+        crank, load = self.known_speed, self.load
+        speeds = self.members.speeds(crank=crank, ring=load.ring_speed, carrier=load.carrier_speed)
         if speeds is None:
             raise NotKnown("speed_missing", "load.ring_speed")
         return speeds

@@ -93,6 +93,17 @@ ROLLED = having(
     hole_radius=0.01002,
     peak_torque=700.0,
 )
+SEATED = having(
+    ALL,
+    crankshaft=replace(
+        ALL.crankshaft,  # type: ignore[type-var]
+        bearings=tuple(
+            replace(each, seat=seat)
+            for each, seat in zip(ALL.crankshaft.bearings or (), ("carrier", "ring"), strict=True)
+        ),
+    ),
+)
+"""Bearings of the crankshaft in members that turn."""
 DESIGNS = {
     "bored pins": having(ALL, pin=replace(ALL.pin, bore_diameter=0.007)),  # type: ignore[type-var]
     "rollers": ROLLED,
@@ -170,6 +181,29 @@ DESIGNS = {
     ),
     "roots by the module": having(ALL, root_radius=None, outer_radius=None),
     "rim within the roots": having(ALL, root_radius=None, outer_radius=0.02),
+    "the ring as output": having(ALL, output="ring", hole_radius=0.01002),
+    "both as output, by the ring": having(
+        SEATED,
+        output="both",
+        ring_speed=10.0,
+        fatigue=TIRED,
+        output_torque=1500.0,
+        life=3e4,
+        pin_material=STEEL,
+        hole_material=STEEL,
+        friction=replace(ALL.friction, life=None),  # type: ignore[type-var]
+    ),
+    "both as output, by the pins": having(
+        SEATED,
+        output="both",
+        carrier_speed=-5.0,
+        fatigue=TIRED,
+        output_torque=1500.0,
+        life=3e4,
+        pin_material=STEEL,
+        hole_material=STEEL,
+        friction=replace(ALL.friction, life=None),  # type: ignore[type-var]
+    ),
     "cycloid": having(
         ALL,
         gear=Ring(kind="cycloid", ring_pin_circle_radius=0.085, ring_pin_radius=0.005),
