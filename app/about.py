@@ -140,7 +140,7 @@ class MaterialOut(ResponseModel):
     softening_C: Maybe[float] = Field(
         description="Heat deflection temperature under 1.8 MPa, or where it goes soft."
     )
-    friction: Maybe[float] = Field(description="Largest friction coefficient seen, dry on steel.")
+    friction: Maybe[float] = Field(description="Largest friction coefficient seen, dry.")
     wear_rate_mm3_per_Nm: Maybe[float] = Field(
         description="Largest wear coefficient seen, dry: shown only, no check takes it by itself."
     )

@@ -75,7 +75,7 @@ _INVALID = {
     "no_mesh": "must be at least {limit:.9g}: teeth of this {field} do not mesh any nearer",
     "no_sleeve": "must be smaller than twice {field}, {limit:.9g}: there is no room for a sleeve",
     "not_in_table": "must be one of {values}",
-    "not_sourced": "is needed: no source has that of {material}",
+    "not_sourced": "is needed beside the name: no source has that of {material}",
     "not_single": "must be one number, not an array",
     "not_zero": "must not be 0",
     "only_one": "excludes {field}: give one of them",

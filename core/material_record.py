@@ -50,8 +50,8 @@ class Fact:
 
     value: float  # SI, temperatures in degrees Celsius
     source: str  # where it was seen
-    low: float | None = None  # the least and the largest that were seen
-    high: float | None = None
+    low: float | None = None  # the least that was seen
+    high: float | None = None  # the largest
     seen: Seen = "two"  # one: for reference
 
 

@@ -94,7 +94,7 @@ class Plastic:
     layered: bool = True  # whether it may be printed in layers, across which it is weaker
     layers: Layers | None = None  # how they lie, where that is said
     strength_across: float | None = None  # strength across them, Pa
-    friction: float | None = None  # largest friction coefficient seen, dry on steel
+    friction: float | None = None  # largest friction coefficient seen, dry
     softening: float | None = None  # temperature at which it goes soft, degrees Celsius
     long_term_factor: float | None = None  # strength in the long run over that of a short test
 

@@ -5,7 +5,6 @@ from functools import lru_cache, partial
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import (
-    AfterValidator,
     BeforeValidator,
     ConfigDict,
     Discriminator,
@@ -88,15 +87,17 @@ def known_name(given: object) -> object:
     raise PydanticCustomError("unknown_material", "unknown_material", said)
 
 
-def whole(name: str) -> str:
-    """A name of a material that has all that a contact needs.
+def whole_name(given: object) -> object:
+    """The same of a material that has all that a contact needs.
 
     Raises
     ------
     PydanticCustomError
-        If no source has its modulus or its Poisson's ratio: then it is given by values.
+        Also where no source has its modulus or its Poisson's ratio: then it is given by values.
     """
-    _refuse_missing(MATERIALS[name])
+    name = known_name(given)
+    if isinstance(name, str):
+        _refuse_missing(MATERIALS[name])
     return name
 
 
@@ -108,9 +109,13 @@ def _refuse_missing(entry: TableMaterial, given: Any = None) -> None:
 
 
 if TYPE_CHECKING:
-    MaterialName = str
+    MaterialName = WholeName = str
 else:
     MaterialName = Annotated[Literal[tuple(MATERIALS)], BeforeValidator(known_name)]
+    WholeName = Annotated[
+        Literal[tuple(name for name, each in MATERIALS.items() if not each.missing)],
+        BeforeValidator(whole_name),
+    ]
 
 
 def _values_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
@@ -143,7 +148,7 @@ class MaterialFields(RequestModel, group="material"):
     """How the layers of a printed part lie: flat, across the axis of the pins, or upright, along
     it. Strengths have to be those of the direction that is loaded: of upright ones across them."""
     long_term_factor: Maybe[float] = quantity(
-        "Long-term factor", "k_∞", step=0.05, ge=0.01, le=1, advanced=True
+        "Long-term factor", "k_lt", step=0.05, ge=0.01, le=1, advanced=True
     )
     """Strength of a plastic in the long run over that of a short test, by a test of your own."""
     life_curve: Maybe[LifeCurve] = quantity("Life curve")
@@ -194,8 +199,7 @@ def _kind(given: object) -> str:
 
 
 Material = Annotated[
-    Annotated[MaterialName, AfterValidator(whole), Tag("by_name")]
-    | Annotated[MaterialFields, Tag("by_values")],
+    Annotated[WholeName, Tag("by_name")] | Annotated[MaterialFields, Tag("by_values")],
     Discriminator(_kind),
 ]
 

@@ -12,6 +12,7 @@ inputs              inputs that checks of several elements depend on
 check               a check and its record, a value against its limit, the verdict of all checks
 cranks              dead centres, satellites that differ
 pin_contact         pressure, shakedown and yield where pin and hole touch
+plastics            plastic pins and holes: what is necessary, and never enough
 pins                static strength, fatigue, deflection and slope of the pins
 friction            efficiency, sliding speed, pv and wear
 play                backlash and lost motion of the output
@@ -24,6 +25,7 @@ balance             what turns with the crankshaft and is not balanced
 crank_planetary     all checks of the reducer
 largest_torque      the largest torque of the reducer as it is made
 shares              which satellite carries how much, and what hangs on it
+cold_yield          the torque at which a plastic contact yields at once
 usual_fit           the reducer with a usual clearance, where none is known
 rollers             swinging rollers
 shaft               the precessional gear and its shaft

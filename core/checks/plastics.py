@@ -29,7 +29,7 @@ _check = partial(
 
 @_check(
     "contact_static_cold",
-    title="Plastic yields at once",
+    title="First yield of the plastic",
     unit="MPa",
     formula="p ≤ f(ν, μ)·R_min",
     why="Above it the plastic yields under the first load, even cold.",
@@ -116,7 +116,7 @@ def _temperature(design: Design, body: Body) -> Check:
 
 @_check(
     "temperature",
-    title="Plastic goes soft",
+    title="Temperature of the plastic",
     unit="C",
     formula="T ≤ T_soft",
     why="Above it the plastic goes soft; a motor nearby is enough for that.",
@@ -145,9 +145,9 @@ def temperature(design: Design, results: Results) -> Check:
 
 @_check(
     "creep",
-    title="Plastic creeps",
+    title="Creep of the plastic",
     unit="MPa",
-    formula="p ≤ f(ν, μ)·R_min·k_∞",
+    formula="p ≤ f(ν, μ)·R_min·k_lt",
     why="Above it the plastic goes on giving way under the load.",
     inputs=(*LOADED, *SLIDING),
     fixes=FIXES,
@@ -187,7 +187,7 @@ def creep(design: Design, results: Results) -> Check:
 
 @_check(
     "fatigue_plastic",
-    title="Plastic tires",
+    title="Fatigue of the plastic",
     formula="N ≥ N_L",
     why="Every turn loads each place of the holes once, and plastics have no endurance limit.",
     inputs=(),

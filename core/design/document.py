@@ -438,8 +438,8 @@ class Design:
 
     @property
     def dry_friction(self) -> float | None:
-        """Largest friction coefficient that was seen of the plastics that touch, dry on steel; None
-        where it is not known of one of them.
+        """Largest friction coefficient that was seen of the plastics that touch, dry; None where it
+        is not known of one of them.
         """
         found = [
             each.plastic.friction for each in self.lasting.values() if each.plastic is not None

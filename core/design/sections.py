@@ -196,8 +196,8 @@ class SatelliteBody:
 class Temperatures:
     """Temperatures of parts at work, as far as they are given, degrees Celsius."""
 
-    satellite: float | None = None
-    pins: float | None = None
+    satellite: float | None = None  # of the satellites
+    pins: float | None = None  # of the pins
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -21,7 +21,6 @@ function choiceAbout(choice) {
   };
 }
 
-/** What a table knows about a name: shown under the box as the values that will be used. */
 /** A value with its spread: "23 (23–65) MPa". */
 function spread(value, { low, high } = {}, unit) {
   if (!(high > low)) return formatQuantity(value, unit);
@@ -40,6 +39,7 @@ function sourced({ youngs_modulus_GPa: modulus, poissons_ratio: ratio, strength_
   ].filter(Boolean).join(", ");
 }
 
+/** What a table knows about a name: shown under the box as the values that will be used. */
 function properties(entry) {
   if (!entry) return "";
   if (entry.facts || entry.youngs_modulus_GPa === undefined) return sourced(entry);
@@ -208,7 +208,7 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
 
   /** The names of a table; none of them is one too where the box may be empty. */
   const namesOf = ({ path, required, default: preset }) => (required || preset || !catalogues[path]
-    ? catalogues[path] : [{ name: "", title: message("form.alike") }, ...catalogues[path]]);
+    ? catalogues[path] : [{ name: "", title: path in (calculator.alike ?? {}) ? message("form.alike") : "–" }, ...catalogues[path]]);
 
   /** Texts, choices and messages. A field that nobody has touched asks: it is not called wrong. */
   function show(state) {

@@ -1,7 +1,6 @@
 """Plastic pins and holes: they fail by what is known, and pass by nothing."""
 
 import math
-import os
 from dataclasses import replace
 from random import Random
 from typing import Any
@@ -20,6 +19,7 @@ from core.material_record import by_values
 from core.material_table import ALIASES, ELASTOMERS, MATERIALS, NAMES, SEVERAL, plain_name
 from core.materials import ContactLimit, ElasticMaterial
 from tests.inputs.checks import REF, check_of, fixes_of, having
+from tests.oracles.seeds import seeds
 
 STEEL = MATERIALS["steel_bearing"].material
 PLA = MATERIALS["plastic_pla_printed"].material
@@ -252,9 +252,6 @@ def test_deflections_are_those_of_the_softest_material() -> None:
     assert Results(having(SOFT, hole_material=STEEL)).softest.design.contact.hole_material == STEEL
 
 
-COUNT = int(os.environ.get("PLASTIC_BODIES", "20"))
-
-
 def random_design(random: Random) -> Design:
     """A drive with a plastic hole, pin or both, and much or little that is known of it."""
     names = [name for name, each in MATERIALS.items() if each.group.startswith("plastic")]
@@ -294,9 +291,8 @@ def random_design(random: Random) -> Design:
     )
 
 
-@pytest.mark.parametrize("seed", range(COUNT))
+@pytest.mark.parametrize("seed", seeds(20))
 def test_no_check_of_a_plastic_contact_passes(seed: int) -> None:
-    """`PLASTIC_BODIES=200` looks at more."""
     design = random_design(Random(seed))
     found = crank_verdict(Results(design))
     of_plastic = {kind.code for kind in PLASTICS}

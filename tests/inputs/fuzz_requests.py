@@ -430,7 +430,7 @@ def pin_strength(r: Draw) -> Body:
     if pin["support"] != "cantilever":
         pin["span_mm"] = min(1e12, max(places) + length * r.uniform(0.4, 2))
     if r.chance(0.6):
-        model = "PinMaterialFields"
+        model = "MaterialFields"
         names = ("youngs_modulus_GPa", "tensile_strength_MPa", "yield_strength_MPa")
         pin["material"] = {name: r.number(model, name) for name in names}
         pin["material"]["poissons_ratio"] = r.number(model, "poissons_ratio", (0, 0.49))
