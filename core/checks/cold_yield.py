@@ -64,7 +64,8 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
         factor *= reserve
         if abs(reserve - 1) <= NEAR:
             break
-    body = min(design.plastics, key=results.cold_limit)
+    contact = results.static_contact
+    body = min(design.plastics, key=lambda each: results.cold_limit(each, contact))
     strength = design.lasting[body].loaded_strength(body)
     assert strength is not None
     judged = [kind.code for kind in PLASTICS if kind is not check.kind]

@@ -49,7 +49,7 @@ def _against_limit(kind: Kind, results: Results, warning: str = "") -> Check:
     pressure = contact.governing_pressure
     if pressure is None:
         raise NotKnown("contact_wraps")
-    known, error = kind.known(design, results), _error(results, contact)
+    known, error = kind.known(design, results), pressure_error(results, contact)
     if error is None:
         return Check(kind, "not_checked", value=pressure, reason="disc_ovals", **known)
     return judged(
@@ -64,7 +64,7 @@ def _against_limit(kind: Kind, results: Results, warning: str = "") -> Check:
     )
 
 
-def _error(results: Results, contact: HertzContact) -> float | None:
+def pressure_error(results: Results, contact: HertzContact) -> float | None:
     """Relative error of the governing pressure; None where nothing is known of the disc's part."""
     disc = results.disc_of(contact)
     if disc is not None and disc.code == "disc_ovals":
@@ -210,7 +210,7 @@ def _static(body: Body) -> Kind:
         pressure, limit = contact.governing_pressure, material.static_pressure
         if pressure is None:
             raise NotKnown("contact_wraps")
-        error = _error(results, contact)
+        error = pressure_error(results, contact)
         if error is None:
             return Check(static, "not_checked", value=pressure, limit=limit, reason="disc_ovals")
         whence = {}

@@ -4,16 +4,20 @@ A plastic creeps, wears and goes soft, and no source says what pressure a contac
 long. So each check here may fail, and none passes: what holds is `necessary_only`.
 """
 
+import math
+from collections.abc import Callable, Mapping
 from functools import partial
 
 from core.checks.check import Check, design_check, judged, necessary
 from core.checks.inputs import LOADED, SLIDING
-from core.checks.pin_contact import FIXES
+from core.checks.pin_contact import FIXES, pressure_error
+from core.derived import if_known
 from core.design.document import Design
 from core.design.results import Results
 from core.errors import NotKnown
-from core.hertz import force_factor
+from core.hertz import HertzContact, force_factor
 from core.materials import Body
+from core.numerics.inverse import edge
 
 DEEP = 3.0
 """Depth of solid material below a contact over its half-width: there the pressure has fallen to a
@@ -40,24 +44,26 @@ _check = partial(
 def contact_static_cold(design: Design, results: Results) -> Check:
     """Of the weaker body; where its friction is not known it fails where it would without."""
     unknown = [] if design.hole_friction is not None else [friction_unknown()]
-    limits = []
+    limits, contact = list[float](), results.static_contact
     for body in design.plastics:
         try:
-            limits.append(results.cold_limit(body))
+            limits.append(results.cold_limit(body, contact))
         except NotKnown as why:
             unknown.append(why)
     if not limits:
         raise unknown[0]
-    contact = results.static_contact
     pressure, limit = contact.governing_pressure, min(limits)
     if pressure is None:
         raise NotKnown("contact_wraps")
+    error = pressure_error(results, contact)
+    if error is None:
+        return Check(contact_static_cold, "not_checked", value=pressure, reason="disc_ovals")
     found = judged(
         contact_static_cold,
         pressure,
         limit,
-        reserve=force_factor(contact=contact, contact_at=results.static_contact_at, limit=limit),
-        error=(contact.conformal_error or 0.0) + 8 * contact.accuracy.relative_error,
+        reserve=_yielding(contact, results.static_contact_at, results),
+        error=error,
         at=results.peak,
         rough=results.solved or results.edge is not None,
     )
@@ -72,6 +78,37 @@ def contact_static_cold(design: Design, results: Results) -> Check:
         missing=first.missing,
         at=found.at,
     )
+
+
+def _yielding(
+    contact: HertzContact,
+    contact_at: Callable[[float], HertzContact],
+    results: Results,
+    lasting: Mapping[Body, float] | None = None,
+) -> float:
+    """Factor on the force at which the first plastic body whose strength is known yields, or a part
+    of it that lasts is reached: the limit falls as the contact wraps around its pin.
+    """
+
+    def limit(there: HertzContact) -> float:
+        known = (if_known(partial(results.cold_limit, each, there)) for each in bodies)
+        return min(
+            one * (lasting[each] if lasting else 1.0)
+            for each, one in zip(bodies, known, strict=True)
+            if one is not None
+        )
+
+    def left(factor: float) -> float:
+        there = contact_at(factor)
+        pressure = there.governing_pressure
+        return math.nan if pressure is None else limit(there) - float(pressure)
+
+    bodies = results.design.plastics
+    first = force_factor(contact=contact, contact_at=contact_at, limit=limit(contact))
+    inside, outside = sorted((1.0, first))
+    if not left(inside) >= 0 or left(outside) >= 0:
+        return first
+    return edge(inside=inside, outside=outside, excess=left)[0]
 
 
 def friction_unknown() -> NotKnown:
@@ -155,30 +192,30 @@ def temperature(design: Design, results: Results) -> Check:
 )
 def creep(design: Design, results: Results) -> Check:
     """By the part of the short strength that whoever gives it has found to last."""
-    limits = []
+    lasting = dict[Body, float]()
     for body in design.plastics:
         plastic = design.lasting[body].plastic
         if plastic is None or plastic.long_term_factor is None:
             name = f"contact.{body}_material"
             raise NotKnown("creep_unknown", f"{name}.long_term_factor", name)
-        limits.append(plastic.long_term_factor * results.cold_limit(body))
+        lasting[body] = plastic.long_term_factor
     if design.hole_friction is None:
         raise friction_unknown()
-    contact, limit = results.hertz, min(limits)
-    pressure = contact.governing_pressure
+    contact, largest = results.hertz, results.line_load_factor
+    limit = min(share * results.cold_limit(body, contact) for body, share in lasting.items())
+    pressure, error = contact.governing_pressure, pressure_error(results, contact)
     if pressure is None:
         raise NotKnown("contact_wraps")
-    largest = results.line_load_factor
+    if error is None:
+        return Check(creep, "not_checked", value=pressure, limit=limit, reason="disc_ovals")
     found = judged(
         creep,
         pressure,
         limit,
-        reserve=force_factor(
-            contact=contact,
-            contact_at=lambda factor: results.contact_at(factor * largest),
-            limit=limit,
+        reserve=_yielding(
+            contact, lambda factor: results.contact_at(factor * largest), results, lasting
         ),
-        error=(contact.conformal_error or 0.0) + 8 * contact.accuracy.relative_error,
+        error=error,
         at=results.peak,
         rough=results.solved or results.edge is not None,
     )

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from core.arrays import Number
+from core.conformal import first_yield_factor
 from core.crank.balance import Balance, balance
 from core.crank.crankshaft import Crankshaft, crankshaft
 from core.crank.pin_rollers import PinRollers, pin_rollers
@@ -421,9 +422,10 @@ class Results:
                 )
         return found
 
-    def cold_limit(self, body: Body) -> float:
+    def cold_limit(self, body: Body, contact: HertzContact) -> float:
         """Largest pressure at which a plastic body yields at once, Pa: cold, in the direction in
-        which it is loaded; without friction where that is not known, which is more.
+        which it is loaded, the less the further a contact wraps around its pin; without friction
+        where that is not known, which is more.
         """
         material = self.design.lasting[body]
         strength, name = material.loaded_strength(body), f"contact.{body}_material"
@@ -433,7 +435,15 @@ class Results:
             raise NotKnown("direction_unknown", f"{name}.layers", name)
         friction = self.design.hole_friction or 0.0
         ratio = float(material.poissons_ratio)
-        return strength * first_yield(poissons_ratio=ratio, friction=friction)
+        factor = first_yield(poissons_ratio=ratio, friction=friction)
+        if body == "hole" and contact.conformal_half_angle is not None:
+            wrapped = first_yield_factor(
+                half_angle=contact.conformal_half_angle,
+                poissons_ratio=ratio,
+                beta=contact.mismatch[1],
+            )
+            factor = min(factor, float(wrapped))
+        return strength * factor
 
     @derived
     def contact_reserves(self) -> dict[str, float]:
