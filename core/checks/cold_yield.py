@@ -75,7 +75,8 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
         if checks[code].status == "not_checked" and not checks[code].only_needed
     )
     worn = checks.get("wear")
-    wears = () if worn is not None and worn.value is not None else ("wear",)
+    known = worn is not None and (worn.value is not None or worn.status == "not_applicable")
+    wears = () if known else ("wear",)
     return ColdYield(
         torque=abs(design.load.output_torque) * factor,
         body=body,

@@ -471,6 +471,7 @@ EXAMPLE_VERDICTS = {
     "whole": ("incomplete", "pass"),  # as the tutorial's, with materials of the table
     "ring-output": ("incomplete", "pass"),  # the same at 21/20 of the torque
     "printed-15-to-1": ("incomplete", "open"),  # no limit of a plastic
+    "aluminium-joint": ("incomplete", "open"),  # nor of aluminium that lasts
     "ovsyannikov-2019-fig-6": ("incomplete", None),  # no yield strength
     "ovsyannikov-2019-fig-4": ("incomplete", None),
     "ovsyannikov-2019-fig-5": ("incomplete", None),
