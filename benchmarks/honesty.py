@@ -41,9 +41,10 @@ further off than its `relative_error` says, relative to what the calculation doc
 size, that of its vector, the largest force, the pin circle, the range shown. From 1 on it says that
 nothing is known, and the answer warns of it (`hardly_known`): such cases, none of them practical,
 have a column of their own. Overstated: median of the stated error over the largest one measured in
-the answer (at least 2^-54). Pins state what their search may end below the largest, 1e-14, and
+the answer (at least 2^-54). Pins state what their search may end below the largest, 4e-15, and
 twice the error of the peak force, which grows with the exponent; between two supports also what
-cancels in the deflection.
+cancels in the deflection. No practical case states more than the class of its method
+(`core/precision.py`).
 
 | calculation | cases | refused | nothing known | holds | practical | extreme | \
 overstated, practical | extreme | largest measured | largest stated |
