@@ -13,6 +13,7 @@ ROOT = Path(__file__).parent.parent.parent
 SAYS = {
     "attacks": "left as they are",
     "batches": "more than",
+    "catalogue": "rating over it",
     "compare": "0 requests answered otherwise",
     "fit": "fit: 0 misses",
     "front": "| shaft deflection |",
