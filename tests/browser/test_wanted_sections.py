@@ -124,7 +124,12 @@ def test_clearance_and_errors(page: Page, service: str, watch: Watch) -> None:
 
 def test_tolerances_may_be_those_of_how_the_parts_are_made(page: Page, service: str) -> None:
     made = {"study.sizes": "process", "tolerances.process": "sla", "quantities": "peak_force_N"}
-    few = {"samples": "40", "crank_angles": "12", "contact.hole_clearance_mm": "0.6"}
+    few = {
+        "samples": "40",
+        "percentiles": "50",
+        "crank_angles": "12",
+        "contact.hole_clearance_mm": "0.6",
+    }
     on = {"study.on": "on", "study.ranked": "plain"}
     show(page, service, "crank-planetary", **DESIGN, **on, **made, **few)
     expect(box(page, "tolerances.process")).to_have_value("sla")
