@@ -20,7 +20,7 @@ Size = Limits | str | None
 class Process:
     """What a process usually comes to."""
 
-    code: ProcessName
+    code: ProcessName  # its name in requests and answers
     title: str  # in English
     hole: Size  # diameter of holes
     pin: Size  # diameter of pins
@@ -29,7 +29,7 @@ class Process:
     # name it.
     clearance: float
     clearances: tuple[float, float]
-    source: str
+    source: str  # where the numbers come from
 
     def size(self, of: Literal["hole", "pin"]) -> Size:
         """Deviations or class of the diameter of its holes, or of its pins.
