@@ -25,10 +25,8 @@ class Process:
     hole: Size  # diameter of holes
     pin: Size  # diameter of pins
     position: float  # diameter of the zone of the centres of holes and pins, m
-    # Radial clearance with which such parts usually run, m: that, and between which the sources
-    # name it.
-    clearance: float
-    clearances: tuple[float, float]
+    clearance: float  # radial, with which such parts usually run, m
+    clearances: tuple[float, float]  # between which the sources name it, m
     source: str  # where the numbers come from
 
     def size(self, of: Literal["hole", "pin"]) -> Size:
