@@ -469,12 +469,8 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         curves = None
         if self.load is not None and self.load.curve_samples:
             curves, _ = run(self, partial(self.real_curves, self.load.samples_of(self.built)))
-        values = LoadSharingOut.values(
-            sharing,
-            run_us,
-            judged_force_N=force_N,
-            curves=curves and ForceCurvesOut.values(curves),
-        )
+        drawn = curves and ForceCurvesOut.values(curves)
+        values = LoadSharingOut.values(sharing, run_us, judged_force_N=force_N, curves=drawn)
         return at_output(values, self.design.members)
 
     def solve_disc(self) -> Notice | None:
@@ -533,9 +529,8 @@ def solve(body: CrankPlanetaryRequest) -> Values:
         pattern = run(body, lambda: body.mechanism.solve_for(body.design.driven))
         sections["cyclogram"] = CyclogramResponse.values(*pattern)
     if "members" in asked:
-        loads, members_us = run(body, lambda: body.results.member_loads)
-        output = body.mechanism.output
-        sections["members"] = MembersOut.values(loads, members_us, output=output)
+        loads, took_us = run(body, lambda: body.results.member_loads)
+        sections["members"] = MembersOut.values(loads, took_us, output=body.mechanism.output)
     if "contact_force" in asked:
         sections["contact_force"] = ContactForceResponse.values(*run(body, body.solve_force))
     if "load_sharing" in asked:

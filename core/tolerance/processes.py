@@ -20,16 +20,14 @@ Size = Limits | str | None
 class Process:
     """What a process usually comes to."""
 
-    code: ProcessName
+    code: ProcessName  # its name in requests and answers
     title: str  # in English
     hole: Size  # diameter of holes
     pin: Size  # diameter of pins
     position: float  # diameter of the zone of the centres of holes and pins, m
-    # Radial clearance with which such parts usually run, m: that, and between which the sources
-    # name it.
-    clearance: float
-    clearances: tuple[float, float]
-    source: str
+    clearance: float  # radial, with which such parts usually run, m
+    clearances: tuple[float, float]  # between which the sources name it, m
+    source: str  # where the numbers come from
 
     def size(self, of: Literal["hole", "pin"]) -> Size:
         """Deviations or class of the diameter of its holes, or of its pins.

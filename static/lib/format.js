@@ -36,7 +36,7 @@ export function parseNumber(text) {
   return ambiguous ? { value, ambiguous } : { value };
 }
 
-const TOKEN = /\s*(?:([-+*/×·÷()])|((?:\d[\d\s]*)?(?:[.,]\d*)?(?:e[+-]?\d+)?))/iy;
+const TOKEN = /\s*(?:([-+*/:×·÷()])|((?:\d[\d\s]*)?(?:[.,]\d*)?(?:e[+-]?\d+)?))/iy;
 
 function tokens(text) {
   const all = [];
@@ -54,11 +54,11 @@ function tokens(text) {
   return all;
 }
 
-/** Read a number or a sum of numbers: `10/9`, `350+20`, `2*(3-0,5)`, `1 1/2`; as `parseNumber`, with `worked` for sums. */
+/** Read a number or a sum of numbers: `10/9`, `350+20`, `2*(3-0,5)`, `1 1/2`, `20:1`; as `parseNumber`, with `worked` for sums. */
 export function parseSum(text) {
   const plain = parseNumber(text);
   const typed = text.trim().replace(/[\u2212\u2013]/g, "-");
-  if (plain.value !== undefined || !/[-+*/×·÷(]/.test(typed.slice(1))) return plain;
+  if (plain.value !== undefined || !/[-+*/:×·÷(]/.test(typed.slice(1))) return plain;
   const all = tokens(typed.replace(/^(\d+)\s+(\d+\s*\/\s*\d+)$/, "$1+$2"));
   let at = 0;
   const one = () => {
@@ -72,7 +72,7 @@ export function parseSum(text) {
   };
   const product = () => {
     let value = one();
-    while (/^[*/×·÷]$/.test(all[at])) value = "/÷".includes(all[at++]) ? value / one() : value * one();
+    while (/^[*/:×·÷]$/.test(all[at])) value = "/:÷".includes(all[at++]) ? value / one() : value * one();
     return value;
   };
   const sum = () => {

@@ -709,3 +709,16 @@ def test_a_ratio_with_a_sign_is_read_without_it(page: Page, service: str) -> Non
     expect(page.locator(".summary .say")).to_contain_text("The ratio is taken as 20")
     box(page, "mechanism.ratio").fill("0.05")
     expect(page.locator('[data-path="mechanism.ratio"]')).to_contain_text("its inverse is 20")
+
+
+def test_with_the_ring_as_output_crank_pins_and_ring_are_shown(page: Page, service: str) -> None:
+    ring = ZYL | {"mechanism.output": "ring", "load.input_speed_rpm": "1500"}
+    show(page, service, ring)
+    page.locator(".all-results > summary").click()
+    members = page.locator('[data-section="members"]')
+    for name, shown in (("ring_speed_rpm", "71.4286"), ("pin_torque_Nm", "47.619")):
+        expect(members.locator(f'[data-name="{name}"] .value')).to_contain_text(shown)
+    # two shafts have neither ratio nor cranks: what these boxes say is not asked
+    box(page, "mechanism.output").select_option("coupling")
+    settled(page)
+    expect(members.locator('[data-name="output_ratio"] .value')).to_have_text("1")

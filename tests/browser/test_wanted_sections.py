@@ -122,6 +122,29 @@ def test_clearance_and_errors(page: Page, service: str, watch: Watch) -> None:
     expect(page.locator('[data-wanted="real"]')).to_be_hidden()
 
 
+def test_tolerances_may_be_those_of_how_the_parts_are_made(page: Page, service: str) -> None:
+    made = {"study.sizes": "process", "tolerances.process": "sla", "quantities": "peak_force_N"}
+    few = {
+        "samples": "40",
+        "percentiles": "50",
+        "crank_angles": "12",
+        "contact.hole_clearance_mm": "0.6",
+    }
+    on = {"study.on": "on", "study.ranked": "plain"}
+    show(page, service, "crank-planetary", **DESIGN, **on, **made, **few)
+    expect(box(page, "tolerances.process")).to_have_value("sla")
+    for name in ("pin_position_mm", "hole_position_mm", "pin_diameter.class"):
+        expect(box(page, f"tolerances.{name}")).to_be_hidden()
+    page.locator('[data-group="study"] .study-run').get_by_role("button", name="Run").click()
+    words = page.locator(".study .sentences")
+    expect(words).to_contain_text("Made as “Printed from resin”", timeout=60_000)
+    expect(words).to_contain_text("the mean clearance is 0.6\u00a0mm")
+    expect(words).to_contain_text("Makelab")
+    box(page, "study.sizes").select_option("class")
+    expect(box(page, "tolerances.pin_position_mm")).to_be_visible()
+    expect(box(page, "tolerances.process")).to_be_hidden()
+
+
 def test_a_study_is_run_by_its_button_and_stopped(page: Page, service: str, watch: Watch) -> None:
     show(page, service, "crank-planetary", **DESIGN, **STUDY)
     study, controls = page.locator(".study"), page.locator('[data-group="study"] .study-run')

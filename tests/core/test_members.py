@@ -182,3 +182,30 @@ def test_members_that_turn_as_one_neither_slide_nor_roll() -> None:
     check = crank_check("bearing_life", results)
     assert (check.status, check.reason) == ("not_applicable", "members_locked")
     assert results.design.loads_over(3600.0) is None
+
+
+def test_the_peak_torque_is_that_of_the_output_too() -> None:
+    """Static safety hangs on it alone: of the ring by its share on the pins."""
+    u = WHOLE.mechanism.ratio
+    torque = WHOLE.load.output_torque
+    safeties = []
+    for output, more in (("pins", 1.0), ("ring", (u + 1) / u)):
+        values = {"load.output_torque": torque * more, "load.peak_torque": 2 * torque * more}
+        results = Results(changed(WHOLE, {"mechanism.output": output} | values))
+        safeties.append(results.satellite_bearing.static_safety_factor)
+    assert safeties[1] == pytest.approx(safeties[0], rel=1e-9)
+
+
+def test_bearings_turn_by_the_members_speeds() -> None:
+    crank = WHOLE.load.input_speed
+    assert crank
+    u = WHOLE.mechanism.ratio
+    for output, speed in (("pins", crank * (u + 1) / u), ("ring", crank)):
+        results = Results(changed(WHOLE, {"mechanism.output": output}))
+        assert crank_check("bearing_speed", results).value == pytest.approx(speed, rel=1e-12)
+    ball = RollingBearing(kind="ball", dynamic_rating=50e3, limiting_speed=2 * crank)
+    for seat, speed in (("housing", crank), ("ring", crank * u / (u + 1))):
+        shaft = replace(WHOLE.crankshaft, bearings=(replace(ball, seat=seat),) * 2)
+        design = changed(WHOLE, {"mechanism.output": "ring", "crankshaft": shaft})
+        found = crank_check("crank_bearing_speed", Results(design))
+        assert (found.value, found.limit) == (pytest.approx(speed, rel=1e-12), 2 * crank)

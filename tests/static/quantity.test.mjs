@@ -18,8 +18,9 @@ test("sums are worked out, and nothing else is", () => {
   for (const [text, value] of [
     ["10/9", 10 / 9], ["350+20", 370], ["2*(3-0,5)", 5], ["1 1/2", 1.5], ["-3 + 5", 2], ["1e-3*2", 0.002],
     ["2×3÷4", 1.5], ["8−2−1", 5], ["12/2/3", 2],
+    ["20:1", 20], ["20/1", 20], ["1 : 20", 0.05],
   ]) assert.equal(parseSum(text).value, Number(value.toPrecision(15)), text);
-  for (const text of ["1/0", "1+", "(2", "2)", "3 5", "2**3", "1/2/", "()", "alert(1)", "1,2,3+1", "+", "5-"]) {
+  for (const text of ["1/0", "1:", "1:0", "1+", "(2", "2)", "3 5", "2**3", "1/2/", "()", "alert(1)", "1,2,3+1", "+", "5-"]) {
     assert.equal(parseSum(text).value, undefined, text);
   }
   assert.equal(parseSum("12").worked, undefined);
