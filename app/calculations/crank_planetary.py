@@ -25,7 +25,7 @@ from app.calculations.crank_planetary_answer import (
     DesignHertzOut,
     LoadSharingOut,
 )
-from app.calculations.crankshaft import CrankshaftFields, CrankshaftResponse
+from app.calculations.crankshaft import CrankshaftResponse
 from app.calculations.cyclogram import (
     CyclogramFields,
     CyclogramResponse,
@@ -44,7 +44,11 @@ from app.calculations.mechanism import MAX_PAIRS
 from app.calculations.output_efficiency import FrictionFields, OutputEfficiencyResponse
 from app.calculations.pin_strength import PinStrengthResponse
 from app.calculations.ring import RingFields
-from app.calculations.satellite_bearing import BearingFields, SatelliteBearingResponse
+from app.calculations.satellite_bearing import (
+    BearingFields,
+    CrankshaftFields,
+    SatelliteBearingResponse,
+)
 from app.calculations.shares_answer import SharesOut, shares_warnings
 from app.calculations.usual_fit_answer import UsualFitOut
 from app.model import (

@@ -82,7 +82,7 @@ FORCES = (
 OWN = {
     "pin_strength": (*FORCES, "fatigue"),
     "output_efficiency": (*FORCES, "friction"),
-    "satellite_bearing": (*FORCES, "gear", "bearing"),
+    "satellite_bearing": (*FORCES, "gear", "bearing", "crankshaft"),
     "crankshaft": (*FORCES, "gear", "crankshaft"),
 }
 
