@@ -81,7 +81,7 @@ from app.worked import worked
 from core.arrays import FloatArray
 from core.checks.check import Verdict
 from core.checks.largest_torque import crank_verdict
-from core.checks.shares import DiscShares, disc_shares
+from core.checks.shares import disc_shares
 from core.checks.usual_fit import usual_fit
 from core.derived import if_known
 from core.design.real_forces import RealForces
@@ -318,11 +318,6 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         """The verdict of the design."""
         return crank_verdict(self.results, every="checks" in self.sections)
 
-    @cached_property
-    def shares(self) -> DiscShares | None:
-        """How the satellites share the torque, where they do not alike."""
-        return disc_shares(results=self.results, found=self.verdict)
-
     def judge(self) -> Values:
         """Verdict, and checks and fixes, of one input and of several, where asked."""
         found = self.verdict
@@ -519,7 +514,7 @@ def solve(body: CrankPlanetaryRequest) -> Values:
         notices += run(body, lambda: body.results.size_notices)[0]
     judged, _ = run(body, body.judge)
     warnings = [warning(each) for each in notices]
-    shares, _ = run(body, lambda: body.shares)
+    shares, _ = run(body, lambda: disc_shares(results=body.results, found=body.verdict))
     if shares is not None:
         sections["shares"] = SharesOut.of(shares)
         warnings += shares_warnings(shares)
