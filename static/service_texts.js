@@ -31,7 +31,7 @@ const titleOf = (name, titles) => titles.get(name) ?? said("fields", name)?.titl
 
 function parameter(name, value, unit, titles) {
   if (FIELDS.includes(name)) return quoted(titleOf(value, titles));
-  if (name === "reason") return message(`shares.reason.${value}`);
+  if (name === "reason" && typeof value === "string") return message(`shares.reason.${value}`);
   if (name === "names") return value.split(", ").map((one) => titleOf(one, titles)).join("; ");
   if (typeof value !== "number") return String(value);
   if (unitOf(name)) return formatQuantity(value, unitOf(name), 9);

@@ -26,7 +26,7 @@ from app.calculations.crank_planetary_answer import (
     DesignHertzOut,
     LoadSharingOut,
 )
-from app.calculations.crankshaft import CrankshaftFields, CrankshaftResponse
+from app.calculations.crankshaft import CrankshaftResponse
 from app.calculations.cyclogram import (
     CyclogramFields,
     CyclogramResponse,
@@ -49,7 +49,11 @@ from app.calculations.output_efficiency import FrictionFields, OutputEfficiencyR
 from app.calculations.pin_rollers_answer import RollersOut
 from app.calculations.pin_strength import PinStrengthResponse
 from app.calculations.ring import RingFields
-from app.calculations.satellite_bearing import BearingFields, SatelliteBearingResponse
+from app.calculations.satellite_bearing import (
+    BearingFields,
+    CrankshaftFields,
+    SatelliteBearingResponse,
+)
 from app.calculations.shares_answer import SharesOut, shares_warnings
 from app.calculations.usual_fit_answer import UsualFitOut
 from app.model import (
@@ -83,7 +87,7 @@ from core.arrays import FloatArray
 from core.checks.check import Verdict
 from core.checks.cold_yield import ColdYield, cold_yield
 from core.checks.largest_torque import crank_verdict
-from core.checks.shares import DiscShares, disc_shares
+from core.checks.shares import disc_shares
 from core.checks.usual_fit import usual_fit
 from core.derived import if_known
 from core.design.real_forces import RealForces
@@ -341,11 +345,6 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         """The verdict of the design."""
         return crank_verdict(self.results, every="checks" in self.sections)
 
-    @cached_property
-    def shares(self) -> DiscShares | None:
-        """How the satellites share the torque, where they do not alike."""
-        return disc_shares(results=self.results, found=self.verdict)
-
     def judge(self) -> Values:
         """Verdict, and checks and fixes, of one input and of several, where asked."""
         found = self.verdict
@@ -565,7 +564,7 @@ def solve(body: CrankPlanetaryRequest) -> Values:
         notices += run(body, lambda: body.results.size_notices)[0]
     judged, _ = run(body, body.judge)
     warnings = [warning(each) for each in notices]
-    shares, _ = run(body, lambda: body.shares)
+    shares, _ = run(body, lambda: disc_shares(results=body.results, found=body.verdict))
     if shares is not None:
         sections["shares"] = SharesOut.of(shares)
         warnings += shares_warnings(shares)

@@ -1,9 +1,10 @@
 """Load and life of the satellites' bearings: request, answer, figure."""
 
-from typing import Any, Literal, Self
+from collections.abc import Iterator
+from typing import Annotated, Any, Literal, Self
 
 import numpy as np
-from pydantic import model_validator
+from pydantic import Field, model_validator
 
 from app.calculations.design import (
     DesignFields,
@@ -11,19 +12,23 @@ from app.calculations.design import (
     ForcesUsed,
     forces_used,
 )
+from app.calculations.mechanism import MAX_SATELLITES
 from app.calculations.named_bearing import NamedBearingFields, bearing_name
 from app.calculations.pin_contact import CrankContactFields
 from app.calculations.ring import RingFields
 from app.model import (
     AccuracyOut,
+    Angle,
     AssumingResponse,
     Calculation,
     Maybe,
+    RequestModel,
     ResponseModel,
     Size,
     Values,
     WarningOut,
     WorkedFields,
+    field_error,
     quantity,
     result,
 )
@@ -33,9 +38,10 @@ from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical
 from app.units import from_si
 from app.worked import worked
 from core.arrays import FloatArray
+from core.crank.balance import Counterweight
 from core.crank.satellite_bearing import BearingCurves, SatelliteBearings
 from core.design.curves import design_bearings
-from core.design.sections import RollingBearing
+from core.design.sections import RollingBearing, Seat, Shaft
 from core.worked.crank import bearing_steps
 from core.worked.step import Step
 
@@ -78,6 +84,93 @@ class BearingFields(ShaftBearingFields, group="bearing"):
         return RollingBearing(**self.to_core())
 
 
+Place = Annotated[float, Field(ge=-1e12, le=1e12)]
+
+Unbalance = Annotated[float, Field(ge=0, le=1e12)]
+
+
+MAX_WEIGHTS = 20
+"""Counterweights at most."""
+
+
+class CounterweightFields(RequestModel, group="crankshaft"):
+    """A mass on the shaft that is off its axis."""
+
+    unbalance_kg_mm: Unbalance = quantity("Unbalance", "U", step=0.1)
+    """Mass times the distance of its centre from the axis."""
+    position_mm: Place = quantity("Place", "z", step=1)
+    """Of its middle along the shaft, counted as the satellites' are."""
+    angle_deg: Angle = quantity("Direction", "β", default=180.0, step=15)
+    """Counted as the crank angles are; 180° is opposite to a crank at 0°."""
+
+
+class SeatedBearingFields(ShaftBearingFields, group="crankshaft"):
+    """A bearing of the crankshaft, and what it sits in."""
+
+    seat: Seat = quantity("Sits in", alias="in", default="housing")
+    """The housing, or the part of the pins or of the ring where that turns: the life is that of the
+    speed against it."""
+
+    def section(self) -> RollingBearing:
+        """The bearing in SI units."""
+        return RollingBearing(**self.to_core())
+
+
+class CrankshaftFields(RequestModel, group="crankshaft"):
+    """The shaft: where its loads and bearings are."""
+
+    satellite_positions_mm: list[Place] = quantity(
+        "Places of the satellites", "z₁ … z_K", min_length=1, max_length=MAX_SATELLITES
+    )
+    """Middle plane of each satellite along the shaft."""
+    bearing_positions_mm: list[Place] = quantity(
+        "Places of the bearings", "A, B", min_length=2, max_length=2
+    )
+    """Of both bearings along the shaft, ascending; satellites may lie beyond."""
+    satellite_mass_kg: Maybe[Size] = quantity("Mass of a satellite", "m", step=0.1)
+    """With its bearing; without it no balance is answered, and no bearing feels it."""
+    counterweights: Maybe[list[CounterweightFields]] = quantity(
+        "Counterweights", max_length=MAX_WEIGHTS
+    )
+    """Masses on the shaft besides the satellites, whose mass has to be given then."""
+    rotor_mass_kg: Maybe[Size] = quantity("Mass of what turns", "M", step=0.1)
+    """Of all that turns with the crankshaft, for the grade of its balance; where it is not given,
+    that of the satellites."""
+    eccentric_diameter_mm: Maybe[Size] = quantity("Diameter of the eccentrics", "d_e", step=1)
+    """Of a crank inside the bearing of its satellite."""
+    shaft_diameter_mm: Maybe[Size] = quantity("Diameter of the shaft", "d_s", step=1)
+    """Of the shaft between the cranks and in its bearings."""
+    bearings: Maybe[list[SeatedBearingFields]] = Field(
+        min_length=2,
+        max_length=2,
+        description="Both bearings; ball bearings in the housing where not given.",
+    )
+
+    def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
+        """Also what names of bearings say."""
+        yield from super().assumed()
+        for index, each in enumerate(self.bearings or ()):
+            yield from ((("bearings", str(index), *path), value) for path, value in each.assumed())
+
+    @model_validator(mode="after")
+    def _weights_of_masses(self) -> Self:
+        if self.counterweights and self.satellite_mass_kg is None:
+            raise field_error("satellite_mass_kg", "needed_beside", field="counterweights")
+        return self
+
+    def section(self, _: Any) -> Shaft:
+        """The shaft in SI units."""
+        own = self.to_core()
+        for name in ("satellite_positions", "bearing_positions"):
+            own[name] = tuple(own[name])
+        own["counterweights"] = tuple(
+            Counterweight(**each.to_core()) for each in self.counterweights or ()
+        )
+        if self.bearings is not None:
+            own["bearings"] = tuple(each.section() for each in self.bearings)
+        return Shaft(**own)
+
+
 class CrankedRequest(DesignFields, WorkedFields):
     """Mechanism, load, crank and ring; pins and holes where the forces follow from them too."""
 
@@ -97,6 +190,7 @@ class SatelliteBearingRequest(CrankedRequest):
     """Mechanism, load, crank, ring and bearing."""
 
     bearing: BearingFields
+    crankshaft: Maybe[CrankshaftFields] = None
 
     def solve(self) -> SatelliteBearings:
         """Loads and lives."""

@@ -82,7 +82,7 @@ FORCES = (
 OWN = {
     "pin_strength": (*FORCES, "fatigue"),
     "output_efficiency": (*FORCES, "friction"),
-    "satellite_bearing": (*FORCES, "gear", "bearing"),
+    "satellite_bearing": (*FORCES, "gear", "bearing", "crankshaft"),
     "crankshaft": (*FORCES, "gear", "crankshaft"),
 }
 
@@ -154,8 +154,8 @@ async def test_a_section_is_what_its_endpoint_answers(api, design, forces):
         answer = await answered(api, own(design, section), section.replace("_", "-"))
         expected = whole[section]
         assert answer["forces"] == expected["forces"] == forces
-        warnings = whole.get("warnings", []) + expected.get("warnings", [])
-        assert answer.get("warnings", []) == warnings
+        of_whole = [each for each in whole.get("warnings", []) if each["code"] != "uneven_sharing"]
+        assert answer.get("warnings", []) == of_whole + expected.get("warnings", [])
         said_once = {"warnings": None, "assumed": None}
         one, other = (without_time(each) | said_once for each in (answer, expected))
         assert one == other

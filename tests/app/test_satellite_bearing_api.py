@@ -215,7 +215,8 @@ async def test_a_satellite_that_carries_nothing_refuses_nothing(api):
     assert response.status_code == 200, response.text
     checks = {each["code"]: each for each in response.json()["checks"]}
     together, worst = checks["system_life"], checks["bearing_life"]
-    # what is left out, the centrifugal force, is all that the idle bearings carry
+    # the centrifugal force is all that the idle bearings carry: they hardly take of the life
     assert together["status"] in ("pass", "marginal", "fail")
-    assert together["value"] == worst["value"]
+    assert together["value"] == pytest.approx(worst["value"], rel=1e-6)
+    assert together["value"] < worst["value"]
     assert worst["at"] == {"satellite": 3} == checks["bearing_static"]["at"]

@@ -5,7 +5,7 @@ import { figureBody } from "./wanted.js";
 
 const ROUNDING = 1e-9;
 
-export const figure = { id: "bearings", section: "satellite_bearing", path: "/satellite-bearing/chart", body: figureBody("gear", "bearing") };
+export const figure = { id: "bearings", section: "satellite_bearing", path: "/satellite-bearing/chart", body: figureBody("gear", "bearing", "crankshaft") };
 
 /** The satellite whose bearing has the largest equivalent load. */
 function worstOf({ satellites }) {
