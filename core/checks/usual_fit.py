@@ -10,6 +10,9 @@ from core.tolerance.iso286 import fit_clearance
 USUAL_FIT = "H7/f7"
 """Of holes and of pins or sleeves that are turned or ground."""
 
+ROLLER_FIT = "H7/h6"
+"""Of holes and of the outer rings of bearings, whose tolerance lies as that of h does."""
+
 PRINTED, PRINTED_CLEARANCE = "printed", 0.25e-3
 """Radial clearance of printed holes, m: a sliding fit of FDM, for which guides of those who print
 name 0.15 to 0.5 mm.
@@ -43,7 +46,8 @@ def usual_clearance(design: Design) -> tuple[str, float]:
         return PRINTED, PRINTED_CLEARANCE
     pin = contact.pair.pin_radius
     hole = pin + design.known_eccentricity
-    return USUAL_FIT, fit_clearance(fit=USUAL_FIT, hole_diameter=2 * hole, pin_diameter=2 * pin)
+    fit = ROLLER_FIT if design.rollers else USUAL_FIT
+    return fit, fit_clearance(fit=fit, hole_diameter=2 * hole, pin_diameter=2 * pin)
 
 
 def usual_fit(design: Design) -> tuple[str, Results, Verdict] | None:

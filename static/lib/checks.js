@@ -196,8 +196,9 @@ export function notConsidered({ not_considered: all = [], parts = [] }) {
 export function assumedIn({ assumed = [] }) {
   if (assumed.length === 0) return "";
   const what = assumed.map(({ pointer, value, without }) => {
-    const [name, group] = pointer.split("/").reverse();
-    const shown = typeof value === "number" ? formatQuantity(value, unitOf(name)) : said("materials", value) ?? "";
+    const [name, part] = pointer.split("/").filter((each) => !/^\d+$/.test(each)).reverse();
+    const group = part === "bearings" ? "bearing" : part; // of the list of those of the shaft
+    const shown = typeof value === "number" ? formatQuantity(value, unitOf(name)) : said("materials", value) ?? message("option")[value] ?? "";
     const words = { title: fieldWords(name, group)?.title ?? name, value: shown };
     if (!without) return message("checks.assumedOne", words);
     return message("checks.assumedWithout", { ...words, force: formatQuantity(without.peak_force_N, "N") });

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from core.bearings import BEARINGS, MAKERS, named_bearing, names_like
+from core.checks.usual_fit import usual_clearance
 from core.crank.pin_rollers import UNKNOWN_ELEMENTS, PinRollers, pin_rollers, unsupported_shares
 from core.design.document import Design
 from core.design.results import Results
@@ -211,6 +212,12 @@ def test_a_clearance_that_is_not_known_stays_so() -> None:
     ]
 
 
+def test_the_usual_fit_of_rings_is_that_of_bearings() -> None:
+    name, clearance = usual_clearance(rolled())
+    assert name == "H7/h6"
+    assert 0 < clearance < usual_clearance(having(rolled(), rollers=None))[1]
+
+
 def test_a_contact_is_no_longer_than_its_rollers() -> None:
     short = Results(rolled(replace(ROLLERS, width=0.005)))
     both = Results(rolled(replace(ROLLERS, width=0.005, per_satellite=2)))
@@ -296,6 +303,13 @@ def test_each_limit_is_where_it_says() -> None:
         other = rolled(replace(ROLLERS, kind=kind, ratings="roller"))
         found = check_of("pin_roller_tilt", other)
         assert (found.limit, found.status) == (limit, "marginal")
+
+
+def test_the_largest_load_has_the_dynamic_factor_in_it() -> None:
+    light = rolled(replace(ROLLERS, max_radial_load=1e3), pin=None, dynamic_factor=1.25)
+    most = check_of("pin_roller_max_load", light)
+    assert most.value == pytest.approx(1.25 * Results(light).roller_loads.peak_load / 1e3)
+    assert most.torque_reserve == pytest.approx(1 / most.value)
 
 
 def test_the_static_safety_that_is_usual_is_that_of_bearings() -> None:

@@ -166,6 +166,10 @@ test("what is assumed is said with its title, in the user's words", async () => 
   const assumed = [{ pointer: "/mechanism/satellites", value: 2 }, { pointer: "/contact/pin_material", value: "steel_bearing" }];
   assert.equal(assumedIn({}), "");
   assert.equal(assumedIn({ assumed }), "Assumed, as it is not given: Satellites: 2; Pin material: Bearing steel (100Cr6, hardened).");
+  const bearing = { assumed: [
+    { pointer: "/rollers/kind", value: "ball" }, { pointer: "/crankshaft/bearings/0/dynamic_rating_N", value: 1680 },
+  ] };
+  assert.equal(assumedIn(bearing), "Assumed, as it is not given: Rolling elements: Balls; Dynamic load rating: 1680\u00a0N.");
   await useLanguage("uk");
   assert.doesNotMatch(assumedIn({ assumed }), /steel|_/);
   await useLanguage("en");

@@ -380,6 +380,17 @@ test("a pin has one material, unless it was typed apart", () => {
   assert.deepEqual(Object.keys(WANTED.find(({ id }) => id === "strength").starts({})), ["fatigue.reliability_percent"]);
 });
 
+test("rollers say load, life and safety, and what they lack", async () => {
+  const { cells } = await import("../../static/calculators/crank-planetary/pin_rollers.js");
+  const found = { equivalent_load_N: 33.55, peak_load_N: 56.25, satellite: 1, pin: 2 };
+  const [load, life, safety] = cells({ ...found, life_h: 3.24e6, dynamic_rating_as_roller_N: 815.8, static_safety_factor: 4.889, speed_rpm: 73.85 });
+  assert.match(load.note, /56.25/);
+  assert.match(life.label, /90/);
+  assert.match(`${life.value} ${life.note}`, /815.8/);
+  assert.match(`${safety.value} ${safety.note}`, /4.89.*73.85/);
+  assert.deepEqual(cells(found).slice(1).map(({ value }) => value), ["–", "–"]);
+});
+
 test("a design document switches on the groups whose parts it has, and is asked for as it was", () => {
   const document = {
     pin: { diameter_mm: 11, satellite_positions_mm: [9, 23] },
