@@ -287,7 +287,7 @@ def necessary(found: Check) -> Check:
     Check
         `not_checked` where it holds, with its numbers.
     """
-    if found.status == "fail" or found.value is None:
+    if found.status in ("fail", "not_checked") or found.value is None:
         return found
     return found._replace(status="not_checked", reason="necessary_only")
 

@@ -49,28 +49,38 @@ def _against_limit(kind: Kind, results: Results, warning: str = "") -> Check:
     pressure = contact.governing_pressure
     if pressure is None:
         raise NotKnown("contact_wraps")
-    known, error = kind.known(design, results), pressure_error(results, contact)
-    if error is None:
-        return Check(kind, "not_checked", value=pressure, reason="disc_ovals", **known)
-    return judged(
+    return in_disc(
         kind,
+        results,
+        contact,
         pressure,
-        **known,
+        **kind.known(design, results),
         reserve=results.contact_reserves[kind.code],
         warning=warning,
-        error=error,
         at=results.peak,
-        rough=results.solved or results.edge is not None,
     )
 
 
-def pressure_error(results: Results, contact: HertzContact) -> float | None:
-    """Relative error of the governing pressure; None where nothing is known of the disc's part."""
+def in_disc(
+    kind: Kind,
+    results: Results,
+    contact: HertzContact,
+    pressure: float,
+    limit: float,
+    **more: Any,
+) -> Check:
+    """The pressure against a limit, with what the edge of the disc makes of it: near enough nothing
+    passes.
+    """
     disc = results.disc_of(contact)
-    if disc is not None and disc.code == "disc_ovals":
-        return None
-    own = (contact.conformal_error or 0.0) + 8 * contact.accuracy.relative_error
-    return float(own + (disc.params["error"] if disc else 0.0))
+    error = (contact.conformal_error or 0.0) + 8 * contact.accuracy.relative_error
+    if disc is not None:
+        error += disc.params.get("error", 0.0)
+        if disc.code == "disc_ovals" and pressure <= limit:
+            said = {"reason": disc.code, "params": disc.params, "at": more.get("at", {})}
+            return Check(kind, "not_checked", value=pressure, limit=limit, **said)
+    rough = results.solved or results.edge is not None
+    return judged(kind, pressure, limit, error=error, rough=rough, **more)
 
 
 def _whence(limit: ContactLimit) -> dict[str, str]:
@@ -210,9 +220,6 @@ def _static(body: Body) -> Kind:
         pressure, limit = contact.governing_pressure, material.static_pressure
         if pressure is None:
             raise NotKnown("contact_wraps")
-        error = pressure_error(results, contact)
-        if error is None:
-            return Check(static, "not_checked", value=pressure, limit=limit, reason="disc_ovals")
         whence = {}
         if limit is None:  # what it bears for ever it bears once; beyond that nothing is known
             lasting = material.limit
@@ -225,15 +232,15 @@ def _static(body: Body) -> Kind:
                     missing=_missing(design, body, "allowable_pressure"),
                 )
             limit, whence = float(lasting.pressure), _whence(lasting)
-        return judged(
+        return in_disc(
             static,
+            results,
+            contact,
             pressure,
             limit,
             reserve=force_factor(
                 contact=contact, contact_at=results.static_contact_at, limit=limit
             ),
-            error=error,
-            rough=results.solved or results.edge is not None,
             **whence,
         )
 

@@ -10,7 +10,7 @@ from functools import partial
 
 from core.checks.check import Check, design_check, judged, necessary
 from core.checks.inputs import LOADED, SLIDING
-from core.checks.pin_contact import FIXES, pressure_error
+from core.checks.pin_contact import FIXES, in_disc
 from core.derived import if_known
 from core.design.document import Design
 from core.design.results import Results
@@ -55,17 +55,14 @@ def contact_static_cold(design: Design, results: Results) -> Check:
     pressure, limit = contact.governing_pressure, min(limits)
     if pressure is None:
         raise NotKnown("contact_wraps")
-    error = pressure_error(results, contact)
-    if error is None:
-        return Check(contact_static_cold, "not_checked", value=pressure, reason="disc_ovals")
-    found = judged(
+    found = in_disc(
         contact_static_cold,
+        results,
+        contact,
         pressure,
         limit,
         reserve=_yielding(contact, results.static_contact_at, results),
-        error=error,
         at=results.peak,
-        rough=results.solved or results.edge is not None,
     )
     if found.status == "fail" or not unknown:
         return necessary(found)
@@ -203,21 +200,19 @@ def creep(design: Design, results: Results) -> Check:
         raise friction_unknown()
     contact, largest = results.hertz, results.line_load_factor
     limit = min(share * results.cold_limit(body, contact) for body, share in lasting.items())
-    pressure, error = contact.governing_pressure, pressure_error(results, contact)
+    pressure = contact.governing_pressure
     if pressure is None:
         raise NotKnown("contact_wraps")
-    if error is None:
-        return Check(creep, "not_checked", value=pressure, limit=limit, reason="disc_ovals")
-    found = judged(
+    found = in_disc(
         creep,
+        results,
+        contact,
         pressure,
         limit,
         reserve=_yielding(
             contact, lambda factor: results.contact_at(factor * largest), results, lasting
         ),
-        error=error,
         at=results.peak,
-        rough=results.solved or results.edge is not None,
     )
     return necessary(found)
 

@@ -116,7 +116,8 @@ def _conformal(sheet: Sheet, found: HertzContact) -> None:
     assert found.edge_tension is not None
     share = (3 - 4 * known["nu_2"]) / (2 * math.pi * (1 - known["nu_2"]))
     mean = (found.edge_tension / load * radius - share * math.cos(angle)) / 2
-    sheet.state("conformal_half_angle", "eps", angle, "conformal_angle", **PERSSON)
+    method = "integral_equation" if beta else "conformal_angle"
+    sheet.state("conformal_half_angle", "eps", angle, method, **PERSSON)
     t, b = "tan(eps/2)", math.tan(angle / 2)
     if beta == 0:
         sheet.state("logarithm", "l_1", math.log1p(b * b), "conformal_logarithm", **PERSSON)
@@ -134,13 +135,13 @@ def _conformal(sheet: Sheet, found: HertzContact) -> None:
         sheet.state("middle_pressure", "P_m", pressure / load * radius, "integral_equation")
         sheet.work("conformal_pressure", "p_c", pressure, "w/sqrt(r_out*r_in)*P_m", **PERSSON)
         sheet.state("mean_rim_pressure", "P_0", mean, "integral_equation")
-    for name, formula in (
-        ("half_angle_pin", "eps*sqrt(r_out/r_in)"),
-        ("half_angle_hole", "eps*sqrt(r_in/r_out)"),
-        ("half_length", "eps*sqrt(r_out*r_in)"),
+    for name, symbol, formula in (
+        ("half_angle_pin", "eps_pin", "eps*sqrt(r_out/r_in)"),
+        ("half_angle_hole", "eps_hole", "eps*sqrt(r_in/r_out)"),
+        ("half_length", "s_arc", "eps*sqrt(r_out*r_in)"),
     ):
         code = f"conformal_{name}"
-        sheet.work(code, f"eps_{name[5:]}", getattr(found, code), formula)
+        sheet.work(code, symbol, getattr(found, code), formula)
     formula = "w/sqrt(r_out*r_in)*(2*P_0+(3-4*nu_2)/(2*pi*(1-nu_2))*cos(eps))"
     sheet.work("edge_tension", "sigma_t", found.edge_tension, formula, note="edge_tension")
 

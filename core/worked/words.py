@@ -66,7 +66,7 @@ NOTES = {
     "willis": "Of one planet gear: n_in + u·n_c = (u + 1)·n_r.",
     "narrow": "Hertz's theory asks for a contact much narrower than the pin.",
     "conformal_angle": "Found by Newton's method so that λ before and after agree.",
-    "integral_equation": "From the integral equation of a disc in a hole, for this β and ε.",
+    "integral_equation": "From the integral equation of a disc in a hole, for this λ, α and β.",
     "edge_tension": "Hoop tension in the rim of the hole at the ends of the contact.",
     "governs_hertz": "Hertz's pressure governs.",
     "governs_conformal": "The conformal pressure governs: Hertz's is more than 1 % too low.",

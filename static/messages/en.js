@@ -377,6 +377,7 @@ export default {
     pressure: "Peak pressure",
     safety: "safety {safety}; {asked} asked",
     edge: "bent pins: line load × {factor}",
+    wraps: "wraps ±{angle} of the pin",
     rollerForce: "Largest force on a roller end",
     rollerMean: "mean {mean}",
     nonuniformity: "Load non-uniformity",

@@ -387,6 +387,32 @@ async def test_what_is_not_known_of_the_safety_is_absent(api):
     assert "safety_factor" not in answer
 
 
+@pytest.mark.parametrize(
+    ("bore", "code", "error"), [(28 - 3.2 * 8.05, "finite_disc", 0.08), (12.7, "disc_ovals", None)]
+)
+async def test_an_edge_near_a_contact_that_wraps_is_told(api, bore, code, error):
+    contact = {
+        "contact_length_mm": 20, "pin_radius_mm": 8, "hole_radius_mm": 8.05,
+        "eccentricity_mm": 0.05, "hole_clearance_mm": 0,
+        **dict.fromkeys(DEFAULT, "steel_case_hardened"),
+    }  # fmt: skip
+    load = {"output_torque_Nm": 1000, "pin_circle_radius_mm": 28}
+    job = {"mechanism": MECHANISM, "load": load, "contact": contact, "include": ["checks"]}
+    answer = (await api.post("crank-planetary", json=job)).json()
+    assert code not in [each["code"] for each in answer.get("warnings", ())]
+    job["satellite_body"] = {"bore_radius_mm": bore}
+    answer = (await api.post("crank-planetary", json=job)).json()
+    checks = {each["code"]: each for each in answer["checks"]}
+    found = checks["contact_pressure_pin"]
+    warned = [each for each in answer["warnings"] if each["code"] == code]
+    assert found["status"] == ("not_checked" if error is None else "pass")
+    (said,) = warned or [found["reason"]]
+    assert said["code"] == code and "{" not in said["detail"]
+    assert said["params"]["distance"] == pytest.approx((28 - bore) / 8.05)
+    assert said["params"].get("error") == error
+    assert found["value"] < found["limit"]
+
+
 @pytest.mark.parametrize(("torque", "pressure"), [(1000, 201.1), (3000, 406.1), (20000, 1923)])
 async def test_a_conformal_contact_is_judged_by_its_own_pressure(api, torque, pressure):
     materials = dict.fromkeys(DEFAULT, "steel_case_hardened")

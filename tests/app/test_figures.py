@@ -115,10 +115,13 @@ async def test_the_peak_marker_stands_on_the_highest_curve(api):
 )
 async def test_a_limit_is_drawn_for_the_bodies_that_have_one(api, materials, limits):
     body = {**CONTACT, "force_N": 9000, **materials}
-    drawn = (await api.post("hertz/chart", json=body)).json()["data"][1:]
-    assert {each["name"]: each["y"] for each in drawn} == {
-        name: [pytest.approx(limit)] * 2 for name, limit in limits.items()
-    }
+    drawn = (await api.post("hertz/chart", json=body)).json()["data"]
+    curves = (
+        {"Hertz", "Conformal"} if materials.get("hole_material") == "plastic_pom" else {"Hertz"}
+    )
+    assert curves < {each["name"] for each in drawn} or (curves == {each["name"] for each in drawn})
+    found = {each["name"]: each["y"] for each in drawn if each["name"] not in curves}
+    assert found == {name: [pytest.approx(limit)] * 2 for name, limit in limits.items()}
 
 
 async def test_a_jump_of_the_force_is_drawn_upright(api):

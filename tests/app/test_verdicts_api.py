@@ -14,6 +14,7 @@ from app.examples import EXAMPLES, REQUESTS
 from core.checks.records import CHECKS
 from core.checks.words import CHECK_SOURCES, GROUPS
 from core.materials import LIMIT_SOURCES
+from tests.oracles import conformal
 
 pytestmark = pytest.mark.anyio
 
@@ -100,12 +101,24 @@ def pressure(one, other, force=10000 / 3):
     return math.sqrt(force / 20 / sum(shares) / math.pi * (10 - 8) / (10 * 8))
 
 
+def governing(pin, hole, force=10000 / 3):
+    """Largest pressure of REF in MPa: that of the contact that wraps, from 1 % above Hertz's on."""
+    of_hertz = pressure(pin, hole, force)
+    first, second = ((1 - v * v) / (1000 * E) for E, v, *_ in (pin, hole))
+    shear = [(1 - 2 * v) * (1 + v) / (1000 * E) for E, v, *_ in (pin, hole)]
+    modulus, line_load = 1 / (first + second), force / 20
+    alpha, beta = modulus * (second - first), modulus / 2 * (shear[1] - shear[0])
+    found = conformal.of_load(modulus * (10 - 8) / line_load, alpha, beta)
+    wrapped = found.pressure * line_load / math.sqrt(10 * 8)
+    return wrapped if wrapped > 1.01 * of_hertz else of_hertz
+
+
 @pytest.mark.parametrize("body", ["pin", "hole"])
 @pytest.mark.parametrize("name", MATERIALS)
 async def test_each_material_against_the_default_other_body(api, name, body):
     other = {"pin": "steel_through_hardened", "hole": "steel_bearing"}[body]
     one, two = MATERIALS[name], MATERIALS[other]
-    p0 = pressure(one, two)
+    p0 = governing(*((one, two) if body == "pin" else (two, one)))
     answer, checks = await asked(
         api, "crank-planetary", design(**{f"contact__{body}_material": name})
     )
@@ -120,7 +133,7 @@ async def test_each_material_against_the_default_other_body(api, name, body):
             assert "limit" not in found and "utilisation" not in found
         else:
             assert found["limit"] == pytest.approx(limit / 1.2, rel=1e-12)
-            assert found["value"] == pytest.approx(p0, rel=1e-12)
+            assert found["value"] == pytest.approx(p0, rel=1e-8)
             assert found["status"] == ("fail" if p0 > limit / 1.2 else "pass")
             counts.append("fail" if p0 > limit / 1.2 else "pass")
         for kind, factor in (("shakedown", 4 / math.sqrt(3)), ("yield", 1.79)):
@@ -838,5 +851,6 @@ async def test_what_cannot_be_solved_is_refused_at_its_place(api, changes, point
 def test_every_check_has_all_its_words():
     for code, kind in CHECKS.items():
         assert kind.title and kind.why.endswith(".") and kind.formula, code
-        assert kind.group in GROUPS and kind.source in CHECK_SOURCES and kind.inputs, code
+        assert kind.group in GROUPS and kind.source in CHECK_SOURCES, code
+        assert kind.inputs or code == "contact_conformity"  # which is none any more
     assert not set(LIMIT_SOURCES) & set(CHECK_SOURCES)

@@ -239,6 +239,15 @@ def test_the_edge_of_the_satellite_is_part_of_the_error(
     else:
         assert (found.status, found.reason) == (status, reason)
     assert found.value == pressure and found.limit == pytest.approx(1.04 * pressure, rel=1e-12)
+    beyond = replace(HOLE, limit=ContactLimit("given", 1.2 * 0.8 * pressure))
+    assert check_of("contact_pressure_hole", having(design, hole_material=beyond)).status == "fail"
+    at_rest = replace(HOLE, static_pressure=1.04 * pressure)
+    still = having(design, hole_material=at_rest, peak_torque=500.0)
+    at_once = check_of("contact_static_hole", still)
+    assert (at_once.status, at_once.reason == "disc_ovals") == (
+        status if status == "not_checked" else "marginal",
+        status == "not_checked",
+    )
     notice = Results(design).disc_of(Results(design).hertz)
     codes = {"pass": None, "marginal": "finite_disc", "not_checked": "disc_ovals"}
     assert (notice and notice.code) == codes[status]

@@ -140,11 +140,13 @@ function peakCell(section, { contact }, id) {
 
 function pressureCell(section, { requirements }) {
   const { governing_pressure_MPa: pressure, safety_factor: safety, line_load_factor: edge = 1 } = section;
+  const { conformal_half_angle_pin_deg: angle } = section;
   return {
     ...(pressure !== undefined && stated(section, pressure, "MPa", 4)),
     note: [
       safety !== undefined && message("verdict.safety", { safety: formatNumber(safety, 3), asked: formatNumber(requirements.pitting_safety, 3) }),
       edge !== 1 && message("verdict.edge", { factor: formatNumber(edge, 3) }),
+      angle !== undefined && message("verdict.wraps", { angle: formatAngle(angle, 3) }),
     ].filter(Boolean).join("; "),
   };
 }
