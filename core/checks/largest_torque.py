@@ -16,7 +16,7 @@ from core.design.results import Results
 LOOKS, SETTLED = 8, 1e-5
 """Torques at most that are looked at, and how far the last one's reserve may be off 1."""
 
-FURTHER, NEAR = 2, 0.1
+FURTHER, NEAR = 3, 0.1
 """Torques at most that are looked at for the reserves of checks that fail later, and how near the
 logarithm of one is that needs no look."""
 
@@ -176,7 +176,7 @@ class _Torques:
     def look_further(self) -> None:
         """Looks at the torques under which the other checks fail, farthest from what is known."""
         for _ in range(FURTHER):
-            roots = {code: self.root(code) for code in self.looks if code in self.counted}
+            roots = {code: self.root(code) for code in self.looks}
             away = {
                 root: min(abs(root - x) for x, _ in self.looks[code])
                 for code, root in roots.items()
