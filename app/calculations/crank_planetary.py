@@ -81,9 +81,9 @@ from core.checks.cold_yield import ColdYield, cold_yield
 from core.checks.largest_torque import crank_verdict
 from core.checks.usual_fit import usual_fit
 from core.derived import if_known
-from core.errors import CalculationError
 from core.design.real_forces import RealForces
 from core.design.results import MOST_BEARING_PAIRS, MOST_PIN_PAIRS, Results
+from core.errors import CalculationError
 from core.fixes.crank import crank_fixes
 from core.fixes.fix import Fix
 from core.output.contact_force import ContactForce, ForceCurves, PairNumber, drawing_angles

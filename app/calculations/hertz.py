@@ -109,7 +109,8 @@ def _refuse_missing(entry: TableMaterial, given: Any = None) -> None:
 
 
 if TYPE_CHECKING:
-    MaterialName = WholeName = str
+    MaterialName = str
+    WholeName = str
 else:
     MaterialName = Annotated[Literal[tuple(MATERIALS)], BeforeValidator(known_name)]
     WholeName = Annotated[
