@@ -92,6 +92,7 @@ from core.checks.usual_fit import usual_fit
 from core.derived import if_known
 from core.design.real_forces import RealForces
 from core.design.results import MOST_BEARING_PAIRS, MOST_PIN_PAIRS, Results
+from core.errors import CalculationError
 from core.fixes.crank import crank_fixes
 from core.fixes.fix import Fix
 from core.output.contact_force import ContactForce, ForceCurves, PairNumber, drawing_angles
@@ -254,7 +255,10 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """Also the friction of plastics, by which they yield, where it is known."""
         yield from super().assumed()
-        design = self.design
+        try:
+            design = self.design
+        except CalculationError:  # of which a solution is asked: a size that makes none yet
+            return
         dry = design.plastics and not (design.friction or design.sleeved)
         if dry and design.dry_friction is not None:
             yield ("friction", "coefficient"), design.dry_friction

@@ -351,9 +351,9 @@ Celsius = Annotated[float, Field(ge=-60, le=250)]
 class TemperaturesFields(RequestModel, group="temperatures"):
     """Temperatures of the parts at work, by which plastics are judged."""
 
-    satellite_C: Maybe[Celsius] = quantity("Satellites", "T_s", step=5)
+    satellite_C: Maybe[Celsius] = quantity("Temperature of the satellites", "T_s", step=5)
     """Temperature of the satellites at work; a motor nearby heats them."""
-    pins_C: Maybe[Celsius] = quantity("Pins", "T_p", step=5)
+    pins_C: Maybe[Celsius] = quantity("Temperature of the pins", "T_p", step=5)
     """Temperature of the pins at work."""
 
     def section(self, _: Any) -> Temperatures:

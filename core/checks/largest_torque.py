@@ -17,7 +17,7 @@ from core.precision import JUDGED
 LOOKS = 8
 """Torques at most that are looked at, until the last one's reserve is as far off 1 as `JUDGED`."""
 
-FURTHER, NEAR = 2, 0.1
+FURTHER, NEAR = 3, 0.1
 """Torques at most that are looked at for the reserves of checks that fail later, and how near the
 logarithm of one is that needs no look."""
 
@@ -177,7 +177,7 @@ class _Torques:
     def look_further(self) -> None:
         """Looks at the torques under which the other checks fail, farthest from what is known."""
         for _ in range(FURTHER):
-            roots = {code: self.root(code) for code in self.looks if code in self.counted}
+            roots = {code: self.root(code) for code in self.looks}
             away = {
                 root: min(abs(root - x) for x, _ in self.looks[code])
                 for code, root in roots.items()

@@ -164,7 +164,7 @@ def _plastic(body: Body, name: str, warning: str = "", **said: str) -> Kind:
                 missing=_missing(design, body, "yield_strength"),
             )
         found = _against_limit(plastic, results, warning)
-        sliding, yielding = design.hole_friction or 0.0, results.pressure_limits
+        sliding, yielding = design.sliding_friction, results.pressure_limits
         if name == "yield" or sliding <= KNOWN_SLIDING or found.status == "fail":
             return found
         # between the pressure up to which nothing yields and the one from which it goes on

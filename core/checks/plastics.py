@@ -222,7 +222,7 @@ def creep(design: Design, results: Results) -> Check:
     title="Fatigue of the plastic",
     formula="N ≥ N_L",
     why="Every turn loads each place of the holes once, and plastics have no endurance limit.",
-    inputs=(),
+    inputs=("contact.pin_material", "contact.hole_material"),
     fixes=(),
     source="no_source",
 )

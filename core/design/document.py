@@ -428,13 +428,20 @@ class Design:
         return tuple(body for body, each in self.lasting.items() if each.plastic is not None)
 
     @property
-    def hole_friction(self) -> float | None:
-        """Friction coefficient of what slides in the holes: 0 where sleeves or rollers roll there.
-        Where none is given it is that of `dry_friction`; None where that is not known.
+    def sliding_friction(self) -> float:
+        """Friction coefficient of what slides in the holes: 0 where sleeves or rollers roll there,
+        and where none is given.
         """
-        if self.friction or self.rollers:
-            return 0.0 if self.output_friction.sleeve else self.friction.coefficient
-        return self.dry_friction if self.plastics and not self.sleeved else 0.0
+        given = self.friction and not (self.friction.sleeve or self.rollers)
+        return self.friction.coefficient if given else 0.0
+
+    @property
+    def hole_friction(self) -> float | None:
+        """The same for plastics, of which it is that of `dry_friction` where none is given; None
+        where that is not known.
+        """
+        dry = self.plastics and not (self.friction or self.sleeved or self.rollers)
+        return self.dry_friction if dry else self.sliding_friction
 
     @property
     def dry_friction(self) -> float | None:

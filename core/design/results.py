@@ -415,7 +415,7 @@ class Results:
                 found[f"contact_pressure_{body}"] = allowed / safety
             flows = material.yield_governs and material.plastic is None
             if flows and material.yield_strength is not None:
-                friction, strength = self.design.hole_friction or 0.0, material.yield_strength
+                friction, strength = self.design.sliding_friction, material.yield_strength
                 found[f"contact_shakedown_{body}"] = shakedown(friction) * strength
                 found[f"contact_yield_{body}"] = strength * first_yield(
                     poissons_ratio=float(material.poissons_ratio), friction=friction

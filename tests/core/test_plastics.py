@@ -394,3 +394,26 @@ def test_with_much_friction_shakedown_is_known_at_its_ends_only() -> None:
         )
     says_so = crank_verdict(Results(having(dry, output_torque=500.0 * (2 * 430e6 / pressure) ** 2)))
     assert says_so["contact_shakedown_hole"].status == "marginal"
+
+
+def test_of_two_plastics_the_weaker_one_and_the_hotter_one_are_judged() -> None:
+    pom = replace(MATERIALS["plastic_pom"].material, plastic=replace(PLA.plastic, layered=False))  # type: ignore[type-var]
+    both = having(SOFT, pin_material=pom, friction=Friction(coefficient=0.3))
+    results = Results(both)
+    weaker = results.cold_limit("hole")
+    assert weaker < results.cold_limit("pin")
+    assert check_of("contact_static_cold", both).limit == weaker
+    cold = cold_yield(results=results, found=crank_verdict(results))
+    assert cold is not None and (cold.body, cold.strength) == ("hole", 23e6)
+    hot = having(both, temperatures=Temperatures(satellite=40.0, pins=60.0))
+    assert check_of("temperature", hot).status == "fail"
+    warm = check_of("temperature", having(both, temperatures=Temperatures(satellite=40, pins=50)))
+    assert warm.only_needed and warm.value == 50
+    half = having(both, temperatures=Temperatures(satellite=40.0))
+    assert check_of("temperature", half).missing == ("temperatures.pins",)
+
+
+def test_values_below_20_gpa_are_those_of_a_plastic() -> None:
+    for modulus, plastic in ((19.9e9, True), (20.1e9, False)):
+        made = by_values(youngs_modulus=modulus, poissons_ratio=0.3, yield_strength=100e6)
+        assert (made.plastic is not None) == plastic
