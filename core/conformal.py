@@ -255,7 +255,7 @@ def pressure_over_angle(*, angles: FloatArray, tangent: float, beta: float) -> F
         middle = closed_pressure(position=0.0, tangent=tangent)
         return np.asarray(closed_pressure(position=places, tangent=tangent) / middle)
     s = np.array([tangent / math.sqrt(1 + tangent * tangent)])
-    weights = integral_equation(s, np.array([beta]), 4 * TERMS)[3][0, 0]
+    weights = integral_equation(s=s, beta=np.array([beta]), terms=4 * TERMS)[3][0, 0]
     phi = np.arccos(places / tangent)
     odd = 2 * np.arange(len(weights)) + 1
     return np.asarray((np.sin(np.outer(phi, odd)) @ weights) / (np.sin(odd * np.pi / 2) @ weights))
@@ -431,7 +431,7 @@ def _tables() -> tuple[FloatArray, ...]:
     beta, s = depths / 2, _HALF_SINE * (widths + 1) / 2
     y = s * s / (1 - s * s)
     mean, middle = _closed_mean(y), closed_pressure(position=0.0 * y, tangent=np.sqrt(y))
-    fine, coarse = integral_equation(s, beta, TERMS), integral_equation(s, beta, TERMS // 2)
+    fine, coarse = (integral_equation(s=s, beta=beta, terms=each) for each in (TERMS, TERMS // 2))
     # the error of both falls with the fourth power of their terms
     stiffness, *others = (
         one + (one - other) / 15 for one, other in zip(fine[:3], coarse[:3], strict=True)
@@ -447,7 +447,7 @@ def _tables() -> tuple[FloatArray, ...]:
 
 
 def integral_equation(
-    s: FloatArray, beta: FloatArray, terms: int
+    *, s: FloatArray, beta: FloatArray, terms: int
 ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
     """Solution of the equation of the pressure with so many terms.
 

@@ -10,10 +10,10 @@ Modules, in reading order
 study          a table of methods, run, timed and compared with a reference
 rules          quadrature rules with a setting each
 exact          ideal forces in multiple precision
-contact        largest pressure of pin in hole
 peaks          largest force over the turn, ideal and with clearance; bending and slope of pins
 means          mean total force, equivalent loads and reactions of bearings
 turns          least room of pins in their holes, ends of what carries
+contact        largest pressure of pin in hole
 precession     contact-line length, meshing load, deflection of the shaft
 rollers        load sharing by sorting, bisection, Newton
 tolerance      percentiles over many pieces: their number against positions of each

@@ -75,7 +75,7 @@ def _pressure(load_parameter: float, alpha: float, beta: float, terms: int) -> A
     """``p_max*R_m/Q`` of the equation with so many terms, where it carries the load."""
 
     def at(s: float) -> tuple[FloatArray, ...]:
-        return integral_equation(np.array([s]), np.array([beta]), terms)
+        return integral_equation(s=np.array([s]), beta=np.array([beta]), terms=terms)
 
     def over(s: float) -> float:
         stiffness, mean, *_ = at(s)
