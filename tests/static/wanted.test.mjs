@@ -274,7 +274,7 @@ test("a figure of strength and life asks with the design that its numbers are of
     deviations: { pin_radial_mm: [0.01, 0, 0] }, satellite_coupling: { kind: "shares", shares: [0.4, 0.6] },
   };
   assert.deepEqual([pin, friction, gear], [besides.pin, { coefficient: 0.08, sleeve: true }, { radial_force_ratio: 0.4 }]);
-  for (const [id, own] of Object.entries({ strength: { fatigue }, losses: { friction }, bearings: { gear, bearing }, crank: { gear, crankshaft } })) {
+  for (const [id, own] of Object.entries({ strength: { fatigue }, losses: { friction }, bearings: { gear, bearing, crankshaft }, crank: { gear, crankshaft } })) {
     const { figure } = await import(`../../static/calculators/crank-planetary/${id}.js`);
     assert.deepEqual(figure.body({}, {}, requests), { ...forces, ...own }, id);
     assert.ok(figure.body.length > 1, id); // it is not asked for before the numbers

@@ -14,7 +14,7 @@ const ATOM = 4;
 const WRITTEN_TERMS = 4; // of a sum of terms alike; of a longer one the first two and the last
 const FUNCTION_NAMES = { asin: "arcsin", acos: "arccos", atan: "arctan" };
 const GREEK = {
-  alpha: "α", gamma: "γ", delta: "δ", Delta: "Δ", eps: "ε", epsilon: "ε", eta: "η", theta: "θ", lambda: "λ", mu: "μ", nu: "ν", pi: "π",
+  alpha: "α", beta: "β", gamma: "γ", delta: "δ", Delta: "Δ", eps: "ε", epsilon: "ε", eta: "η", theta: "θ", lambda: "λ", mu: "μ", nu: "ν", pi: "π",
   rho: "ρ", sigma: "σ", tau: "τ", phi: "φ", chi: "χ", psi: "ψ", Psi: "Ψ",
 };
 
