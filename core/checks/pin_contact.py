@@ -50,10 +50,10 @@ def _against_limit(kind: Kind, results: Results, warning: str = "") -> Check:
     if pressure is None:
         raise NotKnown("contact_wraps")
     return in_disc(
-        kind,
-        results,
-        contact,
-        pressure,
+        kind=kind,
+        results=results,
+        contact=contact,
+        pressure=pressure,
         **kind.known(design, results),
         reserve=results.contact_reserves[kind.code],
         warning=warning,
@@ -62,6 +62,7 @@ def _against_limit(kind: Kind, results: Results, warning: str = "") -> Check:
 
 
 def in_disc(
+    *,
     kind: Kind,
     results: Results,
     contact: HertzContact,
@@ -71,6 +72,23 @@ def in_disc(
 ) -> Check:
     """The pressure against a limit, with what the edge of the disc makes of it: near enough nothing
     passes.
+
+    Parameters
+    ----------
+    kind : Kind
+        The check.
+    results : Results
+        Results of the design.
+    contact : HertzContact
+        The contact that is judged.
+    pressure, limit : float
+        Its governing pressure and the limit of that, Pa.
+    **more
+        What `judged` is told besides.
+
+    Returns
+    -------
+    Check
     """
     disc = results.disc_of(contact)
     error = (contact.conformal_error or 0.0) + 8 * contact.accuracy.relative_error
@@ -233,11 +251,11 @@ def _static(body: Body) -> Kind:
                 )
             limit, whence = float(lasting.pressure), _whence(lasting)
         return in_disc(
-            static,
-            results,
-            contact,
-            pressure,
-            limit,
+            kind=static,
+            results=results,
+            contact=contact,
+            pressure=pressure,
+            limit=limit,
             reserve=force_factor(
                 contact=contact, contact_at=results.static_contact_at, limit=limit
             ),

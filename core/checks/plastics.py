@@ -56,11 +56,11 @@ def contact_static_cold(design: Design, results: Results) -> Check:
     if pressure is None:
         raise NotKnown("contact_wraps")
     found = in_disc(
-        contact_static_cold,
-        results,
-        contact,
-        pressure,
-        limit,
+        kind=contact_static_cold,
+        results=results,
+        contact=contact,
+        pressure=pressure,
+        limit=limit,
         reserve=_yielding(contact, results.static_contact_at, results),
         at=results.peak,
     )
@@ -204,11 +204,11 @@ def creep(design: Design, results: Results) -> Check:
     if pressure is None:
         raise NotKnown("contact_wraps")
     found = in_disc(
-        creep,
-        results,
-        contact,
-        pressure,
-        limit,
+        kind=creep,
+        results=results,
+        contact=contact,
+        pressure=pressure,
+        limit=limit,
         reserve=_yielding(
             contact, lambda factor: results.contact_at(factor * largest), results, lasting
         ),
