@@ -27,7 +27,7 @@ METHODS = {
     "graded_quadrature": "Gauss-Legendre quadrature along z, panels graded to the known "
     "singularities",
     "graded_z": "graded Gauss-Legendre in z",
-    "hertz": "Hertz",
+    "hertz": "Hertz, of a narrow contact",
     "identical_materials": "conformal contact of identical materials",
     "integral_equation": "integral equation at Chebyshev nodes, Newton's method",
     "integral_equation_finest": "integral equation with 128 and 256 terms, extrapolated",

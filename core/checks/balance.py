@@ -48,14 +48,12 @@ def _of_share(results: Results, value: float, share: float) -> float:
     return share * value * least
 
 
-def _judged(
-    kind: Kind, results: Results, *, name: str, demand: float | None, arm: float = 1.0
-) -> Check:
-    """What is not balanced, against the least limit that is asked; without one against the usual
-    grade, of the couple as a force in each bearing's plane of half of what the grade allows.
+def _judged(kind: Kind, results: Results, *, name: str, demand: float | None) -> Check:
+    """What is not balanced, against the least limit that is asked; without one a force against the
+    usual grade, and a couple, of which no grade says anything, against nothing.
     """
-    asked = results.design.requirements
-    graded = asked.balance_grade if kind is unbalance_force else None
+    asked, forces = results.design.requirements, kind is unbalance_force
+    graded = asked.balance_grade if forces else None
     demands = (demand, graded, asked.max_unbalance_share)
     try:
         value = float(getattr(results.balance, name))
@@ -70,8 +68,9 @@ def _judged(
         limits.append(_of_share(results, value, asked.max_unbalance_share))
     if limits:
         return judged(kind, value, min(limits))._replace(limit_source="user")
-    usual = GRADE if asked.balance_grade is None else asked.balance_grade
-    limit = arm * _of_grade(results.design, usual)
+    if not forces:
+        return Check(kind, "not_asked", value=value, reason="no_limit")
+    limit = _of_grade(results.design, GRADE)
     return judged(kind, value, limit, warning="unbalanced", limit_source="balance_guide")
 
 
@@ -90,18 +89,12 @@ def unbalance_force(design: Design, results: Results) -> Check:
     "unbalance_couple",
     title="Unbalanced couple of the crankshaft",
     unit="Nm",
-    formula="|Σ U·(z − z_m)|·ω² ≤ M_U, G·M·ω·(B − A)/2",
+    formula="|Σ U·(z − z_m)|·ω² ≤ M_U",
     inputs=(*_INPUTS, "requirements.max_unbalance_couple"),
 )
 def unbalance_couple(design: Design, results: Results) -> Check:
-    first, last = design.crankshaft.bearing_positions if design.crankshaft else (0.0, 0.0)
-    return _judged(
-        unbalance_couple,
-        results,
-        name="couple",
-        demand=design.requirements.max_unbalance_couple,
-        arm=(last - first) / 2,
-    )
+    demand = design.requirements.max_unbalance_couple
+    return _judged(unbalance_couple, results, name="couple", demand=demand)
 
 
 BALANCE = (unbalance_force, unbalance_couple)

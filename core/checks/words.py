@@ -28,8 +28,7 @@ CHECK_SOURCES = {
     "archard_1953": "Archard 1953, with the wear coefficient that was given",
     "balance": "statics of rotating masses",
     "balance_guide": "guide value: G 16 of ISO 21940-11, crankshaft drives that are balanced in "
-    "themselves and stand rigidly; of a couple half of it in the plane of each bearing; nobody "
-    "asked for it",
+    "themselves and stand rigidly; nobody asked for it",
     "beam": "beam theory (Mohr)",
     "geometry": "geometry",
     "guide": "guide value: walls of 0.03 of the ring's pin circle diameter (Wang, Luo, Su 2016), "

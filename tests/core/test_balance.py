@@ -333,13 +333,16 @@ def test_without_a_demand_the_usual_grade_is_a_guide() -> None:
     for mass, status in ((enough * 1.001, "pass"), (enough * 0.999, "marginal")):
         assert check_of("unbalance_force", single(rotor_mass=mass)).status == status
     assert check_of("unbalance_force", single(opposite(3.0, 31))).status == "pass"
-    assert check_of("unbalance_couple", single(opposite(3.0, 31))).status == "pass"
-    couple = check_of("unbalance_couple", WHOLE)
-    assert couple.value == pytest.approx(1.6284847261797442, rel=1e-9)
-    assert couple.limit == pytest.approx(16e-3 * 3.0 * SPEED * 0.062 / 2, rel=1e-9)
-    assert (couple.status, couple.reason) == ("marginal", "unbalanced")
-    graded = check_of("unbalance_couple", having(WHOLE, balance_grade=0.2))
-    assert graded.status == "pass" and graded.limit_source == "balance_guide"
+
+
+def test_a_couple_has_no_guide() -> None:
+    for design in (WHOLE, having(WHOLE, balance_grade=0.2)):
+        couple = check_of("unbalance_couple", design)
+        assert couple.value == pytest.approx(1.6284847261797442, rel=1e-9)
+        assert (couple.status, couple.reason) == ("not_asked", "no_limit")
+    for most, status in ((1.63, "pass"), (1.62, "fail")):
+        asked = having(WHOLE, max_unbalance_couple=most)
+        assert check_of("unbalance_couple", asked).status == status
 
 
 @pytest.mark.parametrize(

@@ -20,7 +20,7 @@ from tests.inputs.checks import HOLE, PIN, REF, WHOLE, check_of, having
 
 BEARING = RollingBearing(
     kind="ball",
-    dynamic_rating=20e3,
+    dynamic_rating=18e3,
     static_rating=11e3,
     bore_diameter=0.03,
     outer_diameter=0.062,
