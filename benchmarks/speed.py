@@ -108,7 +108,7 @@ PARTS = ("pin-strength", "output-efficiency", "satellite-bearing", "crankshaft")
 SECTIONS: dict[str, Any] = {}
 for part in PARTS:
     for section, fields in REQUESTS[part].items():
-        if section != "include":
+        if section not in ("include", "rollers"):
             SECTIONS[section] = SECTIONS.get(section, {}) | fields
 CALLED = itertools.count(1)
 

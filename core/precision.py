@@ -44,6 +44,7 @@ CLASSES = {
     "closed_form_gaps": EXACT,
     "closed_form_newton": EXACT,
     "graded_quadrature": EXACT,
+    "integral_equation": EXACT,
     "locus_support": EXACT,
     "mohr": EXACT,
     "newton_bracket": EXACT,

@@ -39,7 +39,7 @@ def _required(value: float | None, *missing: str) -> float:
     unit="h",
     formula="L_10h ≥ L",
     why="Otherwise a roller fails before the life that is asked.",
-    inputs=(*FORCES, *LIFE, *_SHARES, "mechanism.ratio", "rollers.dynamic_rating"),
+    inputs=(*FORCES, *LIFE, *_SHARES, "rollers.dynamic_rating"),
     fixes=("rollers.dynamic_rating", "load.input_speed", *_FIXES),
     source="roller_rating",
     keep="above",

@@ -224,6 +224,7 @@ def creep(design: Design, results: Results) -> Check:
     why="Every turn loads each place of the holes once, and plastics have no endurance limit.",
     inputs=("contact.pin_material", "contact.hole_material"),
     fixes=(),
+    keep="above",
     source="no_source",
 )
 def fatigue_plastic(design: Design, results: Results) -> Check:

@@ -197,7 +197,7 @@ class RealMechanism:
             name: getattr(self, name)
             for name in ("pin_circle_radius", "pin_radius", "eccentricity", "contact_length")
         }
-        check_single(**sizes, clearance=self.clearance)
+        check_single(**sizes, clearance=self.clearance, roller_play=self.roller_play)
         check_positive(**sizes)
         check_finite(**sizes, clearance=self.clearance)
         if not self.eccentricity < self.pin_circle_radius:

@@ -39,8 +39,10 @@ def _centrifugal(sheet: Sheet, results: Results) -> None:
     """Centrifugal force of a satellite, where its mass is known."""
     if results.centrifugal:
         sheet.take("m", "satellite_mass", results.design.crankshaft.satellite_mass)
+        turning = results.design.members.output in ("pins", "coupling")
+        speed = "n_1" if turning else "n_in"  # of the crank itself
         said = {"note": "turns_in_radians"}
-        sheet.work("centrifugal_force", "F_c", results.centrifugal, "m*e*n_1^2", **said)
+        sheet.work("centrifugal_force", "F_c", results.centrifugal, f"m*e*{speed}^2", **said)
 
 
 def _life(

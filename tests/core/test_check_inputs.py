@@ -236,6 +236,25 @@ DESIGNS |= {
     "plastic, stated sharing": having(PLASTIC, distribution_factor=1.2),
     "plastic, uneven cranks": having(PLASTIC, crank_spacing=2.0, hole_radius=0.01002),
     "plastic pins, peak torque": having(PLASTIC, pin_material=SOFT, peak_torque=2000.0),
+    "plastic holes, bored pins that drive a ring": having(
+        PLASTIC,
+        output="ring",
+        hole_radius=0.01002,
+        pin=replace(ALL.pin, bore_diameter=0.007),  # type: ignore[type-var]
+    ),
+    "rollers in plastic holes": having(
+        ROLLED, hole_material=SOFT, solid_wall=1e-3, temperatures=PLASTIC.temperatures
+    ),
+    "rollers and bored pins that drive a ring": having(ROLLED, output="ring"),
+    "rollers and a share of unbalance": having(
+        ROLLED,
+        max_unbalance_share=1e-4,
+        crank_spacing=2.0,
+        gear=Ring(kind="cycloid", ring_pin_circle_radius=0.085, ring_pin_radius=0.005),
+    ),
+    "peak torque of a ring, stated sharing": having(
+        ALL, output="ring", peak_torque=2000.0, distribution_factor=1.2
+    ),
 }
 
 INPUTS = {"pin.tensile_strength": "pin.material"}

@@ -267,7 +267,7 @@ def test_what_cannot_be_is_refused() -> None:
     with pytest.raises(InvalidInput) as refusal:
         pin_losses(mechanism=SIX_PINS, **REFERENCE, diameter=np.array([0.01, 0.017]))
     assert refusal.value.parameter == "diameter[1]"
-    wrong = {"friction_coefficient": -0.1, "input_speed": 0.0, "life": -1.0, "diameter": 0.0}
+    wrong = {"friction_coefficient": -0.1, "input_speed": -1.0, "life": -1.0, "diameter": 0.0}
     for name, value in wrong.items():
         with pytest.raises(InvalidInput) as refusal:
             pin_losses(mechanism=SIX_PINS, **REFERENCE | {name: value})

@@ -400,8 +400,9 @@ def test_of_two_plastics_the_weaker_one_and_the_hotter_one_are_judged() -> None:
     pom = replace(MATERIALS["plastic_pom"].material, plastic=replace(PLA.plastic, layered=False))  # type: ignore[type-var]
     both = having(SOFT, pin_material=pom, friction=Friction(coefficient=0.3))
     results = Results(both)
-    weaker = results.cold_limit("hole")
-    assert weaker < results.cold_limit("pin")
+    contact = results.static_contact
+    weaker = results.cold_limit("hole", contact)
+    assert weaker < results.cold_limit("pin", contact)
     assert check_of("contact_static_cold", both).limit == weaker
     cold = cold_yield(results=results, found=crank_verdict(results))
     assert cold is not None and (cold.body, cold.strength) == ("hole", 23e6)

@@ -296,7 +296,11 @@ def test_what_cannot_be_is_refused() -> None:
     for size in (*ring, name):
         wrong = ring | {name: 0.1} | {size: 0.0}
         assert refusal(cycloid_mesh, **wrong) == (size, "greater_than")
-    for name in ("eccentricity", "input_speed", "peak_torque", "static_rating"):
+    assert refusal(satellite_bearings, **REF | {"input_speed": -1.0}) == (
+        "input_speed",
+        "not_negative",
+    )
+    for name in ("eccentricity", "peak_torque", "static_rating"):
         assert refusal(satellite_bearings, **REF | {name: 0.0}) == (name, "greater_than")
     odd = {"reliability_percent": 92.0}
     assert refusal(satellite_bearings, **REF | odd) == ("reliability_percent", "not_in_table")
