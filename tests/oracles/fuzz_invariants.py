@@ -162,7 +162,10 @@ async def crank_planetary(body: Body, answer: Body, ask: Ask) -> None:
     asked = {*body.get("include", usual)}
     verdict = {"verdict", "governing", "torque_reserve", "largest_torque_Nm", "counts"}
     said = {"warnings", "assumed", "fit", "not_considered", "largest_torque_estimated", *verdict}
-    said |= {"parts", "model", "largest_torque_of"}
+    said |= {"parts", "model", "largest_torque_of", "shares", "cold_yield"}
+    if "include" not in body:
+        said |= {"load_sharing", "pin_strength", "output_efficiency", "satellite_bearing"}
+        said |= {"crankshaft", "rollers", "members"}
     unknown = asked - set(answer)  # a section that nobody named, of forces that cannot be solved
     unsolved = unknown == {"hertz"} and "include" not in body and answer["verdict"] != "pass"
     expect(set(answer) - said <= asked and (unsolved or not unknown), "sections", list(answer))
@@ -239,7 +242,8 @@ async def output_efficiency(body: Body, answer: Body, ask: Ask) -> None:
         load = {name: value for name, value in body["load"].items() if name not in DESIGN_LOAD}
         alone = await ask("contact-force", body["mechanism"] | load)
         expect(alone is not None, "the force alone is refused")
-        equal(alone["peak_force_N"], answer["peak_force_N"], "peak force", error)
+        peak = body["contact"].get("distribution_factor", 1.0) * alone["peak_force_N"]
+        equal(peak, answer["peak_force_N"], "peak force", error)
     if loss > 0:
         slower = {
             **body["load"],
@@ -281,6 +285,7 @@ async def crankshaft(body: Body, answer: Body, ask: Ask) -> None:
         | {"bearing": {"kind": "ball"}},
     )
     expect(loads is not None, "the loads alone are refused")
+    spinning = "satellite_mass_kg" in shaft  # whose force no torque changes
     for each, other in zip(answer["bearings"], (last, first), strict=True):
         expect(each["equivalent_N"] <= each["peak_N"] * (1 + error), "equivalent", each)
         held = math.fsum(
@@ -290,11 +295,12 @@ async def crankshaft(body: Body, answer: Body, ask: Ask) -> None:
             )
         )
         room = 1 + 2 * error + loads["accuracy"]["relative_error"]
-        expect(each["peak_N"] <= held * room, "reaction", each, held)
+        if not spinning:
+            expect(each["peak_N"] <= held * room, "reaction", each, held)
     expect(("balance" in answer) == ("satellite_mass_kg" in shaft), "balance")
     for each in answer.get("balance", {}).get("corrections", ()):
         expect(0 <= each["angle_deg"] < 360, "angle", each)
-    halved = await _halved("crankshaft", body, ask)
+    halved = None if spinning else await _halved("crankshaft", body, ask)
     if halved is not None and answer["forces"] == "ideal":
         for one, other in zip(answer["bearings"], halved["bearings"], strict=True):
             equal(one["peak_N"], 2 * other["peak_N"], "half of the torque", error)
