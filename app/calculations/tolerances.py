@@ -229,7 +229,8 @@ class TolerancesFields(RequestModel, group="tolerances"):
 
     def spreads(self) -> list[str]:
         """Names of what varies."""
-        return [name for name, given in self if given is not None and "process" not in name]
+        others = ("process", "pin_process", "hole_process", "guides")
+        return [name for name, given in self if given is not None and name not in others]
 
     def tolerances(self, contact: RealContactFields) -> Tolerances:
         """The same in SI units, for a contact's sizes.

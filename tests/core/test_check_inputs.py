@@ -253,7 +253,15 @@ DESIGNS |= {
         gear=Ring(kind="cycloid", ring_pin_circle_radius=0.085, ring_pin_radius=0.005),
     ),
     "peak torque of a ring, stated sharing": having(
-        ALL, output="ring", peak_torque=2000.0, distribution_factor=1.2
+        ALL, output="ring", output_torque=100.0, peak_torque=200.0, distribution_factor=1.2
+    ),
+    "rollers on uneven cranks": having(
+        ROLLED,
+        pin=None,
+        hole_radius=0.010,
+        rollers=replace(ROLLERS, radial_clearance=None),
+        peak_torque=None,
+        crank_spacing=2.0,
     ),
 }
 

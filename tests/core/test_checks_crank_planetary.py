@@ -242,6 +242,7 @@ def test_what_is_checked_hangs_on_the_sections() -> None:
         section: {code for code, kind in CRANK_CHECKS.items() if section in kind.needs}
         for section in sections
     }
+    of["friction"] = {code for code, kind in CRANK_CHECKS.items() if "rubs" in kind.needs}
     bent = {"pin_static", "pin_deflection", "pin_slope", "pin_fatigue"}
     assert of["pin"] == bent | {"wall_sleeve", "pin_wall", "pin_roller_tilt"}
     for section, table in of.items():

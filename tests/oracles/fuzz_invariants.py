@@ -177,7 +177,8 @@ async def crank_planetary(body: Body, answer: Body, ask: Ask) -> None:
         if load.pop("torque_direction", "driving") == "reverse":  # what would brake drives
             start = mechanism.get("initial_crank_angle_deg", 0.0)
             mechanism["initial_crank_angle_deg"] = start + (180 if start < 0 else -180)
-        await contact_force(mechanism | load, force, ask)
+        plain = {name: value for name, value in load.items() if name not in DESIGN_LOAD}
+        await contact_force(mechanism | plain, force, ask)
         ideal = answer["model"] == "ideal"
         if ideal and "hertz" in answer and 1e-12 <= force["peak_force_N"] <= 1e15:
             apart = ("eccentricity_mm", "hole_clearance_mm")
