@@ -129,7 +129,7 @@ class ToleranceStudy:
         return share(successes=int((kept & self.fits).sum()), count=count)
 
 
-def on_threads(study: "Study", pieces: Drawn) -> Iterator[tuple[int, Pieces]]:
+def on_threads(*, study: "Study", pieces: Drawn) -> Iterator[tuple[int, Pieces]]:
     """Quantities of pieces on the processors of this machine, where the loops are compiled.
 
     Parameters
@@ -169,7 +169,7 @@ class Study:
     progress: Callable[[int], None] = _untold
     threads: int = 0  # how many, where the loops are compiled; 0 for one to a processor
     # What makes the quantities of pieces, as `on_threads` does, which says what it gives.
-    workers: "Callable[[Study, Drawn], Iterator[tuple[int, Pieces]]]" = on_threads
+    workers: Callable[..., Iterator[tuple[int, Pieces]]] = on_threads
 
     def pieces(self, *, tolerances: Tolerances | None = None, other: Sequence[str] = ()) -> Drawn:
         """The pieces.
@@ -212,7 +212,7 @@ class Study:
             FITS, BINDS or NOWHERE of `core.output.sharing_kernel`.
         """
         found = []
-        for done, results in self.workers(self, pieces):
+        for done, results in self.workers(study=self, pieces=pieces):
             found.append(results)
             self.progress(done)
         return self._columns(found)
