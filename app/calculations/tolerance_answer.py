@@ -120,7 +120,8 @@ class ToleranceStudyResponse(AssumingResponse):
         "and fail the yield."
     )
     cannot_work: int = result(
-        "Pieces that fit and cannot work: they are not in the percentiles, and fail the yield."
+        "Pieces that fit and cannot work under the torque of what is asked, none of a backlash "
+        "alone: they are not in the percentiles, and fail the yield."
     )
     fit_contributions: Maybe[list[ContributionOut]] = result(
         "What each tolerance does to whether the pieces fit, the largest first: in the place of "
