@@ -140,7 +140,8 @@ class ToleranceStudyResponse(AssumingResponse):
         "and fail the yield."
     )
     cannot_work: int = result(
-        "Pieces that fit and cannot work: they are not in the percentiles, and fail the yield."
+        "Pieces that fit and cannot work under the torque of what is asked, none of a backlash "
+        "alone: they are not in the percentiles, and fail the yield."
     )
     process: Maybe[ProcessOut] = result("How the parts are made, where that is said.")
     fit_contributions: Maybe[list[ContributionOut]] = result(

@@ -67,7 +67,9 @@ LOST_MOTION_SOLVES = 3
 """Solves of a position where the lost motion is asked: in both directions besides."""
 
 BACKLASH_SOLVES = 0.1
-"""What a position takes where the backlash alone is asked, whose ends are closed forms."""
+"""What a position takes where the backlash alone is asked, whose ends are closed forms; not of
+given shares, whose room is looked at all around the turn.
+"""
 
 FEWEST = 20
 """Samples that a mechanism must allow: else it has too many pairs for a study."""
@@ -210,9 +212,8 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
             each += (2 * len(self.spread.spreads()) + 2) * self._solves(self.names[:1])
         return each * self.crank_angles * self.times_as_long
 
-    @staticmethod
-    def _solves(names: list[str]) -> float:
-        if names == ["backlash_max_arcmin"]:
+    def _solves(self, names: list[str]) -> float:
+        if names == ["backlash_max_arcmin"] and not self.interpreted:
             return BACKLASH_SOLVES
         return LOST_MOTION_SOLVES if "lost_motion_arcmin" in names else 1
 

@@ -990,13 +990,14 @@ def narrow(
 
 
 def clear(psi: float, lag: float, setup: Setup, pairs: Pairs, room: Room) -> float:
-    """How far the wave may turn on from where `at` was called before any pair can touch at a lag.
+    """How far the wave may turn on from where `at` was called before any pair can touch at a lag,
+    rad.
 
     At one lag what `at` makes of a pair is ``k + m*cos(psi - psi_0)``: it changes by no more than m
     for each radian.
     """
     sine, half = math.sin(lag), math.sin(lag / 2)
-    less, turn = -2 * half * half, 2 * math.pi
+    less, far = -2 * half * half, 2 * math.pi
     if not setup.exact:
         sine = lag
     for j in range(setup.satellites):
@@ -1013,9 +1014,9 @@ def clear(psi: float, lag: float, setup: Setup, pairs: Pairs, room: Room) -> flo
                 most = arm * math.hypot(pairs.ex[i] + own * x, pairs.ey[i] + own * y)
             if over >= 0:
                 return 0.0
-            if -over < most * turn:
-                turn = -over / most
-    return turn
+            if -over < most * far:
+                far = -over / most
+    return far
 
 
 def fitting(setup: Setup, pairs: Pairs, room: Room) -> int:

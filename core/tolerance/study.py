@@ -1,7 +1,7 @@
 """What tolerances do to many pieces: peak force, pressure, transmission error, backlash, ..."""
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from typing import Any
@@ -129,29 +129,6 @@ class ToleranceStudy:
         return share(successes=int((kept & self.fits).sum()), count=count)
 
 
-def on_threads(*, study: "Study", pieces: Drawn) -> Iterator[tuple[int, Pieces]]:
-    """Quantities of pieces on the processors of this machine, where the loops are compiled.
-
-    Parameters
-    ----------
-    study : Study
-        What is asked.
-    pieces : Drawn
-        The pieces.
-
-    Yields
-    ------
-    int, Pieces
-        How many are done, and the quantities of the latest of these, block by block.
-    """
-    blocks = [pieces.part(first, first + BLOCK) for first in range(0, len(pieces), BLOCK)]
-    with ThreadPoolExecutor(study.threads or at_hand().threads) as threads:
-        done = 0
-        for each, found in zip(blocks, threads.map(study.block, blocks), strict=True):
-            done += len(each)
-            yield done, found
-
-
 def _untold(done: int) -> None:
     """Nobody asks how much is done."""
 
@@ -168,8 +145,6 @@ class Study:
     # Called with the number of pieces done.
     progress: Callable[[int], None] = _untold
     threads: int = 0  # how many, where the loops are compiled; 0 for one to a processor
-    # What makes the quantities of pieces, as `on_threads` does, which says what it gives.
-    workers: Callable[..., Iterator[tuple[int, Pieces]]] = on_threads
 
     def pieces(self, *, tolerances: Tolerances | None = None, other: Sequence[str] = ()) -> Drawn:
         """The pieces.
@@ -196,8 +171,8 @@ class Study:
         )
 
     def values(self, pieces: Drawn) -> tuple[FloatArray, FloatArray]:
-        """Quantities of pieces, and which of them fit; the same bits however they are split, and
-        whoever works.
+        """Quantities of pieces, and which of them fit; on all processors where the loops are
+        compiled, with the same bits however they are split.
 
         Parameters
         ----------
@@ -211,10 +186,13 @@ class Study:
         fits : array, shape (pieces,)
             FITS, BINDS or NOWHERE of `core.output.sharing_kernel`.
         """
-        found = []
-        for done, results in self.workers(study=self, pieces=pieces):
-            found.append(results)
-            self.progress(done)
+        blocks = [pieces.part(first, first + BLOCK) for first in range(0, len(pieces), BLOCK)]
+        found, done = [], 0
+        with ThreadPoolExecutor(self.threads or self._kernel.threads) as threads:
+            for each, results in zip(blocks, threads.map(self._drawn, blocks), strict=True):
+                found.append(results)
+                done += len(each)
+                self.progress(done)
         return self._columns(found)
 
     def _columns(self, found: Sequence[Pieces]) -> tuple[FloatArray, FloatArray]:
@@ -242,24 +220,18 @@ class Study:
         """
         return self._columns([self._block(rows)])
 
-    def block(self, pieces: Drawn) -> Pieces:
-        """Quantities of some pieces, wherever that is called.
-
-        Parameters
-        ----------
-        pieces : Drawn
-            The pieces.
-
-        Returns
-        -------
-        Pieces
-            In the kernel's rows; of the pressure the force over the reduced radius.
-        """
+    def _drawn(self, pieces: Drawn) -> Pieces:
+        """Quantities of pieces, drawn where they are calculated."""
         return self._block(pieces.rows())
+
+    @property
+    def _kernel(self) -> Any:
+        """The loops at hand; of given shares those that differ are interpreted."""
+        return at_hand() if self.real.shared is None else PLAIN
 
     def _block(self, pieces: Errors[FloatArray]) -> Pieces:
         real, asked = self.real, self.asked
-        kernel = at_hand() if real.shared is None else PLAIN
+        kernel = self._kernel
         direction = math.copysign(1.0, asked.output_torque)
         sizes = real.setup(direction), real.setup(-direction)
         count = sizes[0].pins * sizes[0].satellites

@@ -403,7 +403,9 @@ def test_given_shares_whose_loops_are_interpreted_have_smaller_studies():
     shares = {"satellite_coupling": {"kind": "shares", "shares": [0.5, 0.5]}}
     body = CHECKED | shares | {"samples": 100_000, "percentiles": [50]}
     most = SHARED_PER_SECOND * 10 // (12 * 60 * TIMES_AS_LONG)
-    assert refusal(body, 10) == ("samples", "service_limit", {"limit": most})
+    for quantities in ({}, {"quantities": ["backlash_max_arcmin"], "limits": {}}):
+        found = refusal(body | quantities, 10)
+        assert found == ("samples", "service_limit", {"limit": most})
 
 
 def test_the_usual_study_is_answered():
