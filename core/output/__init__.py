@@ -13,18 +13,21 @@ peak_force          the exact peak of the contact force over the turn
 contact_force       forces over the turn, peak and approximations as one job
 losses              friction of the pins: sliding speed, loss, efficiency, pv, wear
 pin_beam            a pin as a beam on three kinds of supports: moment, shear, deflection, slope
+tie_ring            a floating ring that joins the pins' ends: its forces, how it moves
 pin_fatigue         what the fatigue of a pin is judged by, and the verdict on a cycle of stress
 pin_turn            the forces that one pin feels over a turn
 sampled_turn        the forces of the mechanism as it is made, at samples
 pin_search          where over the turn, along the pin and around it a measure is largest
 pin_cycle           the worst stress cycle of a pin, of all sections and directions
 loaded_pin          a pin under the forces of a turn: its largest stresses, its worst cycle
+tied_pin            the same of pins that a tie ring joins
 edge_load           line load at the ends of contacts whose pins slope
 pin_strength        bending, shear, static safety, fatigue and deflection of the pins
 sharing_kernel      loops over pairs with gaps: one position, a turn, pieces of a study
 compiled            the same loops compiled, for turns and studies
 satellite_support   satellites that give: crank bearings, mesh; given shares of the torque
 contact_law         laws of contact of a pair, and the bending of its pin
+tied_sharing        load sharing of pins that a tie ring joins: one full matrix of compliances
 real_mechanism      the mechanism as it is made: sizes, clearance, deviations, elasticity
 room                the room of pins in their holes over the turn, by geometry alone
 fit                 whether the parts go together, and what elasticity takes up of a misfit

@@ -9,6 +9,7 @@ from core.errors import InvalidInput
 from core.materials import ElasticMaterial, effective_modulus
 from core.output.pin_beam import SHEAR_COEFFICIENT, Support
 from core.output.sharing_kernel import HERTZ, HERTZ_END, LINEAR, POWER, Law, pair_law
+from core.output.tie_ring import RingJoint
 
 MIN_EXPONENT, MAX_EXPONENT = 0.5, 3.0
 """Exponents of a power law with gaps; below, ``(T/k)^(1/n)`` leaves the range of numbers."""
@@ -55,11 +56,14 @@ ContactLaw = LinearLaw | PowerLaw | PalmgrenLaw | HertzLaw
 class PinSupport:
     """How the pins are held, and where the satellites load them."""
 
-    support: Support  # held at one end, simply supported at both, clamped at both
+    # Held at one end, simply supported at both, clamped at both, at one with a tie ring at the
+    # other.
+    support: Support
     diameter: float  # d of the pin itself, m, > 0
     satellite_positions: tuple[float, ...]  # z_j of their middles from the support, m, > 0
     material: ElasticMaterial  # of the pin
-    span: float | None = None  # L of the supports, m; needed with two
+    span: float | None = None  # L of the supports, or to the tie ring, m; needed with either
+    ring_joint: RingJoint = "pinned"  # of a tie ring to the pins
 
 
 def pin_compliance(pin: PinSupport) -> tuple[float, ...]:
@@ -104,13 +108,17 @@ def pin_compliance(pin: PinSupport) -> tuple[float, ...]:
         name = f"satellite_positions[{index}]"
         if not z > 0:
             raise InvalidInput(name, z, "greater_than", limit=0)
+        free = z**3 / (3 * bending) + shear * z
         if pin.support == "cantilever":
-            compliances.append(z**3 / (3 * bending) + shear * z)
+            compliances.append(free)
             continue
         if span is None:
             raise InvalidInput("span", span, "needed", field="support")
         if not z < span:
             raise InvalidInput(name, z, "smaller_than", field="span", limit=span)
+        if pin.support == "tie_ring":  # which gives: see `core.output.tied_sharing`
+            compliances.append(free)
+            continue
         rest = span - z
         compliance = (z * rest) ** 2 / (3 * bending * span) + shear * z * rest / span
         if pin.support == "fixed":

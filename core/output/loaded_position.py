@@ -203,5 +203,6 @@ def notices(
 
 def _bent_together(real: RealMechanism, force: FloatArray) -> tuple[Notice, ...]:
     """Notice that pins are loaded by several satellites, whose bending is taken one by one."""
-    together = real.pin is not None and ((force > 0).sum(axis=0) > 1).any()
+    alone = real.pin is not None and real.tied_pin is None
+    together = alone and ((force > 0).sum(axis=0) > 1).any()
     return (Notice("pin_bending_uncoupled"),) if together else ()

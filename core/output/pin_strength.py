@@ -8,6 +8,7 @@ section's edge goes from ``-h(chi + pi)/W`` to ``h(chi)/W``, ``W = pi*d^3/32``.
 
 import math
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -24,6 +25,8 @@ from core.output.pin_fatigue import FatigueStrength, PinFatigue, judged
 from core.output.pin_search import ENOUGH, first_of
 from core.output.pin_turn import PinTurn, combine, pin_turn
 from core.output.sampled_turn import WAYS, Direction, Made, PinSamples, SampledTurn
+from core.output.tie_ring import RingJoint, TieRing
+from core.output.tied_pin import TiedPin, TieRingLoad, ideal_samples
 from core.results import ROUNDING, Accuracy, Notice, poorly_known
 
 AT_ZERO = 1e-6
@@ -75,6 +78,7 @@ class PinStrength:
     # Of the section of the worst cycle, else of the largest moment, where it was asked.
     locus: MomentLocus | None
     pin: int  # the pin of which it is, from 1; those of an ideal mechanism are alike
+    tie_ring: TieRingLoad | None  # what it bears, where one joins the pins
     # Of all numbers but direction, amplitude, mean and life of the fatigue: the first three are
     # good to `FLAT`, as the utilisation is flat there; the life has the error of the safety times
     # the slope of its line.
@@ -94,6 +98,7 @@ class PinStresses:
     method: str  # how they were found
     error: float  # relative, of all stresses
     evaluations: int  # how often forces were evaluated
+    tie_ring: TieRingLoad | None = None  # what it bears, where one joins the pins
 
     @property
     def loads(self) -> list[PinLoads]:
@@ -163,6 +168,7 @@ class PinStresses:
             deflection=_deflection(found) if deflection else None,
             locus=_locus(pin, worst.loads, mechanism, seen, chi) if locus else None,
             pin=worst.loads.pin,
+            tie_ring=self.tie_ring,
             accuracy=accuracy,
             notices=(*notices, *poorly_known(accuracy)),
         )
@@ -180,6 +186,7 @@ def pin_stresses(
     material: ElasticMaterial,
     support: Support = "cantilever",
     span: float | None = None,
+    ring_joint: RingJoint = "pinned",
     application_factor: float = 1.0,
     peak_torque: float | None = None,
     torque_direction: Direction = "driving",
@@ -209,10 +216,13 @@ def pin_stresses(
         most ``L - b/2``.
     material : ElasticMaterial
         Of the pin.
-    support : {"cantilever", "supported", "fixed"}
-        Held at one end; at both, free to tilt; at both, built in.
+    support : {"cantilever", "supported", "fixed", "tie_ring"}
+        Held at one end; at both, free to tilt; at both, built in; at one, with a tie ring that
+        joins the other ends.
     span : float, optional
-        Distance L of the two supports, m; for the latter two.
+        Distance L of the two supports, or of the ring from the carrier, m; for the latter three.
+    ring_joint : {"pinned", "clamped"}
+        Of a tie ring to the pins.
     application_factor : float
         Factor K_A on the torque, > 0, in all but the static safety.
     peak_torque : float, optional
@@ -263,6 +273,20 @@ def pin_stresses(
     )
     _check_positions(mechanism, satellite_positions, contact_length, beam.span)
     pin = LoadedPin(beam, diameter, np.array(satellite_positions))
+    tie_ring: TieRingLoad | None = None
+    if support == "tie_ring":
+        ring = TieRing(ring_joint, beam.span, beam.rigidity, beam.shear_area)
+        pin = TiedPin(beam, diameter, pin.positions, ring)
+        made = pin.holding(
+            made
+            or partial(
+                ideal_samples,
+                pin=pin,
+                mechanism=mechanism,
+                force_exponent=force_exponent,
+                pin_circle_radius=pin_circle_radius,
+            )
+        )
     ways = WAYS[torque_direction]
     static, again = 1.0, list[PinLoads]()
     if made is None:
@@ -281,6 +305,8 @@ def pin_stresses(
         turns = [made(way * torque) for way in ways]
         cases = _made_cases(turns)
         error = max(turn.error for turn in turns)
+        if isinstance(pin, TiedPin):
+            tie_ring = pin.ring_load(turns, pin_circle_radius)
         method, evaluations = "sampling", sum(turn.evaluations for turn in turns)
         if static_torque != torque:
             again = _made_cases([made(way * static_torque) for way in ways])
@@ -292,7 +318,9 @@ def pin_stresses(
         static = max(pin.equivalent(case, 0.0) for case in again)
         static /= max(each.equivalent for each in found)
     error += _of_two_supports(beam, satellite_positions)
-    return PinStresses(pin, mechanism, material, found, static, method, error, evaluations)
+    return PinStresses(
+        pin, mechanism, material, found, static, method, error, evaluations, tie_ring
+    )
 
 
 def pin_strength(
@@ -363,7 +391,7 @@ def _made_cases(turns: list[SampledTurn]) -> list[PinLoads]:
             error=max(turn.error for turn in turns),
             wave=wave,
         )
-        for n in range(turns[0].on_pins.shape[1])
+        for n in range(1 if turns[0].pins_alike else turns[0].on_pins.shape[1])
     ]
 
 

@@ -53,6 +53,7 @@ from core.output.sharing_kernel import (
     prepare,
     too_wide,
 )
+from core.output.tied_sharing import TiedPins, tied_compliance
 
 REFUSALS = {
     NO_DRIVE: "dead_centre",
@@ -203,6 +204,16 @@ class RealMechanism:
             raise InvalidInput("eccentricity", self.eccentricity, "smaller_than", **than)
         check_law(self.law)
         check_support(support=self.support, satellites=self.mechanism.satellites, exact=self.exact)
+        if self.tied_pin is not None and self.exact:
+            raise InvalidInput("exact", self.exact, "first_order_only", field="pin.support")
+        if self.tied_pin is not None and self.support is not None:
+            raise InvalidInput("support", self.support, "only_one", field="pin.support")
+
+    @property
+    def tied_pin(self) -> PinSupport | None:
+        """The pins, where a tie ring joins them."""
+        tied = self.pin is not None and self.pin.support == "tie_ring"
+        return self.pin if tied else None
 
     @property
     def pins_alike(self) -> bool:
@@ -278,7 +289,10 @@ class RealMechanism:
             positions=self.pin.satellite_positions,
             width=self.contact_length,
         )
-        return [*pin_compliance(self.pin)]
+        compliance = [*pin_compliance(self.pin)]
+        if self.tied_pin is not None:
+            return tied_compliance(pin=self.tied_pin, pins=self.mechanism.pins)
+        return compliance
 
     @cached_property
     def numbered(self) -> tuple[Deviations, tuple[int, ...]]:
@@ -370,10 +384,14 @@ class RealMechanism:
 
     @cached_property
     def loops(self) -> Any:
-        """The functions of `core.output.sharing_kernel`, interpreted; of given shares with what
-        differs.
+        """The functions of `core.output.sharing_kernel`, interpreted; of given shares, and of pins
+        that a tie ring joins, with what differs.
         """
         shared = self.shared
+        if self.tied_pin is not None:
+            pins, phases = self.mechanism.pins, self.pairs.phase[: self.mechanism.satellites]
+            tied = TiedPins.of(pin=self.tied_pin, pins=pins, phases=[*phases])
+            return in_place_of(solve=tied.solve, wave_torque=tied.wave_torque)
         if shared is None:
             return PLAIN
         return in_place_of(
