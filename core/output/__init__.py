@@ -27,7 +27,6 @@ sharing_kernel      loops over pairs with gaps: one position, a turn, pieces of 
 compiled            the same loops compiled, for turns and studies
 satellite_support   satellites that give: crank bearings, mesh; given shares of the torque
 contact_law         laws of contact of a pair, and the bending of its pin
-tied_sharing        load sharing of pins that a tie ring joins: one full matrix of compliances
 real_mechanism      the mechanism as it is made: sizes, clearance, deviations, elasticity
 room                the room of pins in their holes over the turn, by geometry alone
 fit                 whether the parts go together, and what elasticity takes up of a misfit

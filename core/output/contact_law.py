@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from core.arrays import Number, check_positive, larger, log
 from core.errors import InvalidInput
 from core.materials import ElasticMaterial, effective_modulus
-from core.output.pin_beam import SHEAR_COEFFICIENT, Support
+from core.output.pin_beam import SHEAR_COEFFICIENT, PinBeam, Support
 from core.output.sharing_kernel import HERTZ, HERTZ_END, LINEAR, POWER, Law, pair_law
-from core.output.tie_ring import RingJoint
+from core.output.tie_ring import RingJoint, TieRing
 
 MIN_EXPONENT, MAX_EXPONENT = 0.5, 3.0
 """Exponents of a power law with gaps; below, ``(T/k)^(1/n)`` leaves the range of numbers."""
@@ -116,7 +116,7 @@ def pin_compliance(pin: PinSupport) -> tuple[float, ...]:
             raise InvalidInput("span", span, "needed", field="support")
         if not z < span:
             raise InvalidInput(name, z, "smaller_than", field="span", limit=span)
-        if pin.support == "tie_ring":  # which gives: see `core.output.tied_sharing`
+        if pin.support == "tie_ring":  # which gives: see `tied_compliance`
             compliances.append(free)
             continue
         rest = span - z
@@ -129,6 +129,63 @@ def pin_compliance(pin: PinSupport) -> tuple[float, ...]:
             compliance -= (near + far) ** 2 / (2 * even) + (near - far) ** 2 / (2 * odd)
         compliances.append(compliance)
     return tuple(compliances)
+
+
+def ring_of(pin: PinSupport) -> TieRing:
+    """A tie ring as one of its pins feels it.
+
+    Parameters
+    ----------
+    pin : PinSupport
+        The pin.
+
+    Returns
+    -------
+    TieRing
+    """
+    beam = PinBeam.round(
+        support=pin.support,
+        diameter=pin.diameter,
+        contact_length=1.0,  # of the loads, which are single ones here
+        youngs_modulus=pin.material.youngs_modulus,
+        poissons_ratio=pin.material.poissons_ratio,
+    )
+    assert pin.span is not None
+    return TieRing(pin.ring_joint, pin.span, beam.rigidity, beam.shear_area)
+
+
+def tied_compliance(*, pin: PinSupport, pins: int) -> list[float]:
+    """What pins that a tie ring joins give, as the kernel takes it.
+
+    Parameters
+    ----------
+    pin : PinSupport
+        One of them.
+    pins : int
+        Their number N.
+
+    Returns
+    -------
+    list of float
+        At each of K satellites the deflection under a unit force that is alone, on the mean of its
+        directions, m/N; then between all satellites of one pin while nothing holds its end, m/N,
+        K*K; then by which they move the ring, ``a(z)/sqrt(f*N)``, sqrt(m/N), K.
+
+    Notes
+    -----
+    With c(x, z) and a(z) = c(z, L) of `TieRing`, f = a(L), u_j the direction of a force and t_n
+    that of the circle at its pin, forces of the pairs (j, n) and (k, m) bend each other's pin by
+
+        S = u_j*u_k*(c(z_j, z_k)*d_nm - a_j*a_k/f*(d_nm - 1/N)) + a_j*a_k/(f*N)*(u_j*t_n)*(u_k*t_m)
+    """
+    ring, places = ring_of(pin), pin.satellite_positions
+    moved = [ring.end(z) / math.sqrt(ring.end(ring.span) * pins) for z in places]
+    free = [ring.flexibility(x, z) for x in places for z in places]
+    alone = [
+        ring.flexibility(z, z) - (pins - 1.5) * by_ring**2
+        for z, by_ring in zip(places, moved, strict=True)
+    ]
+    return [float(each) for each in (*alone, *free, *moved)]
 
 
 def contact_compliance(

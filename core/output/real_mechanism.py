@@ -23,6 +23,7 @@ from core.output.contact_law import (
     law_constants,
     law_kind,
     pin_compliance,
+    tied_compliance,
 )
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import check_apart
@@ -40,6 +41,7 @@ from core.output.sharing_kernel import (
     NOT_SOLVED,
     NOT_STABLE,
     RIGID,
+    TIED,
     TOO_FAR,
     TOO_WIDE,
     Errors,
@@ -53,7 +55,6 @@ from core.output.sharing_kernel import (
     prepare,
     too_wide,
 )
-from core.output.tied_sharing import TiedPins, tied_compliance
 
 REFUSALS = {
     NO_DRIVE: "dead_centre",
@@ -242,6 +243,8 @@ class RealMechanism:
         if isinstance(self.support, CrankSupport):
             gives, loose = 1 / self.support.stiffness, self.support.radial_clearance / 2
             support = CRANK if gives > 0 else RIGID
+        if self.tied_pin is not None:
+            support = TIED
         return Setup(
             pins=self.mechanism.pins,
             satellites=self.mechanism.satellites,
@@ -272,7 +275,9 @@ class RealMechanism:
 
     @property
     def compliance(self) -> list[float]:
-        """Of the pin at each satellite, m/N."""
+        """Of the pin at each satellite, m/N, and where a tie ring joins the pins what follows in
+        `tied_compliance`.
+        """
         satellites = self.mechanism.satellites
         if self.pin is None:
             return [0.0] * satellites
@@ -307,7 +312,7 @@ class RealMechanism:
         """Constants of the pairs, and their pins' radii."""
         pins, satellites = self.mechanism.pins, self.mechanism.satellites
         errors = self.numbered[0].rows(pins, satellites)
-        pairs = Pairs(*[[0.0] * (pins * satellites) for _ in Pairs._fields])
+        pairs: Pairs = self.blank(Pairs)
         phase = list(self.mechanism.crank_angles)
         setup = self.setup(1.0)
         none = prepare(setup, self.law_constants, errors, phase, self.compliance, pairs)
@@ -328,8 +333,25 @@ class RealMechanism:
 
     def room(self) -> Room:
         """Room for the results of one position."""
+        room: Room = self.blank(Room)
+        return room
+
+    def blank(self, kind: Any) -> Any:
+        """Rows of zeros for the kernel.
+
+        Parameters
+        ----------
+        kind : type
+            `Pairs` or `Room`.
+
+        Returns
+        -------
+        Pairs or Room
+        """
         count = self.mechanism.pins * self.mechanism.satellites
-        return Room(*[[0.0] * count for _ in Room._fields])
+        square = count * count if self.tied_pin is not None else 0
+        sizes = {"give": square, "system": 2 * square}
+        return kind(*[[0.0] * sizes.get(name, count) for name in kind._fields])
 
     def wave(self, crank_angle: float) -> float:
         """Wave angle of a crank angle, rad, within half a turn around 0.
@@ -384,14 +406,10 @@ class RealMechanism:
 
     @cached_property
     def loops(self) -> Any:
-        """The functions of `core.output.sharing_kernel`, interpreted; of given shares, and of pins
-        that a tie ring joins, with what differs.
+        """The functions of `core.output.sharing_kernel`, interpreted; of given shares with what
+        differs.
         """
         shared = self.shared
-        if self.tied_pin is not None:
-            pins, phases = self.mechanism.pins, self.pairs.phase[: self.mechanism.satellites]
-            tied = TiedPins.of(pin=self.tied_pin, pins=pins, phases=[*phases])
-            return in_place_of(solve=tied.solve, wave_torque=tied.wave_torque)
         if shared is None:
             return PLAIN
         return in_place_of(

@@ -37,7 +37,7 @@ class TieRingLoad:
 class TiedPin(LoadedPin):
     """A pin that a tie ring holds at its end: the last load is that of the ring."""
 
-    ring: TieRing
+    ring: TieRing  # as the pin feels it
 
     def by_unit(self, what: str, x: FloatArray) -> FloatArray:
         """What a unit of each load does at sections, shape (..., K + 1)."""

@@ -13,7 +13,7 @@ import numpy as np
 from core.arrays import FloatArray
 from core.derived import derived
 from core.numerics.extremes import Narrow, other_places
-from core.output.compiled import PLAIN, at_hand
+from core.output.compiled import at_hand
 from core.output.real_mechanism import RealMechanism
 from core.output.sharing_kernel import (
     BACKLASH,
@@ -64,7 +64,7 @@ class Turn:
 
     def __init__(self, real: RealMechanism, torque: float, share: float = 0.03) -> None:
         self.real, self.torque = real, torque
-        self.kernel = at_hand() if real.loops is PLAIN else real.loops
+        self.kernel = at_hand() if real.shared is None else real.loops
         direction = math.copysign(1.0, torque)
         self.load = Load(abs(torque), share, real.setup(direction), real.setup(-direction))
         self.pairs = Pairs(*map(self.kernel.row, real.pairs))
