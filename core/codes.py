@@ -464,6 +464,15 @@ _LIMITS = {
         mend="Tighten the tolerances of place, turn the disc to the others, or let the satellites "
         "give way.",
     ),
+    "ring_clearance_left_out": _limit(
+        "The tie ring is taken to be rigid and without clearance on the pins: within a clearance "
+        "there it does nothing, and the pins bend as without it.",
+        title="Clearance of the tie ring left out",
+        tests="Whether the tie ring is pinned to the pins.",
+        why="In a pinned joint with clearance the ring acts only beyond it, and a thin ring bends "
+        "itself: the pins then carry more than is said.",
+        mend="Fit the ring without clearance, or judge the pins as cantilevers too.",
+    ),
     "short_pin": _limit(
         "A satellite lies within half a pin diameter of the carrier: shear governs such a short "
         "pin, and its seat gives way more than it bends.",

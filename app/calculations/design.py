@@ -18,7 +18,7 @@ from app.calculations.contact_force import (
 )
 from app.calculations.hertz import MaterialFields
 from app.calculations.mechanism import MechanismFields
-from app.calculations.pin import PinMaterial, pin_places, strengths_of
+from app.calculations.pin import pin_places, strengths_of
 from app.calculations.pin_contact import PinContactFields
 from app.calculations.real_mechanism import (
     BentPinFields,
@@ -86,8 +86,6 @@ class DesignPinFields(BentPinFields, group="pin"):
     """Length of the contact along the pin: the width of the satellite."""
     rotates: bool = quantity("Pin rotates", default=False)
     """Whether the pin turns in the carrier: then its bending is fully reversed."""
-    material: Maybe[PinMaterial] = quantity("Material of the pin")
-    """A name of the table of materials, or values; that of the contact where it has one."""
 
     def section(self, whole: Any) -> DesignPin:
         """The pin in SI units; what is not given is that of the contact."""
@@ -98,6 +96,7 @@ class DesignPinFields(BentPinFields, group="pin"):
             diameter=held.diameter,
             satellite_positions=held.satellite_positions,
             span=held.span,
+            ring_joint=held.ring_joint,
             contact_length=to_si("contact_length_mm", self.contact_length_mm),
             rotates=self.rotates,
             **strengths_of(material),

@@ -13,6 +13,7 @@ from app.model import Kinds, Maybe, RequestModel, Size, quantity
 from app.units import to_si
 from core.materials import MATERIALS, ElasticMaterial
 from core.output.pin_beam import Support
+from core.output.tie_ring import RingJoint
 
 
 class PinMaterialFields(MaterialFields, group="material"):
@@ -76,11 +77,17 @@ class HeldPinFields(RequestModel, group="pin"):
         "cantilever": ((), ("span_mm",)),
         "supported": (("span_mm",), ()),
         "fixed": (("span_mm",), ()),
+        "tie_ring": (("span_mm",), ("ring_joint",)),
     }
 
     satellite_positions_mm: list[Size] = pin_places()
     support: Support = quantity("Support", default="cantilever")
-    """Held at one end (cantilever), at both ends free to tilt (supported), or at both ends built in
-    (fixed); the truth of a cage lies between the latter two."""
+    """Held at one end (cantilever), at both ends free to tilt (supported), at both ends built in
+    (fixed), or at one with a ring that joins the other ends and is held by nothing else (tie ring);
+    the truth of a cage lies between supported and fixed, a tie ring promises less."""
     span_mm: Maybe[Size] = quantity("Span", "L", step=1)
-    """Distance of the two supports; not for a cantilever."""
+    """Distance of the two supports, or of the tie ring's middle from the carrier; not for a
+    cantilever."""
+    ring_joint: Maybe[RingJoint] = quantity("Joint of the tie ring")
+    """Whether the pins' ends turn freely in the tie ring (pinned, as where it is not given), or are
+    clamped in it."""

@@ -150,6 +150,19 @@ class PinDeflectionOut(ResponseModel):
     )
 
 
+class TieRingOut(ResponseModel):
+    """What a tie ring bears and how it moves over the turn, each where it is largest; the strength
+    of the joint is not judged.
+    """
+
+    peak_force_N: float = result("Largest force of the ring on a pin.", symbol="X")
+    peak_end_moment_Nm: float = result(
+        "Largest moment of the ring on the end of a pin, 0 where the joint is pinned.", symbol="M_L"
+    )
+    shift_mm: float = result("How far the ring moves in its plane.", symbol="U")
+    turn_mrad: float = result("How far it turns against the carrier.", symbol="ω")
+
+
 class MomentLocusOut(ResponseModel):
     """Bending moment of a section of pin 1 over a turn against the output."""
 
@@ -177,6 +190,7 @@ class PinStrengthOut(ResponseModel):
     )
     fatigue: Maybe[PinFatigueOut] = None
     deflection: Maybe[PinDeflectionOut] = None
+    tie_ring: Maybe[TieRingOut] = None
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None
 

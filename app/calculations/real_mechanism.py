@@ -8,9 +8,9 @@ from typing import Annotated, Any, ClassVar, Literal, Self, get_args
 from pydantic import Field, model_validator
 
 from app.calculations.contact_force import TorqueFields
-from app.calculations.hertz import Material, eccentricity, material_of
+from app.calculations.hertz import MaterialFields, eccentricity, material_of
 from app.calculations.mechanism import MAX_SATELLITES
-from app.calculations.pin import HeldPinFields
+from app.calculations.pin import HeldPinFields, PinMaterial
 from app.calculations.pin_contact import Deviation, PinContactFields
 from app.model import (
     LARGEST,
@@ -138,13 +138,14 @@ class BentPinFields(HeldPinFields, group="pin"):
 
     diameter_mm: Maybe[Size] = quantity("Pin diameter", "d", step=0.5)
     """Diameter of the pin itself, inside its sleeve where it has one."""
-    material: Maybe[Material] = quantity("Material of the pin")
+    material: Maybe[PinMaterial] = quantity("Material of the pin")
     """A name of the table of materials, or values; that of the contact where it has one."""
 
     def held(self, contact: PinContactFields | None) -> PinSupport:
         """The pin in SI units; what is not given is that of the contact."""
         own = self.to_core()
-        diameter, material = own.get("diameter"), self.material
+        diameter = own.get("diameter")
+        material: str | MaterialFields | None = self.material
         if contact is not None:
             diameter = diameter or 2 * to_si("radius_mm", contact.pin_radius_mm)
             material = material or contact.pin_material
@@ -156,6 +157,7 @@ class BentPinFields(HeldPinFields, group="pin"):
             satellite_positions=tuple(own.get("satellite_positions", ())),
             material=given,
             span=own.get("span"),
+            ring_joint=self.ring_joint or "pinned",
         )
 
 
@@ -230,7 +232,16 @@ class GivingFields(RequestModel):
     def _gives_in_one_way(self) -> Self:
         if self.coupled and self.crank_support is not None:
             raise field_error("satellite_coupling", "only_one", field="crank_support")
+        beside = "satellite_coupling" if self.coupled else "crank_support"
+        if self.tied and (self.coupled or self.crank_support is not None):
+            raise field_error("pin/support", "only_one", field=beside)
         return self
+
+    @property
+    def tied(self) -> bool:
+        """Whether a tie ring joins the pins."""
+        pin = getattr(self, "pin", None)
+        return pin is not None and pin.support == "tie_ring"
 
     @property
     def coupled(self) -> bool:

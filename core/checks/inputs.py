@@ -24,6 +24,7 @@ SHARING = (
     "pin.satellite_positions",
     "pin.support",
     "pin.span",
+    "pin.ring_joint",
     "pin.contact_length",
     "pin.material",
     "contact_law",

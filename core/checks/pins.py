@@ -6,6 +6,7 @@ from core.checks.check import Check, Measure, design_check, judged, wall
 from core.checks.inputs import FATIGUE, LOADED, LOADS
 from core.design.document import Design
 from core.design.results import Results
+from core.output.tied_pin import section_of
 
 HARDENED = 1400e6
 """Tensile strength above which a steel hardly yields before it breaks, Pa."""
@@ -65,8 +66,24 @@ def pin_static(design: Design, results: Results) -> Check:
     limit = strength / design.requirements.bending_safety
     error = 4 * found.accuracy.relative_error
     reserve = limit / stress
-    check = judged(pin_static, stress, limit, reserve=reserve, error=error, rough=results.solved)
+    check = judged(
+        pin_static,
+        stress,
+        limit,
+        reserve=reserve,
+        error=error,
+        rough=results.solved,
+        at=_section(design, found.peak_moment_position),
+    )
     return _of_size(results, check)
+
+
+def _section(design: Design, position: float) -> dict[str, str]:
+    """Which end of a pin that a tie ring holds a section is, where it is one."""
+    if not design.tied or design.pin.span is None:
+        return {}
+    end = section_of(position=position, span=design.pin.span)
+    return {"section": end} if end else {}
 
 
 def _bent(results: Results, name: str, satellite: int) -> Measure:
@@ -128,7 +145,15 @@ def pin_fatigue(design: Design, results: Results) -> Check:
     safety, limit = found.fatigue.safety_factor, design.requirements.fatigue_safety
     error = 4 * found.accuracy.relative_error
     reserve = safety / limit
-    check = judged(pin_fatigue, safety, limit, reserve=reserve, error=error, rough=results.solved)
+    check = judged(
+        pin_fatigue,
+        safety,
+        limit,
+        reserve=reserve,
+        error=error,
+        rough=results.solved,
+        at=_section(design, found.fatigue.position),
+    )
     lasts = found.fatigue.finite_strength is not None and not check.reason
     return _of_size(results, check._replace(reason="finite_life") if lasts else check)
 

@@ -109,7 +109,7 @@ class Results:
             hole_material=design.lasting["hole"],
             pin=design.pin if bends else None,
             deviations=design.deviations or Deviations(),
-            exact=design.support is None,
+            exact=design.support is None and not (bends and design.tied),
             support=design.support,
         )
 
@@ -241,14 +241,17 @@ class Results:
             "material": pin.material,
             "support": pin.support,
             "span": pin.span,
+            "ring_joint": pin.ring_joint,
         }
 
     @derived
     def pin_stresses(self) -> PinStresses:
-        """Stresses of the pins under the dynamic load, of at most `MOST_PIN_PAIRS`."""
+        """Stresses of the pins under the dynamic load, of at most `MOST_PIN_PAIRS`, or where a tie
+        ring joins them `MOST_REAL_PAIRS`.
+        """
         if not self.design.pin:
             raise NotKnown("section_missing", "pin")
-        self._limit_pairs(MOST_PIN_PAIRS)
+        self._limit_pairs(MOST_REAL_PAIRS if self.design.tied else MOST_PIN_PAIRS)
         return named(self.design, "pin", lambda: pin_stresses(**self.loaded_pins))
 
     @derived

@@ -222,8 +222,9 @@ class DesignPin(PinSupport):
 
     Attributes
     ----------
-    support : {"cantilever", "supported", "fixed"}
-        Held at one end, simply supported at both, clamped at both.
+    support : {"cantilever", "supported", "fixed", "tie_ring"}
+        Held at one end, simply supported at both, clamped at both, at one with a tie ring that
+        joins the others.
     diameter : float
         Diameter d of the pin itself, m.
     satellite_positions : tuple of float
@@ -231,7 +232,9 @@ class DesignPin(PinSupport):
     material : ElasticMaterial
         The pin's material, with its yield strength.
     span : float or None
-        Distance L of the supports, m.
+        Distance L of the supports, or of the tie ring from the carrier, m.
+    ring_joint : {"pinned", "clamped"}
+        Of a tie ring to the pins.
     contact_length : float or None
         Length of the contact along it, m; that of the contact where not given.
     rotates : bool

@@ -151,6 +151,8 @@ class PinStresses:
                 notices.append(Notice("low_cycle_fatigue"))
         if min(positions) < pin.diameter / 2:
             notices.append(Notice("short_pin"))
+        if isinstance(pin, TiedPin) and pin.ring.joint == "pinned":
+            notices.append(Notice("ring_clearance_left_out"))
         chi = None if cycle is None else cycle.direction
         accuracy = Accuracy(self.method, self.error, self.evaluations)
         strength = self.material.yield_strength

@@ -135,7 +135,7 @@ def _deflection(sheet: Sheet, results: Results, found: PinDeflection) -> None:
         "deflection": ("w", found.satellite - 1, found.deflection),
         "slope": ("theta", found.slope_satellite - 1, found.slope),
     }
-    turn = ideal_turn(sheet, results=results)
+    turn = None if results.design.tied else ideal_turn(sheet, results=results)
     if turn is None:
         for code, (symbol, satellite, value) in parts.items():
             sheet.state(code, symbol, value, "deflected", params={"satellite": satellite + 1})
