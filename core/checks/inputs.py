@@ -25,6 +25,7 @@ SHARING = (
     "pin.support",
     "pin.span",
     "pin.ring_joint",
+    "pin.bolt",
     "pin.contact_length",
     "pin.material",
     "contact_law",

@@ -2,10 +2,11 @@
 
 from functools import partial
 
-from core.checks.check import Check, Measure, design_check, judged, wall
+from core.checks.check import Check, Kind, Measure, design_check, judged, wall
 from core.checks.inputs import FATIGUE, LOADED, LOADS
 from core.design.document import Design
 from core.design.results import Results
+from core.output.pin_bolt import SLIP_SAFETY
 from core.output.tied_pin import section_of
 
 HARDENED = 1400e6
@@ -182,4 +183,60 @@ def wall_sleeve(design: Design, results: Results) -> Check:
     return wall(wall_sleeve, width=width, size=radius, guide=guide)
 
 
-PINS = (pin_static, pin_deflection, pin_slope, pin_fatigue, wall_sleeve)
+_bolt_check = partial(
+    design_check,
+    group="pin",
+    part="pins",
+    needed=False,
+    fixes=(),
+    needs=("touching", "load", "pin", "bolted"),
+)
+
+
+def _gripped(kind: Kind, results: Results, value: float, limit: float | None) -> Check:
+    """A load of the root that the preload has to hold; beyond it the bolt is judged alone."""
+    if limit is None:
+        return Check(kind, "not_applicable", value=value, reason="bolt_alone")
+    return judged(
+        kind, value, limit, reserve=limit / value, warning="bolt_alone", rough=results.solved
+    )
+
+
+@_bolt_check(
+    "bolt_opens",
+    title="Spacers of bolted pins stay closed",
+    unit="Nm",
+    formula="M ≤ F_min·(d² + d_i²)/(8·d)",
+    why="Beyond it the spacer gapes at the carrier, and the bolt bends alone.",
+    inputs=(*LOADED, "load.peak_torque"),
+    source="beam",
+)
+def bolt_opens(design: Design, results: Results) -> Check:
+    found = results.grip
+    return _gripped(bolt_opens, results, found.moment, found.opening_moment)
+
+
+@_bolt_check(
+    "bolt_slips",
+    title="Spacers of bolted pins do not slip",
+    unit="N",
+    formula="V ≤ μ·F_min/1.2",
+    why="Beyond it the spacer slips on the carrier, and the bolt bends alone.",
+    inputs=(*LOADED, "load.peak_torque"),
+    source="beam",
+)
+def bolt_slips(design: Design, results: Results) -> Check:
+    found = results.grip
+    limit = None if found.slip_force is None else found.slip_force / SLIP_SAFETY
+    return _gripped(bolt_slips, results, found.shear_force, limit)
+
+
+PINS = (
+    pin_static,
+    pin_deflection,
+    pin_slope,
+    pin_fatigue,
+    wall_sleeve,
+    bolt_opens,
+    bolt_slips,
+)

@@ -168,6 +168,11 @@ class Design:
         return self.crank_support or self.satellite_coupling
 
     @property
+    def bolted(self) -> bool:
+        """Whether the pins are bolts through spacers."""
+        return bool(self.pin) and self.pin.bolt is not None
+
+    @property
     def tied(self) -> bool:
         """Whether a tie ring joins the pins: the geometry is of first order then."""
         return bool(self.pin) and self.pin.support == "tie_ring"

@@ -3,9 +3,9 @@ ring, bearings, crankshaft, body of the satellite, requirements.
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
-from typing import Literal, NamedTuple, get_args
+from typing import Any, Literal, NamedTuple, get_args
 
 from core.crank.bearing_life import Bearing
 from core.crank.ring_mesh import RingMesh, cycloid_mesh, involute_mesh
@@ -27,6 +27,7 @@ from core.fatigue import (
 from core.materials import ElasticMaterial
 from core.output.contact_law import PinSupport
 from core.output.mechanism import Mechanism
+from core.output.pin_bolt import PinBolt
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_geometry import felt
 from core.output.sampled_turn import Direction
@@ -245,6 +246,8 @@ class DesignPin(PinSupport):
         Whether that is a steel, for which there is a rule of the endurance limit.
     valid_diameter : float or None
         Largest diameter that these strengths hold for, m.
+    bolt : PinBolt or None
+        The bolt through the pin, which is its spacer then.
     """
 
     contact_length: float | None = None
@@ -252,6 +255,17 @@ class DesignPin(PinSupport):
     tensile_strength: float | None = None
     steel: bool = False
     valid_diameter: float | None = None
+    bolt: PinBolt | None = None
+
+    @property
+    def bore(self) -> float:
+        """Inner diameter, m, 0 where it is solid."""
+        return getattr(self, "bore_diameter", None) or 0.0
+
+    def bolt_alone(self, bolt: PinBolt) -> "DesignPin":
+        """The bolt as the pin: the spacer is only what touches the hole."""
+        solid: dict[str, Any] = {"bore_diameter": None} if self.bore else {}
+        return replace(self, diameter=bolt.core_diameter, bolt=None, **solid)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -13,6 +13,7 @@ peak_force          the exact peak of the contact force over the turn
 contact_force       forces over the turn, peak and approximations as one job
 losses              friction of the pins: sliding speed, loss, efficiency, pv, wear
 pin_beam            a pin as a beam on three kinds of supports: moment, shear, deflection, slope
+pin_bolt            a bolt through a spacer as the pin: when it opens, slips or bends alone
 tie_ring            a floating ring that joins the pins' ends: its forces, how it moves
 pin_fatigue         what the fatigue of a pin is judged by, and the verdict on a cycle of stress
 pin_turn            the forces that one pin feels over a turn

@@ -21,6 +21,7 @@ from core.output.contact_force import force_peak
 from core.output.loaded_pin import LoadedPin, PinLoads
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam, Support, section_stress
+from core.output.pin_bolt import Grip
 from core.output.pin_fatigue import FatigueStrength, PinFatigue, judged
 from core.output.pin_search import ENOUGH, first_of
 from core.output.pin_turn import PinTurn, combine, pin_turn
@@ -84,6 +85,7 @@ class PinStrength:
     # the slope of its line.
     accuracy: Accuracy
     notices: tuple[Notice, ...]
+    bolt: Grip | None = None  # and its spacer, where the pin is one
 
 
 @dataclass(frozen=True, slots=True)
