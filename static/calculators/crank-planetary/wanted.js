@@ -72,13 +72,16 @@ const asked = (...names) => Object.fromEntries(names.map((name) => [`requirement
 const STRENGTH = {
   "pin.support": {},
   "pin.satellite_positions_mm": { required: true, follows: (input) => planes(input, GAP) },
-  "pin.span_mm": { when: ["pin.support", "supported", "fixed"], required: true },
+  "pin.span_mm": { when: ["pin.support", "supported", "fixed", "tie_ring"], required: true },
+  "pin.ring_joint": { when: ["pin.support", "tie_ring"], default: "pinned" },
   "pin.material": { without: ["allowable_pressure_MPa", "life_curve"] },
   "strength.surface": { options: ["bare", "sleeved"], default: "bare", words: ["surface", "strength"] },
   "pin.diameter_mm": { when: ["strength.surface", "sleeved"], required: true, words: ["diameter", "strength"] },
   ...fatigueFields("strength.fatigue", ["notch_factor", "notch", "endurance_limit", "plain"]),
   "fatigue.life_h": { ...rare, when: ["strength.fatigue", "notch_factor", "notch", "endurance_limit"] },
   "pin.rotates": rare,
+  ...Object.fromEntries(["core_diameter_mm", "preload_N", "tightening_torque_Nm", "preload_scatter", "friction_coefficient"]
+    .map((name) => [`pin.bolt.${name}`, rare])),
   ...asked("bending_safety", "fatigue_safety", "max_deflection_mm", "max_slope_mrad"),
 };
 
