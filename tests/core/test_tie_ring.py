@@ -15,11 +15,13 @@ from core.materials import ElasticMaterial
 from core.output.contact_law import LinearLaw, PinSupport, PowerLaw, ring_of
 from core.output.loaded_position import LoadedPosition, loaded_position
 from core.output.mechanism import Mechanism
+from core.output.pin_beam import PinBeam
 from core.output.pin_forces import force_ratios
 from core.output.pin_strength import PinStrength, pin_strength
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.satellite_support import CrankSupport
 from core.output.tie_ring import RingForces, RingJoint, TieRing, ring_forces
+from core.output.tied_pin import TiedPin
 from core.output.turn import Turn
 from tests.inputs.real_mechanisms import LAWS, STEEL, made
 from tests.oracles import tie_ring as oracle
@@ -353,6 +355,34 @@ def test_solved_and_ideal_forces_agree_where_contacts_are_soft(joint: RingJoint)
     for name in ("peak_force", "shift", "turn"):
         close = pytest.approx(getattr(ideal.tie_ring, name), rel=2e-2)
         assert getattr(solved.tie_ring, name) == close
+
+
+@pytest.mark.parametrize("joint", JOINTS)
+def test_deflection_and_slope_are_those_of_a_frame(joint: RingJoint) -> None:
+    """Short loads at two places, and the ring's force as a third; shear forces by balance."""
+    own = ring(joint)
+    beam = PinBeam("tie_ring", 1e-10, own.rigidity, own.shear_area, SPAN)
+    pin = TiedPin(beam, 0.016, np.array(PLACES), own)
+    frame = oracle.Frame([oracle.Pin(0.016)] * 4, joint, SPAN, PLACES)
+    fixed = np.zeros((2, 4), dtype=complex)
+    fixed[0, 0], fixed[1, 0] = 700 + 400j, 300j - 900
+    expected = frame.under(fixed)
+    loads = np.array([*fixed[:, 0], expected.ring_forces[0]])
+    bent = pin.by_unit("deflection", np.array(PLACES)) @ loads
+    assert bent == pytest.approx(expected.deflections[:, 0], rel=1e-7)
+    near = 1e-7
+    for place, slope in zip(PLACES, pin.by_unit("slope", np.array(PLACES)) @ loads, strict=True):
+        sides = pin.by_unit("deflection", np.array([place - near, place + near])) @ loads
+        bend = (sides[1] - sides[0]) / (2 * near)
+        shear = pin.by_unit("shear", np.array([place])) @ loads
+        sheared = shear[0] * own.shear_area / own.rigidity
+        assert slope + sheared == pytest.approx(bend, rel=1e-4)
+    shears = pin.by_unit("shear", np.array([0.0, 0.02, SPAN])) @ loads
+    assert shears == pytest.approx([loads.sum(), loads[1:].sum(), loads[2]], rel=1e-9)
+    ends = pin.by_unit("moment", np.array([0.0, SPAN])) @ loads
+    assert ends == pytest.approx(
+        [expected.root_moments[0], expected.end_moments[0]], rel=1e-7, abs=1e-7
+    )
 
 
 def test_both_ways_bend_the_pins_alike() -> None:
