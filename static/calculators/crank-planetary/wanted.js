@@ -69,6 +69,7 @@ const STUDY = {
 };
 
 const asked = (...names) => Object.fromEntries(names.map((name) => [`requirements.${name}`, rare]));
+const bolted = { ...rare, when: ["strength.bolt", "bolted"] };
 const STRENGTH = {
   "pin.support": {},
   "pin.satellite_positions_mm": { required: true, follows: (input) => planes(input, GAP) },
@@ -80,8 +81,12 @@ const STRENGTH = {
   ...fatigueFields("strength.fatigue", ["notch_factor", "notch", "endurance_limit", "plain"]),
   "fatigue.life_h": { ...rare, when: ["strength.fatigue", "notch_factor", "notch", "endurance_limit"] },
   "pin.rotates": rare,
-  ...Object.fromEntries(["core_diameter_mm", "preload_N", "tightening_torque_Nm", "preload_scatter", "friction_coefficient"]
-    .map((name) => [`pin.bolt.${name}`, rare])),
+  "strength.bolt": { ...rare, options: ["whole", "bolted"], default: "whole", words: ["bolt", "strength"] },
+  "pin.bolt.core_diameter_mm": { ...bolted, required: true },
+  "pin.bolt.preload_N": bolted,
+  "pin.bolt.tightening_torque_Nm": bolted,
+  "pin.bolt.preload_scatter": bolted,
+  "pin.bolt.friction_coefficient": bolted,
   ...asked("bending_safety", "fatigue_safety", "max_deflection_mm", "max_slope_mrad"),
 };
 
