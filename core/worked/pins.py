@@ -44,7 +44,7 @@ def static_step(
     """
     if share == 1:
         sheet.work(code, symbol, value, f"{limit}/{load}", **said)
-    elif results.solved:
+    elif results.solved or results.design.bolted:  # a squeeze does not grow
         sheet.state(code, symbol, value, "under_peak", **said)
     else:
         sheet.take("k", "torque_share", share)
@@ -65,7 +65,7 @@ def strength_steps(*, results: Results, found: PinStrength) -> list[Step]:
     -------
     list of Step
     """
-    sheet, pin = Sheet(), results.design.pin
+    sheet, pin = Sheet(), results.bent_pin
     sheet.take("d", "diameter", pin.diameter)
     sheet.state("peak_force", "F_max", found.peak_force, "shared")
     sheet.state("peak_moment_position", "x", found.peak_moment_position, "section")
@@ -93,7 +93,7 @@ def strength_steps(*, results: Results, found: PinStrength) -> list[Step]:
 
 
 def _fatigue(sheet: Sheet, results: Results, found: PinStrength) -> None:
-    cycle, pin, basis = found.fatigue, results.design.pin, results.design.fatigue
+    cycle, pin, basis = found.fatigue, results.bent_pin, results.design.fatigue
     if cycle is None or not basis:
         return
     assert pin.tensile_strength is not None
@@ -157,7 +157,7 @@ def _bent(
     satellite: int,
     value: float,
 ) -> None:
-    pin, beam = results.design.pin, beam_of(results)
+    pin, beam = results.bent_pin, beam_of(results)
     x, places = pin.satellite_positions[satellite], np.array(pin.satellite_positions)
     effect = np.array([getattr(beam, code)(x, z) for z in places])
 

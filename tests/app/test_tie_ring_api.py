@@ -163,3 +163,11 @@ async def test_a_bolt_has_one_preload(api):
     answer = await api.post("crank-planetary", json=body)
     assert answer.status_code == 422
     assert answer.json()["errors"][0]["pointer"].startswith("/pin/bolt")
+
+
+async def test_worked_steps_are_of_what_bends(api):
+    pin = {"satellite_positions_mm": [4.5], "bolt": {"core_diameter_mm": 2.459}}
+    body = SMALL | {"pin": pin, "include": ["pin_strength", "worked"]}
+    found = (await api.post("crank-planetary", json=body)).json()
+    (step,) = [each for each in found["worked"] if each["code"] == "peak_bending_stress_MPa"]
+    assert step["values"]["d"] == pytest.approx(2.459)
