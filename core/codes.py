@@ -563,6 +563,31 @@ _LIMITS = {
         mend="Tighten the tolerances of place, turn the disc to the others, or let the satellites "
         "give way.",
     ),
+    "bolt_alone": _limit(
+        "The bolt alone is taken to be the pin, the spacer only what touches the hole: no preload "
+        "is given, or the spacer opens or slips at the carrier.",
+        title="The bolt bends alone",
+        tests="Whether the preload holds the spacer to the carrier.",
+        why="A spacer that gapes or slips carries no bending: the bolt bends by itself.",
+        mend="Give the preload, raise it, or take a wider spacer.",
+    ),
+    "nut_factor": _limit(
+        "The preload is taken from the tightening torque with a nut factor of 0.2 and a thread "
+        "1.25 times its core: {preload:.6g} N; as it is wetted it may be a third less or more.",
+        title="Preload by the tightening torque",
+        tests="Whether the preload itself is given.",
+        why="Friction in thread and head takes nine tenths of the torque and is hardly known.",
+        mend="Give the preload where it is known.",
+    ),
+    "ring_clearance_left_out": _limit(
+        "The tie ring is taken to be rigid and without clearance on the pins: within a clearance "
+        "there it does nothing, and the pins bend as without it.",
+        title="Clearance of the tie ring left out",
+        tests="Whether the tie ring is pinned to the pins.",
+        why="In a pinned joint with clearance the ring acts only beyond it, and a thin ring bends "
+        "itself: the pins then carry more than is said.",
+        mend="Fit the ring without clearance, or judge the pins as cantilevers too.",
+    ),
     "short_pin": _limit(
         "A satellite lies within half a pin diameter of the carrier: shear governs such a short "
         "pin, and its seat gives way more than it bends.",

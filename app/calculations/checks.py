@@ -143,6 +143,9 @@ class PlaceOut(ResponseModel):
     bearing: Maybe[int] = result("Bearing of the crankshaft: 1 or 2.")
     pin: Maybe[int] = result("Pin.")
     crank_angle_deg: Maybe[float] = result("Crank angle.")
+    section: Maybe[Literal["root", "ring"]] = result(
+        "End of a pin that a tie ring joins to the others: at the carrier, or at the ring."
+    )
 
 
 class CheckOut(ResponseModel):

@@ -18,7 +18,7 @@ from app.calculations.contact_force import (
 )
 from app.calculations.hertz import MaterialFields
 from app.calculations.mechanism import MechanismFields
-from app.calculations.pin import pin_places, strengths_of
+from app.calculations.pin import PinBoltFields, pin_places, strengths_of
 from app.calculations.pin_contact import PinContactFields
 from app.calculations.pin_rollers import RollersFields
 from app.calculations.real_mechanism import (
@@ -122,6 +122,7 @@ class DesignPinFields(BentPinFields, group="pin"):
     """Length of the contact along the pin: the width of the satellite."""
     rotates: bool = quantity("Pin rotates", default=False)
     """Whether the pin turns in the carrier: then its bending is fully reversed."""
+    bolt: Maybe[PinBoltFields] = None
 
     def section(self, whole: Any) -> DesignPin:
         """The pin in SI units; what is not given is that of the contact."""
@@ -135,8 +136,10 @@ class DesignPinFields(BentPinFields, group="pin"):
             satellite_positions=held.satellite_positions,
             span=held.span,
             bore_diameter=held.bore_diameter,
+            ring_joint=held.ring_joint,
             contact_length=to_si("contact_length_mm", self.contact_length_mm),
             rotates=self.rotates,
+            bolt=None if self.bolt is None else self.bolt.section(),
             **strengths_of(material),
         )
 
@@ -254,6 +257,9 @@ class DesignFields(GivingFields):
         """Also a ratio that no cycloid disc with one lobe less has."""
         gear, ratio = getattr(self, "gear", None), self.mechanism.typed_ratio()
         found = super().notices()
+        bolt = None if self.pin is None else self.pin.bolt
+        if bolt is not None and bolt.tightening_torque_Nm is not None:
+            found += (Notice("nut_factor", {"preload": bolt.section().preload}),)
         cycloid = gear is not None and gear.kind == "cycloid" and gear.teeth_difference in (None, 1)
         if cycloid and ratio is not None and not ratio.is_integer():
             found += (Notice("ratio_not_whole", {"ratio": ratio}),)

@@ -7,10 +7,12 @@ from typing import Any, ClassVar
 from app.calculations.fatigue import STEEL_GPA
 from app.calculations.hertz import MaterialFields
 from app.calculations.mechanism import MAX_SATELLITES
-from app.model import Kinds, Maybe, RequestModel, Size, quantity
+from app.model import Forms, Kinds, Maybe, RequestModel, Size, quantity
 from app.units import from_si, to_si
 from core.material_table import MATERIALS
 from core.output.pin_beam import Support
+from core.output.pin_bolt import PinBolt, bolt_preload
+from core.output.tie_ring import RingJoint
 
 
 def strengths_of(given: str | MaterialFields) -> dict[str, Any]:
@@ -41,6 +43,35 @@ def strengths_of(given: str | MaterialFields) -> dict[str, Any]:
     }
 
 
+class PinBoltFields(RequestModel, group="pin"):
+    """A bolt through the pin, which is its spacer then."""
+
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("preload_N",), ("tightening_torque_Nm",), ()),)
+
+    core_diameter_mm: Size = quantity("Core of the bolt", "d_3", step=0.1)
+    """Core diameter of its thread: of M3 2.46, M4 3.24, M5 4.13, M6 4.92, M8 6.65 mm."""
+    preload_N: Maybe[Size] = quantity("Preload", "F_v", step=100)
+    """Force of the bolt as it is tightened; without one the bolt alone is taken to be the pin."""
+    tightening_torque_Nm: Maybe[Size] = quantity("Tightening torque", "T_A", step=0.5)
+    """Torque of the wrench instead: the preload is T_A/(0.2·d)."""
+    preload_scatter: float = quantity(
+        "Scatter of the preload", "α_A", default=1.8, step=0.1, ge=1, le=10
+    )
+    """Largest over least preload of bolts tightened so: 1.6 to 2 with a torque wrench."""
+    friction_coefficient: float = quantity(
+        "Friction on the carrier", "μ", default=0.15, step=0.01, ge=0.01, le=1
+    )
+    """Of the spacer on the carrier, which keeps it from slipping."""
+
+    def section(self) -> PinBolt:
+        """The bolt in SI units."""
+        own = self.to_core()
+        if (torque := own.pop("tightening_torque", None)) is not None:
+            core = own["core_diameter"]
+            own["preload"] = bolt_preload(tightening_torque=torque, core_diameter=core)
+        return PinBolt(**own)
+
+
 pin_places = partial(
     quantity,
     "Places of the satellites",
@@ -60,11 +91,17 @@ class HeldPinFields(RequestModel, group="pin"):
         "cantilever": ((), ("span_mm",)),
         "supported": (("span_mm",), ()),
         "fixed": (("span_mm",), ()),
+        "tie_ring": (("span_mm",), ("ring_joint",)),
     }
 
     satellite_positions_mm: list[Size] = pin_places()
     support: Support = quantity("Support", default="cantilever")
-    """Held at one end (cantilever), at both ends free to tilt (supported), or at both ends built in
-    (fixed); the truth of a cage lies between the latter two."""
+    """Held at one end (cantilever), at both ends free to tilt (supported), at both ends built in
+    (fixed), or at one with a ring that joins the other ends and is held by nothing else (tie ring);
+    the truth of a cage lies between supported and fixed, a tie ring promises less."""
     span_mm: Maybe[Size] = quantity("Span", "L", step=1)
-    """Distance of the two supports; not for a cantilever."""
+    """Distance of the two supports, or of the tie ring's middle from the carrier; not for a
+    cantilever."""
+    ring_joint: Maybe[RingJoint] = quantity("Joint of the tie ring")
+    """Whether the pins' ends turn freely in the tie ring (pinned, as where it is not given), or are
+    clamped in it."""

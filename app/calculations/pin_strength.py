@@ -150,6 +150,37 @@ class PinDeflectionOut(ResponseModel):
     )
 
 
+class TieRingOut(ResponseModel):
+    """What a tie ring bears and how it moves over the turn, each where it is largest; the strength
+    of the joint is not judged.
+    """
+
+    peak_force_N: float = result("Largest force of the ring on a pin.", symbol="X")
+    peak_end_moment_Nm: float = result(
+        "Largest moment of the ring on the end of a pin, 0 where the joint is pinned.", symbol="M_L"
+    )
+    shift_mm: float = result("How far the ring moves in its plane.", symbol="U")
+    turn_mrad: float = result("How far it turns against the carrier.", symbol="ω")
+
+
+class BoltOut(ResponseModel):
+    """A bolt through a spacer under the largest loads of the root, as the spacer carries them."""
+
+    holds: bool = result(
+        "Whether the preload holds the spacer, which bends then; else the bolt alone is the pin."
+    )
+    moment_Nm: float = result("Largest bending moment of the spacer.", symbol="M")
+    shear_force_N: float = result("Largest shear force of it.", symbol="V")
+    opening_moment_Nm: Maybe[float] = result(
+        "Moment at which it opens under the least preload; absent without a preload."
+    )
+    slip_force_N: Maybe[float] = result("Force at which it slips; likewise.")
+    bending_amplitude_MPa: float = result(
+        "Bending stress of the bolt while the spacer holds; its thread is not judged."
+    )
+    alone_stress_MPa: float = result("Bending stress of the bolt where it takes that moment alone.")
+
+
 class MomentLocusOut(ResponseModel):
     """Bending moment of a section of pin 1 over a turn against the output."""
 
@@ -179,6 +210,8 @@ class PinStrengthOut(ResponseModel):
     )
     fatigue: Maybe[PinFatigueOut] = None
     deflection: Maybe[PinDeflectionOut] = None
+    tie_ring: Maybe[TieRingOut] = None
+    bolt: Maybe[BoltOut] = None
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None
 

@@ -16,14 +16,19 @@ from app.calculations.real_mechanism import (
     assumed_pin,
 )
 from app.model import Maybe, field_error, quantity
+from app.settings import Settings
 from app.units import to_si
+from core.errors import InvalidInput
 from core.output.mechanism import Mechanism
 from core.output.members import Members
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.satellite_support import Shares
 
-TIMES_AS_LONG = 4
-"""How many times as long a position takes whose satellites give."""
+TIMES_AS_LONG, TIED_AS_LONG = 4, 10
+"""How many times as long a position takes whose satellites give, or whose pins a tie ring joins."""
+
+MOST_TIED = 100
+"""Most pairs of pins that a tie ring joins: all of them give under the force on each."""
 
 
 LEFT_OUT = (
@@ -69,6 +74,8 @@ class RealDesignFields(GivingFields, group="contact_law"):
         if self.geometry == "exact" and (self.coupled or self.crank_support is not None):
             beside = "satellite_coupling" if self.coupled else "crank_support"
             raise field_error("geometry", "first_order_only", field=beside)
+        if self.geometry == "exact" and self.tied:
+            raise field_error("geometry", "first_order_only", field="support")
         return self
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
@@ -79,7 +86,16 @@ class RealDesignFields(GivingFields, group="contact_law"):
     @property
     def times_as_long(self) -> int:
         """How many times as long as of rigid satellites a position takes."""
+        if self.tied:
+            return TIED_AS_LONG
         return 1 if self.support is None else TIMES_AS_LONG
+
+    def refuse_beyond(self, settings: Settings) -> None:
+        """Refuse more pairs than a tie ring may join."""
+        super().refuse_beyond(settings)
+        if self.tied and self.mechanism.pairs > MOST_TIED:
+            most = self.mechanism.most_pins(MOST_TIED)
+            raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **most)
 
     @property
     def interpreted(self) -> bool:

@@ -164,6 +164,7 @@ class BentPinFields(HeldPinFields, group="pin"):
             material=given,
             span=own.get("span"),
             bore_diameter=own["bore_diameter"],
+            ring_joint=self.ring_joint or "pinned",
         )
 
 
@@ -238,6 +239,9 @@ class GivingFields(RequestModel):
     def _gives_in_one_way(self) -> Self:
         if self.coupled and self.crank_support is not None:
             raise field_error("satellite_coupling", "only_one", field="crank_support")
+        beside = "satellite_coupling" if self.coupled else "crank_support"
+        if self.tied and (self.coupled or self.crank_support is not None):
+            raise field_error("pin/support", "only_one", field=beside)
         return self
 
     def refuse_giving(self) -> None:
@@ -251,6 +255,12 @@ class GivingFields(RequestModel):
         for name in ("crank_support", "satellite_coupling"):
             if getattr(self, name) is not None:
                 raise field_error(name, "of_other_output", output="coupling")
+
+    @property
+    def tied(self) -> bool:
+        """Whether a tie ring joins the pins."""
+        pin = getattr(self, "pin", None)
+        return pin is not None and pin.support == "tie_ring"
 
     @property
     def coupled(self) -> bool:

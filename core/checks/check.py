@@ -102,7 +102,8 @@ class Check(NamedTuple):
     life_factor : float or None
         Of that limit, which is in it, by the loads over the life; None where none is known.
     at : mapping
-        Where the value is reached: satellite, pin, crank_angle (rad).
+        Where the value is reached: satellite, pin, crank_angle (rad); of pins that a tie ring joins
+        their section, `root` or `ring`.
     missing : tuple of str
         Core names of inputs that would have to be given.
     """
@@ -123,7 +124,7 @@ class Check(NamedTuple):
     criterion: str = ""
     verified: str = ""
     life_factor: float | None = None
-    at: Mapping[str, float] = {}
+    at: Mapping[str, Any] = {}
     missing: tuple[str, ...] = ()
 
     @property

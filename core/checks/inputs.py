@@ -26,6 +26,8 @@ SHARING = (
     "pin.satellite_positions",
     "pin.support",
     "pin.span",
+    "pin.ring_joint",
+    "pin.bolt",
     "pin.contact_length",
     "pin.material",
     "contact_law",

@@ -2,10 +2,12 @@
 
 from functools import partial
 
-from core.checks.check import Check, Measure, design_check, judged, necessary, wall
+from core.checks.check import Check, Kind, Measure, design_check, judged, necessary, wall
 from core.checks.inputs import FATIGUE, LIFE, LOADED
 from core.design.document import Design
 from core.design.results import Results
+from core.output.pin_bolt import SLIP_SAFETY
+from core.output.tied_pin import section_of
 
 HARDENED = 1400e6
 """Tensile strength above which a steel hardly yields before it breaks, Pa."""
@@ -66,10 +68,26 @@ def pin_static(design: Design, results: Results) -> Check:
     limit = strength / design.requirements.bending_safety
     error = 4 * found.accuracy.relative_error
     reserve = limit / stress
-    check = judged(pin_static, stress, limit, reserve=reserve, error=error, rough=results.solved)
+    check = judged(
+        pin_static,
+        stress,
+        limit,
+        reserve=reserve,
+        error=error,
+        rough=results.solved,
+        at=_section(design, found.peak_moment_position),
+    )
     if material.plastic is not None:
         return necessary(check)
     return _of_size(results, check)
+
+
+def _section(design: Design, position: float) -> dict[str, str]:
+    """Which end of a pin that a tie ring holds a section is, where it is one."""
+    if not design.tied or design.pin.span is None:
+        return {}
+    end = section_of(position=position, span=design.pin.span)
+    return {"section": end} if end else {}
 
 
 def _bent(results: Results, name: str, at: str, limit: float | None) -> Measure:
@@ -131,7 +149,15 @@ def pin_fatigue(design: Design, results: Results) -> Check:
     safety, limit = found.fatigue.safety_factor, design.requirements.fatigue_safety
     error = 4 * found.accuracy.relative_error
     reserve = safety / limit
-    check = judged(pin_fatigue, safety, limit, reserve=reserve, error=error, rough=results.solved)
+    check = judged(
+        pin_fatigue,
+        safety,
+        limit,
+        reserve=reserve,
+        error=error,
+        rough=results.solved,
+        at=_section(design, found.fatigue.position),
+    )
     lasts = found.fatigue.finite_strength is not None and not check.reason
     return _of_size(results, check._replace(reason="finite_life") if lasts else check)
 
@@ -186,4 +212,61 @@ def wall_sleeve(design: Design, results: Results) -> Check:
     return wall(wall_sleeve, width=width, size=radius, guide=guide)
 
 
-PINS = (pin_static, pin_deflection, pin_slope, pin_fatigue, wall_sleeve, pin_wall)
+_bolt_check = partial(
+    design_check,
+    group="pin",
+    part="pins",
+    needed=False,
+    fixes=(),
+    needs=("touching", "load", "pin", "bolted"),
+)
+
+
+def _gripped(kind: Kind, results: Results, value: float, limit: float | None) -> Check:
+    """A load of the root that the preload has to hold; beyond it the bolt is judged alone."""
+    if limit is None:
+        return Check(kind, "not_applicable", value=value, reason="bolt_alone")
+    return judged(
+        kind, value, limit, reserve=limit / value, warning="bolt_alone", rough=results.solved
+    )
+
+
+@_bolt_check(
+    "bolt_opens",
+    title="Spacers of bolted pins stay closed",
+    unit="Nm",
+    formula="M ≤ F_min·(d² + d_i²)/(8·d)",
+    why="Beyond it the spacer gapes at the carrier, and the bolt bends alone.",
+    inputs=(*LOADED, "load.peak_torque"),
+    source="beam",
+)
+def bolt_opens(design: Design, results: Results) -> Check:
+    found = results.grip
+    return _gripped(bolt_opens, results, found.moment, found.opening_moment)
+
+
+@_bolt_check(
+    "bolt_slips",
+    title="Spacers of bolted pins do not slip",
+    unit="N",
+    formula="V ≤ μ·F_min/1.2",
+    why="Beyond it the spacer slips on the carrier, and the bolt bends alone.",
+    inputs=(*LOADED, "load.peak_torque"),
+    source="beam",
+)
+def bolt_slips(design: Design, results: Results) -> Check:
+    found = results.grip
+    limit = None if found.slip_force is None else found.slip_force / SLIP_SAFETY
+    return _gripped(bolt_slips, results, found.shear_force, limit)
+
+
+PINS = (
+    pin_static,
+    pin_deflection,
+    pin_slope,
+    pin_fatigue,
+    wall_sleeve,
+    pin_wall,
+    bolt_opens,
+    bolt_slips,
+)

@@ -118,6 +118,8 @@ class Design:
     def __post_init__(self) -> None:
         self._check_peak()
         self._check_distribution()
+        if self.tied and self.support is not None:
+            raise InvalidInput("pin.support", self.pin.support, "only_one", field="support")
         self._check_places()
         self._check_rollers()
         self._check_thickness()
@@ -201,6 +203,16 @@ class Design:
     def support(self) -> SatelliteSupport | None:
         """What the satellites give; None where they are rigid."""
         return self.crank_support or self.satellite_coupling
+
+    @property
+    def bolted(self) -> bool:
+        """Whether the pins are bolts through spacers."""
+        return bool(self.pin) and self.pin.bolt is not None
+
+    @property
+    def tied(self) -> bool:
+        """Whether a tie ring joins the pins: the geometry is of first order then."""
+        return bool(self.pin) and self.pin.support == "tie_ring"
 
     @property
     def touching(self) -> bool:

@@ -22,6 +22,7 @@ from core.design.document import Design, changed
 from core.design.losses import made_losses
 from core.design.real_forces import RealForces
 from core.design.refusals import named
+from core.design.sections import DesignPin
 from core.errors import InvalidInput, NotKnown
 from core.first_yield import first_yield
 from core.hertz import HertzContact, force_factor, hertz
@@ -32,6 +33,7 @@ from core.output.edge_load import EdgeLoad, SlopingContacts
 from core.output.fit import Fit
 from core.output.losses import PinLosses, pin_losses
 from core.output.members import MemberLoads
+from core.output.pin_bolt import Grip, grip
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
 from core.output.real_mechanism import Deviations, RealMechanism
@@ -145,6 +147,7 @@ class Results:
             refusal = InvalidInput("contact.eccentricity", None, "smaller_than", **than)
             raise NotKnown(refusal.code, refusal=refusal)
         bends = design.pin and design.pin.satellite_positions
+        pin = self.bent_pin if bends else None
         return RealMechanism(
             mechanism=design.mechanism.built,
             pin_circle_radius=radius,
@@ -155,12 +158,43 @@ class Results:
             clearance=design.contact.clearance or 0.0,
             pin_material=design.lasting["pin"],
             hole_material=design.lasting["hole"],
-            pin=design.pin if bends else None,
+            pin=pin,
             deviations=design.deviations or Deviations(),
-            exact=design.support is None,
+            exact=design.support is None and not (bends and design.tied),
             support=design.support,
             roller_play=design.roller_play,
         )
+
+    @derived
+    def grip(self) -> Grip:
+        """The bolt and its spacer under the largest loads of the root, dynamic and at the peak
+        torque, as the spacer carries them.
+        """
+        pin = self.design.pin
+        if not pin or pin.bolt is None:
+            raise NotKnown("section_missing", "pin")
+        spacer = Results(
+            changed(self.design, {"pin.bolt": None}), equal=self.shared_equally
+        ).pin_loads
+        peak = max(1.0, spacer.static_stress / spacer.peak_equivalent_stress)
+        return grip(
+            bolt=pin.bolt,
+            diameter=pin.diameter,
+            bore=pin.bore_diameter,
+            moment=peak * spacer.peak_moment,
+            shear_force=peak * spacer.peak_shear_force,
+        )
+
+    @derived
+    def bent_pin(self) -> DesignPin:
+        """The pin that bends: of a bolt through a spacer the spacer while it is held, else the bolt
+        alone.
+        """
+        pin = self.design.pin
+        if not pin or pin.bolt is None:
+            return pin
+        held = pin.bolt.preload is not None and self.grip.holds
+        return replace(pin, bolt=None) if held else pin.bolt_alone(pin.bolt)
 
     @derived
     def fit(self) -> Fit:
@@ -268,7 +302,7 @@ class Results:
     @derived
     def fatigue_strength(self) -> FatigueStrength:
         """What the fatigue of the pins is judged by."""
-        design, pin, basis = self.design, self.design.pin, self.design.fatigue
+        design, pin, basis = self.design, self.bent_pin, self.design.fatigue
         if basis.criterion == "soderberg" and pin.material.yield_strength is None:
             raise NotKnown("yield_unknown", "pin.material.yield_strength")
         found = named(design, "fatigue", lambda: basis.strength(pin))
@@ -280,7 +314,7 @@ class Results:
     @property
     def loaded_pins(self) -> dict[str, Any]:
         """The pins and what loads them, as arguments of `pin_stresses`."""
-        pin = self.design.pin
+        pin = self.bent_pin
         return self._forced | {
             "application_factor": self.design.load_factor * self.design.distribution_factor,
             "peak_torque": self.design.static_torque * self.design.distribution_factor,
@@ -291,14 +325,17 @@ class Results:
             "material": pin.material,
             "support": pin.support,
             "span": pin.span,
+            "ring_joint": pin.ring_joint,
         }
 
     @derived
     def pin_stresses(self) -> PinStresses:
-        """Stresses of the pins under the dynamic load, of at most `MOST_PIN_PAIRS`."""
+        """Stresses of the pins under the dynamic load, of at most `MOST_PIN_PAIRS`, or where a tie
+        ring joins them `MOST_REAL_PAIRS`.
+        """
         if not self.design.pin:
             raise NotKnown("section_missing", "pin")
-        self._limit_pairs(MOST_PIN_PAIRS)
+        self._limit_pairs(MOST_REAL_PAIRS if self.design.tied else MOST_PIN_PAIRS)
         return named(self.design, "pin", lambda: pin_stresses(**self.loaded_pins))
 
     @derived
@@ -329,6 +366,8 @@ class Results:
                 deflection=True,
                 locus=locus,
             )
+        if self.design.bolted:
+            found = self._bolted(found)
         return replace(found, notices=notices + self.size_notices + found.notices)
 
     @derived
@@ -349,6 +388,20 @@ class Results:
             raise NotKnown("section_missing", "pin")
         width = min(self.design.pin_length, self.design.pair.contact_length)
         return float(pin.section.wall_stress(line_load=self.static_pin_force / width))
+
+    def _bolted(self, found: PinStrength) -> PinStrength:
+        """The same of a bolt through a spacer: what is held is squeezed besides."""
+        if not self.grip.holds:
+            return replace(found, bolt=self.grip, notices=(Notice("bolt_alone"), *found.notices))
+        static = found.static_stress + self.grip.squeeze
+        strength = self.design.pin.material.yield_strength
+        return replace(
+            found,
+            bolt=self.grip,
+            peak_equivalent_stress=found.peak_equivalent_stress + self.grip.squeeze,
+            static_stress=static,
+            static_safety_factor=None if strength is None else strength / static,
+        )
 
     @property
     def size_notices(self) -> tuple[Notice, ...]:

@@ -3,7 +3,7 @@ ring, bearings, crankshaft, body of the satellite, requirements.
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from typing import Literal, NamedTuple, get_args
 
@@ -30,6 +30,7 @@ from core.materials import ElasticMaterial
 from core.output.contact_law import PinSupport
 from core.output.mechanism import Mechanism
 from core.output.members import Members, Output
+from core.output.pin_bolt import PinBolt
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_geometry import felt
 from core.output.sampled_turn import Direction
@@ -255,8 +256,9 @@ class DesignPin(PinSupport):
 
     Attributes
     ----------
-    support : {"cantilever", "supported", "fixed"}
-        Held at one end, simply supported at both, clamped at both.
+    support : {"cantilever", "supported", "fixed", "tie_ring"}
+        Held at one end, simply supported at both, clamped at both, at one with a tie ring that
+        joins the others.
     diameter : float
         Diameter d of the pin itself, m.
     satellite_positions : tuple of float
@@ -264,9 +266,11 @@ class DesignPin(PinSupport):
     material : ElasticMaterial
         The pin's material, with its yield strength.
     span : float or None
-        Distance L of the supports, m.
+        Distance L of the supports, or of the tie ring from the carrier, m.
     bore_diameter : float
         Diameter d_i of its bore, m; 0 of a solid pin.
+    ring_joint : {"pinned", "clamped"}
+        Of a tie ring to the pins.
     contact_length : float or None
         Length of the contact along it, m; that of the contact where not given.
     rotates : bool
@@ -277,6 +281,8 @@ class DesignPin(PinSupport):
         Whether that is a steel, for which there is a rule of the endurance limit.
     valid_diameter : float or None
         Largest diameter that these strengths hold for, m.
+    bolt : PinBolt or None
+        The bolt through the pin, which is its spacer then.
     """
 
     contact_length: float | None = None
@@ -284,6 +290,11 @@ class DesignPin(PinSupport):
     tensile_strength: float | None = None
     steel: bool = False
     valid_diameter: float | None = None
+    bolt: PinBolt | None = None
+
+    def bolt_alone(self, bolt: PinBolt) -> "DesignPin":
+        """The bolt as the pin: the spacer is only what touches the hole."""
+        return replace(self, diameter=bolt.core_diameter, bore_diameter=0.0, bolt=None)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from core.arrays import Number, check_positive, larger, log
 from core.errors import InvalidInput
 from core.materials import ElasticMaterial, effective_modulus
-from core.output.pin_beam import Support
+from core.output.pin_beam import PinBeam, Support
 from core.output.pin_section import PinSection, check_bore
 from core.output.sharing_kernel import HERTZ, HERTZ_END, LINEAR, POWER, Law, pair_law
+from core.output.tie_ring import RingJoint, TieRing
 
 MIN_EXPONENT, MAX_EXPONENT = 0.5, 3.0
 """Exponents of a power law with gaps; below, ``(T/k)^(1/n)`` leaves the range of numbers."""
@@ -56,12 +57,15 @@ ContactLaw = LinearLaw | PowerLaw | PalmgrenLaw | HertzLaw
 class PinSupport:
     """How the pins are held, and where the satellites load them."""
 
-    support: Support  # held at one end, simply supported at both, clamped at both
+    # Held at one end, simply supported at both, clamped at both, at one with a tie ring at the
+    # other.
+    support: Support
     diameter: float  # d of the pin itself, m, > 0
     satellite_positions: tuple[float, ...]  # z_j of their middles from the support, m, > 0
     material: ElasticMaterial  # of the pin
-    span: float | None = None  # L of the supports, m; needed with two
+    span: float | None = None  # L of the supports, or to the tie ring, m; needed with either
     bore_diameter: float = 0.0  # d_i of its bore, m, from 0 to 0.95 d
+    ring_joint: RingJoint = "pinned"  # of a tie ring to the pins
 
     @property
     def section(self) -> PinSection:
@@ -133,13 +137,17 @@ def pin_compliance(pin: PinSupport) -> tuple[float, ...]:
         name = f"satellite_positions[{index}]"
         if not z > 0:
             raise InvalidInput(name, z, "greater_than", limit=0)
+        free = z**3 / (3 * bending) + shear * z
         if pin.support == "cantilever":
-            compliances.append(z**3 / (3 * bending) + shear * z)
+            compliances.append(free)
             continue
         if span is None:
             raise InvalidInput("span", span, "needed", field="support")
         if not z < span:
             raise InvalidInput(name, z, "smaller_than", field="span", limit=span)
+        if pin.support == "tie_ring":  # which gives: see `tied_compliance`
+            compliances.append(free)
+            continue
         rest = span - z
         compliance = (z * rest) ** 2 / (3 * bending * span) + shear * z * rest / span
         if pin.support == "fixed":
@@ -150,6 +158,66 @@ def pin_compliance(pin: PinSupport) -> tuple[float, ...]:
             compliance -= (near + far) ** 2 / (2 * even) + (near - far) ** 2 / (2 * odd)
         compliances.append(compliance)
     return tuple(compliances)
+
+
+def ring_of(pin: PinSupport) -> TieRing:
+    """A tie ring as one of its pins feels it.
+
+    Parameters
+    ----------
+    pin : PinSupport
+        The pin.
+
+    Returns
+    -------
+    TieRing
+    """
+    beam = PinBeam.round(
+        support=pin.support,
+        diameter=pin.diameter,
+        bore_diameter=pin.bore_diameter,
+        contact_length=1.0,  # of the loads, which are single ones here
+        youngs_modulus=pin.material.youngs_modulus,
+        poissons_ratio=pin.material.poissons_ratio,
+    )
+    assert pin.span is not None
+    return TieRing(pin.ring_joint, pin.span, beam.rigidity, beam.shear_area)
+
+
+def tied_compliance(*, pin: PinSupport, pins: int, wall: float = 0.0) -> list[float]:
+    """What pins that a tie ring joins give, as the kernel takes it.
+
+    Parameters
+    ----------
+    pin : PinSupport
+        One of them.
+    pins : int
+        Their number N.
+    wall : float
+        What the wall about a pin's bore gives under a force, m/N.
+
+    Returns
+    -------
+    list of float
+        At each of K satellites the deflection under a unit force that is alone, on the mean of its
+        directions, m/N; then between all satellites of one pin while nothing holds its end, m/N,
+        K*K; then by which they move the ring, ``a(z)/sqrt(f*N)``, sqrt(m/N), K.
+
+    Notes
+    -----
+    With c(x, z) and a(z) = c(z, L) of `TieRing`, f = a(L), u_j the direction of a force and t_n
+    that of the circle at its pin, forces of the pairs (j, n) and (k, m) bend each other's pin by
+
+        S = u_j*u_k*(c(z_j, z_k)*d_nm - a_j*a_k/f*(d_nm - 1/N)) + a_j*a_k/(f*N)*(u_j*t_n)*(u_k*t_m)
+    """
+    ring, places = ring_of(pin), pin.satellite_positions
+    moved = [ring.end(z) / math.sqrt(ring.end(ring.span) * pins) for z in places]
+    free = [ring.flexibility(x, z) + wall * (x == z) for x in places for z in places]
+    alone = [
+        ring.flexibility(z, z) + wall - (pins - 1.5) * by_ring**2
+        for z, by_ring in zip(places, moved, strict=True)
+    ]
+    return [float(each) for each in (*alone, *free, *moved)]
 
 
 def contact_compliance(

@@ -78,7 +78,8 @@ class SlopingContacts:
 
     def _each(self, even: Callable[..., Number]) -> FloatArray:
         """The largest of a function of force and slope, by load and satellite."""
-        forces, slopes = np.eye(len(self.pin.positions)), self.pin.slopes
+        slopes = self.pin.slopes
+        forces = np.eye(*slopes.shape)
         measure = _of_sums(even)
         found = [
             largest(turn=each.turn, arms=(each.unit * forces, each.unit * slopes), measure=measure)

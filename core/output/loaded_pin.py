@@ -101,22 +101,24 @@ class LoadedPin:
         none = self.positions + (shear - 0.5) * self.beam.contact_length
         return np.array([0.0, *none, self.beam.span])
 
+    def by_unit(self, what: str, x: FloatArray) -> FloatArray:
+        """What a unit of each load does at sections, by its name of `PinBeam`, shape (..., K)."""
+        return np.asarray(getattr(self.beam, what)(x[..., None], self.positions))
+
     @cached_property
     def slopes(self) -> FloatArray:
-        """Slope at each satellite by a unit of each one's force, rad/N, shape (K, K)."""
-        return np.asarray(self.beam.slope(self.positions[:, None], self.positions))
+        """Slope at each satellite by a unit of each load, rad/N, shape (K, K)."""
+        return self.by_unit("slope", self.positions)
 
     @cached_property
     def effects(self) -> FloatArray:
-        """What a unit of each satellite's force does, K rows each: force, deflection, m, and slope,
-        rad, at the satellites; then the mean shear stress at `ends` and the bending stress at
-        `bent`, Pa.
+        """What a unit of each load does, K rows each: force, deflection, m, and slope, rad, at the
+        satellites; then the mean shear stress at `ends` and the bending stress at `bent`, Pa.
         """
-        z = self.positions
         return np.concatenate(
             (
-                np.eye(len(z)),
-                self.beam.deflection(z[:, None], z),
+                np.eye(*self.slopes.shape),
+                self.by_unit("deflection", self.positions),
                 self.slopes,
                 self.shears(self.ends, 1.0),
                 self.moments(self.bent, 1.0),
@@ -143,13 +145,13 @@ class LoadedPin:
         return np.array([low, high])
 
     def moments(self, x: FloatArray, unit: float) -> FloatArray:
-        """Bending stress at sections by a unit of each satellite's force, Pa."""
-        found: FloatArray = unit / self.modulus * self.beam.moment(x[..., None], self.positions)
+        """Bending stress at sections by a unit of each load, Pa."""
+        found: FloatArray = unit / self.modulus * self.by_unit("moment", x)
         return found
 
     def shears(self, x: FloatArray, unit: float) -> FloatArray:
         """Mean shear stress of the same, Pa."""
-        found: FloatArray = unit / self.area * self.beam.shear(x[..., None], self.positions)
+        found: FloatArray = unit / self.area * self.by_unit("shear", x)
         return found
 
     def _curvature(self, loads: PinLoads) -> float:
@@ -181,7 +183,7 @@ class LoadedPin:
     ) -> tuple[float, float]:
         """Largest measure of any section, and the section; 0 where it is not beyond a value."""
         turn, curvature = loads.turn, self._curvature(loads)
-        samples = turn.forces.reshape(len(self.positions), -1)
+        samples = turn.forces.reshape(len(turn.forces), -1)
 
         def room(at: Points) -> FloatArray:
             return curvature * at.length**2 / 8

@@ -191,6 +191,8 @@ def notices(
         found.append(Notice("large_rotation", {"share": share}))
     if pressed:
         found.append(Notice("pressed_without_load"))
+    if real.tied_pin is not None and real.tied_pin.ring_joint == "pinned":
+        found.append(Notice("ring_clearance_left_out"))
     if isinstance(real.law, HertzLaw) and real.law.reference_depth is not None:
         ratio = real.law.reference_depth / (real.pin_radius + real.eccentricity + real.clearance)
         if not DEPTHS[0] <= ratio <= DEPTHS[1]:
@@ -203,5 +205,6 @@ def notices(
 
 def _bent_together(real: RealMechanism, force: FloatArray) -> tuple[Notice, ...]:
     """Notice that pins are loaded by several satellites, whose bending is taken one by one."""
-    together = real.pin is not None and ((force > 0).sum(axis=0) > 1).any()
+    alone = real.pin is not None and real.tied_pin is None
+    together = alone and ((force > 0).sum(axis=0) > 1).any()
     return (Notice("pin_bending_uncoupled"),) if together else ()

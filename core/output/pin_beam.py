@@ -30,8 +30,9 @@ from core.errors import InvalidInput
 from core.output.pin_section import PinSection
 from core.precision import ROUNDING
 
-Support = Literal["cantilever", "supported", "fixed"]
-"""Held in the carrier at one end; at both, free to tilt; at both, built in."""
+Support = Literal["cantilever", "supported", "fixed", "tie_ring"]
+"""Held in the carrier at one end; at both, free to tilt; at both, built in; at one, with a tie ring
+that joins the other ends (`core.output.tie_ring`), which as a beam is a cantilever."""
 
 
 def check_apart(*, name: str, positions: Sequence[float], width: float) -> None:
@@ -139,7 +140,7 @@ class PinBeam:
 
     def reactions(self, z: Number) -> tuple[Number, Number]:
         """Shear force, dimensionless, and moment, m, at x = 0 under a unit force at z."""
-        if self.support == "cantilever":
+        if self.support in ("cantilever", "tie_ring"):
             return 1.0 + 0.0 * z, 1.0 * z
         length = self.span
         if self.support == "supported":

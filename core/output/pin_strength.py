@@ -8,6 +8,7 @@ section's edge goes from ``-h(chi + pi)/W`` to ``h(chi)/W``, ``W = pi*d^3/32`` o
 
 import math
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -20,11 +21,14 @@ from core.output.contact_force import force_peak
 from core.output.loaded_pin import LoadedPin, PinLoads
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam, Support, section_stress
+from core.output.pin_bolt import Grip
 from core.output.pin_fatigue import FatigueStrength, PinFatigue, judged
 from core.output.pin_search import SETTLED, first_of
 from core.output.pin_section import check_bore
 from core.output.pin_turn import PinTurn, combine, pin_turn
 from core.output.sampled_turn import WAYS, Direction, Made, PinSamples, SampledTurn
+from core.output.tie_ring import RingJoint, TieRing
+from core.output.tied_pin import TiedPin, TieRingLoad, ideal_samples
 from core.precision import ROUNDING
 from core.results import Accuracy, Notice, poorly_known
 
@@ -77,11 +81,13 @@ class PinStrength:
     # Of the section of the worst cycle, else of the largest moment, where it was asked.
     locus: MomentLocus | None
     pin: int  # the pin of which it is, from 1; those of an ideal mechanism are alike
+    tie_ring: TieRingLoad | None  # what it bears, where one joins the pins
     # Of all numbers but direction, amplitude, mean and life of the fatigue: the first three are
     # good to `FLAT`, as the utilisation is flat there; the life has the error of the safety times
     # the slope of its line.
     accuracy: Accuracy
     notices: tuple[Notice, ...]
+    bolt: Grip | None = None  # and its spacer, where the pin is one
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,6 +102,7 @@ class PinStresses:
     method: str  # how they were found
     error: float  # relative, of all stresses
     evaluations: int  # how often forces were evaluated
+    tie_ring: TieRingLoad | None = None  # what it bears, where one joins the pins
 
     @property
     def loads(self) -> list[PinLoads]:
@@ -148,6 +155,8 @@ class PinStresses:
                 notices.append(Notice("low_cycle_fatigue"))
         if min(positions) < pin.diameter / 2:
             notices.append(Notice("short_pin"))
+        if isinstance(pin, TiedPin) and pin.ring.joint == "pinned":
+            notices.append(Notice("ring_clearance_left_out"))
         chi = None if cycle is None else cycle.direction
         accuracy = Accuracy(self.method, self.error, self.evaluations)
         strength = self.material.yield_strength
@@ -165,6 +174,7 @@ class PinStresses:
             deflection=_deflection(found) if deflection else None,
             locus=_locus(pin, worst.loads, mechanism, seen, chi) if locus else None,
             pin=worst.loads.pin,
+            tie_ring=self.tie_ring,
             accuracy=accuracy,
             notices=(*notices, *poorly_known(accuracy)),
         )
@@ -183,6 +193,7 @@ def pin_stresses(
     material: ElasticMaterial,
     support: Support = "cantilever",
     span: float | None = None,
+    ring_joint: RingJoint = "pinned",
     application_factor: float = 1.0,
     peak_torque: float | None = None,
     torque_direction: Direction = "driving",
@@ -214,10 +225,13 @@ def pin_stresses(
         most ``L - b/2``.
     material : ElasticMaterial
         Of the pin.
-    support : {"cantilever", "supported", "fixed"}
-        Held at one end; at both, free to tilt; at both, built in.
+    support : {"cantilever", "supported", "fixed", "tie_ring"}
+        Held at one end; at both, free to tilt; at both, built in; at one, with a tie ring that
+        joins the other ends.
     span : float, optional
-        Distance L of the two supports, m; for the latter two.
+        Distance L of the two supports, or of the ring from the carrier, m; for the latter three.
+    ring_joint : {"pinned", "clamped"}
+        Of a tie ring to the pins.
     application_factor : float
         Factor K_A on the torque, > 0, in all but the static safety.
     peak_torque : float, optional
@@ -270,6 +284,20 @@ def pin_stresses(
     )
     _check_positions(mechanism, satellite_positions, contact_length, beam.span)
     pin = LoadedPin(beam, diameter, np.array(satellite_positions), bore_diameter)
+    tie_ring: TieRingLoad | None = None
+    if support == "tie_ring":
+        ring = TieRing(ring_joint, beam.span, beam.rigidity, beam.shear_area)
+        pin = TiedPin(beam, diameter, pin.positions, bore_diameter, ring=ring)
+        made = pin.holding(
+            made
+            or partial(
+                ideal_samples,
+                pin=pin,
+                mechanism=mechanism,
+                force_exponent=force_exponent,
+                pin_circle_radius=pin_circle_radius,
+            )
+        )
     ways = WAYS[torque_direction]
     static, again = 1.0, list[PinLoads]()
     if made is None:
@@ -288,6 +316,8 @@ def pin_stresses(
         turns = [made(way * torque) for way in ways]
         cases = _made_cases(turns)
         error = max(turn.error for turn in turns)
+        if isinstance(pin, TiedPin):
+            tie_ring = pin.ring_load(turns, pin_circle_radius)
         method, evaluations = "sampling", sum(turn.evaluations for turn in turns)
         if static_torque != torque:
             again = _made_cases([made(way * static_torque) for way in ways])
@@ -299,7 +329,9 @@ def pin_stresses(
         static = max(pin.equivalent(case, 0.0) for case in again)
         static /= max(each.equivalent for each in found)
     error += _of_two_supports(beam, satellite_positions)
-    return PinStresses(pin, mechanism, material, found, static, method, error, evaluations)
+    return PinStresses(
+        pin, mechanism, material, found, static, method, error, evaluations, tie_ring
+    )
 
 
 def pin_strength(
@@ -370,7 +402,7 @@ def _made_cases(turns: list[SampledTurn]) -> list[PinLoads]:
             error=max(turn.error for turn in turns),
             wave=wave,
         )
-        for n in range(turns[0].on_pins.shape[1])
+        for n in range(1 if turns[0].pins_alike else turns[0].on_pins.shape[1])
     ]
 
 

@@ -23,6 +23,7 @@ from core.output.contact_law import (
     law_constants,
     law_kind,
     pin_compliance,
+    tied_compliance,
 )
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import check_apart
@@ -40,6 +41,7 @@ from core.output.sharing_kernel import (
     NOT_SOLVED,
     NOT_STABLE,
     RIGID,
+    TIED,
     TOO_FAR,
     TOO_WIDE,
     Errors,
@@ -205,6 +207,16 @@ class RealMechanism:
             raise InvalidInput("eccentricity", self.eccentricity, "smaller_than", **than)
         check_law(self.law)
         check_support(support=self.support, satellites=self.mechanism.satellites, exact=self.exact)
+        if self.tied_pin is not None and self.exact:
+            raise InvalidInput("exact", self.exact, "first_order_only", field="pin.support")
+        if self.tied_pin is not None and self.support is not None:
+            raise InvalidInput("support", self.support, "only_one", field="pin.support")
+
+    @property
+    def tied_pin(self) -> PinSupport | None:
+        """The pins, where a tie ring joins them."""
+        tied = self.pin is not None and self.pin.support == "tie_ring"
+        return self.pin if tied else None
 
     @property
     def pins_alike(self) -> bool:
@@ -234,6 +246,8 @@ class RealMechanism:
             gives = 1 / self.support.stiffness
             loose += self.support.radial_clearance / 2
             support = CRANK if gives > 0 else RIGID
+        if self.tied_pin is not None:
+            support = TIED
         return Setup(
             pins=self.mechanism.pins,
             satellites=self.mechanism.satellites,
@@ -264,7 +278,9 @@ class RealMechanism:
 
     @property
     def compliance(self) -> list[float]:
-        """Of the pin at each satellite, with the wall about its bore, m/N."""
+        """Of the pin at each satellite, with the wall about its bore, m/N; where a tie ring joins
+        the pins what `tied_compliance` gives.
+        """
         satellites = self.mechanism.satellites
         if self.pin is None:
             return [0.0] * satellites
@@ -282,6 +298,8 @@ class RealMechanism:
             width=self.contact_length,
         )
         wall = self.pin.wall_compliance(self.contact_length)
+        if self.tied_pin is not None:
+            return tied_compliance(pin=self.tied_pin, pins=self.mechanism.pins, wall=wall)
         return [each + wall for each in pin_compliance(self.pin)]
 
     @cached_property
@@ -297,7 +315,7 @@ class RealMechanism:
         """Constants of the pairs, and their pins' radii."""
         pins, satellites = self.mechanism.pins, self.mechanism.satellites
         errors = self.numbered[0].rows(pins, satellites)
-        pairs = Pairs(*[[0.0] * (pins * satellites) for _ in Pairs._fields])
+        pairs: Pairs = self.blank(Pairs)
         phase = list(self.mechanism.crank_angles)
         setup = self.setup(1.0)
         none = prepare(setup, self.law_constants, errors, phase, self.compliance, pairs)
@@ -318,8 +336,25 @@ class RealMechanism:
 
     def room(self) -> Room:
         """Room for the results of one position."""
+        room: Room = self.blank(Room)
+        return room
+
+    def blank(self, kind: Any) -> Any:
+        """Rows of zeros for the kernel.
+
+        Parameters
+        ----------
+        kind : type
+            `Pairs` or `Room`.
+
+        Returns
+        -------
+        Pairs or Room
+        """
         count = self.mechanism.pins * self.mechanism.satellites
-        return Room(*[[0.0] * count for _ in Room._fields])
+        square = count * count if self.tied_pin is not None else 0
+        sizes = {"give": square, "system": 2 * square}
+        return kind(*[[0.0] * sizes.get(name, count) for name in kind._fields])
 
     def wave(self, crank_angle: float) -> float:
         """Wave angle of a crank angle, rad, within half a turn around 0.

@@ -108,8 +108,6 @@ def _directed(
     else:
         acts, tangential, hole = size * crank, 1j * radial, real.pin_circle_radius * radial
     on_pins = np.conj(acts / tangential)
-    if real.deviations == Deviations():
-        on_pins = on_pins[:, :1]
     return SampledTurn(
         wave=wave,
         on_pins=on_pins,
@@ -119,6 +117,7 @@ def _directed(
         crank_angles=tuple(cranks.tolist()),
         error=error,
         evaluations=evaluations,
+        pins_alike=real.deviations == Deviations(),
     )
 
 

@@ -28,8 +28,8 @@ class SampledTurn:
     """Forces on pins and satellites under one torque."""
 
     wave: FloatArray  # wave angles, rad, ascending within a turn, shape (n,)
-    # Force of each satellite on each pin, N, shape (K, N or 1, n): tangential + i*radial, in the
-    # carrier's frame; one pin where all are alike.
+    # Force of each satellite on each pin, N, shape (K, N, n): tangential + i*radial, in the
+    # carrier's frame.
     on_pins: ComplexArray
     # Resultant of the pins on each satellite, N, shape (K, n): along its crank towards the axis,
     # and i times that across, back against the crank's rotation under a driving torque.
@@ -43,6 +43,7 @@ class SampledTurn:
     # straight line between their neighbours, and that of the positions. Honest, no proof.
     error: float
     evaluations: int  # positions that were solved
+    pins_alike: bool = False  # whether all pins feel the same, one after the other
 
     def mean(self, values: FloatArray) -> FloatArray:
         """Mean of values over the turn.

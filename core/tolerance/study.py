@@ -234,12 +234,12 @@ class Study:
         kernel = self._kernel
         direction = math.copysign(1.0, asked.output_torque)
         sizes = real.setup(direction), real.setup(-direction)
-        count = sizes[0].pins * sizes[0].satellites
 
-        def rows(kind: Any, length: int) -> Any:
-            return kind(*[kernel.row([0.0] * length) for _ in kind._fields])
+        def rows(blank: Any) -> Any:
+            return type(blank)(*map(kernel.row, blank))
 
-        results: Pieces = rows(Pieces, len(pieces.pin_radial))
+        none = [0.0] * len(pieces.pin_radial)
+        results: Pieces = rows(Pieces(*[none] * len(Pieces._fields)))
         load = Load(abs(asked.output_torque), asked.lost_motion_share, *sizes)
         lost = "lost_motion" in asked.quantities
         under_load = bool({*asked.quantities} - {"backlash_max", "lost_motion"})
@@ -253,8 +253,8 @@ class Study:
                 load,
                 kernel.row(real.mechanism.crank_angles),
                 kernel.row(real.compliance),
-                rows(Pairs, count),
-                rows(Room, count),
+                rows(real.blank(Pairs)),
+                rows(real.blank(Room)),
                 results,
             )
             return results

@@ -45,7 +45,7 @@ def static_step(
     """
     if share == 1:
         sheet.work(code, symbol, value, f"{limit}/{load}", **said)
-    elif results.solved:
+    elif results.solved or results.design.bolted:  # a squeeze does not grow
         sheet.state(code, symbol, value, "under_peak", **said)
     else:
         sheet.take("k", "torque_share", share)
@@ -66,7 +66,7 @@ def strength_steps(*, results: Results, found: PinStrength) -> list[Step]:
     -------
     list of Step
     """
-    sheet, pin = Sheet(), results.design.pin
+    sheet, pin = Sheet(), results.bent_pin
     sheet.take("d", "diameter", pin.diameter)
     sheet.take("d_i", "bore_diameter", pin.bore_diameter or None)
     sheet.state("peak_force", "F_max", found.peak_force, "shared")
@@ -98,7 +98,7 @@ def strength_steps(*, results: Results, found: PinStrength) -> list[Step]:
 
 
 def _fatigue(sheet: Sheet, results: Results, found: PinStrength) -> None:
-    cycle, pin, basis = found.fatigue, results.design.pin, results.design.fatigue
+    cycle, pin, basis = found.fatigue, results.bent_pin, results.design.fatigue
     if cycle is None or not basis:
         return
     assert pin.tensile_strength is not None
@@ -139,7 +139,7 @@ def _deflection(sheet: Sheet, results: Results, found: PinDeflection) -> None:
         "deflection": ("w", found.satellite - 1, found.deflection),
         "slope": ("theta", found.slope_satellite - 1, found.slope),
     }
-    turn = ideal_turn(sheet, results=results)
+    turn = None if results.design.tied else ideal_turn(sheet, results=results)
     if turn is None:
         for code, (symbol, satellite, value) in parts.items():
             sheet.state(code, symbol, value, "deflected", params={"satellite": satellite + 1})
@@ -164,7 +164,7 @@ def _bent(
     satellite: int,
     value: float,
 ) -> None:
-    pin, beam = results.design.pin, beam_of(results)
+    pin, beam = results.bent_pin, beam_of(results)
     x, places = pin.satellite_positions[satellite], np.array(pin.satellite_positions)
     effect = np.array([getattr(beam, code)(x, z) for z in places])
 

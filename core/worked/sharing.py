@@ -51,7 +51,7 @@ def beam_of(results: Results) -> PinBeam:
     -------
     PinBeam
     """
-    pin = results.design.pin
+    pin = results.bent_pin
     return PinBeam.round(
         support=pin.support,
         diameter=pin.diameter,
@@ -73,7 +73,7 @@ def take_beam(sheet: Sheet, *, results: Results) -> None:
     results : Results
         Results of a design with a pin.
     """
-    pin = results.design.pin
+    pin = results.bent_pin
     sheet.take("E", "youngs_modulus", float(pin.material.youngs_modulus))
     sheet.take("nu", "poissons_ratio", float(pin.material.poissons_ratio))
     sheet.take("d", "diameter", pin.diameter)
@@ -99,7 +99,7 @@ def unit_steps(sheet: Sheet, *, results: Results, at: int, by: int) -> tuple[str
     tuple of str
         Symbols of both.
     """
-    pin, beam = results.design.pin, beam_of(results)
+    pin, beam = results.bent_pin, beam_of(results)
     assert pin is not None
     x, z = pin.satellite_positions[at], pin.satellite_positions[by]
     sheet.take(f"z_{at + 1}", "satellite_position", x)

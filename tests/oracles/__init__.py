@@ -9,6 +9,7 @@ crank_planetary    peak force, driving pairs and intervals by a search at 40 dig
 load_sharing       the mechanism with clearance and errors by false position
 room               pins in their holes by plain distances
 pin, pin_turn      a pin as finite elements, and what it feels over the turn
+tie_ring           pins and the ring that joins them as a frame of finite elements
 satellites         what satellites do at many angles, with
 satellite_turn     their sums and shares over the turn
 turns              what is largest over the turn of a mechanism as made, by bisection

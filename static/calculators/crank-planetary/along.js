@@ -33,6 +33,13 @@ function knife([x, y]) {
   return html`<path class="clamp" d="M${x} ${y}l-8 13h16zM${x - 12} ${y + 16}h24"/>`;
 }
 
+/** A ring that joins the pins in section, on an axle where they turn in it. */
+function tieRing(view, place, radius, joint) {
+  const [half, tall] = [radius / 2, 1.8 * radius];
+  return html`${[1, -1].map((side) => bar(view, place - half, place + half, side * radius, side * tall, "body", "pin.ring_joint pin.span_mm"))}
+    ${joint !== "clamped" && html`<circle class="body" cx="${view.at([place, 0])[0]}" cy="${view.at([0, 0])[1]}" r="${view.size(half)}"/>`}`;
+}
+
 /** Dimensions of places along the axis from the origin, each lower than the one before. */
 function places(view, zero, all, low, field, symbol) {
   const level = (i) => low + TIER * (i + 1);
@@ -56,7 +63,8 @@ export function pinDrawing({ input, width, height }) {
   const planes = pin.satellite_positions_mm.slice(0, MOST_DRAWN);
   const radius = rolls ? pin.diameter_mm / 2 : rim;
   const held = pin.support === "cantilever" ? null : pin.span_mm;
-  const end = Math.max(held ?? 0, ...planes.map((z) => z + b / 2));
+  const tied = pin.support === "tie_ring";
+  const end = Math.max(held === null ? 0 : held + (tied ? radius / 2 : 0), ...planes.map((z) => z + b / 2));
   const tall = Math.max(2 * hole, 2 * rim) + 0.35 * rim;
   const reach = { from: -0.06 * end, to: end * 1.02, above: tall - rim, below: tall - rim, tiers: Math.min(planes.length, MOST_NAMED) + (held ? 1 : 0) };
   const view = viewOf({ width, height }, reach);
@@ -81,7 +89,8 @@ export function pinDrawing({ input, width, height }) {
       ${bar(view, 0, end, -radius, radius, "body", "pin.diameter_mm contact.pin_radius_mm")}
       ${line(axis(reach.from), axis(reach.to), "centre")}
       ${held !== null && pin.support === "supported" ? knife([axis(0)[0], view.at([0, -radius])[1]]) : wall(axis(0), half, 1)}
-      ${held !== null && (pin.support === "supported" ? knife([axis(held)[0], view.at([0, -radius])[1]]) : wall(axis(held), half, -1))}
+      ${tied && tieRing(view, held, radius, pin.ring_joint)}
+      ${held !== null && !tied && (pin.support === "supported" ? knife([axis(held)[0], view.at([0, -radius])[1]]) : wall(axis(held), half, -1))}
       ${dimension([axis(0)[0] - 26, view.at([0, -radius])[1]], [axis(0)[0] - 26, view.at([0, radius])[1]], "d", { value: "", field: "pin.diameter_mm contact.pin_radius_mm", beside: -6 })}
       ${places(view, 0, planes, low, "pin.satellite_positions_mm", (i) => `z_${i + 1}`)}
       ${held !== null && places({ ...view }, 0, [held], low + TIER * Math.min(planes.length, MOST_NAMED), "pin.span_mm", () => "L")}

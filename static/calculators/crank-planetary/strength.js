@@ -12,7 +12,7 @@ export const figure = { id: "pinStrength", section: "pin_strength", path: "/pin-
 export const bounds = {
   path: "/pin-strength",
   list: "support_bounds",
-  of: ({ pin_strength: strength }, { besides }) => strength && besides?.pin?.span_mm !== undefined,
+  of: ({ pin_strength: strength }, { besides }) => strength && besides?.pin?.span_mm !== undefined && besides.pin.support !== "tie_ring",
   body(input, answer, requests) {
     const { fatigue, ...body } = strengthBody(input, answer, requests);
     const life = fatigue && { fatigue: { life_h: input.requirements.life_h, ...fatigue } };
@@ -24,7 +24,7 @@ export const bounds = {
   nameOf: ({ support }) => message("option")[support],
 };
 
-export function cells({ peak_equivalent_stress_MPa: stress, static_safety_factor: yields, fatigue, deflection }) {
+export function cells({ peak_equivalent_stress_MPa: stress, static_safety_factor: yields, fatigue, deflection, tie_ring: ring, bolt }) {
   const title = (name) => message(`quantity.${name}`).title;
   return [
     {
@@ -44,6 +44,17 @@ export function cells({ peak_equivalent_stress_MPa: stress, static_safety_factor
       note: message("strength.slope", {
         satellite: deflection.satellite, sloping: deflection.slope_satellite, slope: formatQuantity(deflection.slope_mrad, "mrad", 3),
       }),
+    },
+    ring && {
+      label: message("strength.tieRing"),
+      value: formatQuantity(ring.peak_force_N, "N", 4),
+      note: message("strength.ringMoves", { shift: formatQuantity(ring.shift_mm, "mm", 3), turn: formatQuantity(ring.turn_mrad, "mrad", 3) }),
+    },
+    bolt && {
+      label: message("strength.bolt"),
+      value: formatQuantity(bolt.moment_Nm, "N·m", 4),
+      note: bolt.opening_moment_Nm === undefined ? message("strength.noPreload")
+        : message(bolt.holds ? "strength.boltHolds" : "strength.boltAlone", { opens: formatQuantity(bolt.opening_moment_Nm, "N·m", 4) }),
     },
   ].filter(Boolean);
 }

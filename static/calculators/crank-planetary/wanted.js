@@ -77,10 +77,12 @@ const STUDY = {
 const BARE = ["rolling.on", undefined, "", "off"]; // where no rollers are on the pins
 
 const asked = (...names) => Object.fromEntries(names.map((name) => [`requirements.${name}`, rare]));
+const bolted = { ...rare, when: ["strength.bolt", "bolted"] };
 const STRENGTH = {
   "pin.support": {},
   "pin.satellite_positions_mm": { required: true, follows: (input) => planes(input, GAP) },
-  "pin.span_mm": { when: ["pin.support", "supported", "fixed"], required: true },
+  "pin.span_mm": { when: ["pin.support", "supported", "fixed", "tie_ring"], required: true },
+  "pin.ring_joint": { when: ["pin.support", "tie_ring"], default: "pinned" },
   "pin.material": { without: ["allowable_pressure_MPa", "life_curve", "long_term_factor"] },
   "strength.surface": { options: ["bare", "sleeved"], default: "bare", words: ["surface", "strength"], when: BARE },
   "pin.diameter_mm": { when: ["strength.surface", "sleeved"], required: true, words: ["diameter", "strength"] },
@@ -88,6 +90,12 @@ const STRENGTH = {
   "fatigue.life_h": { ...rare, when: ["strength.fatigue", "notch_factor", "notch", "endurance_limit"] },
   "pin.bore_diameter_mm": rare,
   "pin.rotates": rare,
+  "strength.bolt": { ...rare, options: ["whole", "bolted"], default: "whole", words: ["bolt", "strength"] },
+  "pin.bolt.core_diameter_mm": { ...bolted, required: true },
+  "pin.bolt.preload_N": bolted,
+  "pin.bolt.tightening_torque_Nm": bolted,
+  "pin.bolt.preload_scatter": bolted,
+  "pin.bolt.friction_coefficient": bolted,
   ...asked("bending_safety", "fatigue_safety", "max_deflection_mm", "max_slope_mrad"),
 };
 
