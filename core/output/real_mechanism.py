@@ -298,9 +298,10 @@ class RealMechanism:
             width=self.contact_length,
         )
         wall = self.pin.wall_compliance(self.contact_length)
+        compliance = [each + wall for each in pin_compliance(self.pin)]
         if self.tied_pin is not None:
             return tied_compliance(pin=self.tied_pin, pins=self.mechanism.pins, wall=wall)
-        return [each + wall for each in pin_compliance(self.pin)]
+        return compliance
 
     @cached_property
     def numbered(self) -> tuple[Deviations, tuple[int, ...]]:

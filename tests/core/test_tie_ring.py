@@ -41,7 +41,7 @@ def named(start: str) -> list[Any]:
 
 
 def ring(joint: RingJoint, diameter: float = 0.016, places: Any = PLACES) -> TieRing:
-    return ring_of(PinSupport("tie_ring", diameter, places, STEEL, SPAN, joint))
+    return ring_of(PinSupport("tie_ring", diameter, places, STEEL, SPAN, ring_joint=joint))
 
 
 def ring_of_case(pin: dict[str, Any]) -> TieRing:
@@ -173,7 +173,7 @@ def test_a_ring_that_turns_with_its_pins_carries_nothing() -> None:
 
 
 def real(joint: RingJoint = "pinned", **more: Any) -> RealMechanism:
-    pin = PinSupport("tie_ring", 0.016, PLACES, STEEL, SPAN, joint)
+    pin = PinSupport("tie_ring", 0.016, PLACES, STEEL, SPAN, ring_joint=joint)
     given: dict[str, Any] = {"mechanism": TWO, "law": LinearLaw(1e8), "clearance": 2e-5}
     return RealMechanism(
         **given | {"pin": pin, "exact": False} | more,
@@ -253,6 +253,27 @@ def test_load_sharing_is_that_of_a_frame(
     largest = expected.forces.max()
     assert found.rotation == pytest.approx(expected.lag, rel=1e-9)
     assert np.array(found.force) == pytest.approx(expected.forces, abs=1e-8 * largest)
+
+
+@pytest.mark.parametrize("joint", JOINTS)
+def test_a_bored_pin_of_the_ring_is_a_tube_with_a_wall(joint: RingJoint) -> None:
+    bored = PinSupport("tie_ring", 0.016, PLACES, STEEL, SPAN, 0.010, joint)
+    around = (1 + 0.625**2) ** 2  # as Cowper writes it of a tube, with v = 0.3
+    kappa = 7.8 * around / (8.8 * around + 23.6 * 0.625**2)
+    tube = oracle.Pin(0.016, 0.010, shear_factor=10 / 9 * (7.8 / 8.8) / kappa)
+    expected = oracle.shared(
+        frame=oracle.Frame([tube] * 6, joint, SPAN, PLACES),
+        radius=0.05,
+        cranks=TWO.crank_angles,
+        gaps=np.full((2, 6), 2e-5),
+        stiffness=1 / (1e-8 + 1.136128576e-9),  # with the wall in series
+        torque=500.0,
+        psi=TWO.wave_angle(math.radians(37.0)),
+    )
+    found = at(real(pin=bored), 37.0)
+    assert found.rotation == pytest.approx(expected.lag, rel=1e-8)
+    largest = expected.forces.max()
+    assert np.array(found.force) == pytest.approx(expected.forces, abs=1e-7 * largest)
 
 
 @pytest.mark.parametrize("joint", JOINTS)
@@ -362,7 +383,7 @@ def test_deflection_and_slope_are_those_of_a_frame(joint: RingJoint) -> None:
     """Short loads at two places, and the ring's force as a third; shear forces by balance."""
     own = ring(joint)
     beam = PinBeam("tie_ring", 1e-10, own.rigidity, own.shear_area, SPAN)
-    pin = TiedPin(beam, 0.016, np.array(PLACES), own)
+    pin = TiedPin(beam, 0.016, np.array(PLACES), ring=own)
     frame = oracle.Frame([oracle.Pin(0.016)] * 4, joint, SPAN, PLACES)
     fixed = np.zeros((2, 4), dtype=complex)
     fixed[0, 0], fixed[1, 0] = 700 + 400j, 300j - 900
