@@ -36,13 +36,6 @@ _check = partial(
 )
 
 
-def _missing(design: Design, body: Body, value: str) -> tuple[str, ...]:
-    """What would have to be given: a value of an own material, or another material."""
-    name = f"{body}_material"
-    own = name in design.contact.own_limits
-    return (f"contact.{name}.{value}",) if own else (f"contact.{name}",)
-
-
 def _against_limit(kind: Kind, results: Results, warning: str = "") -> Check:
     """The governing pressure against its limit."""
     design, contact = results.design, results.hertz
@@ -143,7 +136,7 @@ def _pressure(body: Body) -> Kind:
                 value=contact and contact.governing_pressure,
                 reason="plastic_limit_unknown" if body in design.plastics else "limit_unknown",
                 at=if_known(lambda: results.peak) or {},
-                missing=_missing(design, body, "allowable_pressure"),
+                missing=(f"contact.{body}_material.allowable_pressure",),
             )
         reason, missing = "life_of_teeth", tuple[str, ...]()
         if limit.curve is None:
@@ -179,7 +172,7 @@ def _plastic(body: Body, name: str, warning: str = "", **said: str) -> Kind:
                 plastic,
                 "not_asked" if own else "not_checked",
                 reason="yield_unknown",
-                missing=_missing(design, body, "yield_strength"),
+                missing=(f"contact.{body}_material.yield_strength",),
             )
         found = _against_limit(plastic, results, warning)
         sliding, yielding = design.sliding_friction, results.pressure_limits
@@ -247,7 +240,7 @@ def _static(body: Body) -> Kind:
                     "not_checked",
                     value=pressure,
                     reason="limit_unknown",
-                    missing=_missing(design, body, "allowable_pressure"),
+                    missing=(f"contact.{body}_material.allowable_pressure",),
                 )
             limit, whence = float(lasting.pressure), _whence(lasting)
         return in_disc(

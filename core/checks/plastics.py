@@ -193,8 +193,7 @@ def creep(design: Design, results: Results) -> Check:
     for body in design.plastics:
         plastic = design.lasting[body].plastic
         if plastic is None or plastic.long_term_factor is None:
-            name = f"contact.{body}_material"
-            raise NotKnown("creep_unknown", f"{name}.long_term_factor", name)
+            raise NotKnown("creep_unknown", f"contact.{body}_material.long_term_factor")
         lasting[body] = plastic.long_term_factor
     if design.hole_friction is None:
         raise friction_unknown()

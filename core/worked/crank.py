@@ -35,12 +35,10 @@ def _take(sheet: Sheet, results: Results) -> None:
     sheet.take("K_alpha", "distribution_factor", results.design.disc_factor)
 
 
-def _centrifugal(sheet: Sheet, results: Results) -> None:
-    """Centrifugal force of a satellite, where its mass is known."""
+def _centrifugal(sheet: Sheet, results: Results, speed: str) -> None:
+    """Centrifugal force of a satellite, where its mass is known, by the speed of the crank."""
     if results.centrifugal:
         sheet.take("m", "satellite_mass", results.design.crankshaft.satellite_mass)
-        turning = results.design.members.output in ("pins", "coupling")
-        speed = "n_1" if turning else "n_in"  # of the crank itself
         said = {"note": "turns_in_radians"}
         sheet.work("centrifugal_force", "F_c", results.centrifugal, f"m*e*{speed}^2", **said)
 
@@ -155,7 +153,8 @@ def bearing_steps(results: Results) -> list[Step]:
     take_speed(sheet, results=results)
     sheet.work("relative_speed", "n", found.relative_speed, "n_1*(1+1/u)")
     _ring(sheet, results, found)
-    _centrifugal(sheet, results)
+    turning = results.design.members.output in ("pins", "coupling")
+    _centrifugal(sheet, results, "n_1" if turning else "n_in")
     j = worst_bearing(found)
     where = {"params": {"satellite": j + 1}}
     turn = ideal_turn(sheet, results=results)
@@ -249,7 +248,7 @@ def shaft_steps(results: Results) -> list[Step]:
     sheet.take("rho", "radial_force_ratio", results.ring_mesh.radial_force_ratio)
     for letter, place in zip(LETTERS, shaft.bearing_positions, strict=True):
         sheet.take(f"z_{letter}", "bearing_position", place)
-    _centrifugal(sheet, results)
+    _centrifugal(sheet, results, "n_1")
     turn = ideal_turn(sheet, results=results)
     for i, letter in enumerate(LETTERS):
         peak, equivalent = float(found.peak_reaction[i]), float(found.equivalent_reaction[i])

@@ -256,12 +256,7 @@ DESIGNS |= {
         ALL, output="ring", output_torque=100.0, peak_torque=200.0, distribution_factor=1.2
     ),
     "rollers on uneven cranks": having(
-        ROLLED,
-        pin=None,
-        hole_radius=0.010,
-        rollers=replace(ROLLERS, radial_clearance=None),
-        peak_torque=None,
-        crank_spacing=2.0,
+        ROLLED, output_torque=2000.0, peak_torque=None, crank_spacing=2.0
     ),
 }
 

@@ -232,7 +232,7 @@ export default {
   ],
   choices: {
     cranks: { spacing: ["mechanism.crank_spacing_deg"], list: ["mechanism.crank_angles_deg"] },
-    ratio: { value: ["mechanism.ratio"], ring: ["mechanism.output_ratio"], teeth: ["mechanism.satellite_teeth", "mechanism.ring_teeth"] },
+    ratio: { value: ["mechanism.ratio"], teeth: ["mechanism.satellite_teeth", "mechanism.ring_teeth"], ring: ["mechanism.output_ratio"] },
     play: { radial: ["contact.hole_clearance_mm"], fits: ["contact.fit"] },
     torque: { output: ["load.output_torque_Nm"], input: ["load.input_torque_Nm", "load.efficiency"] },
   },
