@@ -14,5 +14,5 @@ def serve():
 @pytest.fixture(scope="session")
 def service(serve):
     """A running service with tight limits; to start one more takes longest of a test."""
-    with serve(receive_seconds=1.5, max_connections=40, max_seconds=3) as running:
+    with serve(receive_seconds=1.5, max_connections=40, max_seconds=60) as running:
         yield running
