@@ -21,6 +21,7 @@ from core.output.contact_law import (
     PinSupport,
     check_law,
     law_constants,
+    law_curve,
     law_kind,
     pin_compliance,
 )
@@ -181,7 +182,7 @@ class RealMechanism:
     contact_length: float  # b, m, > 0
     law: ContactLaw  # of contact of each pair
     clearance: float = 0.0  # radial, c, m: hole less pin radius less e; < 0 is interference
-    pin_material: ElasticMaterial | None = None  # needed for `HertzLaw` and for pressures
+    pin_material: ElasticMaterial | None = None  # needed for `HertzLaw`, `ConformalLaw`, pressures
     hole_material: ElasticMaterial | None = None  # likewise
     pin: PinSupport | None = None  # how the pins are held; rigid where not given
     deviations: Deviations = field(default_factory=Deviations)
@@ -246,6 +247,12 @@ class RealMechanism:
             direction=direction,
             law=kind,
             exponent=exponent,
+            curve=law_curve(
+                law=self.law,
+                contact_length=self.contact_length,
+                pin=self.pin_material,
+                hole=self.hole_material,
+            ),
             support=support,
             gives=gives,
             loose=loose,
