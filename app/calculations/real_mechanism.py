@@ -117,12 +117,11 @@ class ContactLawFields(RequestModel, group="contact_law"):
     }
 
     kind: Maybe[Kind] = quantity("Law of contact")
-    """Hertz: line contact with its logarithm; conformal: the hole wraps around the pin, to whose
-    axis it approaches from three hole radii away; Palmgren: rollers of steel; linear; power. Where
-    not given, conformal with a body below 20 GPa, else Hertz."""
+    """Hertz: line contact with its logarithm; conformal: the hole wraps around the pin, its
+    approach counted to three hole radii; Palmgren: rollers of steel; linear; power. Where not
+    given, conformal with a body below 20 GPa, else Hertz."""
     reference_depth_mm: Maybe[Size] = quantity("Reference depth", "t", step=1, advanced=True)
-    """Depth to which the approach of the hole is counted, by Hertz; the hole's radius where not
-    given."""
+    """Depth to which Hertz counts the approach of the hole; the hole's radius where not given."""
     stiffness_N_per_mm: Maybe[Size] = quantity("Contact stiffness", "k", step=1000)
     """Stiffness of a pair, for the linear law."""
     exponent: Maybe[float] = quantity("Exponent", "n", step=0.1, ge=MIN_EXPONENT, le=MAX_EXPONENT)
