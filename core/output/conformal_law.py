@@ -6,10 +6,12 @@ from functools import lru_cache
 import numpy as np
 from numpy.polynomial import chebyshev
 
-from core.arrays import Number, log, smaller, sqrt
-from core.conformal import conformal_contact, local_approach, widest_load
+from core.arrays import FloatArray, Number, log, smaller, sqrt
+from core.conformal import ConformalContact, conformal_contact, local_approach, widest_load
+from core.hertz import HERTZ_TOLERANCE
 from core.materials import ElasticMaterial, effective_modulus, mismatch
-from core.output.sharing_kernel import BEND, Curve
+from core.numerics.inverse import edge
+from core.output.sharing_kernel import BEND, Curve, Wrap, excess
 
 FAR = 3.0
 """Radius of the circle in the satellite, over the hole's, against whose mean displacement the
@@ -24,6 +26,12 @@ ERROR = 1e-6
 
 NO_CURVE = Curve(1.0, 1.0, (0.0,) * (DEGREE + 1))
 """What stands in its place for other laws."""
+
+NO_WRAP = Wrap(math.inf, math.inf, 1.0, (0.0,) * (DEGREE + 1))
+"""What stands for largest pressures where materials are not known."""
+
+PRESSURE_ERROR = 3e-6
+"""Relative error of a largest pressure by its polynomial, for any two materials."""
 
 
 def far_approach(*, pin: ElasticMaterial, hole: ElasticMaterial, far: float = FAR) -> float:
@@ -84,14 +92,64 @@ def conformal_curve(*, contact_length: float, pin: ElasticMaterial, hole: Elasti
 @lru_cache(maxsize=256)
 def _polynomial(alpha: float, beta: float, far: float) -> tuple[float, tuple[float, ...]]:
     """The largest width, and the powers."""
-    # the least load parameter of which the contact is known
-    widest = 1 / math.sqrt(max(float(widest_load(alpha=alpha, beta=beta)), 0.0) + BEND)
-    place = np.cos((np.arange(DEGREE + 1) + 0.5) * math.pi / (DEGREE + 1))
-    width = widest * (place + 1) / 2
-    contact = conformal_contact(load_parameter=1 / width**2 - BEND, alpha=alpha, beta=beta)
+    width, contact = _contacts(alpha, beta)
     given = local_approach(contact=contact, alpha=alpha, beta=beta) + far
-    fitted = chebyshev.chebfit(place, given + 2 / math.pi * np.log(width), DEGREE)
-    return widest, tuple(map(float, chebyshev.cheb2poly(fitted)[::-1]))
+    return _widest(alpha, beta), _powers(given + 2 / math.pi * np.log(width))
+
+
+def conformal_wrap(*, contact_length: float, pin: ElasticMaterial, hole: ElasticMaterial) -> Wrap:
+    """Largest pressures of contacts of a design that wrap, whatever their radii.
+
+    Parameters
+    ----------
+    contact_length : float
+        Length b of the contact, m.
+    pin, hole : ElasticMaterial
+        The materials.
+
+    Returns
+    -------
+    Wrap
+        That governs as in `core.hertz`: from `HERTZ_TOLERANCE` above Hertz's pressure on.
+    """
+    modulus = float(effective_modulus(first=pin, second=hole))
+    found = _pressures(*map(float, mismatch(first=pin, second=hole)))
+    return found._replace(modulus=modulus * contact_length)
+
+
+@lru_cache(maxsize=256)
+def _pressures(alpha: float, beta: float) -> Wrap:
+    """The same of a modulus of 1."""
+    width, contact = _contacts(alpha, beta)
+    powers = _powers(contact.pressure * math.sqrt(math.pi) * width)
+    wrap = Wrap(1.0, 0.0, _widest(alpha, beta), powers)
+
+    def below(load: float) -> float:
+        return (1 + HERTZ_TOLERANCE) ** 2 - excess(load, wrap)
+
+    since, _ = edge(inside=1e-3, outside=0.7, excess=below)
+    return wrap._replace(since=since)
+
+
+def _widest(alpha: float, beta: float) -> float:
+    """Width of the widest contact that is known."""
+    return 1 / math.sqrt(max(float(widest_load(alpha=alpha, beta=beta)), 0.0) + BEND)
+
+
+def _contacts(alpha: float, beta: float) -> tuple[FloatArray, ConformalContact]:
+    """Widths at the places of a polynomial, and the contacts."""
+    width = _widest(alpha, beta) * (_PLACES + 1) / 2
+    parameter = 1 / width**2 - BEND
+    return width, conformal_contact(load_parameter=parameter, alpha=alpha, beta=beta)
+
+
+_PLACES = np.cos((np.arange(DEGREE + 1) + 0.5) * math.pi / (DEGREE + 1))
+
+
+def _powers(values: FloatArray) -> tuple[float, ...]:
+    """Of the polynomial through values at the places, from the highest."""
+    fitted = chebyshev.chebfit(_PLACES, values, DEGREE)
+    return tuple(map(float, chebyshev.cheb2poly(fitted)[::-1]))
 
 
 def end(curve: Curve) -> float:

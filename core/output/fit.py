@@ -228,7 +228,7 @@ class Fit:
             limit=limit,
             limit_force=force,
             force_without_load=None if forces is None else max(forces),
-            pressure_without_load=None if pressed is None else float(pressed.max_pressure),
+            pressure_without_load=None if pressed is None else pressed.governing_pressure,
         )
 
     def refusal(self) -> ImpossibleMechanism:

@@ -24,7 +24,7 @@ RIGID, CRANK, MESH = 0, 1, 2
 
 SOLVED, NOT_SOLVED, NO_DRIVE, NOT_STABLE, TOO_WIDE, TOO_FAR = range(6)
 FORCE, PRESSURE, LAG, STIFFNESS, PLAY_END, BACKLASH, LOST_MOTION, INPUT_TORQUE = range(8)
-"""What is looked at over the turn; of the pressure the force over the reduced radius."""
+"""What is looked at over the turn; of the pressure what `hardest` says."""
 
 EPS = 2.0**-52
 TINY = 1e-100
@@ -78,6 +78,17 @@ class Curve(NamedTuple):
     powers: tuple[float, ...]  # of the polynomial, from the highest; as many for any law
 
 
+class Wrap(NamedTuple):
+    """The largest pressure of contacts that wrap, of all pairs: over Hertz's it is
+    ``P*sqrt(1 + BEND*x)``, P a polynomial as that of `Curve`.
+    """
+
+    modulus: float  # b*E*, N/m; infinite where it is not known: then Hertz's pressure stands
+    since: float  # load from which it governs in the place of Hertz's
+    widest: float  # width up to which it is known; beyond it P stays
+    powers: tuple[float, ...]
+
+
 class Setup(NamedTuple):
     """What a design is, without its errors."""
 
@@ -94,6 +105,7 @@ class Setup(NamedTuple):
     # Of the force over the approach; about 10/9 for HERTZ and CONFORMAL, for start and steps.
     exponent: float
     curve: Curve  # CONFORMAL
+    wrap: Wrap
     support: int  # RIGID, CRANK, MESH
     gives: float  # compliance of that, m/N or rad/(N*m)
     loose: float  # what the clearance of bearings, on cranks or pins, adds to every gap
@@ -168,7 +180,7 @@ class Poses(NamedTuple):
     lag: Row
     stiffness: Row
     force: Row  # largest
-    pressure: Row  # largest force over reduced radius
+    pressure: Row  # the largest, as `hardest`
     loaded: Row  # number of pairs with a force
     low: Row  # play
     high: Row
@@ -182,7 +194,7 @@ class Pieces(NamedTuple):
     """Quantities of pieces; not a number where one cannot work."""
 
     peak_force: Row
-    max_pressure: Row  # force over reduced radius
+    max_pressure: Row  # as `hardest`
     transmission_error: Row
     backlash_max: Row
     lost_motion: Row
@@ -899,12 +911,27 @@ def largest(room: Room) -> float:
     return best
 
 
-def hardest(pairs: Pairs, room: Room) -> float:
-    """Largest force over reduced radius of the room."""
-    best = 0.0
+def hardest(setup: Setup, pairs: Pairs, room: Room) -> float:
+    """Largest force over reduced radius of the room, of contacts that wrap times the square of
+    their pressure over Hertz's.
+    """
+    best, wrap = 0.0, setup.wrap
+    within = setup.loose if setup.exact else 0.0  # lets the centres move, not the radii grow
     for i, force in enumerate(room.force):
-        best = max(best, force * pairs.curved[i])
+        pressed = force * pairs.curved[i]
+        most = wrap.modulus * (pairs.distance[i] - within)
+        if force > wrap.since * most:
+            pressed *= excess(force / most, wrap)
+        best = max(best, pressed)
     return best
+
+
+def excess(x: float, wrap: Wrap) -> float:
+    """Square of the pressure under the load x over Hertz's."""
+    place, value = 2 * min(math.sqrt(x / (1 + BEND * x)) / wrap.widest, 1.0) - 1, 0.0
+    for power in wrap.powers:
+        value = value * place + power
+    return value * value * (1 + BEND * x)
 
 
 def loaded(room: Room) -> int:
@@ -968,7 +995,7 @@ def poses(
         for i in range(count):
             results.forces[k * count + i] = room.force[i]
         results.lag[k], results.stiffness[k] = found.lag, found.stiffness
-        results.force[k], results.pressure[k] = largest(room), hardest(pairs, room)
+        results.force[k], results.pressure[k] = largest(room), hardest(setup, pairs, room)
         results.loaded[k] = loaded(room)
         results.low[k], results.high[k] = found.low, found.high
         results.lag_error[k], results.play_error[k] = found.lag_error, found.play_error
@@ -1004,7 +1031,7 @@ def value(kind: int, psi: float, load: Load, pairs: Pairs, room: Room) -> tuple[
     if kind == FORCE:
         return most, can
     if kind == PRESSURE:
-        return hardest(pairs, room), can
+        return hardest(setup, pairs, room), can
     if kind == LAG:
         return found.lag, can
     if kind == STIFFNESS:
@@ -1134,7 +1161,8 @@ def piece(
             found = solve(psi, load.torque, load.setup, pairs, room)
             if judged(found, load.setup, pairs, room) != SOLVED:
                 return False
-            peak, pressure = max(peak, largest(room)), max(pressure, hardest(pairs, room))
+            peak = max(peak, largest(room))
+            pressure = max(pressure, hardest(load.setup, pairs, room))
             least_lag, most_lag = min(least_lag, found.lag), max(most_lag, found.lag)
             stiffness = min(stiffness, found.stiffness)
             low, high = found.low, found.high

@@ -16,12 +16,15 @@ from core.materials import ElasticMaterial, effective_modulus, mismatch
 from core.output.conformal_law import (
     ERROR,
     FAR,
+    PRESSURE_ERROR,
     approach_over_load,
     conformal_curve,
+    conformal_wrap,
     end,
     far_approach,
 )
 from core.output.contact_law import ConformalLaw, contact_compliance
+from core.output.sharing_kernel import excess
 from tests.oracles import dissimilar, rims
 from tests.oracles.seeds import seeds
 
@@ -120,3 +123,23 @@ def test_the_curve_ends_where_the_contact_is_half_of_the_pin(
     least = float(widest_load(alpha=alpha, beta=beta))
     last = end(conformal_curve(contact_length=1.0, pin=pin, hole=hole))
     assert last == (math.inf if least <= 0 else pytest.approx(1 / least, rel=1e-9))
+
+
+def test_the_stated_error_of_pressures_by_their_polynomial_is_true() -> None:
+    worst = 0.0
+    for pin, hole in [*PAIRS, *drawn(40)]:
+        alpha, beta = map(float, mismatch(first=pin, second=hole))
+        wrap = conformal_wrap(contact_length=1.0, pin=pin, hole=hole)
+        s = np.sin(np.radians([0.5, 5.0, 9.0, 17.0, 33.0, 51.0, 64.0, 77.0, 89.0]) / 2)
+        fine, coarse = (
+            integral_equation(s=s, beta=np.array([beta]), terms=terms) for terms in (128, 64)
+        )
+        stiffness, mean, pressure = (
+            (one + (one - other) / 15)[0] for one, other in zip(fine[:3], coarse[:3], strict=True)
+        )
+        parameter = 2 * stiffness - (1 + alpha) * mean
+        for each, most in zip(parameter, pressure, strict=True):
+            if each > 1e-6:
+                found = math.sqrt(excess(1 / each, wrap) * each / math.pi)
+                worst = max(worst, abs(found / most - 1))
+    assert PRESSURE_ERROR / 1000 < worst < PRESSURE_ERROR
