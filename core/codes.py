@@ -102,7 +102,7 @@ _IMPOSSIBLE = {
     "beyond_first_order": "The output would turn by more than a radian, of which first order says "
     "nothing: the contacts are too soft or the position is a dead centre",
     "beyond_hertz": "The contact of satellite {satellite} and pin {pin} would be as wide as the "
-    "pin: Hertz's law of contact does not reach so far",
+    "pin: no law of contact reaches so far",
     "cannot_assemble": "Pins and holes press: pin {pin} does not fit into its hole of satellite "
     "{satellite}, and no force of the contacts makes it",
     "no_contact_line": "There is no contact line: the cosine of {field} equals {other}",

@@ -13,8 +13,8 @@ the pressure of a half-angle depends on beta alone, and
 
     E* dR/Q = 2*G(eps, beta) - (1 + alpha)*P_0(eps, beta),  p_max = P(eps, beta)*Q/R_m.
 
-G, P_0 and P have closed forms for beta = 0, whatever alpha; of other pairs factors on these, smooth
-in eps and beta, were solved once at Chebyshev's nodes of both.
+G, P_0, P, and the approach, have closed forms for beta = 0, whatever alpha; of other pairs factors
+on these, smooth in eps and beta, were solved once at Chebyshev's nodes of both.
 """
 
 import math
@@ -30,6 +30,7 @@ from core.arrays import (
     atanh,
     every,
     larger,
+    log,
     log1p,
     smaller,
     some,
@@ -70,6 +71,7 @@ class _Factors(NamedTuple):
     stiffness: list[Number]  # to 2*pi*G*s^2
     mean: list[Number]  # to 1, a factor on P_0
     middle: list[Number]  # to 1, a factor on P
+    approach: list[Number]  # to the approach less 2*G, times pi
 
 
 def conformal_contact(
@@ -208,6 +210,44 @@ def load_under_pressure(
     return (2 * g - share * m * (log1p(y) + 2 * y * y)) / (2 * math.pi * y * (1 + y))
 
 
+def local_approach(*, contact: ConformalContact, alpha: Number = 0.0, beta: Number = 0.0) -> Number:
+    """How far the pin has gone into the hole since it touched, but for what the load as a whole
+    moves: by all harmonics of the pressure except that of one wave.
+
+    Parameters
+    ----------
+    contact : ConformalContact
+        The contact.
+    alpha, beta : float or array
+        Dundurs' constants of pin and hole.
+
+    Returns
+    -------
+    float or array
+        Times E*/Q, dimensionless: it grows as ``-2/pi*ln(eps)`` where the contact is narrow.
+
+    Notes
+    -----
+    In the middle of the contact Michell's series is ``(1 + alpha)*P_0 + 2/pi*(J - 1/4 - pi*P_0 +
+    beta*(1/4 - K))`` with ``J = -int p*cos(angle)*ln(2*sin(angle/2))`` and
+    ``K = 1/2*int p*sin(angle)*(pi - angle)``; for beta = 0 closed, ``(1 + alpha)*P_0 +
+    (s^4 - 1 - 4*ln(s))/(2*pi)``, ``s = sin(eps/2)``.
+
+    Examples
+    --------
+    >>> contact = conformal_contact(load_parameter=9.878227160229889, alpha=0.96526, beta=0.20999)
+    >>> round(local_approach(contact=contact, alpha=0.96526, beta=0.20999), 4)
+    1.2674
+    """
+    b = contact.tangent
+    s = b / sqrt(1 + b * b)
+    found = _closed_approach(s)
+    factors = _factors(beta)
+    if factors is not None:
+        found = found + _powers(factors.approach, s)[0] / math.pi
+    return found + (1 + alpha) * contact.mean_pressure
+
+
 def closed_pressure(*, position: Number, tangent: Number) -> Number:
     """Pressure of a contact with beta = 0, over Q/R_m.
 
@@ -255,7 +295,7 @@ def pressure_over_angle(*, angles: FloatArray, tangent: float, beta: float) -> F
         middle = closed_pressure(position=0.0, tangent=tangent)
         return np.asarray(closed_pressure(position=places, tangent=tangent) / middle)
     s = np.array([tangent / math.sqrt(1 + tangent * tangent)])
-    weights = integral_equation(s=s, beta=np.array([beta]), terms=4 * TERMS)[3][0, 0]
+    weights = integral_equation(s=s, beta=np.array([beta]), terms=4 * TERMS)[-1][0, 0]
     phi = np.arccos(places / tangent)
     odd = 2 * np.arange(len(weights)) + 1
     return np.asarray((np.sin(np.outer(phi, odd)) @ weights) / (np.sin(odd * np.pi / 2) @ weights))
@@ -374,6 +414,12 @@ def _closed_mean(y: Number) -> Number:
     return (log1p(y) + 2 * y * y) / (2 * math.pi * y * (1 + y))
 
 
+def _closed_approach(s: Number) -> Number:
+    """Approach less 2*G, and less the part of P_0, for beta = 0."""
+    square = s * s
+    return (square * square - 1 - 2 * log(square)) / (2 * math.pi)
+
+
 def _at(s: Number) -> Number:
     """The variable of the powers: -1 to 1 over the half-angles."""
     return 2 * s / _HALF_SINE - 1
@@ -433,11 +479,12 @@ def _tables() -> tuple[FloatArray, ...]:
     mean, middle = _closed_mean(y), closed_pressure(position=0.0 * y, tangent=np.sqrt(y))
     fine, coarse = (integral_equation(s=s, beta=beta, terms=each) for each in (TERMS, TERMS // 2))
     # the error of both falls with the fourth power of their terms
-    stiffness, *others = (
-        one + (one - other) / 15 for one, other in zip(fine[:3], coarse[:3], strict=True)
+    stiffness, *others, approach = (
+        one + (one - other) / 15 for one, other in zip(fine[:4], coarse[:4], strict=True)
     )
     added = [2 * math.pi * stiffness * s * s - (1 - s * s) ** 2]
     added += [other / known - 1 for other, known in zip(others, (mean, middle), strict=True)]
+    added += [math.pi * (approach - _closed_approach(s))]
     tables = []
     for each in added:
         over_s = chebyshev.chebfit(widths, (each / beta[:, None]).T, _WIDTHS - 1)
@@ -448,7 +495,7 @@ def _tables() -> tuple[FloatArray, ...]:
 
 def integral_equation(
     *, s: FloatArray, beta: FloatArray, terms: int
-) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, FloatArray]:
     """Solution of the equation of the pressure with so many terms.
 
     Parameters
@@ -462,15 +509,16 @@ def integral_equation(
 
     Returns
     -------
-    stiffness, mean, pressure : array, shape (m, n)
-        G, P_0 and P.
+    stiffness, mean, pressure, approach : array, shape (m, n)
+        G, P_0, P, and that of `local_approach` less ``(1 + alpha)*P_0``.
     weights : array, shape (m, n, terms)
         Odd sine terms of the pressure.
 
     Notes
     -----
     The pressure is a sum of odd sines of phi, ``x = b*cos(phi)``, and the equation holds at the
-    places ``phi_j = j*pi/(2*terms + 1)``; its integrals over the contact by the midpoint rule.
+    places ``phi_j = j*pi/(2*terms + 1)``; its integrals over the contact by the midpoint rule, with
+    ``abs(cos(phi))`` and ``ln(2*abs(cos(phi)))`` by their series, as far as that resolves them.
     """
     b = s / np.sqrt(1 - s * s)
     odd = 2 * np.arange(terms) + 1
@@ -490,4 +538,14 @@ def integral_equation(
     stiffness = (1 - share * along[..., 1]) / along[..., 0]
     weights = stiffness[..., None] * parts[..., 0] + share[..., None] * parts[..., 1]
     mean = (stiffness * around[..., 0] + share * around[..., 1]) / (2 * math.pi)
-    return stiffness, mean, weights @ np.sin(odd * math.pi / 2), weights
+    waves = np.arange(1, 2 * terms)
+    even = (-1.0) ** waves * np.cos(2 * np.outer(middles, waves))
+    size = 2 / math.pi * (1 + 2 * (even / (1 - 4.0 * waves * waves)).sum(axis=1))
+    depth = np.log(b)[:, None] - (even / waves).sum(axis=1) - np.log1p(x2) / 2
+    sine, angle = 2 * b[:, None] / (1 + x2) * size, 2 * np.arctan(np.sqrt(x2))
+    load = (weights @ sines.T) * weight
+    pull = -(load * (1 - x2) / (1 + x2) * depth).sum(axis=-1)
+    turn = (load * (math.pi * sine - angle * np.sin(angle))).sum(axis=-1) / 2
+    approach = pull - 0.25 - math.pi * mean + beta[:, None] * (0.25 - turn)
+    pressure = weights @ np.sin(odd * math.pi / 2)
+    return stiffness, mean, pressure, approach * (2 / math.pi), weights

@@ -17,7 +17,12 @@ from app.calculations.fit_answer import (
 from app.calculations.mechanism import MechanismFields
 from app.calculations.members_answer import at_output
 from app.calculations.pin_contact import PinContactFields
-from app.calculations.real_mechanism import CrankSupportFields, DeviationsFields, RealContactFields
+from app.calculations.real_mechanism import (
+    CrankSupportFields,
+    DeviationsFields,
+    RealContactFields,
+    law_by_materials,
+)
 from app.model import (
     Angle,
     Calculation,
@@ -36,7 +41,6 @@ from app.theme import INK, Amount, Figure, Theme, axis, curve, layout, marker, t
 from app.units import from_si, to_si
 from app.worked import stated
 from core.errors import InvalidInput
-from core.output.contact_law import HertzLaw
 from core.output.fit import Fit
 from core.output.mechanism import Mechanism
 from core.output.pin_geometry import SLIPPED, slip_notices
@@ -121,7 +125,7 @@ class FitRequest(RequestModel, group="positions"):
                 mechanism=self.built,
                 pin_circle_radius=to_si("radius_mm", self.load.pin_circle_radius_mm),
                 **self.contact.sizes(),
-                law=HertzLaw(),
+                law=law_by_materials(self.contact),
                 deviations=Deviations() if self.deviations is None else self.deviations.section(),
                 exact=support is None,
                 support=support,

@@ -265,7 +265,9 @@ class LoadSharingRequest(CurveFields, RealDesignFields, group="positions"):
             curves=curves.at_output(members),
             ideal=ideal.force,
             pairs=[(pair.satellite, pair.pin) for pair in ideal.pairs],
-            pressure=np.array([each.max_pressure for each in hardest if each is not None]),
+            pressure=np.array(
+                [each.governing_pressure for each in hardest if each is not None], float
+            ),
             lag_curve=self.lag_curve(real).at_output(members),
             play=play and tuple(map(members.angle_at_output, play)),
         )

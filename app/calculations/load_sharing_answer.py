@@ -57,13 +57,14 @@ class PositionOut(ResponseModel):
     stiffness_Nm_per_arcmin: float = result(
         "Torque over rotation of the output mechanism alone.", symbol="dT/dθ"
     )
-    max_pressure_MPa: float = result(
-        "Largest Hertz pressure of the pairs; where the torque alternates that of both directions.",
+    max_pressure_MPa: Maybe[float] = result(
+        "Largest pressure of the pairs, as it is judged: by Hertz, or of the contact that wraps; "
+        "where the torque alternates that of both directions. Absent where it is not known.",
         symbol="p_0",
         equation="Johnson 4.2",
     )
     pressure_MPa: Maybe[list[list[float]]] = result(
-        "Largest Hertz pressure of each pair, where asked.", symbol="p_0"
+        "The same of each pair, where asked.", symbol="p_0"
     )
     rotation_error_arcmin: float = result("Bound of the error of the rotation.")
     play_error_arcmin: float = result("Bound of the error of the play.")
@@ -101,11 +102,14 @@ class OverTurnOut(ResponseModel):
     stiffness_max_Nm_per_arcmin: float = result("Largest stiffness.", symbol="dT/dθ")
     loaded_pairs_min: int = result("Least number of pairs with a force.")
     loaded_pairs_max: int = result("Largest number of pairs with a force.")
-    max_pressure_MPa: float = result(
-        "Largest Hertz pressure.", symbol="p_0", equation="Johnson 4.2"
+    max_pressure_MPa: Maybe[float] = result(
+        "Largest pressure, as it is judged: by Hertz, or of the contact that wraps. Absent where "
+        "it is not known.",
+        symbol="p_0",
+        equation="Johnson 4.2",
     )
     pressure_MPa: Maybe[list[list[float]]] = result(
-        "Largest Hertz pressure of each pair, a list for each satellite, where asked.", symbol="p_0"
+        "The same of each pair, a list for each satellite, where asked.", symbol="p_0"
     )
     input_torque_ripple_Nm: float = result(
         "Largest less least torque that turns the crank, without friction.",

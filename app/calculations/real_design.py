@@ -123,7 +123,7 @@ class RealDesignFields(GivingFields, group="contact_law"):
             mechanism=self.built,
             pin_circle_radius=to_si("radius_mm", self.load.pin_circle_radius_mm),
             **self.contact.sizes(),
-            law=self.contact_law.section(),
+            law=self.contact_law.section(self),
             pin=None if self.pin is None else self.pin.held(self.contact),
             deviations=deviations,
             exact=self.geometry == "exact",

@@ -29,12 +29,14 @@ from core.materials import ElasticMaterial
 from core.output.contact_law import (
     MAX_EXPONENT,
     MIN_EXPONENT,
+    ConformalLaw,
     ContactLaw,
     HertzLaw,
     LinearLaw,
     PalmgrenLaw,
     PinSupport,
     PowerLaw,
+    usual_law,
 )
 from core.output.real_mechanism import Deviations
 from core.output.sampled_turn import Direction
@@ -46,7 +48,7 @@ from core.output.satellite_support import (
 )
 from core.precision import SAME
 
-Kind = Literal["hertz", "palmgren", "linear", "power"]
+Kind = Literal["hertz", "conformal", "palmgren", "linear", "power"]
 
 Phase = Annotated[float, Field(ge=-360, le=360)]
 
@@ -106,16 +108,20 @@ class ContactLawFields(RequestModel, group="contact_law"):
     """How a pair gives under a force."""
 
     KINDS: ClassVar[Kinds] = {
+        None: ((), ("reference_depth_mm",)),
         "hertz": ((), ("reference_depth_mm",)),
+        "conformal": ((), ()),
         "palmgren": ((), ()),
         "linear": (("stiffness_N_per_mm",), ()),
         "power": (("exponent", "reference_force_N", "reference_approach_mm"), ()),
     }
 
-    kind: Kind = quantity("Law of contact", default="hertz")
-    """Hertz: line contact with its logarithm; Palmgren: rollers of steel; linear; power."""
+    kind: Maybe[Kind] = quantity("Law of contact")
+    """Hertz: line contact with its logarithm; conformal: the hole wraps around the pin, its
+    approach counted to three hole radii; Palmgren: rollers of steel; linear; power. Where not
+    given, conformal with a body below 20 GPa, else Hertz."""
     reference_depth_mm: Maybe[Size] = quantity("Reference depth", "t", step=1, advanced=True)
-    """Depth to which the approach of the hole is counted; the hole's radius where not given."""
+    """Depth to which Hertz counts the approach of the hole; the hole's radius where not given."""
     stiffness_N_per_mm: Maybe[Size] = quantity("Contact stiffness", "k", step=1000)
     """Stiffness of a pair, for the linear law."""
     exponent: Maybe[float] = quantity("Exponent", "n", step=0.1, ge=MIN_EXPONENT, le=MAX_EXPONENT)
@@ -125,11 +131,25 @@ class ContactLawFields(RequestModel, group="contact_law"):
     reference_approach_mm: Maybe[Size] = quantity("Reference approach", "δ_ref", step=0.001)
     """The approach under the reference force."""
 
-    def section(self, _: Any = None) -> ContactLaw:
-        """The law in SI units."""
+    def section(self, body: Any) -> ContactLaw:
+        """The law in SI units, where none is named that of the materials in the body's contact."""
         own = self.to_core()
-        kinds = {"hertz": HertzLaw, "palmgren": PalmgrenLaw, "linear": LinearLaw, "power": PowerLaw}
-        return kinds[own.pop("kind")](**own)  # type: ignore[no-any-return]
+        if not own:
+            return law_by_materials(body.contact)
+        kinds = {
+            "hertz": HertzLaw,
+            "conformal": ConformalLaw,
+            "palmgren": PalmgrenLaw,
+            "linear": LinearLaw,
+            "power": PowerLaw,
+        }
+        return kinds[own.pop("kind", "hertz")](**own)  # type: ignore[no-any-return]
+
+
+def law_by_materials(contact: PinContactFields) -> ContactLaw:
+    """The law of contact where none is named."""
+    pin, hole = material_of(contact.pin_material), material_of(contact.hole_material)
+    return usual_law(pin=pin, hole=hole)
 
 
 class BentPinFields(HeldPinFields, group="pin"):
@@ -361,4 +381,4 @@ class DeviationsFields(RequestModel, group="deviations"):
                 yield f"{name}/{index}", pins, len(row)
 
 
-assert {*get_args(Kind)} == {*ContactLawFields.KINDS}
+assert {*get_args(Kind), None} == {*ContactLawFields.KINDS}

@@ -83,7 +83,7 @@ class QuantitiesOut(ResponseModel):
     """What is asked, over the turn of each piece."""
 
     peak_force_N: Maybe[QuantityOut] = result("Largest force of all pairs.")
-    max_pressure_MPa: Maybe[QuantityOut] = result("Largest Hertz pressure.")
+    max_pressure_MPa: Maybe[QuantityOut] = result("Largest pressure, as it is judged.")
     transmission_error_arcmin: Maybe[QuantityOut] = result("Largest less least lag under load.")
     backlash_max_arcmin: Maybe[QuantityOut] = result("Largest play of the unloaded output.")
     lost_motion_arcmin: Maybe[QuantityOut] = result(

@@ -1,5 +1,6 @@
 """Forces of a design as it is made, as its checks look at them: over the turn, each direction."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
@@ -10,7 +11,6 @@ from core.output.over_turn import OverTurn
 from core.output.real_mechanism import RealMechanism
 from core.output.sampled_turn import WAYS, Direction
 from core.output.turn import Turn
-from core.precision import AS_TYPED
 
 
 @dataclass(frozen=True)
@@ -58,25 +58,18 @@ class RealForces:
         """
         ways = WAYS[direction]
         turns = {way: OverTurn(turn(way * torque)) for way in ways}
-        way = max(ways, key=lambda way: turns[way].max_pressure or 0.0)
+        way = max(ways, key=lambda way: turns[way].max_pressure or math.inf)
         return cls(turns[way].real, way, torque, turns[way])
 
     @cached_property
     def pair(self) -> int:
         """Index of the pair with the largest pressure, satellite by satellite."""
-        pins, peak = self.real.mechanism.pins, self.turn.peak_pair
-        force = [each for row in self.turn.pair_force for each in row]
-        force[(peak.satellite - 1) * pins + peak.pin - 1] *= 1 + AS_TYPED  # of pairs alike that one
-        return self.real.hardest_pair(force)
+        return self.turn.hardest[0]
 
     @cached_property
     def force(self) -> float:
         """Force of that pair at the largest pressure, N."""
-        pins = self.real.mechanism.pins
-        force = self.turn.pair_force[self.pair // pins][self.pair % pins]
-        contact = self.real.contact(self.pair, force)
-        assert contact is not None and self.turn.max_pressure is not None
-        return force * float(self.turn.max_pressure / contact.max_pressure) ** 2
+        return self.turn.hardest[1]
 
     @property
     def place(self) -> dict[str, float]:

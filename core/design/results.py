@@ -28,7 +28,7 @@ from core.first_yield import first_yield
 from core.hertz import HertzContact, force_factor, hertz
 from core.materials import Body
 from core.output.contact_force import ContactForce, contact_force
-from core.output.contact_law import HertzLaw, contact_compliance
+from core.output.contact_law import ContactLaw, contact_compliance, usual_law
 from core.output.edge_load import EdgeLoad, SlopingContacts
 from core.output.fit import Fit
 from core.output.losses import PinLosses, pin_losses
@@ -154,7 +154,7 @@ class Results:
             pin_radius=pair.pin_radius,
             eccentricity=eccentricity,
             contact_length=pair.contact_length,
-            law=design.contact_law or HertzLaw(),
+            law=self.law,
             clearance=design.contact.clearance or 0.0,
             pin_material=design.lasting["pin"],
             hole_material=design.lasting["hole"],
@@ -164,6 +164,13 @@ class Results:
             support=design.support,
             roller_play=design.roller_play,
         )
+
+    @cached_property
+    def law(self) -> ContactLaw:
+        """The law of contact of pins in holes: as given, or by their materials."""
+        contact = self.design.contact
+        pin, hole = contact.pin_material, contact.hole_material
+        return self.design.contact_law or usual_law(pin=pin, hole=hole)
 
     @derived
     def grip(self) -> Grip:
@@ -264,7 +271,7 @@ class Results:
             than = {"field": "pin_radius", "limit": pin_radius}
             raise InvalidInput("contact.hole_radius", hole_radius, "larger_than", **than)
         return contact_compliance(
-            law=self.design.contact_law or HertzLaw(),
+            law=self.law,
             contact_length=length,
             pin_radius=pin_radius,
             hole_radius=hole_radius,

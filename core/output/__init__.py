@@ -29,6 +29,7 @@ pin_strength        bending, shear, static safety, fatigue and deflection of the
 sharing_kernel      loops over pairs with gaps: one position, a turn, pieces of a study
 compiled            the same loops compiled, for turns and studies
 satellite_support   satellites that give: crank bearings, mesh; given shares of the torque
+conformal_law       the law of contact of a pin that wraps, as one curve
 contact_law         laws of contact of a pair, and the bending of its pin
 real_mechanism      the mechanism as it is made: sizes, clearance, deviations, elasticity
 room                the room of pins in their holes over the turn, by geometry alone

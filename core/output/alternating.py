@@ -58,9 +58,10 @@ def worse_position(
 def _larger_pressure(
     one: LoadedPosition | OverTurn, other: LoadedPosition | OverTurn
 ) -> float | None:
-    """The larger pressure of both directions, where it is known."""
-    pressures = [each for each in (one.max_pressure, other.max_pressure) if each is not None]
-    return max(pressures, default=None)
+    """The larger pressure of both directions, where both are known."""
+    if one.max_pressure is None or other.max_pressure is None:
+        return None
+    return max(one.max_pressure, other.max_pressure)
 
 
 def worse_curves(
@@ -138,7 +139,7 @@ class WorseTurn:
 
     @property
     def max_pressure(self) -> float | None:
-        """Largest Hertz pressure, Pa, where the materials are known."""
+        """Largest pressure, Pa, where it and the materials are known."""
         return _larger_pressure(self.worse, self.other)
 
     @property

@@ -6,10 +6,21 @@ from dataclasses import dataclass
 
 from core.arrays import Number, check_positive, larger, log
 from core.errors import InvalidInput
+from core.material_record import SOFT
 from core.materials import ElasticMaterial, effective_modulus
+from core.output.conformal_law import NO_CURVE, approach_over_load, conformal_curve, end
 from core.output.pin_beam import PinBeam, Support
 from core.output.pin_section import PinSection, check_bore
-from core.output.sharing_kernel import HERTZ, HERTZ_END, LINEAR, POWER, Law, pair_law
+from core.output.sharing_kernel import (
+    CONFORMAL,
+    HERTZ,
+    HERTZ_END,
+    LINEAR,
+    POWER,
+    Curve,
+    Law,
+    pair_law,
+)
 from core.output.tie_ring import RingJoint, TieRing
 
 MIN_EXPONENT, MAX_EXPONENT = 0.5, 3.0
@@ -50,7 +61,32 @@ class HertzLaw:
     reference_depth: float | None = None
 
 
-ContactLaw = LinearLaw | PowerLaw | PalmgrenLaw | HertzLaw
+@dataclass(frozen=True, slots=True)
+class ConformalLaw:
+    """The pin wraps: approach over force of `core.output.conformal_law`, counted to a circle of
+    three hole radii.
+    """
+
+
+ContactLaw = LinearLaw | PowerLaw | PalmgrenLaw | HertzLaw | ConformalLaw
+
+
+def usual_law(*, pin: ElasticMaterial | None, hole: ElasticMaterial | None) -> ContactLaw:
+    """The law where none is given: by the materials, never by what they do, so that nothing jumps.
+
+    Parameters
+    ----------
+    pin, hole : ElasticMaterial, optional
+        The materials.
+
+    Returns
+    -------
+    ContactLaw
+        Conformal where a body is softer than `core.material_record.SOFT`, whose contacts wrap at
+        usual loads; else Hertz's.
+    """
+    soft = any(each is not None and each.youngs_modulus < SOFT for each in (pin, hole))
+    return ConformalLaw() if soft else HertzLaw()
 
 
 @dataclass(frozen=True, slots=True)
@@ -238,7 +274,7 @@ def contact_compliance(
     contact_length, pin_radius, hole_radius : float
         Length b and radii, m.
     pin, hole : ElasticMaterial, optional
-        Materials; needed for `HertzLaw`.
+        Materials; needed for `HertzLaw` and `ConformalLaw`.
 
     Returns
     -------
@@ -261,10 +297,13 @@ def contact_compliance(
         law=law, contact_length=contact_length, hole_radius=hole_radius, pin=pin, hole=hole
     )
     a, b, _ = pair_law(kind, constants, pin_radius, clearance, 0.0)
+    curve = law_curve(law=law, contact_length=contact_length, pin=pin, hole=hole)
     if kind == LINEAR:
         return lambda force: a + 0.0 * force
     if kind == HERTZ:
         return lambda force: b * larger(a / b - log(force), HERTZ_END)
+    if kind == CONFORMAL:
+        return lambda force: approach_over_load(load=force / a, curve=curve) / curve.modulus
     return lambda force: (force / a) ** (1 / exponent) / force
 
 
@@ -279,7 +318,7 @@ def law_kind(law: ContactLaw) -> tuple[int, float]:
     Returns
     -------
     kind : int
-        `LINEAR`, `POWER` or `HERTZ`.
+        `LINEAR`, `POWER`, `HERTZ` or `CONFORMAL`.
     exponent : float
         Of the force over the approach.
     """
@@ -290,6 +329,8 @@ def law_kind(law: ContactLaw) -> tuple[int, float]:
             return POWER, exponent
         case PalmgrenLaw():
             return POWER, LOG_EXPONENT
+        case ConformalLaw():
+            return CONFORMAL, LOG_EXPONENT
     return HERTZ, LOG_EXPONENT
 
 
@@ -338,7 +379,7 @@ def law_constants(
     hole_radius : float
         Nominal hole radius, m.
     pin, hole : ElasticMaterial, optional
-        Materials; needed for `HertzLaw`.
+        Materials; needed for `HertzLaw` and `ConformalLaw`.
 
     Returns
     -------
@@ -354,15 +395,17 @@ def law_constants(
     """
     match law:
         case LinearLaw(stiffness=stiffness):
-            return Law(1 / stiffness, *[0.0] * 6)
+            return Law(1 / stiffness, *[0.0] * 7)
         case PowerLaw(exponent=n, reference_force=force, reference_approach=approach):
-            return Law(force / approach**n, *[0.0] * 6)
+            return Law(force / approach**n, *[0.0] * 7)
         case PalmgrenLaw():
             per_force = 3.84e-5 / (1e3 * contact_length) ** 0.8 * 1e-3  # m/N^0.9
-            return Law(per_force**-LOG_EXPONENT, *[0.0] * 6)
+            return Law(per_force**-LOG_EXPONENT, *[0.0] * 7)
+        case ConformalLaw():
+            curve = law_curve(law=law, contact_length=contact_length, pin=pin, hole=hole)
+            return Law(curve.modulus, *[0.0] * 7)._replace(end=end(curve))
         case HertzLaw(reference_depth=depth):
-            if pin is None or hole is None:
-                raise InvalidInput("pin_material", pin, "needed", field="law")
+            pin, hole = _known(pin, hole)
     around = math.pi * contact_length
     return Law(
         a=0.0,
@@ -372,4 +415,42 @@ def law_constants(
         around=around,
         depth=hole_radius if depth is None else depth,
         ratio=hole.poissons_ratio / (1 - hole.poissons_ratio),
+        end=0.0,
     )
+
+
+def law_curve(
+    *,
+    law: ContactLaw,
+    contact_length: float,
+    pin: ElasticMaterial | None,
+    hole: ElasticMaterial | None,
+) -> Curve:
+    """The curve of a contact that wraps; of other laws nothing.
+
+    Parameters
+    ----------
+    law : ContactLaw
+        The law.
+    contact_length : float
+        Length b of the contact, m.
+    pin, hole : ElasticMaterial, optional
+        Materials; needed for `ConformalLaw`.
+
+    Returns
+    -------
+    Curve
+    """
+    if not isinstance(law, ConformalLaw):
+        return NO_CURVE
+    pin, hole = _known(pin, hole)
+    return conformal_curve(contact_length=contact_length, pin=pin, hole=hole)
+
+
+def _known(
+    pin: ElasticMaterial | None, hole: ElasticMaterial | None
+) -> tuple[ElasticMaterial, ElasticMaterial]:
+    """The materials, which the law needs."""
+    if pin is None or hole is None:
+        raise InvalidInput("pin_material", pin, "needed", field="law")
+    return pin, hole

@@ -137,7 +137,8 @@ class Fit:
         """Approach of each pair under its force at the limit, m; none where that is not known."""
         setup, pairs = self.real.setup(1.0), self.real.pairs
         laws = zip(self.forces_at_limit or (), pairs.a, pairs.b, strict=False)
-        return [alone(setup.law, force, a, b, setup.exponent) for force, a, b in laws]
+        kind, n, curve = setup.law, setup.exponent, setup.curve
+        return [alone(kind, force, a, b, n, curve) for force, a, b in laws]
 
     @property
     def most_approach(self) -> float | None:
@@ -227,7 +228,7 @@ class Fit:
             limit=limit,
             limit_force=force,
             force_without_load=None if forces is None else max(forces),
-            pressure_without_load=None if pressed is None else float(pressed.max_pressure),
+            pressure_without_load=None if pressed is None else pressed.governing_pressure,
         )
 
     def refusal(self) -> ImpossibleMechanism:

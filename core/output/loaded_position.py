@@ -39,7 +39,8 @@ class LoadedPosition:
     # Smallest possible worst approach of the unloaded pairs, m, where they press.
     interference: float | None
     stiffness: float  # dT/dtheta, N*m/rad
-    max_pressure: float | None  # largest Hertz pressure, Pa, where the materials are known
+    # The largest pressure, Pa, where it and the materials are known.
+    max_pressure: float | None
     rotation_error: float  # bound, rad
     play_error: float  # bound, rad
     force_error: float  # bound, of each force, N
@@ -126,7 +127,7 @@ def loaded_position(
         play=None if pressed else (play[0], play[1]),
         interference=least_interference(real=real, psi=psi) if pressed else None,
         stiffness=found.stiffness,
-        max_pressure=None if contact is None else contact.max_pressure,
+        max_pressure=None if contact is None else contact.governing_pressure,
         rotation_error=found.lag_error,
         play_error=found.play_error,
         force_error=found.force_error,

@@ -210,17 +210,53 @@ class OverTurn:
         return self.real.contact(self._peak.pair, self.peak_force)
 
     @derived
+    def _pressed(self) -> Summit | None:
+        """Where the largest pressure is, of pairs that are not alike; None where it is at the peak
+        of the force.
+        """
+        curved = self.real.pairs.curved
+        if not max(curved) > min(curved) * (1 + SAME):
+            return None
+        grid = self._grid(self.turn.fine, "pressure")
+        tops = summits(grid=grid, narrow=self.turn.narrow(PRESSURE))
+        top = max(tops, key=lambda summit: summit.height)
+        return self._above(self._grid(self.turn.again, "pressure"), PRESSURE, top)[0]
+
+    @derived
+    def _wraps(self) -> bool:
+        """Whether the largest pressure is not Hertz's."""
+        return self.real.wraps(self._peak.pair_force)
+
+    @derived
+    def hardest(self) -> tuple[int, float]:
+        """The pair with the largest pressure, and its force then, N; the materials are known."""
+        if self._wraps:
+            if self._pressed is None:
+                return self._peak.pair, self.peak_force
+            forces = self.turn.poses([self._pressed.place])["forces"][0].tolist()
+            pair = self.real.hardest_pair(forces)
+            return pair, forces[pair]
+        most = [*self._peak.pair_force]
+        most[self._peak.pair] *= 1 + AS_TYPED  # of pairs alike that one
+        pair = self.real.hardest_pair(most)
+        force = self._peak.pair_force[pair]
+        contact = self.real.contact(pair, force)
+        assert contact is not None and self.max_pressure is not None
+        return pair, force * float(self.max_pressure / contact.max_pressure) ** 2
+
+    @derived
     def max_pressure(self) -> float | None:
-        """Largest Hertz pressure, Pa, where the materials are known."""
+        """Largest pressure, Pa, where it and the materials are known."""
         if self._contact is None:
             return None
-        pressure, curved = float(self._contact.max_pressure), self.real.pairs.curved
-        if max(curved) > min(curved) * (1 + SAME):
-            grid = self._grid(self.turn.fine, "pressure")
-            tops = summits(grid=grid, narrow=self.turn.narrow(PRESSURE))
-            top = max(tops, key=lambda summit: summit.height)
-            top, _ = self._above(self._grid(self.turn.again, "pressure"), PRESSURE, top)
-            pressure *= math.sqrt(top.height / (self.peak_force * curved[self._peak.pair]))
+        if self._wraps:
+            contact = self.real.contact(*self.hardest)
+            known = None if contact is None else contact.governing_pressure
+            return None if known is None else float(known)
+        pressure = float(self._contact.max_pressure)
+        if self._pressed is not None:
+            at_peak = self.peak_force * self.real.pairs.curved[self._peak.pair]
+            pressure *= math.sqrt(self._pressed.height / at_peak)
         return pressure
 
     def _extreme(self, name: str, kind: int, sign: int = 1) -> Extreme:
@@ -392,7 +428,7 @@ class OverTurn:
             real=self.real,
             lag=float(np.abs(self.turn.fine["lag"]).max()),
             pressed=self.pressed_without_load,
-            contact=self._contact,
+            contact=self.real.contact(*self.hardest) if self._wraps else self._contact,
         )
         return (*position, *poorly_known(self.accuracy))
 

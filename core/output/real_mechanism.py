@@ -11,16 +11,20 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
-from core.arrays import check_finite, check_positive, check_single
+import numpy as np
+
+from core.arrays import Number, check_finite, check_positive, check_single
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.hertz import HertzContact, hertz
 from core.materials import ElasticMaterial
 from core.output.compiled import PLAIN, in_place_of
+from core.output.conformal_law import NO_WRAP, conformal_wrap
 from core.output.contact_law import (
     ContactLaw,
     PinSupport,
     check_law,
     law_constants,
+    law_curve,
     law_kind,
     pin_compliance,
     tied_compliance,
@@ -51,6 +55,7 @@ from core.output.sharing_kernel import (
     Room,
     Row,
     Setup,
+    Wrap,
     judged,
     prepare,
     too_wide,
@@ -183,7 +188,7 @@ class RealMechanism:
     contact_length: float  # b, m, > 0
     law: ContactLaw  # of contact of each pair
     clearance: float = 0.0  # radial, c, m: hole less pin radius less e; < 0 is interference
-    pin_material: ElasticMaterial | None = None  # needed for `HertzLaw` and for pressures
+    pin_material: ElasticMaterial | None = None  # needed for `HertzLaw`, `ConformalLaw`, pressures
     hole_material: ElasticMaterial | None = None  # likewise
     pin: PinSupport | None = None  # how the pins are held; rigid where not given
     deviations: Deviations = field(default_factory=Deviations)
@@ -260,9 +265,25 @@ class RealMechanism:
             direction=direction,
             law=kind,
             exponent=exponent,
+            curve=law_curve(
+                law=self.law,
+                contact_length=self.contact_length,
+                pin=self.pin_material,
+                hole=self.hole_material,
+            ),
+            wrap=self.wrap,
             support=support,
             gives=gives,
             loose=loose,
+        )
+
+    @property
+    def wrap(self) -> Wrap:
+        """Largest pressures of contacts that wrap, where the materials are known."""
+        if self.pin_material is None or self.hole_material is None:
+            return NO_WRAP
+        return conformal_wrap(
+            contact_length=self.contact_length, pin=self.pin_material, hole=self.hole_material
         )
 
     @property
@@ -437,12 +458,27 @@ class RealMechanism:
         -------
         HertzContact or None
         """
+        return self._contact(force, self.pin_radii[pair], self.pairs.distance[pair])
+
+    def contacts(self, force: Sequence[float]) -> HertzContact | None:
+        """The same of all pairs, as arrays.
+
+        Parameters
+        ----------
+        force : sequence of float, K*N
+            Force of each pair, N.
+
+        Returns
+        -------
+        HertzContact or None
+        """
+        return self._contact(*map(np.array, (force, self.pin_radii, self.pairs.distance)))
+
+    def _contact(self, force: Number, radius: Number, apart: Number) -> HertzContact | None:
         if self.pin_material is None or self.hole_material is None:
             return None
-        radius = self.pin_radii[pair]
-        apart = self.pairs.distance[pair]
         if self.exact:
-            apart -= self.roller_play  # which lets the centres move, not the radii grow
+            apart = apart - self.roller_play  # which lets the centres move, not the radii grow
         return hertz(
             force=force,
             contact_length=self.contact_length,
@@ -470,7 +506,7 @@ class RealMechanism:
     def pressures(
         self, force: tuple[tuple[float, ...], ...]
     ) -> tuple[tuple[float, ...], ...] | None:
-        """Largest Hertz pressure of each pair, where the materials are known.
+        """Largest pressure of each pair, where the materials are known, and that of each is.
 
         Parameters
         ----------
@@ -482,14 +518,15 @@ class RealMechanism:
         tuple of tuple of float, K x N, or None
             Pressures, Pa.
         """
-        flat = [each for row in force for each in row]
-        contacts = [self.contact(pair, each) for pair, each in enumerate(flat)]
-        pressures = [contact.max_pressure for contact in contacts if contact is not None]
-        return self.rows(pressures) if pressures else None
+        contacts = self.contacts([each for row in force for each in row])
+        pressures = None if contacts is None else contacts.governing_pressure
+        if pressures is None or np.isnan(pressures).any():
+            return None
+        return self.rows(pressures.tolist())
 
     def hardest_pair(self, force: Sequence[float]) -> int:
-        """Index of the pair with the largest pressure, which grows with the force times the
-        difference of the curvatures.
+        """Index of the pair with the largest pressure. Of narrow contacts it grows with the force
+        times the difference of the curvatures; a pressure that is not known is the largest.
 
         Parameters
         ----------
@@ -500,8 +537,30 @@ class RealMechanism:
         -------
         int
         """
+        contacts = self.contacts(force)
+        if contacts is not None and _wrap(contacts):
+            pressure = contacts.governing_pressure
+            known = (
+                force if pressure is None else np.where(pressure == pressure, pressure, math.inf)
+            )
+            return int(np.argmax(known))
         curved = [f * curved for f, curved in zip(force, self.pairs.curved, strict=True)]
         return curved.index(max(curved))
+
+    def wraps(self, force: Sequence[float]) -> bool:
+        """Whether any pair wraps, so that its pressure is not Hertz's.
+
+        Parameters
+        ----------
+        force : sequence of float, K*N
+            Force of each pair, N.
+
+        Returns
+        -------
+        bool
+        """
+        contacts = self.contacts(force)
+        return contacts is not None and _wrap(contacts)
 
     def hardest(self, force: Sequence[float]) -> HertzContact | None:
         """Contact of the pair with the largest pressure.
@@ -517,3 +576,9 @@ class RealMechanism:
         """
         pair = self.hardest_pair(force)
         return self.contact(pair, force[pair])
+
+
+def _wrap(contacts: HertzContact) -> bool:
+    """Whether the pressure of any of some contacts is not Hertz's."""
+    governing = contacts.governing_pressure
+    return governing is None or bool((governing != contacts.max_pressure).any())

@@ -18,14 +18,14 @@ from typing import Generic, NamedTuple, TypeVar
 Row = MutableSequence[float]
 R = TypeVar("R")
 
-LINEAR, POWER, HERTZ = 0, 1, 2
+LINEAR, POWER, HERTZ, CONFORMAL = 0, 1, 2, 3
 RIGID, CRANK, MESH, TIED = 0, 1, 2, 3
 """What of the satellites gives: nothing, the bearings on their cranks, their mesh with the ring. Or
 that a tie ring joins the pins, each of which then gives under the forces on all."""
 
 SOLVED, NOT_SOLVED, NO_DRIVE, NOT_STABLE, TOO_WIDE, TOO_FAR = range(6)
 FORCE, PRESSURE, LAG, STIFFNESS, PLAY_END, BACKLASH, LOST_MOTION, INPUT_TORQUE = range(8)
-"""What is looked at over the turn; of the pressure the force over the reduced radius."""
+"""What is looked at over the turn; of the pressure what `hardest` says."""
 
 EPS = 2.0**-52
 TINY = 1e-100
@@ -49,6 +49,13 @@ HERTZ_END = 1.2
 beyond bounds at 1. It goes on as a straight line; what lies there is refused afterwards."""
 
 
+BEND = 0.4
+"""Curves of contacts that wrap are smooth in the width ``sqrt(x/(1 + BEND*x))`` of the load
+``x = Q/(E* dR)``, from none to the largest."""
+
+SAME_FORCE = 1e-14
+"""Relative change of a force at which Newton's steps end: what its stiffness is off by."""
+
 FITS, BINDS, NOWHERE = 2, 1, 0
 """Whether a piece has room at all positions of the turn, at some, or at none."""
 
@@ -68,6 +75,27 @@ PLACE = 1e-10
 GOLDEN = (math.sqrt(5) - 1) / 2
 
 
+class Curve(NamedTuple):
+    """What a contact that wraps gives, for all pairs of a design: over the load ``x = Q/(E* dR)``
+    the approach ``Delta/dR = x*(P - 2/pi*ln(width))``, P a polynomial of ``2*width/widest - 1``.
+    """
+
+    modulus: float  # b*E*, N/m
+    widest: float  # width up to which it is known; beyond it goes on as a straight line
+    powers: tuple[float, ...]  # of the polynomial, from the highest; as many for any law
+
+
+class Wrap(NamedTuple):
+    """The largest pressure of contacts that wrap, of all pairs: over Hertz's it is
+    ``P*sqrt(1 + BEND*x)``, P a polynomial as that of `Curve`.
+    """
+
+    modulus: float  # b*E*, N/m; infinite where it is not known: then Hertz's pressure stands
+    since: float  # load from which it governs in the place of Hertz's
+    widest: float  # width up to which it is known; beyond it P stays
+    powers: tuple[float, ...]
+
+
 class Setup(NamedTuple):
     """What a design is, without its errors."""
 
@@ -80,8 +108,11 @@ class Setup(NamedTuple):
     eccentricity: float
     clearance: float  # radial; not as a difference of radii, which loses two digits
     direction: float  # of the torque: 1, or -1 in reverse
-    law: int  # LINEAR, POWER, HERTZ
-    exponent: float  # of the force over the approach; about 10/9 for Hertz, for start and steps
+    law: int  # LINEAR, POWER, HERTZ, CONFORMAL
+    # Of the force over the approach; about 10/9 for HERTZ and CONFORMAL, for start and steps.
+    exponent: float
+    curve: Curve  # CONFORMAL
+    wrap: Wrap
     support: int  # RIGID, CRANK, MESH, TIED
     gives: float  # compliance of that, m/N or rad/(N*m)
     loose: float  # what the clearance of bearings, on cranks or pins, adds to every gap
@@ -90,13 +121,14 @@ class Setup(NamedTuple):
 class Law(NamedTuple):
     """Law of contact of all pairs."""
 
-    a: float  # LINEAR 1/k; POWER k
+    a: float  # LINEAR 1/k; POWER k; CONFORMAL b*E*
     first: float  # HERTZ: (1 - nu^2)/E of pin and hole
     second: float
     quarter: float  # pi*b*E*/4
     around: float  # pi*b
     depth: float
     ratio: float  # nu/(1 - nu) of the hole
+    end: float  # CONFORMAL: load Q/(E* dR) at which it ends
 
 
 class Errors(NamedTuple, Generic[R]):
@@ -127,8 +159,8 @@ class Pairs(NamedTuple):
     k2: Row
     distance: Row  # of the centres in contact; in first order that of the radii
     size: Row  # of the terms that make q: times the rounding, its error
-    a: Row  # law: LINEAR 1/k + C; POWER k; HERTZ A + C
-    b: Row  # POWER C; HERTZ B
+    a: Row  # law: LINEAR 1/k + C; POWER k; HERTZ A + C; CONFORMAL b*E*dR
+    b: Row  # POWER C; HERTZ B; CONFORMAL b*E*C
     limit: Row  # force at which the law ends
     curved: Row  # difference of the curvatures
     # Of pins that a tie ring joins: compliances between all pairs, [K*N, K*N], but for what is in
@@ -163,7 +195,7 @@ class Poses(NamedTuple):
     lag: Row
     stiffness: Row
     force: Row  # largest
-    pressure: Row  # largest force over reduced radius
+    pressure: Row  # the largest, as `hardest`
     loaded: Row  # number of pairs with a force
     low: Row  # play
     high: Row
@@ -177,7 +209,7 @@ class Pieces(NamedTuple):
     """Quantities of pieces; not a number where one cannot work."""
 
     peak_force: Row
-    max_pressure: Row  # force over reduced radius
+    max_pressure: Row  # as `hardest`
     transmission_error: Row
     backlash_max: Row
     lost_motion: Row
@@ -276,6 +308,8 @@ def pair_law(
         return law.a + compliance, 0.0, math.inf
     if kind == POWER:
         return law.a, compliance, math.inf
+    if kind == CONFORMAL:
+        return law.a * difference, law.a * compliance, law.a * difference * law.end
     reduced = pin * (pin + difference) / difference
     q = law.quarter / reduced
     b = (law.first + law.second) / law.around
@@ -387,7 +421,14 @@ def shift(lag: float, onset: int, setup: Setup, pairs: Pairs, room: Room) -> Non
 
 
 def law(
-    kind: int, approach: float, a: float, b: float, n: float, force: float, stiffness: float
+    kind: int,
+    approach: float,
+    a: float,
+    b: float,
+    n: float,
+    force: float,
+    stiffness: float,
+    curve: Curve,
 ) -> tuple[float, float]:
     """Force of an approach > 0, and its derivative; given those at another one nearby, or 0."""
     if kind == LINEAR:
@@ -403,6 +444,8 @@ def law(
             if abs(step) <= 1e-9 * y:
                 break
         return approach / (b * y), 1 / (b * (y - 1))
+    if kind == CONFORMAL:
+        return wrapped(approach, a, b, curve, force)
     if b == 0:
         force = a * approach**n
         return force, n * force / approach
@@ -441,12 +484,48 @@ def shared(
     return x, term
 
 
-def alone(kind: int, force: float, a: float, b: float, n: float) -> float:
+def given_over(x: float, curve: Curve) -> tuple[float, float]:
+    """``Delta/dR`` over the load x, and its derivative by it."""
+    width = math.sqrt(x / (1 + BEND * x))
+    beyond = width >= curve.widest
+    if beyond:
+        width = curve.widest
+    place = 2 * width / curve.widest - 1
+    value = slope = 0.0
+    for power in curve.powers:
+        slope = slope * place + value
+        value = value * place + power
+    value -= 2 / math.pi * math.log(width)
+    if beyond:
+        return value, value
+    turn = 2 * width / curve.widest * slope - 2 / math.pi  # by the logarithm of the width
+    return value, value + turn * (1 - BEND * width * width) / 2
+
+
+def wrapped(approach: float, a: float, b: float, curve: Curve, force: float) -> tuple[float, float]:
+    """Force of a contact that wraps, and its derivative, by Newton's method in logarithms, where it
+    is nearly straight: with the force at another approach nearby, or 0.
+    """
+    aim = approach * curve.modulus / a
+    x, tangent = force / a if force > 0 else aim, 1.0
+    for _ in range(16):
+        secant, tangent = given_over(x, curve)
+        secant, tangent = secant + b, tangent + b
+        part = math.log(aim / (x * secant)) * secant / tangent
+        x *= math.exp(part)
+        if abs(part) <= SAME_FORCE:
+            break
+    return a * x, curve.modulus / tangent
+
+
+def alone(kind: int, force: float, a: float, b: float, n: float, curve: Curve) -> float:
     """Approach under a force."""
     if kind == LINEAR:
         return a * force
     if kind == HERTZ:
         return force * b * max(a / b - math.log(force), HERTZ_END)
+    if kind == CONFORMAL:
+        return force * (given_over(force / a, curve)[0] + b) / curve.modulus
     return float((force / a) ** (1 / n) + b * force)
 
 
@@ -454,7 +533,7 @@ def balance(lag: float, setup: Setup, pairs: Pairs, room: Room) -> tuple[float, 
     """Torque of all pairs at a lag, its derivative, and the sum of its terms' sizes."""
     force, levers, contact = room.force, room.lever, room.stiffness
     distance, a, b = pairs.distance, pairs.a, pairs.b
-    exact, kind, exponent = setup.exact, setup.law, setup.exponent
+    exact, kind, exponent, curve = setup.exact, setup.law, setup.exponent, setup.curve
     sine, half = math.sin(lag), math.sin(lag / 2)
     less = -2 * half * half
     cosine = 1 + less
@@ -472,7 +551,7 @@ def balance(lag: float, setup: Setup, pairs: Pairs, room: Room) -> tuple[float, 
             approach /= length + c
             lever = (cosine * v - sine * u) / (2 * length)
             bend = (-(cosine * u + sine * v) / 2 - lever * lever) / length
-        f, stiffness = law(kind, approach, a[i], b[i], exponent, force[i], contact[i])
+        f, stiffness = law(kind, approach, a[i], b[i], exponent, force[i], contact[i], curve)
         force[i], levers[i], contact[i] = f, lever, stiffness
         torque += f * lever
         gross += f * abs(lever)
@@ -488,7 +567,8 @@ def start(torque: float, setup: Setup, pairs: Pairs, room: Room) -> float:
         twice = 2 * pairs.distance[i] if setup.exact else 1.0
         lever = v / twice
         if lever > 1e-12 * setup.radius:
-            approach = alone(setup.law, torque / lever, pairs.a[i], pairs.b[i], setup.exponent)
+            force, a, b = torque / lever, pairs.a[i], pairs.b[i]
+            approach = alone(setup.law, force, a, b, setup.exponent, setup.curve)
             best = min(best, (approach * twice - room.q[i]) / v)
     return best
 
@@ -661,6 +741,7 @@ class Disc(NamedTuple):
 def disc(j: int, lag: float, own: float, setup: Setup, pairs: Pairs, room: Room) -> Disc:
     """Satellite j at a lag of the output and a value of its unknown; its forces are in the room."""
     crank, gives, kind, exponent = setup.support == CRANK, setup.gives, setup.law, setup.exponent
+    a, b, curve = pairs.a, pairs.b, setup.curve
     q, v, force, levers, contact = room.q, room.v, room.force, room.lever, room.stiffness
     turned, back = (lag, own) if crank else (own, 0.0)
     torque = gross = held = size = stiff = spread = middle = 0.0
@@ -670,7 +751,7 @@ def disc(j: int, lag: float, own: float, setup: Setup, pairs: Pairs, room: Room)
         if approach <= TINY:
             force[i] = levers[i] = contact[i] = 0.0
             continue
-        f, stiffness = law(kind, approach, pairs.a[i], pairs.b[i], exponent, force[i], contact[i])
+        f, stiffness = law(kind, approach, a[i], b[i], exponent, force[i], contact[i], curve)
         force[i], levers[i], contact[i] = f, lever, stiffness
         torque += f * lever
         gross += f * abs(lever)
@@ -835,7 +916,14 @@ def carried_forces(setup: Setup, pairs: Pairs, room: Room) -> int:
         room.force[i] = room.lever[i] = room.stiffness[i] = 0.0
         if approach > TINY:
             room.force[i], room.stiffness[i] = law(
-                setup.law, approach, pairs.a[i], pairs.b[i], setup.exponent, 0.0, 0.0
+                setup.law,
+                approach,
+                pairs.a[i],
+                pairs.b[i],
+                setup.exponent,
+                0.0,
+                0.0,
+                setup.curve,
             )
             room.lever[i] = room.v[i]
             count += 1
@@ -1102,12 +1190,27 @@ def largest(room: Room) -> float:
     return best
 
 
-def hardest(pairs: Pairs, room: Room) -> float:
-    """Largest force over reduced radius of the room."""
-    best = 0.0
+def hardest(setup: Setup, pairs: Pairs, room: Room) -> float:
+    """Largest force over reduced radius of the room, of contacts that wrap times the square of
+    their pressure over Hertz's.
+    """
+    best, wrap = 0.0, setup.wrap
+    within = setup.loose if setup.exact else 0.0  # lets the centres move, not the radii grow
     for i, force in enumerate(room.force):
-        best = max(best, force * pairs.curved[i])
+        pressed = force * pairs.curved[i]
+        most = wrap.modulus * (pairs.distance[i] - within)
+        if force > wrap.since * most:
+            pressed *= excess(force / most, wrap)
+        best = max(best, pressed)
     return best
+
+
+def excess(x: float, wrap: Wrap) -> float:
+    """Square of the pressure under the load x over Hertz's."""
+    place, value = 2 * min(math.sqrt(x / (1 + BEND * x)) / wrap.widest, 1.0) - 1, 0.0
+    for power in wrap.powers:
+        value = value * place + power
+    return value * value * (1 + BEND * x)
 
 
 def loaded(room: Room) -> int:
@@ -1171,7 +1274,7 @@ def poses(
         for i in range(count):
             results.forces[k * count + i] = room.force[i]
         results.lag[k], results.stiffness[k] = found.lag, found.stiffness
-        results.force[k], results.pressure[k] = largest(room), hardest(pairs, room)
+        results.force[k], results.pressure[k] = largest(room), hardest(setup, pairs, room)
         results.loaded[k] = loaded(room)
         results.low[k], results.high[k] = found.low, found.high
         results.lag_error[k], results.play_error[k] = found.lag_error, found.play_error
@@ -1207,7 +1310,7 @@ def value(kind: int, psi: float, load: Load, pairs: Pairs, room: Room) -> tuple[
     if kind == FORCE:
         return most, can
     if kind == PRESSURE:
-        return hardest(pairs, room), can
+        return hardest(setup, pairs, room), can
     if kind == LAG:
         return found.lag, can
     if kind == STIFFNESS:
@@ -1337,7 +1440,8 @@ def piece(
             found = solve(psi, load.torque, load.setup, pairs, room)
             if judged(found, load.setup, pairs, room) != SOLVED:
                 return False
-            peak, pressure = max(peak, largest(room)), max(pressure, hardest(pairs, room))
+            peak = max(peak, largest(room))
+            pressure = max(pressure, hardest(load.setup, pairs, room))
             least_lag, most_lag = min(least_lag, found.lag), max(most_lag, found.lag)
             stiffness = min(stiffness, found.stiffness)
             low, high = found.low, found.high

@@ -98,7 +98,7 @@ export default {
     milled: "Milled, holes reamed", precise: "Milled precisely", process: "How they are made",
     driving: "Driving", reverse: "Reverse",
     alternating: "Alternating, the worse of both",
-    hertz: "Hertz", palmgren: "Palmgren", linear: "Linear", power: "Power law",
+    hertz: "Hertz", conformal: "Conformal", palmgren: "Palmgren", linear: "Linear", power: "Power law",
     cantilever: "Cantilever", supported: "Supported at both ends", fixed: "Fixed at both ends",
     tie_ring: "Joined by a tie ring", pinned: "Pinned", clamped: "Clamped", whole: "In one piece", bolted: "Spacer on a bolt",
     exact: "Exact", first_order: "First order, as in the papers", class: "ISO class", limits: "Limits",

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from core.materials import ElasticMaterial
 from core.output.contact_law import (
+    ConformalLaw,
     ContactLaw,
     HertzLaw,
     LinearLaw,
@@ -32,6 +33,7 @@ LAWS: list[ContactLaw] = [
     PowerLaw(3.0, 1000.0, 1e-5),
     PalmgrenLaw(),
     HertzLaw(),
+    ConformalLaw(),
 ]
 SPAN = 0.05
 

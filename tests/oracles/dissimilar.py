@@ -47,18 +47,26 @@ def contact(half_angle: float, alpha: float, beta: float) -> tuple[float, float]
     polynomials of the second kind in s, the place over the half-angle, whose Fourier coefficients
     are Bessel functions.
     """
-    weights = _weights(half_angle, alpha, beta)
+    weights, _ = _solved(half_angle, alpha, beta)
     sign = (-1.0) ** np.arange(TERMS)
     return float(np.pi * harmonics(half_angle, weights, 1)[0]), float(np.sum(weights * sign))
 
 
-def _weights(half_angle: float, alpha: float, beta: float) -> Any:
-    """Polynomials of the pressure."""
+def approach(half_angle: float, alpha: float, beta: float) -> float:
+    """How far the disc has moved since it touched, over the difference of the radii: by all
+    harmonics but that of one wave. Times the load parameter it is known to 2*`ERROR`.
+    """
+    return float(_solved(half_angle, alpha, beta)[1] - 1)
+
+
+def _solved(half_angle: float, alpha: float, beta: float) -> tuple[Any, Any]:
+    """Polynomials of the pressure, and the shift of the disc."""
     same, other = _moved(half_angle)
     moved = same + beta * other
     moved[:, 0] += half_angle / 8 * (1 - 2 * beta + alpha)
     shift = -np.cos(half_angle * _places())[:, None]
-    return np.linalg.solve(np.hstack([moved, shift]), -np.ones(TERMS + 1))[:-1]
+    solved = np.linalg.solve(np.hstack([moved, shift]), -np.ones(TERMS + 1))
+    return solved[:-1], solved[-1]
 
 
 def harmonics(half_angle: float, weights: Any, most: int) -> Any:
@@ -72,7 +80,7 @@ def hoop_tension(half_angle: float, alpha: float, beta: float, poissons_ratio: f
     """Hoop stress of the hole's rim at the ends of the contact, over the load Q/R: there
     ``2*p_0 + 2*k/(k + 1)*p_1*cos(angle)``, to `ERROR`.
     """
-    weights = _weights(half_angle, alpha, beta)
+    weights, _ = _solved(half_angle, alpha, beta)
     k = 3 - 4 * poissons_ratio
     first = harmonics(half_angle, weights, 1)[0]
     around = weights[0] * half_angle / 2 + 2 * k / (k + 1) * first * np.cos(half_angle)
@@ -83,7 +91,7 @@ def yield_factor(half_angle: float, alpha: float, beta: float, poissons_ratio: f
     """Largest pressure over the largest stress by Mises in the plane around the hole, to 1e-3: on a
     grid of places, the stresses as a sum over the harmonics (Michell).
     """
-    weights = _weights(half_angle, alpha, beta)
+    weights, _ = _solved(half_angle, alpha, beta)
     most = int(120 / half_angle) + 50
     p, n = harmonics(half_angle, weights, most), np.arange(1, most + 1)
     first, p, n = p[0], p[1:], n[1:]

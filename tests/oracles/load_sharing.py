@@ -272,6 +272,8 @@ def _law(real: Any, radius: mpf, reach: mpf, bent: mpf):
             )
         case object(reference_depth=depth):  # Hertz
             pass
+        case _ if type(law).__name__ == "ConformalLaw":
+            return _wrapped(real.setup(1).curve, reach, bent)
         case _:  # Palmgren
             k = mpf("3.84e-5") / (1000 * length) ** mpf("0.8") / 1000
             n = mpf(10) / 9
@@ -296,6 +298,28 @@ def _law(real: Any, radius: mpf, reach: mpf, bent: mpf):
         if m <= mpf("1.02"):
             return a / b  # beyond; bisection goes on
         return a / (b * -mp.lambertw(-mp.exp(-m), -1).real)
+
+    return force
+
+
+def _wrapped(curve: Any, difference: mpf, bent: mpf):
+    """The law of a contact that wraps, by the numbers of its curve."""
+    modulus, widest, powers = (curve.modulus, mpf(curve.widest), [*map(mpf, curve.powers)])
+
+    def approach(force: mpf) -> mpf:
+        load = force / (modulus * difference)
+        width = min(mp.sqrt(load / (1 + load * mpf(0.4))), widest)
+        place = 2 * width / widest - 1
+        gives = mp.fsum(power * place**n for n, power in enumerate(reversed(powers)))
+        gives -= 2 / mp.pi * mp.log(width)
+        return (gives / modulus + bent) * force
+
+    def force(a: mpf) -> mpf:
+        if a <= 0:
+            return mpf(0)
+        most = mp.log(10 * a * modulus)
+        least = most - mp.log(5000 + 10 * bent * modulus)
+        return mp.exp(_root(lambda log: mp.log(approach(mp.exp(log)) / a), least, most))
 
     return force
 

@@ -242,7 +242,7 @@ test("the verdict is of the design as it is made: its clearance, deviations, con
   const { load: { include, ...load }, ...body } = await asked({ ...parts, besides });
   assert.deepEqual(load, { ...DESIGN.load, torque_direction: "reverse" });
   assert.deepEqual([body.contact.hole_clearance_mm, body.deviations], [0.03, { pin_radial_mm: [0.01, 0, 0] }]);
-  assert.deepEqual(Object.keys(body).sort(), ["contact", "deviations", "include", "mechanism"]);
+  assert.deepEqual(Object.keys(body).sort(), ["contact", "contact_law", "deviations", "include", "mechanism"]);
   assert.ok(!("deviations" in await asked({ ...parts, besides }, ["contact_force"])));
   assert.ok(!("deviations" in await asked({ ...parts, besides: { ...besides, real: undefined } })));
 });

@@ -16,7 +16,7 @@ function playOf({ hole_radius_mm: hole, pin_radius_mm: pin, eccentricity_mm: ecc
 export function designOf({
   mechanism: { revolutions, ...mechanism } = {}, load: { force_exponent, input_speed_rpm, ring_speed_rpm, carrier_speed_rpm, peak_torque_Nm, peak_kind, ...load } = {}, contact = {}, besides = {},
 }) {
-  const { contact_law: law, satellite_coupling: shared, lost_motion_torque_share: share } = besides;
+  const { contact_law: law = {}, satellite_coupling: shared, lost_motion_torque_share: share } = besides;
   const { pin: { rotates, bolt, material: { tensile_strength_MPa, ...elastic } = {}, ...pin } = {} } = partsOf({ besides }, ["pin_strength"]);
   const geometry = shared || pin.support === "tie_ring" ? "first_order" : besides.geometry; // no other is to be had for these
   const material = typeof besides.pin?.material === "string" ? besides.pin.material : elastic;
@@ -25,7 +25,7 @@ export function designOf({
     mechanism: askedOf(mechanism),
     load,
     contact: fitted(sizes),
-    ...(law && { contact_law: law }),
+    contact_law: law, // by the materials where none is chosen
     ...(pin.support && { pin: { ...pin, ...(Object.keys(material).length > 0 && { material }) } }), // they bend where their strength is wanted
     ...(shared && { satellite_coupling: { kind: "shares", ...shared } }),
     ...(geometry && { geometry }),

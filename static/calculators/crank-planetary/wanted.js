@@ -21,7 +21,7 @@ const byOwn = { when: ["study.sizes", "class", "limits"] };
 const byLimits = (part, end) => ({ when: ["study.sizes", "limits"], words: [`${part}_${end}`, "study"] });
 
 const REAL = {
-  "contact_law.kind": {},
+  "contact_law.kind": { options: [""] },
   "contact_law.stiffness_N_per_mm": law("linear"),
   "contact_law.exponent": law("power"),
   "contact_law.reference_force_N": law("power"),
