@@ -123,7 +123,7 @@ def text_of(pdf: PdfReader) -> str:
 # What is the same in all languages: names of programs, files, units, keys, standards.
 COMMON = re.compile(
     r"\b(KHV Calc|CSV|PNG|SVG|English|Enter|Shift|Ctrl|lbf|psi|PEEK|curl|Python|JSON|tanh-sinh"
-    r"|arc(?:sin|cos|tan)|doi|ISO/TR|Johnson, Contact Mechanics"
+    r"|arc(?:sin|cos|tan)|doi|ISO/TR|Johnson(?:, Contact Mechanics)?|PETG"
     r"|Shigley(?:, Mechanical Engineering Design)?"
     r"|Zaretsky|Wang, Luo, Su|KISSsoft|Roloff/Matek"
     r"|[A-Za-z]{1,3}|[A-Z]+\d\S*|\d+Cr\w+|CuS\w+|CuA\w+|CuZ\w+|CuSn\S+)\b"

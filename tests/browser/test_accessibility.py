@@ -167,7 +167,7 @@ def test_axe_finds_nothing_in_what_was_off_until_wanted(
     expect(page.locator(".real")).to_have_attribute("data-stale", "false", timeout=60_000)
     page.locator('[data-do="run"]').click()
     expect(page.locator(".study .histogram")).to_be_visible(timeout=60_000)
-    folded = page.locator(".folding[aria-expanded=false]")
+    folded = page.locator(".folding[aria-expanded=false]:visible")
     while folded.count():
         folded.first.click()
     expect(page.locator(".part .js-plotly-plot")).to_have_count(4)
