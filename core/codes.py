@@ -700,7 +700,10 @@ _CHECKS = {
         mend="Make the hole radius the sum of pin radius and eccentricity, or keep the clearance "
         "small against the elastic approach.",
     ),
-    "dead_centre": _check("The mechanism cannot transmit torque: no pair drives"),
+    "dead_centre": _check(
+        "The mechanism cannot transmit torque: no pair drives; where two or three crankshafts "
+        "drive the output, as in an RV, it is another one, which is not calculated"
+    ),
     "interference": _check(
         "The hole is smaller than pin radius + eccentricity, {limit:.9g} mm: pin and satellite "
         "interfere and cannot be assembled.",

@@ -168,3 +168,13 @@ def test_numbers_of_arrays_are_those_of_the_kernel() -> None:
     loads = np.geomspace(1e-20, 1e8, 50)
     one = [given_over(float(each), curve)[0] for each in loads]
     assert approach_over_load(load=loads, curve=curve).tolist() == pytest.approx(one, rel=1e-14)
+
+
+def test_beyond_its_end_the_law_goes_on_as_a_straight_line() -> None:
+    curve = curve_of(PLA, STEEL)
+    at_end, _ = given_over(end(curve) * (1 + 1e-12), curve)
+    for factor in (1.5, 10.0, 1e4):
+        secant, tangent = given_over(end(curve) * factor, curve)
+        assert secant == tangent == pytest.approx(at_end, rel=1e-12)
+        load = end(curve) * factor
+        assert approach_over_load(load=load, curve=curve) == pytest.approx(secant, rel=1e-14)

@@ -23,9 +23,13 @@ from core.output.conformal_law import (
     end,
     far_approach,
 )
-from core.output.contact_law import ConformalLaw, contact_compliance
+from core.output.contact_law import ConformalLaw, PinSupport, contact_compliance
+from core.output.loaded_position import loaded_position
+from core.output.mechanism import Mechanism
+from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.sharing_kernel import excess
 from tests.oracles import dissimilar, rims
+from tests.oracles.load_sharing import exact_position
 from tests.oracles.seeds import seeds
 
 STEEL, PLA = ElasticMaterial(207e9, 0.3), ElasticMaterial(3.5e9, 0.36)
@@ -143,3 +147,29 @@ def test_the_stated_error_of_pressures_by_their_polynomial_is_true() -> None:
                 found = math.sqrt(excess(1 / each, wrap) * each / math.pi)
                 worst = max(worst, abs(found / most - 1))
     assert PRESSURE_ERROR / 1000 < worst < PRESSURE_ERROR
+
+
+@pytest.mark.parametrize("exact", [True, False])
+@pytest.mark.parametrize("bends", [True, False])
+def test_forces_of_a_mechanism_are_those_of_false_position(exact: bool, bends: bool) -> None:
+    """With pins whose bending is in series, deviations, and holes of several radii."""
+    real = RealMechanism(
+        mechanism=Mechanism.evenly_spaced(pins=5, satellites=2, ratio=15.0),
+        pin_circle_radius=0.025,
+        pin_radius=0.004,
+        eccentricity=4e-4,
+        contact_length=0.008,
+        law=ConformalLaw(),
+        clearance=5e-5,
+        pin_material=STEEL,
+        hole_material=PLA,
+        pin=PinSupport("cantilever", 0.008, (0.006, 0.016), STEEL) if bends else None,
+        deviations=Deviations(pin_radius=(1e-5, -1e-5, 0.0, 2e-5, 0.0)),
+        exact=exact,
+    )
+    found = loaded_position(real=real, crank_angle=0.7, output_torque=15.0)
+    expected = exact_position(real, 0.7, 15.0)
+    forces = [force for row in found.force for force in row]
+    for force, other in zip(forces, expected.force, strict=True):
+        assert abs(force - float(other)) <= found.force_error
+    assert found.accuracy.relative_error < 1e-12 and found.loaded_pairs >= 3
