@@ -115,6 +115,7 @@ _IMPOSSIBLE = {
     "not_balanced": "The forces cannot be balanced within the range of numbers",
     "not_stable": "The forces do not hold the output: its torque falls as it turns on",
     "overflow": "The numbers given leave the range of numbers: {names} would not be finite",
+    "teeth_interfere": "The teeth run into each other, or touch where they are no involutes",
     "unloaded": "The loads cancel: nothing presses the bearings",
 }
 """What cannot be."""

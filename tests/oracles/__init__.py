@@ -14,6 +14,7 @@ satellite_turn     their sums and shares over the turn
 turns              what is largest over the turn of a mechanism as made, by bisection
 losses, teeth      friction in pins and holes; whether teeth can exist
 hertz, dissimilar  line contact and Persson's conformal contact
+involute           involute teeth by points and circles, their outlines, the rack that cuts them
 checks             the contact of the reference design of the checks, by hand
 rollers            compliance and load sharing of swinging rollers
 precession         contact lines and meshing load by Carlson's integrals and quadrature
