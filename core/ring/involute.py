@@ -8,11 +8,11 @@ import math
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from core.arrays import check_finite, check_positive
+from core.arrays import Number, check_finite, check_positive
 from core.errors import InvalidInput
 from core.precision import ROUNDING
 from core.results import Accuracy
-from core.ring.line_of_action import LineOfAction, involute, roll
+from core.ring.line_of_action import LineOfAction, TipCrossing, involute, roll
 
 MOST_DIFFERENCE = 8
 """Most teeth of the ring more than a satellite has of which anything is said."""
@@ -40,7 +40,7 @@ class Rack:
         land = math.pi / 4 - self.dedendum * math.tan(self.pressure_angle)
         return land * math.cos(self.pressure_angle) / (1 - math.sin(self.pressure_angle))
 
-    def form_roll(self, *, teeth: int, shift: float) -> float:
+    def form_roll(self, *, teeth: int, shift: Number) -> Number:
         """Roll angle from which on the satellite's flank is an involute; below 0 it is undercut.
 
         ``tan(alpha_F) = tan(alpha) - 4*(h' - x_s)/(z_s*sin(2*alpha))``, h' how far the rack is
@@ -216,9 +216,8 @@ class InvolutePair:
     @property
     def form_roll_satellite(self) -> float:
         """Roll angle from which on the satellite's flank is an involute; below 0: undercut."""
-        return self.teeth.rack.form_roll(
-            teeth=self.teeth.satellite_teeth, shift=self.teeth.satellite_profile_shift
-        )
+        shift = self.teeth.satellite_profile_shift
+        return float(self.teeth.rack.form_roll(teeth=self.teeth.satellite_teeth, shift=shift))
 
     @property
     def satellite_undercut(self) -> bool:
@@ -243,18 +242,23 @@ class InvolutePair:
         """Roll angle of the ring up to which its flank is an involute; None without a cutter."""
         return None if self.teeth.cutter is None else _generated(self.teeth, self.teeth.cutter)[1]
 
+    @cached_property
+    def _crossing(self) -> TipCrossing:
+        return self.line.crossing(
+            satellite_tip=self.teeth.satellite_tip, ring_tip=self.teeth.ring_tip
+        )
+
     @property
     def tips_overlap_all_round(self) -> bool:
         """Whether the satellite's tip circle has the ring's in it."""
-        return self.teeth.satellite_tip > self.teeth.ring_tip + self.line.eccentricity
+        return bool(self._crossing.overlap)
 
-    @cached_property
+    @property
     def tip_interference(self) -> float | None:
         """G of the tips beside the path of contact, at least 0; None where the tip circles do not
         cross.
         """
-        satellite, ring = self.teeth.satellite_tip, self.teeth.ring_tip
-        found = float(self.line.crossing(satellite_tip=satellite, ring_tip=ring).interference)
+        found = float(self._crossing.interference)
         return None if math.isnan(found) else found
 
     @property

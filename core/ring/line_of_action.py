@@ -127,6 +127,12 @@ class LineOfAction:
         """Distance of the base points of both circles along the line, ``e*sin(alpha_w)``, m."""
         return self.eccentricity * math.sin(self.angle)
 
+    @property
+    def wider(self) -> float:
+        """By how much the ring's profile shift is larger than the satellite's without backlash."""
+        turned = float(involute(self.angle) - involute(self.pressure_angle))
+        return self.difference * turned / (2 * math.tan(self.pressure_angle))
+
     def end_roll(self, satellite_tip: Number) -> Number:
         """Roll angle at the end of the path, where the satellite's tip leaves the line.
 
@@ -231,10 +237,11 @@ class LineOfAction:
             apart = (ring - satellite) * (ring + satellite)
             on_satellite = np.arccos((apart - e * e) / (2 * satellite * e))
             on_ring = np.arccos((apart + e * e) / (2 * ring * e))
+            beside = np.isnan(on_satellite) | np.isnan(on_ring)
             turned = self.satellite_teeth * (_tip(satellite, self.satellite_base) + on_satellite)
             turned = turned - self.ring_teeth * (_tip(ring, self.ring_base) + on_ring)
         gap = turned + self.difference * involute(self.angle)
-        return TipCrossing(gap, satellite > ring + e)
+        return TipCrossing(gap, beside & (satellite > ring))
 
 
 def roll(radius: Number, *, base: float) -> Number:

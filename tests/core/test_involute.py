@@ -8,7 +8,7 @@ import pytest
 
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.materials import ElasticMaterial
-from core.ring.involute import Cutter, Rack, angle_of, involute_pair, usual_rack
+from core.ring.involute import Cutter, InvoluteTeeth, Rack, angle_of, involute_pair, usual_rack
 from core.ring.involute_load import (
     involute_load,
     loss_ratio,
@@ -151,6 +151,22 @@ def test_tips_that_overlap_all_round_have_no_crossing_and_are_no_room():
     assert apart.tip_interference is None
     assert not apart.tips_overlap_all_round
     assert apart.contact_ratio < 0
+
+
+def test_tip_circles_that_just_touch_are_not_taken_for_apart():
+    """Of these the satellite's is the ring's and twice the eccentricity but for rounding."""
+    for module in (1e-3, 2e-3, 3e-3, 3.5e-3):
+        teeth = InvoluteTeeth(
+            satellite_teeth=40,
+            ring_teeth=42,
+            module=module,
+            satellite_profile_shift=0.0,
+            ring_profile_shift=0.0,
+            satellite_addendum=1.0,
+            ring_addendum=1.0,
+        )
+        pair = involute_pair(teeth=teeth)
+        assert pair.tips_overlap_all_round or pair.tip_interference < 0
 
 
 def test_the_torque_reserve_of_pressure_is_its_square_and_that_of_the_root_is_linear():
