@@ -10,12 +10,15 @@ from functools import cached_property
 
 from core.arrays import Number, check_finite, check_positive
 from core.errors import InvalidInput
-from core.precision import ROUNDING
+from core.precision import ROUNDING, SAME
 from core.results import Accuracy
 from core.ring.line_of_action import LineOfAction, TipCrossing, involute, roll
 
 MOST_DIFFERENCE = 8
 """Most teeth of the ring more than a satellite has of which anything is said."""
+
+STANDARD_ANGLES = (math.radians(14.5) * (1 - SAME), math.radians(30) * (1 + SAME))
+"""Least and largest reference pressure angle of which anything is said, rad."""
 
 TIPS_APART = 0.05
 """Interference G of the tips that is left as a margin."""

@@ -16,11 +16,12 @@ from core.arrays import BoolArray, FloatArray
 from core.ring.involute import TIPS_APART, InvoluteTeeth, Rack, usual_rack
 from core.ring.line_of_action import LineOfAction, involute, radius_at, roll
 
-SHIFTS, ADDENDA = (-1.0, 2.0), (0.1, 1.5)
-"""Profile shifts of the satellite and addenda of both, in modules, that are looked at."""
-
 USUAL_SHIFTS, USUAL_ADDENDA = (-0.5, 1.0), (0.25, 1.25)
-"""Those of usual teeth."""
+"""Profile shifts of the satellite and addenda of both, in modules, of usual teeth; their tips are
+`TIPS_APART`."""
+
+SHIFTS, ADDENDA = (-1.0, 2.0), (0.1, 1.5)
+"""Those of any teeth, whose tips just pass each other."""
 
 STEP = 0.025
 """Of shifts and of addenda."""
@@ -39,9 +40,9 @@ ROUGHLY, HALVINGS = 10, 20
 class PossibleTeeth:
     """Which involute teeth mesh."""
 
-    contact_ratio: float  # largest of all that are looked at, 0 where none touch
-    teeth: InvoluteTeeth | None  # that have it
-    usual: bool  # whether usual teeth have one of 1 at least
+    contact_ratio: float  # largest of usual teeth, 0 where none touch
+    teeth: InvoluteTeeth | None  # that have it, of module 1
+    any_mesh: bool  # whether any have one of 1, or of what may be missed less
 
 
 def possible_teeth(
@@ -53,9 +54,10 @@ def possible_teeth(
     eccentricity: float,
     rack: Rack | None = None,
 ) -> PossibleTeeth:
-    """The largest contact ratio of teeth whose tips pass each other and which touch on involutes.
+    """The largest contact ratio of usual teeth, and whether any others mesh.
 
-    Neither are they undercut or pointed.
+    Of teeth whose tips pass each other, which touch on involutes, and are neither undercut nor
+    pointed.
 
     Parameters
     ----------
@@ -73,7 +75,6 @@ def possible_teeth(
     Returns
     -------
     PossibleTeeth
-        Its teeth for a module of 1.
 
     Raises
     ------
@@ -90,10 +91,10 @@ def possible_teeth(
 
     >>> teeth = {"satellite_teeth": 20, "ring_teeth": 21, "pressure_angle": math.radians(20)}
     >>> found = possible_teeth(**teeth, module=3.5e-3, eccentricity=2e-3)
-    >>> round(found.contact_ratio, 1), found.usual
-    (0.7, False)
-    >>> possible_teeth(**teeth, module=3.5e-3, eccentricity=2.8e-3).usual
-    True
+    >>> round(found.contact_ratio, 1), found.any_mesh
+    (0.5, False)
+    >>> round(possible_teeth(**teeth, module=3.5e-3, eccentricity=2.8e-3).contact_ratio, 1)
+    1.5
     """
     line = LineOfAction.of(
         satellite_teeth=satellite_teeth,
@@ -139,12 +140,12 @@ class _Looked:
 
 @lru_cache(maxsize=4096)
 def _possible(line: LineOfAction, rack: Rack) -> PossibleTeeth:
-    ratio, best = _best(line, _looked(line, rack, SHIFTS, ADDENDA))
-    usual = _looked(line, rack, USUAL_SHIFTS, USUAL_ADDENDA).reach(line, 1.0, TIPS_APART)
+    ratio, best = _best(line, _looked(line, rack, USUAL_SHIFTS, USUAL_ADDENDA), TIPS_APART)
     return PossibleTeeth(
         contact_ratio=ratio,
         teeth=_teeth(line, rack, best, ratio) if best.shift.size else None,
-        usual=bool(usual.any()),
+        any_mesh=ratio >= 1
+        or bool(_looked(line, rack, SHIFTS, ADDENDA).reach(line, 1 - MISSED, 0.0).any()),
     )
 
 
@@ -189,24 +190,24 @@ def _grid(ends: tuple[float, float]) -> FloatArray:
     return np.linspace(*ends, round((ends[1] - ends[0]) / STEP) + 1)
 
 
-def _best(line: LineOfAction, looked: _Looked) -> tuple[float, _Looked]:
-    """Largest contact ratio of teeth whose tips pass each other, and those that have it."""
+def _best(line: LineOfAction, looked: _Looked, room: float) -> tuple[float, _Looked]:
+    """Largest contact ratio of teeth whose tips are apart, and those that have it."""
     most = line.contact_ratio(start=looked.first, end=looked.end)
     high = float(np.max(most, initial=0.0))
     few = looked.chosen(slice(None, None, SPARSE))
-    low, _ = _halved(line, few, (0.0, high), ROUGHLY)
-    left = looked.chosen(looked.reach(line, low, 0.0))
-    return _halved(line, left, (low, high), HALVINGS)
+    low, _ = _halved(line, few, room, (0.0, high), ROUGHLY)
+    left = looked.chosen(looked.reach(line, low, room))
+    return _halved(line, left, room, (low, high), HALVINGS)
 
 
 def _halved(
-    line: LineOfAction, looked: _Looked, ends: tuple[float, float], times: int
+    line: LineOfAction, looked: _Looked, room: float, ends: tuple[float, float], times: int
 ) -> tuple[float, _Looked]:
     """The same of teeth of which it lies between two."""
     low, high = ends
-    for _ in range(times):
+    for _ in range(times if looked.shift.size else 0):
         middle = (low + high) / 2
-        reached = looked.reach(line, middle, 0.0)
+        reached = looked.reach(line, middle, room)
         if reached.any():
             looked, low = looked.chosen(reached), middle
         else:
