@@ -272,12 +272,12 @@ class InvolutePair:
         return self.tip_interference * self.teeth.ring_tip / self.teeth.ring_teeth
 
     @property
-    def satellite_tip_clearance(self) -> float:
+    def tip_clearance_satellite(self) -> float:
         """From the satellite's tip to the ring's root, m."""
         return self.ring_root - self.line.eccentricity - self.teeth.satellite_tip
 
     @property
-    def ring_tip_clearance(self) -> float:
+    def tip_clearance_ring(self) -> float:
         """From the ring's tip to the satellite's root, m."""
         return self.teeth.ring_tip - self.line.eccentricity - self.teeth.satellite_root
 
