@@ -14,7 +14,7 @@ import numpy as np
 
 from core.arrays import BoolArray, FloatArray
 from core.ring.involute import TIPS_APART, InvoluteTeeth, Rack, usual_rack
-from core.ring.line_of_action import LineOfAction, involute, radius_at, roll
+from core.ring.line_of_action import LineOfAction, involute, radius_at
 
 USUAL_SHIFTS, USUAL_ADDENDA = (-0.5, 1.0), (0.25, 1.25)
 """Profile shifts of the satellite and addenda of both, in modules, of usual teeth; their tips are
@@ -56,8 +56,8 @@ def possible_teeth(
 ) -> PossibleTeeth:
     """The largest contact ratio of usual teeth, and whether any others mesh.
 
-    Of teeth whose tips pass each other, which touch on involutes, and are neither undercut nor
-    pointed.
+    Of teeth whose tips pass each other, which touch on involutes, and of which the satellite's are
+    neither undercut nor pointed.
 
     Parameters
     ----------
@@ -117,7 +117,6 @@ class _Looked:
     end: FloatArray  # roll angle there
     first: FloatArray  # roll angle at which the path may start
     outmost: FloatArray  # tip radius of the ring
-    half_tooth: FloatArray  # of the ring at its base circle, rad
 
     def chosen(self, which: BoolArray | slice) -> "_Looked":
         """Some of them."""
@@ -132,10 +131,8 @@ class _Looked:
         """Which of them have a contact ratio, their tips being apart."""
         ring = self.ring_tip(line, ratio)
         tips = line.crossing(satellite_tip=self.tip, ring_tip=ring).interference
-        at = roll(ring, base=line.ring_base)
-        pointed = self.half_tooth + at - np.arctan(at) < 0
         there = self.end - self.first >= 2 * math.pi * ratio / line.satellite_teeth
-        return np.asarray(there & (tips >= room) & ~pointed)
+        return np.asarray(there & (tips >= room))
 
 
 @lru_cache(maxsize=4096)
@@ -181,8 +178,7 @@ def _looked(
     outmost = line.ring_teeth / 2 + ring_shift - addenda[0]
     blunt = half >= end - np.arctan(end)
     farthest = radius_at(line.on_ring(first), base=line.ring_base)
-    half_tooth = (math.pi / 2 - 2 * ring_shift * tan) / line.ring_teeth - own
-    looked = _Looked(shift, tip, end, first, outmost, half_tooth)
+    looked = _Looked(shift, tip, end, first, outmost)
     return looked.chosen((form >= 0) & blunt & (farthest <= outmost))
 
 

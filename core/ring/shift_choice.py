@@ -70,9 +70,9 @@ def nearest_ring(*, teeth: InvoluteTeeth, room: float = TIPS_APART) -> InvoluteP
 
     def spare(angle: float) -> float:
         pair = at(angle)
-        if pair is None or pair.tips_overlap_all_round:
+        if pair is None or pair.tip_interference is None:
             return math.nan
-        return math.inf if pair.tip_interference is None else pair.tip_interference - room
+        return pair.tip_interference - room
 
     angles = np.linspace(alpha, STEEPEST, TRIED).tolist()
     apart = next((number for number, angle in enumerate(angles) if spare(angle) >= 0), None)

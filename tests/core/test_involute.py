@@ -138,15 +138,38 @@ def test_ratios_hang_on_no_size_and_backlash_vanishes_where_it_should(seed):
 def test_tips_that_overlap_all_round_have_no_crossing_and_are_no_room():
     """A formula that takes what has no arccosine for no interference would let these pass."""
     teeth, _ = given(CASES[0])
-    high = replace(teeth, ring_profile_shift=0.0 + 1e-3, satellite_addendum=1.0, ring_addendum=1.0)
+    high = replace(teeth, ring_profile_shift=1e-3, satellite_addendum=0.9, ring_addendum=0.6)
     pair = involute_pair(teeth=high)
     assert pair.tips_overlap_all_round
+    assert pair.start_roll >= pair.form_roll_satellite >= 0
+    assert not pair.on_involutes
     assert pair.tip_interference is None
     assert pair.tip_gap is None
     apart = involute_pair(teeth=replace(high, satellite_addendum=-0.9, ring_addendum=-0.9))
     assert apart.tip_interference is None
     assert not apart.tips_overlap_all_round
     assert apart.contact_ratio < 0
+
+
+def test_flanks_touch_on_involutes_of_both_as_far_as_their_tools_go():
+    teeth, _ = given(CASES[4])
+    assert involute_pair(teeth=teeth).on_involutes
+    low = involute_pair(teeth=replace(teeth, cutter=Cutter(30, addendum=0.9)))
+    assert low.form_roll_ring < low.end_roll_ring
+    assert not low.on_involutes
+    deep = involute_pair(teeth=replace(teeth, ring_addendum=1.0))
+    assert deep.start_roll < deep.form_roll_satellite
+    assert not deep.on_involutes
+    assert involute_pair(teeth=replace(teeth, cutter=None)).form_roll_ring is None
+
+
+def test_a_sharp_fillet_is_beyond_the_stress_correction():
+    loaded = {"torque": 100.0, "contact_length": 0.02}
+    teeth, _ = given(CASES[6])
+    assert root_stress(pair=involute_pair(teeth=teeth), **loaded).corrected
+    shifted = {"satellite_profile_shift": 0.8, "ring_profile_shift": 1.4}
+    sharp = replace(teeth, rack=Rack(tip_radius=0.01), **shifted)
+    assert not root_stress(pair=involute_pair(teeth=sharp), **loaded).corrected
 
 
 def test_tip_circles_that_just_touch_are_not_taken_for_apart():

@@ -183,3 +183,23 @@ def test_the_shifts_at_an_eccentricity_have_the_most_contact_that_leaves_tips_ap
         worse = beside.contact_ratio < pair.contact_ratio
         assert worse or beside.tip_interference < TIPS_APART
     assert shifts_at(teeth=teeth, eccentricity=3.2e-3) is None
+
+
+def test_shifts_are_taken_that_keep_the_path_on_involutes():
+    """40 teeth of an addendum of 1 without a shift would touch below their involutes."""
+    teeth = InvoluteTeeth(
+        satellite_teeth=40,
+        ring_teeth=44,
+        module=2e-3,
+        satellite_profile_shift=0.0,
+        ring_profile_shift=0.0,
+        satellite_addendum=1.0,
+        ring_addendum=1.0,
+    )
+    nearest = nearest_ring(teeth=teeth)
+    assert nearest.start_roll < nearest.form_roll_satellite
+    eccentricity = 1.02 * nearest.line.eccentricity
+    chosen = shifts_at(teeth=teeth, eccentricity=eccentricity)
+    pair = involute_pair(teeth=chosen, eccentricity=eccentricity)
+    assert pair.on_involutes
+    assert pair.start_roll - pair.form_roll_satellite < 0.01  # as near to their end as it goes
