@@ -87,7 +87,7 @@ def possible_teeth(
 
     Examples
     --------
-    One tooth of difference needs an eccentricity of some 0.8 modules:
+    One tooth of difference needs an eccentricity of 0.66 to 0.8 modules:
 
     >>> teeth = {"satellite_teeth": 20, "ring_teeth": 21, "pressure_angle": math.radians(20)}
     >>> found = possible_teeth(**teeth, module=3.5e-3, eccentricity=2e-3)

@@ -44,8 +44,8 @@ def test_what_meshes_only_with_unusual_teeth_is_told_from_what_never_does():
     assert found(40, 41, 2.003027 / 2.5).any_mesh
 
 
-def test_one_tooth_of_difference_needs_some_four_fifths_of_a_module():
-    """Between 0.61 and 0.69 modules with shifts and stub teeth at will."""
+def test_one_tooth_of_difference_needs_more_than_half_a_module():
+    """With shifts and stub teeth at will; usual ones need two thirds at least."""
     for satellite in (20, 40, 100):
         mesh = [found(satellite, satellite + 1, 0.01 * e).any_mesh for e in range(53, 72)]
         assert not mesh[0]
