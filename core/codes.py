@@ -128,6 +128,8 @@ _UNKNOWN = {
     "no_sourced_limit": "Nobody asked for a limit, and no source gives one for such parts",
     "rating_high": "The rating is higher than that of any known bearing of these sizes",
     "rating_low": "The rating is less than a twentieth of what fits: is it given in kN?",
+    "root_unknown": "The root is beyond the method: its section, fillet or arm of the force "
+    "is not one of a usual tooth",
     "thin_wall": "It is thinner than usual",
     "wider_than_satellite": "The bearing is wider than the satellite",
     "without_sleeve": "The pins have no sleeves",

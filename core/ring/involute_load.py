@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.arrays import Number, check_positive
+from core.errors import NotKnown
 from core.materials import ElasticMaterial, effective_modulus
 from core.precision import ROUNDING
 from core.results import Accuracy
@@ -43,7 +44,6 @@ class RootStress:
     form_factor: float  # Y_F
     stress_correction: float  # Y_S
     stress: float  # sigma_F, Pa
-    corrected: bool  # whether the notch is one that the stress correction is for
 
 
 @dataclass(frozen=True)
@@ -210,6 +210,8 @@ def root_stress(
     ------
     InvalidInput
         If torque, width or factor are not positive.
+    NotKnown
+        If the root is not one of a usual tooth, or its notch beyond `NOTCHES`.
 
     Notes
     -----
@@ -237,6 +239,9 @@ def root_stress(
     reach = (math.cos(leaning) - math.sin(leaning) * math.tan(load_angle)) * teeth.satellite_tip / m
     arm = reach - (z * math.cos(ROOT_ANGLE - theta) + fillet) / 2
     form = 6 * arm * math.cos(load_angle) / (chord**2 * math.cos(alpha))
+    usual = min(chord, arm, radius, leaning) > 0 and load_angle < math.pi / 2
+    if not (usual and NOTCHES[0] <= chord / (2 * radius) < NOTCHES[1]):
+        raise NotKnown("root_unknown")
     slender, notch = chord / arm, chord / (2 * radius)
     correction = (1.2 + 0.13 * slender) * notch ** (1 / (1.21 + 2.3 / slender))
     nominal = load_factor * torque / (line.module * z / 2) / (contact_length * m)
@@ -248,7 +253,6 @@ def root_stress(
         form_factor=form,
         stress_correction=correction,
         stress=nominal * form * correction,
-        corrected=NOTCHES[0] <= notch < NOTCHES[1],
     )
 
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from core.errors import ImpossibleMechanism, InvalidInput
+from core.errors import ImpossibleMechanism, InvalidInput, NotKnown
 from core.materials import ElasticMaterial
 from core.ring.involute import Cutter, InvoluteTeeth, Rack, angle_of, involute_pair, usual_rack
 from core.ring.involute_load import (
@@ -163,13 +163,17 @@ def test_flanks_touch_on_involutes_of_both_as_far_as_their_tools_go():
     assert involute_pair(teeth=replace(teeth, cutter=None)).form_roll_ring is None
 
 
-def test_a_sharp_fillet_is_beyond_the_stress_correction():
+def test_a_root_beyond_the_method_is_not_known():
+    """A sharp fillet, and a tooth without a section."""
     loaded = {"torque": 100.0, "contact_length": 0.02}
     teeth, _ = given(CASES[6])
-    assert root_stress(pair=involute_pair(teeth=teeth), **loaded).corrected
+    assert root_stress(pair=involute_pair(teeth=teeth), **loaded).stress > 0
     shifted = {"satellite_profile_shift": 0.8, "ring_profile_shift": 1.4}
-    sharp = replace(teeth, rack=Rack(tip_radius=0.01), **shifted)
-    assert not root_stress(pair=involute_pair(teeth=sharp), **loaded).corrected
+    few = {"satellite_teeth": 2, "ring_teeth": 10, "satellite_profile_shift": 0.78}
+    few |= {"ring_profile_shift": 2.76, "satellite_addendum": 0.9, "ring_addendum": 1.07}
+    for beyond in (replace(teeth, rack=Rack(tip_radius=0.01), **shifted), replace(teeth, **few)):
+        with pytest.raises(NotKnown, match="root_unknown"):
+            root_stress(pair=involute_pair(teeth=beyond), **loaded)
 
 
 def test_tip_circles_that_just_touch_are_not_taken_for_apart():
