@@ -131,9 +131,13 @@ _UNKNOWN = {
     "root_unknown": "The root is beyond the method: its section, fillet or arm of the force "
     "is not one of a usual tooth",
     "thin_wall": "It is thinner than usual",
+    "unusual_teeth": "Only unusual teeth mesh, if any: very low ones, with large profile shifts, "
+    "or with hardly any room between the tips",
     "wider_than_satellite": "The bearing is wider than the satellite",
     "without_sleeve": "The pins have no sleeves",
     "nothing_judged": "Nothing of it is judged",
+    "outside_method": "Teeth are looked at of 1 to 8 more in the ring, and of a reference pressure "
+    "angle of 14.5 to 30 degrees",
     "teeth_not_judged": "The contact and the strength of the teeth are not calculated",
     "conformal_solution": "Wide contacts have a pressure of their own, which asks for no narrow "
     "one",
