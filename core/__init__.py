@@ -39,6 +39,7 @@ tolerance           what tolerances of the output mechanism do
 rollers             swinging rollers: stiffness, load sharing, bending stress, and their curves
 precession          contact lines, meshing load and shaft deflection of the precessional gear
 crank               bearings of the satellites, reactions and balance of the crankshaft
+ring                teeth of satellite and ring: what passes, what carries
 design              the design of a reducer as its JSON is nested, and what follows from it
 checks              results against limits: checks of each machine element and their verdict
 fixes               what cures a check

@@ -115,6 +115,7 @@ _IMPOSSIBLE = {
     "not_balanced": "The forces cannot be balanced within the range of numbers",
     "not_stable": "The forces do not hold the output: its torque falls as it turns on",
     "overflow": "The numbers given leave the range of numbers: {names} would not be finite",
+    "teeth_interfere": "The teeth run into each other, or touch where they are no involutes",
     "unloaded": "The loads cancel: nothing presses the bearings",
 }
 """What cannot be."""
@@ -127,10 +128,16 @@ _UNKNOWN = {
     "no_sourced_limit": "Nobody asked for a limit, and no source gives one for such parts",
     "rating_high": "The rating is higher than that of any known bearing of these sizes",
     "rating_low": "The rating is less than a twentieth of what fits: is it given in kN?",
+    "root_unknown": "The root is beyond the method: its section, fillet or arm of the force "
+    "is not one of a usual tooth",
     "thin_wall": "It is thinner than usual",
+    "unusual_teeth": "Only unusual teeth mesh, if any: very low ones, with large profile shifts, "
+    "or with hardly any room between the tips",
     "wider_than_satellite": "The bearing is wider than the satellite",
     "without_sleeve": "The pins have no sleeves",
     "nothing_judged": "Nothing of it is judged",
+    "outside_method": "Teeth are looked at of 1 to 8 more in the ring, and of a reference pressure "
+    "angle of 14.5 to 30 degrees",
     "teeth_not_judged": "The contact and the strength of the teeth are not calculated",
     "conformal_solution": "Wide contacts have a pressure of their own, which asks for no narrow "
     "one",

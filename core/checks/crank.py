@@ -18,6 +18,8 @@ from core.design.document import Design
 from core.design.results import Results
 from core.design.sections import RollingBearing
 from core.errors import NotKnown
+from core.ring.involute import MOST_DIFFERENCE, STANDARD_ANGLES
+from core.ring.possible_teeth import possible_teeth
 
 Value = TypeVar("Value")
 
@@ -61,6 +63,49 @@ def pressure_angle(design: Design, results: Results) -> Check:
     angle = results.ring_mesh.operating_pressure_angle
     assert angle is not None  # of an involute
     return judged(pressure_angle, float(angle), STEEP, warning="steep_mesh")
+
+
+@_gear(
+    "mesh_possible",
+    title="Teeth that can mesh",
+    formula="ε_α,max ≥ 1",
+    why="Otherwise teeth of this module do not mesh at this eccentricity, whatever their heights "
+    "and shifts.",
+    inputs=(
+        "gear.kind",
+        "gear.module",
+        "gear.teeth_difference",
+        "gear.reference_pressure_angle",
+        "mechanism.ratio",
+        "contact.eccentricity",
+    ),
+    fixes=("gear.module",),
+    source="teeth_tried",
+    keep="above",
+    needs=("contact", "gear"),
+)
+def mesh_possible(design: Design, results: Results) -> Check:
+    gear = design.gear
+    if gear.kind != "involute":
+        return Check(mesh_possible, "not_applicable", reason="no_involute")
+    eccentricity, _ = design.known_eccentricity, results.ring_mesh  # which refuses base circles
+    assert gear.module is not None and gear.teeth_difference is not None
+    assert gear.reference_pressure_angle is not None
+    low, high = STANDARD_ANGLES
+    if gear.teeth_difference > MOST_DIFFERENCE or not low <= gear.reference_pressure_angle <= high:
+        raise NotKnown("outside_method")
+    teeth = max(1, round(design.mechanism.ratio * gear.teeth_difference))
+    found = possible_teeth(
+        satellite_teeth=teeth,
+        ring_teeth=teeth + gear.teeth_difference,
+        module=gear.module,
+        pressure_angle=gear.reference_pressure_angle,
+        eccentricity=eccentricity,
+    )
+    check = judged(mesh_possible, found.contact_ratio, 1.0)
+    if check.status == "fail" and found.any_mesh:
+        return check._replace(status="marginal", reason="unusual_teeth")
+    return check
 
 
 @_gear(
@@ -276,6 +321,7 @@ def crank_bearing_life(design: Design, results: Results) -> Check:
 
 CRANK = (
     pressure_angle,
+    mesh_possible,
     gear_room,
     bearing_life,
     bearing_static,

@@ -235,7 +235,7 @@ def _finer(
     added: list[float] = []
     for before, here, after in zip(places, places[1:], places[2:], strict=False):
         one, two, three = known[before], known[here], known[after]
-        turns = abs(two) <= abs(one) and abs(two) <= abs(three)
+        turns = abs(two) <= abs(one) and abs(two) <= abs(three) and not one == two == three
         if turns and one * three > 0 and one * two >= 0:
             added += _spaced(before, here, FINER, False)[1:-1]
             added += _spaced(here, after, FINER, False)[1:-1]

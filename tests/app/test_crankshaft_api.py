@@ -19,7 +19,7 @@ def changed(**fields):
 
 
 async def test_the_reference_design(api):
-    teeth = {"kind": "involute", "module_mm": 3.5, "teeth_difference": 1}
+    teeth = {"kind": "involute", "module_mm": 1.75, "teeth_difference": 2}
     body = changed() | {"gear": teeth}
     mass = body["crankshaft"].pop("satellite_mass_kg")
     answer = (await api.post(PATH, json=body)).json()

@@ -30,7 +30,7 @@ DESIGN = {
     "pin": {"satellite_positions_mm": [15.0, 37.0], "material": STEEL},
     "fatigue": {"endurance_limit_MPa": 300.0},
     "friction": {"coefficient": 0.08, "wear_rate_mm3_per_Nm": 1e-8, "life_h": 3000.0},
-    "gear": {"kind": "involute", "module_mm": 3.5, "teeth_difference": 1},
+    "gear": {"kind": "involute", "module_mm": 1.75, "teeth_difference": 2},
     "bearing": {"kind": "ball", "dynamic_rating_N": 60000.0, "static_rating_N": 40000.0},
     "crankshaft": {
         "satellite_positions_mm": [20.0, 42.0],
@@ -585,7 +585,7 @@ async def test_what_is_missing_is_pointed_to(api):
     ("gear", "name"),
     [
         (
-            {"kind": "involute", "module_mm": 3.5, "teeth_difference": 1},
+            {"kind": "involute", "module_mm": 1.75, "teeth_difference": 2},
             "satellite_body/root_radius_mm",
         ),
         ({"kind": "cycloid", "ring_pin_circle_radius_mm": 84.0}, "gear/ring_pin_radius_mm"),

@@ -103,7 +103,7 @@ async def test_members_are_said_where_the_pins_are_not_the_output(api):
 WHOLE = design() | {
     "contact": CONTACT | {"hole_clearance_mm": 0.02, "pin_material": "steel_bearing",
                           "hole_material": "steel_case_hardened"},
-    "gear": {"kind": "involute", "module_mm": 3.5, "teeth_difference": 1,
+    "gear": {"kind": "involute", "module_mm": 1.75, "teeth_difference": 2,
              "reference_pressure_angle_deg": 20},
     "bearing": {"kind": "ball", "dynamic_rating_N": 60000, "static_rating_N": 40000},
     "crankshaft": {"satellite_positions_mm": [20, 42], "bearing_positions_mm": [0, 62],

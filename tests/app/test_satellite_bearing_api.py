@@ -10,7 +10,7 @@ from app.examples import REQUESTS
 pytestmark = pytest.mark.anyio
 
 PATH = "satellite-bearing"
-REFERENCE = {"kind": "involute", "module_mm": 3.5, "teeth_difference": 1}
+REFERENCE = {"kind": "involute", "module_mm": 1.75, "teeth_difference": 2}
 """The design of the oracle: its teeth do not exist, its force does."""
 
 

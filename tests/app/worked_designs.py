@@ -21,7 +21,7 @@ BARE: dict[str, Any] = {
         "reliability_percent": 99.0,
     },
     "friction": {"coefficient": 0.08, "wear_rate_mm3_per_Nm": 1e-8},
-    "gear": {"kind": "involute", "module_mm": 3.5, "teeth_difference": 1},
+    "gear": {"kind": "involute", "module_mm": 1.75, "teeth_difference": 2},
     "bearing": {
         "kind": "roller",
         "dynamic_rating_N": 60000.0,

@@ -186,7 +186,9 @@ def test_the_report_of_a_design_with_all_sections_on_is_short_and_whole(
     assert 2 <= len(pdf.pages) <= 4
     assert left_edge(pdf) >= MARGIN_POINTS - 1
     text = text_of(pdf)
-    for each in page.locator(".beside-card:not([data-wanted=study]):visible > h2").all_inner_texts():
+    for each in page.locator(
+        ".beside-card:not([data-wanted=study]):visible > h2"
+    ).all_inner_texts():
         assert each in text, each
     for words in ("Real peak force", "Backlash, largest", "Safety factor of fatigue"):
         assert words in text.replace("fa tigue", "fatigue"), words

@@ -358,7 +358,7 @@ MISSING: dict[str, tuple[Design, tuple[str, ...], tuple[str, ...]]] = {
     ),
     "eccentricity": (
         having(WHOLE, eccentricity=None),
-        ("bearing_life", "pressure_angle"),
+        ("bearing_life", "pressure_angle", "mesh_possible"),
         ("contact.eccentricity",),
     ),
     "eccentricity of a cycloid disc": (
@@ -408,24 +408,59 @@ def test_ring() -> None:
     angle = check_of("pressure_angle", WHOLE)
     assert angle.value == pytest.approx(math.radians(34.6912426), rel=1e-9)
     assert angle.status == "pass"
-    steep = check_of("pressure_angle", part(WHOLE, "gear", module=2.3e-3))
+    steep = check_of("pressure_angle", part(WHOLE, "gear", module=1.15e-3))
     assert (steep.status, steep.reason) == ("marginal", "steep_mesh")
     for ring, codes in (
-        (Ring(kind="none"), ("pressure_angle", "gear_room")),
-        (Ring(radial_force_ratio=0.3), ("pressure_angle", "gear_room")),
-        (Ring(kind="cycloid", ring_pin_circle_radius=0.084), ("pressure_angle",)),
+        (Ring(kind="none"), ("pressure_angle", "mesh_possible", "gear_room")),
+        (Ring(radial_force_ratio=0.3), ("pressure_angle", "mesh_possible", "gear_room")),
+        (
+            Ring(kind="cycloid", ring_pin_circle_radius=0.084),
+            ("pressure_angle", "mesh_possible"),
+        ),
     ):
         for code in codes:
             assert check_of(code, having(WHOLE, gear=ring)).status == "not_applicable"
 
 
+def test_teeth_that_can_mesh() -> None:
+    """By module, teeth and eccentricity alone; never a green word of the teeth."""
+
+    def teeth(module: float, difference: int, eccentricity: float, degrees: float = 20) -> Design:
+        ring = Ring(
+            kind="involute",
+            module=module,
+            teeth_difference=difference,
+            reference_pressure_angle=math.radians(degrees),
+        )
+        return having(REF, gear=ring, eccentricity=eccentricity, hole_radius=0.008 + eccentricity)
+
+    for design, status, ratio in (
+        (teeth(3.5e-3, 1, 2e-3), "fail", 0.53),  # 20 in 21
+        (teeth(3e-3, 2, 3.2e-3), "marginal", 0.84),  # 40 in 42
+        (teeth(3e-3, 2, 3.68e-3), "pass", 1.6),
+        (teeth(3.5e-3, 1, 2.8e-3), "pass", 1.48),
+        (teeth(3e-3, 2, 9e-3), "fail", 0.1),  # so far apart that they hardly reach each other
+    ):
+        found = check_of("mesh_possible", design)
+        assert (found.status, found.limit) == (status, 1.0)
+        assert found.value == pytest.approx(ratio, abs=0.1)
+        assert found.reason == ("unusual_teeth" if status == "marginal" else "")
+        (judged,) = (part for part in crank_checks(Results(design)).parts if part.code == "teeth")
+        assert judged.status == ("fail" if status == "fail" else "open")
+    for beyond in (teeth(1e-3, 9, 6e-3), teeth(3e-3, 2, 3.68e-3, 14), teeth(3e-3, 2, 3.68e-3, 31)):
+        found = check_of("mesh_possible", beyond)
+        assert (found.status, found.reason) == ("not_checked", "outside_method")
+    unknown = check_of("mesh_possible", having(teeth(3e-3, 2, 3.68e-3), eccentricity=None))
+    assert (unknown.status, unknown.missing) == ("not_checked", ("contact.eccentricity",))
+
+
 def test_holes_within_the_teeth() -> None:
-    """20 teeth of 3.5 mm, R + r_out = 60 mm: this design has no room for its teeth."""
+    """40 teeth of 1.75 mm, R + r_out = 60 mm: this design has no room for its teeth."""
     found = check_of("gear_room", WHOLE)
     says(found, status="fail", value=-0.025, limit=0.0, impossible=True)
     assert crank_checks(Results(WHOLE)).verdict == "fail"
-    # 40 teeth of a difference of two: roots from 65.625 to 70 mm
-    pair = part(having(WHOLE, eccentricity=4e-3, hole_radius=0.012), "gear", teeth_difference=2)
+    # 40 teeth of 3.5 mm: roots from 65.625 to 70 mm
+    pair = part(having(WHOLE, eccentricity=4e-3, hole_radius=0.012), "gear", module=3.5e-3)
     for circle, width in ((0.0535, 1.25e-4), (0.0537, None), (0.0579, None), (0.0581, -1e-4)):
         found = check_of("gear_room", having(pair, pin_circle_radius=circle))
         if width is None:
@@ -562,7 +597,8 @@ FAILING: dict[str, Design] = {
         part(having(WHOLE, max_pv=2e6), "pin", diameter=0.011), "friction", sleeve=True
     ),
     "wear": having(WHOLE, max_wear=5e-5),
-    "pressure_angle": part(WHOLE, "gear", module=2.2e-3),
+    "pressure_angle": part(WHOLE, "gear", module=1.1e-3),
+    "mesh_possible": part(WHOLE, "gear", module=2e-3),
     "gear_room": WHOLE,
     "bearing_life": rigid(life=5000 * 3600.0),
     "bearing_static": rigid(static_safety=2.0, peak_torque=1000.0),
@@ -591,6 +627,7 @@ FIXED = {
         "load.output_torque",
     },
     "pressure_angle": {"gear.module"},
+    "mesh_possible": {"gear.module"},
     "gear_room": {"load.pin_circle_radius"},
     "bearing_life": {"bearing.dynamic_rating", "load.input_speed", "load.output_torque"},
     "bearing_static": {"bearing.static_rating", "load.peak_torque"},

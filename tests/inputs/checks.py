@@ -124,8 +124,8 @@ WHOLE = having(
     friction=Friction(coefficient=0.08, wear_rate=1e-17, life=3000 * 3600.0),
     gear=Ring(
         kind="involute",
-        module=3.5e-3,
-        teeth_difference=1,
+        module=1.75e-3,
+        teeth_difference=2,
         reference_pressure_angle=math.radians(20),
     ),
     bearing=RollingBearing(kind="ball", dynamic_rating=60e3, static_rating=40e3),

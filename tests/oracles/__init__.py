@@ -16,6 +16,7 @@ turns              what is largest over the turn of a mechanism as made, by bise
 losses, teeth      friction in pins and holes; whether teeth can exist
 hertz, dissimilar  line contact and Persson's conformal contact
 rims               what the load as a whole moves at a hole and a disc, by finite elements
+involute           involute teeth by points and circles, their outlines, the rack that cuts them
 checks             the contact of the reference design of the checks, by hand
 rollers            compliance and load sharing of swinging rollers
 precession         contact lines and meshing load by Carlson's integrals and quadrature

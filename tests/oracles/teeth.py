@@ -1,4 +1,4 @@
-"""Whether teeth of a small difference can exist: what the mechanics of `core` does not ask yet.
+"""Whether teeth of a small difference can exist: all shifts and addenda of a grid are tried.
 
 Lengths are in millimetres, angles in degrees.
 """
@@ -26,10 +26,19 @@ def _inv(angle):
 
 
 def contact_ratio(
-    *, satellite_teeth: int, ring_teeth: int, module: float, eccentricity: float, angle: float = 20
+    *,
+    satellite_teeth: int,
+    ring_teeth: int,
+    module: float,
+    eccentricity: float,
+    angle: float = 20,
+    shifts: np.ndarray = USUAL_SHIFTS,
+    addenda: np.ndarray = USUAL_ADDENDA,
+    apart: float = TIPS_APART,
 ) -> float:
-    """Largest contact ratio of usual teeth without backlash whose tips do not meet outside of the
-    path of contact, and whose path is one of involutes on satellite and ring; 0 where none exist.
+    """Largest contact ratio of teeth without backlash, usual ones where nothing is said, whose tips
+    do not meet outside of the path of contact, and whose path is one of involutes on satellite and
+    ring, and which are not pointed; 0 where none exist.
     """
     z_s, z_r, m, e = satellite_teeth, ring_teeth, module, eccentricity
     difference, alpha = z_r - z_s, math.radians(angle)
@@ -38,7 +47,7 @@ def contact_ratio(
         return 0.0
     working = math.acos(cosine)
     wider = difference * (_inv(working) - _inv(alpha)) / (2 * math.tan(alpha))
-    x_s, h_s, h_r = np.meshgrid(USUAL_SHIFTS, USUAL_ADDENDA, USUAL_ADDENDA)
+    x_s, h_s, h_r = np.meshgrid(shifts, addenda, addenda)
     tip_s, tip_r = m * (z_s / 2 + x_s + h_s), m * (z_r / 2 + x_s + wider - h_r)
     with np.errstate(invalid="ignore"):  # no involute at a tip within the base circle: no number
         at_tip_s = np.arccos(m * z_s * math.cos(alpha) / (2 * tip_s))
@@ -49,14 +58,20 @@ def contact_ratio(
         across_r = np.minimum(1, (tip_r**2 - tip_s**2 + e**2) / (2 * tip_r * e))
         turned = z_s * (_inv(at_tip_s) + np.arccos(across_s))
         turned -= z_r * (_inv(at_tip_r) + np.arccos(across_r))
-    apart = (across_s == 1) | (turned + difference * _inv(working) >= TIPS_APART)
+    free = (across_s == 1) | (turned + difference * _inv(working) >= apart)
+    reference = math.pi / 2 * m, 2 * m * math.tan(alpha)  # thickness without a shift, and with one
+    tooth = (reference[0] + reference[1] * x_s) / (m * z_s) + _inv(alpha) - _inv(at_tip_s)
+    gap = (reference[0] - reference[1] * (x_s + wider)) / (m * z_r) - _inv(alpha) + _inv(at_tip_r)
+    free &= (tooth >= 0) & (gap >= 0)
     start = (z_r * np.tan(at_tip_r) - difference * math.tan(working)) / z_s
-    straight = DEDENDUM - TIP_RADIUS * (1 - math.sin(alpha))
+    round_most = (math.pi / 4 - DEDENDUM * math.tan(alpha)) * math.cos(alpha)
+    rounded = min(TIP_RADIUS, round_most / (1 - math.sin(alpha)))
+    straight = DEDENDUM - rounded * (1 - math.sin(alpha))
     form = math.tan(alpha) - 4 * (straight - x_s) / (z_s * math.sin(2 * alpha))
     on_involutes = (start >= form) & (form >= 0)  # else they reach below one, or it is undercut
     path = z_s * (np.tan(at_tip_s) - math.tan(working))
     path += z_r * (math.tan(working) - np.tan(at_tip_r))
-    return float(np.max(path[apart & on_involutes], initial=0) / (2 * math.pi))
+    return float(np.max(path[free & on_involutes], initial=0) / (2 * math.pi))
 
 
 def cycloid_margin(

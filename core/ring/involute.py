@@ -1,0 +1,428 @@
+"""An involute satellite in an involute ring of few teeth more: sizes, backlash, path of contact.
+
+Profile shifts are positive outwards on both: a positive one of the ring makes its spaces wider, its
+tip and root circles larger. Heights are in modules.
+"""
+
+import math
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+from core.arrays import Number, check_finite, check_positive
+from core.errors import InvalidInput
+from core.precision import ROUNDING, SAME
+from core.results import Accuracy
+from core.ring.line_of_action import LineOfAction, TipCrossing, involute, roll
+
+MOST_DIFFERENCE = 8
+"""Most teeth of the ring more than a satellite has of which anything is said."""
+
+STANDARD_ANGLES = (math.radians(14.5) * (1 - SAME), math.radians(30) * (1 + SAME))
+"""Least and largest reference pressure angle of which anything is said, rad."""
+
+TIPS_APART = 0.05
+"""Interference G of the tips that is left as a margin."""
+
+
+@dataclass(frozen=True, slots=True)
+class Rack:
+    """The basic rack whose hob makes the satellite; that of ISO 53 A where nothing is said."""
+
+    pressure_angle: float = math.radians(20)  # alpha, rad
+    dedendum: float = 1.25  # h_f, of the gear, in modules
+    tip_radius: float = 0.38  # rho_f, in modules
+
+    @property
+    def straight(self) -> float:
+        """How far below its reference line the rack's flank is straight, in modules."""
+        return self.dedendum - self.tip_radius * (1 - math.sin(self.pressure_angle))
+
+    @property
+    def most_round(self) -> float:
+        """Largest radius for which there is room at the rack's tip, in modules."""
+        land = math.pi / 4 - self.dedendum * math.tan(self.pressure_angle)
+        return land * math.cos(self.pressure_angle) / (1 - math.sin(self.pressure_angle))
+
+    def form_roll(self, *, teeth: int, shift: Number) -> Number:
+        """Roll angle from which on the satellite's flank is an involute; below 0 it is undercut.
+
+        ``tan(alpha_F) = tan(alpha) - 4*(h' - x_s)/(z_s*sin(2*alpha))``, h' how far the rack is
+        straight.
+
+        Parameters
+        ----------
+        teeth : int
+            Teeth z_s.
+        shift : float or array
+            Profile shift x_s.
+
+        Returns
+        -------
+        float or array
+        """
+        alpha = self.pressure_angle
+        return math.tan(alpha) - 4 * (self.straight - shift) / (teeth * math.sin(2 * alpha))
+
+
+def usual_rack(*, pressure_angle: float) -> Rack:
+    """The rack of ISO 53 A at a pressure angle: its tip is as round as there is room for.
+
+    Parameters
+    ----------
+    pressure_angle : float
+        Pressure angle alpha, rad.
+
+    Returns
+    -------
+    Rack
+
+    Examples
+    --------
+    >>> usual_rack(pressure_angle=math.radians(20)).tip_radius
+    0.38
+    >>> round(usual_rack(pressure_angle=math.radians(25)).tip_radius, 3)
+    0.318
+    """
+    rack = Rack(pressure_angle)
+    return replace(rack, tip_radius=min(rack.tip_radius, rack.most_round))
+
+
+@dataclass(frozen=True, slots=True)
+class Cutter:
+    """The shaper cutter that makes the ring."""
+
+    teeth: int  # z_0
+    profile_shift: float = 0.0  # x_0
+    addendum: float = 1.25  # h_a0, in modules
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class InvoluteTeeth:
+    """Involute teeth of satellite and ring."""
+
+    satellite_teeth: int  # z_s
+    ring_teeth: int  # z_r
+    module: float  # m, m
+    satellite_profile_shift: float  # x_s
+    ring_profile_shift: float  # x_r
+    satellite_addendum: float  # h_as, in modules
+    ring_addendum: float  # h_ar, in modules
+    rack: Rack = Rack()
+    cutter: Cutter | None = None  # of the ring
+
+    @property
+    def difference(self) -> int:
+        """Teeth of the ring less those of the satellite."""
+        return self.ring_teeth - self.satellite_teeth
+
+    @property
+    def satellite_tip(self) -> float:
+        """r_as, m."""
+        height = self.satellite_profile_shift + self.satellite_addendum
+        return self.module * (self.satellite_teeth / 2 + height)
+
+    @property
+    def ring_tip(self) -> float:
+        """r_ar, m."""
+        height = self.ring_profile_shift - self.ring_addendum
+        return self.module * (self.ring_teeth / 2 + height)
+
+    @property
+    def satellite_root(self) -> float:
+        """r_fs, m."""
+        height = self.satellite_profile_shift - self.rack.dedendum
+        return self.module * (self.satellite_teeth / 2 + height)
+
+    @property
+    def satellite_half_angle(self) -> float:
+        """sigma_s of a tooth at the base circle, rad."""
+        return self._half_angle(self.satellite_teeth, self.satellite_profile_shift)
+
+    @property
+    def ring_half_angle(self) -> float:
+        """sigma_r of a space at the base circle, rad."""
+        return self._half_angle(self.ring_teeth, self.ring_profile_shift)
+
+    def _half_angle(self, teeth: int, shift: float) -> float:
+        alpha = self.rack.pressure_angle
+        return (math.pi / 2 + 2 * shift * math.tan(alpha)) / teeth + float(involute(alpha))
+
+    def check(self) -> None:
+        """Refuse sizes of which nothing can be said.
+
+        Raises
+        ------
+        InvalidInput
+            If they are.
+        """
+        check_positive(satellite_teeth=self.satellite_teeth, module=self.module)
+        check_finite(
+            satellite_profile_shift=self.satellite_profile_shift,
+            ring_profile_shift=self.ring_profile_shift,
+            satellite_addendum=self.satellite_addendum,
+            ring_addendum=self.ring_addendum,
+        )
+        if not 1 <= self.difference <= MOST_DIFFERENCE:
+            more = self.satellite_teeth + max(1, min(self.difference, MOST_DIFFERENCE))
+            code = "less_than_equal" if self.difference > 1 else "greater_than_equal"
+            raise InvalidInput("ring_teeth", self.ring_teeth, code, limit=more)
+        most = self.rack.most_round
+        if not self.rack.tip_radius <= most:
+            name = "rack_tip_radius"
+            raise InvalidInput(name, self.rack.tip_radius, "less_than_equal", limit=most)
+        cosine = math.cos(self.rack.pressure_angle) / 2
+        outside = self.satellite_teeth * (cosine - 0.5) - self.satellite_profile_shift
+        if not self.satellite_addendum > outside:
+            code, than = "greater_than", {"limit": outside}
+            raise InvalidInput("satellite_addendum", self.satellite_addendum, code, **than)
+        inside = self.ring_teeth * (0.5 - cosine) + self.ring_profile_shift
+        if not self.ring_addendum < inside:
+            raise InvalidInput("ring_addendum", self.ring_addendum, "less_than", limit=inside)
+
+
+@dataclass(frozen=True)
+class InvolutePair:
+    """How involute teeth of satellite and ring mesh."""
+
+    teeth: InvoluteTeeth  # what is given
+    line: LineOfAction  # on which they touch
+    eccentricity_without_backlash: float  # e_0, m
+    normal_backlash: float  # j_n, m: below 0 the teeth press
+    ring_root: float  # r_fr, m
+    accuracy: Accuracy
+
+    @property
+    def backlash(self) -> float:
+        """Angle by which the satellite can turn in the ring, rad: below 0 the teeth press."""
+        return self.normal_backlash / self.line.satellite_base
+
+    @cached_property
+    def start_roll(self) -> float:
+        """Roll angle of the satellite at the start of the path, at the ring's tip."""
+        return float(self.line.start_roll(self.teeth.ring_tip))
+
+    @cached_property
+    def end_roll(self) -> float:
+        """Roll angle of the satellite at the end of the path, at its tip."""
+        return float(self.line.end_roll(self.teeth.satellite_tip))
+
+    @property
+    def contact_ratio(self) -> float:
+        """eps, below 1 the motion is not handed on."""
+        return float(self.line.contact_ratio(start=self.start_roll, end=self.end_roll))
+
+    @property
+    def pitch_point_on_path(self) -> bool:
+        """Whether the flanks roll on each other somewhere on the path."""
+        return self.start_roll <= self.line.pitch_roll <= self.end_roll
+
+    @property
+    def form_roll_satellite(self) -> float:
+        """Roll angle from which on the satellite's flank is an involute; below 0: undercut."""
+        shift = self.teeth.satellite_profile_shift
+        return float(self.teeth.rack.form_roll(teeth=self.teeth.satellite_teeth, shift=shift))
+
+    @property
+    def satellite_undercut(self) -> bool:
+        """Whether the hob cuts away a part of the satellite's involute."""
+        return self.form_roll_satellite < 0
+
+    @property
+    def on_involutes(self) -> bool:
+        """Whether tips pass each other, and flanks touch only where they are involutes."""
+        apart = self.tip_interference is not None and self.tip_interference >= 0
+        form = self.form_roll_ring
+        whole = form is None or self.end_roll_ring <= form
+        return apart and self.start_roll >= self.form_roll_satellite >= 0 and whole
+
+    @property
+    def end_roll_ring(self) -> float:
+        """Roll angle of the ring at the end of the path."""
+        return float(self.line.on_ring(self.end_roll))
+
+    @property
+    def form_roll_ring(self) -> float | None:
+        """Roll angle of the ring up to which its flank is an involute; None without a cutter."""
+        return None if self.teeth.cutter is None else _generated(self.teeth, self.teeth.cutter)[1]
+
+    @cached_property
+    def _crossing(self) -> TipCrossing:
+        return self.line.crossing(
+            satellite_tip=self.teeth.satellite_tip, ring_tip=self.teeth.ring_tip
+        )
+
+    @property
+    def tips_overlap_all_round(self) -> bool:
+        """Whether the satellite's tip circle has the ring's in it."""
+        return bool(self._crossing.overlap)
+
+    @property
+    def tip_interference(self) -> float | None:
+        """G of the tips beside the path of contact, at least 0; None where the tip circles do not
+        cross.
+        """
+        found = float(self._crossing.interference)
+        return None if math.isnan(found) else found
+
+    @property
+    def tip_gap(self) -> float | None:
+        """About how wide the gap there is, m."""
+        if self.tip_interference is None:
+            return None
+        return self.tip_interference * self.teeth.ring_tip / self.teeth.ring_teeth
+
+    @property
+    def tip_clearance_satellite(self) -> float:
+        """From the satellite's tip to the ring's root, m."""
+        return self.ring_root - self.line.eccentricity - self.teeth.satellite_tip
+
+    @property
+    def tip_clearance_ring(self) -> float:
+        """From the ring's tip to the satellite's root, m."""
+        return self.teeth.ring_tip - self.line.eccentricity - self.teeth.satellite_root
+
+    @property
+    def satellite_tip_thickness(self) -> float:
+        """Of the satellite's teeth along the tip circle, m: below 0 they are pointed."""
+        tip = float(involute(math.atan(self.end_roll)))
+        return 2 * self.teeth.satellite_tip * (self.teeth.satellite_half_angle - tip)
+
+    @property
+    def ring_tip_thickness(self) -> float:
+        """Of the ring's teeth along the tip circle, m: below 0 they are pointed."""
+        tip = float(involute(math.atan(roll(self.teeth.ring_tip, base=self.line.ring_base))))
+        half = math.pi / self.teeth.ring_teeth - self.teeth.ring_half_angle
+        return 2 * self.teeth.ring_tip * (half + tip)
+
+    @property
+    def reduced_radius_start(self) -> float | None:
+        """Of curvature at the start of the path, m; None where the satellite has no involute."""
+        return self._reduced_radius(self.start_roll)
+
+    @property
+    def reduced_radius_end(self) -> float | None:
+        """Of curvature at the end of the path, m; None where both flanks have one curvature."""
+        return self._reduced_radius(self.end_roll)
+
+    def _reduced_radius(self, at: float) -> float | None:
+        curved = at > 0 and self.line.base_distance > 0
+        return float(self.line.reduced_radius(at)) if curved else None
+
+
+def involute_pair(*, teeth: InvoluteTeeth, eccentricity: float | None = None) -> InvolutePair:
+    """An involute satellite in its ring.
+
+    ``inv(alpha_w0) = inv(alpha) + 2*(x_r - x_s)*tan(alpha)/dz``,
+    ``e_0 = m*dz*cos(alpha)/(2*cos(alpha_w0))``,
+    ``j_n = m*cos(alpha)*(2*(x_r - x_s)*tan(alpha) + dz*(inv(alpha) - inv(alpha_w)))``.
+
+    Parameters
+    ----------
+    teeth : InvoluteTeeth
+        The teeth.
+    eccentricity : float, optional
+        Eccentricity e, m; that without backlash where it is not given.
+
+    Returns
+    -------
+    InvolutePair
+
+    Raises
+    ------
+    InvalidInput
+        If a tip lies within its base circle, the difference of teeth is none or above
+        `MOST_DIFFERENCE`, the ring's spaces are too narrow for any eccentricity, or the base
+        circles do not leave room for the one that is given.
+
+    Examples
+    --------
+    >>> teeth = InvoluteTeeth(satellite_teeth=40, ring_teeth=41, module=2.5e-3,
+    ...                       satellite_profile_shift=0.0, ring_profile_shift=0.58,
+    ...                       satellite_addendum=0.8, ring_addendum=0.8)
+    >>> pair = involute_pair(teeth=teeth)
+    >>> round(1e3*pair.line.eccentricity, 9), round(pair.contact_ratio, 9)
+    (2.003027286, 1.091406213)
+    >>> pair.pitch_point_on_path
+    False
+    """
+    teeth.check()
+    alpha, difference = teeth.rack.pressure_angle, teeth.difference
+    wider = 2 * (teeth.ring_profile_shift - teeth.satellite_profile_shift) * math.tan(alpha)
+    own = float(involute(alpha))
+    free = angle_of(own + wider / difference)
+    if free is None:
+        least = teeth.satellite_profile_shift - difference * own / (2 * math.tan(alpha))
+        shift = teeth.ring_profile_shift
+        raise InvalidInput("ring_profile_shift", shift, "greater_than", limit=least)
+    without = teeth.module * difference * math.cos(alpha) / (2 * math.cos(free))
+    line = LineOfAction.of(
+        satellite_teeth=teeth.satellite_teeth,
+        ring_teeth=teeth.ring_teeth,
+        module=teeth.module,
+        pressure_angle=alpha,
+        eccentricity=without if eccentricity is None else eccentricity,
+    )
+    closer = difference * (own - float(involute(line.angle)))
+    backlash = 0.0 if eccentricity is None else teeth.module * math.cos(alpha) * (wider + closer)
+    root = teeth.module * (teeth.ring_teeth / 2 + teeth.ring_profile_shift + teeth.rack.dedendum)
+    if teeth.cutter is not None:
+        root = _generated(teeth, teeth.cutter)[0]
+    return InvolutePair(
+        teeth=teeth,
+        line=line,
+        eccentricity_without_backlash=without,
+        normal_backlash=backlash,
+        ring_root=root,
+        accuracy=Accuracy("closed_form", line.error + 8 * ROUNDING * teeth.ring_teeth, 1),
+    )
+
+
+def angle_of(value: float) -> float | None:
+    """Pressure angle at which the involute function has a value.
+
+    Parameters
+    ----------
+    value : float
+        Of the function, rad.
+
+    Returns
+    -------
+    float or None
+        rad; None of a value that is not positive.
+
+    Examples
+    --------
+    >>> round(math.degrees(angle_of(0.014904384)), 6)
+    20.0
+    >>> angle_of(-0.01)
+    """
+    if not value > 0:
+        return None
+    angle, closer = math.inf, min((3 * value) ** (1 / 3), math.atan(value + math.pi / 2))
+    while closer < angle:  # Newton's steps from above, as it is convex
+        angle = closer
+        closer = angle - (math.tan(angle) - angle - value) / math.tan(angle) ** 2
+    return angle
+
+
+def _generated(teeth: InvoluteTeeth, cutter: Cutter) -> tuple[float, float]:
+    """Root radius of the ring and the roll angle up to which its flank is an involute."""
+    alpha, more = teeth.rack.pressure_angle, teeth.ring_teeth - cutter.teeth
+    if not more > 0:
+        most = teeth.ring_teeth
+        raise InvalidInput("cutter_teeth", cutter.teeth, "less_than", limit=most)
+    wider = 2 * (teeth.ring_profile_shift - cutter.profile_shift) * math.tan(alpha) / more
+    angle = angle_of(float(involute(alpha)) + wider)
+    if angle is None:
+        own = more * float(involute(alpha)) / (2 * math.tan(alpha))
+        limit = teeth.ring_profile_shift + own
+        raise InvalidInput("cutter_profile_shift", cutter.profile_shift, "less_than", limit=limit)
+    height = cutter.profile_shift + cutter.addendum
+    tip = teeth.module * (cutter.teeth / 2 + height)
+    base = teeth.module * cutter.teeth * math.cos(alpha) / 2
+    if not tip > base:
+        limit = cutter.teeth * (math.cos(alpha) - 1) / 2 - cutter.profile_shift
+        raise InvalidInput("cutter_addendum", cutter.addendum, "greater_than", limit=limit)
+    distance = teeth.module * more * math.cos(alpha) / (2 * math.cos(angle))
+    reached = more * math.tan(angle) + cutter.teeth * float(roll(tip, base=base))
+    return distance + tip, reached / teeth.ring_teeth

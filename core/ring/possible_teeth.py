@@ -1,0 +1,211 @@
+"""Whether any involute teeth mesh, by module, teeth and eccentricity alone.
+
+Shifts and addenda of a grid are looked at, the backlash being none. Of a satellite's shift and
+addendum the contact ratio falls, and the room of the tips grows, as the ring's tip moves outwards;
+so a contact ratio is within reach where the tips pass each other with the ring's tip where it is
+reached, which is one formula.
+"""
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from core.arrays import BoolArray, FloatArray
+from core.ring.involute import TIPS_APART, InvoluteTeeth, Rack, usual_rack
+from core.ring.line_of_action import LineOfAction, involute, radius_at
+
+USUAL_SHIFTS, USUAL_ADDENDA = (-0.5, 1.0), (0.25, 1.25)
+"""Profile shifts of the satellite and addenda of both, in modules, of usual teeth; their tips are
+`TIPS_APART`."""
+
+SHIFTS, ADDENDA = (-1.0, 2.0), (0.1, 1.5)
+"""Those of any teeth, whose tips just pass each other."""
+
+STEP = 0.025
+"""Of shifts and of addenda."""
+
+MISSED = 0.05
+"""How much of the contact ratio the best teeth may have between those that are looked at."""
+
+SPARSE = 16
+"""Each of so many is looked at first."""
+
+ROUGHLY, HALVINGS = 10, 20
+"""Of the stretch in which the largest contact ratio is, of these and of those that are left."""
+
+
+@dataclass(frozen=True)
+class PossibleTeeth:
+    """Which involute teeth mesh."""
+
+    contact_ratio: float  # largest of usual teeth, 0 where none touch
+    teeth: InvoluteTeeth | None  # that have it, of module 1
+    any_mesh: bool  # whether any have one of 1, or of what may be missed less
+
+
+def possible_teeth(
+    *,
+    satellite_teeth: int,
+    ring_teeth: int,
+    module: float,
+    pressure_angle: float,
+    eccentricity: float,
+    rack: Rack | None = None,
+) -> PossibleTeeth:
+    """The largest contact ratio of usual teeth, and whether any others mesh.
+
+    Of teeth whose tips pass each other, which touch on involutes, and of which the satellite's are
+    neither undercut nor pointed.
+
+    Parameters
+    ----------
+    satellite_teeth, ring_teeth : int
+        Teeth z_s and z_r > z_s.
+    module : float
+        Module m, m.
+    pressure_angle : float
+        Reference pressure angle alpha, rad.
+    eccentricity : float
+        Eccentricity e, m.
+    rack : Rack, optional
+        The rack that makes the satellite; `usual_rack` where it is not given.
+
+    Returns
+    -------
+    PossibleTeeth
+
+    Raises
+    ------
+    InvalidInput
+        If the base circles do not leave room for the eccentricity.
+
+    Notes
+    -----
+    The contact ratio may be `MISSED` too small, by what lies between the teeth that are looked at.
+
+    Examples
+    --------
+    One tooth of difference needs an eccentricity of 0.66 to 0.8 modules:
+
+    >>> teeth = {"satellite_teeth": 20, "ring_teeth": 21, "pressure_angle": math.radians(20)}
+    >>> found = possible_teeth(**teeth, module=3.5e-3, eccentricity=2e-3)
+    >>> round(found.contact_ratio, 1), found.any_mesh
+    (0.5, False)
+    >>> round(possible_teeth(**teeth, module=3.5e-3, eccentricity=2.8e-3).contact_ratio, 1)
+    1.5
+    """
+    line = LineOfAction.of(
+        satellite_teeth=satellite_teeth,
+        ring_teeth=ring_teeth,
+        module=1.0,
+        pressure_angle=pressure_angle,
+        eccentricity=eccentricity / module,
+    )
+    return _possible(line, usual_rack(pressure_angle=pressure_angle) if rack is None else rack)
+
+
+@dataclass(frozen=True)
+class _Looked:
+    """Teeth that are looked at, of module 1: those of the satellite, and where the ring's may end;
+    each an array.
+    """
+
+    shift: FloatArray  # x_s
+    tip: FloatArray  # radius of the satellite
+    end: FloatArray  # roll angle there
+    first: FloatArray  # roll angle at which the path may start
+    outmost: FloatArray  # tip radius of the ring
+
+    def chosen(self, which: BoolArray | slice) -> "_Looked":
+        """Some of them."""
+        return _Looked(*(getattr(self, name)[which] for name in self.__dataclass_fields__))
+
+    def ring_tip(self, line: LineOfAction, ratio: float) -> FloatArray:
+        """Tip radius of the ring with which they have at least a contact ratio."""
+        start = np.maximum(self.end - 2 * math.pi * ratio / line.satellite_teeth, self.first)
+        return np.minimum(radius_at(line.on_ring(start), base=line.ring_base), self.outmost)
+
+    def reach(self, line: LineOfAction, ratio: float, room: float) -> BoolArray:
+        """Which of them have a contact ratio, their tips being apart."""
+        ring = self.ring_tip(line, ratio)
+        tips = line.crossing(satellite_tip=self.tip, ring_tip=ring).interference
+        there = self.end - self.first >= 2 * math.pi * ratio / line.satellite_teeth
+        return np.asarray(there & (tips >= room))
+
+
+@lru_cache(maxsize=4096)
+def _possible(line: LineOfAction, rack: Rack) -> PossibleTeeth:
+    ratio, best = _best(line, _looked(line, rack, USUAL_SHIFTS, USUAL_ADDENDA), TIPS_APART)
+    return PossibleTeeth(
+        contact_ratio=ratio,
+        teeth=_teeth(line, rack, best, ratio) if best.shift.size else None,
+        any_mesh=ratio >= 1
+        or bool(_looked(line, rack, SHIFTS, ADDENDA).reach(line, 1 - MISSED, 0.0).any()),
+    )
+
+
+def _teeth(line: LineOfAction, rack: Rack, best: _Looked, ratio: float) -> InvoluteTeeth:
+    """The first of teeth that have a contact ratio."""
+    shift, ring_shift = float(best.shift[0]), float(best.shift[0]) + line.wider
+    return InvoluteTeeth(
+        satellite_teeth=line.satellite_teeth,
+        ring_teeth=line.ring_teeth,
+        module=line.module,
+        satellite_profile_shift=shift,
+        ring_profile_shift=ring_shift,
+        satellite_addendum=float(best.tip[0]) - line.satellite_teeth / 2 - shift,
+        ring_addendum=line.ring_teeth / 2 + ring_shift - float(best.ring_tip(line, ratio)[0]),
+        rack=rack,
+    )
+
+
+def _looked(
+    line: LineOfAction, rack: Rack, shifts: tuple[float, float], addenda: tuple[float, float]
+) -> _Looked:
+    """Teeth of which the satellite's are neither undercut nor pointed."""
+    shift, height = np.meshgrid(*(_grid(ends) for ends in (shifts, addenda)), indexing="ij")
+    shift, height = shift.ravel(), height.ravel()
+    tan, own = math.tan(line.pressure_angle), float(involute(line.pressure_angle))
+    tip = line.satellite_teeth / 2 + shift + height
+    end = line.end_roll(tip)  # no number within the base circle
+    half = (math.pi / 2 + 2 * shift * tan) / line.satellite_teeth + own
+    form = rack.form_roll(teeth=line.satellite_teeth, shift=shift)
+    ring_shift = shift + line.wider
+    inmost = line.ring_teeth / 2 + ring_shift - addenda[1]
+    first = np.maximum(form, line.start_roll(np.maximum(inmost, line.ring_base)))
+    outmost = line.ring_teeth / 2 + ring_shift - addenda[0]
+    blunt = half >= end - np.arctan(end)
+    farthest = radius_at(line.on_ring(first), base=line.ring_base)
+    looked = _Looked(shift, tip, end, first, outmost)
+    return looked.chosen((form >= 0) & blunt & (farthest <= outmost))
+
+
+def _grid(ends: tuple[float, float]) -> FloatArray:
+    return np.linspace(*ends, round((ends[1] - ends[0]) / STEP) + 1)
+
+
+def _best(line: LineOfAction, looked: _Looked, room: float) -> tuple[float, _Looked]:
+    """Largest contact ratio of teeth whose tips are apart, and those that have it."""
+    most = line.contact_ratio(start=looked.first, end=looked.end)
+    high = float(np.max(most, initial=0.0))
+    few = looked.chosen(slice(None, None, SPARSE))
+    low, _ = _halved(line, few, room, (0.0, high), ROUGHLY)
+    left = looked.chosen(looked.reach(line, low, room))
+    return _halved(line, left, room, (low, high), HALVINGS)
+
+
+def _halved(
+    line: LineOfAction, looked: _Looked, room: float, ends: tuple[float, float], times: int
+) -> tuple[float, _Looked]:
+    """The same of teeth of which it lies between two."""
+    low, high = ends
+    for _ in range(times if looked.shift.size else 0):
+        middle = (low + high) / 2
+        reached = looked.reach(line, middle, room)
+        if reached.any():
+            looked, low = looked.chosen(reached), middle
+        else:
+            high = middle
+    return low, looked

@@ -1,0 +1,135 @@
+"""Profile shifts for teeth of given heights: what keeps the tips apart, and the most contact."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from core.arrays import check_finite
+from core.errors import InvalidInput
+from core.numerics.inverse import edge
+from core.ring.involute import TIPS_APART, InvolutePair, InvoluteTeeth, involute_pair
+from core.ring.line_of_action import LineOfAction, involute
+from core.ring.possible_teeth import USUAL_SHIFTS
+
+STEEPEST = math.radians(75)
+"""Largest operating pressure angle that is tried."""
+
+TRIED = 128
+"""How many angles between are."""
+
+SHIFT_STEP = 0.01
+"""Of the satellite's profile shifts that are tried."""
+
+
+def nearest_ring(*, teeth: InvoluteTeeth, room: float = TIPS_APART) -> InvolutePair | None:
+    """The ring's shift, and the eccentricity without backlash, that leave the tips just so apart.
+
+    The least operating pressure angle of which they are is the largest contact ratio; it is no less
+    than the reference one.
+
+    Parameters
+    ----------
+    teeth : InvoluteTeeth
+        The teeth, whose ring's profile shift is not looked at.
+    room : float
+        Interference G of the tips that is to be left.
+
+    Returns
+    -------
+    InvolutePair or None
+        None where no angle up to `STEEPEST` leaves so much.
+
+    Raises
+    ------
+    InvalidInput
+        If a satellite's tip lies within its base circle.
+
+    Examples
+    --------
+    >>> teeth = InvoluteTeeth(satellite_teeth=40, ring_teeth=41, module=2.5e-3,
+    ...                       satellite_profile_shift=0.0, ring_profile_shift=0.0,
+    ...                       satellite_addendum=0.8, ring_addendum=0.8)
+    >>> found = nearest_ring(teeth=teeth)
+    >>> round(math.degrees(found.line.angle), 1), round(found.contact_ratio, 2)
+    (53.6, 1.11)
+    """
+    check_finite(room=room)
+    alpha, difference = teeth.rack.pressure_angle, teeth.difference
+    own, tan = float(involute(alpha)), math.tan(alpha)
+
+    def at(angle: float) -> InvolutePair | None:
+        turned = difference * (float(involute(angle)) - own) / (2 * tan)
+        shift = teeth.satellite_profile_shift + turned
+        try:
+            return involute_pair(teeth=replace(teeth, ring_profile_shift=shift))
+        except InvalidInput as why:
+            if why.parameter == "ring_addendum":  # its tip lies within its base circle
+                return None
+            raise
+
+    def spare(angle: float) -> float:
+        pair = at(angle)
+        if pair is None or pair.tip_interference is None:
+            return math.nan
+        return pair.tip_interference - room
+
+    angles = np.linspace(alpha, STEEPEST, TRIED).tolist()
+    apart = next((number for number, angle in enumerate(angles) if spare(angle) >= 0), None)
+    if apart is None:
+        return None
+    if apart == 0:
+        return at(alpha)
+    inside, _ = edge(inside=angles[apart], outside=angles[apart - 1], excess=spare)
+    return at(inside)
+
+
+def shifts_at(
+    *, teeth: InvoluteTeeth, eccentricity: float, room: float = TIPS_APART
+) -> InvoluteTeeth | None:
+    """Shifts of both, usual ones, with the largest contact ratio at an eccentricity.
+
+    Without backlash; tips stay apart, the path is one of involutes, no tooth is pointed.
+
+    Parameters
+    ----------
+    teeth : InvoluteTeeth
+        The teeth, whose profile shifts are not looked at.
+    eccentricity : float
+        Eccentricity e, m.
+    room : float
+        Interference G of the tips that is to be left.
+
+    Returns
+    -------
+    InvoluteTeeth or None
+        None where there are none.
+
+    Raises
+    ------
+    InvalidInput
+        If the base circles do not leave room for the eccentricity.
+    """
+    line = LineOfAction.of(
+        satellite_teeth=teeth.satellite_teeth,
+        ring_teeth=teeth.ring_teeth,
+        module=teeth.module,
+        pressure_angle=teeth.rack.pressure_angle,
+        eccentricity=eccentricity,
+    )
+    best: InvolutePair | None = None
+    low, high = USUAL_SHIFTS
+    for shift in np.linspace(low, high, round((high - low) / SHIFT_STEP) + 1).tolist():
+        shifted = replace(
+            teeth, satellite_profile_shift=shift, ring_profile_shift=shift + line.wider
+        )
+        try:
+            pair = involute_pair(teeth=shifted, eccentricity=eccentricity)
+        except InvalidInput:  # a tip within its base circle
+            continue
+        apart = pair.tip_interference is not None and pair.tip_interference >= room
+        blunt = min(pair.satellite_tip_thickness, pair.ring_tip_thickness) > 0
+        better = best is None or pair.contact_ratio > best.contact_ratio
+        if apart and blunt and pair.on_involutes and better:
+            best = pair
+    return None if best is None else best.teeth
