@@ -146,8 +146,10 @@ class ContactLawFields(RequestModel, group="contact_law"):
         return kinds[own.pop("kind", "hertz")](**own)  # type: ignore[no-any-return]
 
 
-def law_by_materials(contact: PinContactFields) -> ContactLaw:
-    """The law of contact where none is named."""
+def law_by_materials(contact: PinContactFields | None) -> ContactLaw:
+    """The law of contact where none is named; without a contact, which is refused, any."""
+    if contact is None:
+        return usual_law(pin=None, hole=None)
     pin, hole = material_of(contact.pin_material), material_of(contact.hole_material)
     return usual_law(pin=pin, hole=hole)
 

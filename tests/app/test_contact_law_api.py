@@ -154,3 +154,9 @@ async def test_the_page_is_told_that_no_law_need_be_named(api: Any) -> None:
     kind = schema["properties"]["kind"]
     assert "default" not in kind and "conformal" in str(kind)
     assert REQUESTS["load-sharing"]
+
+
+async def test_a_law_without_a_contact_is_no_error_of_the_program(api: Any) -> None:
+    given = {name: BASE[name] for name in ("mechanism", "load")} | {"contact_law": {}}
+    response = await api.post("crank-planetary", json=given)
+    assert response.status_code in (200, 422), response.text
