@@ -135,7 +135,7 @@ class ContactLawFields(RequestModel, group="contact_law"):
         """The law in SI units, where none is named that of the materials in the body's contact."""
         own = self.to_core()
         if not own:
-            return HertzLaw() if body.contact is None else law_by_materials(body.contact)
+            return law_by_materials(body.contact)
         kinds = {
             "hertz": HertzLaw,
             "conformal": ConformalLaw,

@@ -99,6 +99,7 @@ OF_OTHER_FIELDS = (
     "/contact/hole_clearance_mm",
     "/contact/hole_radius_mm",
     "/contact/pin_radius_mm",
+    "/crankshaft/satellite_mass_kg",
     "/fatigue/fatigue_notch_factor",
     "/fatigue/notch",
     "/gear/teeth_difference",
