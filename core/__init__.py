@@ -35,6 +35,7 @@ first_yield         by which pressure a sliding line contact first yields
 conformal           a pin in a hole that fits closely, of any two materials
 hertz               line contact of pin and hole, narrow or conformal, against its limits
 output              the output mechanism: pins in the holes of satellites on cranks
+ring                the mesh of a satellite's teeth with the ring
 tolerance           what tolerances of the output mechanism do
 rollers             swinging rollers: stiffness, load sharing, bending stress, and their curves
 precession          contact lines, meshing load and shaft deflection of the precessional gear

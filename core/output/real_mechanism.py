@@ -15,7 +15,7 @@ from core.arrays import check_finite, check_positive, check_single
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.hertz import HertzContact, hertz
 from core.materials import ElasticMaterial
-from core.output.compiled import PLAIN, in_place_of
+from core.output.compiled import PLAIN, at_hand, in_place_of
 from core.output.contact_law import (
     ContactLaw,
     PinSupport,
@@ -30,38 +30,23 @@ from core.output.satellite_support import (
     CrankSupport,
     ElasticMesh,
     SatelliteSupport,
+    SharedTorque,
     Shares,
     check_support,
 )
 from core.output.sharing_kernel import (
     CRANK,
     MESH,
-    NO_DRIVE,
-    NOT_SOLVED,
-    NOT_STABLE,
     RIGID,
-    TOO_FAR,
-    TOO_WIDE,
     Errors,
     Law,
     Pairs,
-    Position,
     Room,
     Row,
     Setup,
-    judged,
     prepare,
-    too_wide,
 )
-
-REFUSALS = {
-    NO_DRIVE: "dead_centre",
-    NOT_STABLE: "not_stable",
-    NOT_SOLVED: "not_balanced",
-    TOO_WIDE: "beyond_hertz",
-    TOO_FAR: "beyond_first_order",
-}
-"""What a position is refused as that cannot be."""
+from core.output.stage import Stage
 
 
 @dataclass(frozen=True, slots=True)
@@ -171,7 +156,7 @@ class Deviations:
 
 
 @dataclass(frozen=True)
-class RealMechanism:
+class RealMechanism(Stage):
     """A mechanism with its sizes, clearance, deviations and elasticity."""
 
     mechanism: Mechanism
@@ -321,56 +306,11 @@ class RealMechanism:
         count = self.mechanism.pins * self.mechanism.satellites
         return Room(*[[0.0] * count for _ in Room._fields])
 
-    def wave(self, crank_angle: float) -> float:
-        """Wave angle of a crank angle, rad, within half a turn around 0.
-
-        Parameters
-        ----------
-        crank_angle : float
-            Crank angle, rad.
-        """
-        return math.remainder(self.mechanism.wave_angle(crank_angle), 2 * math.pi)
-
-    def solved(self, psi: float, torque: float, setup: Setup, room: Room) -> Position:
-        """Equilibrium at a wave angle; what cannot be is refused.
-
-        Parameters
-        ----------
-        psi : float
-            Wave angle, rad.
-        torque : float
-            Size of the torque, N*m, > 0.
-        setup : Setup
-            The design, with the torque's direction.
-        room : Room
-            Takes forces and levers.
-
-        Returns
-        -------
-        Position
-
-        Raises
-        ------
-        ImpossibleMechanism
-            If no pair can drive, forces would not balance or not be stable, or a contact would be
-            as wide as its pin.
-        """
-        position: Position = self.loops.solve(psi, torque, setup, self.pairs, room)
-        status = judged(position, setup, self.pairs, room)
-        if status in REFUSALS:
-            params: dict[str, Any] = {}
-            if status == TOO_WIDE:
-                j, n = divmod(too_wide(self.pairs, room), setup.pins)
-                params = {"satellite": j + 1, "pin": n + 1}
-            start = self.mechanism.initial_crank_angle
-            angle = (psi - start) % (2 * math.pi) / self.mechanism.waves_per_turn
-            raise ImpossibleMechanism(REFUSALS[status], {"crank_angle": angle}, **params)
-        return position
-
-    @property
-    def shared(self) -> Shares | None:
-        """The given shares of the torque, where there are any."""
-        return self.support if isinstance(self.support, Shares) else None
+    @cached_property
+    def shared(self) -> SharedTorque | None:
+        """The satellites of given shares of the torque, where there are any."""
+        shares = self.support
+        return SharedTorque(shares.shares, PLAIN) if isinstance(shares, Shares) else None
 
     @cached_property
     def loops(self) -> Any:
@@ -386,6 +326,11 @@ class RealMechanism:
             wave_torque=shared.wave_torque,
             clear=lambda *_: 0.0,  # satellites have no common lag
         )
+
+    @property
+    def loops_of_turns(self) -> Any:
+        """The same, compiled where they can be."""
+        return at_hand() if self.shared is None else self.loops
 
     def contact(self, pair: int, force: float) -> HertzContact | None:
         """Hertz contact of a pair, where the materials are known.
@@ -416,21 +361,6 @@ class RealMechanism:
             hole_material=self.hole_material,
         )
 
-    def rows(self, values: Sequence[float]) -> tuple[tuple[float, ...], ...]:
-        """Values of the pairs, satellite by satellite.
-
-        Parameters
-        ----------
-        values : sequence of float, K*N
-            Values in the kernel's order.
-
-        Returns
-        -------
-        tuple of tuple of float, K x N
-        """
-        pins = self.mechanism.pins
-        return tuple(tuple(values[i : i + pins]) for i in range(0, len(values), pins))
-
     def pressures(
         self, force: tuple[tuple[float, ...], ...]
     ) -> tuple[tuple[float, ...], ...] | None:
@@ -450,22 +380,6 @@ class RealMechanism:
         contacts = [self.contact(pair, each) for pair, each in enumerate(flat)]
         pressures = [contact.max_pressure for contact in contacts if contact is not None]
         return self.rows(pressures) if pressures else None
-
-    def hardest_pair(self, force: Sequence[float]) -> int:
-        """Index of the pair with the largest pressure, which grows with the force times the
-        difference of the curvatures.
-
-        Parameters
-        ----------
-        force : sequence of float, K*N
-            Force of each pair, N.
-
-        Returns
-        -------
-        int
-        """
-        curved = [f * curved for f, curved in zip(force, self.pairs.curved, strict=True)]
-        return curved.index(max(curved))
 
     def hardest(self, force: Sequence[float]) -> HertzContact | None:
         """Contact of the pair with the largest pressure.
