@@ -63,7 +63,9 @@ def run_once() -> None:
     assert turn.peak_force > 0 and turn.lost_motion > 0
     asked = Evaluation(("peak_force",), 30.0, positions=4)
     tolerance_study(Study(real, Tolerances(pin_position=1e-5), asked, samples=2))
-    disc = CycloidDisc(lobes=5, eccentricity=0.001, pin_circle_radius=0.02, pin_radius=0.002)
+    disc = CycloidDisc(
+        satellite_teeth=5, eccentricity=0.001, ring_pin_circle_radius=0.02, ring_pin_radius=0.002
+    )
     mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01, law=LinearLaw(5e7))
     meshed = mesh_over_turn(mesh=mesh, output_torque=30.0)
     assert meshed.peak_force > 0 and meshed.lost_motion > 0

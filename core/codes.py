@@ -227,6 +227,15 @@ _LIMITS = {
         "half and more.",
         mend="Give the clearance, or a fit; 0 where perfect parts are meant.",
     ),
+    "modification_unknown": _limit(
+        "The modification of the discs is not given: the numbers are those of perfect parts, which "
+        "every real one misses.",
+        title="Modification not known",
+        tests="Whether it is given by what the tool of the discs is set off from the ring's pins.",
+        why="With play and errors fewer pins carry, and more each: of usual parts up to ten times "
+        "the ideal force.",
+        mend="Give the modification; 0 where perfect parts are meant.",
+    ),
     "one_source": _limit(
         "Some values of {material} are from one source only: take them for a guide.",
         title="One source",

@@ -52,10 +52,10 @@ def sliding_part(*, disc: CycloidDisc, friction: RingFriction) -> float:
     if bore is None:
         return 1.0
     check_positive(sleeve_bore_radius=bore)
-    if not bore < disc.pin_radius:
-        than = {"field": "pin_radius", "limit": disc.pin_radius}
+    if not bore < disc.ring_pin_radius:
+        than = {"field": "ring_pin_radius", "limit": disc.ring_pin_radius}
         raise InvalidInput("sleeve_bore_radius", bore, "smaller_than", **than)
-    return bore / disc.pin_radius
+    return bore / disc.ring_pin_radius
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,13 +105,14 @@ def ring_loss(
     --------
     >>> from core.output.contact_law import LinearLaw
     >>> from core.ring.sharing import CycloidMesh, mesh_over_turn
-    >>> disc = CycloidDisc(lobes=11, eccentricity=2.5e-3, pin_circle_radius=0.05, pin_radius=0.005)
+    >>> disc = CycloidDisc(satellite_teeth=11, eccentricity=2.5e-3,
+    ...                    ring_pin_circle_radius=0.05, ring_pin_radius=0.005)
     >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01,
     ...                    law=LinearLaw(1e8), exact=False)
     >>> found = ring_loss(turn=mesh_over_turn(mesh=mesh, output_torque=100.0),
     ...                   friction=RingFriction(0.06))
     >>> round(found.efficiency, 4), round(found.ideal_loss_ratio, 4)
-    (0.8888, 0.125)
+    (0.8889, 0.125)
     """
     mesh, mu = turn.mesh, friction.coefficient
     disc = mesh.disc
@@ -120,17 +121,17 @@ def ring_loss(
     ratio = mu * each
     loss = pv = None
     if input_speed is not None:
-        speed = abs(input_speed) / disc.lobes
+        speed = abs(input_speed) / disc.satellite_teeth
         loss = ratio * abs(turn.turn.torque) * speed
         if friction.sleeve_bore_radius is not None:
-            pv = turn.hardest_rub * speed / (2 * disc.pin_radius * mesh.contact_length)
+            pv = turn.hardest_rub * speed / (2 * disc.ring_pin_radius * mesh.contact_length)
         elif turn.hardest_pressed_rub is not None:
             pv = math.pi / 4 * turn.hardest_pressed_rub * speed
         pv = None if friction.rolling else pv
     ideal = None
-    if disc.pin_radius < disc.pin_circle_radius * (1 - disc.shortening_coefficient):
-        ideal = 4 * (disc.pin_circle_radius - disc.pin_radius) / math.pi
-        ideal *= mu * part / (disc.eccentricity * disc.lobes)
+    if disc.ring_pin_radius < disc.ring_pin_circle_radius * (1 - disc.shortening_coefficient):
+        ideal = 4 * (disc.ring_pin_circle_radius - disc.ring_pin_radius) / math.pi
+        ideal *= mu * part / (disc.eccentricity * disc.satellite_teeth)
     return RingLoss(
         loss_per_friction=each,
         loss_ratio=ratio,

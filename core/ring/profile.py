@@ -42,51 +42,55 @@ class Modification:
 class CycloidDisc:
     """A cycloid disc with one lobe less than the ring has pins."""
 
-    lobes: int  # z, >= 2
+    satellite_teeth: int  # z, >= 2
     eccentricity: float  # e, m, > 0
-    pin_circle_radius: float  # R of the ring's pins, m, > 0
-    pin_radius: float  # r of the ring's pins, m, > 0
+    ring_pin_circle_radius: float  # R of the ring's pins, m, > 0
+    ring_pin_radius: float  # r of the ring's pins, m, > 0
     modification: Modification = field(default_factory=Modification)
 
     def __post_init__(self) -> None:
         sizes = {
             name: getattr(self, name)
-            for name in ("eccentricity", "pin_circle_radius", "pin_radius")
+            for name in ("eccentricity", "ring_pin_circle_radius", "ring_pin_radius")
         }
         own = self.modification
         changes = {"equidistant": own.equidistant, "pin_circle": own.pin_circle}
-        check_single(lobes=self.lobes, **sizes, **changes, rotation=own.rotation)
+        check_single(
+            satellite_teeth=self.satellite_teeth, **sizes, **changes, rotation=own.rotation
+        )
         check_finite(**sizes, **changes, rotation=own.rotation)
         check_positive(**sizes)
-        if not self.lobes >= 2:
-            raise InvalidInput("lobes", self.lobes, "greater_than_equal", limit=2)
+        if not self.satellite_teeth >= 2:
+            raise InvalidInput(
+                "satellite_teeth", self.satellite_teeth, "greater_than_equal", limit=2
+            )
         if not own.rotation >= 0:
             raise InvalidInput("rotation", own.rotation, "greater_than_equal", limit=0)
         least = self.eccentricity * self.pins
-        radius = self.pin_circle_radius
+        radius = self.ring_pin_circle_radius
         if not radius > least:
-            than = {"field": "lobes", "limit": least}
-            raise InvalidInput("pin_circle_radius", radius, "no_cycloid", **than)
+            than = {"field": "satellite_teeth", "limit": least}
+            raise InvalidInput("ring_pin_circle_radius", radius, "no_cycloid", **than)
         if not self.tool_circle_radius > least:
             raise InvalidInput("pin_circle", own.pin_circle, "greater_than", limit=least - radius)
         if not self.tool_radius > 0:
-            limit = -self.pin_radius
+            limit = -self.ring_pin_radius
             raise InvalidInput("equidistant", own.equidistant, "greater_than", limit=limit)
 
     @property
     def pins(self) -> int:
         """Number z_p of the ring's pins."""
-        return self.lobes + 1
+        return self.satellite_teeth + 1
 
     @property
     def tool_circle_radius(self) -> float:
         """R_m, m."""
-        return self.pin_circle_radius + self.modification.pin_circle
+        return self.ring_pin_circle_radius + self.modification.pin_circle
 
     @property
     def tool_radius(self) -> float:
         """r_m, m."""
-        return self.pin_radius + self.modification.equidistant
+        return self.ring_pin_radius + self.modification.equidistant
 
     @property
     def shortening(self) -> float:
@@ -96,7 +100,7 @@ class CycloidDisc:
     @property
     def shortening_coefficient(self) -> float:
         """K1 of the ring's pins."""
-        return self.eccentricity * self.pins / self.pin_circle_radius
+        return self.eccentricity * self.pins / self.ring_pin_circle_radius
 
     @property
     def tip_radius(self) -> float:
@@ -120,15 +124,17 @@ class CycloidDisc:
 
         Examples
         --------
-        >>> disc = CycloidDisc(lobes=11, eccentricity=2.5e-3, pin_circle_radius=0.05,
-        ...                    pin_radius=0.005)
+        >>> disc = CycloidDisc(satellite_teeth=11, eccentricity=2.5e-3,
+        ...                    ring_pin_circle_radius=0.05, ring_pin_radius=0.005)
         >>> round(disc.min_path_radius, 9)
         0.014706969
         """
         k, pins, radius = self.shortening, self.pins, self.tool_circle_radius
         if k > (pins - 2) / (2 * pins - 1):
             return float(
-                radius * math.sqrt(27 * (1 - k) * (1 + k) * self.lobes) / (pins + 1) ** 1.5
+                radius
+                * math.sqrt(27 * (1 - k) * (1 + k) * self.satellite_teeth)
+                / (pins + 1) ** 1.5
             )
         return float(radius * (1 + k) ** 2 / (1 + pins * k))
 
@@ -165,7 +171,7 @@ class CycloidDisc:
         """
         if not self.undercut_margin > 1:
             limit = self.min_path_radius - self.modification.equidistant
-            raise InvalidInput("pin_radius", self.pin_radius, "undercut", limit=limit)
+            raise InvalidInput("ring_pin_radius", self.ring_pin_radius, "undercut", limit=limit)
 
     def slope(self, t: FloatArray) -> FloatArray:
         """S at parameters: a pin's centre is ``R_m*S`` from the pitch point.
@@ -180,7 +186,7 @@ class CycloidDisc:
         array, shape (n,)
         """
         k = self.shortening
-        half = np.sin(self.lobes * t / 2)
+        half = np.sin(self.satellite_teeth * t / 2)
         return np.asarray(np.sqrt((1 - k) ** 2 + 4 * k * half * half))
 
     def path_curvature(self, t: FloatArray) -> FloatArray:
@@ -198,7 +204,9 @@ class CycloidDisc:
         """
         k, pins = self.shortening, self.pins
         # 1 + z_p*K^2 - (z_p + 1)*K*cos(z*t), which is a difference of its terms in the valley
-        bend = (1 - k) * (1 - pins * k) + 2 * (pins + 1) * k * np.sin(self.lobes * t / 2) ** 2
+        bend = (1 - k) * (1 - pins * k) + 2 * (pins + 1) * k * np.sin(
+            self.satellite_teeth * t / 2
+        ) ** 2
         return np.asarray(bend / (self.tool_circle_radius * self.slope(t) ** 3))
 
     def curvature(self, t: FloatArray) -> FloatArray:
@@ -231,7 +239,7 @@ class CycloidDisc:
             In the disc's frame, about its centre, m.
         """
         k, radius = self.shortening, self.tool_circle_radius
-        turned, lobe = np.exp(-1j * t), np.exp(-1j * self.lobes * t)
+        turned, lobe = np.exp(-1j * t), np.exp(-1j * self.satellite_teeth * t)
         normal = (1 - k * lobe) / self.slope(t)
         found: ComplexArray = (
             1j * turned * (radius - self.eccentricity * lobe - self.tool_radius * normal)
@@ -274,7 +282,8 @@ def outline_points(*, disc: CycloidDisc, chord_error: float) -> OutlinePoints:
 
     Examples
     --------
-    >>> disc = CycloidDisc(lobes=11, eccentricity=2.5e-3, pin_circle_radius=0.05, pin_radius=0.005)
+    >>> disc = CycloidDisc(satellite_teeth=11, eccentricity=2.5e-3,
+    ...                    ring_pin_circle_radius=0.05, ring_pin_radius=0.005)
     >>> found = outline_points(disc=disc, chord_error=1e-6)
     >>> len(found.points) % 11, found.chord_error <= 1e-6
     (0, True)
@@ -282,17 +291,17 @@ def outline_points(*, disc: CycloidDisc, chord_error: float) -> OutlinePoints:
     disc.refuse_undercut()
     check_single(chord_error=chord_error)
     check_positive(chord_error=chord_error)
-    lobe = 2 * math.pi / disc.lobes
+    lobe = 2 * math.pi / disc.satellite_teeth
     places = np.linspace(0, lobe, LOOKED, endpoint=False)
     path = disc.path_curvature(places)
     bends = (disc.tool_circle_radius * disc.slope(places)) ** 2
     bends = bends * np.abs((1 - disc.tool_radius * path) * path)
     most = BETWEEN * float(bends.max())
     each = max(math.ceil(lobe / math.sqrt(8 * chord_error / most)), 4)
-    if each * disc.lobes > MOST_POINTS:
-        least = most * (lobe / (MOST_POINTS // disc.lobes)) ** 2 / 8
+    if each * disc.satellite_teeth > MOST_POINTS:
+        least = most * (lobe / (MOST_POINTS // disc.satellite_teeth)) ** 2 / 8
         raise InvalidInput("chord_error", chord_error, "greater_than_equal", limit=least)
-    count = each * disc.lobes
+    count = each * disc.satellite_teeth
     t = 2 * math.pi * np.arange(count) / count
     points = disc.outline(t)
     ends = points[: each + 1]

@@ -117,6 +117,14 @@ class CycloidMesh(Stage):
         check_positive(contact_length=self.contact_length, seat_stiffness=self.seat_stiffness)
         check_law(self.law)
         self.disc.refuse_undercut()
+        low, high = (each * self.disc.ring_pin_radius for each in DEPTHS)
+        if not self.reference_depth >= low:
+            depth = self.reference_depth
+            raise InvalidInput("reference_depth", depth, "greater_than_equal", limit=low)
+        if not self.reference_depth <= high:
+            raise InvalidInput(
+                "reference_depth", self.reference_depth, "less_than_equal", limit=high
+            )
         if self.support is not None:
             check_shares(shares=self.support.shares, satellites=len(self.crank_angles))
         if self.exact and self.disc.modification.rotation > 0:
@@ -150,7 +158,7 @@ class CycloidMesh(Stage):
         law has none.
         """
         depth = getattr(self.law, "reference_depth", None)
-        return float(self.disc.pin_radius if depth is None else depth)
+        return float(self.disc.ring_pin_radius if depth is None else depth)
 
     def setup(self, direction: float) -> MeshSetup:
         """The design as the loops take it.
@@ -169,10 +177,10 @@ class CycloidMesh(Stage):
         return MeshSetup(
             pins=disc.pins,
             satellites=len(self.crank_angles),
-            ratio=float(disc.lobes),
+            ratio=float(disc.satellite_teeth),
             exact=False,
-            radius=disc.pin_circle_radius,
-            pin_radius=disc.pin_radius,
+            radius=disc.ring_pin_circle_radius,
+            pin_radius=disc.ring_pin_radius,
             eccentricity=disc.eccentricity,
             clearance=0.0,
             direction=direction,
@@ -367,8 +375,8 @@ def mesh_position(*, mesh: CycloidMesh, crank_angle: float, output_torque: float
     Perfect rigid parts of 29 lobes, a force of the ring of 1600 N across the crank:
 
     >>> from core.output.contact_law import LinearLaw
-    >>> disc = CycloidDisc(lobes=29, eccentricity=1.250025e-3, pin_circle_radius=0.0525,
-    ...                    pin_radius=3.5e-3)
+    >>> disc = CycloidDisc(satellite_teeth=29, eccentricity=1.250025e-3,
+    ...                    ring_pin_circle_radius=0.0525, ring_pin_radius=3.5e-3)
     >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.0135,
     ...                    law=LinearLaw(1e8), exact=False)
     >>> found = mesh_position(mesh=mesh, crank_angle=0.0, output_torque=58.0)
@@ -440,6 +448,47 @@ def _interference(
     return float(loops.interference(-far, far, setup, pairs, room))
 
 
+def mesh_gaps(*, mesh: CycloidMesh, crank_angle: float) -> tuple[tuple[float, ...], ...]:
+    """Gaps of all pairs where the discs do not lag: negative where they would press.
+
+    Parameters
+    ----------
+    mesh : CycloidMesh
+        The mesh.
+    crank_angle : float
+        Crank angle, rad.
+
+    Returns
+    -------
+    tuple of tuple of float, K x z_p
+        In m.
+
+    Examples
+    --------
+    >>> from core.output.contact_law import LinearLaw
+    >>> from core.ring.profile import Modification
+    >>> disc = CycloidDisc(satellite_teeth=11, eccentricity=2.5e-3,
+    ...                    ring_pin_circle_radius=0.05, ring_pin_radius=0.005,
+    ...                    modification=Modification(equidistant=2e-5))
+    >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01,
+    ...                    law=LinearLaw(1e8))
+    >>> {round(gap, 12) for row in mesh_gaps(mesh=mesh, crank_angle=0.3) for gap in row}
+    {2e-05}
+    """
+    check_single(crank_angle=crank_angle)
+    setup, room, pairs = mesh.setup(1.0), mesh.room(), mesh.pairs
+    approach.at(mesh.wave(crank_angle), setup, pairs, room)
+    if not mesh.exact:
+        return mesh.rows([-q for q in room.q])
+    pins = setup.pins
+    return mesh.rows(
+        [
+            -approach.touch(i, i // pins, 0.0, setup, pairs, room).approach
+            for i in range(len(room.q))
+        ]
+    )
+
+
 class MeshTurn(OverTurn):
     """Extremes of a cycloid mesh over the turn of the crank, each looked for when it is asked for.
 
@@ -499,7 +548,7 @@ class MeshTurn(OverTurn):
         """Force across the crank of a disc that carries its part, N."""
         disc = self.mesh.disc
         each = abs(self.turn.torque) / len(self.mesh.crank_angles)
-        return each / (disc.eccentricity * disc.lobes)
+        return each / (disc.eccentricity * disc.satellite_teeth)
 
     @property
     def radial_force_ratio_max(self) -> float:
@@ -529,7 +578,7 @@ class MeshTurn(OverTurn):
         angle = rows["wave"][there, None] + (phases[:, None] + ring).ravel()
         k = disc.shortening_coefficient
         slope = np.sqrt((1 - k) ** 2 + 4 * k * np.sin(angle / 2) ** 2)
-        far = np.abs(disc.pin_circle_radius * slope - disc.pin_radius)
+        far = np.abs(disc.ring_pin_circle_radius * slope - disc.ring_pin_radius)
         rub = (rows["forces"][there] * far).sum(axis=1) / abs(self.turn.torque)
         mean = float(rub.mean())
         return Extreme(mean, abs(mean - float(rub[::2].mean())) + 8 * ROUNDING * mean)
@@ -593,8 +642,9 @@ def mesh_over_turn(
     --------
     >>> from core.output.contact_law import LinearLaw
     >>> from core.ring.profile import Modification
-    >>> disc = CycloidDisc(lobes=18, eccentricity=1.5e-3, pin_circle_radius=0.034,
-    ...                    pin_radius=2.5e-3, modification=Modification(equidistant=1e-5))
+    >>> disc = CycloidDisc(satellite_teeth=18, eccentricity=1.5e-3,
+    ...                    ring_pin_circle_radius=0.034, ring_pin_radius=2.5e-3,
+    ...                    modification=Modification(equidistant=1e-5))
     >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01,
     ...                    law=LinearLaw(5e7), exact=False)
     >>> round(mesh_over_turn(mesh=mesh, output_torque=30.0).peak_force, 5)
@@ -645,13 +695,14 @@ def ideal_mesh(*, disc: CycloidDisc, disc_torque: float) -> IdealMesh:
     Examples
     --------
     >>> from core.ring.profile import Modification
-    >>> disc = CycloidDisc(lobes=18, eccentricity=1.5e-3, pin_circle_radius=0.034,
-    ...                    pin_radius=2.5e-3, modification=Modification(equidistant=1e-5))
+    >>> disc = CycloidDisc(satellite_teeth=18, eccentricity=1.5e-3,
+    ...                    ring_pin_circle_radius=0.034, ring_pin_radius=2.5e-3,
+    ...                    modification=Modification(equidistant=1e-5))
     >>> found = ideal_mesh(disc=disc, disc_torque=30.0)
     >>> round(found.peak_force, 6), round(math.degrees(found.backlash)*60, 5)
     (233.918129, 2.54648)
     """
-    longest, k = disc.eccentricity * disc.lobes, disc.shortening_coefficient
+    longest, k = disc.eccentricity * disc.satellite_teeth, disc.shortening_coefficient
     wider, circle = disc.modification.equidistant, disc.modification.pin_circle
     root = math.sqrt((1 - k) * (1 + k))
     free: float | None = None

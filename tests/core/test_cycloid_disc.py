@@ -22,8 +22,8 @@ def path(disc: CycloidDisc, t: np.ndarray) -> np.ndarray:
     """The tool's centre in the disc's frame, while the crank turns clockwise by z*t, and the disc
     the other way by t.
     """
-    tool = 1j * (disc.pin_circle_radius + disc.modification.pin_circle)
-    centre = 1j * disc.eccentricity * np.exp(-1j * disc.lobes * t)
+    tool = 1j * (disc.ring_pin_circle_radius + disc.modification.pin_circle)
+    centre = 1j * disc.eccentricity * np.exp(-1j * disc.satellite_teeth * t)
     return (tool - centre) * np.exp(-1j * t)
 
 
@@ -31,8 +31,8 @@ def path(disc: CycloidDisc, t: np.ndarray) -> np.ndarray:
 def test_the_tool_touches_the_outline_and_cuts_nothing_off(seed: int) -> None:
     """The distance of each point from the tool's path is the tool's radius, by a search."""
     disc = disc_of(random.Random(seed), kind=seed % 4)
-    t = 2 * math.pi / disc.lobes * np.linspace(0, 1, 37)
-    centres = np.linspace(-0.5, 1.5, 4001) * 2 * math.pi / disc.lobes
+    t = 2 * math.pi / disc.satellite_teeth * np.linspace(0, 1, 37)
+    centres = np.linspace(-0.5, 1.5, 4001) * 2 * math.pi / disc.satellite_teeth
     step = centres[1] - centres[0]
     for point in disc.outline(t):
         apart = np.abs(path(disc, centres) - point)
@@ -48,8 +48,8 @@ def test_the_tool_touches_the_outline_and_cuts_nothing_off(seed: int) -> None:
 @pytest.mark.parametrize("seed", seeds(12))
 def test_radii_of_curvature_by_a_scan(seed: int) -> None:
     disc = disc_of(random.Random(seed), kind=seed % 4)
-    t = math.pi / disc.lobes * np.linspace(0, 1, 20_001)
-    step = 1e-3 / disc.lobes
+    t = math.pi / disc.satellite_teeth * np.linspace(0, 1, 20_001)
+    step = 1e-3 / disc.satellite_teeth
     low, here, high = (path(disc, t + off) for off in (-step, 0, step))
     first, second = (high - low) / (2 * step), (high - 2 * here + low) / step**2
     bend = -(first.conj() * second).imag / np.abs(first) ** 3
@@ -86,12 +86,15 @@ def test_points_are_as_near_as_is_said(seed: int, error: float) -> None:
     disc = disc_of(random.Random(seed), kind=seed % 4)
     found = outline_points(disc=disc, chord_error=error)
     points = found.points @ np.array([1, 1j])
-    each, left = divmod(len(points), disc.lobes)
+    each, left = divmod(len(points), disc.satellite_teeth)
     assert left == 0 and each >= 4
     assert points[0] == pytest.approx(1j * disc.root_radius, abs=1e-15)
     assert abs(points[0] - points[-1]) > 1e-9
-    lobes = points.reshape(disc.lobes, each)
-    turned = lobes * np.exp(2j * math.pi / disc.lobes * np.arange(disc.lobes))[:, None]
+    lobes = points.reshape(disc.satellite_teeth, each)
+    turned = (
+        lobes
+        * np.exp(2j * math.pi / disc.satellite_teeth * np.arange(disc.satellite_teeth))[:, None]
+    )
     assert turned == pytest.approx(np.broadcast_to(lobes[0], lobes.shape), abs=1e-15)
     assert found.chord_error <= error
     count = len(points)
@@ -101,7 +104,7 @@ def test_points_are_as_near_as_is_said(seed: int, error: float) -> None:
     aside = np.abs(((fine[:-1] - ends[:-1].repeat(16)) * chords.conj()).imag) / np.abs(chords)
     assert aside.max() <= found.chord_error * 1.05
     fewer = outline_points(disc=disc, chord_error=4 * error)
-    assert len(fewer.points) == pytest.approx(count / 2, abs=2 * disc.lobes)
+    assert len(fewer.points) == pytest.approx(count / 2, abs=2 * disc.satellite_teeth)
 
 
 def test_too_many_points_are_refused_with_the_least_error_that_is_possible() -> None:
@@ -110,17 +113,17 @@ def test_too_many_points_are_refused_with_the_least_error_that_is_possible() -> 
     assert (caught.value.parameter, caught.value.code) == ("chord_error", "greater_than_equal")
     least = float(caught.value.params["limit"])
     found = outline_points(disc=DISC, chord_error=least)
-    assert profile.MOST_POINTS - DISC.lobes <= len(found.points) <= profile.MOST_POINTS
+    assert profile.MOST_POINTS - DISC.satellite_teeth <= len(found.points) <= profile.MOST_POINTS
     assert found.chord_error <= least * (1 + 1e-6)
 
 
 @pytest.mark.parametrize(
     ("changes", "name", "code"),
     [
-        ({"lobes": 1}, "lobes", "greater_than_equal"),
+        ({"satellite_teeth": 1}, "satellite_teeth", "greater_than_equal"),
         ({"eccentricity": 0.0}, "eccentricity", "greater_than"),
-        ({"pin_radius": math.inf}, "pin_radius", "finite_number"),
-        ({"eccentricity": 0.005}, "pin_circle_radius", "no_cycloid"),
+        ({"ring_pin_radius": math.inf}, "ring_pin_radius", "finite_number"),
+        ({"eccentricity": 0.005}, "ring_pin_circle_radius", "no_cycloid"),
         ({"modification": Modification(pin_circle=-0.03)}, "pin_circle", "greater_than"),
         ({"modification": Modification(equidistant=-0.006)}, "equidistant", "greater_than"),
         ({"modification": Modification(rotation=-0.1)}, "rotation", "greater_than_equal"),
@@ -133,10 +136,10 @@ def test_what_cannot_be_is_refused(changes: dict, name: str, code: str) -> None:
 
 
 def test_an_undercut_disc_has_no_outline() -> None:
-    wide = replace(DISC, pin_radius=DISC.min_path_radius)
+    wide = replace(DISC, ring_pin_radius=DISC.min_path_radius)
     with pytest.raises(InvalidInput) as caught:
         outline_points(disc=wide, chord_error=1e-5)
-    assert (caught.value.parameter, caught.value.code) == ("pin_radius", "undercut")
+    assert (caught.value.parameter, caught.value.code) == ("ring_pin_radius", "undercut")
     assert caught.value.params["limit"] == DISC.min_path_radius
-    near = replace(DISC, pin_radius=DISC.min_path_radius * (1 - 1e-9))
+    near = replace(DISC, ring_pin_radius=DISC.min_path_radius * (1 - 1e-9))
     assert outline_points(disc=near, chord_error=1e-5).chord_error <= 1e-5

@@ -43,7 +43,7 @@ def drawn(seed: int, **changes: Any) -> tuple[CycloidMesh, float, float]:
     r = random.Random(seed)
     disc = disc_of(r, kind=seed % 4)
     count, pins = r.randint(1, 4), disc.pins
-    size = disc.pin_circle_radius * 5e-5
+    size = disc.ring_pin_circle_radius * 5e-5
 
     def row(n: int, most: float) -> tuple[float, ...]:
         return tuple(r.uniform(-most, most) for _ in range(n))
@@ -59,7 +59,7 @@ def drawn(seed: int, **changes: Any) -> tuple[CycloidMesh, float, float]:
     given: dict[str, Any] = {
         "disc": disc,
         "crank_angles": tuple(2 * math.pi * j / count for j in range(count)),
-        "contact_length": 0.25 * disc.pin_circle_radius,
+        "contact_length": 0.25 * disc.ring_pin_circle_radius,
         "law": LAWS[seed // 4 % 4],
         "pin_material": STEEL,
         "disc_material": STEEL,
@@ -67,7 +67,10 @@ def drawn(seed: int, **changes: Any) -> tuple[CycloidMesh, float, float]:
         "exact": True,
     }
     torque = (
-        r.choice((1, -1)) * 10 ** r.uniform(0, 2.5) * count * (disc.pin_circle_radius / 0.05) ** 3
+        r.choice((1, -1))
+        * 10 ** r.uniform(0, 2.5)
+        * count
+        * (disc.ring_pin_circle_radius / 0.05) ** 3
     )
     return CycloidMesh(**given | changes), r.uniform(0, 2 * math.pi), torque
 

@@ -36,9 +36,9 @@ class Teeth:
 
     def __init__(self, mesh: Any, j: int, crank_angle: mpf) -> None:
         disc, own = mesh.disc, mesh.deviations
-        self.z, self.zp = disc.lobes, disc.lobes + 1
+        self.z, self.zp = disc.satellite_teeth, disc.satellite_teeth + 1
         self.e = mpf(disc.eccentricity)
-        self.R, self.r = mpf(disc.pin_circle_radius), mpf(disc.pin_radius)
+        self.R, self.r = mpf(disc.ring_pin_circle_radius), mpf(disc.ring_pin_radius)
         self.Rm = self.R + mpf(disc.modification.pin_circle)
         self.rm = self.r + mpf(disc.modification.equidistant)
 

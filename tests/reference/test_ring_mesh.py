@@ -142,8 +142,8 @@ def test_virtual_work(seed: int) -> None:
         (mesh.disc.eccentricity + off) * across
         for off, across in zip(errors, found.crank_across, strict=True)
     )
-    expected = torque / mesh.disc.lobes + float(by_crank)
-    scale = abs(torque) / mesh.disc.lobes
+    expected = torque / mesh.disc.satellite_teeth + float(by_crank)
+    scale = abs(torque) / mesh.disc.satellite_teeth
     assert work == pytest.approx(expected, abs=1e-8 * scale)
     direction, room = math.copysign(1.0, torque), mesh.room()
     setup, psi = mesh.setup(direction), mesh.wave(angle)
