@@ -90,7 +90,7 @@ MAX_DRAWN_PAIRS = 240
 TORQUES = (-1.0, -0.75, -0.5, -0.25, -0.1, -0.03, 0.03, 0.1, 0.25, 0.5, 0.75, 1.0)
 """Shares of the torque at which the curve of the lag is sent."""
 
-DRAWN_ANGLES = 181
+DRAWN_ANGLES = 361
 """Crank angles of the figure's curves."""
 
 DRAWN_ERROR = 1e-5

@@ -64,14 +64,10 @@ def ring_mesh_figure(shown: DrawnMesh, theme: Theme) -> Figure:
     hovered = text("at_angle", name=name, value=Amount("%{y:.5g}", "N"), angle=at)
     most = curves.force.max(axis=0)
     data.append(curve(name, angles, most, 0, theme, hovered, colour=0) | own | {"yaxis": "y3"})
-    for index, (word, lags) in enumerate(
-        (("lag", curves.rotation), ("play_from", curves.play_from), ("play_to", curves.play_to))
-    ):
-        name = text(word)
-        hovered = text("at_angle", name=name, value=Amount("%{y:.5g}", "′"), angle=at)
-        minutes = from_si("lag_arcmin", lags)
-        line = curve(name, angles, minutes, index, theme, hovered, colour=1)
-        data.append(line | {"xaxis": "x2", "yaxis": "y4"})
+    name = text("lag")
+    hovered = text("at_angle", name=name, value=Amount("%{y:.5g}", "′"), angle=at)
+    lags = from_si("lag_arcmin", curves.rotation)
+    data.append(curve(name, angles, lags, 0, theme, hovered, colour=1) | own | {"yaxis": "y4"})
     data += _drawing(shown, theme)
     return {
         "data": data,
@@ -79,7 +75,9 @@ def ring_mesh_figure(shown: DrawnMesh, theme: Theme) -> Figure:
             theme,
             height=1180,
             shapes=_pins(shown, theme),
-            xaxis=axis(theme, text("ring_pin", angle=angle), anchor="y2"),
+            xaxis=axis(
+                theme, text("ring_pin", angle=angle), anchor="y2", range=[0.5, len(pins) + 0.5]
+            ),
             xaxis2=axis(theme, text("crank_angle"), "°", range=[0, 360], anchor="y4"),
             xaxis3=axis(theme, "x", "mm", anchor="y5", constrain="domain"),
             yaxis=axis(

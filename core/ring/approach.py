@@ -89,6 +89,7 @@ class MeshPairs(NamedTuple):
     radial: Row
     tangential: Row
     larger: Row
+    moved: Row  # how far it may be off its place along the path
     base: Row  # law: HERTZ A + C at a reduced radius of 1 m, and the limit there
     most: Row
     a: Row
@@ -103,7 +104,7 @@ class MeshRoom(NamedTuple):
     """Results of one position, [K*N], as the kernel's, and the feet."""
 
     q: Row
-    u: Row
+    u: Row  # whether approach and lever are exact where the lag is counted from
     v: Row
     unsure: Row
     force: Row
@@ -152,9 +153,10 @@ def prepare_mesh(
             pairs.cosine[i], pairs.sine[i] = math.cos(beta), math.sin(beta)
             pairs.radial[i], pairs.tangential[i] = radial[k], tangential[k]
             pairs.larger[i] = larger[k]
-            pairs.size[i] = abs(radial[k]) + abs(tangential[k]) + abs(larger[k])
-            pairs.size[i] += abs(eccentric[j]) + abs(setup.pin_circle) + abs(setup.equidistant)
-            pairs.size[i] += (abs(pairs.eta[j]) + setup.rotation) * setup.radius
+            pairs.moved[i] = abs(radial[k]) + abs(tangential[k]) + abs(eccentric[j])
+            pairs.moved[i] += abs(setup.pin_circle) + abs(pairs.eta[j]) * setup.radius
+            pairs.size[i] = pairs.moved[i] + abs(larger[k]) + abs(setup.equidistant)
+            pairs.size[i] += setup.rotation * setup.radius
             pin = setup.pin_radius + larger[k]
             if min(pin, pairs.own[j]) <= 0:
                 none = i if none < 0 else none
@@ -189,7 +191,7 @@ def at(psi: float, setup: MeshSetup, pairs: MeshPairs, room: MeshRoom) -> None:
             gap += (pairs.radial[i] - setup.pin_circle) * (1 - k1 + k1 * less) / slope
             gap += (pairs.tangential[i] * k1 * sa + pairs.off[j] * (k1 - 1 + less)) / slope
             room.q[i], room.v[i] = -gap - setup.rotation * abs(lever), way * lever
-            room.foot[i] = 0.0
+            room.foot[i] = room.u[i] = 0.0
             slope = math.sqrt((1 - k) * (1 - k) + 2 * k * less)
             bend = (1 - k) * (1 - setup.pins * k) + (setup.pins + 1) * k * less
             bend /= setup.tool_circle * slope * slope * slope
@@ -204,13 +206,12 @@ def at(psi: float, setup: MeshSetup, pairs: MeshPairs, room: MeshRoom) -> None:
             i += 1
 
 
-def reach(i: int, lag: float, setup: MeshSetup, pairs: MeshPairs, room: MeshRoom) -> float:
-    """How far a pin may be off in first order that touches at a lag: by how much the path bends
-    away from its tangent where the pin has moved along it, four times.
+def reach(i: int, moved: float, setup: MeshSetup, room: MeshRoom) -> float:
+    """How far a pin may be off in first order and touch: four times by what the path bends away
+    from its tangent where the pin has moved along it.
     """
-    moved = pairs.size[i] + abs(lag) * setup.radius
     most = NEAR + NEAR_VALLEY * min(setup.valley, setup.radius)
-    return -min(4 * moved * moved * room.sharp[i], most)
+    return -min(2 * moved * moved * room.sharp[i], most)
 
 
 def touch(i: int, j: int, lag: float, setup: MeshSetup, pairs: MeshPairs, room: MeshRoom) -> Touch:
@@ -229,11 +230,13 @@ def touch(i: int, j: int, lag: float, setup: MeshSetup, pairs: MeshPairs, room: 
     k, longest, close = e * pins / radius, FAR_STEP / pins, 3e-8 / pins
     foot, last = room.foot[i], False
     gx = gy = hx = hy = dx = dy = size = under = 0.0
+    s1x = s1y = s2x = s2y = 0.0
     for _ in range(FEET):
-        sh, ch = math.sin(foot / 2), math.cos(foot / 2)
-        s1x, s1y = 2 * sh * sh, 2 * sh * ch
-        sh, ch = math.sin(pins * foot / 2), math.cos(pins * foot / 2)
-        s2x, s2y = 2 * sh * sh, 2 * sh * ch
+        if foot != 0:
+            sh, ch = math.sin(foot / 2), math.cos(foot / 2)
+            s1x, s1y = 2 * sh * sh, 2 * sh * ch
+            sh, ch = math.sin(pins * foot / 2), math.cos(pins * foot / 2)
+            s2x, s2y = 2 * sh * sh, 2 * sh * ch
         ex, ey = ca * s2x + sa * s2y, ca * s2y - sa * s2x
         dx, dy = bx + radius * s1x - e * ex, by + radius * s1y - e * ey
         gx, gy = 1 - s1x - k * (ca - ex), k * (sa + ey) - s1y
@@ -293,7 +296,9 @@ def touched(
         best, first = math.inf, onset
         for i in range(setup.pins * setup.satellites):
             v = room.v[i]
-            if side * v < dead or room.q[i] + lag * v < reach(i, lag, setup, pairs, room):
+            if side * v < dead or room.q[i] + lag * v < reach(
+                i, pairs.moved[i] + abs(lag) * setup.radius, setup, room
+            ):
                 continue
             one = touch(i, i // setup.pins, lag, setup, pairs, room)
             if side * one.lever > dead / 2:
@@ -317,9 +322,11 @@ def shift(lag: float, onset: int, setup: MeshSetup, pairs: MeshPairs, room: Mesh
         room.unsure[i] = pairs.size[i] + abs(lag) * setup.radius
         approach = room.q[i] + lag * room.v[i]
         free = onset >= 0 and abs(room.v[i]) >= dead
-        if setup.foot and approach >= reach(i, lag, setup, pairs, room):
+        if setup.foot and approach >= reach(
+            i, pairs.moved[i] + abs(lag) * setup.radius, setup, room
+        ):
             one = touch(i, i // setup.pins, lag, setup, pairs, room)
-            approach, room.v[i] = one.approach, one.lever
+            approach, room.v[i], room.u[i] = one.approach, one.lever, 1.0
         room.q[i] = min(approach, 0.0) if free else approach
         if i == onset:
             room.q[i] = 0.0
@@ -339,7 +346,10 @@ def balance(
     for i in range(setup.pins * setup.satellites):
         lever, bend = room.v[i], 0.0
         approach = room.q[i] + lag * lever
-        if setup.foot and approach >= reach(i, whole, setup, pairs, room):
+        moved = abs(lag) * setup.radius
+        if room.u[i] == 0:
+            moved = pairs.moved[i] + abs(whole) * setup.radius
+        if setup.foot and approach >= reach(i, moved, setup, room):
             one = touch(i, i // setup.pins, whole, setup, pairs, room)
             approach, lever, bend = one.approach + room.fixed[i], one.lever, one.bend
         if approach <= TINY:
@@ -426,7 +436,9 @@ def interference(
             worst, slope = -math.inf, 0.0
             for i in range(setup.pins * setup.satellites):
                 approach, lever = room.q[i] + lag * room.v[i], room.v[i]
-                if exact and approach >= worst + reach(i, lag, setup, pairs, room):
+                if exact and approach >= worst + reach(
+                    i, pairs.moved[i] + abs(lag) * setup.radius, setup, room
+                ):
                     room.foot[i] = 0.0
                     one = touch(i, i // setup.pins, lag, setup, pairs, room)
                     approach, lever = one.approach, one.lever

@@ -12,6 +12,7 @@ from core.output import compiled
 from core.output.contact_law import HertzLaw, LinearLaw, PinSupport, PowerLaw, pin_compliance
 from core.output.satellite_support import Shares
 from core.output.turn import Turn
+from core.ring import approach
 from core.ring.loss import RingFriction, ring_loss
 from core.ring.profile import CycloidDisc, Modification
 from core.ring.sharing import (
@@ -422,6 +423,23 @@ def test_interpreted_and_compiled_loops_give_the_same_bits(monkeypatch: Any) -> 
             rows.append(list(turn.narrow(0)(angle, angle + 0.05)))
         found.append(rows)
     assert found[0] == found[1]
+
+
+@pytest.mark.parametrize("seed", seeds(12))
+def test_no_pin_that_presses_is_passed_over(seed: int) -> None:
+    """Those that are far off in first order are not looked at in exact geometry."""
+    mesh, angle, torque = drawn(seed)
+    way = math.copysign(1.0, torque)
+    every = compiled.in_place_of(approach, reach=lambda *_: -3e-4)
+    found = []
+    for loops in (mesh.loops, every):
+        room = mesh.room()
+        position = loops.solve(angle, abs(torque), mesh.setup(way), mesh.pairs, room)
+        found.append(([position.low, position.high, position.lag], room.force))
+    (lags, force), (others, whole) = found
+    assert lags == pytest.approx(others, rel=1e-12)
+    assert force == pytest.approx(whole, rel=0, abs=1e-12 * max(whole))
+    assert [each > 0 for each in force] == [each > 0 for each in whole]
 
 
 def test_given_shares_over_the_turn() -> None:
