@@ -350,6 +350,64 @@ def test_the_summits_of_a_turn_against_a_dense_walk(seed: int) -> None:
     assert turn.sliding_loss == pytest.approx(rub, rel=1e-2)
 
 
+def test_a_contact_is_at_most_as_wide_as_its_pin() -> None:
+    """Where the torque grows, up to the half-width that is the pin's radius."""
+    disc = replace(PERFECT, ring_pin_radius=2e-4, modification=Modification(5e-5))
+    mesh = mesh_of(disc=disc, law=HertzLaw(), crank_angles=(0.0,))
+    angle, low, high, codes = -math.acos(0.6) + 2 * math.pi / 24, 1.0, 1e5, set()
+    for _ in range(60):
+        torque = math.sqrt(low * high)
+        try:
+            at(mesh, angle, torque)
+        except ImpossibleMechanism as refusal:
+            codes.add(refusal.code)
+            high = torque
+        else:
+            low = torque
+    assert codes == {"beyond_hertz"}
+    found = at(mesh, angle, low)
+    pressure = found.max_pressure
+    modulus = 210e9 / (1 - 0.3**2) / 2
+    widths = [2 * force / (math.pi * mesh.contact_length * pressure) for force in found.force[0]]
+    assert pressure is not None and max(widths) == pytest.approx(2e-4, rel=0.05)
+    assert max(widths) <= 2e-4 * (1 + 1e-9) and pressure < modulus
+
+
+@pytest.mark.parametrize("seed", seeds(4))
+def test_the_crank_s_torque_in_first_order(seed: int) -> None:
+    """Its part of the load, and the force of each pin times the derivative of its approach by the
+    crank angle, by differences of what the papers write.
+    """
+    mesh, angle, torque = drawn(seed, exact=False)
+    change = replace(mesh.disc.modification, rotation=1e-4)
+    mesh = replace(mesh, disc=replace(mesh.disc, modification=change))
+    disc, own, pins = mesh.disc, mesh.deviations, mesh.disc.pins
+    found = at(mesh, angle, torque)
+
+    def approach_of(j: int, k: int, phi: float) -> float:
+        a = phi + mesh.crank_angles[j] + own.crank_phase[j] + 2 * math.pi * k / pins
+        k1 = disc.shortening_coefficient
+        slope = math.sqrt(1 + k1 * k1 - 2 * k1 * math.cos(a))
+        lever = -disc.eccentricity * disc.satellite_teeth * math.sin(a) / slope
+        late = own.disc_phase[j] + own.crank_phase[j] / disc.satellite_teeth
+        gap = change.equidistant - own.pin_radius[k] - late * lever
+        gap += (own.pin_radial[k] - change.pin_circle) * (1 - k1 * math.cos(a)) / slope
+        gap += own.pin_tangential[k] * k1 * math.sin(a) / slope
+        gap -= own.eccentricity[j] * (math.cos(a) - k1) / slope
+        return lever * found.rotation[j] - gap - change.rotation * abs(lever)
+
+    expected, step = torque / disc.satellite_teeth, 1e-5
+    for j, row in enumerate(found.force):
+        for k, force in enumerate(row):
+            grown = approach_of(j, k, angle + step) - approach_of(j, k, angle - step)
+            expected += force * grown / (2 * step)
+    direction, room, psi = math.copysign(1.0, torque), mesh.room(), mesh.wave(angle)
+    setup = mesh.setup(direction)
+    position = mesh.solved(psi, abs(torque), setup, room)
+    on_crank = mesh.loops.input_torque(psi, abs(torque), position.lag, setup, mesh.pairs, room)
+    assert on_crank == pytest.approx(expected, abs=1e-7 * abs(torque) / disc.satellite_teeth)
+
+
 def test_over_a_turn_friction_costs_what_slides() -> None:
     turn = mesh_over_turn(mesh=mesh_of(), output_torque=100.0)
     plain = ring_loss(turn=turn, friction=RingFriction(0.05), input_speed=-100.0)
@@ -462,10 +520,11 @@ def test_given_shares_over_the_turn() -> None:
     assert turn.radial_force_ratio_min < 0 < turn.sliding_loss
 
 
-def test_a_pressed_pin_at_its_dead_angle_is_seen() -> None:
+@pytest.mark.parametrize("angle", [0.0, 1e-5, -1e-5])
+def test_a_pressed_pin_at_its_dead_angle_is_seen(angle: float) -> None:
     """It limits no play, as it has no lever, and yet it presses."""
     errors = RingDeviations(pin_radial=(*(0.0,) * 6, -5e-5, *(0.0,) * 5))
-    found = at(mesh_of(crank_angles=(0.0,), deviations=errors), 0.0, 10.0)
+    found = at(mesh_of(crank_angles=(0.0,), deviations=errors), angle, 10.0)
     assert found.play is not None
     assert found.interference == pytest.approx(5e-5 - 3e-5, rel=1e-2)
     assert found.force[0][6] == pytest.approx(1e8 * 2e-5, rel=1e-2)
