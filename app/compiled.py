@@ -13,23 +13,30 @@ from pathlib import Path
 
 LOG = logging.getLogger("khv.compiled")
 
-ONCE = "compiling the load sharing, once an installation: half a minute or so"
+ONCE = "compiling the load sharing, once an installation: a minute or so"
 
-SOURCE = Path(__file__).parent.parent / "core" / "output" / "sharing_kernel.py"
+CORE = Path(__file__).parent.parent / "core"
 
-LAST = "pieces"
+SOURCES = CORE / "output" / "sharing_kernel.py", CORE / "ring" / "approach.py"
+
+LAST = "values_core.ring.approach"
 """What `run_once` has compiled last."""
 
 
 def _files(name: str = "*") -> list[Path]:
     """What the cache has of a function, or of all."""
-    place = Path(os.environ.get("NUMBA_CACHE_DIR") or SOURCE.parent / "__pycache__")
-    return [*place.rglob(f"{SOURCE.stem}.{name}-*.nb[ci]")]
+    return [
+        file
+        for source in SOURCES
+        for file in Path(os.environ.get("NUMBA_CACHE_DIR") or source.parent / "__pycache__").rglob(
+            f"{source.stem}.{name}-*.nb[ci]"
+        )
+    ]
 
 
 def cached() -> bool:
-    """Whether there is a cache, whole and made after the last change of its source."""
-    changed = SOURCE.stat().st_mtime
+    """Whether there is a cache, whole and made after the last change of its sources."""
+    changed = max(source.stat().st_mtime for source in SOURCES)
     return any(file.stat().st_mtime >= changed for file in _files(LAST))
 
 
@@ -39,6 +46,8 @@ def run_once() -> None:
     from core.output.mechanism import Mechanism
     from core.output.over_turn import over_turn
     from core.output.real_mechanism import RealMechanism
+    from core.ring.profile import CycloidDisc
+    from core.ring.sharing import CycloidMesh, mesh_over_turn
     from core.tolerance.study import Evaluation, Study, tolerance_study
     from core.tolerance.tolerances import Tolerances
 
@@ -54,6 +63,12 @@ def run_once() -> None:
     assert turn.peak_force > 0 and turn.lost_motion > 0
     asked = Evaluation(("peak_force",), 30.0, positions=4)
     tolerance_study(Study(real, Tolerances(pin_position=1e-5), asked, samples=2))
+    disc = CycloidDisc(
+        satellite_teeth=5, eccentricity=0.001, ring_pin_circle_radius=0.02, ring_pin_radius=0.002
+    )
+    mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01, law=LinearLaw(5e7))
+    meshed = mesh_over_turn(mesh=mesh, output_torque=30.0)
+    assert meshed.peak_force > 0 and meshed.lost_motion > 0
 
 
 def load() -> None:

@@ -55,6 +55,9 @@ OF_REQUESTS = {
     "no_such_bearing": "is none of the bearings by name, such as {near}; sizes and load ratings "
     "may be given instead of it",
     "no_class_of_size": "is known for diameters up to {limit_mm:g} mm only",
+    "not_this_cycloid": "must be {expected}, one more than the satellite has: discs of other "
+    "cycloids, and those of which lobes are left out, are not calculated",
+    "not_this_ring": "must be a cycloid: the mesh of involute teeth is not calculated here yet",
     "not_this_mechanism": "must be another: where several crankshafts drive the output, as in an "
     "RV reducer, there are no pins in holes, and this calculation says nothing of it",
     "not_there": "names no number in {field}",

@@ -31,6 +31,7 @@ COMPARING = frozenset(
         "smaller_than",
         "too_near",
         "too_thick",
+        "undercut",
     }
 )
 """Refusals whose `limit` is a value of the refused field, in its unit."""

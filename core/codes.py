@@ -54,6 +54,8 @@ _INVALID = {
     "finite_number": "must be a finite number",
     "first_order_only": "must be of first order beside {field}: what satellites give is not known "
     "in exact geometry",
+    "flanks_first_order": "must be of first order beside {field}: flanks that are turned against "
+    "each other say nothing of tips and roots",
     "greater_than": "must be greater than {limit:.15g}",
     "greater_than_equal": "must be at least {limit:.15g}",
     "in_carrier": "must be at least half of {field}, {limit:.9g}: the contact would reach into the "
@@ -93,6 +95,7 @@ _INVALID = {
     "too_near": "must be at least {field}, {limit:.9g}, from the places of the other satellites",
     "too_short": "must have at least {limit} entries",
     "too_short_range": "must be larger than {limit:.3g}: no driving phase is that short",
+    "undercut": "must be smaller than {limit:.9g}: the tool would cut off a part of its own flanks",
     "too_thick": "must be at most twice {field}, {limit:.9g}: thicker, the pin itself would touch "
     "the hole",
 }
@@ -114,9 +117,13 @@ _IMPOSSIBLE = {
     "deviation leaves nothing of a radius",
     "not_balanced": "The forces cannot be balanced within the range of numbers",
     "not_stable": "The forces do not hold the output: its torque falls as it turns on",
+    "no_radius_left": "A deviation leaves nothing of the radius of pin {pin} of the ring, or of "
+    "the crank of satellite {satellite}",
     "overflow": "The numbers given leave the range of numbers: {names} would not be finite",
     "teeth_interfere": "The teeth run into each other, or touch where they are no involutes",
     "unloaded": "The loads cancel: nothing presses the bearings",
+    "valley_lost": "In a valley of the satellite's teeth a pin of the ring is {share:.3g} times as "
+    "far off as its path is round there, {radius:.3g} mm: which point it touches cannot be said",
 }
 """What cannot be."""
 
@@ -226,6 +233,15 @@ _LIMITS = {
         why="With clearance fewer pairs carry, and more each: forces and stresses grow, often by "
         "half and more.",
         mend="Give the clearance, or a fit; 0 where perfect parts are meant.",
+    ),
+    "modification_unknown": _limit(
+        "The modification of the discs is not given: the numbers are those of perfect parts, which "
+        "every real one misses.",
+        title="Modification not known",
+        tests="Whether it is given by what the tool of the discs is set off from the ring's pins.",
+        why="With play and errors fewer pins carry, and more each: of usual parts up to ten times "
+        "the ideal force.",
+        mend="Give the modification; 0 where perfect parts are meant.",
     ),
     "one_source": _limit(
         "Some values of {material} are from one source only: take them for a guide.",
@@ -506,6 +522,22 @@ _LIMITS = {
         why="What comes out depends on the machine, the material and the care: sources differ by a "
         "factor of two.",
         mend="Measure some parts, and enter what they come to.",
+    ),
+    "seat_rigid": _limit(
+        "The seats of the ring's pins are taken as rigid: what they give makes the mesh softer.",
+        title="Rigid seats of the ring's pins",
+        tests="Whether it is known what the seats of the ring's pins give.",
+        why="A pin in half a bore is a second contact in series with that on the satellite, and so "
+        "is the ring that holds it.",
+        mend="Give the stiffness of a seat, measured or calculated.",
+    ),
+    "valley": _limit(
+        "In a valley of the satellite's teeth a pin of the ring is {share:.3g} times as far off as "
+        "its path is round there: which point it touches is hardly known.",
+        title="Gap in the valleys",
+        tests="Whether gaps are small beside the radius of the pins' path in the valleys.",
+        why="From half that radius on, the nearest point of the path is hardly the only one.",
+        mend="Make the modification smaller, or the shortening coefficient.",
     ),
     "pressed_without_load": _limit(
         "Pins and holes press without load: there is no play, and the mechanism can be assembled "

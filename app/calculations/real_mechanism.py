@@ -133,9 +133,13 @@ class ContactLawFields(RequestModel, group="contact_law"):
 
     def section(self, body: Any) -> ContactLaw:
         """The law in SI units, where none is named that of the materials in the body's contact."""
+        return self.named() or law_by_materials(body.contact)
+
+    def named(self) -> ContactLaw | None:
+        """The law in SI units, where one is named."""
         own = self.to_core()
         if not own:
-            return law_by_materials(body.contact)
+            return None
         kinds = {
             "hertz": HertzLaw,
             "conformal": ConformalLaw,

@@ -31,6 +31,7 @@ compiled            the same loops compiled, for turns and studies
 satellite_support   satellites that give: crank bearings, mesh; given shares of the torque
 conformal_law       the law of contact of a pin that wraps, as one curve
 contact_law         laws of contact of a pair, and the bending of its pin
+stage               what pairs share a torque by one lag: pins in holes, a ring on teeth
 real_mechanism      the mechanism as it is made: sizes, clearance, deviations, elasticity
 room                the room of pins in their holes over the turn, by geometry alone
 fit                 whether the parts go together, and what elasticity takes up of a misfit

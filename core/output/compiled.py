@@ -16,23 +16,33 @@ import numpy as np
 from core.output import sharing_kernel as source
 
 
-def _copies(made: Callable[[Any], Any], others: dict[str, Any]) -> dict[str, Any]:
-    """The source's functions, made anew: they see each other and the others, not the plain ones."""
-    names = vars(source) | others
-    for name, plain in vars(source).items():
-        own = isinstance(plain, types.FunctionType) and plain.__module__ == source.__name__
-        if own and name not in others:
-            copy = types.FunctionType(plain.__code__, names, name, plain.__defaults__)
-            copy.__module__, copy.__qualname__ = plain.__module__, plain.__qualname__
-            names[name] = made(copy)
+def _copies(
+    made: Callable[[Any], Any], others: dict[str, Any], over: types.ModuleType | None
+) -> dict[str, Any]:
+    """The source's functions, and over them those of another module, made anew: they see each other
+    and the others, not the plain ones.
+    """
+    sources = [source] if over is None else [source, over]
+    names = {name: each for one in sources for name, each in vars(one).items()} | others
+    names["SOURCES"] = tuple(one.__file__ for one in sources)
+    for one in sources:
+        for name, plain in vars(one).items():
+            own = isinstance(plain, types.FunctionType) and plain.__module__ == one.__name__
+            if own and name not in others:
+                copy = types.FunctionType(plain.__code__, names, name, plain.__defaults__)
+                copy.__module__ = plain.__module__
+                copy.__qualname__ = name if over is None else f"{name}_{over.__name__}"
+                names[name] = made(copy)
     return names
 
 
-def in_place_of(**others: Callable[..., Any]) -> Any:
+def in_place_of(over: types.ModuleType | None = None, **others: Callable[..., Any]) -> Any:
     """The loops, interpreted, with other functions in the place of some.
 
     Parameters
     ----------
+    over : module, optional
+        Loops over the same pairs whose functions stand for those of the same names.
     **others : callable
         By the names of those that they stand for.
 
@@ -41,7 +51,7 @@ def in_place_of(**others: Callable[..., Any]) -> Any:
     namespace
         As `at_hand` gives it.
     """
-    names = _copies(lambda copy: copy, others)
+    names = _copies(lambda copy: copy, others, over)
     return types.SimpleNamespace(**names, row=list, table=np.ndarray.tolist, threads=1)
 
 
@@ -50,9 +60,14 @@ PLAIN = in_place_of()
 _at_hand: types.SimpleNamespace = PLAIN
 
 
-def at_hand() -> Any:
+def at_hand(over: types.ModuleType | None = None) -> Any:
     """The functions of `core.output.sharing_kernel`: compiled once `load` was called, else as they
     are.
+
+    Parameters
+    ----------
+    over : module, optional
+        As `in_place_of` takes it.
 
     Returns
     -------
@@ -60,7 +75,13 @@ def at_hand() -> Any:
         Its `row` and `table` make what they take, lists or arrays; `threads` says how many can
         run at once.
     """
-    return _at_hand
+    if over is None:
+        return _at_hand
+    return _plain(over) if _at_hand is PLAIN else _compiled(over)
+
+
+_plain = functools.cache(in_place_of)
+"""The loops with another module over them, interpreted."""
 
 
 def load() -> None:
@@ -75,16 +96,16 @@ def load() -> None:
         If numba is not installed.
     """
     global _at_hand
-    _at_hand = _compiled()
+    _at_hand = _compiled(None)
 
 
 @functools.cache
-def _compiled() -> types.SimpleNamespace:
+def _compiled(over: types.ModuleType | None) -> types.SimpleNamespace:
     os.environ.setdefault("NUMBA_CPU_NAME", "generic")
     os.environ.setdefault("NUMBA_CACHE_LOCATOR_CLASSES", f"{__name__}.{Place.__name__}")
     import numba
 
-    names = _copies(numba.njit(cache=True, nogil=True, error_model="numpy"), {})
+    names = _copies(numba.njit(cache=True, nogil=True, error_model="numpy"), {}, over)
     return types.SimpleNamespace(
         **names,
         row=functools.partial(np.array, dtype=float),
@@ -115,6 +136,8 @@ class Place:
 
         beside = caching.InTreeCacheLocator(function, file)
         own = caching.UserProvidedCacheLocator(function, file) if config.CACHE_DIR else beside
+        read = [os.stat(each) for each in function.__globals__.get("SOURCES", (file,))]
+        own.get_source_stamp = lambda: [(each.st_mtime, each.st_size) for each in read]
         with suppress(OSError):
             own.ensure_cache_path()
         return own

@@ -114,7 +114,8 @@ class OverTurn:
     """
 
     def __init__(self, turn: Turn) -> None:
-        self.turn, self.real = turn, turn.real
+        self.turn = turn
+        self.real: RealMechanism = turn.real
 
     def _grid(self, rows: Rows, name: str, sign: int = 1) -> Grid:
         heights = rows["high"] - rows["low"] if name == "backlash" else rows[name]
@@ -292,19 +293,28 @@ class OverTurn:
         """Least play, rad."""
         return self._backlash[1].value + 0.0
 
+    def _by_values(self, kind: int, sign: int = 1) -> tuple[Extreme, Grid]:
+        """Largest value over the turn, or least for the sign -1, of what positions do not have;
+        and the even grid on which it is looked for.
+        """
+        turn, narrow = self.turn, self.turn.narrow(kind, sign)
+        even, _ = turn.positions()
+        found = turn.values(kind, even, turn.period)
+        fine = Grid(found.places, sign * found.heights, found.period)
+        coarse = Grid(fine.places[::2], fine.heights[::2], fine.period)
+        top, missed = highest(coarse=coarse, fine=fine, narrow=narrow)
+        again = turn.values(kind, turn.again["wave"], turn.period)
+        other = Grid(again.places, sign * again.heights, again.period)
+        top, more = self._above(other, kind, top, sign)
+        return Extreme(sign * top.height, missed + more + top.error), found
+
     @derived
     def _lost_motion(self) -> Extreme:
-        turn, narrow = self.turn, self.turn.narrow(LOST_MOTION)
-        even, _ = turn.positions()
-        lost = turn.values(LOST_MOTION, even, turn.period)
-        coarse = Grid(lost.places[::2], lost.heights[::2], lost.period)
-        top, missed = highest(coarse=coarse, fine=lost, narrow=narrow)
-        again = turn.values(LOST_MOTION, turn.again["wave"], turn.period)
-        top, more = self._above(again, LOST_MOTION, top)
-        there = np.searchsorted(turn.fine["wave"], lost.places)
-        lags = 2 * turn.fine["lag_error"][there]  # as good as under all of the torque
+        top, lost = self._by_values(LOST_MOTION)
+        there = np.searchsorted(self.turn.fine["wave"], lost.places)
+        lags = 2 * self.turn.fine["lag_error"][there]  # as good as under all of the torque
         rounding = by_rounding(heights=lost.heights, errors=lags)
-        return Extreme(top.height, missed + more + top.error + rounding)
+        return Extreme(top.value, top.error + rounding)
 
     @property
     def lost_motion(self) -> float:
@@ -312,8 +322,15 @@ class OverTurn:
         return self._lost_motion.value
 
     @derived
+    def lags(self) -> tuple[Extreme, Extreme]:
+        """Largest and least lag under load, rad, counted as the torque turns."""
+        high, low = (self._extreme("lag", LAG, sign) for sign in (1, -1))
+        return high, low
+
+    @property
     def _lag(self) -> Extreme:
-        return self._spread("lag", LAG)
+        high, low = self.lags
+        return Extreme(high.value - low.value, high.error + low.error)
 
     @property
     def transmission_error(self) -> float:

@@ -9,7 +9,7 @@ import numpy as np
 from core.arrays import FloatArray, check_single
 from core.errors import InvalidInput
 from core.output.members import Members
-from core.output.real_mechanism import RealMechanism
+from core.output.stage import Stage
 from core.results import Accuracy
 
 
@@ -52,14 +52,12 @@ class RealCurves:
         )
 
 
-def real_curves(
-    *, real: RealMechanism, crank_angle: FloatArray, output_torque: float
-) -> RealCurves:
+def real_curves(*, real: Stage, crank_angle: FloatArray, output_torque: float) -> RealCurves:
     """Forces, lags, play, stiffness and input torque at crank angles.
 
     Parameters
     ----------
-    real : RealMechanism
+    real : Stage
         The mechanism.
     crank_angle : array, M
         Crank angles, rad.
@@ -73,7 +71,7 @@ def real_curves(
     Raises
     ------
     ImpossibleMechanism
-        See `RealMechanism.solved`.
+        See `Stage.solved`.
 
     Notes
     -----
@@ -151,14 +149,12 @@ class StiffnessCurve:
         )
 
 
-def stiffness_curve(
-    *, real: RealMechanism, crank_angle: float, torques: Sequence[float]
-) -> StiffnessCurve:
+def stiffness_curve(*, real: Stage, crank_angle: float, torques: Sequence[float]) -> StiffnessCurve:
     """Lag under several torques at one crank angle; there is no hysteresis without friction.
 
     Parameters
     ----------
-    real : RealMechanism
+    real : Stage
         The mechanism.
     crank_angle : float
         Crank angle, rad.
@@ -174,7 +170,7 @@ def stiffness_curve(
     InvalidInput
         If a torque is 0.
     ImpossibleMechanism
-        See `RealMechanism.solved`.
+        See `Stage.solved`.
     """
     check_single(crank_angle=crank_angle)
     setups = {sign: real.setup(sign) for sign in (1.0, -1.0)}

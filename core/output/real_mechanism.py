@@ -17,7 +17,7 @@ from core.arrays import Number, check_finite, check_positive, check_single
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.hertz import HertzContact, hertz
 from core.materials import ElasticMaterial
-from core.output.compiled import PLAIN, in_place_of
+from core.output.compiled import PLAIN, at_hand, in_place_of
 from core.output.conformal_law import NO_WRAP, conformal_wrap
 from core.output.contact_law import (
     ContactLaw,
@@ -35,40 +35,25 @@ from core.output.satellite_support import (
     CrankSupport,
     ElasticMesh,
     SatelliteSupport,
+    SharedTorque,
     Shares,
     check_support,
 )
 from core.output.sharing_kernel import (
     CRANK,
     MESH,
-    NO_DRIVE,
-    NOT_SOLVED,
-    NOT_STABLE,
     RIGID,
     TIED,
-    TOO_FAR,
-    TOO_WIDE,
     Errors,
     Law,
     Pairs,
-    Position,
     Room,
     Row,
     Setup,
     Wrap,
-    judged,
     prepare,
-    too_wide,
 )
-
-REFUSALS = {
-    NO_DRIVE: "dead_centre",
-    NOT_STABLE: "not_stable",
-    NOT_SOLVED: "not_balanced",
-    TOO_WIDE: "beyond_hertz",
-    TOO_FAR: "beyond_first_order",
-}
-"""What a position is refused as that cannot be."""
+from core.output.stage import Stage
 
 
 @dataclass(frozen=True, slots=True)
@@ -178,7 +163,7 @@ class Deviations:
 
 
 @dataclass(frozen=True)
-class RealMechanism:
+class RealMechanism(Stage):
     """A mechanism with its sizes, clearance, deviations and elasticity."""
 
     mechanism: Mechanism
@@ -378,56 +363,11 @@ class RealMechanism:
         sizes = {"give": square, "system": 2 * square}
         return kind(*[[0.0] * sizes.get(name, count) for name in kind._fields])
 
-    def wave(self, crank_angle: float) -> float:
-        """Wave angle of a crank angle, rad, within half a turn around 0.
-
-        Parameters
-        ----------
-        crank_angle : float
-            Crank angle, rad.
-        """
-        return math.remainder(self.mechanism.wave_angle(crank_angle), 2 * math.pi)
-
-    def solved(self, psi: float, torque: float, setup: Setup, room: Room) -> Position:
-        """Equilibrium at a wave angle; what cannot be is refused.
-
-        Parameters
-        ----------
-        psi : float
-            Wave angle, rad.
-        torque : float
-            Size of the torque, N*m, > 0.
-        setup : Setup
-            The design, with the torque's direction.
-        room : Room
-            Takes forces and levers.
-
-        Returns
-        -------
-        Position
-
-        Raises
-        ------
-        ImpossibleMechanism
-            If no pair can drive, forces would not balance or not be stable, or a contact would be
-            as wide as its pin.
-        """
-        position: Position = self.loops.solve(psi, torque, setup, self.pairs, room)
-        status = judged(position, setup, self.pairs, room)
-        if status in REFUSALS:
-            params: dict[str, Any] = {}
-            if status == TOO_WIDE:
-                j, n = divmod(too_wide(self.pairs, room), setup.pins)
-                params = {"satellite": j + 1, "pin": n + 1}
-            start = self.mechanism.initial_crank_angle
-            angle = (psi - start) % (2 * math.pi) / self.mechanism.waves_per_turn
-            raise ImpossibleMechanism(REFUSALS[status], {"crank_angle": angle}, **params)
-        return position
-
-    @property
-    def shared(self) -> Shares | None:
-        """The given shares of the torque, where there are any."""
-        return self.support if isinstance(self.support, Shares) else None
+    @cached_property
+    def shared(self) -> SharedTorque | None:
+        """The satellites of given shares of the torque, where there are any."""
+        shares = self.support
+        return SharedTorque(shares.shares, PLAIN) if isinstance(shares, Shares) else None
 
     @cached_property
     def loops(self) -> Any:
@@ -443,6 +383,11 @@ class RealMechanism:
             wave_torque=shared.wave_torque,
             clear=lambda *_: 0.0,  # satellites have no common lag
         )
+
+    @property
+    def loops_of_turns(self) -> Any:
+        """The same, compiled where they can be."""
+        return at_hand() if self.shared is None else self.loops
 
     def contact(self, pair: int, force: float) -> HertzContact | None:
         """Hertz contact of a pair, where the materials are known.
@@ -487,21 +432,6 @@ class RealMechanism:
             pin_material=self.pin_material,
             hole_material=self.hole_material,
         )
-
-    def rows(self, values: Sequence[float]) -> tuple[tuple[float, ...], ...]:
-        """Values of the pairs, satellite by satellite.
-
-        Parameters
-        ----------
-        values : sequence of float, K*N
-            Values in the kernel's order.
-
-        Returns
-        -------
-        tuple of tuple of float, K x N
-        """
-        pins = self.mechanism.pins
-        return tuple(tuple(values[i : i + pins]) for i in range(0, len(values), pins))
 
     def pressures(
         self, force: tuple[tuple[float, ...], ...]

@@ -7,6 +7,7 @@ given shares every satellite is solved for itself.
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from core.arrays import check_positive
 from core.errors import InvalidInput
@@ -16,11 +17,6 @@ from core.output.sharing_kernel import (
     Position,
     Room,
     Setup,
-    at,
-    interference,
-    play,
-    solve,
-    wave_torque,
 )
 from core.precision import ROUNDING, SAME
 
@@ -42,7 +38,14 @@ class ElasticMesh:
 
 @dataclass(frozen=True, slots=True)
 class Shares:
-    """Torque that is shared as given, whatever the discs need to turn for it.
+    """Torque that is shared as given, whatever the discs need to turn for it."""
+
+    shares: tuple[float, ...]  # w_j of each of the K satellites, > 0, of sum 1
+
+
+@dataclass(frozen=True, slots=True)
+class SharedTorque:
+    """Its satellites, each solved for itself.
 
     Its methods stand for the functions of the same names of `core.output.sharing_kernel`: at a
     wave angle psi, rad, of the design in first order with the torque's direction, the constants of
@@ -51,6 +54,7 @@ class Shares:
     """
 
     shares: tuple[float, ...]  # w_j of each of the K satellites, > 0, of sum 1
+    loops: Any  # of one satellite
 
     def solve(self, psi: float, torque: float, setup: Setup, pairs: Pairs, room: Room) -> Position:
         """Every satellite under its share of the torque, N*m, > 0.
@@ -60,12 +64,13 @@ class Shares:
         """
         shares, found = self.shares, []
         for j, (one, own_pairs, own) in enumerate(_each(setup, pairs, room)):
-            position = solve(psi, shares[j] * torque, one, own_pairs, own)
+            position = self.loops.solve(psi, shares[j] * torque, one, own_pairs, own)
             found.append(position)
             room.own_lag[j] = position.lag
             for name in OF_PAIRS:
                 row, values = getattr(room, name), getattr(own, name)
                 row[j * setup.pins : (j + 1) * setup.pins] = values
+        self.loops.at(psi, setup, pairs, room)  # as one satellite leaves it
         low, high = _mean_play(
             shares,
             [
@@ -97,18 +102,18 @@ class Shares:
         """Limits of the play at a wave angle, rad; the first is larger where pairs press."""
         ends = []
         for one, own_pairs, own in _each(setup, pairs, room):
-            at(psi, one, own_pairs, own)
-            ends.append(play(one, own)[:2])
+            self.loops.at(psi, one, own_pairs, own)
+            ends.append(self.loops.play(one, own_pairs, own)[:2])
         return _mean_play(self.shares, ends)
 
     def interference(self, psi: float, setup: Setup, pairs: Pairs, room: Room) -> float:
         """Smallest possible worst approach of the unloaded pairs at a wave angle, m: each satellite
         turns for itself.
         """
-        far, worst = setup.eccentricity / setup.radius, []
+        far, worst = setup.eccentricity / setup.radius, list[float]()
         for one, own_pairs, own in _each(setup, pairs, room):
-            at(psi, one, own_pairs, own)
-            worst.append(interference(-far, far, one, own_pairs, own))
+            self.loops.at(psi, one, own_pairs, own)
+            worst.append(self.loops.interference(-far, far, one, own_pairs, own))
         return max(worst)
 
     def wave_torque(self, psi: float, lag: float, setup: Setup, pairs: Pairs, room: Room) -> float:
@@ -116,7 +121,7 @@ class Shares:
         own lag there, and the one that is given is not used.
         """
         each = zip(room.own_lag, _each(setup, pairs, room), strict=False)
-        return sum(wave_torque(psi, own_lag, *own) for own_lag, own in each)
+        return float(sum(self.loops.wave_torque(psi, own_lag, *own) for own_lag, own in each))
 
 
 SatelliteSupport = CrankSupport | ElasticMesh | Shares
@@ -145,15 +150,7 @@ def check_support(*, support: SatelliteSupport | None, satellites: int, exact: b
     if exact:
         raise InvalidInput("exact", exact, "first_order_only", field="support")
     if isinstance(support, Shares):
-        given = support.shares
-        if len(given) != satellites:
-            raise InvalidInput(
-                "shares", given, "different_length", expected=satellites, actual=len(given)
-            )
-        for j, share in enumerate(given):
-            check_positive(**{f"shares[{j}]": share})
-        if not abs(math.fsum(given) - 1) <= SAME:
-            raise InvalidInput("shares", given, "sum_not_one", sum=math.fsum(given))
+        check_shares(shares=support.shares, satellites=satellites)
         return
     check_positive(stiffness=support.stiffness)
     if isinstance(support, CrankSupport) and not 0 <= support.radial_clearance < math.inf:
@@ -161,7 +158,31 @@ def check_support(*, support: SatelliteSupport | None, satellites: int, exact: b
         raise InvalidInput("radial_clearance", given_clearance, "greater_than_equal", limit=0)
 
 
-OF_CRANKS = {"arm", "phase"}
+def check_shares(*, shares: tuple[float, ...], satellites: int) -> None:
+    """Refuse shares that are not one each, or do not add up to 1.
+
+    Parameters
+    ----------
+    shares : tuple of float
+        Shares w_j of the torque.
+    satellites : int
+        Number K of the satellites.
+
+    Raises
+    ------
+    InvalidInput
+        If they are such.
+    """
+    if len(shares) != satellites:
+        counts = {"expected": satellites, "actual": len(shares)}
+        raise InvalidInput("shares", shares, "different_length", **counts)
+    for j, share in enumerate(shares):
+        check_positive(**{f"shares[{j}]": share})
+    if not abs(math.fsum(shares) - 1) <= SAME:
+        raise InvalidInput("shares", shares, "sum_not_one", sum=math.fsum(shares))
+
+
+OF_CRANKS = {"arm", "phase", "own", "off", "eta"}
 """Rows of `Pairs` with one number for each satellite."""
 
 OF_PAIRS = Room._fields[: Room._fields.index("own_lag")]
@@ -176,9 +197,9 @@ def _each(setup: Setup, pairs: Pairs, room: Room) -> list[tuple[Setup, Pairs, Ro
         rows = slice(j * pins, (j + 1) * pins)
         own = [
             row[j : j + 1] if name in OF_CRANKS else row[rows]
-            for name, row in zip(Pairs._fields, pairs, strict=True)
+            for name, row in zip(pairs._fields, pairs, strict=True)
         ]
-        found.append((one, Pairs(*own), Room(*[row[rows] for row in room])))
+        found.append((one, type(pairs)(*own), type(room)(*[row[rows] for row in room])))
     return found
 
 

@@ -310,7 +310,11 @@ def pair_law(
         return law.a, compliance, math.inf
     if kind == CONFORMAL:
         return law.a * difference, law.a * compliance, law.a * difference * law.end
-    reduced = pin * (pin + difference) / difference
+    return line_law(law, pin, pin * (pin + difference) / difference, compliance)
+
+
+def line_law(law: Law, pin: float, reduced: float, compliance: float) -> tuple[float, float, float]:
+    """The same of a Hertz line contact with a reduced radius."""
     q = law.quarter / reduced
     b = (law.first + law.second) / law.around
     a = law.first * (math.log(16 * pin * pin * q) - 1)
@@ -338,7 +342,7 @@ def at(psi: float, setup: Setup, pairs: Pairs, room: Room) -> None:
                 v[i] = way * (wx * x + wy * y)
 
 
-def play(setup: Setup, room: Room) -> tuple[float, float, int, int]:
+def play(setup: Setup, pairs: Pairs, room: Room) -> tuple[float, float, int, int]:
     """Least and largest lag at which no pair touches, and the pairs that touch there (-1: none).
     Where pairs press without load the first is larger than the second.
     """
@@ -377,7 +381,7 @@ def play(setup: Setup, room: Room) -> tuple[float, float, int, int]:
 def played(psi: float, setup: Setup, pairs: Pairs, room: Room) -> tuple[float, float]:
     """Limits of the play at a wave angle; the first is larger where pairs press."""
     at(psi, setup, pairs, room)
-    low, high, _, _ = play(setup, room)
+    low, high, _, _ = play(setup, pairs, room)
     return low, high
 
 
@@ -590,7 +594,7 @@ class Position(NamedTuple):
 def solve(psi: float, torque: float, setup: Setup, pairs: Pairs, room: Room) -> Position:
     """Equilibrium of a position under a torque > 0; forces and levers are left in the room."""
     at(psi, setup, pairs, room)
-    play_low, play_high, behind, onset = play(setup, room)
+    play_low, play_high, behind, onset = play(setup, pairs, room)
     play_error = max(
         touch_error(play_low, behind, psi, setup, pairs, room),
         touch_error(play_high, onset, psi, setup, pairs, room),
@@ -1315,7 +1319,12 @@ def value(kind: int, psi: float, load: Load, pairs: Pairs, room: Room) -> tuple[
         return found.lag, can
     if kind == STIFFNESS:
         return found.stiffness, can
-    return input_torque(psi, load.torque, found.lag, load.setup, pairs, room), can
+    return other(kind, psi, found.lag, load, pairs, room), can
+
+
+def other(kind: int, psi: float, lag: float, load: Load, pairs: Pairs, room: Room) -> float:
+    """What is looked at besides, as `solve` left the room: the torque of the crank."""
+    return input_torque(psi, load.torque, lag, load.setup, pairs, room)
 
 
 def values(kind: int, places: Row, load: Load, pairs: Pairs, room: Room, results: Row) -> int:

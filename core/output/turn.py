@@ -7,23 +7,21 @@ with each of them, and only one pitch of it is solved.
 
 import math
 from collections.abc import Iterable, Sequence
+from typing import Any
 
 import numpy as np
 
 from core.arrays import FloatArray
 from core.derived import derived
 from core.numerics.extremes import Narrow, other_places
-from core.output.compiled import at_hand
-from core.output.real_mechanism import RealMechanism
 from core.output.sharing_kernel import (
     BACKLASH,
     LOST_MOTION,
     PLAY_END,
     Load,
-    Pairs,
     Poses,
-    Room,
 )
+from core.output.stage import Stage
 from core.output.summits import Grid
 
 POSITIONS = 720
@@ -50,11 +48,11 @@ forces of all pairs, shape (n, K*N); and `wave`, the wave angles, rad."""
 
 
 class Turn:
-    """The mechanism under a torque, over the turn; refusals as `RealMechanism.solved`.
+    """The mechanism under a torque, over the turn; refusals as `Stage.solved`.
 
     Parameters
     ----------
-    real : RealMechanism
+    real : Stage
         The mechanism.
     torque : float
         On the output link, N*m, not 0; negative in reverse.
@@ -62,13 +60,15 @@ class Turn:
         Share of the torque under which the lost motion is taken.
     """
 
-    def __init__(self, real: RealMechanism, torque: float, share: float = 0.03) -> None:
-        self.real, self.torque = real, torque
-        self.kernel = at_hand() if real.shared is None else real.loops
+    def __init__(self, real: Stage, torque: float, share: float = 0.03) -> None:
+        self.real: Any = real
+        self.torque = torque
+        self.kernel = real.loops_of_turns
         direction = math.copysign(1.0, torque)
         self.load = Load(abs(torque), share, real.setup(direction), real.setup(-direction))
-        self.pairs = Pairs(*map(self.kernel.row, real.pairs))
-        self.room = Room(*map(self.kernel.row, real.room()))
+        pairs, room = real.pairs, real.room()
+        self.pairs = type(pairs)(*map(self.kernel.row, pairs))
+        self.room = type(room)(*map(self.kernel.row, room))
         self.evaluations = 0
         self.repeats = real.mechanism.pins if real.pins_alike else 1
         """How often the turn repeats: from one period to the next a pin feels what the next one
@@ -164,7 +164,7 @@ class Turn:
         grid = [first + step * i for i in range(count // self.repeats)]
         dead = {
             round((half - pairs.phase[j] - 2 * math.pi * n / pins - first) % self.period, 9)
-            for half in (0.0, math.pi)
+            for half in self.real.dead_angles
             for j in range(self.load.setup.satellites)
             for n in range(pins)
         }

@@ -19,6 +19,7 @@ from app.registry import CALCULATIONS
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.output import compiled as loops
 from core.output import sharing_kernel
+from core.ring import approach
 
 CORPUS = Path(__file__).parent.parent / "corpus" / "requests.json"
 WALKED = ("crank-planetary", "load-sharing", "tolerance-study", "crankshaft", "satellite-bearing")
@@ -64,8 +65,9 @@ print([name for name in sys.modules if name.partition(".")[0] in ("core", "numpy
 """
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
-    assert Path(sharing_kernel.__file__) == compiled.SOURCE
-    assert sharing_kernel.pieces.__name__ == compiled.LAST
+    assert tuple(Path(each.__file__) for each in (sharing_kernel, approach)) == compiled.SOURCES
+    kernel = loops.in_place_of(approach)
+    assert kernel.values.__qualname__ == compiled.LAST
 
 
 def test_without_numba_the_loops_run_as_they_are():
@@ -90,13 +92,13 @@ def elsewhere(monkeypatch, tmp_path):
 
 def test_a_cache_is_one_that_was_made_after_its_source(elsewhere):
     assert not compiled.cached()
-    made = elsewhere / "output_0" / "sharing_kernel.pieces-1.py311.nbi"
+    made = elsewhere / "output_0" / f"sharing_kernel.{compiled.LAST}-1.py311.nbi"
     made.parent.mkdir()
     (made.parent / "sharing_kernel.poses-1.py311.nbi").touch()
     assert not compiled.cached()
     made.touch()
     assert compiled.cached()
-    changed = compiled.SOURCE.stat().st_mtime
+    changed = max(source.stat().st_mtime for source in compiled.SOURCES)
     os.utime(made, (changed - 1, changed - 1))
     assert not compiled.cached()
 
@@ -123,7 +125,7 @@ def test_a_service_without_a_cache_makes_one_first(elsewhere, monkeypatch, caplo
         compiled.make_cache()
         assert run == [["-c", "import app.loaded"]]
         assert "once an installation" in caplog.text
-        (elsewhere / "sharing_kernel.pieces-1.py311.nbi").touch()
+        (elsewhere / f"sharing_kernel.{compiled.LAST}-1.py311.nbi").touch()
         compiled.make_cache()
     assert len(run) == len(caplog.records) == 1
 

@@ -40,6 +40,7 @@ PHYSICAL = {code for code, each in CODES.items() if each.kind == "impossible"} |
     "drawn_cup",
     "dust",
     "elastomer",
+    "flanks_first_order",
     "greater_than",
     "hole_disagrees",
     "in_carrier",
@@ -56,7 +57,9 @@ PHYSICAL = {code for code, each in CODES.items() if each.kind == "impossible"} |
     "not_in_table",
     "not_sourced",
     "not_there",
+    "not_this_cycloid",
     "not_this_mechanism",
+    "not_this_ring",
     "not_zero",
     "one_of_coupling",
     "other_branch",
@@ -72,6 +75,7 @@ PHYSICAL = {code for code, each in CODES.items() if each.kind == "impossible"} |
     "to_be_drawn",
     "too_few",
     "too_near",
+    "undercut",
     "too_thick",
     "too_many_pairs",
     "too_many_phases",
@@ -116,6 +120,9 @@ OF_OTHER_FIELDS = (
 )
 """What another field of the request needs or excludes, by such a rule."""
 
+OF_OTHER_SIZES = ("/chord_error_mm", "/contact_law/reference_depth_mm")
+"""What has limits that follow from other sizes."""
+
 
 @schema.parametrize()
 def test_the_service_does_what_its_description_says(case):
@@ -129,4 +136,6 @@ def test_the_service_does_what_its_description_says(case):
     for error in response.json()["errors"]:
         if not UNDESCRIBED.match(error["pointer"]):
             there = NEEDED if error["pointer"] in OF_OTHER_FIELDS else set()
+            if error["pointer"] in OF_OTHER_SIZES:
+                there = {"greater_than_equal", "less_than_equal"}
             assert error["code"] in PHYSICAL | BETWEEN_FIELDS | there, error

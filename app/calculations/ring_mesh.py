@@ -1,0 +1,639 @@
+"""The mesh of cycloid discs with the pins of their ring: request and answer."""
+
+import math
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Annotated, Any, ClassVar, Literal, Self
+
+import numpy as np
+from pydantic import Field, field_validator, model_validator
+from pydantic_core import PydanticCustomError
+
+from app.calculations.design import input_speed
+from app.calculations.hertz import Material, contact_length, eccentricity, material_of
+from app.calculations.load_sharing_answer import StiffnessCurveOut
+from app.calculations.mechanism import MAX_SATELLITES
+from app.calculations.real_mechanism import (
+    ContactLawFields,
+    PerSatellite,
+    PhasePerSatellite,
+    SatelliteCouplingFields,
+)
+from app.calculations.ring_mesh_answer import (
+    MeshPositionOut,
+    MeshTurnOut,
+    ProfileOut,
+    RingEfficiencyOut,
+    RingGeometryOut,
+    RingIdealOut,
+    RingMeshResponse,
+)
+from app.calculations.ring_mesh_figure import DrawnMesh, ring_mesh_figure
+from app.model import (
+    NO_DUST,
+    Angle,
+    Calculation,
+    Forms,
+    Kinds,
+    Maybe,
+    RequestModel,
+    Size,
+    Values,
+    Whole,
+    accuracy_values,
+    field_error,
+    no_dust,
+    quantity,
+    warning,
+)
+from app.problems import invalid_input, refusal, wrong
+from app.running import run
+from app.settings import Settings
+from app.sources import JOHNSON_1985
+from app.theme import Figure, Theme
+from app.units import to_si
+from core.crank.ring_mesh import cycloid_mesh
+from core.design.sections import MechanismSection
+from core.errors import InvalidInput
+from core.output.contact_law import HertzLaw, LinearLaw, PinSupport
+from core.output.real_curves import real_curves, stiffness_curve
+from core.output.satellite_support import Shares
+from core.results import Accuracy, Notice
+from core.ring.loss import RingFriction, ring_loss, sliding_part
+from core.ring.profile import CycloidDisc, Modification, outline_points
+from core.ring.sharing import (
+    CycloidMesh,
+    RingDeviations,
+    ideal_mesh,
+    mesh_gaps,
+    mesh_over_turn,
+    mesh_position,
+)
+
+Section = Literal["positions", "over_turn", "profile", "stiffness_curve", "ideal"]
+
+MAX_TURN_PAIRS = 1000
+"""Most pairs over the turn: thousands of positions are solved."""
+
+MAX_TURN_SHARED = 100
+"""The same of given shares, whose loops are interpreted; in exact geometry a quarter of it."""
+
+MAX_POSITIONS = 1000
+"""Most crank angles of one request."""
+
+MAX_FORCES = 100_000
+"""Most forces of positions: angles times pairs."""
+
+MAX_DRAWN_PAIRS = 240
+"""Most pairs that a figure shows."""
+
+TORQUES = (-1.0, -0.75, -0.5, -0.25, -0.1, -0.03, 0.03, 0.1, 0.25, 0.5, 0.75, 1.0)
+"""Shares of the torque at which the curve of the lag is sent."""
+
+DRAWN_ANGLES = 361
+"""Crank angles of the figure's curves."""
+
+DRAWN_ERROR = 1e-5
+"""Chord error of the outline in the figure, m."""
+
+OF_SUPPORTS = ("span_mm", "satellite_positions_mm")
+"""What ring pins have that bend."""
+
+Change = Annotated[float, Field(ge=-0.5, le=0.5)]
+
+RingDeviation = Annotated[float, Field(ge=-0.2, le=0.2)]
+
+PerRingPin = Annotated[list[RingDeviation], Field(min_length=1, max_length=1000)]
+
+
+class RingTeethFields(RequestModel, group="mechanism"):
+    """Teeth and cranks; the pins of the output are not needed here."""
+
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
+        (("crank_spacing_deg",), ("crank_angles_deg",), ()),
+    )
+    ASSUMED: ClassVar[tuple[str, ...]] = ("satellites",)
+
+    satellite_teeth: Whole = quantity("Satellite teeth", "z₂", step=1, ge=2, le=999)
+    """Lobes of a cycloid disc."""
+    ring_teeth: Whole = quantity("Ring teeth", "z₃", step=1, ge=3, le=1000)
+    """Pins of the ring, one more than a disc has lobes."""
+    satellites: Whole = quantity("Satellites", "K", default=2, step=1, ge=1, le=MAX_SATELLITES)
+    """Number of satellites, each on its own crank."""
+    crank_spacing_deg: Maybe[Angle] = quantity("Crank spacing", "α", step=15)
+    """Angle between neighbouring cranks; 360°/K where not given."""
+    crank_angles_deg: Maybe[list[Angle]] = quantity(
+        "Crank angles", "α₁ … α_K", min_length=1, max_length=MAX_SATELLITES
+    )
+    """Angle of each crank, one for each satellite, instead of an even spacing."""
+    pins: Maybe[Whole] = quantity("Pins", "N", step=1, ge=1, le=10_000)
+    """Number of pins of the output link; not needed here."""
+
+    @model_validator(mode="after")
+    def _counts(self) -> Self:
+        if self.ring_teeth != self.satellite_teeth + 1:
+            raise field_error("ring_teeth", "not_this_cycloid", expected=self.satellite_teeth + 1)
+        angles = self.crank_angles_deg
+        if angles is not None and "satellites" not in self.model_fields_set:
+            self.satellites = len(angles)
+        if angles is not None and len(angles) != self.satellites:
+            count = {"expected": self.satellites, "actual": len(angles)}
+            raise field_error("crank_angles_deg", "different_length", **count)
+        return self
+
+    @property
+    def pairs(self) -> int:
+        """Number of pairs of pins and discs."""
+        return self.ring_teeth * self.satellites
+
+    @property
+    def crank_angles(self) -> tuple[float, ...]:
+        """Crank angles, rad."""
+        angles = to_si("crank_angles_deg", self.crank_angles_deg)
+        section = MechanismSection(
+            pins=self.ring_teeth,
+            satellites=self.satellites,
+            ratio=float(self.satellite_teeth),
+            crank_spacing=to_si("spacing_deg", self.crank_spacing_deg),
+            crank_angles=angles and tuple(angles),
+        )
+        return section.built.crank_angles
+
+
+class RingLoadFields(RequestModel, group="load"):
+    """Torque and speed."""
+
+    output_torque_Nm: Size = quantity("Output torque", "T", step=10)
+    """Torque of all discs on the output."""
+    torque_direction: Literal["driving", "reverse"] = quantity(
+        "Direction of the torque", default="driving"
+    )
+    """Driving: the satellites turn the output; reverse: the load turns them back."""
+    input_speed_rpm: Maybe[Size] = input_speed()
+    pin_circle_radius_mm: Maybe[Size] = quantity("Pin circle radius", "R", step=1)
+    """Radius of the circle of the output's pins; not needed here."""
+
+
+class RingCrankFields(RequestModel, group="contact"):
+    """The crank."""
+
+    eccentricity_mm: Size = eccentricity()
+
+
+class ModificationFields(RequestModel, group="gear"):
+    """By what the tool that cuts the discs is set off from the ring's pins."""
+
+    equidistant_mm: Change = quantity(
+        "Equidistant modification", "Δ_e", default=0.0, step=0.005, schema=NO_DUST
+    )
+    """Radius of the tool less that of the pins: positive makes the disc smaller all around."""
+    pin_circle_mm: Change = quantity(
+        "Modification of the circle", "Δ_p", default=0.0, step=0.005, schema=NO_DUST
+    )
+    """Radius of the tool's circle less that of the pins: negative makes the disc smaller."""
+    rotation_arcmin: float = quantity(
+        "Modification by rotation", "δ_r", default=0.0, step=0.5, schema=NO_DUST, ge=0, le=30
+    )
+    """By which the flanks are turned to either side; in first order only."""
+
+    _sizes = field_validator("equidistant_mm", "pin_circle_mm", "rotation_arcmin")(no_dust)
+
+
+class CycloidRingFields(RequestModel, group="gear"):
+    """Cycloid discs and the pins of their ring."""
+
+    KINDS: ClassVar[Kinds] = {
+        "cycloid": (("ring_pin_circle_radius_mm", "ring_pin_radius_mm", "contact_length_mm"), ()),
+        "involute": ((), ()),
+    }
+    ASSUMED: ClassVar[tuple[str, ...]] = ("pin_material", "disc_material")
+    RULES: ClassVar[tuple[dict[str, Any], ...]] = (
+        {
+            "if": {
+                "properties": {"pin_support": {"enum": ["supported", "fixed"]}},
+                "required": ["pin_support"],
+            },
+            "then": {"required": [*OF_SUPPORTS]},
+            "else": {"not": {"anyOf": [{"required": [name]} for name in OF_SUPPORTS]}},
+        },
+    )
+
+    kind: Literal["cycloid", "involute"] = quantity("Ring")
+    """Pins on which a cycloid disc rolls; involute teeth are not calculated here yet."""
+    ring_pin_circle_radius_mm: Maybe[Size] = quantity("Circle of the ring's pins", "R_p", step=1)
+    """Radius of the circle of the ring's pins, on which a cycloid disc rolls."""
+    ring_pin_radius_mm: Maybe[Size] = quantity("Radius of the ring's pins", "r", step=0.5)
+    """Of the pins, or of their sleeves."""
+    contact_length_mm: Maybe[Size] = contact_length()
+    modification: Maybe[ModificationFields] = None
+    pin_material: Material = quantity("Pin material", default="steel_bearing")
+    """A name of the table of materials, or values."""
+    disc_material: Material = quantity("Disc material", default="steel_through_hardened")
+    """A name of the table of materials, or values."""
+    pin_support: Literal["seat", "supported", "fixed"] = quantity(
+        "Support of the ring's pins", default="seat", advanced=True
+    )
+    """In half a bore (seat), held at both ends free to tilt (supported), or built in (fixed)."""
+    span_mm: Maybe[Size] = quantity("Span of the ring's pins", "L", step=1, advanced=True)
+    """Distance of the two supports; not of a seat."""
+    satellite_positions_mm: Maybe[list[Size]] = quantity(
+        "Places of the satellites",
+        "z₁ … z_K",
+        min_length=1,
+        max_length=MAX_SATELLITES,
+        advanced=True,
+    )
+    """Middle plane of each satellite from one support; not of a seat."""
+    seat_stiffness_N_per_mm: Maybe[Size] = quantity(
+        "Stiffness of a seat", "k_s", step=10_000, advanced=True
+    )
+    """Of a pin in its bore and of what holds that; rigid where not given."""
+    friction_coefficient: Maybe[float] = quantity(
+        "Friction coefficient", "μ", step=0.01, ge=0, le=1
+    )
+    """Of what slides on the ring's pins; without it no loss is answered."""
+    sleeve_bore_radius_mm: Maybe[Size] = quantity("Bore of the sleeves", "r_i", step=0.5)
+    """Radius of the bore of sleeves on the ring's pins, in which these slide."""
+    rolling: bool = quantity("Rolling elements", default=False, advanced=True)
+    """Whether rolling elements carry the sleeves: nothing slides."""
+
+    @field_validator("kind")
+    @classmethod
+    def _of_cycloids(cls, kind: str) -> str:
+        if kind == "involute":
+            raise PydanticCustomError("not_this_ring", "not_this_ring")
+        return kind
+
+    @model_validator(mode="after")
+    def _held(self) -> Self:
+        for name in OF_SUPPORTS:
+            given = getattr(self, name) is not None
+            if given and self.pin_support == "seat":
+                raise field_error(name, "of_another_kind", kind="seat")
+            if not given and self.pin_support != "seat":
+                raise field_error(name, "needed_beside", field="pin_support")
+        return self
+
+    def notices(self) -> tuple[Notice, ...]:
+        """That nothing is known of the modification."""
+        unknown = self.modification is None
+        return super().notices() + ((Notice("modification_unknown"),) if unknown else ())
+
+    def pin(self) -> PinSupport | None:
+        """How the ring's pins bend, in SI units; not at all in seats."""
+        if self.pin_support == "seat":
+            return None
+        inner = self.sleeve_bore_radius_mm or self.ring_pin_radius_mm
+        return PinSupport(
+            support=self.pin_support,
+            diameter=2 * to_si("radius_mm", inner),
+            satellite_positions=tuple(to_si("satellite_positions_mm", self.satellite_positions_mm)),
+            material=material_of(self.pin_material),
+            span=to_si("span_mm", self.span_mm),
+        )
+
+
+class RingDeviationsFields(RequestModel, group="deviations"):
+    """What a ring and its discs deviate from their nominal sizes. Positive: outward, as the output
+    turns, larger, ahead.
+    """
+
+    ring_pin_radial_mm: Maybe[PerRingPin] = quantity("Ring pins outward", "ρ", step=0.001)
+    """Of each pin of the ring, outward; the first faces the crank at the crank angle 0."""
+    ring_pin_tangential_mm: Maybe[PerRingPin] = quantity(
+        "Ring pins along the circle", "τ", step=0.001
+    )
+    """Of each pin of the ring, as the output turns."""
+    ring_pin_radius_mm: Maybe[PerRingPin] = quantity("Ring pin radii", "Δr", step=0.001)
+    """Of the radius of each pin of the ring."""
+    eccentricity_mm: Maybe[PerSatellite] = quantity("Eccentricities", "Δe", step=0.001)
+    """Of each crank."""
+    crank_phase_deg: Maybe[PhasePerSatellite] = quantity("Crank phases", "Δα", step=0.001)
+    """Angle of each crank, positive ahead."""
+    disc_phase_deg: Maybe[PhasePerSatellite] = quantity("Disc phases", "η", step=0.001)
+    """Angle of each disc's holes against its teeth, positive ahead."""
+
+    def section(self) -> RingDeviations:
+        """The deviations in SI units."""
+        own = self.to_core()
+        return RingDeviations(
+            **{name.removeprefix("ring_"): tuple(value) for name, value in own.items()}
+        )
+
+    def refuse_other_lengths(self, pins: int, satellites: int) -> None:
+        """Refuse lists that do not fit the ring.
+
+        Raises
+        ------
+        Problem
+            If there are.
+        """
+        counts = [
+            (name, pins if name.startswith("ring") else satellites, len(value))
+            for name, value in self
+            if value is not None
+        ]
+        errors = [
+            wrong(f"/deviations/{name}", "different_length", expected=want, actual=have)
+            for name, want, have in counts
+            if want != have
+        ]
+        if errors:
+            raise invalid_input(errors)
+
+
+class MeshCouplingFields(SatelliteCouplingFields, group="satellite_coupling"):
+    """How the discs share the torque."""
+
+    KINDS: ClassVar[Kinds] = {"rigid": ((), ()), "shares": (("shares",), ())}
+
+    kind: Literal["rigid", "shares"] = quantity("Coupling of the satellites", default="rigid")
+    """Rigid: all have one lag; shares: each carries a given share."""
+
+
+class MeshLawFields(ContactLawFields, group="contact_law"):
+    """How a pair gives under a force: the teeth do not wrap around the pins."""
+
+    KINDS: ClassVar[Kinds] = {
+        kind: rules for kind, rules in ContactLawFields.KINDS.items() if kind != "conformal"
+    }
+
+    kind: Maybe[Literal["hertz", "palmgren", "linear", "power"]] = quantity("Law of contact")
+    """Hertz: line contact with its logarithm; Palmgren: rollers of steel; linear; power. Where not
+    given, Hertz."""
+
+
+class RingMeshRequest(RequestModel, group="positions"):
+    """Discs, ring and load as the parts are made, and which results are wanted."""
+
+    mechanism: RingTeethFields
+    load: RingLoadFields
+    contact: RingCrankFields
+    gear: CycloidRingFields
+    contact_law: MeshLawFields = Field(default_factory=MeshLawFields)
+    deviations: Maybe[RingDeviationsFields] = None
+    satellite_coupling: Maybe[MeshCouplingFields] = None
+    geometry: Literal["exact", "first_order"] = quantity("Geometry", default="exact")
+    """Exact, or first order in lag and deviations as in the papers."""
+    lost_motion_torque_share: float = quantity(
+        "Torque of the lost motion",
+        group="load",
+        default=0.03,
+        step=0.01,
+        advanced=True,
+        ge=1e-6,
+        le=1,
+    )
+    """Share of the torque, in both directions, under which the lost motion is taken."""
+    chord_error_mm: Size = quantity("Chord error", "ε", default=0.01, step=0.001)
+    """How far the outline may be from the polygon of its points."""
+    crank_angle_deg: list[Angle] = quantity(
+        "Crank angles", "φ", default=[0.0], min_length=1, max_length=MAX_POSITIONS
+    )
+    """Crank angles of the positions; the curve of the lag is taken at the first."""
+    include: list[Section] = Field(
+        default=["positions"],
+        min_length=1,
+        max_length=5,
+        description="Results: what is not named is not computed. The geometry is always answered.",
+    )
+
+    @model_validator(mode="after")
+    def _flanks(self) -> Self:
+        own = self.gear.modification
+        if self.geometry == "exact" and own is not None and own.rotation_arcmin > 0:
+            raise field_error("geometry", "flanks_first_order", field="rotation_arcmin")
+        return self
+
+    def refuse_beyond(self, settings: Settings) -> None:
+        """Refuse what exceeds the operator's limits, what takes too long, and lists that do not fit
+        the ring.
+        """
+        super().refuse_beyond(settings)
+        own = self.mechanism
+        turn = MAX_TURN_PAIRS
+        if isinstance(self.support, Shares):
+            turn = MAX_TURN_SHARED // (4 if self.geometry == "exact" else 1)
+        limits = [settings.max_pairs]
+        limits += [turn] if "over_turn" in self.include else []
+        limits += [MAX_FORCES // len(self.crank_angle_deg)] if "positions" in self.include else []
+        if own.pairs > min(limits):
+            most = {"limit": min(limits) // own.satellites, "satellites": own.satellites}
+            raise InvalidInput("ring_teeth", own.ring_teeth, "too_many_pairs", **most)
+        if self.deviations is not None:
+            self.deviations.refuse_other_lengths(own.ring_teeth, own.satellites)
+        if isinstance(self.support, Shares) and len(self.support.shares) != own.satellites:
+            counts = {"expected": own.satellites, "actual": len(self.support.shares)}
+            raise refusal("/satellite_coupling/shares", "different_length", **counts)
+
+    @property
+    def support(self) -> Shares | None:
+        """Given shares of the torque."""
+        given = self.satellite_coupling
+        if given is None or given.shares is None:
+            return None
+        return Shares(tuple(given.shares))
+
+    @cached_property
+    def torque(self) -> float:
+        """Torque with the sign of its direction, N*m."""
+        way = -1.0 if self.load.torque_direction == "reverse" else 1.0
+        return way * self.load.output_torque_Nm
+
+    @cached_property
+    def disc(self) -> CycloidDisc:
+        """The discs, in SI units."""
+        change = self.gear.modification
+        return CycloidDisc(
+            satellite_teeth=self.mechanism.satellite_teeth,
+            eccentricity=to_si("eccentricity_mm", self.contact.eccentricity_mm),
+            ring_pin_circle_radius=to_si("radius_mm", self.gear.ring_pin_circle_radius_mm),
+            ring_pin_radius=to_si("radius_mm", self.gear.ring_pin_radius_mm),
+            modification=Modification() if change is None else Modification(**change.to_core()),
+        )
+
+    @cached_property
+    def mesh(self) -> CycloidMesh:
+        """The mesh as it is made, in SI units."""
+        seat = self.gear.seat_stiffness_N_per_mm
+        return CycloidMesh(
+            disc=self.disc,
+            crank_angles=self.mechanism.crank_angles,
+            contact_length=to_si("length_mm", self.gear.contact_length_mm),
+            law=self.contact_law.named() or HertzLaw(),
+            pin_material=material_of(self.gear.pin_material),
+            disc_material=material_of(self.gear.disc_material),
+            pin=self.gear.pin(),
+            seat_stiffness=math.inf if seat is None else to_si("seat_stiffness_N_per_mm", seat),
+            deviations=(RingDeviations() if self.deviations is None else self.deviations.section()),
+            exact=self.geometry == "exact",
+            support=self.support,
+        )
+
+    @property
+    def perfect(self) -> CycloidMesh:
+        """The same of perfect parts, contacts linear."""
+        return replace(
+            self.mesh,
+            disc=replace(self.disc, modification=Modification()),
+            law=LinearLaw(1e8),
+            pin=None,
+            seat_stiffness=math.inf,
+            deviations=RingDeviations(),
+            exact=False,
+            support=None,
+        )
+
+    @property
+    def friction(self) -> RingFriction:
+        """What slides; without a coefficient as if it were 0."""
+        own = self.gear
+        bore = to_si("radius_mm", own.sleeve_bore_radius_mm)
+        return RingFriction(own.friction_coefficient or 0.0, bore, own.rolling)
+
+    @property
+    def input_speed(self) -> float | None:
+        """Speed of the crank, rad/s."""
+        given: float | None = to_si("input_speed_rpm", self.load.input_speed_rpm)
+        return given
+
+    def solve_all(self) -> "SolvedMesh":
+        """What is asked for."""
+        solved, mesh, asked = SolvedMesh(), self.mesh, {*self.include}
+        solved.values |= {"kind": "cycloid", "geometry": RingGeometryOut.values(self.disc)}
+        if "ideal" in asked:
+            each = self.load.output_torque_Nm / self.mechanism.satellites
+            ratio = cycloid_mesh(
+                eccentricity=self.disc.eccentricity,
+                ratio=float(self.disc.satellite_teeth),
+                ring_pin_circle_radius=self.disc.ring_pin_circle_radius,
+            ).radial_force_ratio
+            ideal = ideal_mesh(disc=self.disc, disc_torque=each)
+            solved.values["ideal"] = RingIdealOut.values(ideal, radial_force_ratio=ratio)
+        if "over_turn" in asked:
+            turn = mesh_over_turn(
+                mesh=mesh,
+                output_torque=self.torque,
+                lost_motion_share=self.lost_motion_torque_share,
+            )
+            solved.values["over_turn"] = MeshTurnOut.values(turn)
+            solved.take(turn.accuracy, turn.notices)
+            if self.gear.friction_coefficient is not None:
+                loss = ring_loss(turn=turn, friction=self.friction, input_speed=self.input_speed)
+                solved.values["efficiency"] = RingEfficiencyOut.values(loss)
+        if "positions" in asked:
+            solved.values["positions"] = [self._position(angle, solved) for angle in self.angles]
+        if "stiffness_curve" in asked:
+            torques = [share * self.load.output_torque_Nm for share in TORQUES]
+            lag = stiffness_curve(real=mesh, crank_angle=self.angles[0], torques=torques)
+            solved.values["stiffness_curve"] = StiffnessCurveOut.values(lag)
+            solved.take(lag.accuracy)
+        if "profile" in asked:
+            error = to_si("chord_error_mm", self.chord_error_mm)
+            points = outline_points(disc=self.disc, chord_error=error)
+            solved.values["profile"] = ProfileOut.of(points)
+        return solved
+
+    @property
+    def angles(self) -> list[float]:
+        """Crank angles of the positions, rad."""
+        angles: list[float] = to_si("crank_angle_deg", self.crank_angle_deg)
+        return angles
+
+    def _position(self, angle: float, solved: "SolvedMesh") -> Values:
+        found = mesh_position(mesh=self.mesh, crank_angle=angle, output_torque=self.torque)
+        solved.take(found.accuracy, found.notices)
+        speed = None
+        if self.input_speed is not None:
+            speed = found.sliding_distance * self.input_speed / self.disc.satellite_teeth
+        part = sliding_part(disc=self.disc, friction=self.friction)
+        return MeshPositionOut.values(
+            found,
+            sliding_speed_m_per_s=speed,
+            loss_per_friction=part * found.sliding_loss,
+            pressed_without_load=True if found.play is None else None,
+        )
+
+    def solve_for_drawing(self) -> DrawnMesh:
+        """All that the figure shows."""
+        mesh, angle = self.mesh, self.angles[0]
+        asked: dict[str, Any] = {"crank_angle": angle, "output_torque": self.torque}
+        position = mesh_position(mesh=mesh, **asked)
+        perfect = mesh_position(mesh=self.perfect, **asked)
+        angles = np.linspace(0.0, 2 * math.pi, DRAWN_ANGLES)
+        return DrawnMesh(
+            mesh=mesh,
+            position=position,
+            ideal=perfect.force,
+            gaps=mesh_gaps(mesh=mesh, crank_angle=angle),
+            curves=real_curves(real=mesh, crank_angle=angles, output_torque=self.torque),
+            outline=outline_points(disc=self.disc, chord_error=DRAWN_ERROR).points,
+        )
+
+
+@dataclass(slots=True)
+class SolvedMesh:
+    """Sections of an answer, and what they say of their accuracy and limits."""
+
+    values: Values = field(default_factory=dict)
+    accuracies: list[Accuracy] = field(default_factory=list)
+    notices: dict[str, Notice] = field(default_factory=dict)
+
+    def take(self, accuracy: Accuracy, notices: tuple[Notice, ...] = ()) -> None:
+        """Note what a section says; of notices alike the first."""
+        self.accuracies.append(accuracy)
+        for notice in notices:
+            self.notices.setdefault(notice.code, notice)
+
+
+CLOSED = Accuracy("closed_form", 1e-15, 1)
+"""Of geometry and outline."""
+
+
+def solve(body: RingMeshRequest) -> Values:
+    """Geometry, forces, lag, play and stiffness of cycloid discs on the pins of their ring, with
+    modification, deviations and elasticity, at crank angles and over the turn.
+    """
+    solved, run_time_us = run(body, body.solve_all)
+    found = solved.accuracies or [CLOSED]
+    worst = Accuracy(
+        found[0].method,
+        max(float(each.relative_error) for each in found),
+        sum(each.evaluations for each in found),
+    )
+    values = solved.values | {"accuracy": accuracy_values(worst, run_time_us)}
+    if solved.notices:
+        values["warnings"] = [*map(warning, solved.notices.values())]
+    return values
+
+
+def figure(body: RingMeshRequest, theme: Theme = "light") -> Figure:
+    """Forces and gaps over the ring's pins at a crank angle, the largest force and the lag over the
+    turn, and the disc on its pins, for Plotly.js.
+    """
+    own = body.mechanism
+    if own.pairs > MAX_DRAWN_PAIRS:
+        most = {"limit": MAX_DRAWN_PAIRS // own.satellites, "satellites": own.satellites}
+        raise refusal("/mechanism/ring_teeth", "too_many_pairs", **most)
+    drawn, _ = run(body, body.solve_for_drawing)
+    return ring_mesh_figure(drawn, theme)
+
+
+CALCULATION = Calculation(
+    name="ring-mesh",
+    title="Cycloid discs on the pins of the ring",
+    tag="crank-planetary",
+    request=RingMeshRequest,
+    answer=RingMeshResponse,
+    solve=solve,
+    figure=figure,
+    sources=(JOHNSON_1985,),
+    neglects=(
+        "bodies_rigid",
+        "edge_pressure",
+        "friction_on_forces",
+        "heat",
+        "misalignment",
+        "shaft_bearings",
+    ),
+)

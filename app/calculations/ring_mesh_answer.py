@@ -1,0 +1,195 @@
+"""Answer of the mesh of cycloid discs with the pins of their ring."""
+
+from typing import Literal
+
+from app.calculations.load_sharing_answer import StiffnessCurveOut
+from app.calculations.mechanism import PairOut
+from app.model import AccuracyOut, AssumingResponse, Maybe, ResponseModel, WarningOut, result
+from app.units import from_si
+from core.ring.profile import OutlinePoints
+
+
+class RingGeometryOut(ResponseModel):
+    """The discs by their sizes alone."""
+
+    shortening_coefficient: float = result("e·z₃/R_p of the ring's pins.", symbol="K₁")
+    min_path_radius_mm: float = result(
+        "Least convex radius of curvature of the tool's path.", symbol="ρ_min"
+    )
+    undercut_margin: float = result(
+        "That over the tool's radius; at 1 the tool cuts off a part of the flanks.",
+        symbol="ρ_min/r_m",
+    )
+    tip_radius_mm: float = result("Largest radius of a disc.", symbol="R_m + e − r_m")
+    root_radius_mm: float = result("Least radius of a disc.", symbol="R_m − e − r_m")
+    min_concave_radius_mm: Maybe[float] = result(
+        "Least concave radius of a disc: what grinds its valleys is smaller."
+    )
+
+
+class RingIdealOut(ResponseModel):
+    """Perfect parts on many pins, contacts linear, in closed form."""
+
+    BESIDE = ("radial_force_ratio",)
+
+    peak_force_N: float = result("Largest force of a pin, 4T_j/(K₁·z₂·R_p).", symbol="F_max")
+    mean_sum_force_N: float = result(
+        "Sum of the forces on a disc, 4T_j/(π·e·z₂), mean over the turn.", symbol="ΣF"
+    )
+    backlash_arcmin: Maybe[float] = result(
+        "Play by the modification alone; absent where that jams.", symbol="2(Δ_e − Δ_p·q)/(e·z₂)"
+    )
+    radial_force_ratio: float = result(
+        "Force of the ring along the crank over that across it; negative outwards.", symbol="ρ"
+    )
+
+
+class MeshPositionOut(ResponseModel):
+    """The mesh at one crank angle under load."""
+
+    BESIDE = ("sliding_speed_m_per_s", "loss_per_friction", "pressed_without_load")
+
+    crank_angle_deg: float = result("Crank angle.", symbol="φ")
+    rotation_arcmin: list[float] = result(
+        "Lag of each disc's teeth behind their ideal angle, clearance included; negative in "
+        "reverse. That of a rigid output.",
+        symbol="θ_j",
+    )
+    force_N: list[list[float]] = result(
+        "Force of each pin of the ring, a list for each satellite.", symbol="F_jk"
+    )
+    disc_torque_Nm: list[float] = result(
+        "Torque of the forces about each disc's centre.", symbol="T_j", equation="ΣF·h"
+    )
+    crank_across_N: list[float] = result(
+        "Force of the ring on each disc against the turning of its crank.", symbol="W_j"
+    )
+    crank_along_N: list[float] = result(
+        "Force of the ring on each disc along its crank, to the axis."
+    )
+    loaded_pairs: int = result("Number of pairs with a force.")
+    play_arcmin: Maybe[list[float]] = result(
+        "From where to where the unloaded discs can turn; absent where pairs press without load.",
+        symbol="θ₋, θ₊",
+    )
+    pressed_without_load: Maybe[bool] = result("True where pairs press without load.")
+    interference_mm: Maybe[float] = result(
+        "Smallest possible worst approach of the unloaded pairs, where they press.", symbol="δ"
+    )
+    stiffness_Nm_per_arcmin: float = result(
+        "Torque over rotation of the mesh alone.", symbol="dT/dθ"
+    )
+    max_pressure_MPa: float = result(
+        "Largest Hertz pressure of the pairs.", symbol="p_0", equation="Johnson 4.2"
+    )
+    sliding_speed_m_per_s: Maybe[float] = result(
+        "Largest speed at which a loaded disc slides on a pin that stands still, where the speed "
+        "is known.",
+        symbol="v_s",
+    )
+    loss_per_friction: float = result(
+        "Loss over output for a friction coefficient of 1.", equation="ΣF·|R_p·S − r|·c/T"
+    )
+    rotation_error_arcmin: float = result("Bound of the error of the rotation.")
+    play_error_arcmin: float = result("Bound of the error of the play.")
+    force_error_N: float = result("Bound of the error of each force.")
+
+
+class MeshTurnOut(ResponseModel):
+    """Extremes over the turn of the crank; the accuracy of the answer is that of the peak force."""
+
+    peak_force_N: float = result("Largest force of all pairs over the turn.", symbol="F_max")
+    peak_force_ratio: float = result("The same over that of perfect parts.")
+    peak_crank_angle_deg: float = result("First crank angle at which it occurs.", symbol="φ")
+    peak_pair: PairOut = result("The satellite, and the pin of the ring that carries it there.")
+    lag_min_arcmin: float = result("Least lag under load; negative in reverse.", symbol="θ")
+    lag_max_arcmin: float = result("Largest lag under load.", symbol="θ")
+    backlash_max_arcmin: float = result(
+        "Largest play of the unloaded discs, 0 where pairs press.", symbol="θ₊ − θ₋"
+    )
+    backlash_min_arcmin: float = result("Least play of the unloaded discs.", symbol="θ₊ − θ₋")
+    lost_motion_arcmin: float = result(
+        "Largest rotation between the two directions of a share of the torque.",
+        equation="θ(+3 % T) − θ(−3 % T)",
+    )
+    transmission_error_arcmin: float = result("Largest less least lag under load.", symbol="TE")
+    unloaded_transmission_error_arcmin: float = result(
+        "The same of the lag at which the first pair touches.", symbol="TE₀"
+    )
+    stiffness_min_Nm_per_arcmin: float = result("Least stiffness.", symbol="dT/dθ")
+    stiffness_max_Nm_per_arcmin: float = result("Largest stiffness.", symbol="dT/dθ")
+    loaded_pairs_min: int = result("Least number of pairs with a force.")
+    loaded_pairs_max: int = result("Largest number of pairs with a force.")
+    max_pressure_MPa: float = result(
+        "Largest Hertz pressure.", symbol="p_0", equation="Johnson 4.2"
+    )
+    radial_force_ratio_min: float = result(
+        "Least force of the ring along a crank, over that across the crank of a disc that carries "
+        "its part of the torque; negative outwards."
+    )
+    radial_force_ratio_max: float = result("Largest of the same.")
+    input_torque_ripple_Nm: float = result(
+        "Largest less least torque that turns the crank, without friction.",
+        equation="T/u + ΣF·∂δ/∂φ",
+    )
+    pressed_without_load: bool = result("Whether pairs press without load anywhere.")
+    angle_error_arcmin: float = result(
+        "Estimate of the error of backlash, lost motion and transmission errors."
+    )
+    stiffness_error: float = result("Estimate of the relative error of the stiffnesses.")
+    ripple_error_Nm: float = result("Estimate of the error of the ripple.")
+    ratio_error: float = result("Estimate of the error of the ratios of the forces.")
+
+
+class RingEfficiencyOut(ResponseModel):
+    """Friction of the mesh over the turn, where its coefficient is known."""
+
+    loss_per_friction: float = result(
+        "Loss over output for a friction coefficient of 1, mean over the turn.",
+        equation="ΣF·|R_p·S − r|·c/T",
+    )
+    loss_ratio: float = result("Loss over output, mean over the turn.")
+    efficiency: float = result("Of this mesh alone.", symbol="η")
+    ideal_loss_ratio: Maybe[float] = result(
+        "Loss over output of perfect parts on many pins.", symbol="4μ(R_p − r)/(π·e·z₂)"
+    )
+    mean_loss_W: Maybe[float] = result("Mean loss, where the speed is known.")
+    peak_pv_MPa_m_per_s: Maybe[float] = result(
+        "Largest product of pressure and sliding speed, where the speed is known: of sleeves in "
+        "their bores, else of the contact by π/4 of its Hertz pressure, for comparison only.",
+        symbol="pv",
+    )
+    loss_error: float = result("Estimate of the relative error of the loss.")
+
+
+class ProfileOut(ResponseModel):
+    """The outline of a disc as a closed polygon, in its own frame: about its centre, the first
+    point in the valley that faces the crank at the crank angle 0, clockwise.
+    """
+
+    BESIDE = ("points", "closed")
+
+    chord_error_mm: float = result("How far the outline is from the polygon at most.")
+    closed: bool = result("True: the first point follows the last, and is not repeated.")
+    points: list[list[float]] = result("Points x, y, mm.")
+
+    @classmethod
+    def of(cls, points: OutlinePoints) -> dict[str, object]:
+        """The values of an outline."""
+        found = from_si("points_mm", points.points)
+        return cls.values(points, closed=True, points=found.tolist())
+
+
+class RingMeshResponse(AssumingResponse):
+    """The sections that were asked for."""
+
+    kind: Literal["cycloid"] = result("What the ring is.")
+    geometry: RingGeometryOut
+    ideal: Maybe[RingIdealOut] = None
+    positions: Maybe[list[MeshPositionOut]] = None
+    over_turn: Maybe[MeshTurnOut] = None
+    efficiency: Maybe[RingEfficiencyOut] = None
+    stiffness_curve: Maybe[StiffnessCurveOut] = None
+    profile: Maybe[ProfileOut] = None
+    accuracy: AccuracyOut
+    warnings: Maybe[list[WarningOut]] = None

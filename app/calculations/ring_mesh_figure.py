@@ -1,0 +1,129 @@
+"""Figure of the mesh of cycloid discs with the pins of their ring."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.theme import INK, Amount, Figure, Theme, axis, curve, layout, text
+from app.units import from_si
+from core.arrays import FloatArray
+from core.output.real_curves import RealCurves
+from core.ring.sharing import CycloidMesh, MeshPosition
+
+Rows = tuple[tuple[float, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class DrawnMesh:
+    """What the figure shows, in SI units."""
+
+    mesh: CycloidMesh
+    position: MeshPosition  # at its crank angle
+    ideal: Rows  # forces of perfect parts there
+    gaps: Rows  # gaps of the pairs there, without a lag
+    curves: RealCurves  # forces and lags over the crank angle
+    outline: FloatArray  # points of a disc, shape (n, 2)
+
+
+def ring_mesh_figure(shown: DrawnMesh, theme: Theme) -> Figure:
+    """Force and gap over the ring's pins at a crank angle, with the forces of perfect parts thin
+    behind; the largest force and the lag over the turn; the first disc on its pins.
+
+    Parameters
+    ----------
+    shown : DrawnMesh
+        What it shows.
+    theme : {"light", "dark"}
+        Look of the figure.
+
+    Returns
+    -------
+    dict
+        ``{data, layout}``.
+    """
+    angle = Amount(float(from_si("angle_deg", shown.position.crank_angle)), "°")
+    pins = np.arange(1, shown.mesh.disc.pins + 1).tolist()
+    data = []
+    for words, rows, unit, place, look in (
+        ("ideal_ring_pin", shown.ideal, "N", "y", {"showlegend": False, "opacity": 0.4}),
+        ("ring_pin_force", shown.position.force, "N", "y", {"mode": "lines+markers"}),
+        ("ring_pin_gap", shown.gaps, "µm", "y2", {"mode": "lines+markers", "showlegend": False}),
+    ):
+        for j, row in enumerate(rows):
+            hovered = text(words, satellite=j + 1, pin="%{x}", value=Amount("%{y:.5g}", unit))
+            values = np.array(row) * (1e6 if unit == "µm" else 1.0)
+            name = text("satellite", satellite=j + 1)
+            data.append(
+                curve(name, pins, values, j, theme, hovered, colour=j, **look) | {"yaxis": place}
+            )
+    curves, at = shown.curves, Amount("%{x:.2f}", "°")
+    angles = from_si("angle_deg", curves.crank_angle)
+    own = {"xaxis": "x2", "showlegend": False}
+    name = text("peak_force")
+    hovered = text("at_angle", name=name, value=Amount("%{y:.5g}", "N"), angle=at)
+    most = curves.force.max(axis=0)
+    data.append(curve(name, angles, most, 0, theme, hovered, colour=0) | own | {"yaxis": "y3"})
+    name = text("lag")
+    hovered = text("at_angle", name=name, value=Amount("%{y:.5g}", "′"), angle=at)
+    lags = from_si("lag_arcmin", curves.rotation)
+    data.append(curve(name, angles, lags, 0, theme, hovered, colour=1) | own | {"yaxis": "y4"})
+    data += _drawing(shown, theme)
+    return {
+        "data": data,
+        "layout": layout(
+            theme,
+            height=1180,
+            shapes=_pins(shown, theme),
+            xaxis=axis(
+                theme, text("ring_pin", angle=angle), anchor="y2", range=[0.5, len(pins) + 0.5]
+            ),
+            xaxis2=axis(theme, text("crank_angle"), "°", range=[0, 360], anchor="y4"),
+            xaxis3=axis(theme, "x", "mm", anchor="y5", constrain="domain"),
+            yaxis=axis(
+                theme, text("contact_force"), "N", domain=[0.84, 1], rangemode="tozero"
+            ),
+            yaxis2=axis(theme, text("gap"), "µm", domain=[0.7, 0.81]),
+            yaxis3=axis(
+                theme, text("peak_force"), "N", domain=[0.53, 0.64], anchor="x2",
+                rangemode="tozero",
+            ),
+            yaxis4=axis(theme, text("lag"), "′", domain=[0.4, 0.51], anchor="x2"),
+            yaxis5=axis(
+                theme, "y", "mm", domain=[0, 0.33], anchor="x3", scaleanchor="x3",
+                constrain="domain",
+            ),
+        ),
+    }  # fmt: skip
+
+
+def _drawing(shown: DrawnMesh, theme: Theme) -> list[Figure]:
+    """The first disc: outline and pitch point."""
+    mesh, phi = shown.mesh, shown.position.crank_angle + shown.mesh.crank_angles[0]
+    disc, own = mesh.disc, {"xaxis": "x3", "yaxis": "y5", "showlegend": False}
+    crank = 1j * disc.eccentricity * np.exp(-1j * phi)
+    lag = shown.position.rotation[0]
+    turned = np.exp(1j * (phi / disc.satellite_teeth - lag))
+    outline = shown.outline @ np.array([1, 1j]) * turned + crank
+    closed = np.append(outline, outline[:1])
+    x, y = from_si("points_mm", closed.real), from_si("points_mm", closed.imag)
+    name = text("satellite", satellite=1)
+    line = {"color": INK[theme]["text"], "width": 1, "simplify": False}
+    drawn = [curve(name, x, y, 0, theme, name) | own | {"line": line}]
+    pitch = crank * disc.pins
+    name = text("pitch_point")
+    x, y = ([float(from_si("point_mm", part))] for part in (pitch.real, pitch.imag))
+    return [*drawn, curve(name, x, y, 0, theme, name) | own | {"mode": "markers"}]
+
+
+def _pins(shown: DrawnMesh, theme: Theme) -> list[Figure]:
+    """The pins of the ring, those that carry the first disc in the colour of alerts."""
+    disc, found = shown.mesh.disc, []
+    radius = float(from_si("radius_mm", disc.ring_pin_radius))
+    for k, force in enumerate(shown.position.force[0]):
+        centre = disc.ring_pin_circle_radius * 1j * np.exp(2j * math.pi * k / disc.pins)
+        x, y = (float(from_si("point_mm", part)) for part in (centre.real, centre.imag))
+        ends = {"x0": x - radius, "x1": x + radius, "y0": y - radius, "y1": y + radius}
+        line = {"color": INK[theme]["alert" if force > 0 else "muted"], "width": 1}
+        found.append({"type": "circle", "xref": "x3", "yref": "y5", "line": line} | ends)
+    return found

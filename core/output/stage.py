@@ -1,0 +1,153 @@
+"""What pairs of pins and discs share a torque by one lag: what the loops over pairs solve."""
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+from core.errors import ImpossibleMechanism
+from core.output.mechanism import Mechanism
+from core.output.sharing_kernel import (
+    NO_DRIVE,
+    NOT_SOLVED,
+    NOT_STABLE,
+    TOO_FAR,
+    TOO_WIDE,
+    Position,
+    judged,
+    too_wide,
+)
+
+REFUSALS = {
+    NO_DRIVE: "dead_centre",
+    NOT_STABLE: "not_stable",
+    NOT_SOLVED: "not_balanced",
+    TOO_WIDE: "beyond_hertz",
+    TOO_FAR: "beyond_first_order",
+}
+"""What a position is refused as that cannot be."""
+
+
+class Stage:
+    """Output pins in the holes of satellites, or a ring on the teeth of satellites."""
+
+    mechanism: Mechanism  # pins and cranks; of a ring the wave turns with the crank
+
+    @property
+    def pairs(self) -> Any:
+        """Constants of the pairs, as the loops take them."""
+        raise NotImplementedError
+
+    @property
+    def pins_alike(self) -> bool:
+        """Whether all pins are alike, and all that they touch of a satellite."""
+        raise NotImplementedError
+
+    @property
+    def dead_angles(self) -> tuple[float, ...]:
+        """Angles from the crank at which a pin takes up or leaves, rad."""
+        return 0.0, math.pi
+
+    @property
+    def loops(self) -> Any:
+        """The functions of `core.output.sharing_kernel`, interpreted."""
+        raise NotImplementedError
+
+    @property
+    def loops_of_turns(self) -> Any:
+        """The same, compiled where they can be."""
+        raise NotImplementedError
+
+    def setup(self, direction: float) -> Any:
+        """The design as the kernel takes it.
+
+        Parameters
+        ----------
+        direction : float
+            Of the torque: 1, or -1 in reverse.
+
+        Returns
+        -------
+        named tuple
+        """
+        raise NotImplementedError
+
+    def room(self) -> Any:
+        """Room for the results of one position."""
+        raise NotImplementedError
+
+    def wave(self, crank_angle: float) -> float:
+        """Wave angle of a crank angle, rad, within half a turn around 0.
+
+        Parameters
+        ----------
+        crank_angle : float
+            Crank angle, rad.
+        """
+        return math.remainder(self.mechanism.wave_angle(crank_angle), 2 * math.pi)
+
+    def solved(self, psi: float, torque: float, setup: Any, room: Any) -> Position:
+        """Equilibrium at a wave angle; what cannot be is refused.
+
+        Parameters
+        ----------
+        psi : float
+            Wave angle, rad.
+        torque : float
+            Size of the torque, N*m, > 0.
+        setup : named tuple
+            The design, with the torque's direction.
+        room : named tuple
+            Takes forces and levers.
+
+        Returns
+        -------
+        Position
+
+        Raises
+        ------
+        ImpossibleMechanism
+            If no pair can drive, forces would not balance or not be stable, or a contact would be
+            as wide as its pin.
+        """
+        position: Position = self.loops.solve(psi, torque, setup, self.pairs, room)
+        status = judged(position, setup, self.pairs, room)
+        if status in REFUSALS:
+            params: dict[str, Any] = {}
+            if status == TOO_WIDE:
+                j, n = divmod(too_wide(self.pairs, room), setup.pins)
+                params = {"satellite": j + 1, "pin": n + 1}
+            start = self.mechanism.initial_crank_angle
+            angle = (psi - start) % (2 * math.pi) / self.mechanism.waves_per_turn
+            raise ImpossibleMechanism(REFUSALS[status], {"crank_angle": angle}, **params)
+        return position
+
+    def rows(self, values: Sequence[float]) -> tuple[tuple[float, ...], ...]:
+        """Values of the pairs, satellite by satellite.
+
+        Parameters
+        ----------
+        values : sequence of float, K*N
+            Values in the kernel's order.
+
+        Returns
+        -------
+        tuple of tuple of float, K x N
+        """
+        pins = self.mechanism.pins
+        return tuple(tuple(values[i : i + pins]) for i in range(0, len(values), pins))
+
+    def hardest_pair(self, force: Sequence[float]) -> int:
+        """Index of the pair with the largest pressure, which grows with the force times the
+        difference of the curvatures.
+
+        Parameters
+        ----------
+        force : sequence of float, K*N
+            Force of each pair, N.
+
+        Returns
+        -------
+        int
+        """
+        curved = [f * curved for f, curved in zip(force, self.pairs.curved, strict=True)]
+        return curved.index(max(curved))

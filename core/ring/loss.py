@@ -1,0 +1,143 @@
+"""Friction of cycloid discs on the pins of their ring: sliding, loss, efficiency, pv.
+
+A disc turns about the pitch point, from which the centre of a pin is ``R*S``: on a pin that stands
+still it slides by ``w_out*|R*S - r|``. A sleeve that rolls on the disc slides on its pin instead,
+as much slower as its bore is smaller. Friction does not change the forces here.
+"""
+
+import math
+from dataclasses import dataclass
+
+from core.arrays import check_positive, check_single
+from core.errors import InvalidInput
+from core.ring.profile import CycloidDisc
+from core.ring.sharing import MeshTurn
+
+
+@dataclass(frozen=True, slots=True)
+class RingFriction:
+    """What slides on the ring's pins."""
+
+    coefficient: float  # mu, >= 0
+    sleeve_bore_radius: float | None = None  # r_i of sleeves on the pins, m, < r
+    rolling: bool = False  # whether rolling elements carry the sleeves: nothing slides
+
+
+def sliding_part(*, disc: CycloidDisc, friction: RingFriction) -> float:
+    """Part of the sliding on pins that stand still which is left: of sleeves their bore's, of
+    rolling elements none.
+
+    Parameters
+    ----------
+    disc : CycloidDisc
+        The disc.
+    friction : RingFriction
+        What slides.
+
+    Returns
+    -------
+    float
+
+    Raises
+    ------
+    InvalidInput
+        If the coefficient is negative, or a bore is not smaller than its pin.
+    """
+    check_single(coefficient=friction.coefficient)
+    if not 0 <= friction.coefficient < math.inf:
+        raise InvalidInput("coefficient", friction.coefficient, "greater_than_equal", limit=0)
+    bore = friction.sleeve_bore_radius
+    if friction.rolling:
+        return 0.0
+    if bore is None:
+        return 1.0
+    check_positive(sleeve_bore_radius=bore)
+    if not bore < disc.ring_pin_radius:
+        than = {"field": "ring_pin_radius", "limit": disc.ring_pin_radius}
+        raise InvalidInput("sleeve_bore_radius", bore, "smaller_than", **than)
+    return bore / disc.ring_pin_radius
+
+
+@dataclass(frozen=True, slots=True)
+class RingLoss:
+    """Friction of a ring's mesh over the turn."""
+
+    loss_per_friction: float  # loss over output for mu = 1
+    loss_ratio: float  # loss over output, mean over the turn
+    efficiency: float  # of the mesh alone
+    loss_error: float  # estimate of the error of both, over the loss
+    mean_loss: float | None  # W, where the speed is known
+    # Largest product of pressure and sliding speed, Pa*m/s: of a sleeve's bore by its projected
+    # area, of a contact by the mean of its Hertz pressure; where speed and materials are known.
+    peak_pv: float | None
+    ideal_loss_ratio: float | None  # of perfect parts on many pins, where no pin reaches its pole
+
+
+def ring_loss(
+    *, turn: MeshTurn, friction: RingFriction, input_speed: float | None = None
+) -> RingLoss:
+    """Loss, efficiency and pv of a ring's mesh.
+
+    Parameters
+    ----------
+    turn : MeshTurn
+        The mesh under its torque.
+    friction : RingFriction
+        What slides.
+    input_speed : float, optional
+        Of the crank, rad/s; its sign does not matter.
+
+    Returns
+    -------
+    RingLoss
+
+    Raises
+    ------
+    InvalidInput
+        See `sliding_part`.
+
+    Notes
+    -----
+    ``loss/output = mu*c*sum F*|R*S - r|/T``, c being `sliding_part`; of perfect parts on many pins
+    ``4*mu*c*(R - r)/(pi*e*z)`` where ``r < R*(1 - K1)``. Derived.
+
+    Examples
+    --------
+    >>> from core.output.contact_law import LinearLaw
+    >>> from core.ring.sharing import CycloidMesh, mesh_over_turn
+    >>> disc = CycloidDisc(satellite_teeth=11, eccentricity=2.5e-3,
+    ...                    ring_pin_circle_radius=0.05, ring_pin_radius=0.005)
+    >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01,
+    ...                    law=LinearLaw(1e8), exact=False)
+    >>> found = ring_loss(turn=mesh_over_turn(mesh=mesh, output_torque=100.0),
+    ...                   friction=RingFriction(0.06))
+    >>> round(found.efficiency, 4), round(found.ideal_loss_ratio, 4)
+    (0.8889, 0.125)
+    """
+    mesh, mu = turn.mesh, friction.coefficient
+    disc = mesh.disc
+    part = sliding_part(disc=disc, friction=friction)
+    each = part * turn.sliding_loss
+    ratio = mu * each
+    loss = pv = None
+    if input_speed is not None:
+        speed = abs(input_speed) / disc.satellite_teeth
+        loss = ratio * abs(turn.turn.torque) * speed
+        if friction.sleeve_bore_radius is not None:
+            pv = turn.hardest_rub * speed / (2 * disc.ring_pin_radius * mesh.contact_length)
+        elif turn.hardest_pressed_rub is not None:
+            pv = math.pi / 4 * turn.hardest_pressed_rub * speed
+        pv = None if friction.rolling else pv
+    ideal = None
+    if disc.ring_pin_radius < disc.ring_pin_circle_radius * (1 - disc.shortening_coefficient):
+        ideal = 4 * (disc.ring_pin_circle_radius - disc.ring_pin_radius) / math.pi
+        ideal *= mu * part / (disc.eccentricity * disc.satellite_teeth)
+    return RingLoss(
+        loss_per_friction=each,
+        loss_ratio=ratio,
+        efficiency=1 / (1 + ratio),
+        loss_error=turn.sliding_error / turn.sliding_loss if turn.sliding_loss else 0.0,
+        mean_loss=loss,
+        peak_pv=pv,
+        ideal_loss_ratio=ideal,
+    )

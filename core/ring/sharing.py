@@ -1,0 +1,722 @@
+"""Load sharing of a ring of pins on cycloid discs, with modification, errors and elasticity.
+
+Every disc is rigid and held by its crank. The one unknown is the lag of its teeth behind their
+ideal angle; the equilibrium is that of `core.output.sharing_kernel` over `core.ring.approach`.
+"""
+
+import math
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from core.arrays import check_finite, check_positive, check_single
+from core.derived import derived
+from core.errors import ImpossibleMechanism, InvalidInput
+from core.materials import ElasticMaterial, effective_modulus
+from core.output.compiled import at_hand, in_place_of
+from core.output.conformal_law import NO_CURVE, NO_WRAP
+from core.output.contact_law import (
+    ContactLaw,
+    PinSupport,
+    check_law,
+    law_constants,
+    law_kind,
+    pin_compliance,
+)
+from core.output.mechanism import Mechanism
+from core.output.over_turn import Extreme, OverTurn
+from core.output.satellite_support import SharedTorque, Shares, check_shares
+from core.output.sharing_kernel import PRESSURE, RIGID, Position
+from core.output.stage import Stage
+from core.output.summits import summits
+from core.output.turn import Turn
+from core.precision import ROUNDING
+from core.results import Accuracy, Notice, poorly_known
+from core.ring import approach
+from core.ring.approach import (
+    ALONG_LEAST,
+    ALONG_MOST,
+    NO_TURN,
+    RUB,
+    RUB_AND_PRESS,
+    MeshPairs,
+    MeshRoom,
+    MeshSetup,
+)
+from core.ring.profile import CycloidDisc
+
+DEPTHS = 0.5, 2.0
+"""Reference depths over the pin's radius within which a half-space stands for a disc."""
+
+VALLEY, LOST = 0.5, 1.0
+"""Gap of a pin in a valley over the radius of the path there: above the first one the nearest point
+of the path is hardly the only one, above the second it is not."""
+
+
+@dataclass(frozen=True, slots=True)
+class RingDeviations:
+    """What a ring and its discs deviate from their nominal sizes; empty tuples are zeros.
+
+    Positive: outward, as the output turns, larger, ahead. z_p pins, K discs.
+    """
+
+    pin_radial: tuple[float, ...] = ()  # place of each ring pin, m, z_p values
+    pin_tangential: tuple[float, ...] = ()  # m, z_p
+    pin_radius: tuple[float, ...] = ()  # m, z_p
+    eccentricity: tuple[float, ...] = ()  # of each crank, m, K
+    crank_phase: tuple[float, ...] = ()  # angle of each crank, rad, K
+    disc_phase: tuple[float, ...] = ()  # of each disc's holes against its teeth, rad, K
+
+    def each(self, *, pins: int, satellites: int) -> tuple[list[float], ...]:
+        """Its lists, zeros where none are given.
+
+        Parameters
+        ----------
+        pins, satellites : int
+            Numbers z_p and K.
+
+        Returns
+        -------
+        tuple of list
+
+        Raises
+        ------
+        InvalidInput
+            If a list has another length, or an entry is not finite.
+        """
+        found = []
+        for index, name in enumerate(self.__slots__):
+            values, expected = getattr(self, name), pins if index < 3 else satellites
+            if values and len(values) != expected:
+                counts = {"expected": expected, "actual": len(values)}
+                raise InvalidInput(name, values, "different_length", **counts)
+            check_finite(**{f"{name}[{i}]": value for i, value in enumerate(values)})
+            found.append([float(value) for value in values] or [0.0] * expected)
+        return tuple(found)
+
+
+@dataclass(frozen=True)
+class CycloidMesh(Stage):
+    """Cycloid discs on a ring of pins, as they are made."""
+
+    disc: CycloidDisc  # all discs
+    crank_angles: tuple[float, ...]  # alpha_j of the K discs, rad
+    contact_length: float  # b of a disc on a pin, m, > 0
+    law: ContactLaw  # of contact of each pair
+    pin_material: ElasticMaterial | None = None  # needed for `HertzLaw` and for pressures
+    disc_material: ElasticMaterial | None = None  # likewise
+    pin: PinSupport | None = None  # how ring pins bend; not at all in their seats
+    seat_stiffness: float = math.inf  # of a pin in its bore and what holds that, N/m
+    deviations: RingDeviations = field(default_factory=RingDeviations)  # of this piece
+    exact: bool = True  # geometry; else first order in lag and deviations
+    support: Shares | None = None  # given shares of the torque; else all discs have one lag
+
+    def __post_init__(self) -> None:
+        check_single(contact_length=self.contact_length, seat_stiffness=self.seat_stiffness)
+        check_positive(contact_length=self.contact_length, seat_stiffness=self.seat_stiffness)
+        check_law(self.law)
+        self.disc.refuse_undercut()
+        low, high = (each * self.disc.ring_pin_radius for each in DEPTHS)
+        if not self.reference_depth >= low:
+            depth = self.reference_depth
+            raise InvalidInput("reference_depth", depth, "greater_than_equal", limit=low)
+        if not self.reference_depth <= high:
+            raise InvalidInput(
+                "reference_depth", self.reference_depth, "less_than_equal", limit=high
+            )
+        if self.support is not None:
+            check_shares(shares=self.support.shares, satellites=len(self.crank_angles))
+        if self.exact and self.disc.modification.rotation > 0:
+            raise InvalidInput("exact", self.exact, "flanks_first_order", field="rotation")
+
+    @cached_property
+    def mechanism(self) -> Mechanism:  # type: ignore[override] # not set
+        """The ring's pins and the cranks: the wave of their forces turns with the crank."""
+        return Mechanism(self.disc.pins, self.crank_angles, math.inf)
+
+    @property
+    def eccentricity(self) -> float:
+        """E of the cranks, m."""
+        return self.disc.eccentricity
+
+    @property
+    def dead_angles(self) -> tuple[float, ...]:
+        """Angles from the crank at which a pin takes up, leaves, or has its longest lever, rad."""
+        longest = math.acos(self.disc.shortening_coefficient)
+        return 0.0, math.pi, longest, -longest
+
+    @property
+    def pins_alike(self) -> bool:
+        """Whether all pins are alike."""
+        own = self.deviations
+        return not any(map(any, (own.pin_radial, own.pin_tangential, own.pin_radius)))
+
+    @property
+    def reference_depth(self) -> float:
+        """Depth to which the approach of pin and disc is counted, m: the pin's radius, where the
+        law has none.
+        """
+        depth = getattr(self.law, "reference_depth", None)
+        return float(self.disc.ring_pin_radius if depth is None else depth)
+
+    def setup(self, direction: float) -> MeshSetup:
+        """The design as the loops take it.
+
+        Parameters
+        ----------
+        direction : float
+            Of the torque: 1, or -1 in reverse.
+
+        Returns
+        -------
+        MeshSetup
+        """
+        kind, exponent = law_kind(self.law)
+        disc, change = self.disc, self.disc.modification
+        return MeshSetup(
+            pins=disc.pins,
+            satellites=len(self.crank_angles),
+            ratio=float(disc.satellite_teeth),
+            exact=False,
+            radius=disc.ring_pin_circle_radius,
+            pin_radius=disc.ring_pin_radius,
+            eccentricity=disc.eccentricity,
+            clearance=0.0,
+            direction=direction,
+            law=kind,
+            exponent=exponent,
+            curve=NO_CURVE,
+            wrap=NO_WRAP,
+            support=RIGID,
+            gives=0.0,
+            loose=0.0,
+            foot=self.exact,
+            tool_circle=disc.tool_circle_radius,
+            tool=disc.tool_radius,
+            equidistant=change.equidistant,
+            pin_circle=change.pin_circle,
+            rotation=change.rotation,
+            valley=disc.valley_radius,
+        )
+
+    @property
+    def compliance(self) -> list[float]:
+        """Of a ring pin at each disc, m/N: of its seat, and of its bending."""
+        satellites, seat = len(self.crank_angles), 1 / self.seat_stiffness
+        if self.pin is None:
+            return [seat] * satellites
+        places = self.pin.satellite_positions
+        if len(places) != satellites:
+            counts = {"expected": satellites, "actual": len(places)}
+            raise InvalidInput("satellite_positions", places, "different_length", **counts)
+        return [each + seat for each in pin_compliance(self.pin)]
+
+    @cached_property
+    def _errors(self) -> tuple[list[float], ...]:
+        return self.deviations.each(pins=self.disc.pins, satellites=len(self.crank_angles))
+
+    @cached_property
+    def pairs(self) -> MeshPairs:
+        """Constants of the pairs."""
+        disc, satellites = self.disc, len(self.crank_angles)
+        pairs = MeshPairs(*[[0.0] * (disc.pins * satellites) for _ in MeshPairs._fields])
+        law = law_constants(
+            law=self.law,
+            contact_length=self.contact_length,
+            hole_radius=self.reference_depth,
+            pin=self.pin_material,
+            hole=self.disc_material,
+        )
+        none = approach.prepare_mesh(
+            self.setup(1.0), law, self._errors, list(self.crank_angles), self.compliance, pairs
+        )
+        if none >= 0:
+            j, k = divmod(none, disc.pins)
+            raise ImpossibleMechanism("no_radius_left", satellite=j + 1, pin=k + 1)
+        if self.exact and self.valley_gap > LOST:
+            radius = disc.valley_radius
+            raise ImpossibleMechanism("valley_lost", radius=1e3 * radius, share=self.valley_gap)
+        return pairs
+
+    @property
+    def valley_gap(self) -> float:
+        """Largest gap of a pin in the middle of a valley over the radius of the path there."""
+        radial, _, larger, eccentricity, *_ = self._errors
+        own = self.disc.modification
+        gaps = [
+            own.equidistant + rho - own.pin_circle - dr - off
+            for rho, dr in zip(radial, larger, strict=True)
+            for off in eccentricity
+        ]
+        return max(map(abs, gaps)) / self.disc.valley_radius
+
+    def room(self) -> MeshRoom:
+        """Room for the results of one position."""
+        count = self.disc.pins * len(self.crank_angles)
+        return MeshRoom(*[[0.0] * count for _ in MeshRoom._fields])
+
+    @cached_property
+    def shared(self) -> SharedTorque | None:
+        """The discs of given shares of the torque, where there are any."""
+        if self.support is None:
+            return None
+        return SharedTorque(self.support.shares, in_place_of(approach))
+
+    @cached_property
+    def loops(self) -> Any:
+        """The functions of `core.output.sharing_kernel` over `core.ring.approach`, interpreted."""
+        shared = self.shared
+        if shared is None:
+            return in_place_of(approach)
+        return in_place_of(approach, solve=shared.solve, played=shared.played)
+
+    @property
+    def loops_of_turns(self) -> Any:
+        """The same, compiled where they can be."""
+        return at_hand(approach) if self.shared is None else self.loops
+
+    def pressure(self, force_over_radius: float) -> float | None:
+        """Largest Hertz pressure by a force over the reduced radius, where the materials are known.
+
+        Parameters
+        ----------
+        force_over_radius : float
+            In N/m.
+
+        Returns
+        -------
+        float or None
+            In Pa.
+        """
+        if self.pin_material is None or self.disc_material is None:
+            return None
+        modulus = effective_modulus(first=self.pin_material, second=self.disc_material)
+        return math.sqrt(force_over_radius * modulus / (math.pi * self.contact_length))
+
+    def notices(self, *, pressed: bool) -> tuple[Notice, ...]:
+        """Limits that the mesh strains.
+
+        Parameters
+        ----------
+        pressed : bool
+            Whether pairs press without load.
+
+        Returns
+        -------
+        tuple of Notice
+        """
+        found = [Notice("pressed_without_load")] if pressed else []
+        if self.pin is None and not math.isfinite(self.seat_stiffness):
+            found.append(Notice("seat_rigid"))
+        if self.exact and self.valley_gap > VALLEY:
+            found.append(Notice("valley", {"share": self.valley_gap}))
+        return tuple(found)
+
+
+@dataclass(frozen=True, slots=True)
+class MeshPosition:
+    """A cycloid mesh at one crank angle under load."""
+
+    crank_angle: float  # as asked, rad
+    # Lag of each disc's teeth behind their ideal angle, less what its deviations make of it: that
+    # of the output, where it is rigid; rad, K values, negative in reverse.
+    rotation: tuple[float, ...]
+    force: tuple[tuple[float, ...], ...]  # of each pair, N, K x z_p
+    disc_torque: tuple[float, ...]  # of the forces about each disc's centre, N*m, K values
+    crank_across: tuple[float, ...]  # force of the ring on each disc against the crank, N, K values
+    crank_along: tuple[float, ...]  # and along it, to the axis, N, K values
+    loaded_pairs: int  # number of pairs with a force
+    # Least and largest lag without load, rad; None where pairs press without load.
+    play: tuple[float, float] | None
+    # Smallest possible worst approach of the unloaded pairs, m, where they press.
+    interference: float | None
+    stiffness: float  # dT/dtheta, N*m/rad
+    max_pressure: float | None  # largest Hertz pressure, Pa, where the materials are known
+    # Largest distance of a loaded contact from its pitch point, m: times the speed of the output
+    # that at which a disc slides on a pin that stands still.
+    sliding_distance: float
+    sliding_loss: float  # sum of force times that distance over the torque
+    rotation_error: float  # bound, rad
+    play_error: float  # bound, rad
+    force_error: float  # bound, of each force, N
+    accuracy: Accuracy  # of the forces, over the largest
+    notices: tuple[Notice, ...]
+
+
+def mesh_position(*, mesh: CycloidMesh, crank_angle: float, output_torque: float) -> MeshPosition:
+    """Forces of all pairs, lag, play and stiffness at one crank angle.
+
+    Parameters
+    ----------
+    mesh : CycloidMesh
+        The mesh.
+    crank_angle : float
+        Crank angle, rad.
+    output_torque : float
+        Torque T of all discs, N*m, not 0; negative in reverse.
+
+    Returns
+    -------
+    MeshPosition
+
+    Raises
+    ------
+    InvalidInput
+        If an input is out of range.
+    ImpossibleMechanism
+        See `Stage.solved`; or if a pin is further off than a valley is round.
+
+    Notes
+    -----
+    Left out: friction, speed, tilting and edge load, deformation of discs and ring, clearance and
+    compliance of the crank's bearings, errors of single lobes.
+
+    Examples
+    --------
+    Perfect rigid parts of 29 lobes, a force of the ring of 1600 N across the crank:
+
+    >>> from core.output.contact_law import LinearLaw
+    >>> disc = CycloidDisc(satellite_teeth=29, eccentricity=1.250025e-3,
+    ...                    ring_pin_circle_radius=0.0525, ring_pin_radius=3.5e-3)
+    >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.0135,
+    ...                    law=LinearLaw(1e8), exact=False)
+    >>> found = mesh_position(mesh=mesh, crank_angle=0.0, output_torque=58.0)
+    >>> round(found.crank_across[0], 6), round(max(found.force[0]), 6)
+    (1599.968001, 212.944548)
+    """
+    check_single(crank_angle=crank_angle, output_torque=output_torque)
+    check_finite(crank_angle=crank_angle, output_torque=output_torque)
+    if output_torque == 0:
+        raise InvalidInput("output_torque", output_torque, "not_zero")
+    direction = math.copysign(1.0, output_torque)
+    setup, room, pairs = mesh.setup(direction), mesh.room(), mesh.pairs
+    found = mesh.solved(mesh.wave(crank_angle), abs(output_torque), setup, room)
+    force, pins = np.array(room.force), setup.pins
+    on_crank = np.array(
+        [
+            approach.on_crank(i, i // pins, setup, pairs, room) if each > 0 else (0.0, 0.0)
+            for i, each in enumerate(room.force)
+        ]
+    )
+    along, across = (force[:, None] * on_crank).reshape(-1, pins, 2).sum(axis=1).T
+    torques = direction * (force * np.array(room.lever)).reshape(-1, pins).sum(axis=1)
+    loaded = force > 0
+    far = np.array([approach.sliding(i, setup, room) for i in range(len(force))])
+    pressed = found.low > found.high + found.play_error
+    ends = sorted((direction * found.low + 0.0, direction * found.high + 0.0))
+    accuracy = Accuracy("newton_bracket", found.force_error / float(force.max()), found.steps)
+    return MeshPosition(
+        crank_angle=crank_angle,
+        rotation=tuple(direction * lag for lag in room.own_lag[: setup.satellites]),
+        force=mesh.rows(room.force),
+        disc_torque=tuple(torques.tolist()),
+        crank_across=tuple(across.tolist()),
+        crank_along=tuple(along.tolist()),
+        loaded_pairs=int(loaded.sum()),
+        play=None if pressed else (ends[0], ends[1]),
+        interference=_interference(mesh, setup, found, mesh.wave(crank_angle)),
+        stiffness=found.stiffness,
+        max_pressure=mesh.pressure(float((force * np.array(pairs.curved)).max())),
+        sliding_distance=float(far[loaded].max()),
+        sliding_loss=float((force * far).sum()) / abs(output_torque),
+        rotation_error=found.lag_error,
+        play_error=found.play_error,
+        force_error=found.force_error,
+        accuracy=accuracy,
+        notices=(*mesh.notices(pressed=pressed), *poorly_known(accuracy)),
+    )
+
+
+def _interference(
+    mesh: CycloidMesh, setup: MeshSetup, found: Position, angle: float
+) -> float | None:
+    """Smallest possible worst approach without load, where pairs press, dead ones too."""
+    room, pairs = mesh.room(), mesh.pairs
+    approach.at(angle, setup, pairs, room)
+    loops: Any = mesh.loops
+    longest = setup.eccentricity * (setup.pins - 1)
+    dead = [
+        q
+        for q, v in zip(room.q, room.v, strict=True)
+        if abs(v) < NO_TURN * longest and q > ROUNDING * setup.radius
+    ]
+    if not dead and found.low <= found.high + found.play_error:
+        return None
+    if mesh.shared is not None:
+        loops = mesh.shared
+        return float(loops.interference(angle, setup, pairs, room))
+    far = setup.eccentricity / setup.radius
+    return float(loops.interference(-far, far, setup, pairs, room))
+
+
+def mesh_gaps(*, mesh: CycloidMesh, crank_angle: float) -> tuple[tuple[float, ...], ...]:
+    """Gaps of all pairs where the discs do not lag: negative where they would press.
+
+    Parameters
+    ----------
+    mesh : CycloidMesh
+        The mesh.
+    crank_angle : float
+        Crank angle, rad.
+
+    Returns
+    -------
+    tuple of tuple of float, K x z_p
+        In m.
+
+    Examples
+    --------
+    >>> from core.output.contact_law import LinearLaw
+    >>> from core.ring.profile import Modification
+    >>> disc = CycloidDisc(satellite_teeth=11, eccentricity=2.5e-3,
+    ...                    ring_pin_circle_radius=0.05, ring_pin_radius=0.005,
+    ...                    modification=Modification(equidistant=2e-5))
+    >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01,
+    ...                    law=LinearLaw(1e8))
+    >>> {round(gap, 12) for row in mesh_gaps(mesh=mesh, crank_angle=0.3) for gap in row}
+    {2e-05}
+    """
+    check_single(crank_angle=crank_angle)
+    setup, room, pairs = mesh.setup(1.0), mesh.room(), mesh.pairs
+    approach.at(mesh.wave(crank_angle), setup, pairs, room)
+    if not mesh.exact:
+        return mesh.rows([-q for q in room.q])
+    pins = setup.pins
+    return mesh.rows(
+        [
+            -approach.touch(i, i // pins, 0.0, setup, pairs, room).approach
+            for i in range(len(room.q))
+        ]
+    )
+
+
+class MeshTurn(OverTurn):
+    """Extremes of a cycloid mesh over the turn of the crank, each looked for when it is asked for.
+
+    Parameters
+    ----------
+    turn : Turn
+        The mesh under a torque.
+    """
+
+    @property
+    def mesh(self) -> CycloidMesh:
+        """The mesh."""
+        found: CycloidMesh = self.turn.real
+        return found
+
+    @derived
+    def max_pressure(self) -> float | None:
+        """Largest Hertz pressure over the turn, Pa, where the materials are known."""
+        if self.mesh.pressure(1.0) is None:
+            return None
+        grid = self._grid(self.turn.fine, "pressure")
+        tops = summits(grid=grid, narrow=self.turn.narrow(PRESSURE))
+        top = max(tops, key=lambda summit: summit.height)
+        top, _ = self._above(self._grid(self.turn.again, "pressure"), PRESSURE, top)
+        return self.mesh.pressure(top.height)
+
+    @property
+    def peak_force_ratio(self) -> float:
+        """Largest force over that of perfect parts."""
+        return self.peak_force / self.ideal.peak_force
+
+    @property
+    def ideal(self) -> "IdealMesh":
+        """The mesh of perfect parts under the same torque."""
+        torque = abs(self.turn.torque) / len(self.mesh.crank_angles)
+        return ideal_mesh(disc=self.mesh.disc, disc_torque=torque)
+
+    @property
+    def lag_max(self) -> float:
+        """Largest lag, rad; negative in reverse."""
+        high, low = self.lags
+        return high.value if self.turn.torque > 0 else -low.value
+
+    @property
+    def lag_min(self) -> float:
+        """Least lag, rad."""
+        high, low = self.lags
+        return low.value if self.turn.torque > 0 else -high.value
+
+    @derived
+    def _along(self) -> tuple[Extreme, Extreme]:
+        (high, _), (low, _) = self._by_values(ALONG_MOST), self._by_values(ALONG_LEAST, -1)
+        return high, low
+
+    @property
+    def _across(self) -> float:
+        """Force across the crank of a disc that carries its part, N."""
+        disc = self.mesh.disc
+        each = abs(self.turn.torque) / len(self.mesh.crank_angles)
+        return each / (disc.eccentricity * disc.satellite_teeth)
+
+    @property
+    def radial_force_ratio_max(self) -> float:
+        """Largest force of a disc along its crank, to the axis, over that across the crank of one
+        that carries its part.
+        """
+        return self._along[0].value / self._across
+
+    @property
+    def radial_force_ratio_min(self) -> float:
+        """Least of the same."""
+        return self._along[1].value / self._across
+
+    @property
+    def ratio_error(self) -> float:
+        """Estimate of the error of both ratios."""
+        unsure = float(self.turn.fine["force_error"].max()) * self.mesh.disc.pins
+        return (max(each.error for each in self._along) + unsure) / self._across
+
+    @derived
+    def _sliding(self) -> Extreme:
+        rows, disc = self.turn.fine, self.mesh.disc
+        even, _ = self.turn.positions()
+        there = np.searchsorted(rows["wave"], even)
+        phases = np.array(self.mesh.pairs.phase[: len(self.mesh.crank_angles)])
+        ring = 2 * np.pi * np.arange(disc.pins) / disc.pins
+        angle = rows["wave"][there, None] + (phases[:, None] + ring).ravel()
+        k = disc.shortening_coefficient
+        slope = np.sqrt((1 - k) ** 2 + 4 * k * np.sin(angle / 2) ** 2)
+        far = np.abs(disc.ring_pin_circle_radius * slope - disc.ring_pin_radius)
+        rub = (rows["forces"][there] * far).sum(axis=1) / abs(self.turn.torque)
+        mean = float(rub.mean())
+        return Extreme(mean, abs(mean - float(rub[::2].mean())) + 8 * ROUNDING * mean)
+
+    @property
+    def sliding_loss(self) -> float:
+        """Mean over the turn of the sum of force times distance to the pitch point, over the
+        torque: the loss over the output for a friction coefficient of 1.
+        """
+        return self._sliding.value
+
+    @property
+    def sliding_error(self) -> float:
+        """Estimate of its error."""
+        return self._sliding.error
+
+    @derived
+    def hardest_rub(self) -> float:
+        """Largest product over the turn of force and distance to the pitch point, N*m."""
+        return self._by_values(RUB)[0].value
+
+    @derived
+    def hardest_pressed_rub(self) -> float | None:
+        """Largest product of Hertz pressure and that distance, Pa*m, of known materials."""
+        unit = self.mesh.pressure(1.0)
+        return None if unit is None else unit * self._by_values(RUB_AND_PRESS)[0].value
+
+    @property
+    def notices(self) -> tuple[Notice, ...]:
+        """What to know besides."""
+        own = self.mesh.notices(pressed=self.pressed_without_load)
+        return (*own, *poorly_known(self.accuracy))
+
+
+def mesh_over_turn(
+    *, mesh: CycloidMesh, output_torque: float, lost_motion_share: float = 0.03
+) -> MeshTurn:
+    """Peak force, backlash, lost motion, transmission error and stiffness over the turn.
+
+    Parameters
+    ----------
+    mesh : CycloidMesh
+        The mesh.
+    output_torque : float
+        Torque T of all discs, N*m, not 0; negative in reverse.
+    lost_motion_share : float
+        Share of the torque under which the lost motion is taken, 0 < share <= 1.
+
+    Returns
+    -------
+    MeshTurn
+
+    Raises
+    ------
+    InvalidInput
+        If an input is out of range.
+    ImpossibleMechanism
+        Where a position cannot be, see `mesh_position`.
+
+    Examples
+    --------
+    >>> from core.output.contact_law import LinearLaw
+    >>> from core.ring.profile import Modification
+    >>> disc = CycloidDisc(satellite_teeth=18, eccentricity=1.5e-3,
+    ...                    ring_pin_circle_radius=0.034, ring_pin_radius=2.5e-3,
+    ...                    modification=Modification(equidistant=1e-5))
+    >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01,
+    ...                    law=LinearLaw(5e7), exact=False)
+    >>> round(mesh_over_turn(mesh=mesh, output_torque=30.0).peak_force, 5)
+    333.54715
+    """
+    check_single(output_torque=output_torque, lost_motion_share=lost_motion_share)
+    check_finite(output_torque=output_torque)
+    if output_torque == 0:
+        raise InvalidInput("output_torque", output_torque, "not_zero")
+    if not 0 < lost_motion_share <= 1:
+        code, limit = ("greater_than", 0) if lost_motion_share <= 0 else ("less_than_equal", 1)
+        raise InvalidInput("lost_motion_share", lost_motion_share, code, limit=limit)
+    found = MeshTurn(Turn(mesh, output_torque, lost_motion_share))
+    assert found.turn.coarse  # refuses what cannot be
+    return found
+
+
+@dataclass(frozen=True, slots=True)
+class IdealMesh:
+    """A disc of perfect parts on many pins, contacts linear."""
+
+    peak_force: float  # largest force of a pin, N
+    mean_sum_force: float  # sum of the forces on a disc, mean over the turn, N
+    # Play by the modification alone, rad; None where it jams.
+    backlash: float | None
+
+
+def ideal_mesh(*, disc: CycloidDisc, disc_torque: float) -> IdealMesh:
+    """Forces and backlash in closed form, for many pins.
+
+    Parameters
+    ----------
+    disc : CycloidDisc
+        The disc.
+    disc_torque : float
+        Torque of one disc, N*m, >= 0.
+
+    Returns
+    -------
+    IdealMesh
+
+    Notes
+    -----
+    The sum of the squares of the levers' sines over the slopes is z_p/4 for any K1, and the largest
+    lever is ``e*z``, at ``cos(a) = K1``: ``F_max = 4*T/(e*z*z_p)``, ``sum F = 4*T/(pi*e*z)``. The
+    backlash is the least of ``2*g/|h|`` over the angles. Derived.
+
+    Examples
+    --------
+    >>> from core.ring.profile import Modification
+    >>> disc = CycloidDisc(satellite_teeth=18, eccentricity=1.5e-3,
+    ...                    ring_pin_circle_radius=0.034, ring_pin_radius=2.5e-3,
+    ...                    modification=Modification(equidistant=1e-5))
+    >>> found = ideal_mesh(disc=disc, disc_torque=30.0)
+    >>> round(found.peak_force, 6), round(math.degrees(found.backlash)*60, 5)
+    (233.918129, 2.54648)
+    """
+    longest, k = disc.eccentricity * disc.satellite_teeth, disc.shortening_coefficient
+    wider, circle = disc.modification.equidistant, disc.modification.pin_circle
+    root = math.sqrt((1 - k) * (1 + k))
+    free: float | None = None
+    if circle <= (root * wider if wider > 0 else wider):
+        free = 2 * (wider - circle * root) / longest
+    elif root * wider < circle < wider:
+        free = 2 * k * math.sqrt((wider - circle) * (wider + circle)) / longest
+    if free is not None:
+        free += 2 * disc.modification.rotation
+    return IdealMesh(
+        peak_force=4 * disc_torque / (longest * disc.pins),
+        mean_sum_force=4 * disc_torque / (math.pi * longest),
+        backlash=None if free is None or free < 0 else free,
+    )
