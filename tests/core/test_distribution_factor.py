@@ -116,7 +116,7 @@ def test_reactions_by_statics_with_vectors(mechanism: Mechanism, part: float, rh
         bearing_positions=(-0.01, 0.09),
         torque_direction="alternating",
     )
-    psi = (np.arange(5_000) + 0.5) * 2 * np.pi / 5_000
+    psi = (np.arange(20_000) + 0.5) * 2 * np.pi / 20_000
     pins, shares = forces(mechanism, 1.0, psi)
     ahead = np.array(mechanism.crank_angles)
     out = np.array([np.cos(ahead), np.sin(ahead), 0 * ahead]).T
