@@ -120,7 +120,9 @@ def test_larger_pins_in_a_larger_cut_change_nothing_but_curvatures(seed: int) ->
     other = replace(mesh, disc=wider, deviations=replace(mesh.deviations, pin_radius=radii))
     found, same = at(mesh, angle, torque), at(other, angle, torque)
     assert flat(same) == pytest.approx(flat(found), rel=1e-9, abs=1e-9)
-    assert same.play == pytest.approx(found.play, rel=1e-9)
+    assert (same.play is None) == (found.play is None)
+    if found.play is not None:
+        assert same.play == pytest.approx(found.play, rel=1e-9)
     assert same.max_pressure != pytest.approx(found.max_pressure, rel=1e-6)
 
 

@@ -27,11 +27,12 @@ def disc_of(r: random.Random, *, kind: int = 0, modified: bool = True) -> Cycloi
     k = r.uniform(0.9, 0.95) if kind == 2 else r.uniform(0.35, 0.85)
     radius = r.uniform(0.03, 0.1)
     e = k * radius / (lobes + 1)
-    size = radius * 1e-4
+    plain = CycloidDisc(lobes, e, radius, radius * 1e-3)
+    size = min(radius * 1e-4, 0.05 * plain.valley_radius)  # in valleys nothing is lost
     change = Modification(r.uniform(0.5, 3) * size, r.uniform(-1, 0.2) * size)
     if not modified:
         change = Modification()
-    sharp = CycloidDisc(lobes, e, radius, radius * 1e-3).min_path_radius
+    sharp = plain.min_path_radius
     room = radius * math.sin(math.pi / (lobes + 1))
     margin = r.uniform(1.005, 1.05) if kind == 3 else r.uniform(1.2, 3)
     pin = min(sharp / margin - change.equidistant - size, 0.9 * room)
@@ -43,7 +44,7 @@ def drawn(seed: int, **changes: Any) -> tuple[CycloidMesh, float, float]:
     r = random.Random(seed)
     disc = disc_of(r, kind=seed % 4)
     count, pins = r.randint(1, 4), disc.pins
-    size = disc.ring_pin_circle_radius * 5e-5
+    size = min(disc.ring_pin_circle_radius * 5e-5, 0.05 * disc.valley_radius)
 
     def row(n: int, most: float) -> tuple[float, ...]:
         return tuple(r.uniform(-most, most) for _ in range(n))
