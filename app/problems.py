@@ -57,7 +57,6 @@ OF_REQUESTS = {
     "no_class_of_size": "is known for diameters up to {limit_mm:g} mm only",
     "not_this_cycloid": "must be {expected}, one more than the satellite has: discs of other "
     "cycloids, and those of which lobes are left out, are not calculated",
-    "not_this_ring": "must be a cycloid: the mesh of involute teeth is not calculated here yet",
     "not_this_mechanism": "must be another: where several crankshafts drive the output, as in an "
     "RV reducer, there are no pins in holes, and this calculation says nothing of it",
     "not_there": "names no number in {field}",
@@ -360,7 +359,7 @@ def _item(error: ErrorDetails, place: tuple[int | str, ...]) -> FieldProblem:
         path += context["name"].split("/")
         return wrong(pointer(path), context["code"], **context["params"])
     if kind.startswith("union_tag"):
-        path.append("calculation")
+        path.append(context["discriminator"].strip("'"))
     code = _CODES.get(kind, kind)
     if code in _PARAMS:
         params = {"limit": context[_PARAMS[code]]}

@@ -135,8 +135,6 @@ _UNKNOWN = {
     "no_sourced_limit": "Nobody asked for a limit, and no source gives one for such parts",
     "rating_high": "The rating is higher than that of any known bearing of these sizes",
     "rating_low": "The rating is less than a twentieth of what fits: is it given in kN?",
-    "root_unknown": "The root is beyond the method: its section, fillet or arm of the force "
-    "is not one of a usual tooth",
     "thin_wall": "It is thinner than usual",
     "unusual_teeth": "Only unusual teeth mesh, if any: very low ones, with large profile shifts, "
     "or with hardly any room between the tips",
@@ -530,6 +528,38 @@ _LIMITS = {
         why="A pin in half a bore is a second contact in series with that on the satellite, and so "
         "is the ring that holds it.",
         mend="Give the stiffness of a seat, measured or calculated.",
+    ),
+    "path_short": _limit(
+        "The contact ratio is {contact_ratio:.3g}: before one pair of teeth is out of contact no "
+        "other is in it, and the motion is not handed on.",
+        title="Too short a path of contact",
+        tests="Whether a pair of teeth is in contact before another is out of it.",
+        why="Below 1 there are positions in which no flanks touch.",
+        mend="Make the addenda larger.",
+    ),
+    "off_involutes": _limit(
+        "The teeth run into each other, or touch where they are no involutes: the numbers are "
+        "those of teeth that would not.",
+        title="Teeth that interfere",
+        tests="Whether tips pass each other, and flanks touch only where they are involutes.",
+        why="What lies in the way is cut off by force: such teeth do not turn.",
+        mend="Make the addenda smaller, or the profile shift of the ring larger.",
+    ),
+    "teeth_press": _limit(
+        "The teeth are thicker than their spaces at this eccentricity: they press on both flanks.",
+        title="Teeth without backlash",
+        tests="Whether the spaces of the ring have room for the satellite's teeth.",
+        why="The eccentricity is larger than that at which teeth fill their spaces.",
+        mend="Make the eccentricity smaller, or the profile shift of the ring larger.",
+    ),
+    "root_unknown": _limit(
+        "The root is beyond the method: its section, fillet or arm of the force is not one of a "
+        "usual tooth.",
+        title="Root beyond the method",
+        tests="Whether the root of the satellite's teeth is one of which a stress is known.",
+        why="The stress is that of a tooth whose fillet a rack makes, within the range of its "
+        "notch factor.",
+        mend="Take a larger tip radius of the hob, or a usual addendum.",
     ),
     "valley": _limit(
         "In a valley of the satellite's teeth a pin of the ring is {share:.3g} times as far off as "

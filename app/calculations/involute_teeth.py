@@ -1,5 +1,6 @@
 """Involute teeth of satellite and ring: tooth data of a request, sizes and stresses answered."""
 
+import math
 from typing import Any, ClassVar
 
 from app.model import (
@@ -14,8 +15,13 @@ from app.model import (
     result,
 )
 from app.units import from_si, to_si
-from core.ring.involute import Cutter, InvolutePair, InvoluteTeeth, Rack, usual_rack
+from core.errors import InvalidInput
+from core.precision import SAME
+from core.ring.involute import Cutter, InvolutePair, InvoluteTeeth, Rack
 from core.ring.involute_load import InvoluteLoad, RootStress
+
+HEIGHTS = (0.3, 1.2)
+"""Least and largest addendum, in modules."""
 
 
 class InvoluteTeethFields(RequestModel, group="gear"):
@@ -40,11 +46,11 @@ class InvoluteTeethFields(RequestModel, group="gear"):
     """In modules, outwards: a positive one makes its spaces wider, its tip and root circles larger.
     Where the ring's teeth are counted below 0 it has the other sign."""
     satellite_addendum: Maybe[float] = quantity(
-        "Addendum of the satellite", "h_as", step=0.05, ge=0.3, le=1.2
+        "Addendum of the satellite", "h_as", step=0.05, ge=HEIGHTS[0], le=HEIGHTS[1]
     )
     """In modules, above its shifted reference circle."""
     ring_addendum: Maybe[float] = quantity(
-        "Addendum of the ring", "h_ar", step=0.05, ge=0.3, le=1.2
+        "Addendum of the ring", "h_ar", step=0.05, ge=HEIGHTS[0], le=HEIGHTS[1]
     )
     """In modules, inside its shifted reference circle."""
     satellite_tip_radius_mm: Maybe[Size] = quantity("Tip radius of the satellite", "r_as", step=0.5)
@@ -77,15 +83,20 @@ class InvoluteTeethFields(RequestModel, group="gear"):
             to_si(name, getattr(self, name))
             for name in ("reference_pressure_angle_deg", "module_mm")
         )
-        usual = usual_rack(pressure_angle=angle)
-        rounded = usual.tip_radius if self.rack_tip_radius is None else self.rack_tip_radius
+        rack = Rack(angle, self.dedendum)
+        if not rack.most_round >= 0:
+            most = math.pi / 4 / math.tan(angle)
+            raise InvalidInput("dedendum", self.dedendum, "less_than_equal", limit=most)
+        given = self.rack_tip_radius
+        rounded = min(rack.tip_radius, rack.most_round) if given is None else given
         satellite, ring = self.satellite_addendum, self.ring_addendum
         if satellite is None:
-            tip = to_si("satellite_tip_radius_mm", self.satellite_tip_radius_mm) / module
-            satellite = tip - satellite_teeth / 2 - self.satellite_profile_shift
+            own = satellite_teeth / 2 + self.satellite_profile_shift
+            base = satellite_teeth * math.cos(angle) / 2
+            satellite = self._height("satellite_tip_radius", own, base, module) - own
         if ring is None:
-            tip = to_si("ring_tip_radius_mm", self.ring_tip_radius_mm) / module
-            ring = ring_teeth / 2 + self.ring_profile_shift - tip
+            own, base = ring_teeth / 2 + self.ring_profile_shift, ring_teeth * math.cos(angle) / 2
+            ring = own - self._height("ring_tip_radius", own, base, module)
         cutter = None
         if self.cutter_teeth is not None:
             cutter = Cutter(self.cutter_teeth, self.cutter_profile_shift, self.cutter_addendum)
@@ -100,6 +111,26 @@ class InvoluteTeethFields(RequestModel, group="gear"):
             rack=Rack(angle, self.dedendum, rounded),
             cutter=cutter,
         )
+
+    def _height(self, name: str, own: float, base: float, module: float) -> float:
+        """Radius of a tip circle in modules, by that of its shifted reference circle and its base
+        circle.
+
+        Raises
+        ------
+        InvalidInput
+            If it lies within the base circle, or the addendum is none of `HEIGHTS`.
+        """
+        outwards = 1 if name == "satellite_tip_radius" else -1
+        tip: float = to_si(f"{name}_mm", getattr(self, f"{name}_mm"))
+        low, high = sorted(module * (own + outwards * each) for each in HEIGHTS)
+        if not tip > module * base:
+            raise InvalidInput(name, tip, "greater_than", limit=module * base)
+        if not tip >= low * (1 - SAME):
+            raise InvalidInput(name, tip, "greater_than_equal", limit=low)
+        if not tip <= high * (1 + SAME):
+            raise InvalidInput(name, tip, "less_than_equal", limit=high)
+        return tip / module
 
 
 class InvoluteGeometryOut(ResponseModel):
@@ -201,11 +232,11 @@ class InvoluteStressesOut(ResponseModel):
     normal_force_N: float = result("Along the line of action.", symbol="F_bn")
     tangential_force_N: float = result("Across the crank.")
     radial_force_N: float = result("Along the crank, to the axis.")
-    root: RootStressOut
+    root: Maybe[RootStressOut] = None
 
     @classmethod
     def values(cls, result: InvoluteLoad, run_time_us: float | None = None, **given: Any) -> Values:
-        """Values of loads and of a root, which is given."""
+        """Values of loads, and of a root where it is given."""
         sizes = {
             "pressure_one_pair_start_MPa": result.pressure_start,
             "pressure_one_pair_end_MPa": result.pressure_end,

@@ -1,16 +1,17 @@
-"""The mesh of cycloid discs with the pins of their ring: request and answer."""
+"""The mesh of satellites with their ring, pins or involute teeth: request and answer."""
 
 import math
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Annotated, Any, ClassVar, Literal, Self
+from typing import Annotated, Any, ClassVar, Literal, Self, get_args
 
 import numpy as np
-from pydantic import Field, field_validator, model_validator
-from pydantic_core import PydanticCustomError
+from pydantic import BeforeValidator, Field, field_validator, model_validator
 
+from app.calculations.contact_force import application_factor
 from app.calculations.design import input_speed
 from app.calculations.hertz import Material, contact_length, eccentricity, material_of
+from app.calculations.involute_mesh import InvoluteRingFields, drawn_path, solved_pair
 from app.calculations.load_sharing_answer import StiffnessCurveOut
 from app.calculations.mechanism import MAX_SATELLITES
 from app.calculations.real_mechanism import (
@@ -28,9 +29,10 @@ from app.calculations.ring_mesh_answer import (
     RingIdealOut,
     RingMeshResponse,
 )
-from app.calculations.ring_mesh_figure import DrawnMesh, ring_mesh_figure
+from app.calculations.ring_mesh_figure import DrawnMesh, DrawnPath, path_figure, ring_mesh_figure
 from app.model import (
     NO_DUST,
+    UNION_TAGS,
     Angle,
     Calculation,
     Forms,
@@ -49,7 +51,7 @@ from app.model import (
 from app.problems import invalid_input, refusal, wrong
 from app.running import run
 from app.settings import Settings
-from app.sources import JOHNSON_1985
+from app.sources import ISO_6336, JOHNSON_1985
 from app.theme import Figure, Theme
 from app.units import to_si
 from core.crank.ring_mesh import cycloid_mesh
@@ -59,6 +61,7 @@ from core.output.contact_law import HertzLaw, LinearLaw, PinSupport
 from core.output.real_curves import real_curves, stiffness_curve
 from core.output.satellite_support import Shares
 from core.results import Accuracy, Notice
+from core.ring.involute import InvolutePair, involute_pair
 from core.ring.loss import RingFriction, ring_loss, sliding_part
 from core.ring.profile import CycloidDisc, Modification, outline_points
 from core.ring.sharing import (
@@ -70,7 +73,11 @@ from core.ring.sharing import (
     mesh_position,
 )
 
-Section = Literal["positions", "over_turn", "profile", "stiffness_curve", "ideal"]
+OfCycloids = Literal["positions", "over_turn", "profile", "stiffness_curve", "ideal"]
+
+OfInvolutes = Literal["stresses", "shared_pairs"]
+
+Section = Literal[OfCycloids, OfInvolutes]
 
 MAX_TURN_PAIRS = 1000
 """Most pairs over the turn: thousands of positions are solved."""
@@ -115,9 +122,9 @@ class RingTeethFields(RequestModel, group="mechanism"):
     ASSUMED: ClassVar[tuple[str, ...]] = ("satellites",)
 
     satellite_teeth: Whole = quantity("Satellite teeth", "z₂", step=1, ge=2, le=999)
-    """Lobes of a cycloid disc."""
+    """Teeth of a satellite, the lobes of a cycloid disc."""
     ring_teeth: Whole = quantity("Ring teeth", "z₃", step=1, ge=3, le=1000)
-    """Pins of the ring, one more than a disc has lobes."""
+    """Teeth or pins of the ring; pins are one more than a disc has lobes."""
     satellites: Whole = quantity("Satellites", "K", default=2, step=1, ge=1, le=MAX_SATELLITES)
     """Number of satellites, each on its own crank."""
     crank_spacing_deg: Maybe[Angle] = quantity("Crank spacing", "α", step=15)
@@ -131,8 +138,6 @@ class RingTeethFields(RequestModel, group="mechanism"):
 
     @model_validator(mode="after")
     def _counts(self) -> Self:
-        if self.ring_teeth != self.satellite_teeth + 1:
-            raise field_error("ring_teeth", "not_this_cycloid", expected=self.satellite_teeth + 1)
         angles = self.crank_angles_deg
         if angles is not None and "satellites" not in self.model_fields_set:
             self.satellites = len(angles)
@@ -169,6 +174,9 @@ class RingLoadFields(RequestModel, group="load"):
         "Direction of the torque", default="driving"
     )
     """Driving: the satellites turn the output; reverse: the load turns them back."""
+    application_factor: Maybe[Size] = application_factor(
+        help="Factor on the torque for the stresses of involute teeth; not of cycloid discs."
+    )
     input_speed_rpm: Maybe[Size] = input_speed()
     pin_circle_radius_mm: Maybe[Size] = quantity("Pin circle radius", "R", step=1)
     """Radius of the circle of the output's pins; not needed here."""
@@ -202,10 +210,6 @@ class ModificationFields(RequestModel, group="gear"):
 class CycloidRingFields(RequestModel, group="gear"):
     """Cycloid discs and the pins of their ring."""
 
-    KINDS: ClassVar[Kinds] = {
-        "cycloid": (("ring_pin_circle_radius_mm", "ring_pin_radius_mm", "contact_length_mm"), ()),
-        "involute": ((), ()),
-    }
     ASSUMED: ClassVar[tuple[str, ...]] = ("pin_material", "disc_material")
     RULES: ClassVar[tuple[dict[str, Any], ...]] = (
         {
@@ -218,13 +222,13 @@ class CycloidRingFields(RequestModel, group="gear"):
         },
     )
 
-    kind: Literal["cycloid", "involute"] = quantity("Ring")
-    """Pins on which a cycloid disc rolls; involute teeth are not calculated here yet."""
-    ring_pin_circle_radius_mm: Maybe[Size] = quantity("Circle of the ring's pins", "R_p", step=1)
+    kind: Literal["cycloid"] = quantity("Ring")
+    """Pins on which a cycloid disc rolls."""
+    ring_pin_circle_radius_mm: Size = quantity("Circle of the ring's pins", "R_p", step=1)
     """Radius of the circle of the ring's pins, on which a cycloid disc rolls."""
-    ring_pin_radius_mm: Maybe[Size] = quantity("Radius of the ring's pins", "r", step=0.5)
+    ring_pin_radius_mm: Size = quantity("Radius of the ring's pins", "r", step=0.5)
     """Of the pins, or of their sleeves."""
-    contact_length_mm: Maybe[Size] = contact_length()
+    contact_length_mm: Size = contact_length()
     modification: Maybe[ModificationFields] = None
     pin_material: Material = quantity("Pin material", default="steel_bearing")
     """A name of the table of materials, or values."""
@@ -256,13 +260,6 @@ class CycloidRingFields(RequestModel, group="gear"):
     """Radius of the bore of sleeves on the ring's pins, in which these slide."""
     rolling: bool = quantity("Rolling elements", default=False, advanced=True)
     """Whether rolling elements carry the sleeves: nothing slides."""
-
-    @field_validator("kind")
-    @classmethod
-    def _of_cycloids(cls, kind: str) -> str:
-        if kind == "involute":
-            raise PydanticCustomError("not_this_ring", "not_this_ring")
-        return kind
 
     @model_validator(mode="after")
     def _held(self) -> Self:
@@ -363,13 +360,60 @@ class MeshLawFields(ContactLawFields, group="contact_law"):
     given, Hertz."""
 
 
+def _of_its_kind(given: Any) -> Any:
+    """Refuse the ring's fields that are those of the other kind."""
+    kinds = (("cycloid", InvoluteRingFields), ("involute", CycloidRingFields))
+    own = {"cycloid": CycloidRingFields.model_fields, "involute": InvoluteRingFields.model_fields}
+    for kind, other in kinds:
+        if isinstance(given, dict) and given.get("kind") == kind:
+            for name in given:
+                if name in other.model_fields and name not in own[kind]:
+                    raise field_error(name, "of_another_kind", kind=kind)
+    return given
+
+
+UNION_TAGS.update(("cycloid", "involute"))
+
+OF_CYCLOIDS = (
+    "contact_law",
+    "deviations",
+    "satellite_coupling",
+    "geometry",
+    "lost_motion_torque_share",
+    "chord_error_mm",
+    "crank_angle_deg",
+)
+"""What is said of cycloid discs only."""
+
+
 class RingMeshRequest(RequestModel, group="positions"):
-    """Discs, ring and load as the parts are made, and which results are wanted."""
+    """Satellites, ring and load as the parts are made, and which results are wanted."""
+
+    RULES: ClassVar[tuple[dict[str, Any], ...]] = (
+        {
+            "if": {"properties": {"gear": {"properties": {"kind": {"const": "involute"}}}}},
+            "then": {
+                "not": {"anyOf": [{"required": [name]} for name in OF_CYCLOIDS]},
+                "properties": {"include": {"items": {"enum": [*get_args(OfInvolutes)]}}},
+            },
+            "else": {
+                "required": ["contact"],
+                "properties": {
+                    "include": {"items": {"enum": [*get_args(OfCycloids)]}},
+                    "load": {"not": {"required": ["application_factor"]}},
+                },
+            },
+        },
+    )
 
     mechanism: RingTeethFields
     load: RingLoadFields
-    contact: RingCrankFields
-    gear: CycloidRingFields
+    contact: Maybe[RingCrankFields] = None
+    gear: Annotated[
+        CycloidRingFields | InvoluteRingFields,
+        Field(discriminator="kind"),
+        BeforeValidator(_of_its_kind),
+    ]
     contact_law: MeshLawFields = Field(default_factory=MeshLawFields)
     deviations: Maybe[RingDeviationsFields] = None
     satellite_coupling: Maybe[MeshCouplingFields] = None
@@ -391,15 +435,38 @@ class RingMeshRequest(RequestModel, group="positions"):
         "Crank angles", "φ", default=[0.0], min_length=1, max_length=MAX_POSITIONS
     )
     """Crank angles of the positions; the curve of the lag is taken at the first."""
-    include: list[Section] = Field(
-        default=["positions"],
+    include: Maybe[list[Section]] = Field(
         min_length=1,
         max_length=5,
-        description="Results: what is not named is not computed. The geometry is always answered.",
+        description="Results: what is not named is not computed. The geometry is always answered. "
+        "Where nothing is named, positions of cycloid discs, stresses of involute teeth.",
     )
 
     @model_validator(mode="after")
+    def _of_the_kind(self) -> Self:
+        kind, own, named = self.gear.kind, self.mechanism, self.model_fields_set
+        for name in OF_CYCLOIDS if kind == "involute" else ():
+            if name in named:
+                raise field_error(name, "of_another_kind", kind=kind)
+        sections = get_args(OfInvolutes if kind == "involute" else OfCycloids)
+        for index, name in enumerate(self.asked):
+            if name not in sections:
+                raise field_error(f"include/{index}", "of_another_kind", kind=kind)
+        if kind == "involute":
+            return self
+        if own.ring_teeth != own.satellite_teeth + 1:
+            more = {"expected": own.satellite_teeth + 1}
+            raise field_error("mechanism/ring_teeth", "not_this_cycloid", **more)
+        if self.contact is None:
+            raise field_error("contact", "needed_beside", field="gear")
+        if self.load.application_factor is not None:
+            raise field_error("load/application_factor", "of_another_kind", kind=kind)
+        return self
+
+    @model_validator(mode="after")
     def _flanks(self) -> Self:
+        if self.gear.kind == "involute":
+            return self
         own = self.gear.modification
         if self.geometry == "exact" and own is not None and own.rotation_arcmin > 0:
             raise field_error("geometry", "flanks_first_order", field="rotation_arcmin")
@@ -410,13 +477,15 @@ class RingMeshRequest(RequestModel, group="positions"):
         the ring.
         """
         super().refuse_beyond(settings)
+        if self.gear.kind == "involute":
+            return
         own = self.mechanism
         turn = MAX_TURN_PAIRS
         if isinstance(self.support, Shares):
             turn = MAX_TURN_SHARED // (4 if self.geometry == "exact" else 1)
         limits = [settings.max_pairs]
-        limits += [turn] if "over_turn" in self.include else []
-        limits += [MAX_FORCES // len(self.crank_angle_deg)] if "positions" in self.include else []
+        limits += [turn] if "over_turn" in self.asked else []
+        limits += [MAX_FORCES // len(self.crank_angle_deg)] if "positions" in self.asked else []
         if own.pairs > min(limits):
             most = {"limit": min(limits) // own.satellites, "satellites": own.satellites}
             raise InvalidInput("ring_teeth", own.ring_teeth, "too_many_pairs", **most)
@@ -425,6 +494,40 @@ class RingMeshRequest(RequestModel, group="positions"):
         if isinstance(self.support, Shares) and len(self.support.shares) != own.satellites:
             counts = {"expected": own.satellites, "actual": len(self.support.shares)}
             raise refusal("/satellite_coupling/shares", "different_length", **counts)
+
+    @property
+    def asked(self) -> list[Section]:
+        """Sections of the answer."""
+        if self.include is not None:
+            return self.include
+        return ["stresses"] if self.gear.kind == "involute" else ["positions"]
+
+    @property
+    def cycloid(self) -> CycloidRingFields:
+        """The ring of cycloid discs."""
+        assert isinstance(self.gear, CycloidRingFields)
+        return self.gear
+
+    @property
+    def eccentricity(self) -> float | None:
+        """Eccentricity of the cranks, m; None where involute teeth say it."""
+        if self.contact is None:
+            return None
+        given: float = to_si("eccentricity_mm", self.contact.eccentricity_mm)
+        return given
+
+    @property
+    def pair(self) -> InvolutePair:
+        """A satellite of involute teeth in its ring, in SI units."""
+        assert isinstance(self.gear, InvoluteRingFields)
+        own = self.mechanism
+        teeth = self.gear.teeth(satellite_teeth=own.satellite_teeth, ring_teeth=own.ring_teeth)
+        return involute_pair(teeth=teeth, eccentricity=self.eccentricity)
+
+    @property
+    def satellite_torque(self) -> float:
+        """Torque of each satellite of involute teeth, N*m."""
+        return self.load.output_torque_Nm / self.mechanism.satellites
 
     @property
     def support(self) -> Shares | None:
@@ -443,27 +546,30 @@ class RingMeshRequest(RequestModel, group="positions"):
     @cached_property
     def disc(self) -> CycloidDisc:
         """The discs, in SI units."""
-        change = self.gear.modification
+        gear, eccentricity = self.cycloid, self.eccentricity
+        assert eccentricity is not None  # cycloids need it
+        change = gear.modification
         return CycloidDisc(
             satellite_teeth=self.mechanism.satellite_teeth,
-            eccentricity=to_si("eccentricity_mm", self.contact.eccentricity_mm),
-            ring_pin_circle_radius=to_si("radius_mm", self.gear.ring_pin_circle_radius_mm),
-            ring_pin_radius=to_si("radius_mm", self.gear.ring_pin_radius_mm),
+            eccentricity=eccentricity,
+            ring_pin_circle_radius=to_si("radius_mm", gear.ring_pin_circle_radius_mm),
+            ring_pin_radius=to_si("radius_mm", gear.ring_pin_radius_mm),
             modification=Modification() if change is None else Modification(**change.to_core()),
         )
 
     @cached_property
     def mesh(self) -> CycloidMesh:
         """The mesh as it is made, in SI units."""
-        seat = self.gear.seat_stiffness_N_per_mm
+        gear = self.cycloid
+        seat = gear.seat_stiffness_N_per_mm
         return CycloidMesh(
             disc=self.disc,
             crank_angles=self.mechanism.crank_angles,
-            contact_length=to_si("length_mm", self.gear.contact_length_mm),
+            contact_length=to_si("length_mm", gear.contact_length_mm),
             law=self.contact_law.named() or HertzLaw(),
-            pin_material=material_of(self.gear.pin_material),
-            disc_material=material_of(self.gear.disc_material),
-            pin=self.gear.pin(),
+            pin_material=material_of(gear.pin_material),
+            disc_material=material_of(gear.disc_material),
+            pin=gear.pin(),
             seat_stiffness=math.inf if seat is None else to_si("seat_stiffness_N_per_mm", seat),
             deviations=(RingDeviations() if self.deviations is None else self.deviations.section()),
             exact=self.geometry == "exact",
@@ -487,7 +593,7 @@ class RingMeshRequest(RequestModel, group="positions"):
     @property
     def friction(self) -> RingFriction:
         """What slides; without a coefficient as if it were 0."""
-        own = self.gear
+        own = self.cycloid
         bore = to_si("radius_mm", own.sleeve_bore_radius_mm)
         return RingFriction(own.friction_coefficient or 0.0, bore, own.rolling)
 
@@ -499,7 +605,11 @@ class RingMeshRequest(RequestModel, group="positions"):
 
     def solve_all(self) -> "SolvedMesh":
         """What is asked for."""
-        solved, mesh, asked = SolvedMesh(), self.mesh, {*self.include}
+        solved, asked = SolvedMesh(), {*self.asked}
+        if isinstance(self.gear, InvoluteRingFields):
+            self._solve_pair(self.gear, solved)
+            return solved
+        mesh = self.mesh
         solved.values |= {"kind": "cycloid", "geometry": RingGeometryOut.values(self.disc)}
         if "ideal" in asked:
             each = self.load.output_torque_Nm / self.mechanism.satellites
@@ -518,7 +628,7 @@ class RingMeshRequest(RequestModel, group="positions"):
             )
             solved.values["over_turn"] = MeshTurnOut.values(turn)
             solved.take(turn.accuracy, turn.notices)
-            if self.gear.friction_coefficient is not None:
+            if self.cycloid.friction_coefficient is not None:
                 loss = ring_loss(turn=turn, friction=self.friction, input_speed=self.input_speed)
                 solved.values["efficiency"] = RingEfficiencyOut.values(loss)
         if "positions" in asked:
@@ -533,6 +643,23 @@ class RingMeshRequest(RequestModel, group="positions"):
             points = outline_points(disc=self.disc, chord_error=error)
             solved.values["profile"] = ProfileOut.of(points)
         return solved
+
+    def _solve_pair(self, gear: InvoluteRingFields, solved: "SolvedMesh") -> None:
+        speed, own = self.input_speed, self.mechanism
+        turning = None
+        if speed is not None:
+            turning = speed * (own.ring_teeth - own.satellite_teeth) / own.satellite_teeth
+        found = solved_pair(
+            gear=gear,
+            pair=self.pair,
+            torque=self.satellite_torque,
+            application_factor=self.load.application_factor or 1.0,
+            power=None if turning is None else turning * self.load.output_torque_Nm,
+            asked={*self.asked},
+        )
+        solved.values |= found.values
+        for accuracy in found.accuracies:
+            solved.take(accuracy, found.notices)
 
     @property
     def angles(self) -> list[float]:
@@ -552,6 +679,17 @@ class RingMeshRequest(RequestModel, group="positions"):
             sliding_speed_m_per_s=speed,
             loss_per_friction=part * found.sliding_loss,
             pressed_without_load=True if found.play is None else None,
+        )
+
+    def solve_path(self) -> DrawnPath:
+        """The pressure along the path of contact."""
+        assert isinstance(self.gear, InvoluteRingFields)
+        factor = self.load.application_factor or 1.0
+        return drawn_path(
+            gear=self.gear,
+            pair=self.pair,
+            torque=self.satellite_torque,
+            application_factor=factor,
         )
 
     def solve_for_drawing(self) -> DrawnMesh:
@@ -592,7 +730,8 @@ CLOSED = Accuracy("closed_form", 1e-15, 1)
 
 def solve(body: RingMeshRequest) -> Values:
     """Geometry, forces, lag, play and stiffness of cycloid discs on the pins of their ring, with
-    modification, deviations and elasticity, at crank angles and over the turn.
+    modification, deviations and elasticity, at crank angles and over the turn; or the path of
+    contact, interferences and stresses of involute teeth.
     """
     solved, run_time_us = run(body, body.solve_all)
     found = solved.accuracies or [CLOSED]
@@ -609,8 +748,12 @@ def solve(body: RingMeshRequest) -> Values:
 
 def figure(body: RingMeshRequest, theme: Theme = "light") -> Figure:
     """Forces and gaps over the ring's pins at a crank angle, the largest force and the lag over the
-    turn, and the disc on its pins, for Plotly.js.
+    turn, and the disc on its pins; or the pressure along the path of contact of involute teeth, for
+    Plotly.js.
     """
+    if isinstance(body.gear, InvoluteRingFields):
+        path, _ = run(body, body.solve_path)
+        return path_figure(path, theme)
     own = body.mechanism
     if own.pairs > MAX_DRAWN_PAIRS:
         most = {"limit": MAX_DRAWN_PAIRS // own.satellites, "satellites": own.satellites}
@@ -621,13 +764,13 @@ def figure(body: RingMeshRequest, theme: Theme = "light") -> Figure:
 
 CALCULATION = Calculation(
     name="ring-mesh",
-    title="Cycloid discs on the pins of the ring",
+    title="Satellites in their ring: cycloid discs on pins, involute teeth",
     tag="crank-planetary",
     request=RingMeshRequest,
     answer=RingMeshResponse,
     solve=solve,
     figure=figure,
-    sources=(JOHNSON_1985,),
+    sources=(JOHNSON_1985, ISO_6336),
     neglects=(
         "bodies_rigid",
         "edge_pressure",

@@ -1,7 +1,8 @@
-"""Answer of the mesh of cycloid discs with the pins of their ring."""
+"""Answer of the mesh of satellites with their ring, pins or involute teeth."""
 
 from typing import Literal
 
+from app.calculations.involute_teeth import InvoluteGeometryOut, InvoluteStressesOut
 from app.calculations.load_sharing_answer import StiffnessCurveOut
 from app.calculations.mechanism import PairOut
 from app.model import AccuracyOut, AssumingResponse, Maybe, ResponseModel, WarningOut, result
@@ -146,7 +147,7 @@ class RingEfficiencyOut(ResponseModel):
 
     loss_per_friction: float = result(
         "Loss over output for a friction coefficient of 1, mean over the turn.",
-        equation="ΣF·|R_p·S − r|·c/T",
+        equation="ΣF·|R_p·S − r|·c/T; |τ − tan α_w| of involute teeth, over the path",
     )
     loss_ratio: float = result("Loss over output, mean over the turn.")
     efficiency: float = result("Of this mesh alone.", symbol="η")
@@ -180,11 +181,26 @@ class ProfileOut(ResponseModel):
         return cls.values(points, closed=True, points=found.tolist())
 
 
+class SharedPairsOut(ResponseModel):
+    """Pairs of perfect involute teeth that carry over a pitch, for information: a pitch error of
+    some microns takes most of it away, and stresses are those of one pair.
+    """
+
+    loaded_pairs_min: int = result("Least number of pairs with a force.")
+    loaded_pairs_max: int = result("Largest number of pairs with a force.")
+    largest_share: float = result("Most that a pair carries, over the force of one that has all.")
+    edge_contact: bool = result(
+        "Whether a pair carries at the corner of a tip, where no pressure is known."
+    )
+
+
 class RingMeshResponse(AssumingResponse):
     """The sections that were asked for."""
 
-    kind: Literal["cycloid"] = result("What the ring is.")
-    geometry: RingGeometryOut
+    kind: Literal["cycloid", "involute"] = result("What the ring is.")
+    geometry: RingGeometryOut | InvoluteGeometryOut
+    stresses: Maybe[InvoluteStressesOut] = None
+    shared_pairs: Maybe[SharedPairsOut] = None
     ideal: Maybe[RingIdealOut] = None
     positions: Maybe[list[MeshPositionOut]] = None
     over_turn: Maybe[MeshTurnOut] = None

@@ -1,11 +1,11 @@
-"""Figure of the mesh of cycloid discs with the pins of their ring."""
+"""Figures of the mesh of satellites with their ring: cycloid discs on pins, involute teeth."""
 
 import math
 from dataclasses import dataclass
 
 import numpy as np
 
-from app.theme import INK, Amount, Figure, Theme, axis, curve, layout, text
+from app.theme import INK, Amount, Figure, Theme, axis, curve, layout, marker, text
 from app.units import from_si
 from core.arrays import FloatArray
 from core.output.real_curves import RealCurves
@@ -127,3 +127,58 @@ def _pins(shown: DrawnMesh, theme: Theme) -> list[Figure]:
         line = {"color": INK[theme]["alert" if force > 0 else "muted"], "width": 1}
         found.append({"type": "circle", "xref": "x3", "yref": "y5", "line": line} | ends)
     return found
+
+
+@dataclass(frozen=True, slots=True)
+class DrawnPath:
+    """Pressure along the line of action of involute teeth, in SI units: places are measured from
+    the satellite's base circle.
+    """
+
+    line: FloatArray  # places from the start of the path or the pitch point to the last of them
+    path: FloatArray  # places on the path of contact
+    points: FloatArray  # its start, its end, the pitch point
+    line_pressure: FloatArray  # at these
+    path_pressure: FloatArray
+    point_pressure: FloatArray
+
+
+def path_figure(shown: DrawnPath, theme: Theme) -> Figure:
+    """Pressure of one pair of involute teeth along the path of contact, and on to the pitch point.
+
+    Parameters
+    ----------
+    shown : DrawnPath
+        What it shows.
+    theme : {"light", "dark"}
+        Look of the figure.
+
+    Returns
+    -------
+    dict
+        ``{data, layout}``.
+    """
+    data, place = [], Amount("%{x:.4g}", "mm")
+    for code, places, pressures, index in (
+        ("line_of_action", shown.line, shown.line_pressure, 1),
+        ("path_of_contact", shown.path, shown.path_pressure, 0),
+    ):
+        name = text(code)
+        hovered = text("at_place", name=name, value=Amount("%{y:.5g}", "MPa"), place=place)
+        x, y = from_si("places_mm", places), from_si("pressures_MPa", pressures)
+        data.append(curve(name, x, y, index, theme, hovered))
+    for code, at, pressure in zip(
+        ("path_start", "path_end", "pitch_point"), shown.points, shown.point_pressure, strict=True
+    ):
+        name = text(code)
+        hovered = text("at_place", name=name, value=Amount("%{y:.5g}", "MPa"), place=place)
+        x, y = float(from_si("place_mm", at)), float(from_si("pressure_MPa", pressure))
+        data.append(marker(name, x, y, theme, hovered))
+    return {
+        "data": data,
+        "layout": layout(
+            theme,
+            xaxis=axis(theme, text("along_line"), "mm"),
+            yaxis=axis(theme, text("contact_pressure"), "MPa", rangemode="tozero"),
+        ),
+    }

@@ -47,6 +47,7 @@ PHYSICAL = {code for code, each in CODES.items() if each.kind == "impossible"} |
     "ratio_of_teeth",
     "infinite_line",
     "larger_than",
+    "less_than",
     "no_arm",
     "no_class_of_size",
     "no_cycloid",
@@ -59,7 +60,6 @@ PHYSICAL = {code for code, each in CODES.items() if each.kind == "impossible"} |
     "not_there",
     "not_this_cycloid",
     "not_this_mechanism",
-    "not_this_ring",
     "not_zero",
     "one_of_coupling",
     "other_branch",
@@ -120,7 +120,15 @@ OF_OTHER_FIELDS = (
 )
 """What another field of the request needs or excludes, by such a rule."""
 
-OF_OTHER_SIZES = ("/chord_error_mm", "/contact_law/reference_depth_mm")
+OF_OTHER_SIZES = (
+    "/chord_error_mm",
+    "/contact_law/reference_depth_mm",
+    "/gear/dedendum",
+    "/gear/rack_tip_radius",
+    "/gear/ring_tip_radius_mm",
+    "/gear/satellite_tip_radius_mm",
+    "/mechanism/ring_teeth",
+)
 """What has limits that follow from other sizes."""
 
 

@@ -1,5 +1,5 @@
-"""The mesh of cycloid discs with their ring over REST: the sixteen cases as posted, sections,
-limits, refusals, the figure.
+"""The mesh of satellites with their ring over REST: the cases as posted, cycloid discs on pins and
+involute teeth, sections, limits, refusals, figures.
 """
 
 import json
@@ -11,6 +11,7 @@ import plotly.graph_objects as go
 import pytest
 
 from app.examples import REQUESTS
+from tests.inputs.involute import CASES as INVOLUTE
 
 pytestmark = pytest.mark.anyio
 
@@ -25,6 +26,17 @@ def changed(without=(), **sections):
         body[name] = body.get(name, {}) | value if isinstance(value, dict) else value
     for section, name in without:
         del body[section][name]
+    return body
+
+
+ROUND = INVOLUTE[1]["body"]
+"""Involute teeth, 40 in 42, with some backlash."""
+
+
+def rounded(**sections):
+    body = deepcopy(ROUND)
+    for name, value in sections.items():
+        body[name] = body.get(name, {}) | value if isinstance(value, dict) else value
     return body
 
 
@@ -142,7 +154,9 @@ async def test_reverse_and_rotation(api):
     ("sections", "pointer", "code"),
     [
         ({"mechanism": {"ring_teeth": 21}}, "/mechanism/ring_teeth", "not_this_cycloid"),
-        ({"gear": {"kind": "involute"}}, "/gear/kind", "not_this_ring"),
+        ({"gear": {"module_mm": 2.5}}, "/gear/module_mm", "of_another_kind"),
+        ({"load": {"application_factor": 1.2}}, "/load/application_factor", "of_another_kind"),
+        ({"include": ["ideal", "stresses"]}, "/include/1", "of_another_kind"),
         ({"gear": {"kind": "none"}}, "/gear/kind", "literal_error"),
         ({"gear": {"ring_pin_radius_mm": 14.0}}, "/gear/ring_pin_radius_mm", "undercut"),
         (
@@ -247,7 +261,169 @@ async def test_the_figure_shows_the_answer(api, theme):
 
 async def test_in_a_batch_it_answers_the_same(api):
     alone = (await api.post(PATH, json=BASE)).json()
-    lines = {"calculation": PATH, "requests": [BASE, changed(gear={"kind": "involute"})]}
+    lines = {"calculation": PATH, "requests": [BASE, changed(gear={"kind": "involute"}), ROUND]}
     answer = (await api.post("batch", json=lines)).json()
     assert answer["results"][0]["result"]["positions"] == alone["positions"]
-    assert "not_this_ring" in json.dumps(answer["results"][1])
+    assert "of_another_kind" in json.dumps(answer["results"][1])
+    assert answer["results"][2]["result"]["geometry"]["contact_ratio"] > 1
+
+
+async def test_a_cycloid_needs_its_eccentricity(api):
+    body = changed()
+    del body["contact"]
+    error = (await api.post(PATH, json=body)).json()["errors"][0]
+    assert (error["pointer"], error["code"]) == ("/contact", "needed_beside")
+
+
+@pytest.mark.parametrize("case", INVOLUTE, ids=lambda case: case["name"])
+async def test_involute_case(api, case):
+    answer = (await api.post(PATH, json=case["body"])).json()
+    assert answer["kind"] == "involute"
+    stresses, held = answer["stresses"], dict(case["expect"]["stresses"])
+    root = held.pop("root")
+    for found, expected in (
+        (answer["geometry"], case["expect"]["geometry"]),
+        (stresses, held),
+        (stresses["root"], root),
+    ):
+        for name, value in expected.items():
+            near = pytest.approx(value, rel=case["rtol"], abs=1e-12)
+            assert found[name] == (value if isinstance(value, bool) else near), name
+    assert set(answer) - {"warnings"} == {"kind", "geometry", "stresses", "accuracy", "assumed"}
+    codes = [each["code"] for each in answer.get("warnings", ())]
+    assert codes == (["path_short", "off_involutes"] if case["name"] == "B6" else [])
+
+
+async def test_stresses_are_at_the_application_factor_and_forces_at_the_torque(api):
+    plain = (await api.post(PATH, json=ROUND)).json()["stresses"]
+    body = rounded(load={"application_factor": 1.5}, gear={"face_load_factor": 1.2})
+    more = (await api.post(PATH, json=body)).json()["stresses"]
+    for name, power in (
+        ("pressure_one_pair_start_MPa", 0.5),
+        ("iso_pressure_at_pitch_point_MPa", 0.5),
+        ("normal_force_N", 0),
+    ):
+        assert more[name] == pytest.approx(plain[name] * 1.8**power, rel=1e-12)
+    stress = "root_stress_one_pair_MPa"
+    assert more["root"][stress] == pytest.approx(1.8 * plain["root"][stress], rel=1e-12)
+    two = (await api.post(PATH, json=rounded(mechanism={"satellites": 2}))).json()["stresses"]
+    assert two["normal_force_N"] == pytest.approx(plain["normal_force_N"] / 2, rel=1e-12)
+
+
+async def test_pairs_that_carry_and_the_loss_are_answered_where_they_are_asked_for(api):
+    body = rounded(gear={"friction_coefficient": 0.06}, load={"input_speed_rpm": 1500.0})
+    answer = (await api.post(PATH, json=body | {"include": ["stresses", "shared_pairs"]})).json()
+    loss, line = answer["efficiency"], answer["geometry"]
+    pitch = np.tan(np.radians(line["operating_pressure_angle_deg"]))
+    end = (line["end_roll_ring"] * 42 - 2 * pitch) / 40
+    middle = (
+        pitch - (line["start_roll_satellite"] + end) / 2
+    )  # the path ends before the pitch point
+    assert loss["loss_per_friction"] == pytest.approx(middle, rel=1e-9)
+    assert loss["efficiency"] == pytest.approx(1 / (1 + 0.06 * middle), rel=1e-12)
+    power = 300 * 1500 * np.pi / 30 * 2 / 40
+    assert loss["mean_loss_W"] == pytest.approx(0.06 * middle * power, rel=1e-9)
+    shared = answer["shared_pairs"]
+    assert (shared["loaded_pairs_min"], shared["loaded_pairs_max"]) == (2, 3)
+    assert shared["largest_share"] == pytest.approx(0.51, abs=0.01)
+    only = (await api.post(PATH, json=body | {"include": ["shared_pairs"]})).json()
+    assert not {"stresses", "efficiency"} & {*only}
+    soft = rounded(gear={"pair_stiffness_N_per_mm": 1e9}, include=["shared_pairs"])
+    assert (await api.post(PATH, json=soft)).json()["shared_pairs"]["loaded_pairs_min"] == 1
+
+
+async def test_what_does_not_mesh_is_said(api):
+    codes = []
+    for body in (
+        rounded(contact={"eccentricity_mm": 3.75}),
+        rounded(gear={"satellite_addendum": 1.0}),
+    ):
+        answer = (await api.post(PATH, json=body)).json()
+        codes.append([each["code"] for each in answer["warnings"]])
+    assert codes == [["teeth_press"], ["off_involutes"]]
+    body = INVOLUTE[5]["body"] | {"include": ["shared_pairs"]}
+    error = (await api.post(PATH, json=body)).json()["errors"][0]
+    assert error["code"] == "teeth_interfere"
+
+
+async def test_a_root_of_which_nothing_is_known_is_left_out(api):
+    body = deepcopy(INVOLUTE[6]["body"])
+    sharp = {"rack_tip_radius": 0.01, "satellite_profile_shift": 0.8, "ring_profile_shift": 1.4}
+    body["gear"] |= sharp
+    answer = (await api.post(PATH, json=body)).json()
+    assert "root" not in answer["stresses"]
+    assert "root_unknown" in [each["code"] for each in answer["warnings"]]
+
+
+TIPS = {"satellite_tip_radius_mm": 62.4, "ring_tip_radius_mm": 61.68}
+
+
+async def test_tip_radii_stand_for_addenda(api):
+    plain = (await api.post(PATH, json=ROUND)).json()["geometry"]
+    gear = {name: value for name, value in ROUND["gear"].items() if "addendum" not in name}
+    found = (await api.post(PATH, json=ROUND | {"gear": gear | TIPS})).json()["geometry"]
+    assert found == pytest.approx(plain, rel=1e-9)
+    for name, value, code, limit in (
+        ("satellite_tip_radius_mm", 56.0, "greater_than", 60 * np.cos(np.pi / 9)),
+        ("satellite_tip_radius_mm", 60.5, "greater_than_equal", 60.9),
+        ("satellite_tip_radius_mm", 64.0, "less_than_equal", 63.6),
+        ("ring_tip_radius_mm", 59.0, "greater_than", 63 * np.cos(np.pi / 9)),
+        ("ring_tip_radius_mm", 60.0, "greater_than_equal", 60.48),
+        ("ring_tip_radius_mm", 63.5, "less_than_equal", 63.18),
+    ):
+        answer = await api.post(PATH, json=ROUND | {"gear": gear | TIPS | {name: value}})
+        error = answer.json()["errors"][0]
+        assert (error["pointer"], error["code"]) == (f"/gear/{name}", code)
+        assert error["params"]["limit"] == pytest.approx(limit, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("sections", "pointer", "code"),
+    [
+        ({"mechanism": {"ring_teeth": 49}}, "/mechanism/ring_teeth", "less_than_equal"),
+        ({"mechanism": {"ring_teeth": 40}}, "/mechanism/ring_teeth", "greater_than_equal"),
+        ({"contact": {"eccentricity_mm": 2.0}}, "/contact/eccentricity_mm", "no_mesh"),
+        ({"gear": {"ring_pin_radius_mm": 5.0}}, "/gear/ring_pin_radius_mm", "of_another_kind"),
+        ({"gear": {"modification": {}}}, "/gear/modification", "of_another_kind"),
+        ({"gear": {"nothing": 1.0}}, "/gear/nothing", "extra_forbidden"),
+        ({"gear": {"kind": "none"}}, "/gear/kind", "literal_error"),
+        ({"gear": {"cutter_teeth": 42}}, "/gear/cutter_teeth", "less_than"),
+        ({"gear": {"satellite_tip_radius_mm": 62.4}}, "/gear/satellite_tip_radius_mm", "only_one"),
+        (
+            {"gear": {"dedendum": 1.6, "reference_pressure_angle_deg": 30.0}},
+            "/gear/dedendum",
+            "less_than_equal",
+        ),
+        ({"crank_angle_deg": [0.0]}, "/crank_angle_deg", "of_another_kind"),
+        ({"geometry": "exact"}, "/geometry", "of_another_kind"),
+        ({"contact_law": {"kind": "hertz"}}, "/contact_law", "of_another_kind"),
+        (
+            {"deviations": {"eccentricity_mm": [0.0]}},
+            "/deviations",
+            "of_another_kind",
+        ),
+        ({"satellite_coupling": {"kind": "rigid"}}, "/satellite_coupling", "of_another_kind"),
+        ({"include": ["stresses", "over_turn"]}, "/include/1", "of_another_kind"),
+    ],
+)
+async def test_refusals_of_involute_teeth_name_the_field(api, sections, pointer, code):
+    answer = await api.post(PATH, json=rounded(**sections))
+    assert answer.status_code == 422, answer.text
+    errors = answer.json()["errors"]
+    assert [(each["pointer"], each["code"]) for each in errors] == [(pointer, code)]
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize("case", [INVOLUTE[1], INVOLUTE[4]], ids=lambda case: case["name"])
+async def test_the_figure_of_involute_teeth_shows_their_pressures(api, theme, case):
+    figure = (await api.post(f"{PATH}/chart?theme={theme}", json=case["body"])).json()
+    go.Figure(data=figure["data"], layout=figure["layout"])
+    stresses = (await api.post(PATH, json=case["body"])).json()["stresses"]
+    line, path, start, end, pitch = figure["data"]
+    held = ("pressure_one_pair_start_MPa", "pressure_one_pair_end_MPa")
+    for mark, name, at in zip((start, end), held, (0, -1), strict=True):
+        assert mark["y"] == pytest.approx([stresses[name]], rel=1e-9)
+        assert path["y"][at] == pytest.approx(stresses[name], rel=1e-6)
+    assert pitch["y"] == pytest.approx([stresses["iso_pressure_at_pitch_point_MPa"]], rel=1e-9)
+    assert min(line["x"]) <= pitch["x"][0] * (1 + 1e-6)
+    assert max(line["x"]) >= max(*path["x"], *pitch["x"]) * (1 - 1e-6)
