@@ -136,6 +136,10 @@ _UNKNOWN = {
     "rating_high": "The rating is higher than that of any known bearing of these sizes",
     "rating_low": "The rating is less than a twentieth of what fits: is it given in kN?",
     "thin_wall": "It is thinner than usual",
+    "near_undercut": "It is close to where the pins of the ring cut off a part of the flanks: "
+    "errors of the parts may take what is left",
+    "unusual_shortening": "Cycloid drives mostly have 0.35 to 0.9: below, the ring presses a flat "
+    "disc hard; above, its valleys are narrow and its flanks soon undercut",
     "unusual_teeth": "Only unusual teeth mesh, if any: very low ones, with large profile shifts, "
     "or with hardly any room between the tips",
     "wider_than_satellite": "The bearing is wider than the satellite",
@@ -187,6 +191,7 @@ _UNKNOWN = {
     "no_bush": "The pv is that of a bush: a bare pin touches its wider hole along a narrow strip",
     "members_locked": "The members turn as one: nothing rolls or slides",
     "no_involute": "It is one of involute teeth",
+    "no_ring_pins": "It is one of cycloid discs on the pins of a ring",
     "no_life_curve": "How the limit falls over the life is not known for this material: it is left "
     "out",
     "no_limit": "No limit was asked",

@@ -17,6 +17,7 @@ from core.checks.pin_rollers import PIN_ROLLERS
 from core.checks.pins import PINS
 from core.checks.plastics import PLASTICS
 from core.checks.play import PLAY
+from core.checks.ring_pins import RING_PINS
 from core.checks.space import SPACE
 from core.design.document import Design
 from core.design.results import Results
@@ -34,6 +35,7 @@ CRANK_CHECKS = {
         *PINS,
         *FRICTION,
         *CRANK,
+        *RING_PINS,
         *BEARINGS,
         *PIN_ROLLERS,
         *BALANCE,

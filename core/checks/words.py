@@ -32,7 +32,8 @@ CHECK_SOURCES = {
     "beam": "beam theory (Mohr)",
     "geometry": "geometry",
     "guide": "guide value: walls of 0.03 of the ring's pin circle diameter (Wang, Luo, Su 2016), "
-    "1.2 tooth heights below involute roots, sleeves of 0.1 of their pin; nobody asked for it",
+    "1.2 tooth heights below involute roots, sleeves of 0.1 of their pin, 0.1 of their diameter "
+    "between the pins of a ring, bends of their path of 1.1 of their radius; nobody asked for it",
     "envelope": "derived: rolling elements that fill the gap, by the formulas of ISO 281 and "
     "ISO 76",
     "hertz": "Johnson, Contact Mechanics, 4.2: Hertz asks for a narrow contact",
@@ -78,6 +79,7 @@ CHECK_SOURCES = {
     "ones are tried from −1 to 2 and from 0.1 to 1.5",
     "tilt_guide": "Tribology Handbook, A22: a slope for which the formula of the life holds",
     "track_rollers": "catalogue of SKF: 0.0167 of the static rating of track rollers",
+    "usual_shortening": "geometry; usual are 0.35 to 0.9, a custom of which no source was seen",
     "user": "the limit that was asked",
     "wang_2016": "Wang, Luo, Su 2016, eqs 32, 33, and the wall that was asked",
     "yanchevskiy_2021": "Yanchevskiy, Niekhoroshykh 2021",

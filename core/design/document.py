@@ -93,8 +93,8 @@ class Design:
     InvalidInput
         If the peak torque is below the working one, a distribution factor is below 1 or gives a
         satellite more than the torque, satellites reach into each other, their places on pins and
-        crankshaft differ, a pin is thicker than what touches the hole, pins of the ring overlap, or
-        rollers do not belong to pins and holes.
+        crankshaft differ, a pin is thicker than what touches the hole, or rollers do not belong to
+        pins and holes.
     """
 
     mechanism: MechanismSection  # pins, satellites, cranks, ratio
@@ -123,8 +123,6 @@ class Design:
         self._check_places()
         self._check_rollers()
         self._check_thickness()
-        if self.gear:
-            self.gear.check_pins_apart(self.mechanism.ratio)
         if self.bearing:
             self.bearing.check_sizes("bearing")
         for index, each in enumerate((self.crankshaft and self.crankshaft.bearings) or ()):

@@ -571,30 +571,6 @@ class Ring:
     ring_pin_radius: float | None = None
     radial_force_ratio: float | None = None
 
-    def check_pins_apart(self, ratio: float) -> None:
-        """Refuse pins of the ring that overlap, where their number is known.
-
-        Parameters
-        ----------
-        ratio : float
-            Ratio u.
-
-        Raises
-        ------
-        InvalidInput
-            If they do.
-        """
-        circle, radius, difference = (
-            self.ring_pin_circle_radius,
-            self.ring_pin_radius,
-            self.teeth_difference,
-        )
-        if circle is None or radius is None or difference is None:
-            return
-        limit = circle * math.sin(math.pi / (difference * (ratio + 1)))
-        if not radius < limit:
-            raise InvalidInput("gear.ring_pin_radius", radius, "less_than", limit=limit)
-
     def roots(self, *, ratio: float, eccentricity: float | None) -> tuple[float, float]:
         """Between which radii the roots of a satellite's teeth lie.
 

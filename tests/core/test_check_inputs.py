@@ -29,7 +29,7 @@ from core.design.sections import (
 from core.errors import CalculationError
 from core.material_table import MATERIALS
 from core.materials import ElasticMaterial, Plastic
-from tests.inputs.checks import WHOLE, having
+from tests.inputs.checks import WHOLE, design_of, having
 
 assert WHOLE.pin and WHOLE.bearing and WHOLE.crankshaft and WHOLE.friction and WHOLE.gear
 STEEL = MATERIALS["steel_case_hardened"].material
@@ -208,6 +208,18 @@ DESIGNS = {
         ALL,
         gear=Ring(kind="cycloid", ring_pin_circle_radius=0.085, ring_pin_radius=0.005),
         root_radius=None,
+    ),
+    "cycloid of a ratio that stays whole where it grows by a fiftieth": design_of(
+        pins=6,
+        satellites=2,
+        ratio=50.0,
+        eccentricity=0.002,
+        gear=Ring(
+            kind="cycloid",
+            ring_pin_circle_radius=0.2,
+            ring_pin_radius=0.005,
+            teeth_difference=1,
+        ),
     ),
 }
 SOFT = ElasticMaterial(

@@ -14,6 +14,7 @@ import pytest
 from core.checks.check import Check
 from core.checks.crank_planetary import crank_check, crank_checks
 from core.checks.largest_torque import crank_verdict
+from core.checks.ring_pins import RING_PINS
 from core.design.document import Design
 from core.design.results import Results
 from core.design.sections import Ring, RollingBearing, Shaft
@@ -367,7 +368,7 @@ MISSING: dict[str, tuple[Design, tuple[str, ...], tuple[str, ...]]] = {
             eccentricity=None,
             gear=Ring(kind="cycloid", ring_pin_circle_radius=0.084, ring_pin_radius=0.004),
         ),
-        ("gear_room",),
+        ("gear_room", "ring_shortening", "ring_undercut"),
         ("contact.eccentricity",),
     ),
     "rating": (
@@ -404,6 +405,9 @@ def test_nothing_passes_by_absence(name: str) -> None:
     assert part_of.status == "fail" or (part_of.status == "open" and missing[0] in part_of.missing)
 
 
+PINNED = tuple(kind.code for kind in RING_PINS)
+
+
 def test_ring() -> None:
     angle = check_of("pressure_angle", WHOLE)
     assert angle.value == pytest.approx(math.radians(34.6912426), rel=1e-9)
@@ -411,8 +415,9 @@ def test_ring() -> None:
     steep = check_of("pressure_angle", part(WHOLE, "gear", module=1.15e-3))
     assert (steep.status, steep.reason) == ("marginal", "steep_mesh")
     for ring, codes in (
-        (Ring(kind="none"), ("pressure_angle", "mesh_possible", "gear_room")),
-        (Ring(radial_force_ratio=0.3), ("pressure_angle", "mesh_possible", "gear_room")),
+        (Ring(kind="none"), ("pressure_angle", "mesh_possible", "gear_room", *PINNED)),
+        (Ring(radial_force_ratio=0.3), ("pressure_angle", "mesh_possible", "gear_room", *PINNED)),
+        (WHOLE.gear, PINNED),
         (
             Ring(kind="cycloid", ring_pin_circle_radius=0.084),
             ("pressure_angle", "mesh_possible"),
@@ -504,18 +509,6 @@ def test_holes_within_a_cycloid_disc() -> None:
             says(found, status=status, limit=0.0, **unknown)
 
 
-def test_pins_of_the_ring_do_not_overlap() -> None:
-    """42 pins on 84 mm are 12.554 mm apart; of how many is not known, nothing is said."""
-    ring = Ring(kind="cycloid", ring_pin_circle_radius=0.084, teeth_difference=2)
-    half = abs(np.exp(2j * math.pi / 42) - 1) * 0.084 / 2
-    having(WHOLE, gear=replace(ring, ring_pin_radius=half * (1 - 1e-9)))
-    having(WHOLE, gear=replace(ring, ring_pin_radius=0.02, teeth_difference=None))
-    with pytest.raises(InvalidInput) as refusal:
-        having(WHOLE, gear=replace(ring, ring_pin_radius=half * (1 + 1e-9)))
-    assert (refusal.value.parameter, refusal.value.code) == ("gear.ring_pin_radius", "less_than")
-    assert refusal.value.params["limit"] == pytest.approx(half, rel=1e-12)
-
-
 def test_crankshaft() -> None:
     """Loads of 4396.504 N of balls; without the masses."""
     assert check_of("crank_bearing_life", WHOLE).missing == ("crankshaft.bearings",)
@@ -585,6 +578,10 @@ def test_a_sharing_that_is_stated_is_not_solved() -> None:
         assert Results(design).solved == solved
 
 
+ON_PINS = having(
+    WHOLE, gear=Ring(kind="cycloid", ring_pin_circle_radius=0.084, ring_pin_radius=0.005)
+)
+
 FAILING: dict[str, Design] = {
     "contact_pressure_hole": WHOLE,
     "pin_static": having(WHOLE, output_torque=1500.0),
@@ -600,6 +597,8 @@ FAILING: dict[str, Design] = {
     "pressure_angle": part(WHOLE, "gear", module=1.1e-3),
     "mesh_possible": part(WHOLE, "gear", module=2e-3),
     "gear_room": WHOLE,
+    "ring_undercut": part(ON_PINS, "gear", ring_pin_circle_radius=0.0436, ring_pin_radius=0.003),
+    "ring_pin_room": part(ON_PINS, "gear", ring_pin_radius=0.013),
     "bearing_life": rigid(life=5000 * 3600.0),
     "bearing_static": rigid(static_safety=2.0, peak_torque=1000.0),
     "system_life": part(rigid(), "bearing", weibull_slope=1.1),
@@ -629,6 +628,10 @@ FIXED = {
     "pressure_angle": {"gear.module"},
     "mesh_possible": {"gear.module"},
     "gear_room": {"load.pin_circle_radius"},
+    "ring_undercut": {
+        "gear.ring_pin_radius", "gear.ring_pin_circle_radius", "contact.eccentricity",
+    },
+    "ring_pin_room": {"gear.ring_pin_radius", "gear.ring_pin_circle_radius"},
     "bearing_life": {"bearing.dynamic_rating", "load.input_speed", "load.output_torque"},
     "bearing_static": {"bearing.static_rating", "load.peak_torque"},
     "system_life": {"bearing.dynamic_rating", "load.input_speed", "load.output_torque"},

@@ -1,0 +1,152 @@
+"""Checks of a ring of pins: what geometry alone says of a cycloid disc on them."""
+
+import math
+from functools import partial
+
+from core.checks.check import Check, Kind, design_check, judged, wall
+from core.design.document import Design
+from core.design.refusals import named
+from core.design.results import Results
+from core.errors import NotKnown
+from core.precision import AS_TYPED
+from core.ring.profile import CycloidDisc
+
+USUAL_SHORTENING = (0.35, 0.9)
+"""Between which shortening coefficients of cycloid drives mostly lie: custom, of no source."""
+
+NEAR_UNDERCUT = 1.1
+"""Least bend of the pins' path over their radius for which errors leave a part of the flank."""
+
+BETWEEN_PINS = 0.1
+"""Least wall of the ring between its pins, over their diameter."""
+
+_ring = partial(design_check, group="gear", part="teeth", needs=("contact", "gear"))
+
+_PATH = (
+    "gear.kind",
+    "gear.ring_pin_circle_radius",
+    "mechanism.ratio",
+    "contact.eccentricity",
+)
+
+
+def _none(design: Design, results: Results, kind: Kind) -> Check | None:
+    """A check of another ring than one of pins; None where it is one, which can be."""
+    if design.gear.kind != "cycloid":
+        return Check(kind, "not_applicable", reason="no_ring_pins")
+    _ = results.ring_mesh  # which refuses a disc whose path crosses itself
+    return None
+
+
+def _circle(design: Design) -> float:
+    """Radius of the circle of the ring's pins, m."""
+    circle = design.gear.ring_pin_circle_radius
+    assert circle is not None  # of a cycloid
+    return circle
+
+
+def _pin_radius(design: Design) -> float:
+    """Radius of the ring's pins, m."""
+    radius = design.gear.ring_pin_radius
+    if radius is None:
+        raise NotKnown("size_missing", "gear.ring_pin_radius")
+    return radius
+
+
+def _difference(design: Design) -> int:
+    """Pins less lobes: one where nobody says how many."""
+    return design.gear.teeth_difference or 1
+
+
+def _lobes(design: Design) -> int:
+    """Lobes of a satellite, which a ratio that is typed need not have."""
+    ratio = design.mechanism.ratio
+    lobes = ratio * _difference(design)
+    if abs(lobes - round(lobes)) > AS_TYPED * lobes:
+        raise NotKnown("ratio_not_whole", ratio=ratio)
+    return round(lobes)
+
+
+@_ring(
+    "ring_shortening",
+    title="Shortening of the cycloid",
+    formula="e·(u + 1)/R_p < 1",
+    why="Otherwise the path of the ring's pins in the satellite crosses itself: there is no such "
+    "disc.",
+    inputs=_PATH,
+    fixes=(),
+    source="usual_shortening",
+)
+def ring_shortening(design: Design, results: Results) -> Check:
+    if other := _none(design, results, ring_shortening):
+        return other
+    value = design.known_eccentricity * (design.mechanism.ratio + 1) / _circle(design)
+    low, high = USUAL_SHORTENING
+    found = judged(ring_shortening, value, 1.0)
+    if low <= value <= high:
+        return found
+    return found._replace(status="marginal", warning=True, reason="unusual_shortening")
+
+
+@_ring(
+    "ring_undercut",
+    title="Flanks that the ring's pins leave",
+    formula="ρ_min/r_p ≥ 1.1",
+    why="At 1 and below, the outline loops: a pin would cut off a part of the satellite's flanks. "
+    "Slightly above, errors do so.",
+    inputs=(*_PATH, "gear.ring_pin_radius", "gear.teeth_difference"),
+    fixes=("gear.ring_pin_radius", "gear.ring_pin_circle_radius", "contact.eccentricity"),
+    keep="above",
+)
+def ring_undercut(design: Design, results: Results) -> Check:
+    if other := _none(design, results, ring_undercut):
+        return other
+    difference, lobes = _difference(design), _lobes(design)
+    if difference > 1:  # the flanks near the tips are cut off
+        raise NotKnown("cycloid_difference", difference=difference)
+    if lobes < 2:
+        return Check(ring_undercut, "not_applicable", reason="one_only")
+    radius = _pin_radius(design)
+    disc = named(
+        design,
+        "gear",
+        lambda: CycloidDisc(
+            satellite_teeth=lobes,
+            eccentricity=design.known_eccentricity,
+            ring_pin_circle_radius=_circle(design),
+            ring_pin_radius=radius,
+        ),
+    )
+    margin = disc.undercut_margin
+    if not margin > 1 + AS_TYPED:
+        return judged(ring_undercut, margin, NEAR_UNDERCUT)._replace(impossible=True)
+    found = judged(ring_undercut, margin, NEAR_UNDERCUT, warning="near_undercut")
+    return found._replace(limit_source="guide")
+
+
+@_ring(
+    "ring_pin_room",
+    title="Space between the ring's pins",
+    unit="mm",
+    formula="2·R_p·sin(π/z_p) − 2·r_p ≥ 0.2·r_p",
+    why="Otherwise the pins of the ring overlap, or hardly any of it is left between them.",
+    inputs=(
+        "gear.kind",
+        "gear.ring_pin_circle_radius",
+        "gear.ring_pin_radius",
+        "gear.teeth_difference",
+        "mechanism.ratio",
+    ),
+    fixes=("gear.ring_pin_radius", "gear.ring_pin_circle_radius"),
+    keep="above",
+    needs=("gear",),
+)
+def ring_pin_room(design: Design, results: Results) -> Check:
+    if design.gear.kind != "cycloid":
+        return Check(ring_pin_room, "not_applicable", reason="no_ring_pins")
+    pins, size = _lobes(design) + _difference(design), _pin_radius(design)
+    width = 2 * _circle(design) * math.sin(math.pi / pins) - 2 * size
+    return wall(ring_pin_room, width=width, size=size, guide=2 * BETWEEN_PINS * size)
+
+
+RING_PINS = (ring_shortening, ring_undercut, ring_pin_room)
