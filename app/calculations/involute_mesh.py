@@ -171,11 +171,15 @@ def drawn_path(
     -------
     DrawnPath
     """
-    ends = (pair.start_roll, pair.end_roll, pair.line.pitch_roll)
-    least = LEAST_DRAWN * max(ends)
-    line = np.linspace(max(min(ends), least), max(ends), DRAWN_PLACES)
+    rolls = {
+        "path_start": pair.start_roll,
+        "path_end": pair.end_roll,
+        "pitch_point": pair.line.pitch_roll,
+    }
+    least = LEAST_DRAWN * max(rolls.values())
+    line = np.linspace(max(min(rolls.values()), least), max(rolls.values()), DRAWN_PLACES)
     path = np.linspace(max(pair.start_roll, least), max(pair.end_roll, least), DRAWN_PLACES)
-    points = np.array([max(each, least) for each in ends])
+    points = {name: roll for name, roll in rolls.items() if roll >= least}
     pressures = [
         pressure_along(
             pair=pair,
@@ -186,7 +190,8 @@ def drawn_path(
             load_factor=application_factor * gear.face_load_factor,
             roll=roll,
         )
-        for roll in (line, path, points)
+        for roll in (line, path, np.array([*points.values()]))
     ]
     base = pair.line.satellite_base
-    return DrawnPath(base * line, base * path, base * points, *map(np.asarray, pressures))
+    places = {name: base * roll for name, roll in points.items()}
+    return DrawnPath(base * line, base * path, places, *map(np.asarray, pressures))

@@ -137,10 +137,10 @@ class DrawnPath:
 
     line: FloatArray  # places from the start of the path or the pitch point to the last of them
     path: FloatArray  # places on the path of contact
-    points: FloatArray  # its start, its end, the pitch point
+    points: dict[str, float]  # its start, its end, the pitch point, where a pressure is known
     line_pressure: FloatArray  # at these
     path_pressure: FloatArray
-    point_pressure: FloatArray
+    point_pressure: FloatArray  # in their order
 
 
 def path_figure(shown: DrawnPath, theme: Theme) -> Figure:
@@ -167,9 +167,7 @@ def path_figure(shown: DrawnPath, theme: Theme) -> Figure:
         hovered = text("at_place", name=name, value=Amount("%{y:.5g}", "MPa"), place=place)
         x, y = from_si("places_mm", places), from_si("pressures_MPa", pressures)
         data.append(curve(name, x, y, index, theme, hovered))
-    for code, at, pressure in zip(
-        ("path_start", "path_end", "pitch_point"), shown.points, shown.point_pressure, strict=True
-    ):
+    for (code, at), pressure in zip(shown.points.items(), shown.point_pressure, strict=True):
         name = text(code)
         hovered = text("at_place", name=name, value=Amount("%{y:.5g}", "MPa"), place=place)
         x, y = float(from_si("place_mm", at)), float(from_si("pressure_MPa", pressure))

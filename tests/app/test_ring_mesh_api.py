@@ -427,3 +427,17 @@ async def test_the_figure_of_involute_teeth_shows_their_pressures(api, theme, ca
     assert pitch["y"] == pytest.approx([stresses["iso_pressure_at_pitch_point_MPa"]], rel=1e-9)
     assert min(line["x"]) <= pitch["x"][0] * (1 + 1e-6)
     assert max(line["x"]) >= max(*path["x"], *pitch["x"]) * (1 - 1e-6)
+    loaded = case["body"] | {"load": case["body"]["load"] | {"application_factor": 1.44}}
+    more = (await api.post(f"{PATH}/chart?theme={theme}", json=loaded)).json()["data"]
+    assert more[3]["y"][0] == pytest.approx(1.2 * end["y"][0], rel=1e-9)
+
+
+async def test_a_path_that_starts_where_there_is_no_involute_has_no_pressure_there(api):
+    gear = {"ring_profile_shift": 0.0, "ring_addendum": 1.2}
+    body = rounded(gear=gear, contact={"eccentricity_mm": 6.0})
+    answer = (await api.post(PATH, json=body)).json()
+    assert answer["geometry"]["start_roll_satellite"] < 0
+    assert "pressure_one_pair_start_MPa" not in answer["stresses"]
+    assert "off_involutes" in [each["code"] for each in answer["warnings"]]
+    names = [each["name"] for each in (await api.post(f"{PATH}/chart", json=body)).json()["data"]]
+    assert names[2:] == ["End of the path", "Pitch point"]
