@@ -13,7 +13,7 @@ from pathlib import Path
 
 LOG = logging.getLogger("khv.compiled")
 
-ONCE = "compiling the load sharing, once an installation: a minute or so"
+ONCE = "compiling the load sharing, once an installation: a minute or two"
 
 CORE = Path(__file__).parent.parent / "core"
 
