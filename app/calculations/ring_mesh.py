@@ -149,7 +149,7 @@ class RingMeshRequest(RequestModel, group="positions"):
     contact: Maybe[RingCrankFields] = None
     gear: Annotated[
         CycloidRingFields | InvoluteRingFields,
-        Field(discriminator="kind"),
+        Field(discriminator="kind", description="Teeth of satellites and ring, by their kind."),
         BeforeValidator(_of_its_kind),
     ]
     contact_law: MeshLawFields = Field(default_factory=MeshLawFields)
