@@ -9,6 +9,7 @@ import os
 import signal
 import subprocess
 import sys
+from contextlib import ExitStack, suppress
 from pathlib import Path
 
 LOG = logging.getLogger("khv.compiled")
@@ -40,14 +41,12 @@ def cached() -> bool:
     return any(file.stat().st_mtime >= changed for file in _files(LAST))
 
 
-def run_once() -> None:
-    """Go through all that is called of what is compiled."""
+def _turns() -> None:
+    """All that is called of pins in holes, over the turn and of pieces."""
     from core.output.contact_law import LinearLaw
     from core.output.mechanism import Mechanism
     from core.output.over_turn import over_turn
     from core.output.real_mechanism import RealMechanism
-    from core.ring.profile import CycloidDisc
-    from core.ring.sharing import CycloidMesh, mesh_over_turn
     from core.tolerance.study import Evaluation, Study, tolerance_study
     from core.tolerance.tolerances import Tolerances
 
@@ -63,12 +62,39 @@ def run_once() -> None:
     assert turn.peak_force > 0 and turn.lost_motion > 0
     asked = Evaluation(("peak_force",), 30.0, positions=4)
     tolerance_study(Study(real, Tolerances(pin_position=1e-5), asked, samples=2))
+
+
+def _meshes() -> None:
+    """All that is called of discs on the pins of their ring."""
+    from core.output.contact_law import LinearLaw
+    from core.ring.profile import CycloidDisc
+    from core.ring.sharing import CycloidMesh, mesh_over_turn
+
     disc = CycloidDisc(
         satellite_teeth=5, eccentricity=0.001, ring_pin_circle_radius=0.02, ring_pin_radius=0.002
     )
     mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01, law=LinearLaw(5e7))
     meshed = mesh_over_turn(mesh=mesh, output_torque=30.0)
     assert meshed.peak_force > 0 and meshed.lost_motion > 0
+
+
+PARTS = {"turns": _turns, "meshes": _meshes}
+"""What is compiled apart from each other."""
+
+
+def run_once() -> None:
+    """Go through all that is called of what is compiled."""
+    for part in PARTS.values():
+        part()
+
+
+def make_part(name: str) -> None:
+    """Make a part of the cache, by its name of `PARTS`; nothing without numba."""
+    from core.output import compiled
+
+    with suppress(ImportError):
+        compiled.load()
+        PARTS[name]()
 
 
 def load() -> None:
@@ -93,7 +119,8 @@ def load() -> None:
 
 
 def make_cache() -> None:
-    """Make the cache in a process of its own, where there is none; a signal to stop ends that too.
+    """Make the cache where there is none, each part in a process of its own; a signal to stop ends
+    them too.
 
     Where it cannot be made, processes for calculations compile as they start.
     """
@@ -101,10 +128,16 @@ def make_cache() -> None:
         return
     LOG.info(ONCE)
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(0))
-    subprocess.run([sys.executable, "-c", "import app.loaded"], check=False)
+    with ExitStack() as ends:
+        codes = (f"from app.compiled import make_part; make_part({name!r})" for name in PARTS)
+        parts = [subprocess.Popen([sys.executable, "-c", code]) for code in codes]
+        for part in parts:
+            ends.callback(part.kill)
+        for part in parts:
+            part.wait()
 
 
 if __name__ == "__main__":
-    if not cached():
-        print(ONCE, file=sys.stderr, flush=True)
+    logging.basicConfig(level=logging.INFO, format="%(message)s")
+    make_cache()
     load()

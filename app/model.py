@@ -716,12 +716,15 @@ class WorkedResponse(ResponseModel):
     worked: Maybe[list[StepOut]] = worked_steps()
 
 
+def assumptions() -> Any:
+    """The field of an answer that says what it assumes."""
+    return Field(description="What was not given and decides; absent where all was.")
+
+
 class AssumingResponse(WorkedResponse):
     """An answer that says what it assumes."""
 
-    assumed: Maybe[list[AssumedOut]] = Field(
-        description="What was not given and decides; absent where all was."
-    )
+    assumed: Maybe[list[AssumedOut]] = assumptions()
 
 
 REPLACED = "The code that this one replaces; for one release."

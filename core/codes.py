@@ -138,8 +138,6 @@ _UNKNOWN = {
     "thin_wall": "It is thinner than usual",
     "near_undercut": "It is close to where the pins of the ring cut off a part of the flanks: "
     "errors of the parts may take what is left",
-    "unusual_shortening": "Cycloid drives mostly have 0.35 to 0.9: below, the ring presses a flat "
-    "disc hard; above, its valleys are narrow and its flanks soon undercut",
     "unusual_teeth": "Only unusual teeth mesh, if any: very low ones, with large profile shifts, "
     "or with hardly any room between the tips",
     "wider_than_satellite": "The bearing is wider than the satellite",
@@ -775,8 +773,8 @@ _CHECKS = {
         "small against the elastic approach.",
     ),
     "dead_centre": _check(
-        "The mechanism cannot transmit torque: no pair drives; where two or three crankshafts "
-        "drive the output, as in an RV, it is another one, which is not calculated"
+        "The mechanism cannot transmit torque (RV drives, whose output two or three crankshafts "
+        "turn, are not calculated): no pair drives"
     ),
     "interference": _check(
         "The hole is smaller than pin radius + eccentricity, {limit:.9g} mm: pin and satellite "

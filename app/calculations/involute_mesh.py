@@ -2,7 +2,6 @@
 of it.
 """
 
-from dataclasses import dataclass
 from typing import ClassVar, Literal
 
 import numpy as np
@@ -16,10 +15,11 @@ from app.calculations.involute_teeth import (
 )
 from app.calculations.ring_mesh_answer import SharedPairsOut
 from app.calculations.ring_mesh_figure import DrawnPath
+from app.calculations.solved import Solved
 from app.model import Maybe, Size, Values, quantity
 from app.units import to_si
 from core.errors import NotKnown
-from core.results import Accuracy, Notice
+from core.results import Notice
 from core.ring.involute import InvolutePair
 from core.ring.involute_load import involute_load, mean_loss_ratio, pressure_along, root_stress
 from core.ring.shared_pairs import pairs_that_carry
@@ -58,15 +58,6 @@ class InvoluteRingFields(InvoluteTeethFields, group="gear"):
     """Of the flanks; without it no loss is answered."""
 
 
-@dataclass(frozen=True, slots=True)
-class SolvedPair:
-    """What is answered of a pair."""
-
-    values: Values
-    accuracies: list[Accuracy]
-    notices: tuple[Notice, ...]
-
-
 def solved_pair(
     *,
     gear: InvoluteRingFields,
@@ -75,7 +66,7 @@ def solved_pair(
     application_factor: float,
     power: float | None,
     asked: set[str],
-) -> SolvedPair:
+) -> Solved:
     """Geometry of a pair, and the sections that are asked for.
 
     Parameters
@@ -95,10 +86,11 @@ def solved_pair(
 
     Returns
     -------
-    SolvedPair
+    Solved
     """
     values: Values = {"kind": "involute", "geometry": InvoluteGeometryOut.values(pair)}
-    accuracies, notices = [pair.accuracy], _notices(pair)
+    solved = Solved(values)
+    solved.take(pair.accuracy, _notices(pair))
     loaded = {"torque": torque, "contact_length": to_si("length_mm", gear.contact_length_mm)}
     factor = application_factor * gear.face_load_factor
     if "stresses" in asked:
@@ -109,25 +101,25 @@ def solved_pair(
             load_factor=factor,
             **loaded,
         )
-        root = None
+        root, unknown = None, tuple[Notice, ...]()
         try:
             found = root_stress(pair=pair, load_factor=factor, **loaded)
             root = RootStressOut.values(found)
         except NotKnown as why:
-            notices.append(Notice(why.code))
+            unknown = (Notice(why.code),)
         values["stresses"] = InvoluteStressesOut.values(load, root=root)
-        accuracies.append(load.accuracy)
+        solved.take(load.accuracy, unknown)
         if gear.friction_coefficient is not None:
             values["efficiency"] = _efficiency(pair, gear.friction_coefficient, power)
     if "shared_pairs" in asked:
         stiffness = to_si("stiffness_N_per_mm", gear.pair_stiffness_N_per_mm)
         carried = pairs_that_carry(pair=pair, stiffness=stiffness, **loaded)
         values["shared_pairs"] = SharedPairsOut.values(carried)
-        accuracies.append(carried.accuracy)
-    return SolvedPair(values, accuracies, tuple(notices))
+        solved.take(carried.accuracy)
+    return solved
 
 
-def _notices(pair: InvolutePair) -> list[Notice]:
+def _notices(pair: InvolutePair) -> tuple[Notice, ...]:
     """What of the teeth does not mesh."""
     found = []
     if not pair.contact_ratio >= 1:
@@ -136,7 +128,7 @@ def _notices(pair: InvolutePair) -> list[Notice]:
         found.append(Notice("off_involutes"))
     if pair.normal_backlash < 0:
         found.append(Notice("teeth_press"))
-    return found
+    return tuple(found)
 
 
 def _efficiency(pair: InvolutePair, friction: float, power: float | None) -> Values:

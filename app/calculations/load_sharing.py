@@ -1,7 +1,7 @@
 """Load sharing with clearance, deviations and elasticity: request and answer."""
 
 import math
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -21,7 +21,8 @@ from app.calculations.load_sharing_figure import Drawn, load_sharing_figure
 from app.calculations.members_answer import at_output
 from app.calculations.real_design import LEFT_OUT, RealDesignFields
 from app.calculations.real_mechanism import DeviationsFields
-from app.model import LARGEST, Angle, Calculation, Maybe, Values, accuracy_values, quantity, warning
+from app.calculations.solved import Solved
+from app.model import LARGEST, Angle, Calculation, Maybe, Values, quantity
 from app.running import run
 from app.settings import Settings
 from app.sources import HARRIS, JOHNSON_1985, YANCHEVSKIY_2021
@@ -37,7 +38,6 @@ from core.output.loaded_position import LoadedPosition, loaded_position
 from core.output.over_turn import OverTurn, over_turn
 from core.output.real_curves import RealCurves, StiffnessCurve, real_curves, stiffness_curve
 from core.output.real_mechanism import Deviations, RealMechanism
-from core.results import Accuracy, Notice
 
 Section = Literal[
     "positions", "over_turn", "curves", "stiffness_curve", "pressure", "ideal", "worked"
@@ -135,7 +135,7 @@ class LoadSharingRequest(CurveFields, RealDesignFields, group="positions"):
         """The mechanism as it is made, in SI units."""
         return self.made(Deviations() if self.deviations is None else self.deviations.section())
 
-    def solve_all(self) -> "Solved":
+    def solve_all(self) -> Solved:
         """What is asked for."""
         real = self.real()
         fit = solvable(real)
@@ -149,7 +149,7 @@ class LoadSharingRequest(CurveFields, RealDesignFields, group="positions"):
         solved.values["fit"] = FitOut.values(fit)
         return solved
 
-    def solve_sections(self, real: RealMechanism, asked: set[Section], solved: "Solved") -> None:
+    def solve_sections(self, real: RealMechanism, asked: set[Section], solved: Solved) -> None:
         """The sections that are asked."""
         pressed = "pressure" in asked
 
@@ -271,33 +271,6 @@ class LoadSharingRequest(CurveFields, RealDesignFields, group="positions"):
             lag_curve=self.lag_curve(real).at_output(members),
             play=play and tuple(map(members.angle_at_output, play)),
         )
-
-
-@dataclass(slots=True)
-class Solved:
-    """Sections of an answer, and what they say of their accuracy and limits."""
-
-    values: Values = field(default_factory=dict)
-    accuracies: list[Accuracy] = field(default_factory=list)
-    notices: dict[str, Notice] = field(default_factory=dict)
-
-    def take(self, accuracy: Accuracy, notices: tuple[Notice, ...] = ()) -> None:
-        """Note what a section says; of notices alike the first, which is the turn's."""
-        self.accuracies.append(accuracy)
-        for notice in notices:
-            self.notices.setdefault(notice.code, notice)
-
-    def answer(self, run_time_us: float) -> Values:
-        """The answer: accuracy by the worst section."""
-        worst = Accuracy(
-            self.accuracies[0].method,
-            max(float(each.relative_error) for each in self.accuracies),
-            sum(each.evaluations for each in self.accuracies),
-        )
-        values = self.values | {"accuracy": accuracy_values(worst, run_time_us)}
-        if self.notices:
-            values["warnings"] = [*map(warning, self.notices.values())]
-        return values
 
 
 BOUNDS = frozenset(

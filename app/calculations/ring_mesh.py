@@ -1,7 +1,7 @@
 """The mesh of satellites with their ring, pins or involute teeth: request and answer."""
 
 import math
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import Annotated, Any, ClassVar, Literal, Self, get_args
 
@@ -30,6 +30,7 @@ from app.calculations.ring_parts import (
     RingLoadFields,
     RingTeethFields,
 )
+from app.calculations.solved import Solved
 from app.model import (
     UNION_TAGS,
     Angle,
@@ -38,10 +39,8 @@ from app.model import (
     RequestModel,
     Size,
     Values,
-    accuracy_values,
     field_error,
     quantity,
-    warning,
 )
 from app.problems import refusal
 from app.running import run
@@ -54,7 +53,6 @@ from core.errors import InvalidInput
 from core.output.contact_law import HertzLaw, LinearLaw
 from core.output.real_curves import real_curves, stiffness_curve
 from core.output.satellite_support import Shares
-from core.results import Accuracy, Notice
 from core.ring.involute import InvolutePair, involute_pair
 from core.ring.loss import RingFriction, ring_loss, sliding_part
 from core.ring.profile import CycloidDisc, Modification, outline_points
@@ -341,12 +339,11 @@ class RingMeshRequest(RequestModel, group="positions"):
         given: float | None = to_si("input_speed_rpm", self.load.input_speed_rpm)
         return given
 
-    def solve_all(self) -> "SolvedMesh":
+    def solve_all(self) -> Solved:
         """What is asked for."""
-        solved, asked = SolvedMesh(), {*self.asked}
         if isinstance(self.gear, InvoluteRingFields):
-            self._solve_pair(self.gear, solved)
-            return solved
+            return self._solve_pair(self.gear)
+        solved, asked = Solved(), {*self.asked}
         mesh = self.mesh
         solved.values |= {"kind": "cycloid", "geometry": RingGeometryOut.values(self.disc)}
         if "ideal" in asked:
@@ -380,14 +377,16 @@ class RingMeshRequest(RequestModel, group="positions"):
             error = to_si("chord_error_mm", self.chord_error_mm)
             points = outline_points(disc=self.disc, chord_error=error)
             solved.values["profile"] = ProfileOut.of(points)
+        if not solved.accuracies:
+            solved.take(self.disc.accuracy)
         return solved
 
-    def _solve_pair(self, gear: InvoluteRingFields, solved: "SolvedMesh") -> None:
+    def _solve_pair(self, gear: InvoluteRingFields) -> Solved:
         speed, own = self.input_speed, self.mechanism
         turning = None
         if speed is not None:
             turning = speed * (own.ring_teeth - own.satellite_teeth) / own.satellite_teeth
-        found = solved_pair(
+        return solved_pair(
             gear=gear,
             pair=self.pair,
             torque=self.satellite_torque,
@@ -395,9 +394,6 @@ class RingMeshRequest(RequestModel, group="positions"):
             power=None if turning is None else turning * self.load.output_torque_Nm,
             asked={*self.asked},
         )
-        solved.values |= found.values
-        for accuracy in found.accuracies:
-            solved.take(accuracy, found.notices)
 
     @property
     def angles(self) -> list[float]:
@@ -405,7 +401,7 @@ class RingMeshRequest(RequestModel, group="positions"):
         angles: list[float] = to_si("crank_angle_deg", self.crank_angle_deg)
         return angles
 
-    def _position(self, angle: float, solved: "SolvedMesh") -> Values:
+    def _position(self, angle: float, solved: Solved) -> Values:
         found = mesh_position(mesh=self.mesh, crank_angle=angle, output_torque=self.torque)
         solved.take(found.accuracy, found.notices)
         speed = None
@@ -447,41 +443,13 @@ class RingMeshRequest(RequestModel, group="positions"):
         )
 
 
-@dataclass(slots=True)
-class SolvedMesh:
-    """Sections of an answer, and what they say of their accuracy and limits."""
-
-    values: Values = field(default_factory=dict)
-    accuracies: list[Accuracy] = field(default_factory=list)
-    notices: dict[str, Notice] = field(default_factory=dict)
-
-    def take(self, accuracy: Accuracy, notices: tuple[Notice, ...] = ()) -> None:
-        """Note what a section says; of notices alike the first."""
-        self.accuracies.append(accuracy)
-        for notice in notices:
-            self.notices.setdefault(notice.code, notice)
-
-
-CLOSED = Accuracy("closed_form", 1e-15, 1)
-"""Of geometry and outline."""
-
-
 def solve(body: RingMeshRequest) -> Values:
     """Geometry, forces, lag, play and stiffness of cycloid discs on the pins of their ring, with
     modification, deviations and elasticity, at crank angles and over the turn; or the path of
     contact, interferences and stresses of involute teeth.
     """
     solved, run_time_us = run(body, body.solve_all)
-    found = solved.accuracies or [CLOSED]
-    worst = Accuracy(
-        found[0].method,
-        max(float(each.relative_error) for each in found),
-        sum(each.evaluations for each in found),
-    )
-    values = solved.values | {"accuracy": accuracy_values(worst, run_time_us)}
-    if solved.notices:
-        values["warnings"] = [*map(warning, solved.notices.values())]
-    return values
+    return solved.answer(run_time_us)
 
 
 def figure(body: RingMeshRequest, theme: Theme = "light") -> Figure:

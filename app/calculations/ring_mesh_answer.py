@@ -5,7 +5,15 @@ from typing import Literal
 from app.calculations.involute_teeth import InvoluteGeometryOut, InvoluteStressesOut
 from app.calculations.load_sharing_answer import StiffnessCurveOut
 from app.calculations.mechanism import PairOut
-from app.model import AccuracyOut, AssumingResponse, Maybe, ResponseModel, WarningOut, result
+from app.model import (
+    AccuracyOut,
+    AssumedOut,
+    Maybe,
+    ResponseModel,
+    WarningOut,
+    assumptions,
+    result,
+)
 from app.units import from_si
 from core.ring.profile import OutlinePoints
 
@@ -194,9 +202,10 @@ class SharedPairsOut(ResponseModel):
     )
 
 
-class RingMeshResponse(AssumingResponse):
+class RingMeshResponse(ResponseModel):
     """The sections that were asked for."""
 
+    assumed: Maybe[list[AssumedOut]] = assumptions()
     kind: Literal["cycloid", "involute"] = result("What the ring is.")
     geometry: RingGeometryOut | InvoluteGeometryOut
     stresses: Maybe[InvoluteStressesOut] = None

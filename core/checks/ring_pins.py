@@ -11,9 +11,6 @@ from core.errors import NotKnown
 from core.precision import AS_TYPED
 from core.ring.profile import CycloidDisc
 
-USUAL_SHORTENING = (0.35, 0.9)
-"""Between which shortening coefficients of cycloid drives mostly lie: custom, of no source."""
-
 NEAR_UNDERCUT = 1.1
 """Least bend of the pins' path over their radius for which errors leave a part of the flank."""
 
@@ -65,27 +62,6 @@ def _lobes(design: Design) -> int:
     if abs(lobes - round(lobes)) > AS_TYPED * lobes:
         raise NotKnown("ratio_not_whole", ratio=ratio)
     return round(lobes)
-
-
-@_ring(
-    "ring_shortening",
-    title="Shortening of the cycloid",
-    formula="e·(u + 1)/R_p < 1",
-    why="Otherwise the path of the ring's pins in the satellite crosses itself: there is no such "
-    "disc.",
-    inputs=_PATH,
-    fixes=(),
-    source="usual_shortening",
-)
-def ring_shortening(design: Design, results: Results) -> Check:
-    if other := _none(design, results, ring_shortening):
-        return other
-    value = design.known_eccentricity * (design.mechanism.ratio + 1) / _circle(design)
-    low, high = USUAL_SHORTENING
-    found = judged(ring_shortening, value, 1.0)
-    if low <= value <= high:
-        return found
-    return found._replace(status="marginal", warning=True, reason="unusual_shortening")
 
 
 @_ring(
@@ -149,4 +125,4 @@ def ring_pin_room(design: Design, results: Results) -> Check:
     return wall(ring_pin_room, width=width, size=size, guide=2 * BETWEEN_PINS * size)
 
 
-RING_PINS = (ring_shortening, ring_undercut, ring_pin_room)
+RING_PINS = (ring_undercut, ring_pin_room)

@@ -79,7 +79,6 @@ CHECK_SOURCES = {
     "ones are tried from −1 to 2 and from 0.1 to 1.5",
     "tilt_guide": "Tribology Handbook, A22: a slope for which the formula of the life holds",
     "track_rollers": "catalogue of SKF: 0.0167 of the static rating of track rollers",
-    "usual_shortening": "geometry; usual are 0.35 to 0.9, a custom of which no source was seen",
     "user": "the limit that was asked",
     "wang_2016": "Wang, Luo, Su 2016, eqs 32, 33, and the wall that was asked",
     "yanchevskiy_2021": "Yanchevskiy, Niekhoroshykh 2021",

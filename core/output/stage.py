@@ -135,19 +135,3 @@ class Stage:
         """
         pins = self.mechanism.pins
         return tuple(tuple(values[i : i + pins]) for i in range(0, len(values), pins))
-
-    def hardest_pair(self, force: Sequence[float]) -> int:
-        """Index of the pair with the largest pressure, which grows with the force times the
-        difference of the curvatures.
-
-        Parameters
-        ----------
-        force : sequence of float, K*N
-            Force of each pair, N.
-
-        Returns
-        -------
-        int
-        """
-        curved = [f * curved for f, curved in zip(force, self.pairs.curved, strict=True)]
-        return curved.index(max(curved))

@@ -119,9 +119,8 @@ def pressure_along(
     check_positive(torque=torque, contact_length=contact_length, load_factor=load_factor)
     modulus = effective_modulus(first=satellite_material, second=ring_material)
     line, force = pair.line, pair_force(pair=pair, torque=torque).normal
-    convex = line.satellite_base * np.where(np.greater(roll, 0), roll, np.nan)
-    curvature = line.base_distance / (convex * (convex + line.base_distance))
-    return np.sqrt(load_factor * force / contact_length * modulus / math.pi * curvature)
+    reduced = line.reduced_radius(np.where(np.greater(roll, 0), roll, np.nan))
+    return np.sqrt(load_factor * force / contact_length * modulus / (math.pi * reduced))
 
 
 def involute_load(

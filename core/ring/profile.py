@@ -18,9 +18,13 @@ import numpy as np
 from core.arrays import ComplexArray, FloatArray, check_finite, check_positive, check_single
 from core.errors import InvalidInput
 from core.precision import ROUNDING
+from core.results import Accuracy
 
 MOST_POINTS = 200_000
 """Most points of an outline."""
+
+LEAST_POINTS = 4
+"""Least points of a lobe."""
 
 LOOKED = 2000
 """Places of a lobe at which its sharpest bend is looked for."""
@@ -161,6 +165,17 @@ class CycloidDisc:
         radius = self.valley_radius + self.tool_radius
         return radius if math.isfinite(radius) else None
 
+    @property
+    def accuracy(self) -> Accuracy:
+        """Of these sizes: rounding, of which more is left where the tool's path nearly has a cusp
+        in its valleys, hardly bends there, or where hardly anything is left of the disc.
+        """
+        k, bends = self.shortening, self.shortening * self.pins
+        lost = 1 / (1 - k) + self.tool_circle_radius / abs(self.root_radius or math.inf)
+        if bends > 1:
+            lost += bends / (bends - 1)
+        return Accuracy("closed_form", 8 * ROUNDING * lost, 1)
+
     def refuse_undercut(self) -> None:
         """Refuse a disc whose tool cuts off a part of its flanks.
 
@@ -273,7 +288,7 @@ def outline_points(*, disc: CycloidDisc, chord_error: float) -> OutlinePoints:
     Raises
     ------
     InvalidInput
-        If the disc is undercut, or that would take more than `MOST_POINTS`.
+        If the disc is undercut, or that would take more than `MOST_POINTS`, or its lobes do.
 
     Notes
     -----
@@ -297,9 +312,14 @@ def outline_points(*, disc: CycloidDisc, chord_error: float) -> OutlinePoints:
     bends = (disc.tool_circle_radius * disc.slope(places)) ** 2
     bends = bends * np.abs((1 - disc.tool_radius * path) * path)
     most = BETWEEN * float(bends.max())
-    each = max(math.ceil(lobe / math.sqrt(8 * chord_error / most)), 4)
+    each = max(math.ceil(lobe / math.sqrt(8 * chord_error / most)), LEAST_POINTS)
     if each * disc.satellite_teeth > MOST_POINTS:
-        least = most * (lobe / (MOST_POINTS // disc.satellite_teeth)) ** 2 / 8
+        fit = MOST_POINTS // disc.satellite_teeth
+        if fit < LEAST_POINTS:
+            lobes = disc.satellite_teeth
+            limit = MOST_POINTS // LEAST_POINTS
+            raise InvalidInput("satellite_teeth", lobes, "less_than_equal", limit=limit)
+        least = most * (lobe / fit) ** 2 / 8
         raise InvalidInput("chord_error", chord_error, "greater_than_equal", limit=least)
     count = each * disc.satellite_teeth
     t = 2 * math.pi * np.arange(count) / count

@@ -118,16 +118,28 @@ def test_a_broken_cache_is_made_anew(elsewhere, monkeypatch):
 
 
 def test_a_service_without_a_cache_makes_one_first(elsewhere, monkeypatch, caplog):
-    run = []
-    monkeypatch.setattr(subprocess, "run", lambda command, check: run.append(command[1:]))
+    run, ended = [], []
+
+    class Part:
+        def __init__(self, command):
+            run.append(command[2])
+
+        def wait(self):
+            ended.append("waited")
+
+        def kill(self):
+            ended.append("killed")
+
+    monkeypatch.setattr(subprocess, "Popen", Part)
     monkeypatch.setattr(signal, "signal", lambda *_: None)
     with caplog.at_level("INFO", logger="khv.compiled"):
         compiled.make_cache()
-        assert run == [["-c", "import app.loaded"]]
+        named = [[name for name in compiled.PARTS if repr(name) in code] for code in run]
+        assert named == [["turns"], ["meshes"]] and ended == ["waited"] * 2 + ["killed"] * 2
         assert "once an installation" in caplog.text
         (elsewhere / f"sharing_kernel.{compiled.LAST}-1.py311.nbi").touch()
         compiled.make_cache()
-    assert len(run) == len(caplog.records) == 1
+    assert len(run) == 2 and len(caplog.records) == 1
 
 
 def test_a_cache_can_be_read_where_it_cannot_be_written(elsewhere, monkeypatch):

@@ -1,4 +1,4 @@
-"""What geometry says of a ring of pins: shortening, undercut and room, against sampled paths and
+"""What geometry says of a ring of pins: undercut and room, against sampled paths and
 places of pins.
 """
 
@@ -19,7 +19,7 @@ from tests.inputs.checks import REF, check_of, having
 from tests.oracles.teeth import cycloid_margin
 
 CIRCLE = 0.084
-CODES = ("ring_shortening", "ring_undercut", "ring_pin_room")
+CODES = ("ring_undercut", "ring_pin_room")
 
 
 def on_pins(
@@ -49,30 +49,12 @@ def teeth_of(design: Design) -> str:
     return teeth.status
 
 
-@pytest.mark.parametrize(
-    ("shortening", "said"),
-    [
-        (0.349, "unusual_shortening"),
-        (0.351, ""),
-        (0.899, ""),
-        (0.901, "unusual_shortening"),
-        (0.999, "unusual_shortening"),
-    ],
-)
-def test_an_unusual_shortening_is_told_and_fails_nothing(shortening: float, said: str) -> None:
-    found = check_of("ring_shortening", on_pins(lobes=11, shortening=shortening, radius=None))
-    assert found.value == pytest.approx(shortening, rel=1e-12) and found.limit == 1.0
-    assert (found.status, found.reason) == ("marginal" if said else "pass", said)
-    assert found.warning == bool(said) and not found.impossible
-
-
 def test_a_path_that_crosses_itself_is_refused() -> None:
     design = on_pins(lobes=11, shortening=1 + 1e-9)
-    for code in ("ring_shortening", "ring_undercut"):
-        with pytest.raises(InvalidInput) as refusal:
-            check_of(code, design)
-        where = refusal.value.parameter, refusal.value.code
-        assert where == ("gear.ring_pin_circle_radius", "no_cycloid")
+    with pytest.raises(InvalidInput) as refusal:
+        check_of("ring_undercut", design)
+    where = refusal.value.parameter, refusal.value.code
+    assert where == ("gear.ring_pin_circle_radius", "no_cycloid")
 
 
 @pytest.mark.parametrize(
@@ -163,7 +145,6 @@ def test_what_is_not_known_is_not_judged() -> None:
     for code in ("ring_undercut", "ring_pin_room"):
         found = unknown(code, uneven)
         assert (found.reason, found.params) == ("ratio_not_whole", {"ratio": 20.25})
-    assert judged("ring_shortening", uneven) == ("pass", "")
     crossed = on_pins(lobes=40, shortening=0.5, radius=0.001, difference=2)
     found = unknown("ring_undercut", crossed)
     assert (found.reason, found.params) == ("cycloid_difference", {"difference": 2})

@@ -368,7 +368,7 @@ MISSING: dict[str, tuple[Design, tuple[str, ...], tuple[str, ...]]] = {
             eccentricity=None,
             gear=Ring(kind="cycloid", ring_pin_circle_radius=0.084, ring_pin_radius=0.004),
         ),
-        ("gear_room", "ring_shortening", "ring_undercut"),
+        ("gear_room", "ring_undercut"),
         ("contact.eccentricity",),
     ),
     "rating": (

@@ -51,8 +51,8 @@ test("a mechanism that cannot work is a sentence with its place", async () => {
     status: 422, where: { crank_angle_deg: 85.714285714 },
     errors: [{ pointer: "", code: "dead_centre", params: { crank_angle_deg: 85.714285714 }, detail: "no pair drives" }],
   });
-  const text = "The mechanism cannot transmit torque: no pair drives; where two or three crankshafts drive the output, as in an RV, "
-    + "it is another one, which is not calculated (crank angle = 85.7143°)";
+  const text = "The mechanism cannot transmit torque (RV drives, whose output two or three crankshafts turn, are not calculated): "
+    + "no pair drives (crank angle = 85.7143°)";
   assert.equal(problemText(refusal, TITLES), text);
   assert.deepEqual(refusalTexts(refusal, [], TITLES), { at: {}, elsewhere: [text] });
   await useLanguage("uk");
