@@ -14,6 +14,8 @@ from app.calculations.load_sharing import LoadSharingRequest
 from app.calculations.meshing_load import MeshingLoadRequest
 from app.calculations.output_efficiency import OutputEfficiencyRequest
 from app.calculations.pin_strength import PinStrengthRequest
+from app.calculations.ring_mesh import RingMeshRequest
+from app.calculations.ring_parts import CycloidRingFields
 from app.calculations.roller_strength import RollerStrengthRequest
 from app.calculations.satellite_bearing import SatelliteBearingRequest
 from app.calculations.shaft_deflection import ShaftDeflectionRequest
@@ -26,6 +28,7 @@ from app.units import to_si
 from core.design.results import Results
 from core.errors import InvalidInput
 from core.results import METHODS
+from core.ring.sharing import MeshTurn
 from core.rollers.roller_strength import roller_gaps
 from core.work_precision.contact import contact_pressure_study
 from core.work_precision.means import (
@@ -260,6 +263,28 @@ class LoadSharingStudy(Study):
         return study(real=self.input.real(), output_torque=self.input.torque)
 
 
+class ComparedMeshRequest(RingMeshRequest):
+    """Cycloid discs on the pins of their ring: of involute teeth all is in closed form."""
+
+    gear: CycloidRingFields
+
+
+class RingMeshStudy(Study):
+    """Peak force of cycloid discs on the pins of their ring."""
+
+    calculation: Literal["ring-mesh"] = compared()
+    input: ComparedMeshRequest
+
+    def solve(self) -> WorkPrecision:
+        """The study."""
+        return real_peak_study(
+            real=self.input.mesh,
+            output_torque=self.input.torque,
+            over=MeshTurn,
+            pins="ring_teeth",
+        )
+
+
 class FitStudy(Study):
     """Least room of the pins in their holes over the turn."""
 
@@ -309,6 +334,7 @@ WorkPrecisionRequest = Annotated[
     | RollerSharingStudy
     | ShaftDeflectionStudy
     | LoadSharingStudy
+    | RingMeshStudy
     | FitStudy
     | ToleranceSamplingStudy,
     Field(discriminator="calculation"),

@@ -31,6 +31,7 @@ class Stage:
     """Output pins in the holes of satellites, or a ring on the teeth of satellites."""
 
     mechanism: Mechanism  # pins and cranks; of a ring the wave turns with the crank
+    support: Any  # what of the satellites gives, or their given shares; None where they are rigid
 
     @property
     def pairs(self) -> Any:

@@ -10,13 +10,13 @@ import numpy as np
 from core.arrays import ComplexArray, FloatArray, Number
 from core.output.edge_load import IDLE, SlopingContacts
 from core.output.mechanism import Mechanism
-from core.output.over_turn import over_turn
+from core.output.over_turn import OverTurn
 from core.output.peak_force import peak_force
 from core.output.pin_forces import approximate_peak_ratio, force_ratios
 from core.output.pin_strength import PinStresses, pin_stresses
 from core.output.pin_turn import PinTurn, all_pairs, pin_turn
-from core.output.real_mechanism import RealMechanism
 from core.output.sharing_kernel import FORCE
+from core.output.stage import Stage
 from core.output.summits import Grid, all_summits, summits
 from core.output.turn import Turn
 from core.work_precision.exact import pair_forces, pair_phases
@@ -408,7 +408,9 @@ def _forget() -> None:
     all_pairs.cache_clear()
 
 
-def real_peak_study(*, real: RealMechanism, output_torque: float) -> WorkPrecision:
+def real_peak_study(
+    *, real: Stage, output_torque: float, over: type[OverTurn] = OverTurn, pins: str = "pins"
+) -> WorkPrecision:
     """Error against run time of the peak force over the turn, with clearance and errors.
 
     Samples miss the peak, always downwards: a bias, not a scatter. One summit narrowed is a
@@ -416,10 +418,15 @@ def real_peak_study(*, real: RealMechanism, output_torque: float) -> WorkPrecisi
 
     Parameters
     ----------
-    real : RealMechanism
-        The mechanism, of at most `MAX_REAL_PAIRS` pairs, or `MAX_COMPLIANT_PAIRS`.
+    real : Stage
+        Pins in holes or a ring on teeth, of at most `MAX_REAL_PAIRS` pairs, or
+        `MAX_COMPLIANT_PAIRS` where satellites give or have given shares.
     output_torque : float
         Torque T on the output link, N*m, not 0; negative in reverse.
+    over : type
+        Extremes of such a stage.
+    pins : str
+        What the number of its pins is called.
 
     Returns
     -------
@@ -431,10 +438,10 @@ def real_peak_study(*, real: RealMechanism, output_torque: float) -> WorkPrecisi
     InvalidInput
         If there are too many pairs.
     ImpossibleMechanism
-        See `RealMechanism.solved`.
+        See `Stage.solved`.
     """
     limit = MAX_REAL_PAIRS if real.support is None else MAX_COMPLIANT_PAIRS
-    refuse_many_pairs(mechanism=real.mechanism, limit=limit)
+    refuse_many_pairs(mechanism=real.mechanism, limit=limit, pins=pins)
     turn, start = Turn(real, output_torque), real.mechanism.initial_crank_angle
     narrow = turn.narrow(FORCE)
 
@@ -449,7 +456,7 @@ def real_peak_study(*, real: RealMechanism, output_torque: float) -> WorkPrecisi
         return summits(grid=grid(count), narrow=narrow, most=1)[0].height, count
 
     def zoomed(_: float) -> Outcome:
-        found = over_turn(real=real, output_torque=output_torque)
+        found = over(Turn(real, output_torque))
         return found.peak_force, found.accuracy.evaluations
 
     def dense() -> float:

@@ -137,7 +137,7 @@ def _measured(method: Method, setting: Setting, exact: Sequence[Any]) -> WorkPoi
     )
 
 
-def refuse_many_pairs(*, mechanism: Mechanism, limit: int) -> None:
+def refuse_many_pairs(*, mechanism: Mechanism, limit: int, pins: str = "pins") -> None:
     """Refuse what its reference would take too long for.
 
     Parameters
@@ -146,6 +146,8 @@ def refuse_many_pairs(*, mechanism: Mechanism, limit: int) -> None:
         Pins, satellites, ratio.
     limit : int
         Most pairs.
+    pins : str
+        What their number is called: that of a ring has another name.
 
     Raises
     ------
@@ -154,7 +156,7 @@ def refuse_many_pairs(*, mechanism: Mechanism, limit: int) -> None:
     """
     if mechanism.pins * mechanism.satellites > limit:
         raise InvalidInput(
-            "pins",
+            pins,
             mechanism.pins,
             "too_many_pairs",
             limit=limit // mechanism.satellites,

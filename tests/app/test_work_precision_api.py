@@ -382,6 +382,25 @@ async def test_more_angles_miss_less_of_the_turn_and_a_search_between_them_next_
     assert answer["chosen"]["relative_error"] < min(2e-8, errors[-1])
 
 
+async def test_positions_of_a_ring_miss_its_peak_downwards(api):
+    own = REQUESTS["ring-mesh"] | {"deviations": {"ring_pin_radial_mm": [0.005] + 19 * [0.0]}}
+    own["mechanism"] = own["mechanism"] | {"satellites": 1}
+    body = {"calculation": "ring-mesh", "input": own}
+    answer = (await api.post("work-precision", json=body)).json()
+    assert answer["reference"]["digits"] == 12
+    sampling = [point for point in answer["points"] if point["method"] == "sampling"]
+    errors = [point["relative_error"] for point in sampling]
+    assert errors[0] > 20 * errors[-1] > 0
+    assert answer["chosen"] in answer["points"]
+    assert answer["chosen"]["relative_error"] < 1e-9
+    many = own | {"mechanism": own["mechanism"] | {"satellites": 2}}
+    refused = (await api.post("work-precision", json=body | {"input": many})).json()["errors"]
+    assert refused[0]["pointer"] == "/input/mechanism/ring_teeth"
+    teeth = {"gear": {"kind": "involute", "module_mm": 2, "contact_length_mm": 10}}
+    refused = (await api.post("work-precision", json=body | {"input": own | teeth})).json()
+    assert refused["errors"][0]["pointer"].startswith("/input/gear")
+
+
 async def test_a_study_of_holes_that_hold_no_pins_is_refused(api):
     own = REQUESTS["fit"]
     body = {
