@@ -74,7 +74,8 @@ def _fix(results: Results, code: str, variable: str, current: Verdict) -> Fix | 
         reserve = found.torque_reserve
         return found if reserve is None else found._replace(torque_reserve=reserve * factor)
 
-    solved = group in STRENGTH or (group == "contact" and results.solved)
+    estimated = group in ("contact", "gear") and check.rough
+    solved = group in STRENGTH or estimated or (group == "contact" and results.solved)
     if solved and variable not in WHOLE:
         exact = _secant(lambda value: _met(change(value)), cure.before)
         return None if exact is None else _checked(cure, exact)
