@@ -61,7 +61,7 @@ def _chosen(request: Any, check: Check, variable: str, current: Verdict) -> Fix 
     for after in others:
         other = reposted(request, {f"/{section}/{name}": after})
         try:
-            if not beyond(aimed(other.design, check)) >= 0:
+            if not beyond(aimed(design=other.design, check=check)) >= 0:
                 continue
             found = crank_verdict(other.results)
         except CalculationError:  # another class makes no design of it

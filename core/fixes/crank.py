@@ -70,7 +70,7 @@ def _fix(results: Results, code: str, variable: str, current: Verdict) -> Fix | 
         return None
 
     def change(value: float) -> Check:
-        return aimed(vary(design=design, variable=variable, value=value), check)
+        return aimed(design=vary(design=design, variable=variable, value=value), check=check)
 
     solved = group in STRENGTH or (group == "contact" and results.solved)
     if solved and variable not in WHOLE:
@@ -79,7 +79,7 @@ def _fix(results: Results, code: str, variable: str, current: Verdict) -> Fix | 
     return fix_of(cure=cure, change=change)
 
 
-def aimed(design: Design, check: Check) -> Check:
+def aimed(*, design: Design, check: Check) -> Check:
     """A check of another design, under so many times the torque as a fix of it is to bear.
 
     Parameters
