@@ -118,9 +118,7 @@ async def test_a_fix_chooses_the_weakest_material_that_bears_the_load(api: Any) 
         },
         "include": ["checks", "fixes"],
     }
-    (chosen,) = [
-        fix for fix in (await answered(api, body))["fixes"] if isinstance(fix["to"], str)
-    ]
+    (chosen,) = [fix for fix in (await answered(api, body))["fixes"] if isinstance(fix["to"], str)]
     assert chosen["code"] == "contact_pressure_hole" and chosen["from"] == "steel_structural"
     table = (await api.get("materials")).json()["materials"]
     limits = {
