@@ -113,7 +113,7 @@ requirements: .venv/run  ## pin what pyproject.toml asks for, and what that need
 	$(PIP_INSTALL) uv
 	$(COMPILE) -o requirements/run.txt
 	$(COMPILE) --extra dask -c requirements/run.txt -o requirements/dask.txt
-	$(COMPILE) --extra test -c requirements/run.txt -o requirements/test.txt
+	$(COMPILE) --extra test -c requirements/dask.txt -o requirements/test.txt
 
 audit:  ## look for known weaknesses of the pinned packages
 	@tests/audit.sh
