@@ -96,10 +96,9 @@ the lag at each.
 RING_GAPS = (*RING_PINS, "gear.modification.rotation")
 """Of these gaps."""
 
-RING_SHARING = (
+RING_GIVES = (
     *RING_GAPS,
     "gear.ring_pin_radius",
-    "load.output_torque",
     "gear.contact_length",
     "gear.pin_material",
     "gear.disc_material",
@@ -112,12 +111,17 @@ RING_SHARING = (
     "contact.hole_material",
     "satellite_coupling",
 )
-"""Of the forces on these pins."""
+"""Of how these pins share a torque."""
+
+RING_SHARING = (*RING_GIVES, "load.output_torque")
+"""Of the forces on them."""
+
+UNEVEN = ("contact.distribution_factor", "contact.distribution_of")
+"""Of a share that is stated."""
 
 RING_LOADED = (
     *RING_SHARING,
-    "contact.distribution_factor",
-    "contact.distribution_of",
+    *UNEVEN,
     "contact.dynamic_factor",
     "load.application_factor",
 )

@@ -6,13 +6,22 @@ from functools import partial
 from typing import Any, get_args
 
 from core.checks.check import Check, Kind, Measure, design_check, judged
-from core.checks.inputs import LIFE, RING_GAPS, RING_LOADED, RING_SHARING, SPEEDS
+from core.checks.inputs import (
+    LIFE,
+    RING_GAPS,
+    RING_GIVES,
+    RING_LOADED,
+    RING_SHARING,
+    SPEEDS,
+    UNEVEN,
+)
 from core.checks.pin_contact import whence
 from core.checks.ring_pins import no_ring_pins
 from core.design.document import Design
 from core.design.results import Results
 from core.design.sections import RingBody
 from core.errors import NotKnown
+from core.materials import ElasticMaterial
 from core.ring.sharing import MeshTurn
 
 FIRST_ORDER = 0.02
@@ -39,14 +48,35 @@ def _error(turn: MeshTurn) -> float:
     source="ring_mesh",
 )
 def ring_pressed(design: Design, results: Results) -> Check:
-    if other := no_ring_pins(design, results, ring_pressed):
+    if other := no_ring_pins(results=results, kind=ring_pressed):
         return other
     return judged(ring_pressed, max(turn.interference for turn in results.ring_working[:1]), 0.0)
 
 
+NAMES: dict[RingBody, str] = {"pin": "pins of the ring", "disc": "discs on the ring"}
+
+MATERIALS: dict[RingBody, str] = {"pin": "gear.pin_material", "disc": "contact.hole_material"}
+
+
+def _pressed(turn: MeshTurn, body: RingBody) -> tuple[float, dict[str, Any]]:
+    """Largest pressure over the turn, Pa, and where it is reached."""
+    value = turn.max_pressure
+    if value is None:
+        raise NotKnown("limit_unknown", MATERIALS[body])
+    pair, angle = turn.hardest_place
+    return value, {"satellite": pair.satellite, "pin": pair.pin, "crank_angle": angle}
+
+
+def _no_limit(
+    kind: Kind, body: RingBody, material: ElasticMaterial, value: float, at: dict[str, Any]
+) -> Check:
+    """A check of a pressure of which the material has no limit."""
+    unknown = "limit_unknown" if material.plastic is None else "plastic_limit_unknown"
+    missing = (f"{MATERIALS[body]}.allowable_pressure",)
+    return Check(kind, "not_checked", value=value, reason=unknown, at=at, missing=missing)
+
+
 def _pressure(body: RingBody) -> Kind:
-    names = {"pin": "pins of the ring", "disc": "discs on the ring"}
-    material_of = {"pin": "gear.pin_material", "disc": "contact.hole_material"}[body]
 
     def limits(design: Design, results: Results) -> dict[str, Any]:
         """Of a material that has a limit."""
@@ -60,29 +90,21 @@ def _pressure(body: RingBody) -> Kind:
     @_check(
         f"ring_pressure_{body}",
         unit="MPa",
-        title=f"Contact pressure of the {names[body]}",
+        title=f"Contact pressure of the {NAMES[body]}",
         formula="p ≤ p_all·Z_NT/S",
-        why=f"Above it the surface of the {names[body]} pits within the life.",
+        why=f"Above it the surface of the {NAMES[body]} pits within the life.",
         inputs=(*RING_LOADED, *LIFE, "requirements.pitting_safety"),
         fixes=("gear.contact_length", "load.output_torque"),
         source="ring_mesh",
         known=limits,
     )
     def pressure(design: Design, results: Results) -> Check:
-        if other := no_ring_pins(design, results, pressure):
+        if other := no_ring_pins(results=results, kind=pressure):
             return other
-        turn, material = results.ring_loading, design.lasting_teeth.get(body)
-        value = turn.max_pressure
-        if material is None or value is None:
-            raise NotKnown("limit_unknown", material_of)
-        pair, angle = turn.hardest_place
-        at = {"satellite": pair.satellite, "pin": pair.pin, "crank_angle": angle}
+        turn, material = results.ring_loading, design.lasting_teeth[body]
+        value, at = _pressed(turn, body)
         if material.limit is None:
-            unknown = "limit_unknown" if material.plastic is None else "plastic_limit_unknown"
-            missing = (f"{material_of}.allowable_pressure",)
-            return Check(
-                pressure, "not_checked", value=value, reason=unknown, at=at, missing=missing
-            )
+            return _no_limit(pressure, body, material, value, at)
         known = limits(design, results)
         found = judged(
             pressure,
@@ -103,6 +125,45 @@ def _pressure(body: RingBody) -> Kind:
     return pressure
 
 
+def _static(body: RingBody) -> Kind:
+    @_check(
+        f"ring_static_{body}",
+        unit="MPa",
+        title=f"Contact pressure of the {NAMES[body]} at the peak torque",
+        formula="p(T_max) ≤ p_static",
+        why=f"Above it the surface of the {NAMES[body]} is dented at once.",
+        inputs=(*RING_GIVES, *UNEVEN, "load.peak_torque"),
+        fixes=("gear.contact_length", "load.peak_torque"),
+        source="static_pressure",
+    )
+    def static(design: Design, results: Results) -> Check:
+        if other := no_ring_pins(results=results, kind=static):
+            return other
+        if design.load.peak_torque is None:
+            missing = ("load.peak_torque",)
+            return Check(static, "not_asked", reason="no_peak_torque", missing=missing)
+        turn, material = results.ring_static[0], design.lasting_teeth[body]
+        value, at = _pressed(turn, body)
+        limit, source = material.static_pressure, dict[str, str]()
+        if limit is None:  # what it bears for ever it bears once; beyond that nothing is known
+            lasting = material.limit
+            if lasting is None or value > lasting.pressure:
+                return _no_limit(static, body, material, value, at)
+            limit, source = float(lasting.pressure), whence(lasting)
+        return judged(
+            static,
+            value,
+            limit,
+            reserve=(limit / value) ** 2,
+            error=_error(turn),
+            rough=True,
+            at=at,
+            **source,
+        )
+
+    return static
+
+
 @_check(
     "ring_backlash",
     title="Backlash of the teeth",
@@ -116,7 +177,7 @@ def _pressure(body: RingBody) -> Kind:
 )
 def ring_backlash(design: Design, results: Results) -> Check | Measure:
     """Not looked for where nobody asks."""
-    if other := no_ring_pins(design, results, ring_backlash):
+    if other := no_ring_pins(results=results, kind=ring_backlash):
         return other
     if design.requirements.max_ring_backlash is None:
         raise NotKnown("no_limit")
@@ -137,7 +198,7 @@ def ring_backlash(design: Design, results: Results) -> Check | Measure:
 )
 def ring_transmission_error(design: Design, results: Results) -> Check | Measure:
     """Under the torque itself; not looked for where nobody asks."""
-    if other := no_ring_pins(design, results, ring_transmission_error):
+    if other := no_ring_pins(results=results, kind=ring_transmission_error):
         return other
     if design.requirements.max_transmission_error is None:
         raise NotKnown("no_limit")
@@ -145,11 +206,11 @@ def ring_transmission_error(design: Design, results: Results) -> Check | Measure
     return Measure(design.members.angle_at_output(worst))
 
 
-def _bends(design: Design, results: Results, kind: Kind) -> Check | None:
+def _bends(results: Results, kind: Kind) -> Check | None:
     """A check of pins that do not bend; None where they do."""
-    if other := no_ring_pins(design, results, kind):
+    if other := no_ring_pins(results=results, kind=kind):
         return other
-    if design.gear.pin_support == "seat":
+    if results.design.gear.pin_support == "seat":
         return Check(kind, "not_applicable", reason="pins_in_seats")
     return None
 
@@ -165,7 +226,7 @@ def _bends(design: Design, results: Results, kind: Kind) -> Check | None:
     source="pin_beam",
 )
 def ring_pin_stress(design: Design, results: Results) -> Check:
-    if other := _bends(design, results, ring_pin_stress):
+    if other := _bends(results, ring_pin_stress):
         return other
     found, material = results.ring_pins, design.gear.pin_material
     strength = None if material is None else material.loaded_strength("pin")
@@ -202,7 +263,7 @@ def ring_pin_stress(design: Design, results: Results) -> Check:
 )
 def ring_pin_fatigue(design: Design, results: Results) -> Check:
     """Not known: notch and endurance of these pins are not asked for."""
-    if other := _bends(design, results, ring_pin_fatigue):
+    if other := _bends(results, ring_pin_fatigue):
         return other
     return Check(ring_pin_fatigue, "not_checked", reason="ring_fatigue_unknown")
 
@@ -219,7 +280,7 @@ def ring_pin_fatigue(design: Design, results: Results) -> Check:
     asks="max_slope",
 )
 def ring_pin_slope(design: Design, results: Results) -> Check | Measure:
-    if other := _bends(design, results, ring_pin_slope):
+    if other := _bends(results, ring_pin_slope):
         return other
     found = results.ring_pins
     return Measure(
@@ -245,7 +306,7 @@ def ring_pin_slope(design: Design, results: Results) -> Check | Measure:
     needed=False,
 )
 def ring_pv(design: Design, results: Results) -> Check | Measure:
-    if other := no_ring_pins(design, results, ring_pv):
+    if other := no_ring_pins(results=results, kind=ring_pv):
         return other
     if design.gear.rolling or design.gear.sleeve_bore_radius is None:
         return Check(ring_pv, "not_applicable", reason="no_bush")
@@ -260,6 +321,7 @@ def ring_pv(design: Design, results: Results) -> Check | Measure:
 RING_LOAD = (
     ring_pressed,
     *map(_pressure, BODIES),
+    *map(_static, BODIES),
     ring_backlash,
     ring_transmission_error,
     ring_pin_stress,

@@ -28,9 +28,22 @@ _PATH = (
 )
 
 
-def no_ring_pins(design: Design, results: Results, kind: Kind) -> Check | None:
-    """A check of another ring than one of pins; None where it is one, which can be."""
-    if design.gear.kind != "cycloid":
+def no_ring_pins(*, results: Results, kind: Kind) -> Check | None:
+    """A check of another ring than one of pins.
+
+    Parameters
+    ----------
+    results : Results
+        Results of a design.
+    kind : Kind
+        Which check.
+
+    Returns
+    -------
+    Check or None
+        None where it is one, which can be.
+    """
+    if results.design.gear.kind != "cycloid":
         return Check(kind, "not_applicable", reason="no_ring_pins")
     _ = results.ring_force  # which refuses a disc whose path crosses itself
     return None
@@ -62,7 +75,7 @@ def _pin_radius(design: Design) -> float:
     keep="above",
 )
 def ring_undercut(design: Design, results: Results) -> Check:
-    if other := no_ring_pins(design, results, ring_undercut):
+    if other := no_ring_pins(results=results, kind=ring_undercut):
         return other
     lobes, difference = design.lobes, design.gear.teeth_difference or 1
     if difference > 1:  # the flanks near the tips are cut off

@@ -785,13 +785,18 @@ class Results:
         return self.ring_turns(self.design.pin_torque * factor)[0]
 
     @derived
+    def ring_static(self) -> list[MeshTurn]:
+        """The same under the torque of static strength, in each direction, that of the larger
+        pressure first.
+        """
+        return self.ring_turns(self.design.static_torque * self.design.ring_factor)
+
+    @derived
     def ring_pins(self) -> BentRingPins:
         """Pins of the ring that bend, under the torque of static strength: the direction that bends
         them more.
         """
-        torque = self.design.static_torque * self.design.ring_factor
-        turns = self.ring_turns(torque)
-        bent = (bent_ring_pins(turn=turn) for turn in turns)
+        bent = (bent_ring_pins(turn=turn) for turn in self.ring_static)
         return max(bent, key=lambda each: each.stress)
 
     @derived

@@ -292,6 +292,7 @@ TOOTHED = design_of(
     eccentricity=0.004,
     pin_material=LASTING,
     hole_material=LASTING,
+    dynamic_factor=1.1,
     satellite_body=SatelliteBody(),
     friction=Friction(coefficient=0.05),
     min_wall=1e-3,
@@ -335,10 +336,11 @@ TOOTH = having(TOOTHED, scope=("teeth",), satellite_body=None, friction=None)
 DESIGNS |= {
     "teeth": TOOTHED,
     "teeth under a factor": having(TOOTH, application_factor=1.2),
-    "teeth under a stated sharing": having(TOOTH, distribution_factor=1.2, dynamic_factor=1.1),
+    "teeth under a stated sharing": having(TOOTH, distribution_factor=1.2, peak_torque=200.0),
     "teeth that press": having(
         TOOTHED,
         output_torque=5.0,
+        peak_torque=7.0,
         scope=("teeth", "losses"),
         gear=replace(
             TOOTHED.gear,  # type: ignore[type-var]

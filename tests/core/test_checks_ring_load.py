@@ -134,6 +134,20 @@ def test_limits_are_those_of_each_body_over_its_own_loads() -> None:
     assert (still.reason, still.missing) == ("life_without_speed", ("load.input_speed",))
 
 
+def test_the_peak_torque_is_held_against_static_limits() -> None:
+    """A static limit of the material, or what it bears for ever; of the torque without a factor."""
+    assert check_of("ring_static_pin", A7).status == "not_asked"
+    dents = replace(HARD, static_pressure=4e9)
+    design = having(geared(pin_material=dents), peak_torque=700.0, application_factor=1.5)
+    pin, disc = (check_of(f"ring_static_{body}", design) for body in ("pin", "disc"))
+    alone = check_of("ring_pressure_pin", having(A7, output_torque=700.0))
+    assert pin.value == disc.value == pytest.approx(alone.value, rel=1e-12)
+    assert (pin.limit, pin.status) == (4e9, "pass")
+    assert (disc.status, disc.reason) == ("not_checked", "limit_unknown")  # above 1500 MPa
+    less = having(geared(), peak_torque=450.0)
+    assert check_of("ring_static_disc", less).limit == 1500e6
+
+
 def test_the_reserve_is_the_torque_at_which_the_limit_is_reached() -> None:
     verdict = crank_verdict(Results(having(A7, scope=("teeth",))))
     check = verdict["ring_pressure_disc"]
