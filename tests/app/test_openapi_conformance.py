@@ -107,6 +107,7 @@ OF_OTHER_FIELDS = (
     "/crankshaft/satellite_mass_kg",
     "/fatigue/fatigue_notch_factor",
     "/fatigue/notch",
+    "/gear",
     "/gear/teeth_difference",
     "/load/application_factor",
     "/load/input_speed_rpm",
