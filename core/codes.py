@@ -88,6 +88,7 @@ _INVALID = {
     "roller_without_arm": "puts roller {roller} at a multiple of half a turn: there its "
     "contact has no arm",
     "smaller_than": "must be smaller than {field}, {limit:.9g}",
+    "stages_differ": "must be {other:.9g}, as in the output mechanism",
     "sum_not_one": "must add up to 1, not to {sum:.15g}",
     "too_few": "needs a sample of at least {limit:d}",
     "too_many_pairs": "must be at most {limit:d}, with {satellites} satellites",
