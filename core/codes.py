@@ -120,6 +120,9 @@ _IMPOSSIBLE = {
     "not_stable": "The forces do not hold the output: its torque falls as it turns on",
     "no_radius_left": "A deviation leaves nothing of the radius of pin {pin} of the ring, or of "
     "the crank of satellite {satellite}",
+    "outside_method": "It lies outside of what the method is made for: of involute teeth 1 to 8 "
+    "more in the ring and a reference pressure angle of 14.5 to 30 degrees, of both meshes in "
+    "series cycloid discs on ring pins",
     "overflow": "The numbers given leave the range of numbers: {names} would not be finite",
     "teeth_interfere": "The teeth run into each other, or touch where they are no involutes",
     "unloaded": "The loads cancel: nothing presses the bearings",
@@ -144,8 +147,6 @@ _UNKNOWN = {
     "wider_than_satellite": "The bearing is wider than the satellite",
     "without_sleeve": "The pins have no sleeves",
     "nothing_judged": "Nothing of it is judged",
-    "outside_method": "Teeth are looked at of 1 to 8 more in the ring, and of a reference pressure "
-    "angle of 14.5 to 30 degrees",
     "teeth_not_judged": "The contact and the strength of the teeth are not calculated",
     "conformal_solution": "Wide contacts have a pressure of their own, which asks for no narrow "
     "one",

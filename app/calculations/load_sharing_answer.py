@@ -3,6 +3,7 @@
 from functools import partial
 from typing import Any, Literal
 
+from app.calculations.both_meshes import RingPartOut
 from app.calculations.cyclogram import CountIntervalOut, Range
 from app.calculations.fit_answer import FitOut
 from app.calculations.mechanism import PairOut
@@ -28,7 +29,7 @@ worse_direction = partial(
 class PositionOut(ResponseModel):
     """The mechanism at one crank angle under load."""
 
-    BESIDE = ("pressure_MPa",)
+    BESIDE = ("pressure_MPa", "ring")
 
     crank_angle_deg: float = result("Crank angle.", symbol="φ")
     rotation_arcmin: float = result(
@@ -55,7 +56,8 @@ class PositionOut(ResponseModel):
         "Smallest possible worst approach of the unloaded pairs, where they press.", symbol="δ"
     )
     stiffness_Nm_per_arcmin: float = result(
-        "Torque over rotation of the output mechanism alone.", symbol="dT/dθ"
+        "Torque over rotation of the output mechanism alone, or of both meshes in series.",
+        symbol="dT/dθ",
     )
     max_pressure_MPa: Maybe[float] = result(
         "Largest pressure of the pairs, as it is judged: by Hertz, or of the contact that wraps; "
@@ -65,6 +67,10 @@ class PositionOut(ResponseModel):
     )
     pressure_MPa: Maybe[list[list[float]]] = result(
         "The same of each pair, where asked.", symbol="p_0"
+    )
+    ring: Maybe[RingPartOut] = result(
+        "What the ring does, where both meshes are in series: all else is then of both, forces and "
+        "pressures of the pins of the output."
     )
     rotation_error_arcmin: float = result("Bound of the error of the rotation.")
     play_error_arcmin: float = result("Bound of the error of the play.")

@@ -223,10 +223,8 @@ class CycloidRingFields(RequestModel, group="gear"):
         )
 
 
-class RingDeviationsFields(RequestModel, group="deviations"):
-    """What a ring and its discs deviate from their nominal sizes. Positive: outward, as the output
-    turns, larger, ahead.
-    """
+class RingPinDeviationsFields(RequestModel, group="deviations"):
+    """What the pins of a ring deviate from their nominal sizes."""
 
     ring_pin_radial_mm: Maybe[PerRingPin] = quantity("Ring pins outward", "ρ", step=0.001)
     """Of each pin of the ring, outward; the first faces the crank at the crank angle 0."""
@@ -236,6 +234,13 @@ class RingDeviationsFields(RequestModel, group="deviations"):
     """Of each pin of the ring, as the output turns."""
     ring_pin_radius_mm: Maybe[PerRingPin] = quantity("Ring pin radii", "Δr", step=0.001)
     """Of the radius of each pin of the ring."""
+
+
+class RingDeviationsFields(RingPinDeviationsFields, group="deviations"):
+    """What a ring and its discs deviate from their nominal sizes. Positive: outward, as the output
+    turns, larger, ahead.
+    """
+
     eccentricity_mm: Maybe[PerSatellite] = quantity("Eccentricities", "Δe", step=0.001)
     """Of each crank."""
     crank_phase_deg: Maybe[PhasePerSatellite] = quantity("Crank phases", "Δα", step=0.001)

@@ -284,13 +284,13 @@ class SeriesPosition:
 
 
 def series_position(
-    *, series: MeshesInSeries, crank_angle: float, output_torque: float
+    *, real: MeshesInSeries, crank_angle: float, output_torque: float
 ) -> SeriesPosition:
     """Forces of both meshes, lags, play and stiffness at one crank angle.
 
     Parameters
     ----------
-    series : MeshesInSeries
+    real : MeshesInSeries
         Ring mesh and output mechanism.
     crank_angle : float
         Crank angle, rad.
@@ -330,7 +330,7 @@ def series_position(
     ...     mechanism=Mechanism.evenly_spaced(pins=8, satellites=1, ratio=18.0),
     ...     pin_circle_radius=0.020, pin_radius=0.003, eccentricity=0.0015, contact_length=0.010,
     ...     clearance=2e-5, law=LinearLaw(stiffness=5e7), exact=False)
-    >>> found = series_position(series=MeshesInSeries(ring, real), crank_angle=0.3,
+    >>> found = series_position(real=MeshesInSeries(ring, real), crank_angle=0.3,
     ...                         output_torque=30.0)
     >>> alone = [mesh_position(mesh=ring, crank_angle=0.3, output_torque=30.0).rotation[0],
     ...          loaded_position(real=real, crank_angle=0.3, output_torque=30.0).rotation]
@@ -342,42 +342,42 @@ def series_position(
     if output_torque == 0:
         raise InvalidInput("output_torque", output_torque, "not_zero")
     way, torque = math.copysign(1.0, output_torque), abs(output_torque)
-    setup, room, angle = series.setup(way), series.room(), series.wave(crank_angle)
-    found = series.solved(angle, torque, setup, room)
+    setup, room, angle = real.setup(way), real.room(), real.wave(crank_angle)
+    found = real.solved(angle, torque, setup, room)
     own_lags = [way * each for each in room.lag]
     behind = [way * found.lag - each for each in own_lags]
     every = range(setup.satellites)
-    cranks = [series_kernel.on_crank(j, angle, found.lag, setup, series.pairs, room) for j in every]
+    cranks = [series_kernel.on_crank(j, angle, found.lag, setup, real.pairs, room) for j in every]
     force, on_teeth = np.array(room.force), np.array([own.force for own in room.teeth])
     torques = tuple(way * each + 0.0 for each in room.torque)
-    curved = np.array([own.curved for own in series.pairs.teeth])
-    _, _, _, presses = series_kernel.placed(angle, setup, series.pairs, series.room())
+    curved = np.array([own.curved for own in real.pairs.teeth])
+    _, _, _, presses = series_kernel.placed(angle, setup, real.pairs, real.room())
     pressed = found.low > found.high + found.play_error
     play = sorted((way * found.low + 0.0, way * found.high + 0.0))
-    contact = series.output.hardest(room.force)
+    contact = real.output.hardest(room.force)
     most = max(float(force.max()), float(on_teeth.max()))
     accuracy = Accuracy("newton_bracket", found.force_error / most, found.steps)
-    input_torque = series_kernel.input_torque(angle, torque, found.lag, setup, series.pairs, room)
+    input_torque = series_kernel.input_torque(angle, torque, found.lag, setup, real.pairs, room)
     known = (
         *notices(
-            real=series.output,
+            real=real.output,
             lag=max(map(abs, behind)),
             pressed=False,
             contact=contact,
         ),
-        *bent_together(real=series.output, force=force.reshape(-1, setup.pins)),
-        *series.notices(pressed=pressed or presses),
+        *bent_together(real=real.output, force=force.reshape(-1, setup.pins)),
+        *real.notices(pressed=pressed or presses),
         *poorly_known(accuracy),
     )
     return SeriesPosition(
         crank_angle=crank_angle,
         rotation=way * found.lag,
-        force=series.rows(room.force),
+        force=real.rows(room.force),
         satellite_torque=torques,
         satellite_rotation=tuple(behind),
         loaded_pairs=int((force > 0).sum()),
         play=None if pressed else (play[0], play[1]),
-        interference=_interference(series, angle) if pressed or presses else None,
+        interference=_interference(real, angle) if pressed or presses else None,
         stiffness=found.stiffness,
         max_pressure=None if contact is None else contact.governing_pressure,
         ring=RingPart(
@@ -387,7 +387,7 @@ def series_position(
             crank_across=tuple(across for _, across, _, _ in cranks),
             crank_along=tuple(along for along, *_ in cranks),
             loaded_pairs=int((on_teeth > 0).sum()),
-            max_pressure=series.ring.pressure(float((on_teeth * curved).max())),
+            max_pressure=real.ring.pressure(float((on_teeth * curved).max())),
             play=tuple(
                 (min(way * low, way * high) + 0.0, max(way * low, way * high) + 0.0)
                 for low, high in zip(room.low, room.high, strict=True)

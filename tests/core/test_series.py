@@ -57,7 +57,7 @@ def series_of(
 
 
 def at(series: MeshesInSeries, angle: float, torque: float) -> SeriesPosition:
-    return series_position(series=series, crank_angle=angle, output_torque=torque)
+    return series_position(real=series, crank_angle=angle, output_torque=torque)
 
 
 def flat(rows: Any) -> list[float]:

@@ -24,7 +24,7 @@ def flat(rows: Any) -> list[float]:
 def test_held_numbers(case: dict[str, Any]) -> None:
     """Of another program, in 40 digits, in first order too."""
     series, angle, torque = of_request(case["body"])
-    found = series_position(series=series, crank_angle=angle, output_torque=torque)
+    found = series_position(real=series, crank_angle=angle, output_torque=torque)
     expected, near = case["expect"]["positions"][0], case["rtol"]
     ring = expected["ring"]
     for rows, known in ((found.force, expected), (found.ring.force, ring)):
@@ -49,7 +49,7 @@ def test_held_numbers(case: dict[str, Any]) -> None:
 @pytest.mark.parametrize("seed", seeds(8))
 def test_forces_and_lags_are_within_their_stated_errors(seed: int) -> None:
     series, angle, torque = drawn(seed)
-    found = series_position(series=series, crank_angle=angle, output_torque=torque)
+    found = series_position(real=series, crank_angle=angle, output_torque=torque)
     exact = exact_series(series, angle, torque, (found.rotation, [*found.ring.rotation]))
     for lag, known in zip(
         (found.rotation, *found.ring.rotation), (exact.rotation, *exact.lags), strict=True
@@ -76,7 +76,7 @@ def test_forces_and_lags_are_within_their_stated_errors(seed: int) -> None:
 @pytest.mark.parametrize("seed", seeds(3))
 def test_stiffness_is_what_more_torque_turns(seed: int) -> None:
     series, angle, torque = drawn(30 + seed)
-    found = series_position(series=series, crank_angle=angle, output_torque=torque)
+    found = series_position(real=series, crank_angle=angle, output_torque=torque)
     near, more = (found.rotation, [*found.ring.rotation]), 1e-9 * torque
     one, other = (exact_series(series, angle, torque + way * more, near) for way in (1, -1))
     slope = 2 * more / float(one.rotation - other.rotation)
