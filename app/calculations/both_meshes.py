@@ -8,6 +8,7 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 from pydantic import BeforeValidator, Field, model_validator
 
 from app.calculations.hertz import material_of
+from app.calculations.mechanism import PairOut
 from app.calculations.real_design import RealDesignFields
 from app.calculations.real_mechanism import DeviationsFields, SatelliteCouplingFields
 from app.calculations.ring_parts import (
@@ -29,8 +30,11 @@ from core.ring.sharing import CycloidMesh, RingDeviations
 OF_RING = tuple(RingPinDeviationsFields.model_fields)
 """Deviations that only a ring has."""
 
-MAX_FORCES = 25_000
+MAX_FORCES_IN_SERIES = 25_000
 """Most forces of positions, and of curves, of both meshes: angles times pairs."""
+
+MAX_TURN_IN_SERIES = 250_000
+"""The same over all turns, whose loops are compiled."""
 
 
 def _no_involute(given: Any) -> Any:
@@ -291,6 +295,22 @@ class RingPartOut(ResponseModel):
         "lag at which they do not turn it.",
         symbol="λ₋, λ₊",
     )
+
+
+class RingTurnOut(ResponseModel):
+    """What the ring does over all turns, where both meshes are in series."""
+
+    peak_force_N: float = result("Largest force of a pin of the ring.", symbol="F_max")
+    peak_crank_angle_deg: float = result(
+        "First crank angle at which it occurs, of all turns.", symbol="φ"
+    )
+    peak_pair: PairOut = result("The satellite, and the pin of the ring that carries it there.")
+    max_pressure_MPa: Maybe[float] = result(
+        "Largest Hertz pressure.", symbol="p_0", equation="Johnson 4.2"
+    )
+    loaded_pairs_min: int = result("Least number of pairs with a force.")
+    loaded_pairs_max: int = result("Largest number of pairs with a force.")
+    peak_error: float = result("Estimate of the relative error of the largest force.")
 
 
 def ring_values(position: SeriesPosition) -> Values:

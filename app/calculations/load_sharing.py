@@ -2,13 +2,18 @@
 
 import math
 from dataclasses import replace
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import Field, model_validator
+from pydantic import Field
 
-from app.calculations.both_meshes import MAX_FORCES as MAX_FORCES_IN_SERIES
-from app.calculations.both_meshes import SeriesFields, ring_values
+from app.calculations.both_meshes import (
+    MAX_FORCES_IN_SERIES,
+    MAX_TURN_IN_SERIES,
+    RingTurnOut,
+    SeriesFields,
+    ring_values,
+)
 from app.calculations.contact_force import CurveFields
 from app.calculations.fit import fit_notices
 from app.calculations.fit_answer import FitOut
@@ -23,7 +28,7 @@ from app.calculations.load_sharing_figure import Drawn, load_sharing_figure
 from app.calculations.members_answer import at_output
 from app.calculations.real_design import LEFT_OUT
 from app.calculations.solved import Solved
-from app.model import LARGEST, Angle, Calculation, Maybe, Values, field_error, quantity
+from app.model import LARGEST, Angle, Calculation, Maybe, Values, quantity
 from app.running import run
 from app.settings import Settings
 from app.sources import HARRIS, JOHNSON_1985, YANCHEVSKIY_2021
@@ -36,10 +41,11 @@ from core.output.contact_force import drawing_angles, force_curves, force_peak
 from core.output.contact_law import law_kind
 from core.output.fit import solvable
 from core.output.loaded_position import loaded_position
-from core.output.over_turn import OverTurn, over_turn
+from core.output.over_turn import over_turn
 from core.output.real_curves import RealCurves, StiffnessCurve, real_curves, stiffness_curve
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.ring.series import MeshesInSeries, series_position
+from core.ring.series_turn import positions_in_series, series_over_turn
 
 Section = Literal[
     "positions", "over_turn", "curves", "stiffness_curve", "pressure", "ideal", "worked"
@@ -88,13 +94,6 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
         "of the positions where it is asked alone.",
     )
 
-    @model_validator(mode="after")
-    def _no_turn_in_series(self) -> Self:
-        if self.in_series and "over_turn" in self.include:
-            place = self.include.index("over_turn")
-            raise field_error(f"include/{place}", "of_another_kind", kind="ring")
-        return self
-
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse what exceeds the operator's limits, what takes too long, and lists of deviations
         that do not fit the mechanism.
@@ -124,6 +123,9 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
             }
             most = max((angles[name] for name in self.include if name in angles), default=1)
             self.refuse_many_in_series(MAX_FORCES_IN_SERIES // times // most)
+            if "over_turn" in self.include:
+                turns = positions_in_series(lobes=self.mechanism.satellite_teeth or 1)
+                self.refuse_many_in_series(MAX_TURN_IN_SERIES // times // turns)
 
     def _refuse_pairs(self, limit: int) -> None:
         most = self.mechanism.most_pins(limit)
@@ -178,9 +180,13 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
             return from_si("pressure_MPa", real.pressures(force)) if pressed else None
 
         if "over_turn" in asked:
-            turn, direction = self.turn(real)
-            each_pair = pressures(turn.pair_force)
-            found = OverTurnOut.values(turn, pressure_MPa=each_pair, torque_direction=direction)
+            turn, direction = self.turn(stage)
+            found = OverTurnOut.values(
+                turn,
+                pressure_MPa=pressures(turn.pair_force),
+                torque_direction=direction,
+                ring=RingTurnOut.values(turn.ring) if self.in_series else None,
+            )
             solved.values["over_turn"] = at_output(found, self.members)
             solved.take(turn.accuracy, turn.notices)
         if "positions" in asked or (pressed and "over_turn" not in asked):
@@ -240,13 +246,13 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
         found, reverse = worse_position(**asked, position=solve)
         return found, DIRECTIONS[reverse]
 
-    def turn(self, real: RealMechanism) -> tuple[OverTurn | WorseTurn, str | None]:
+    def turn(self, stage: RealMechanism | MeshesInSeries) -> tuple[Any, str | None]:
         """The turn; where the torque alternates the worse, and the direction of its peak."""
         share, torque = self.lost_motion_torque_share, self.torque
         ways = (1, -1) if self.alternating else (1,)
+        solve: Any = series_over_turn if self.in_series else over_turn
         turn, *back = (
-            over_turn(real=real, output_torque=way * torque, lost_motion_share=share)
-            for way in ways
+            solve(real=stage, output_torque=way * torque, lost_motion_share=share) for way in ways
         )
         if not back:
             return turn, None

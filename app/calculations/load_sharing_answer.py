@@ -3,7 +3,7 @@
 from functools import partial
 from typing import Any, Literal
 
-from app.calculations.both_meshes import RingPartOut
+from app.calculations.both_meshes import RingPartOut, RingTurnOut
 from app.calculations.cyclogram import CountIntervalOut, Range
 from app.calculations.fit_answer import FitOut
 from app.calculations.mechanism import PairOut
@@ -80,7 +80,7 @@ class PositionOut(ResponseModel):
 class OverTurnOut(ResponseModel):
     """Extremes over the turn of the wave; the accuracy of the answer is that of the peak force."""
 
-    BESIDE = ("pressure_MPa",)
+    BESIDE = ("pressure_MPa", "ring")
 
     peak_force_N: float = result("Largest force of all pairs over the turn.", symbol="F_max")
     peak_force_ratio: float = result("The same over F₀ = T/R.", symbol="f")
@@ -122,6 +122,10 @@ class OverTurnOut(ResponseModel):
         equation="T/u + (1 + 1/u)·ΣF·∂δ/∂ψ",
     )
     pressed_without_load: bool = result("Whether pairs press without load anywhere.")
+    ring: Maybe[RingTurnOut] = result(
+        "What the ring does, where both meshes are in series: all else is then of both, forces and "
+        "pressures of the pins of the output, over as many turns of the crank as a disc has lobes."
+    )
     angle_error_arcmin: float = result(
         "Estimate of the error of backlash, lost motion and transmission errors."
     )

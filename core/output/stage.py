@@ -75,6 +75,16 @@ class Stage:
         """Room for the results of one position."""
         raise NotImplementedError
 
+    def forces(self, room: Any) -> list[float]:
+        """Forces of the pairs as a position left them, N.
+
+        Parameters
+        ----------
+        room : named tuple
+            Of the position.
+        """
+        return [*room.force]
+
     def wave(self, crank_angle: float) -> float:
         """Wave angle of a crank angle, rad, within half a turn around 0.
 

@@ -7,6 +7,7 @@ approach            its approach to the ring's pins, in the place of that of pin
 sharing             forces, lag, play and stiffness at a position and over the turn
 series_kernel       a disc between the ring and the pins of the output, which finds its own lag
 series              both meshes in series: forces, lags, play and stiffness at a position
+series_turn         the same over the turns after which all repeats
 loss                sliding on the pins: loss, efficiency, pv
 line_of_action      where involute teeth touch, their path, tips that pass each other
 involute            an involute satellite in its ring: sizes, backlash, interferences

@@ -6,16 +6,18 @@ counted once, in the teeth.
 """
 
 import math
+from array import array
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import chain
 from typing import Any
 
 import numpy as np
 
 from core.arrays import check_finite, check_single
 from core.errors import InvalidInput
-from core.output.compiled import in_place_of
+from core.output.compiled import at_hand, in_place_of
 from core.output.loaded_position import bent_together, notices
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import Deviations, RealMechanism
@@ -29,6 +31,13 @@ from core.ring.sharing import CycloidMesh
 
 HALVINGS = 60
 """How often the interference of parts that press is halved."""
+
+
+def _joined(discs: tuple[Any, ...]) -> Any:
+    """Rows of all discs, of which parts are rows too."""
+    return type(discs[0])(
+        *[memoryview(array("d", chain(*rows))) for rows in zip(*discs, strict=True)]
+    )
 
 
 @dataclass(frozen=True)
@@ -154,20 +163,35 @@ class MeshesInSeries(Stage):
     def pairs(self) -> SeriesPairs:
         """Constants of the pairs."""
         teeth, holes = zip(*[(one.pairs, other.pairs) for one, other in self.discs], strict=True)
-        return SeriesPairs(teeth, holes)
+        return SeriesPairs(_joined(teeth), _joined(holes))
 
     def room(self) -> SeriesRoom:
         """Room for the results of one position."""
         count = self.mechanism.satellites
         rooms = [(one.room(), other.room()) for one, other in self.discs]
         teeth, holes = zip(*rooms, strict=True)
-        rows = ([0.0] * count for _ in SeriesRoom._fields[3:])
-        return SeriesRoom(teeth, holes, [0.0] * (count * self.mechanism.pins), *rows)
+        rows = ([0.0] * count for _ in SeriesRoom._fields[2:])
+        return SeriesRoom(_joined(teeth), _joined(holes), *rows)
+
+    @property
+    def loops_of_turns(self) -> Any:
+        """The same, compiled where they can be."""
+        return at_hand(series_kernel)
 
     @cached_property
     def loops(self) -> Any:
         """The functions of `core.output.sharing_kernel` over `core.ring.series_kernel`."""
         return in_place_of(series_kernel)
+
+    def forces(self, room: SeriesRoom) -> list[float]:
+        """Forces of the pins of the output, N.
+
+        Parameters
+        ----------
+        room : SeriesRoom
+            Of a position.
+        """
+        return [*room.holes.force]
 
     def wave(self, crank_angle: float) -> float:
         """Crank angle, rad, within half of the turns after which everything repeats.
@@ -197,11 +221,13 @@ class MeshesInSeries(Stage):
         room : SeriesRoom
             A position in which one is.
         """
-        for j, (one, other) in enumerate(zip(room.teeth, room.holes, strict=True)):
-            for pairs, own in ((self.pairs.teeth[j], one), (self.pairs.holes[j], other)):
-                if (pin := too_wide(pairs, own)) >= 0:
-                    return {"satellite": j + 1, "pin": pin + 1}
-        raise AssertionError("no force is beyond its law")
+        stages = (
+            (self.pairs.teeth, room.teeth, self.ring.disc.pins),
+            (self.pairs.holes, room.holes, self.mechanism.pins),
+        )
+        found = [(too_wide(pairs, own), pins) for pairs, own, pins in stages]
+        j, n = next(divmod(pair, pins) for pair, pins in found if pair >= 0)
+        return {"satellite": j + 1, "pin": n + 1}
 
     def less(self, closer: float) -> "MeshesInSeries":
         """The same with all pins so much thinner, in the play alone.
@@ -348,13 +374,13 @@ def series_position(
     behind = [way * found.lag - each for each in own_lags]
     every = range(setup.satellites)
     cranks = [series_kernel.on_crank(j, angle, found.lag, setup, real.pairs, room) for j in every]
-    force, on_teeth = np.array(room.force), np.array([own.force for own in room.teeth])
+    force, on_teeth = np.array(real.forces(room)), np.array(room.teeth.force)
     torques = tuple(way * each + 0.0 for each in room.torque)
-    curved = np.array([own.curved for own in real.pairs.teeth])
-    _, _, _, presses = series_kernel.placed(angle, setup, real.pairs, real.room())
+    curved = np.array(real.pairs.teeth.curved)
+    presses = bool(room.pressed[0])
     pressed = found.low > found.high + found.play_error
     play = sorted((way * found.low + 0.0, way * found.high + 0.0))
-    contact = real.output.hardest(room.force)
+    contact = real.output.hardest(force.tolist())
     most = max(float(force.max()), float(on_teeth.max()))
     accuracy = Accuracy("newton_bracket", found.force_error / most, found.steps)
     input_torque = series_kernel.input_torque(angle, torque, found.lag, setup, real.pairs, room)
@@ -366,23 +392,23 @@ def series_position(
             contact=contact,
         ),
         *bent_together(real=real.output, force=force.reshape(-1, setup.pins)),
-        *real.notices(pressed=pressed or presses),
+        *real.notices(pressed=presses),
         *poorly_known(accuracy),
     )
     return SeriesPosition(
         crank_angle=crank_angle,
         rotation=way * found.lag,
-        force=real.rows(room.force),
+        force=real.rows(force.tolist()),
         satellite_torque=torques,
         satellite_rotation=tuple(behind),
         loaded_pairs=int((force > 0).sum()),
         play=None if pressed else (play[0], play[1]),
-        interference=_interference(real, angle) if pressed or presses else None,
+        interference=_interference(real, angle) if presses else None,
         stiffness=found.stiffness,
         max_pressure=None if contact is None else contact.governing_pressure,
         ring=RingPart(
             rotation=tuple(own_lags),
-            force=tuple(tuple(own.force) for own in room.teeth),
+            force=real.ring.rows(on_teeth.tolist()),
             disc_torque=torques,
             crank_across=tuple(across for _, across, _, _ in cranks),
             crank_along=tuple(along for along, *_ in cranks),

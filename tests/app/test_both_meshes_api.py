@@ -103,6 +103,34 @@ async def test_of_the_ring_as_output_the_lag_is_its_own(api):
     close(ring["ring"], pins["ring"])
 
 
+async def test_over_all_turns(api):
+    """As many as a disc has lobes: no position passes the extremes, and the ring has its own."""
+    body = changed(include=["over_turn", "positions", "ideal"], crank_angle_deg=[0, 800, 1800])
+    answer = await answered(api, body)
+    turn, positions = answer["over_turn"], answer["positions"]
+    assert turn["peak_force_N"] > max(max(map(max, each["force_N"])) for each in positions)
+    ring = turn["ring"]
+    assert ring["peak_force_N"] > max(max(map(max, each["ring"]["force_N"])) for each in positions)
+    assert answer["ideal"]["ratio"] == turn["peak_force_N"] / answer["ideal"]["peak_force_N"]
+    assert ring["peak_error"] < 1e-3 and answer["accuracy"]["relative_error"] < 1e-3
+    at_peak = changed(crank_angle_deg=[turn["peak_crank_angle_deg"], ring["peak_crank_angle_deg"]])
+    one, other = (await answered(api, at_peak))["positions"]
+    pair, tooth = turn["peak_pair"], ring["peak_pair"]
+    force = one["force_N"][pair["satellite"] - 1][pair["pin"] - 1]
+    assert force == pytest.approx(turn["peak_force_N"], rel=1e-9)
+    force = other["ring"]["force_N"][tooth["satellite"] - 1][tooth["pin"] - 1]
+    assert force == pytest.approx(ring["peak_force_N"], rel=1e-9)
+    alone = changed(without=[("gear",), ("satellite_coupling",)], include=["over_turn"])
+    for name in ("ring_pin_radial_mm", "ring_pin_tangential_mm", "ring_pin_radius_mm"):
+        del alone["deviations"][name]
+    rigid = (await answered(api, alone))["over_turn"]
+    assert "ring" not in rigid and turn["backlash_max_arcmin"] > rigid["backlash_max_arcmin"]
+    assert turn["stiffness_max_Nm_per_arcmin"] < rigid["stiffness_max_Nm_per_arcmin"]
+    both = changed(load={"torque_direction": "alternating"}, include=["over_turn"])
+    worse = (await answered(api, both))["over_turn"]
+    assert worse["peak_force_N"] >= turn["peak_force_N"] and worse["ring"]
+
+
 async def test_the_figure(api):
     figure = await api.post(f"{PATH}/chart", json=BASE)
     assert figure.status_code == 200
@@ -140,6 +168,8 @@ async def test_the_figure(api):
          "/gear/satellite_positions_mm", "different_length"),
         (changed(gear={"ring_pin_radius_mm": 30.0}), "/gear/ring_pin_radius_mm", "undercut"),
         (changed(crank_angle_deg=[0.0] * 900), "/mechanism/ring_teeth", "too_many_pairs"),
+        (changed(mechanism={"pins": 60}, include=["over_turn"],
+                 without=[("deviations",)]), "/mechanism/ring_teeth", "too_many_pairs"),
     ],
 )  # fmt: skip
 async def test_refusals(api, body, pointer, code):
