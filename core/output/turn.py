@@ -68,7 +68,9 @@ class Turn:
         self.torque = torque
         self.kernel = real.loops_of_turns
         direction = math.copysign(1.0, torque)
-        self.load = Load(abs(torque), share, real.setup(direction), real.setup(-direction))
+        self.load = Load(
+            abs(float(torque)), float(share), real.setup(direction), real.setup(-direction)
+        )
         self.pairs, self.room = (
             as_rows(each, self.kernel.row) for each in (real.pairs, real.room())
         )
