@@ -65,6 +65,9 @@ LOOSE, NEARLY = 0.1, 1e-5
 lag; and the part of it by which that moves at last, from where on all is settled to rounding.
 """
 
+JUST = 1e-9
+"""Least step in which the lag is sought beyond the play, rad."""
+
 LOOSELY = 8
 """Steps of Newton at most before that."""
 
@@ -423,6 +426,11 @@ def settled(
     What is left is less than the next step of Newton, which is taken.
     """
     own, low, high = room.lag[j], -math.inf, math.inf
+    # It lies between where the ring lets it go and where the pins do.
+    least = min(room.low[j], lag - room.slack_low[j])
+    most = max(room.high[j], lag - room.slack_high[j])
+    wider = (most - least) / 2 + JUST
+    least, most = least - wider, most + wider
     one, done = linked(psi, lag, own, setup, disc), False
     for step in range(1, STEPS):
         if one.value == 0 and one.share == 0:  # free
@@ -438,7 +446,9 @@ def settled(
             high = own
         else:
             low = own
-        following = within(own, one.change if one.share > 0 else math.inf, low, high, step)
+        change = one.change if one.share > 0 else math.inf
+        change = min(max(change, least - own), most - own)
+        following = within(own, change, low, high, step)
         if following in (low, high):
             done = True
             break
@@ -476,7 +486,7 @@ def solve(
     power = 1.0 if pressed else 1 / max(setup.mesh.exponent, setup.output.exponent)
     step, status, far = 0, NOT_SOLVED, setup.mesh.eccentricity / setup.mesh.radius
     value = slope = 0.0
-    loose = True
+    loose, reach = True, max(lag - zero, abs(zero), JUST)
     for step in range(1, STEPS):
         carried = size = slope = 0.0
         balanced = True
@@ -495,6 +505,8 @@ def solve(
             change = torque * (ratio ** (1 - power) - ratio) / (power * slope)
         if pressed:
             change = min(max(change, -far), far)
+        if change > reach:  # contacts that only just touch are softer than any further on
+            change, reach = reach, 2 * reach
         following = lag + change
         if loose:  # nothing is known of the sign
             inside = first < following < last

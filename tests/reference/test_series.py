@@ -81,3 +81,13 @@ def test_stiffness_is_what_more_torque_turns(seed: int) -> None:
     one, other = (exact_series(series, angle, torque + way * more, near) for way in (1, -1))
     slope = 2 * more / float(one.rotation - other.rotation)
     assert found.stiffness == pytest.approx(slope, rel=1e-6)
+
+
+def test_a_small_load_on_contacts_that_only_just_touch() -> None:
+    """They are so soft there that a step of Newton would lead turns away."""
+    series, _, _ = of_request(CASES[2]["body"])
+    angle, torque = 121.05603691832671, 12.6
+    found = series_position(real=series, crank_angle=angle, output_torque=torque)
+    exact = exact_series(series, angle, torque, (found.rotation, [*found.ring.rotation]))
+    assert abs(found.rotation - exact.rotation) <= found.rotation_error
+    assert found.play[1] < found.rotation < 2 * found.play[1]
