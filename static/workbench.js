@@ -117,6 +117,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       left: (path) => store.apply(next.left, path),
       chosen: (choice, option) => change(next.chose, choice, option),
       switched: (group, on) => changeAtOnce(next.switched, group, on),
+      asked: (path) => lead(path),
       apply() {
         store.apply(next.insisted);
         asking.now();
@@ -127,6 +128,8 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   });
   const apply = (sets) => changeAtOnce(next.applied, sets);
   const lead = (path) => {
+    const { wanted } = model.fields.get(path) ?? {};
+    if (wanted && !next.wants(store.state, wanted)) changeAtOnce(next.switched, wanted, true);
     for (const [choice, option] of Object.entries(optionsOf(model, path))) {
       if (store.state.typed.chosen[choice] !== option) changeAtOnce(next.chose, choice, option);
     }

@@ -272,6 +272,7 @@ def test_radii_are_typed_as_diameters_where_chosen(page: Page, service: str) -> 
     force = result(page, "peak_force_N")
     page.locator('[data-choice="lengths"] input[value="diameter"]').check(force=True)
     settled(page)
+    expect(page.locator('[data-choice="lengths"] input[value="diameter"]')).to_be_focused()
     expect(box(page, "load.pin_circle_radius_mm")).to_have_value("65")
     assert result(page, "peak_force_N") == force
     page.locator('[data-choice="lengths"] input[value="radius"]').check(force=True)
@@ -353,6 +354,29 @@ def test_what_a_check_misses_is_a_click_away(page: Page, service: str) -> None:
     page.locator(".checks .more > summary").click()
     page.locator('[data-ask="mechanism.satellite_teeth"]').click()
     expect(box(page, "mechanism.satellite_teeth")).to_be_focused()
+
+
+def test_what_is_missing_of_a_printed_drive_is_a_click_away(page: Page, service: str) -> None:
+    """A name without Poisson's ratio, and friction, in a group that is off, are asked for."""
+    show(page, service, FITTED)
+    petg = words_at(page, "contact.hole_material")
+    box(page, "contact.hole_material").select_option("plastic_petg_printed")
+    expect(petg).to_contain_text("“Poisson's ratio”: is needed beside the name")
+    expect(page.locator(".word")).to_have_text("Input incomplete")
+    expect(page.locator(".field.wrong")).to_have_count(0)
+    petg.get_by_role("button", name="Poisson's ratio").click()
+    expect(box(page, "contact.hole_material.poissons_ratio")).to_be_focused()
+    expect(box(page, "contact.hole_material.name")).to_have_value("plastic_petg_printed")
+    change(page, lambda: page.keyboard.type("0.38"))
+    page.get_by_role("button", name="Friction coefficient").click()
+    expect(box(page, "friction.coefficient")).to_be_focused()
+    expect(box(page, "friction.coefficient")).to_have_value("")  # no usual value of a plastic
+    change(page, lambda: page.keyboard.type("0.4"))
+    page.get_by_role("button", name="Yield strength").click()
+    change(page, lambda: page.keyboard.type("44"))
+    expect(page.locator(".verdict .torque")).to_contain_text("Will yield at once above")
+    page.locator('[data-part="pins"]').click()
+    expect(box(page, "pin.support")).to_be_focused()
 
 
 def test_two_tabs_share_what_is_kept(page: Page, service: str) -> None:
