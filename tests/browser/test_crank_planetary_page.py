@@ -305,6 +305,33 @@ def test_a_design_of_ones_own_from_an_empty_form(page: Page, service: str) -> No
     expect(box(page, "mechanism.pins")).to_have_value("6")
 
 
+def test_what_is_typed_on_a_phone_keeps_its_place_while_it_computes(
+    page: Page, service: str
+) -> None:
+    """The first answer of a design from an empty form: nothing is hidden, no key goes astray."""
+    page.set_viewport_size({"width": 390, "height": 844})
+    show(page, service)
+    page.get_by_role("button", name="New").click()
+    settled(page, "incomplete")
+    for path, text in ZYL.items():
+        if path not in ("contact.contact_length_mm", "load.force_exponent"):
+            box(page, path).fill(text)
+    held: list[Route] = []
+    page.route("**/api/v1/crank-planetary", lambda route: held.append(route))
+    length = box(page, "contact.contact_length_mm")
+    length.press_sequentially("1")
+    settled(page, "computing")
+    expect(length).to_be_focused()
+    expect(length).to_be_visible()
+    page.keyboard.type("6")
+    expect(length).to_have_value("16")
+    page.unroute("**/api/v1/crank-planetary")
+    for route in held:
+        with suppress(Error):  # what is asked anew is taken back
+            route.continue_()
+    settled(page)
+
+
 def test_a_link_with_something_unknown_says_so(page: Page, service: str) -> None:
     fields = httpx.QueryParams(ZYL | {"v": "9", "foo": "1"})
     page.goto(f"{service}/?calculator=crank-planetary&{fields}")
