@@ -330,6 +330,13 @@ def test_what_is_typed_on_a_phone_keeps_its_place_while_it_computes(
         with suppress(Error):  # what is asked anew is taken back
             route.continue_()
     settled(page)
+    # The sentence of a plastic leaves the form its room.
+    box(page, "contact.hole_clearance_mm").fill("0.1")
+    box(page, "contact.hole_radius_mm").fill("")
+    box(page, "contact.eccentricity_mm").fill("1.5")
+    box(page, "contact.hole_material").select_option("plastic_pla_printed")
+    expect(page.locator(".verdict .cold")).to_contain_text("Will yield at once above")
+    assert page.locator(".verdict").bounding_box()["height"] < 844 / 3
 
 
 def test_a_link_with_something_unknown_says_so(page: Page, service: str) -> None:
