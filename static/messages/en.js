@@ -269,6 +269,7 @@ export default {
     link: "{title} follows {formula} = {value} until a value is typed",
     clearance: "radial clearance {value}",
     interference: "too small by {value}",
+    ofRadius: "{words} (on the radius)",
     new: "New",
     lengths: "Sizes as",
     radius: "Radius",

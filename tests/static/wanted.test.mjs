@@ -374,6 +374,14 @@ test("the calculator's own groups have words for all that they add", () => {
   }
 });
 
+test("the friction of a plastic is asked, that of metals starts from a usual value", () => {
+  const table = { pla: { youngs_modulus_GPa: 3 }, steel: { youngs_modulus_GPa: 206 } };
+  const { starts } = WANTED.find(({ id }) => id === "losses");
+  const friction = (pin, hole) => starts({ contact: { pin_material: pin, hole_material: hole } }, (_, given) => table[given] ?? given)["friction.coefficient"];
+  assert.deepEqual([friction("steel", "steel"), friction("steel", "pla")], [0.08, undefined]);
+  assert.deepEqual([friction({ name: "pla", poissons_ratio: 0.38 }, "steel"), friction("steel", { youngs_modulus_GPa: 70, poissons_ratio: 0.3 })], [undefined, 0.08]);
+});
+
 test("a pin has one material, unless it was typed apart", () => {
   const pin = { satellite_positions_mm: [9, 23] };
   const of = (material, pin_material = "tough") => inputOf({ contact: { pin_material }, pin: { ...pin, material } }).besides.pin;

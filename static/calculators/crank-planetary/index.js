@@ -7,7 +7,7 @@
 import { cell, stated } from "../../lib/verdict.js";
 import { formatAngle, formatNumber, formatQuantity, shownDigits, tidy } from "../../lib/format.js";
 import { pairsOf } from "../../lib/chart.js";
-import { inDiameters } from "../../lib/units.js";
+import { DIAMETER, inDiameters } from "../../lib/units.js";
 import { message, quantityWords } from "../../messages/index.js";
 import { figureText } from "../../service_texts.js";
 import { createDrawing } from "./drawing.js";
@@ -94,7 +94,8 @@ const willBeSolved = (input) => input.besides?.real?.on === "on" || isSolved({ .
 function clearanceNote(input) {
   const clearance = clearanceOf(input);
   if (!(Math.abs(clearance) > 1e-9)) return "";
-  return message(`form.${clearance > 0 ? "clearance" : "interference"}`, { value: formatQuantity(Math.abs(clearance), "mm", 4) });
+  if (clearance > 0) return message("form.clearance", { value: formatQuantity(clearance, "mm", 4) });
+  return message("form.interference", { value: formatQuantity(-clearance, inDiameters() ? DIAMETER : "mm", 4) });
 }
 
 /** Tooth numbers of exactly this ratio, with the least difference; none where there are none. */

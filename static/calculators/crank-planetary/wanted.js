@@ -222,6 +222,17 @@ function starts({ contact }) {
 
 const WHOLE = ["/crank-planetary"];
 
+const PLASTIC_GPA = 20; // below it a modulus is that of a plastic
+
+/** Whether pins or holes are of plastic, whose friction has no usual value. */
+function hasPlastic({ contact = {} }, materialOf) {
+  return ["pin_material", "hole_material"].some((name) => {
+    const path = `contact.${name}`;
+    const { name: table, youngs_modulus_GPa: own } = materialOf(path, contact[name]) ?? {};
+    return (own ?? materialOf(path, table)?.youngs_modulus_GPa) < PLASTIC_GPA;
+  });
+}
+
 export const WANTED = [
   {
     id: "real",
@@ -261,7 +272,7 @@ export const WANTED = [
     paths: WHOLE,
     fields: LOSSES,
     judged: true,
-    starts: () => ({ "friction.coefficient": 0.08, "load.input_speed_rpm": USUAL_RPM }),
+    starts: (input, materialOf) => ({ "friction.coefficient": hasPlastic(input, materialOf) ? undefined : 0.08, "load.input_speed_rpm": USUAL_RPM }),
     load: () => Promise.all([import("./losses.js"), import("../../views/part.js")]),
   },
   {
