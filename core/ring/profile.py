@@ -27,10 +27,13 @@ LEAST_POINTS = 4
 """Least points of a lobe."""
 
 LOOKED = 2000
-"""Places of a lobe at which its sharpest bend is looked for."""
+"""Places of a lobe at which its sharpest bend, and its distance from chords, is looked for."""
 
 BETWEEN = 1.001
 """What the sharpest bend may be above that of these places."""
+
+ALONG = 4
+"""Least parts of a chord between which the distance of the outline from it is measured."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -293,7 +296,8 @@ def outline_points(*, disc: CycloidDisc, chord_error: float) -> OutlinePoints:
     Notes
     -----
     Between points that are dt apart the outline bends away from its chord by
-    ``|C'|^2*|curvature|*dt^2/8`` at most; what is stated is measured in the middle of each chord.
+    ``|C'|^2*|curvature|*dt^2/8`` at most, in the limit of close points; what is stated is measured
+    along each chord, and at the vertex of a parabola through the largest distance there.
 
     Examples
     --------
@@ -324,9 +328,22 @@ def outline_points(*, disc: CycloidDisc, chord_error: float) -> OutlinePoints:
     count = each * disc.satellite_teeth
     t = 2 * math.pi * np.arange(count) / count
     points = disc.outline(t)
-    ends = points[: each + 1]
-    middles = disc.outline(t[:each] + math.pi / count)
-    chords = np.diff(ends)
-    aside = np.abs(((middles - ends[:-1]) * np.conj(chords)).imag) / np.abs(chords)
-    error = float(aside.max()) + 4 * ROUNDING * disc.tip_radius
+    error = _farthest(disc, points[: each + 1]) + 4 * ROUNDING * disc.tip_radius
     return OutlinePoints(np.column_stack((points.real, points.imag)), error)
+
+
+def _farthest(disc: CycloidDisc, ends: ComplexArray) -> float:
+    """How far a lobe is from the chords between its points, which are even in t, m."""
+    each, lobe = len(ends) - 1, 2 * math.pi / disc.satellite_teeth
+    parts = max(ALONG, math.ceil(LOOKED / each))
+    t = np.linspace(0, lobe, each * parts, endpoint=False)
+    starts, chords = ends[:-1, None], np.diff(ends)[:, None]
+    along = disc.outline(t).reshape(each, parts)
+    aside = ((along - starts) * np.conj(chords)).imag / np.abs(chords)
+    aside = np.column_stack((aside, np.zeros(each)))
+    best = np.abs(aside[:, 1:-1]).argmax(axis=1) + 1
+    before, most, after = (aside[np.arange(each), best + way] for way in (-1, 0, 1))
+    # 0 below the vertex where the three lie on a line
+    bend = before - 2 * most + after
+    vertex = most - (after - before) ** 2 / np.where(bend == 0, np.inf, 8 * bend)
+    return float(np.abs(vertex).max())
