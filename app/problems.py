@@ -37,6 +37,7 @@ MAX_NAME = 64
 OF_REQUESTS = {
     "bool_type": "must be true or false",
     "dict_type": "must be an object",
+    "discs_disagree": "must be {field}, or left out: holes and teeth are of the same discs",
     "elastomer": "must be stiffer: elastomers stretch by their own length at a few MPa, and their "
     "contact is not calculated",
     "dust": "must be 0 or at least {limit:g} in size",

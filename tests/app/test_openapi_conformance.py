@@ -37,6 +37,7 @@ PHYSICAL = {code for code, each in CODES.items() if each.kind == "impossible"} |
     "beyond_support",
     "different_length",
     "different_sum",
+    "discs_disagree",
     "drawn_cup",
     "dust",
     "elastomer",
