@@ -273,7 +273,9 @@ class OutlinePoints:
     chord_error: float  # how far the outline is from the polygon at most, m
 
 
-def outline_points(*, disc: CycloidDisc, chord_error: float) -> OutlinePoints:
+def outline_points(
+    *, disc: CycloidDisc, chord_error: float, most: int = MOST_POINTS
+) -> OutlinePoints:
     """Points of a disc so close that its outline is near their polygon; as many on every lobe, the
     first in the valley that faces the crank at the crank angle 0, clockwise.
 
@@ -283,6 +285,8 @@ def outline_points(*, disc: CycloidDisc, chord_error: float) -> OutlinePoints:
         The disc.
     chord_error : float
         How far the outline may be from the polygon, m, > 0.
+    most : int
+        Most points.
 
     Returns
     -------
@@ -291,7 +295,7 @@ def outline_points(*, disc: CycloidDisc, chord_error: float) -> OutlinePoints:
     Raises
     ------
     InvalidInput
-        If the disc is undercut, or that would take more than `MOST_POINTS`, or its lobes do.
+        If the disc is undercut, or that would take more points, or its lobes do.
 
     Notes
     -----
@@ -315,15 +319,15 @@ def outline_points(*, disc: CycloidDisc, chord_error: float) -> OutlinePoints:
     path = disc.path_curvature(places)
     bends = (disc.tool_circle_radius * disc.slope(places)) ** 2
     bends = bends * np.abs((1 - disc.tool_radius * path) * path)
-    most = BETWEEN * float(bends.max())
-    each = max(math.ceil(lobe / math.sqrt(8 * chord_error / most)), LEAST_POINTS)
-    if each * disc.satellite_teeth > MOST_POINTS:
-        fit = MOST_POINTS // disc.satellite_teeth
+    bend = BETWEEN * float(bends.max())
+    each = max(math.ceil(lobe / math.sqrt(8 * chord_error / bend)), LEAST_POINTS)
+    if each * disc.satellite_teeth > most:
+        fit = most // disc.satellite_teeth
         if fit < LEAST_POINTS:
             lobes = disc.satellite_teeth
-            limit = MOST_POINTS // LEAST_POINTS
+            limit = most // LEAST_POINTS
             raise InvalidInput("satellite_teeth", lobes, "less_than_equal", limit=limit)
-        least = most * (lobe / fit) ** 2 / 8
+        least = bend * (lobe / fit) ** 2 / 8
         raise InvalidInput("chord_error", chord_error, "greater_than_equal", limit=least)
     count = each * disc.satellite_teeth
     t = 2 * math.pi * np.arange(count) / count
