@@ -1,7 +1,8 @@
 ARG BASE_IMAGE=python:3.11-slim
 
 FROM ${BASE_IMAGE} AS packages
-COPY requirements/run.txt requirements.txt
+ARG REQUIREMENTS=run
+COPY requirements/${REQUIREMENTS}.txt requirements.txt
 RUN python -m venv /packages \
     && /packages/bin/pip install --no-cache-dir --require-hashes --no-deps -r requirements.txt \
     && /packages/bin/python -m compileall -q /packages/lib \

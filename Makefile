@@ -112,7 +112,8 @@ bench-page: .venv/test  ## time the page in Chromium: from the last key to numbe
 requirements: .venv/run  ## pin what pyproject.toml asks for, and what that needs, with hashes
 	$(PIP_INSTALL) uv
 	$(COMPILE) -o requirements/run.txt
-	$(COMPILE) --extra test -c requirements/run.txt -o requirements/test.txt
+	$(COMPILE) --extra dask -c requirements/run.txt -o requirements/dask.txt
+	$(COMPILE) --extra test -c requirements/dask.txt -o requirements/test.txt
 
 audit:  ## look for known weaknesses of the pinned packages
 	@tests/audit.sh

@@ -3,6 +3,7 @@
 import os
 from difflib import get_close_matches
 from functools import cache
+from importlib.util import find_spec
 from ipaddress import ip_network
 from typing import Annotated, Any, Literal, Self
 
@@ -90,6 +91,8 @@ class Settings(BaseSettings):
     """how long an idle connection is kept, whole s"""
     stop_seconds: WholeSeconds = 30
     """how long a stopping worker waits for answers, whole s"""
+    dask: str = Field("", pattern=r"^(tcp|tls)://[^\s/]+:\d+$|^$")
+    """scheduler of a Dask cluster that calculates studies, such as `tcp://10.0.0.5:8786`"""
     cors_origins: Annotated[tuple[Origin, ...], *BY_COMMAS] = ()
     """origins of other sites that may ask, by commas"""
     log_level: Annotated[Literal["DEBUG", "INFO", "WARNING", "ERROR"], UPPER] = "INFO"
@@ -112,11 +115,14 @@ class Settings(BaseSettings):
                 near = get_close_matches(name.upper(), names, 1)
                 raise ValueError(f"{name} is no setting" + (f"; {near[0]} is" if near else ""))
         try:
-            return cls()
+            found = cls()
         except ValidationError as error:
             first = error.errors()[0]
             name = f"{PREFIX}{str(first['loc'][0]).upper()}"
             raise ValueError(f"{name}={os.environ[name]}: {first['msg']}") from None
+        if found.dask and find_spec("distributed") is None:
+            raise ValueError(f"{PREFIX}DASK needs the extra dask: see docs/operation.md")
+        return found
 
 
 @cache

@@ -468,6 +468,14 @@ _LIMITS = {
         why="Turned by more than half the pitch of its holes it goes on by the next ones.",
         mend="Nothing, if it is meant so.",
     ),
+    "cluster_lost": _limit(
+        "The cluster was lost on the way: this service has calculated what was left, to the same "
+        "numbers.",
+        title="Cluster lost",
+        tests="Whether the cluster that this service has for studies gave all their pieces.",
+        why="Without it a study takes longer, and others wait for it.",
+        mend="Tell who runs the service; ask for the end of such studies if they take too long.",
+    ),
     "no_piece_fits": _limit(
         "None of the pieces fits: more of them would not help; larger clearances or smaller "
         "tolerances do.",

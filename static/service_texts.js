@@ -33,7 +33,7 @@ function parameter(name, value, unit, titles) {
   if (FIELDS.includes(name)) return quoted(titleOf(value, titles));
   if (name === "reason" && typeof value === "string") return message(`shares.reason.${value}`);
   if (name === "names") return value.split(", ").map((one) => titleOf(one, titles)).join("; ");
-  if (typeof value !== "number") return String(value);
+  if (typeof value !== "number") return (name === "material" && said("materials", value)) || String(value);
   if (unitOf(name)) return formatQuantity(value, unitOf(name), 9);
   return LIMITS.includes(name) ? formatQuantity(value, unit, 12) : formatNumber(value, Number.isInteger(value) ? 15 : 3);
 }

@@ -227,12 +227,14 @@ class FixOut(ResponseModel):
     pointer: str = Field(description="JSON pointer to the input.")
     title: str = Field(description="Its name in English.")
     unit: str = Field(description="Its unit as shown.")
-    before: float = Field(alias="from", description="Its value now.")
-    to: float = Field(description="Its value with the fix, rounded to the safe side.")
-    exact: float = Field(description="The value before rounding.")
-    change: float = Field(description="Relative change.")
+    before: float | str = Field(alias="from", description="Its value now.")
+    to: float | str = Field(
+        description="Its value with the fix, rounded to the safe side; a name where one is chosen."
+    )
+    exact: Maybe[float] = Field(description="The value before rounding; of a number.")
+    change: Maybe[float] = Field(description="Relative change; of a number.")
     standard: Maybe[str] = Field(description="Standard that has a part of this size.")
-    sets: dict[str, float] = Field(description="All that it sets, by JSON pointer.")
+    sets: dict[str, float | str] = Field(description="All that it sets, by JSON pointer.")
     status: FixStatus = Field(description="Whether it cures the check.")
     verdict: Outcome = Field(description="Of the whole design with it.")
     side_effects: list[SideEffectOut] = Field(description="Other checks that change.")
@@ -377,8 +379,8 @@ def _short(value: float) -> float:
     return float(f"{value:.12g}")
 
 
-def fix_values(fix: Fix, body: RequestModel) -> Values:
-    """Values of a fix, with all that it sets in a request."""
+def _of_size(fix: Fix, body: RequestModel) -> tuple[tuple[str | int, ...], Values]:
+    """Where a fix of a size is in a request, and its values with all that it sets there."""
     paths = [
         path
         for each in SETS.get(fix.variable, (fix.variable,))
@@ -416,18 +418,27 @@ def fix_values(fix: Fix, body: RequestModel) -> Values:
         sets[pointer(clearance)] = _short(loose + to - before)
         if _value(body, path) is None:  # the hole follows the clearance
             del sets[pointer(path)]
+    return path, {"from": before, "to": to, "exact": exact, "sets": sets}
+
+
+def fix_values(fix: Fix, body: RequestModel) -> Values:
+    """Values of a fix, with all that it sets in a request."""
+    path: tuple[str | int, ...]
+    if isinstance(fix.after, str):
+        path = tuple(fix.variable.split("."))
+        changed: Values = {"from": fix.before, "to": fix.after, "sets": {pointer(path): fix.after}}
+    else:
+        path, changed = _of_size(fix, body)
+    name = str(path[-1])
     parent: Any = _value(body, path[:-1])
     values: Values = {
         "code": fix.code,
         "pointer": pointer(path),
         "title": type(parent).model_fields[name].title,
         "unit": shown_unit(name),
-        "from": before,
-        "to": to,
-        "exact": exact,
+        **changed,
         "change": fix.change,
         "standard": "ISO 2338" if fix.standard else None,
-        "sets": sets,
         "status": fix.status,
         "verdict": fix.verdict,
         "side_effects": [

@@ -1,6 +1,5 @@
 """Several inputs of a reducer changed together, where no change of one lets it pass."""
 
-import math
 from collections import ChainMap
 from functools import partial
 from typing import Any
@@ -8,12 +7,11 @@ from typing import Any
 from pydantic import Field
 
 from app.calculations.checks import FixOut, codes_to_fix, fix_values
+from app.calculations.reducer_fixes import fixes_of, reposted
 from app.model import ResponseModel, Values
-from app.pointers import with_values
 from core.checks.check import Verdict
 from core.checks.largest_torque import crank_verdict
 from core.checks.part import Outcome
-from core.fixes.crank import crank_fixes
 from core.fixes.fix import Fix
 
 MOST = 4
@@ -23,6 +21,9 @@ KEPT = {"load.output_torque", "load.input_speed"}
 """What is asked of a design: not changed."""
 
 CHEAP = (
+    "contact.fit",
+    "contact.pin_material",
+    "contact.hole_material",
     "contact.hole_radius",
     "bearing.dynamic_rating",
     "bearing.static_rating",
@@ -36,7 +37,7 @@ CHEAP = (
 class CombinedOut(ResponseModel):
     """Inputs changed one after the other, each for the check that decides then."""
 
-    sets: dict[str, float] = Field(description="All that they set, by JSON pointer.")
+    sets: dict[str, float | str] = Field(description="All that they set, by JSON pointer.")
     steps: list[FixOut] = Field(
         description="The changes in their order: each is of the design with those before it, and "
         "says the verdict that is reached with it."
@@ -67,10 +68,10 @@ def combined(request: Any, verdict: Verdict, fixes: list[Fix]) -> Values | None:
     reached: str = verdict.verdict
     while reached in ("fail", "marginal") and len(steps) < MOST:
         if steps:  # the design as it is has been judged, and looked through
-            request = _changed(request, steps[-1]["sets"])
+            request = reposted(request, steps[-1]["sets"])
             verdict = crank_verdict(request.results)
             codes = codes_to_fix(verdict, "governing")
-            fixes = crank_fixes(results=request.results, codes=codes, current=verdict)
+            fixes = fixes_of(request, codes, verdict)
         cures = [
             each
             for each in fixes
@@ -94,10 +95,4 @@ def _rank(verdict: Verdict, fix: Fix) -> tuple[int, bool, float]:
     failing = {each.code for each in verdict.checks if each.status == "fail"} - {fix.code}
     for each in fix.side_effects:
         (failing.add if each.after.status == "fail" else failing.discard)(each.code)
-    return len(failing), fix.variable not in CHEAP, abs(math.log(fix.after / fix.before))
-
-
-def _changed(request: Any, sets: dict[str, float]) -> Any:
-    """The request with what a fix sets, as who reposts it sends it."""
-    document = request.model_dump(mode="json", by_alias=True, exclude_unset=True)
-    return type(request).model_validate(with_values(document, sets))
+    return len(failing), fix.variable not in CHEAP, fix.extent

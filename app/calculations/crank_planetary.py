@@ -48,6 +48,7 @@ from app.calculations.members_answer import MembersOut, at_output
 from app.calculations.output_efficiency import FrictionFields, OutputEfficiencyResponse
 from app.calculations.pin_rollers_answer import RollersOut
 from app.calculations.pin_strength import PinStrengthResponse
+from app.calculations.reducer_fixes import fixes_of
 from app.calculations.ring import RingFields
 from app.calculations.satellite_bearing import (
     BearingFields,
@@ -93,7 +94,6 @@ from core.derived import if_known
 from core.design.real_forces import RealForces
 from core.design.results import MOST_BEARING_PAIRS, MOST_PIN_PAIRS, Results
 from core.errors import CalculationError
-from core.fixes.crank import crank_fixes
 from core.fixes.fix import Fix
 from core.output.contact_force import ContactForce, ForceCurves, PairNumber, drawing_angles
 from core.output.loaded_position import loaded_position
@@ -355,7 +355,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         fixes: list[Fix] = []
         if {"fixes", "combined"} & {*self.sections}:
             codes = codes_to_fix(found, self.fixes_for)
-            fixes = crank_fixes(results=self.results, codes=codes, current=found)
+            fixes = fixes_of(self, codes, found)
         values: Values = {}
         if (cold := cold_yield(results=self.results, found=found)) is not None:
             values["cold_yield"] = self.cold_values(cold)

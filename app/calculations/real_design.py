@@ -7,6 +7,7 @@ from typing import Any, Literal, Self
 from pydantic import Field, model_validator
 
 from app.calculations.mechanism import MechanismFields
+from app.calculations.pin_rollers import RollersFields
 from app.calculations.real_mechanism import (
     BentPinFields,
     ContactLawFields,
@@ -50,6 +51,7 @@ class RealDesignFields(GivingFields, group="contact_law"):
     contact: RealContactFields
     contact_law: ContactLawFields = Field(default_factory=ContactLawFields)
     pin: Maybe[BentPinFields] = None
+    rollers: Maybe[RollersFields] = None
     geometry: Literal["exact", "first_order"] = quantity("Geometry", default="exact")
     """Exact, or first order in lag and deviations as in the papers."""
     lost_motion_torque_share: float = quantity(
@@ -119,13 +121,21 @@ class RealDesignFields(GivingFields, group="contact_law"):
 
     def made(self, deviations: Deviations) -> RealMechanism:
         """The mechanism as it is made, in SI units."""
+        sizes, inside, play = self.contact.sizes(), None, 0.0
+        if self.rollers is not None:
+            rollers = self.rollers.section(self)
+            given = None if self.pin is None else to_si("diameter_mm", self.pin.diameter_mm)
+            rollers.check(pin_radius=sizes["pin_radius"], pin_diameter=given)
+            inside, play = rollers.bore_diameter, rollers.play
+            sizes["contact_length"] = min(sizes["contact_length"], rollers.length)
         return RealMechanism(
             mechanism=self.built,
             pin_circle_radius=to_si("radius_mm", self.load.pin_circle_radius_mm),
-            **self.contact.sizes(),
+            **sizes,
             law=self.contact_law.section(self),
-            pin=None if self.pin is None else self.pin.held(self.contact),
+            pin=None if self.pin is None else self.pin.held(self.contact, inside),
             deviations=deviations,
             exact=self.geometry == "exact",
             support=self.support,
+            roller_play=play,
         )

@@ -20,6 +20,7 @@ from app.calculations.tolerances import (
     PinDiameterFields,
     TolerancesFields,
 )
+from app.cluster import Lost, on_cluster
 from app.model import (
     Calculation,
     Maybe,
@@ -32,9 +33,9 @@ from app.model import (
     quantity,
     warning,
 )
-from app.problems import refusal
+from app.problems import refusal, unavailable
 from app.running import run
-from app.settings import Settings
+from app.settings import Settings, current
 from app.sources import ISO_286, JANSEN_1999, YANCHEVSKIY_2021
 from app.theme import Figure, Theme
 from app.units import core_name, from_si, to_si
@@ -111,6 +112,11 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
     as many as fit, up to 4096, or 1024 with contributions."""
     seed: Whole = quantity("Seed", default=0, step=1, advanced=True, ge=0, le=2**53 - 1)
     """Of the draws: the same seed gives the same pieces, however many there are."""
+    if_cluster_lost: Literal["here", "end"] = quantity(
+        "If the cluster is lost", default="here", advanced=True
+    )
+    """Whether a study goes on in the service, or ends, where that has it calculated on a cluster
+    and loses it."""
     crank_angles: Whole = quantity(
         "Crank angles", default=60, step=12, advanced=True, ge=12, le=1000
     )
@@ -169,6 +175,7 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
         return replace(super().made(deviations), clearance=self.basic.sizes()["clearance"])
 
     _fitting: int = PrivateAttr(default=MAX_SAMPLES)
+    _lost: bool = PrivateAttr(default=False)
 
     @property
     def drawn(self) -> int:
@@ -229,8 +236,10 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
         return {name: limit for name, limit in limits.items() if limit is not None}
 
     def study(self, report: Report) -> Study:
-        """The study in SI units, which tells how much of it is done."""
-        return Study(
+        """The study in SI units, which tells how much of it is done; on the operator's cluster,
+        where there is one.
+        """
+        study = Study(
             real=self.made(Deviations()),
             tolerances=self.spread.tolerances(self.basic),
             asked=Evaluation(
@@ -243,6 +252,14 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
             seed=self.seed,
             progress=self._counted(report),
         )
+        address = current().dask
+        if not address or self.interpreted:
+            return study
+        instead = study.in_threads if self.if_cluster_lost == "here" else None
+        return replace(study, mapped=on_cluster(address, instead, self._lose))
+
+    def _lose(self) -> None:
+        self._lost = True
 
     def _counted(self, report: Report) -> Callable[[int], None]:
         """What takes the number of pieces that are done, which begins anew with each contribution,
@@ -295,6 +312,8 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
             counts = {name: values[name] for name in ("samples", "fits", "cannot_work")}
             values["worked"] = stated("tolerance_study", means | counts, "simulated")
         notices = self._few(found)
+        if self._lost:
+            notices += (Notice("cluster_lost"),)
         if notices:
             values["warnings"] = [*map(warning, notices)]
         return values, Accuracy("monte_carlo", sampling + grid, self._pieces * self.crank_angles)
@@ -436,7 +455,10 @@ def _histogram(values: FloatArray) -> Values:
 
 def reporting(body: ToleranceStudyRequest, report: Report) -> Values:
     """The same as `solve`, which tells how much of it is done."""
-    (values, accuracy), run_time_us = run(body, lambda: body.solve(report))
+    try:
+        (values, accuracy), run_time_us = run(body, lambda: body.solve(report))
+    except Lost as error:
+        raise unavailable("The cluster of this study is lost") from error
     values["accuracy"] |= accuracy_values(accuracy, run_time_us)
     return values
 

@@ -17,7 +17,7 @@ _check = partial(
     design_check,
     group="geometry",
     part="contact",
-    fixes=("contact.hole_radius",),
+    fixes=("contact.hole_radius", "contact.fit"),
     needs=("touching",),
 )
 

@@ -25,6 +25,7 @@ FIXES = (
     "mechanism.pins",
     "mechanism.satellites",
     "load.output_torque",
+    "contact.fit",
 )
 _check = partial(
     design_check,
@@ -123,6 +124,7 @@ def _pressure(body: Body) -> Kind:
         formula="p ≤ p_all·Z_NT/S",
         why=f"Above it the surface of the {body} pits within the life.",
         inputs=(*LOADED, *LIFE, "requirements.pitting_safety"),
+        fixes=(*FIXES, f"contact.{body}_material"),
         source="yanchevsky_2018",
         known=known,
     )
@@ -157,6 +159,7 @@ def _plastic(body: Body, name: str, warning: str = "", **said: str) -> Kind:
         code,
         unit="MPa",
         inputs=(*LOADED, *SLIDING),
+        fixes=(*FIXES, f"contact.{body}_material"),
         known=lambda design, results: {"limit": results.pressure_limits[code]},
         **said,
     )
@@ -217,7 +220,7 @@ def _static(body: Body) -> Kind:
         formula="p(T_max) ≤ p_static",
         why=f"Above it the surface of the {body} is dented at once.",
         inputs=(*LOADED, "load.peak_torque"),
-        fixes=(*FIXES, "load.peak_torque"),
+        fixes=(*FIXES, f"contact.{body}_material", "load.peak_torque"),
         source="static_pressure",
     )
     def static(design: Design, results: Results) -> Check:

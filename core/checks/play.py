@@ -13,7 +13,7 @@ _check = partial(
     group="play",
     part="contact",
     unit="arcmin",
-    fixes=("contact.hole_radius",),
+    fixes=("contact.hole_radius", "contact.fit"),
     source="load_sharing",
     needs=("touching", "load"),
 )

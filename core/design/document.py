@@ -188,10 +188,10 @@ class Design:
         rollers = self.rollers
         if not rollers:
             return
-        rollers.check(self.contact.pin_radius if self.contact else None)
-        if self.pin and not math.isclose(self.pin.diameter, rollers.bore_diameter, rel_tol=SAME):
-            other = {"field": "bore_diameter"}
-            raise InvalidInput("pin.diameter", self.pin.diameter, "only_one", **other)
+        rollers.check(
+            pin_radius=self.contact.pin_radius if self.contact else None,
+            pin_diameter=self.pin.diameter if self.pin else None,
+        )
         if self.friction and self.friction.sleeve:
             raise InvalidInput("friction.sleeve", True, "only_one", field="rollers")
 

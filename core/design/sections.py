@@ -501,13 +501,15 @@ class Rollers:
         """Of all rollers under a satellite, m; infinite where their width is not given."""
         return math.inf if self.width is None else self.per_satellite * self.width
 
-    def check(self, pin_radius: float | None) -> None:
+    def check(self, *, pin_radius: float | None, pin_diameter: float | None) -> None:
         """Refuse sizes that contradict each other, and rollers without a ring of their own.
 
         Parameters
         ----------
         pin_radius : float or None
             Radius of what touches the hole, m.
+        pin_diameter : float or None
+            Of the pins, m.
 
         Raises
         ------
@@ -527,6 +529,8 @@ class Rollers:
             if not self.bore_diameter < size:
                 bore, than = self.bore_diameter, {"field": field, "limit": size}
                 raise InvalidInput("rollers.bore_diameter", bore, "smaller_than", **than)
+        if pin_diameter and not math.isclose(pin_diameter, self.bore_diameter, rel_tol=SAME):
+            raise InvalidInput("pin.diameter", pin_diameter, "only_one", field="bore_diameter")
 
     def friction(self, given: "Friction | None") -> "Friction":
         """Friction of the output: that of the rollers, on their pins.

@@ -20,6 +20,9 @@ from core.precision import SEARCHED
 LOOKS, NUDGE = 9, 0.02
 """Most looks of a search by secants, and by which part an input is changed first."""
 
+CHOICES = ("contact.pin_material", "contact.hole_material", "contact.fit")
+"""What a request chooses by name: such fixes are found where names are known."""
+
 STRENGTH = ("pin", "pin_rollers", "friction", "bearing", "crankshaft")
 """Groups of checks that are about powers of their inputs."""
 
@@ -43,6 +46,8 @@ def crank_fixes(*, results: Results, codes: Iterable[str], current: Verdict) -> 
     fixes = []
     for code in codes:
         for variable in current[code].kind.fixes:
+            if variable in CHOICES:
+                continue
             try:
                 fix = _fix(results, code, variable, current)
             except CalculationError:  # a size that would cure it makes no design
@@ -63,22 +68,37 @@ def _fix(results: Results, code: str, variable: str, current: Verdict) -> Fix | 
     cure = _cure(design, code, variable, current)
     if cure is None or (variable == "mechanism.satellites" and not count_may_change(design)):
         return None
-    factor = 1.0 if check.torque_reserve is None else aim(check)
 
     def change(value: float) -> Check:
-        """The check under so many times the torque as it is to bear."""
-        there = under(design=vary(design=design, variable=variable, value=value), factor=factor)
-        results = Results(there)
-        ways = (results, results.equal) if two_ways(results) else (results,)
-        found = min((crank_check(code, way) for way in ways), key=_least_met)
-        reserve = found.torque_reserve
-        return found if reserve is None else found._replace(torque_reserve=reserve * factor)
+        return aimed(design=vary(design=design, variable=variable, value=value), check=check)
 
     solved = group in STRENGTH or (group == "contact" and results.solved)
     if solved and variable not in WHOLE:
         exact = _secant(lambda value: _met(change(value)), cure.before)
         return None if exact is None else _checked(cure, exact)
     return fix_of(cure=cure, change=change)
+
+
+def aimed(*, design: Design, check: Check) -> Check:
+    """A check of another design, under so many times the torque as a fix of it is to bear.
+
+    Parameters
+    ----------
+    design : Design
+        That with a fix.
+    check : Check
+        The check without.
+
+    Returns
+    -------
+    Check
+    """
+    factor = 1.0 if check.torque_reserve is None else aim(check)
+    results = Results(under(design=design, factor=factor))
+    ways = (results, results.equal) if two_ways(results) else (results,)
+    found = min((crank_check(check.code, way) for way in ways), key=_least_met)
+    reserve = found.torque_reserve
+    return found if reserve is None else found._replace(torque_reserve=reserve * factor)
 
 
 def _cure(design: Design, code: str, variable: str, current: Verdict) -> Cure | None:

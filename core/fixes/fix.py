@@ -64,10 +64,10 @@ class Fix:
         The check.
     variable : str
         The input's path.
-    before, after : float
-        The input without and with the fix, SI.
-    exact : float
-        What it had to be at least, or at most.
+    before, after : float or str
+        The input without and with the fix, SI, or the names of what is chosen.
+    exact : float or None
+        What it had to be at least, or at most; None of what is chosen.
     standard : bool
         Whether it is a standard size.
     status : FixStatus
@@ -81,18 +81,25 @@ class Fix:
 
     code: str
     variable: str
-    before: float
-    after: float
-    exact: float
+    before: float | str
+    after: float | str
+    exact: float | None
     standard: bool
     status: FixStatus
     verdict: str
     side_effects: tuple[SideEffect, ...]
 
     @property
-    def change(self) -> float:
-        """Relative change of the input."""
+    def change(self) -> float | None:
+        """Relative change of the input; None of what is chosen."""
+        if isinstance(self.after, str) or isinstance(self.before, str):
+            return None
         return self.after / self.before - 1 if self.before else math.inf
+
+    @property
+    def extent(self) -> float:
+        """How much it changes, as the logarithm of the ratio; 0 of what is chosen."""
+        return 0.0 if self.change is None else abs(math.log1p(self.change))
 
 
 def aim(check: Check) -> float:
@@ -173,13 +180,7 @@ class Cure:
             if any(start <= size <= end for start, end in found.intervals)
         )
         after, standard, verdict = self._made([*within, (exact, False)])
-        effects = tuple(
-            SideEffect(code=each.code, before=old, after=each)
-            for each in verdict.checks
-            if each.code != self.code
-            for old in self.current.checks
-            if old.code == each.code and _changed(old, each)
-        )
+        effects = side_effects(code=self.code, current=self.current, found=verdict)
         outcome = verdict.verdict
         return Fix(
             self.code, self.variable, self.before, after, exact, standard, status, outcome, effects
@@ -253,6 +254,29 @@ def fix_of(*, cure: Cure, change: Change) -> Fix | None:
     return cure.by(exact, found, "solved" if len(found.intervals) == 1 else "not_monotone")
 
 
+def side_effects(*, code: str, current: Verdict, found: Verdict) -> tuple[SideEffect, ...]:
+    """What the fix of a check does to the others.
+
+    Parameters
+    ----------
+    code : str
+        The check.
+    current, found : Verdict
+        All checks without and with the fix.
+
+    Returns
+    -------
+    tuple of SideEffect
+    """
+    return tuple(
+        SideEffect(code=each.code, before=old, after=each)
+        for each in found.checks
+        if each.code != code
+        for old in current.checks
+        if old.code == each.code and _changed(old, each)
+    )
+
+
 def _changed(before: Check, after: Check) -> bool:
     if before.status != after.status:
         return True
@@ -279,6 +303,6 @@ def in_order(fixes: Iterable[Fix]) -> list[Fix]:
         key=lambda each: (
             ways.index(each.status),
             verdicts.index(each.verdict),
-            abs(math.log(each.after / each.before)),
+            each.extent,
         ),
     )

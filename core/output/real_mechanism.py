@@ -53,7 +53,7 @@ from core.output.sharing_kernel import (
     Wrap,
     prepare,
 )
-from core.output.stage import Stage
+from core.output.stage import Stage, in_floats
 
 
 @dataclass(frozen=True, slots=True)
@@ -251,28 +251,30 @@ class RealMechanism(Stage):
             support = CRANK if gives > 0 else RIGID
         if self.tied_pin is not None:
             support = TIED
-        return Setup(
-            pins=self.mechanism.pins,
-            satellites=self.mechanism.satellites,
-            ratio=self.mechanism.ratio,
-            exact=self.exact,
-            radius=self.pin_circle_radius,
-            pin_radius=self.pin_radius,
-            eccentricity=self.eccentricity,
-            clearance=self.clearance,
-            direction=direction,
-            law=kind,
-            exponent=exponent,
-            curve=law_curve(
-                law=self.law,
-                contact_length=self.contact_length,
-                pin=self.pin_material,
-                hole=self.hole_material,
-            ),
-            wrap=self.wrap,
-            support=support,
-            gives=gives,
-            loose=loose,
+        return in_floats(
+            Setup(
+                pins=self.mechanism.pins,
+                satellites=self.mechanism.satellites,
+                ratio=self.mechanism.ratio,
+                exact=self.exact,
+                radius=self.pin_circle_radius,
+                pin_radius=self.pin_radius,
+                eccentricity=self.eccentricity,
+                clearance=self.clearance,
+                direction=direction,
+                law=kind,
+                exponent=exponent,
+                curve=law_curve(
+                    law=self.law,
+                    contact_length=self.contact_length,
+                    pin=self.pin_material,
+                    hole=self.hole_material,
+                ),
+                wrap=self.wrap,
+                support=support,
+                gives=gives,
+                loose=loose,
+            )
         )
 
     @property

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, TypeVar
 
 from core.errors import ImpossibleMechanism
 from core.output.mechanism import Mechanism
@@ -25,6 +25,29 @@ REFUSALS = {
     TOO_FAR: "beyond_first_order",
 }
 """What a position is refused as that cannot be."""
+
+
+Sizes = TypeVar("Sizes")
+
+
+def in_floats(setup: Sizes) -> Sizes:
+    """A setup whose sizes are floats, which the loops are compiled for: a whole number would have
+    them compiled once more.
+
+    Parameters
+    ----------
+    setup : named tuple
+        Sizes as they are given.
+
+    Returns
+    -------
+    named tuple
+    """
+    own: Any = setup
+    kinds = type(setup).__annotations__
+    sizes = (name for name, kind in kinds.items() if kind is float)
+    found: Sizes = own._replace(**{name: float(getattr(setup, name)) for name in sizes})
+    return found
 
 
 class Stage:

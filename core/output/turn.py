@@ -65,7 +65,9 @@ class Turn:
         self.torque = torque
         self.kernel = real.loops_of_turns
         direction = math.copysign(1.0, torque)
-        self.load = Load(abs(torque), share, real.setup(direction), real.setup(-direction))
+        self.load = Load(
+            abs(float(torque)), float(share), real.setup(direction), real.setup(-direction)
+        )
         pairs, room = real.pairs, real.room()
         self.pairs = type(pairs)(*map(self.kernel.row, pairs))
         self.room = type(room)(*map(self.kernel.row, room))

@@ -29,7 +29,7 @@ from core.output.mechanism import Mechanism
 from core.output.over_turn import Extreme, OverTurn
 from core.output.satellite_support import SharedTorque, Shares, check_shares
 from core.output.sharing_kernel import PRESSURE, RIGID, Position
-from core.output.stage import Stage
+from core.output.stage import Stage, in_floats
 from core.output.summits import summits
 from core.output.turn import Turn
 from core.precision import ROUNDING
@@ -175,30 +175,32 @@ class CycloidMesh(Stage):
         """
         kind, exponent = law_kind(self.law)
         disc, change = self.disc, self.disc.modification
-        return MeshSetup(
-            pins=disc.pins,
-            satellites=len(self.crank_angles),
-            ratio=float(disc.satellite_teeth),
-            exact=False,
-            radius=disc.ring_pin_circle_radius,
-            pin_radius=disc.ring_pin_radius,
-            eccentricity=disc.eccentricity,
-            clearance=0.0,
-            direction=direction,
-            law=kind,
-            exponent=exponent,
-            curve=NO_CURVE,
-            wrap=NO_WRAP,
-            support=RIGID,
-            gives=0.0,
-            loose=0.0,
-            foot=self.exact,
-            tool_circle=disc.tool_circle_radius,
-            tool=disc.tool_radius,
-            equidistant=change.equidistant,
-            pin_circle=change.pin_circle,
-            rotation=change.rotation,
-            valley=disc.valley_radius,
+        return in_floats(
+            MeshSetup(
+                pins=disc.pins,
+                satellites=len(self.crank_angles),
+                ratio=float(disc.satellite_teeth),
+                exact=False,
+                radius=disc.ring_pin_circle_radius,
+                pin_radius=disc.ring_pin_radius,
+                eccentricity=disc.eccentricity,
+                clearance=0.0,
+                direction=direction,
+                law=kind,
+                exponent=exponent,
+                curve=NO_CURVE,
+                wrap=NO_WRAP,
+                support=RIGID,
+                gives=0.0,
+                loose=0.0,
+                foot=self.exact,
+                tool_circle=disc.tool_circle_radius,
+                tool=disc.tool_radius,
+                equidistant=change.equidistant,
+                pin_circle=change.pin_circle,
+                rotation=change.rotation,
+                valley=disc.valley_radius,
+            )
         )
 
     @property

@@ -1,7 +1,7 @@
 """What tolerances do to many pieces: peak force, pressure, transmission error, backlash, ..."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from typing import Any
@@ -133,6 +133,13 @@ def _untold(done: int) -> None:
     """Nobody asks how much is done."""
 
 
+Block = Callable[[Drawn], Pieces]
+"""Calculates a few pieces; it can be pickled."""
+
+Mapped = Callable[[Block, Sequence[Drawn]], Iterator[Pieces]]
+"""Where blocks are calculated: their results, one after the other in their order."""
+
+
 @dataclass(frozen=True, slots=True)
 class Study:
     """A design, its tolerances, and what is asked."""
@@ -145,6 +152,7 @@ class Study:
     # Called with the number of pieces done.
     progress: Callable[[int], None] = _untold
     threads: int = 0  # how many, where the loops are compiled; 0 for one to a processor
+    mapped: Mapped | None = None  # elsewhere than in these threads
 
     def pieces(self, *, tolerances: Tolerances | None = None, other: Sequence[str] = ()) -> Drawn:
         """The pieces.
@@ -172,7 +180,7 @@ class Study:
 
     def values(self, pieces: Drawn) -> tuple[FloatArray, FloatArray]:
         """Quantities of pieces, and which of them fit; on all processors where the loops are
-        compiled, with the same bits however they are split.
+        compiled, or where the study is `mapped` to, with the same bits however they are split.
 
         Parameters
         ----------
@@ -188,12 +196,31 @@ class Study:
         """
         blocks = [pieces.part(first, first + BLOCK) for first in range(0, len(pieces), BLOCK)]
         found, done = [], 0
-        with ThreadPoolExecutor(self.threads or self._kernel.threads) as threads:
-            for each, results in zip(blocks, threads.map(self._drawn, blocks), strict=True):
-                found.append(results)
-                done += len(each)
-                self.progress(done)
+        mapped = self.in_threads if self.mapped is None else self.mapped
+        plain = replace(self, real=replace(self.real), progress=_untold, mapped=None)
+        for each, results in zip(blocks, mapped(plain.drawn, blocks), strict=True):
+            found.append(results)
+            done += len(each)
+            self.progress(done)
         return self._columns(found)
+
+    def in_threads(self, block: Block, blocks: Sequence[Drawn]) -> Iterator[Pieces]:
+        """Blocks on all processors.
+
+        Parameters
+        ----------
+        block : callable
+            Calculates one.
+        blocks : sequence of Drawn
+            The pieces of each.
+
+        Returns
+        -------
+        iterator of Pieces
+            Their results, in their order.
+        """
+        with ThreadPoolExecutor(self.threads or self._kernel.threads) as threads:
+            yield from threads.map(block, blocks)
 
     def _columns(self, found: Sequence[Pieces]) -> tuple[FloatArray, FloatArray]:
         """Columns of what is asked, of the quantities of all blocks."""
@@ -220,8 +247,18 @@ class Study:
         """
         return self._columns([self._block(rows)])
 
-    def _drawn(self, pieces: Drawn) -> Pieces:
-        """Quantities of pieces, drawn where they are calculated."""
+    def drawn(self, pieces: Drawn) -> Pieces:
+        """Quantities of pieces, drawn where they are calculated.
+
+        Parameters
+        ----------
+        pieces : Drawn
+            The pieces.
+
+        Returns
+        -------
+        Pieces
+        """
         return self._block(pieces.rows())
 
     @property

@@ -125,13 +125,14 @@ function effectText(check, { status_from: was, status_to: is, utilisation_from: 
 /** What a fix changes in words, `name` that of a message: the input, and what follows it. */
 function changeText({ pointer, title, unit, from, to, change, sets = {} }, fieldAt, name) {
   const field = fieldAt(pathOf(pointer)) ?? { title, unit };
+  const shown = (value, unitOfIt) => (typeof value === "string" ? said("materials", value) ?? value : formatQuantity(value, unitOfIt, 5));
   const values = {
-    field: field.title, from: formatQuantity(from, field.unit, 5), to: to === undefined ? "" : formatQuantity(to, field.unit, 5),
+    field: field.title, from: shown(from, field.unit), to: to === undefined ? "" : shown(to, field.unit),
     change: change === undefined ? "" : `${change > 0 ? "+" : ""}${percent(change)}`,
   };
   const others = name === "notEnough" ? [] : Object.entries(sets).filter(([at]) => at !== pointer)
     .map(([at, value]) => [fieldAt(pathOf(at)), value]).filter(([other]) => other)
-    .map(([{ title: other, unit: of }, value]) => message("fixes.also", { field: other, to: formatQuantity(value, of, 5) }));
+    .map(([{ title: other, unit: of }, value]) => message("fixes.also", { field: other, to: shown(value, of) }));
   return [message(`fixes.${name}`, values), ...others].join("; ");
 }
 
@@ -139,7 +140,8 @@ function changeText({ pointer, title, unit, from, to, change, sets = {} }, field
 export function fixRow(fix, fieldAt, { checks = [], parts }) {
   const { standard, status, verdict, steps = [fix], side_effects: effects = [] } = fix;
   const enough = status !== "not_enough";
-  const changes = steps.map((step) => changeText(step, fieldAt, enough ? "change" : "notEnough")).join("; ");
+  const wordsOf = ({ change }) => (change === undefined ? "choice" : "change");
+  const changes = steps.map((step) => changeText(step, fieldAt, enough ? wordsOf(step) : "notEnough")).join("; ");
   const named = (code) => titleOf(checks.find((check) => check.code === code) ?? { code });
   return {
     applies: enough && fix.sets !== undefined,

@@ -451,6 +451,7 @@ export default {
     title: "What mends it",
     long: "Which changes would help took longer to find than the service allows. Fewer sections, or no clearance and errors, make it faster; “Size for …” beside a field looks for one value.",
     change: "{field} {from} → {to} ({change})",
+    choice: "{field}: {from} → {to}",
     notEnough: "Changing {field} alone is not enough.",
     together: "Together: {changes}",
     then: "then: {verdict}",

@@ -19,7 +19,13 @@ from app.registry import CALCULATIONS
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.output import compiled as loops
 from core.output import sharing_kernel
+from core.output.contact_law import LinearLaw
+from core.output.mechanism import Mechanism
+from core.output.over_turn import over_turn
+from core.output.real_mechanism import RealMechanism
 from core.ring import approach
+from core.ring.profile import CycloidDisc
+from core.ring.sharing import CycloidMesh, mesh_over_turn
 
 CORPUS = Path(__file__).parent.parent / "corpus" / "requests.json"
 WALKED = ("crank-planetary", "load-sharing", "tolerance-study", "crankshaft", "satellite-bearing")
@@ -55,6 +61,29 @@ def test_all_that_is_called_of_the_loops_is_in_the_cache():
                 asked += 1
     assert asked > 100
     assert {name: getattr(kernel, name).signatures for name in names} == before
+
+
+def test_whole_numbers_are_floats_to_the_loops():
+    """A ratio of 18 and no clearance do not have them compiled once more."""
+    compiled.load()
+    kernel, mesh = loops.at_hand(), loops.at_hand(approach)
+    before = kernel.poses.signatures, mesh.poses.signatures
+    real = RealMechanism(
+        mechanism=Mechanism.evenly_spaced(pins=3, satellites=1, ratio=18),
+        pin_circle_radius=0.02,
+        pin_radius=0.003,
+        eccentricity=0.0015,
+        contact_length=0.01,
+        law=LinearLaw(50_000_000),
+        clearance=0,
+    )
+    disc = CycloidDisc(5, 0.001, 0.02, 0.002)
+    ring = CycloidMesh(
+        disc=disc, crank_angles=(0.0,), contact_length=0.01, law=LinearLaw(50_000_000)
+    )
+    found = over_turn(real=real, output_torque=30)
+    assert found.peak_force > 0 and mesh_over_turn(mesh=ring, output_torque=30).peak_force > 0
+    assert (kernel.poses.signatures, mesh.poses.signatures) == before != ([], [])
 
 
 def test_who_looks_for_the_cache_imports_nothing_of_the_calculation():

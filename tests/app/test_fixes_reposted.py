@@ -78,8 +78,10 @@ async def test_several_inputs_cure_what_none_cures_alone(
     assert after["counts"]["fail"] == 0
 
 
-async def test_a_fix_keeps_the_fit(api: Any) -> None:
-    """The hole follows the pin, with the clearance of the classes at its new diameters."""
+async def test_a_fix_keeps_the_fit_or_chooses_another(api: Any) -> None:
+    """The hole follows the pin, with the clearance of the classes at its new diameters; too much
+    backlash asks for the next tighter fit that has less.
+    """
     body = failing(8)[7]
     del body["contact"]["hole_clearance_mm"]
     body["contact"]["fit"] = "H7/f7"
@@ -88,8 +90,10 @@ async def test_a_fix_keeps_the_fit(api: Any) -> None:
     answer = await answered(api, body | asked)
     checks = {each["code"]: each for each in answer["checks"]}
     assert checks["backlash"]["status"] == "fail"
-    cured = {fix["code"] for fix in answer["fixes"]}
-    assert "backlash" not in cured and "contact_pressure_hole" in cured
+    assert "contact_pressure_hole" in {fix["code"] for fix in answer["fixes"]}
+    (tighter,) = [fix for fix in answer["fixes"] if fix["code"] == "backlash"]
+    assert tighter["sets"] == {"/contact/fit": tighter["to"]} and tighter["from"] == "H7/f7"
+    assert "change" not in tighter and "exact" not in tighter
     for fix in answer["fixes"]:
         after = await answered(api, applied(body, fix["sets"]) | {"include": ["checks"]})
         there = {each["code"]: each for each in after["checks"]}
@@ -99,6 +103,36 @@ async def test_a_fix_keeps_the_fit(api: Any) -> None:
             if "utilisation_to" in effect:
                 used = pytest.approx(effect["utilisation_to"], rel=1e-6)
                 assert there[effect["code"]]["utilisation"] == used
+
+
+async def test_a_fix_chooses_the_weakest_material_that_bears_the_load(api: Any) -> None:
+    body = {
+        "mechanism": {"pins": 6, "satellites": 2, "ratio": 20.0},
+        "load": {"output_torque_Nm": 280.0, "pin_circle_radius_mm": 28.0},
+        "contact": {
+            "contact_length_mm": 20.0,
+            "pin_radius_mm": 8.0,
+            "eccentricity_mm": 2.0,
+            "hole_clearance_mm": 0.02,
+            "hole_material": "steel_structural",
+        },
+        "include": ["checks", "fixes"],
+    }
+    (chosen,) = [fix for fix in (await answered(api, body))["fixes"] if isinstance(fix["to"], str)]
+    assert chosen["code"] == "contact_pressure_hole" and chosen["from"] == "steel_structural"
+    table = (await api.get("materials")).json()["materials"]
+    limits = {
+        each["name"]: each["allowable_pressure_MPa"]
+        for each in table
+        if "allowable_pressure_MPa" in each and "plastic" not in each["group_code"]
+    }
+    found = {}
+    for name in limits:
+        body["contact"]["hole_material"] = name
+        checks = (await answered(api, body))["checks"]
+        found[name] = {each["code"]: each["status"] for each in checks}[chosen["code"]]
+    bearing = [name for name, status in found.items() if status == "pass"]
+    assert "fail" in found.values() and chosen["to"] == min(bearing, key=limits.__getitem__)
 
 
 async def test_where_one_input_is_enough_several_are_not_named(api: Any) -> None:

@@ -220,3 +220,41 @@ async def test_hollow_standoffs_of_an_open_design(api):
     assert wall["status"] == "pass" and wall["limit"] == pytest.approx(230)
     wide = having(body, pin={"bore_diameter_mm": 4.8})
     assert await refused(api, wide) == ("/pin/bore_diameter_mm", "less_than_equal")
+
+
+async def test_forces_and_pieces_have_the_play_of_the_rollers(api):
+    """Where nothing wraps, forces and play are those of as much more clearance."""
+    loose = having(
+        SMALL,
+        contact={"hole_clearance_mm": 0.02},
+        rollers={"radial_clearance_mm": 0.01},
+        contact_law={"kind": "linear", "stiffness_N_per_mm": 5e4},
+    )
+    loose["load"] = {"output_torque_Nm": 4.05, "pin_circle_radius_mm": 24}
+    wider = having(loose, rollers=None, contact={"hole_clearance_mm": 0.025})
+    asked = {"include": ["over_turn"]}
+    found, same = [
+        (await answered(api, body | asked, "load-sharing"))["over_turn"] for body in (loose, wider)
+    ]
+    for name in ("peak_force_N", "backlash_max_arcmin", "lost_motion_arcmin"):
+        assert found[name] == pytest.approx(same[name], rel=1e-6), name
+    whole = await answered(api, loose | {"include": ["load_sharing"]})
+    assert whole["load_sharing"]["peak_force_N"] == pytest.approx(found["peak_force_N"], rel=1e-9)
+    drawn = {
+        "tolerances": {"eccentricity_mm": 0.005},
+        "samples": 100,
+        "quantities": ["peak_force_N", "backlash_max_arcmin"],
+    }
+    study, other = [
+        (await answered(api, body | drawn, "tolerance-study"))["quantities"]
+        for body in (loose, wider)
+    ]
+    for name, values in study.items():
+        assert values["mean"] == pytest.approx(other[name]["mean"], rel=1e-6), name
+    unlike = having(loose, contact={"pin_radius_mm": 6.0}, rollers={"outer_diameter_mm": 13.0})
+    assert await refused(api, unlike, "load-sharing") == ("/rollers/outer_diameter_mm", "only_one")
+    thick = having(
+        loose,
+        pin={"support": "cantilever", "diameter_mm": 8.0, "satellite_positions_mm": [4.0, 11.0]},
+    )
+    assert await refused(api, thick | drawn, "tolerance-study") == ("/pin/diameter_mm", "only_one")

@@ -379,8 +379,9 @@ async def test_fixes_of_real_forces(api):
     assert answer["verdict"] == "fail" and checks["contact_pressure_pin"]["status"] == "pass"
     # less torque than that is passed: it is known what the design carries
     assert answer["largest_torque_Nm"] == pytest.approx(480.85, abs=0.01)
-    assert len(answer["fixes"]) == 6
+    assert len(answer["fixes"]) == 7
     assert {each["verdict"] for each in answer["fixes"]} == {"pass"}
+    assert isinstance(answer["fixes"][0]["to"], str)  # a material before any size
 
 
 ROUGH = {

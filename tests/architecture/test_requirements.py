@@ -30,15 +30,17 @@ def asked(requirements):
 
 
 def test_every_requirement_is_pinned_with_a_hash():
-    run, test = pinned("run"), pinned("test")
+    run, dask, test = pinned("run"), pinned("dask"), pinned("test")
+    extras = PROJECT["optional-dependencies"]
     for packages, requirements in (
         (run, PROJECT["dependencies"]),
-        (test, PROJECT["dependencies"] + PROJECT["optional-dependencies"]["test"]),
+        (dask, PROJECT["dependencies"] + extras["dask"]),
+        (test, PROJECT["dependencies"] + extras["test"]),
     ):
         for name, version in asked(requirements).items():
             assert packages[name][0] == version, f"{name}: run make requirements"
-    assert all(hashes for _, hashes in (run | test).values())
-    assert run.items() <= test.items()
+    assert all(hashes for _, hashes in (run | dask | test).values())
+    assert run.items() <= dask.items() <= test.items()
     assert "pytest" not in run
 
 
@@ -59,14 +61,17 @@ def imported(source):
 def test_what_the_service_imports_is_installed_with_it():
     files = (*ROOT.glob("app/**/*.py"), *ROOT.glob("core/**/*.py"))
     names = {name for file in files for name in imported(file.read_text())}
-    packages = {name.replace("-", "_") for name in pinned("run")}
+    packages, extra = ({name.replace("-", "_") for name in pinned(of)} for of in ("run", "dask"))
     assert "fastapi" in names
-    assert names - packages - set(sys.stdlib_module_names) == {"app", "core"}
+    own = {"app", "core"}
+    assert names - packages - set(sys.stdlib_module_names) - own == {"dask", "distributed"}
+    assert {"dask", "distributed"} <= extra
     assert "plotly" not in packages
 
 
 def test_the_image_may_copy_what_it_copies():
-    copied = re.findall(r"^COPY (?!--)(\S+) ", (ROOT / "Dockerfile").read_text(), re.MULTILINE)
+    text = (ROOT / "Dockerfile").read_text().replace("${REQUIREMENTS}", "run")
+    copied = re.findall(r"^COPY (?!--)(\S+) ", text, re.MULTILINE)
     let_in = (ROOT / ".dockerignore").read_text().split()
     assert "LICENSE" in copied
     assert {f"!{path.split('/')[0]}" for path in copied} == set(let_in) - {"*", "**/__pycache__"}

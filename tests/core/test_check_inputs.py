@@ -368,6 +368,7 @@ def test_what_a_check_names_moves_it(seen: dict[tuple[str, str], bool]) -> None:
 
 FOLLOWS = {
     "contact.pin_radius": "contact.hole_radius",
+    "contact.fit": "contact.hole_radius",
     "crankshaft.bearings.dynamic_rating": "crankshaft.bearings",
 }
 """What moves with an input that a fix changes: the hole with its pin, a bearing with its rating."""

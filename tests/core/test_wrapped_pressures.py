@@ -40,6 +40,15 @@ UNLIKE = replace(
         pin_tangential=(4e-6, 0.0, 6e-6, -9e-6, 0.0),
     ),
 )
+THIN = replace(
+    TIGHT,
+    deviations=Deviations(
+        pin_radius=(7e-6, -1e-6, 2e-6, 7e-6, -1.6e-5),
+        pin_tangential=(4e-6, 1.2e-5, 1.1e-5, 2e-6, -1e-5),
+    ),
+)
+"""The last pin is the thinnest; by a linear law it is pressed hardest, and does not carry most."""
+
 TORQUE = 40.0
 
 
@@ -83,10 +92,16 @@ def test_at_the_peak_the_pressure_is_the_one_that_is_judged() -> None:
     assert contact.conformal_pressure == pytest.approx(judged, rel=1e-14)
 
 
-@pytest.mark.parametrize("law", [ConformalLaw(), LinearLaw(3e6)])
-def test_of_unlike_pairs_the_hardest_pressed_is_found(law: ConformalLaw | LinearLaw) -> None:
+@pytest.mark.parametrize(
+    ("made", "law"),
+    [(UNLIKE, ConformalLaw()), (UNLIKE, LinearLaw(3e6)), (THIN, LinearLaw(3e6))],
+    ids=["conformal", "linear", "thin"],
+)
+def test_of_unlike_pairs_the_hardest_pressed_is_found(
+    made: RealMechanism, law: ConformalLaw | LinearLaw
+) -> None:
     """The one with the largest force among narrower radii need not be it."""
-    real = replace(UNLIKE, law=law)
+    real = replace(made, law=law)
     turn = over_turn(real=real, output_torque=TORQUE)
     sampled = highest(real, 180)
     assert turn.max_pressure is not None
@@ -94,6 +109,8 @@ def test_of_unlike_pairs_the_hardest_pressed_is_found(law: ConformalLaw | Linear
     assert turn.max_pressure == pytest.approx(sampled, rel=5e-3)
     pair, force = turn.hardest
     assert governing(real, pair, force) == pytest.approx(turn.max_pressure, rel=1e-12)
+    largest = max(range(10), key=lambda each: turn.pair_force[each // 5][each % 5])
+    assert made is UNLIKE or (pair % 5, largest % 5) == (4, 3)
 
 
 def test_pieces_of_a_study_have_the_pressures_of_their_positions() -> None:
@@ -148,7 +165,9 @@ def test_what_wraps_further_than_is_known_has_no_pressure() -> None:
     found = loaded_position(real=real, crank_angle=0.0, output_torque=6e5)
     turn = over_turn(real=real, output_torque=6e5)
     both = WorseTurn(turn, over_turn(real=real, output_torque=-6e5))
-    for each in (found, turn, both):
+    little = over_turn(real=real, output_torque=-600.0)
+    assert little.max_pressure is not None
+    for each in (found, turn, both, WorseTurn(turn, little), WorseTurn(little, turn)):
         assert each.max_pressure is None
         assert "contact_wraps" in {notice.code for notice in each.notices}
     assert real.pressures(found.force) is None

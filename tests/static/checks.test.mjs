@@ -101,6 +101,8 @@ test("a fix says the change, the verdict it leads to and what else it does; one 
   assert.deepEqual([row.applies, row.text, row.then, row.level], [true, "Pin radius 8\u00a0mm → 12.5\u00a0mm (+56.3\u00a0%)", "Marginal", "warning"]);
   assert.equal(row.effects[0].text, "Contact pressure of the hole: 113\u00a0% → 90\u00a0% of the limit");
   assert.equal(fixRow({ ...fix, status: "not_enough", sets: undefined }, fieldAt, {}).applies, false);
+  const chosen = { ...fix, pointer: "/contact/fit", title: "Fit", unit: "", from: "H9/f9", to: "H7/f7", change: undefined, sets: { "/contact/fit": "H7/f7" } };
+  assert.deepEqual(["applies", "text"].map((name) => fixRow(chosen, fieldAt, JUDGED)[name]), [true, "Fit: H9/f9 → H7/f7"]);
   // What it sets besides is said, in the units of the boxes; and what has no share of a limit by its status.
   fields.set("contact.pin_radius_mm", { title: "Pin diameter", unit: "⌀ mm" }).set("contact.hole_radius_mm", { title: "Hole diameter", unit: "⌀ mm" });
   const sets = { ...fix.sets, "/contact/hole_radius_mm": 15, "/not/here": 1 };

@@ -141,3 +141,17 @@ test("pitch circles roll on each other: their radii differ by e, their ratio is 
 test("round numbers for a scale", () => {
   assert.deepEqual([1, 1.99, 2, 4.9, 5, 9.9, 3333, 0.07].map(roundBelow), [1, 1, 2, 2, 5, 5, 2000, 0.05]);
 });
+
+test("the pin inside its sleeve or its rollers is drawn, of a bearing by name as thick as that says", () => {
+  const cyclogram = { pairs: [], period_deg: 360, driving_count: [{ to_deg: 360 }] };
+  const input = { mechanism: { pins: 6, satellites: 1, ratio: 20 }, load: {}, contact: { pin_radius_mm: 6.5, hole_radius_mm: 8 } };
+  const inside = (besides, assumed) => mechanismOf({ ...input, besides }, { cyclogram, assumed }).inside;
+  const named = [{ pointer: "/rollers/width_mm", value: 5 }, { pointer: "/rollers/bore_diameter_mm", value: 6 }];
+  assert.equal(inside(), undefined);
+  assert.equal(inside({ rolling: { on: "on" }, rollers: { bore_diameter_mm: 8 } }, named), 4);
+  assert.equal(inside({ rolling: { on: "on" }, rollers: { name: "686" } }, named), 3);
+  assert.equal(inside({ rolling: { on: "off" }, rollers: { bore_diameter_mm: 8 } }), undefined);
+  const pin = { diameter_mm: 10 };
+  assert.equal(inside({ strength: { on: "on", surface: "sleeved" }, pin }), 5);
+  assert.equal(inside({ strength: { on: "on", surface: "bare" }, pin }), undefined);
+});

@@ -112,6 +112,13 @@ test("a code is said by its old name where the new one is not known, and explain
   assert.equal(explained("pin_static"), undefined);
 });
 
+test("a material of the table is said by its title", async () => {
+  await useLanguage("uk");
+  const told = { code: "one_source", params: { material: "plastic_pla_printed" }, detail: "" };
+  assert.match(warningText(told, TITLES), /матеріалу PLA, друк —/);
+  await useLanguage("en");
+});
+
 test("a reason that is about a field says its title", () => {
   const reason = { code: "too_many_pairs", pointer: "/mechanism/pins", params: { limit: 50, satellites: 2 }, detail: "" };
   assert.equal(reasonText(reason, TITLES), "Number of pins: must be at most 50, with 2 satellites");

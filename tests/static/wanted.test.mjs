@@ -228,6 +228,9 @@ test("the body of the real forces: nothing of the ideal ones, a clearance in the
   const [steel, strong] = [{ youngs_modulus_GPa: 210 }, { youngs_modulus_GPa: 210, tensile_strength_MPa: 900 }];
   assert.deepEqual(ask({ strength: { on: "on" }, pin: { ...pin, material: strong } }).pin.material, steel);
   assert.equal(ask({ strength: { on: "on" }, pin: { ...pin, material: "steel_bearing" } }).pin.material, "steel_bearing");
+  const rollers = { bore_diameter_mm: 6, radial_clearance_mm: 0.01 };
+  assert.deepEqual(ask({ rolling: { on: "on" }, rollers }).rollers, rollers);
+  assert.equal(ask({ rollers }).rollers, undefined);
 });
 
 test("the verdict is of the design as it is made: its clearance, deviations, contacts and pins, nothing else of the page", async () => {

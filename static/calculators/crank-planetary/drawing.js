@@ -57,7 +57,8 @@ function mainStill(view, centre, half, m) {
     <g class="pins">${Array.from({ length: m.pins }, (_, n) => {
       const turned = (2 * Math.PI * n) / m.pins;
       const [x, y] = at([-m.radius * Math.sin(turned), m.radius * Math.cos(turned)]);
-      return circle([x, y], m.pinRadius ? view.size(m.pinRadius) : 4, "pin", `${FIELD.pins} ${FIELD.pin}`);
+      return html`${circle([x, y], m.pinRadius ? view.size(m.pinRadius) : 4, "pin", `${FIELD.pins} ${FIELD.pin}`)}
+        ${m.inside && circle([x, y], view.size(m.inside), "pin inside")}`;
     })}</g>
     ${Array.from({ length: m.pins }, (_, n) => html`<text class="number pin-number" text-anchor="middle">${n + 1}</text>`)}
     ${m.cranks.map((_, j) => html`<g class="crank series-${(j % STYLES) + 1}"><line/><circle r="2.5"/><text class="number" text-anchor="middle">${j + 1}</text></g>`)}
@@ -77,7 +78,7 @@ function detailStill(m, spot) {
     <g class="detail">
       ${line([spot.x - spot.half + 6, spot.y], [spot.x + spot.half - 6, spot.y], "centre")}
       ${line([spot.x, spot.y - spot.half + 30], [spot.x, spot.y + spot.half - 24], "centre")}
-      <circle class="hole" data-field="${FIELD.hole}"/><circle class="pin" data-field="${FIELD.pin}"/>
+      <circle class="hole" data-field="${FIELD.hole}"/><circle class="pin" data-field="${FIELD.pin}"/>${m.inside && html`<circle class="pin inside"/>`}
       <line class="velocity"/><g class="angle gamma"><path class="arc"/>${label([0, 0], "γ")}</g>
       <g class="moving"></g>
       <g class="arrow force"><line class="shaft"/><path class="head"/></g>
@@ -157,6 +158,7 @@ function placeDetail(parts, { m, directions, pins, driving, force, real }, i) {
   set(one.hole, { cx: hole[0], cy: hole[1], r: close.size(m.holeRadius) });
   one.hole.classList.toggle("driving", driving[i]);
   set(one.pin, { cx: centre[0], cy: centre[1], r: close.size(m.pinRadius) });
+  if (one.inside) set(one.inside, { cx: centre[0], cy: centre[1], r: close.size(m.inside) });
   set(one.contact, { cx: touch[0], cy: touch[1] });
   const value = force?.[i] ?? 0;
   const length = value * parts.arrowScale * parts.view.scale; // the bar of the forces holds here too
@@ -203,7 +205,7 @@ function partsOf(host, still) {
     arrows: all("svg > .force.arrow").map(arrowOf),
     angles: { phi: host.querySelector(".phi"), alpha: host.querySelector(".alpha") },
     one: one && {
-      root: one, hole: of(".hole"), pin: of(".pin"), velocity: of(".velocity"), gamma: of(".gamma"),
+      root: one, hole: of(".hole"), pin: of(".pin"), inside: of(".inside"), velocity: of(".velocity"), gamma: of(".gamma"),
       moving: of(".moving"), arrow: arrowOf(of(".arrow")), contact: of(".contact"), title: of(".title"),
     },
   };

@@ -46,8 +46,17 @@ export function eccentricityOf({ eccentricity_mm: eccentricity, hole_radius_mm: 
   return eccentricity ?? hole - pin;
 }
 
+/** Radius of the pin inside its sleeve or its rollers, which what is assumed may say; none of a bare pin. */
+function insideOf({ rolling, rollers, strength, pin } = {}, assumed = []) {
+  if (rolling?.on === "on") {
+    return (rollers?.bore_diameter_mm ?? assumed.find(({ pointer }) => pointer === "/rollers/bore_diameter_mm")?.value) / 2;
+  }
+  return strength?.on === "on" && strength.surface === "sleeved" ? pin?.diameter_mm / 2 : NaN;
+}
+
 /** What of the inputs and their answer the drawing needs; sizes that make no mechanism are left out. */
-export function mechanismOf({ mechanism, load = {}, contact = {} }, { cyclogram }) {
+export function mechanismOf({ mechanism, load = {}, contact = {}, besides }, { cyclogram, assumed }) {
+  const inside = insideOf(besides, assumed);
   const { pin_radius_mm: pinRadius, hole_radius_mm: holeRadius } = contact;
   const eccentricity = eccentricityOf(contact);
   return {
@@ -56,7 +65,7 @@ export function mechanismOf({ mechanism, load = {}, contact = {} }, { cyclogram 
     ratio: ratioOf(mechanism),
     start: mechanism.initial_crank_angle_deg,
     radius: load.pin_circle_radius_mm,
-    ...(holeRadius > pinRadius && eccentricity > 0 && { pinRadius, holeRadius, eccentricity }),
+    ...(holeRadius > pinRadius && eccentricity > 0 && { pinRadius, holeRadius, eccentricity, ...(inside < pinRadius && { inside }) }),
     end: cyclogram.driving_count.at(-1).to_deg,
     period: cyclogram.period_deg,
     dead: cyclogram.dead_centres_deg ?? [],

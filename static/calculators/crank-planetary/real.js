@@ -17,7 +17,8 @@ export function designOf({
   mechanism: { revolutions, ...mechanism } = {}, load: { force_exponent, input_speed_rpm, ring_speed_rpm, carrier_speed_rpm, peak_torque_Nm, peak_kind, ...load } = {}, contact = {}, besides = {},
 }) {
   const { contact_law: law = {}, satellite_coupling: shared, lost_motion_torque_share: share } = besides;
-  const { pin: { rotates, bolt, material: { tensile_strength_MPa, ...elastic } = {}, ...pin } = {} } = partsOf({ besides }, ["pin_strength"]);
+  const { pin: { rotates, bolt, material: { tensile_strength_MPa, ...elastic } = {}, ...pin } = {}, rollers } =
+    partsOf({ besides }, ["pin_strength", "rollers"]);
   const geometry = shared || pin.support === "tie_ring" ? "first_order" : besides.geometry; // no other is to be had for these
   const material = typeof besides.pin?.material === "string" ? besides.pin.material : elastic;
   const sizes = { ...contact, eccentricity_mm: eccentricityOf(contact) };
@@ -27,6 +28,7 @@ export function designOf({
     contact: fitted(sizes),
     contact_law: law, // by the materials where none is chosen
     ...(pin.support && { pin: { ...pin, ...(Object.keys(material).length > 0 && { material }) } }), // they bend where their strength is wanted
+    ...(rollers && { rollers }),
     ...(shared && { satellite_coupling: { kind: "shares", ...shared } }),
     ...(geometry && { geometry }),
     ...(share !== undefined && { lost_motion_torque_share: share }),

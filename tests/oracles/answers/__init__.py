@@ -16,6 +16,7 @@ from tests.oracles.answers.precession import (
     SHAFT_DEFLECTION,
     SHAFT_STRENGTH,
 )
+from tests.oracles.answers.ring_mesh import RING_MESH
 from tests.oracles.answers.rollers import ROLLER_FATIGUE, ROLLER_STRENGTH
 
 CALCULATIONS: tuple[Calculation, ...] = (
@@ -26,6 +27,7 @@ CALCULATIONS: tuple[Calculation, ...] = (
     OUTPUT_EFFICIENCY,
     LOAD_SHARING,
     FIT,
+    RING_MESH,
     PIN_STRENGTH,
     SATELLITE_BEARING,
     CRANKSHAFT,

@@ -1,0 +1,124 @@
+"""Studies on a Dask cluster whose scheduler the operator names; without one nothing of Dask is
+installed, imported or started.
+
+A task is some blocks of pieces, calculated by the same function as here: what travels is the
+study, its draws are made there, and the bits are the same however many workers there are.
+"""
+
+import hashlib
+import logging
+from collections.abc import Callable, Iterator, Sequence
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from app.compiled import load
+from core.errors import CalculationError
+from core.output.sharing_kernel import Pieces
+from core.tolerance.study import Block, Mapped
+from core.tolerance.tolerances import Drawn
+
+LOG = logging.getLogger("khv.cluster")
+
+BLOCKS = 32
+"""Blocks of a task, some 2,000 pieces: a quarter of a second."""
+
+CONNECT_S = 5
+"""Time after which a scheduler that does not answer, or has no workers, counts as lost."""
+
+CORE = Path(__file__).parent.parent / "core"
+
+
+class Lost(Exception):
+    """The cluster cannot be reached, has no workers, or runs another version; why, is its text."""
+
+
+@cache
+def version() -> str:
+    """What the numbers depend on: the sources of the core that this process has."""
+    found = hashlib.sha256()
+    for path in sorted(CORE.rglob("*.py")):
+        found.update(path.relative_to(CORE).as_posix().encode() + b"\0" + path.read_bytes())
+    return found.hexdigest()
+
+
+@cache
+def _prepared() -> str:
+    """The same, once the compiled loops are there."""
+    load()
+    return version()
+
+
+def task(block: Block, blocks: Sequence[Drawn]) -> tuple[str, list[Pieces]]:
+    """Some blocks, at a worker, and by which sources."""
+    return _prepared(), [block(each) for each in blocks]
+
+
+@cache
+def _client(address: str) -> Any:
+    """A connection to the scheduler, one a process."""
+    import dask
+    from distributed import Client
+
+    dask.config.set({"distributed.comm.timeouts.connect": f"{CONNECT_S}s"})
+    client: Any = Client(  # type: ignore[no-untyped-call]
+        address, timeout=CONNECT_S, set_as_default=False
+    )
+    client.wait_for_workers(1, timeout=CONNECT_S)
+    return client
+
+
+def _there(address: str, block: Block, blocks: Sequence[Drawn]) -> Iterator[Pieces]:
+    """Blocks at the workers, in their order.
+
+    Raises
+    ------
+    Lost
+        If they cannot be, or not any more.
+    """
+    tasks = [blocks[first : first + BLOCKS] for first in range(0, len(blocks), BLOCKS)]
+    try:
+        futures = _client(address).map(task, [block] * len(tasks), tasks, pure=False)
+        for future in futures:
+            theirs, results = future.result()
+            if theirs != version():
+                raise Lost("its workers run another version")
+            yield from results
+    except (CalculationError, Lost):
+        raise
+    except Exception as error:  # whatever Dask and the network raise
+        _client.cache_clear()
+        raise Lost(f"{type(error).__name__}: {error}") from error
+
+
+def on_cluster(address: str, instead: Mapped | None, lost: Callable[[], None]) -> Mapped:
+    """Where blocks are calculated on a cluster.
+
+    Parameters
+    ----------
+    address : str
+        Of its scheduler.
+    instead : callable or None
+        Where they are calculated that it does not, once it is lost; None where they are not.
+    lost : callable
+        Called when it is.
+
+    Returns
+    -------
+    callable
+    """
+
+    def mapped(block: Block, blocks: Sequence[Drawn]) -> Iterator[Pieces]:
+        done = 0
+        try:
+            for results in _there(address, block, blocks):
+                done += 1
+                yield results
+        except Lost as why:
+            LOG.warning("the cluster is lost: %s", why)
+            lost()
+            if instead is None:
+                raise
+            yield from instead(block, blocks[done:])
+
+    return mapped

@@ -1,0 +1,156 @@
+"""Studies on a Dask cluster: scheduler and workers on loopback, as an operator starts them."""
+
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import Any
+
+import httpx
+import numpy as np
+import pytest
+
+from app.cluster import on_cluster
+from core.output.contact_law import PowerLaw
+from core.output.mechanism import Mechanism
+from core.output.real_mechanism import RealMechanism
+from core.tolerance.study import Evaluation, Study
+from core.tolerance.tolerances import Tolerances
+from tests.running_service import eventually, running_service
+
+pytestmark = pytest.mark.slow
+
+STUDY = Study(
+    RealMechanism(
+        mechanism=Mechanism.evenly_spaced(pins=6, satellites=2, ratio=20.0),
+        pin_circle_radius=0.04,
+        pin_radius=0.005,
+        eccentricity=0.002,
+        contact_length=0.012,
+        clearance=2e-5,
+        law=PowerLaw(10 / 9, 1000.0, 1e-5),
+    ),
+    Tolerances(pin_position=1e-5, hole_position=2e-5),
+    Evaluation(("peak_force", "backlash_max"), 200.0, positions=24),
+    samples=16_000,
+    seed=7,
+)
+
+BODY: dict[str, Any] = {
+    "mechanism": {"pins": 6, "satellites": 2, "ratio": 20},
+    "load": {"output_torque_Nm": 200, "pin_circle_radius_mm": 40},
+    "contact": {
+        "contact_length_mm": 12,
+        "pin_radius_mm": 5,
+        "eccentricity_mm": 2,
+        "hole_clearance_mm": 0.02,
+    },
+    "tolerances": {"pin_position_mm": 0.01},
+    "samples": 5000,
+}
+
+STREAM = {"accept": "application/x-ndjson"}
+
+
+class Cluster:
+    """A scheduler and its workers, each a process."""
+
+    def __init__(self) -> None:
+        self.processes: list[subprocess.Popen[str]] = []
+        self.scheduler = self._started("scheduler", "--port", "0", "--host", "127.0.0.1")
+        self.address = self._said(self.scheduler, r"Scheduler at:\s+(tcp://\S+)")
+        self.workers = [
+            self._started("worker", self.address, "--nthreads", "1", "--no-nanny") for _ in range(2)
+        ]
+        for worker in self.workers:
+            self._said(worker, r"Registered to:\s+(\S+)")
+
+    def _started(self, kind: str, *arguments: str) -> subprocess.Popen[str]:
+        found = subprocess.Popen(
+            [sys.executable, "-m", f"distributed.cli.dask_{kind}", *arguments, "--no-dashboard"],
+            env=os.environ | {"PYTHONPATH": "."},
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+        )
+        self.processes.append(found)
+        return found
+
+    @staticmethod
+    def _said(process: subprocess.Popen[str], pattern: str) -> str:
+        assert process.stdout is not None
+        lines = []
+        for line in process.stdout:
+            lines.append(line)
+            if found := re.search(pattern, line):
+                return found[1]
+        raise AssertionError("".join(lines))
+
+    def stop(self) -> None:
+        for process in self.processes:
+            process.kill()
+            process.communicate()
+
+
+@pytest.fixture
+def cluster() -> Iterator[Cluster]:
+    found = Cluster()
+    yield found
+    found.stop()
+
+
+def never() -> None:
+    raise AssertionError("the cluster is lost")
+
+
+def bits(found: Sequence[np.ndarray[Any, Any]]) -> list[bytes]:
+    return [each.tobytes() for each in found]
+
+
+def test_a_cluster_gives_the_same_bits_with_a_worker_killed_on_the_way(
+    cluster: Cluster, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    here = bits(STUDY.values(STUDY.pieces()))
+    there = replace(STUDY, mapped=on_cluster(cluster.address, None, never))
+    victim = cluster.workers[0]
+
+    def third(done: int) -> None:
+        if done >= STUDY.samples / 3 and victim.poll() is None:
+            victim.send_signal(signal.SIGKILL)
+            victim.wait()
+
+    assert bits(there.values(there.pieces())) == here
+    killed = replace(there, progress=third)
+    assert bits(killed.values(killed.pieces())) == here
+    assert victim.poll() is not None
+    monkeypatch.setattr("app.cluster.version", lambda: "another")
+    lost: list[None] = []
+    other = on_cluster(cluster.address, STUDY.in_threads, lambda: lost.append(None))
+    own = replace(STUDY, mapped=other)
+    assert bits(own.values(own.pieces())) == here and len(lost) == 1
+
+
+def last_line(url: str, body: dict[str, Any]) -> dict[str, Any]:
+    response = httpx.post(
+        f"{url}/api/v1/tolerance-study", json=body, headers=STREAM, timeout=60, trust_env=False
+    )
+    assert response.status_code == 200, response.text
+    found: dict[str, Any] = json.loads(response.text.splitlines()[-1])
+    return found
+
+
+def test_the_service_calculates_studies_there_and_here_when_it_is_lost(cluster: Cluster) -> None:
+    with running_service(dask=cluster.address, processes=1) as service:
+        found = last_line(service.url, BODY)["result"]
+        assert "warnings" not in found
+        cluster.scheduler.kill()
+        assert eventually(lambda: cluster.scheduler.poll() is not None)
+        ended = last_line(service.url, BODY | {"if_cluster_lost": "end"})
+        assert ended["problem"]["status"] == 503
+        alone = last_line(service.url, BODY)["result"]
+    assert [each["code"] for each in alone["warnings"]] == ["cluster_lost"]
+    assert alone["quantities"] == found["quantities"]
