@@ -305,5 +305,7 @@ def test_the_smallest_chord_error_that_is_said_is_drawn():
     """All satellites of a request share the points."""
     body = {"design": UNEVEN, "parts": ALL, "chord_error_mm": 1e-6}
     limit = refused(body).params["limit"]
-    assert asked(body | {"chord_error_mm": limit}).media_type == ZIP
-    assert asked(body | {"parts": ALL[2:]}).media_type == ZIP
+    parts = DxfRequest(**body | {"chord_error_mm": limit}).drawn()
+    assert 190_000 < sum(len(part.outline) for part in parts[:3]) <= 200_000
+    (alone,) = DxfRequest(**body | {"parts": ALL[2:3]}).drawn()
+    assert len(alone.outline) > 70_000
