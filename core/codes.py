@@ -56,6 +56,8 @@ _INVALID = {
     "in exact geometry",
     "flanks_first_order": "must be of first order beside {field}: flanks that are turned against "
     "each other say nothing of tips and roots",
+    "flanks_not_drawn": "must be 0: flanks that are turned against each other say nothing of tips "
+    "and roots, so that there is no outline to draw",
     "greater_than": "must be greater than {limit:.15g}",
     "greater_than_equal": "must be at least {limit:.15g}",
     "in_carrier": "must be at least half of {field}, {limit:.9g}: the contact would reach into the "
@@ -76,6 +78,7 @@ _INVALID = {
     "there is no such cycloid",
     "no_mesh": "must be at least {limit:.9g}: teeth of this {field} do not mesh any nearer",
     "no_sleeve": "must be smaller than twice {field}, {limit:.9g}: there is no room for a sleeve",
+    "no_tooth_form": "must be cycloid: of other teeth no form is known here, and none is drawn",
     "not_in_table": "must be one of {values}",
     "not_sourced": "is needed beside the name: no source has that of {material}",
     "not_single": "must be one number, not an array",

@@ -11,7 +11,7 @@ import { shownFields, stateFromInput, stepped, textIn, withLinks } from "./lib/f
 import { entryOf, optionsOf } from "./lib/schema_form.js";
 import { LABELS, query, withVerdict } from "./lib/url_state.js";
 import { message } from "./messages/index.js";
-import { neglectedIn } from "./service_texts.js";
+import { neglectedIn, problemText } from "./service_texts.js";
 import * as next from "./store.js";
 import { createChecks } from "./views/checks.js";
 import { createDrawingView } from "./views/drawing.js";
@@ -294,7 +294,12 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       };
     },
     /** What was asked for the results on the screen, and answered; null where there are none. */
-    exchange: () => store.state.shown && { calculator: calculator.id, ...store.state.shown },
+    exchange: () => store.state.shown && {
+      calculator: calculator.id,
+      ...store.state.shown,
+      files: (calculator.files?.(store.state.shown) ?? []).map(({ id, path, body }) => ({ id, make: () => client.file(path, body) })),
+      refused: (problem) => problemText(problem, titles),
+    },
     /** Stop; what was typed last is told even where it has not been asked about yet. */
     close() {
       asking.cancel();

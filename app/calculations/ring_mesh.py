@@ -8,7 +8,6 @@ from typing import Annotated, Any, ClassVar, Literal, Self, get_args
 import numpy as np
 from pydantic import BeforeValidator, Field, model_validator
 
-from app.calculations.hertz import material_of
 from app.calculations.involute_mesh import InvoluteRingFields, drawn_path, solved_pair
 from app.calculations.load_sharing_answer import StiffnessCurveOut
 from app.calculations.ring_mesh_answer import (
@@ -284,29 +283,17 @@ class RingMeshRequest(RequestModel, group="positions"):
         """The discs, in SI units."""
         gear, eccentricity = self.cycloid, self.eccentricity
         assert eccentricity is not None  # cycloids need it
-        change = gear.modification
-        return CycloidDisc(
-            satellite_teeth=self.mechanism.satellite_teeth,
-            eccentricity=eccentricity,
-            ring_pin_circle_radius=to_si("radius_mm", gear.ring_pin_circle_radius_mm),
-            ring_pin_radius=to_si("radius_mm", gear.ring_pin_radius_mm),
-            modification=Modification() if change is None else Modification(**change.to_core()),
+        return gear.ring().disc(
+            satellite_teeth=self.mechanism.satellite_teeth, eccentricity=eccentricity
         )
 
     @cached_property
     def mesh(self) -> CycloidMesh:
         """The mesh as it is made, in SI units."""
-        gear = self.cycloid
-        seat = gear.seat_stiffness_N_per_mm
-        return CycloidMesh(
+        return self.cycloid.ring().cycloid_mesh(
             disc=self.disc,
             crank_angles=self.mechanism.crank_angles,
-            contact_length=to_si("length_mm", gear.contact_length_mm),
             law=self.contact_law.named() or HertzLaw(),
-            pin_material=material_of(gear.pin_material),
-            disc_material=material_of(gear.disc_material),
-            pin=gear.pin(),
-            seat_stiffness=math.inf if seat is None else to_si("seat_stiffness_N_per_mm", seat),
             deviations=(RingDeviations() if self.deviations is None else self.deviations.section()),
             exact=self.geometry == "exact",
             support=self.support,
@@ -329,9 +316,8 @@ class RingMeshRequest(RequestModel, group="positions"):
     @property
     def friction(self) -> RingFriction:
         """What slides; without a coefficient as if it were 0."""
-        own = self.cycloid
-        bore = to_si("radius_mm", own.sleeve_bore_radius_mm)
-        return RingFriction(own.friction_coefficient or 0.0, bore, own.rolling)
+        ring = self.cycloid.ring()
+        return ring.friction or RingFriction(0.0, ring.sleeve_bore_radius, ring.rolling)
 
     @property
     def input_speed(self) -> float | None:

@@ -90,6 +90,8 @@ ROOTS = (
     "gear.teeth_difference",
     "gear.ring_pin_circle_radius",
     "gear.ring_pin_radius",
+    "gear.modification.equidistant",
+    "gear.modification.pin_circle",
     "mechanism.ratio",
     "contact.eccentricity",
 )

@@ -9,7 +9,6 @@ from core.design.refusals import named
 from core.design.results import Results
 from core.errors import NotKnown
 from core.precision import AS_TYPED
-from core.ring.profile import CycloidDisc
 
 NEAR_UNDERCUT = 1.1
 """Least bend of the pins' path over their radius for which errors leave a part of the flank."""
@@ -22,6 +21,8 @@ _ring = partial(design_check, group="gear", part="teeth", needs=("contact", "gea
 _PATH = (
     "gear.kind",
     "gear.ring_pin_circle_radius",
+    "gear.modification.equidistant",
+    "gear.modification.pin_circle",
     "mechanism.ratio",
     "contact.eccentricity",
 )
@@ -67,9 +68,9 @@ def _lobes(design: Design) -> int:
 @_ring(
     "ring_undercut",
     title="Flanks that the ring's pins leave",
-    formula="ρ_min/r_p ≥ 1.1",
-    why="At 1 and below, the outline loops: a pin would cut off a part of the satellite's flanks. "
-    "Slightly above, errors do so.",
+    formula="ρ_min/r_m ≥ 1.1",
+    why="At 1 and below, the outline loops: its tool would cut off a part of the satellite's "
+    "flanks. Slightly above, errors do so.",
     inputs=(*_PATH, "gear.ring_pin_radius", "gear.teeth_difference"),
     fixes=("gear.ring_pin_radius", "gear.ring_pin_circle_radius", "contact.eccentricity"),
     keep="above",
@@ -82,18 +83,8 @@ def ring_undercut(design: Design, results: Results) -> Check:
         raise NotKnown("cycloid_difference", difference=difference)
     if lobes < 2:
         return Check(ring_undercut, "not_applicable", reason="one_only")
-    radius = _pin_radius(design)
-    disc = named(
-        design,
-        "gear",
-        lambda: CycloidDisc(
-            satellite_teeth=lobes,
-            eccentricity=design.known_eccentricity,
-            ring_pin_circle_radius=_circle(design),
-            ring_pin_radius=radius,
-        ),
-    )
-    margin = disc.undercut_margin
+    made = partial(design.gear.disc, satellite_teeth=lobes, eccentricity=design.known_eccentricity)
+    margin = named(design, "gear", made).undercut_margin
     if not margin > 1 + AS_TYPED:
         return judged(ring_undercut, margin, NEAR_UNDERCUT)._replace(impossible=True)
     found = judged(ring_undercut, margin, NEAR_UNDERCUT, warning="near_undercut")

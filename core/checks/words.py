@@ -60,7 +60,7 @@ CHECK_SOURCES = {
     "pin_beam": "beam theory, the true locus of the moment; yield strength of the material",
     "roller_rating": "ISO 281:2007 and ISO 76, with the ratings that were given; of bearings whose "
     "outer ring nothing supports, what the two elements next to the load carry",
-    "roots": "geometry; where no root radius is given: of a cycloid disc r_f = R_p − e − r_p, of "
+    "roots": "geometry; where no root radius is given: of a cycloid disc r_f = R_m − e − r_m, of "
     "involute teeth r_f = m·(z₂/2 − 1.25 + x) by the basic rack of ISO 53, with a profile shift "
     "taken as 0 ≤ x ≤ 1.25",
     "shigley": "Shigley, Mechanical Engineering Design, 6; or the endurance limit that was given",

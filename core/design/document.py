@@ -36,6 +36,7 @@ from core.output.pin_section import MOST_BORE
 from core.output.real_mechanism import Deviations
 from core.output.satellite_support import CrankSupport, ElasticMesh, SatelliteSupport, Shares
 from core.precision import AS_TYPED, SAME
+from core.ring.sharing import RingDeviations
 
 DRAWN = 1e-3
 """Part of a distance that is lost where it is rounded on a drawing."""
@@ -93,8 +94,8 @@ class Design:
     InvalidInput
         If the peak torque is below the working one, a distribution factor is below 1 or gives a
         satellite more than the torque, satellites reach into each other, their places on pins and
-        crankshaft differ, a pin is thicker than what touches the hole, or rollers do not belong to
-        pins and holes.
+        crankshaft differ, a pin is thicker than what touches the hole, rollers do not belong to
+        pins and holes, or what the pins of a ring have does not fit them.
     """
 
     mechanism: MechanismSection  # pins, satellites, cranks, ratio
@@ -123,6 +124,7 @@ class Design:
         self._check_places()
         self._check_rollers()
         self._check_thickness()
+        self._check_ring_pins()
         if self.bearing:
             self.bearing.check_sizes("bearing")
         for index, each in enumerate((self.crankshaft and self.crankshaft.bearings) or ()):
@@ -163,6 +165,23 @@ class Design:
         if diameter > 2 * radius * (1 + SAME):
             most = {"field": "pin_radius", "limit": 2 * radius}
             raise InvalidInput("pin.diameter", diameter, "too_thick", **most)
+
+    def _check_ring_pins(self) -> None:
+        """Each satellite has its place on the pins of the ring, whose sleeves are wider."""
+        ring = self.gear
+        if not ring:
+            return
+        places, satellites = ring.satellite_positions, self.mechanism.satellites
+        if places and len(places) != satellites:
+            counts = {"expected": satellites, "actual": len(places)}
+            raise InvalidInput("gear.satellite_positions", places, "different_length", **counts)
+        if ring.contact_length is not None:
+            name = "gear.satellite_positions"
+            check_apart(name=name, positions=places, width=ring.contact_length)
+        bore, radius = ring.sleeve_bore_radius, ring.ring_pin_radius
+        if bore is not None and radius is not None and not bore < radius:
+            than = {"field": "ring_pin_radius", "limit": radius}
+            raise InvalidInput("gear.sleeve_bore_radius", bore, "smaller_than", **than)
 
     def _check_rollers(self) -> None:
         """Rollers fit onto their pins and are what touches the holes; no sleeve is beside them."""
@@ -220,11 +239,42 @@ class Design:
     @property
     def as_made(self) -> bool:
         """Whether clearance, deviations, a law of contact or satellites that give are stated."""
-        stated = (self.contact_law, self.deviations, self.support)
+        stated = (self.contact_law, self.output_deviations, self.support)
         clearance = (self.contact.clearance or 0.0) if self.contact else 0.0
         if self.touching and not self.clearance_unknown:
             clearance += self.roller_play
         return clearance > 0 or any(each is not None for each in stated)
+
+    @property
+    def output_deviations(self) -> Deviations | None:
+        """Deviations of pins, holes and cranks; None where none are stated but those of a ring."""
+        made = self.deviations
+        if made is None or (made.of_ring and made.of_output == Deviations()):
+            return None
+        return made.of_output
+
+    @property
+    def ring_deviations(self) -> RingDeviations:
+        """Deviations of the pins of the ring, of cranks and discs."""
+        made = self.deviations or Deviations()
+        return RingDeviations(
+            pin_radial=made.ring_pin_radial,
+            pin_tangential=made.ring_pin_tangential,
+            pin_radius=made.ring_pin_radius,
+            eccentricity=made.eccentricity,
+            crank_phase=made.crank_phase,
+            disc_phase=made.disc_phase,
+        )
+
+    @property
+    def ring_pins(self) -> int | None:
+        """Pins of a ring on which cycloid discs roll; None where their number is not known."""
+        if not self.gear or self.gear.kind != "cycloid":
+            return None
+        difference = self.gear.teeth_difference or 1
+        lobes = self.mechanism.ratio * difference
+        whole = abs(lobes - round(lobes)) <= AS_TYPED * lobes
+        return round(lobes) + difference if whole else None
 
     @property
     def roller_play(self) -> float:

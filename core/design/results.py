@@ -159,7 +159,7 @@ class Results:
             pin_material=design.lasting["pin"],
             hole_material=design.lasting["hole"],
             pin=pin,
-            deviations=design.deviations or Deviations(),
+            deviations=design.output_deviations or Deviations(),
             exact=design.support is None and not (bends and design.tied),
             support=design.support,
             roller_play=design.roller_play,

@@ -489,6 +489,7 @@ export default {
     python: "Request in Python",
     json: "Requests and answers, JSON",
     csv: "All results, CSV",
+    dxf: "Drawings, DXF",
     copy: "Copy",
     copyWhat: "Copy: {what}",
     copied: "Copied",

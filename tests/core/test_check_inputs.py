@@ -29,6 +29,7 @@ from core.design.sections import (
 from core.errors import CalculationError
 from core.material_table import MATERIALS
 from core.materials import ElasticMaterial, Plastic
+from core.ring.profile import Modification
 from tests.inputs.checks import WHOLE, design_of, having
 
 assert WHOLE.pin and WHOLE.bearing and WHOLE.crankshaft and WHOLE.friction and WHOLE.gear
@@ -206,7 +207,12 @@ DESIGNS = {
     ),
     "cycloid": having(
         ALL,
-        gear=Ring(kind="cycloid", ring_pin_circle_radius=0.085, ring_pin_radius=0.005),
+        gear=Ring(
+            kind="cycloid",
+            ring_pin_circle_radius=0.085,
+            ring_pin_radius=0.005,
+            modification=Modification(equidistant=2e-5, pin_circle=-1e-5),
+        ),
         root_radius=None,
     ),
     "cycloid of a ratio that stays whole where it grows by a fiftieth": design_of(

@@ -371,6 +371,14 @@ export default {
     { id: "workPeak", section: "contact_force", measures: "contact-force", body: forceBody, example: TRADE_OFF },
   ],
 
+  /** What the service draws of the design on the screen: cycloid discs whose modification is stated, and the pins of their ring. */
+  files({ requests, filled }) {
+    const { include, ...design } = requests.find(({ path }) => path.endsWith(this.path))?.body ?? {};
+    if (!design.gear?.modification || !design.gear.ring_pin_radius_mm) return [];
+    const discs = cranksOf(filled.mechanism).map((_, j) => `satellite_${j + 1}`);
+    return [{ id: "dxf", path: "/export/dxf", body: { design, parts: [...discs, "ring_pins"] } }];
+  },
+
   wanted: WANTED,
   beside: BESIDE,
   inputOf,

@@ -122,6 +122,7 @@ const LOSSES = {
 };
 
 const ring = (kind) => ({ when: ["gear.kind", kind], required: true });
+const discs = { when: ["gear.kind", "cycloid"], default: null }; // nothing is known of what is left empty
 const BEARINGS = {
   "gear.kind": { options: ["ratio"], default: "involute" },
   "gear.module_mm": ring("involute"),
@@ -129,6 +130,8 @@ const BEARINGS = {
   "gear.reference_pressure_angle_deg": { ...rare, when: ["gear.kind", "involute"] },
   "gear.ring_pin_circle_radius_mm": ring("cycloid"),
   "gear.ring_pin_radius_mm": { when: ["gear.kind", "cycloid"] },
+  "gear.modification.equidistant_mm": discs,
+  "gear.modification.pin_circle_mm": discs,
   "gear.radial_force_ratio": ring("ratio"),
   "bearing.name": {},
   "bearing.kind": { default: "roller", when: ["bearing.name", undefined, ""] },
