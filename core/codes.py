@@ -148,6 +148,8 @@ _UNKNOWN = {
     "nothing_judged": "Nothing of it is judged",
     "outside_method": "Teeth are looked at of 1 to 8 more in the ring, and of a reference pressure "
     "angle of 14.5 to 30 degrees",
+    "too_many_ring_pairs": "The ring has {pairs:d} pairs of pins and satellites: it is solved of "
+    "up to {limit:d}",
     "teeth_not_judged": "The contact and the strength of the teeth are not calculated",
     "conformal_solution": "Wide contacts have a pressure of their own, which asks for no narrow "
     "one",
@@ -200,6 +202,9 @@ _UNKNOWN = {
     "one_only": "There is one only",
     "plastic_first": "The first turns yield; the contact settles after that",
     "pressure_error": "The limit lies within the error of the value",
+    "pins_in_seats": "The pins of the ring lie in half bores, where they do not bend",
+    "ring_fatigue_unknown": "The fatigue strength of the pins of the ring is not calculated",
+    "ring_friction_unknown": "The friction on the pins of the ring is not given",
     "rating_unknown": "No load rating of the bearing is given",
     "roots_unknown": "The roots of the satellite's teeth are not known: enter their radius, or the "
     "one of the ring's pins",
@@ -582,6 +587,15 @@ _LIMITS = {
         tests="Whether gaps are small beside the radius of the pins' path in the valleys.",
         why="From half that radius on, the nearest point of the path is hardly the only one.",
         mend="Make the modification smaller, or the shortening coefficient.",
+    ),
+    "ring_deviations_unknown": _limit(
+        "Nothing is said of where the ring's pins really stand: a few hundredths of a millimetre "
+        "may make the largest force several times as large.",
+        title="Deviations of the ring's pins not known",
+        tests="Whether deviations of the pins of the ring are given.",
+        why="Pins that stand off their places carry earlier, or not at all, than the others: the "
+        "forces are those of a ring without errors.",
+        mend="Give the deviations of the pins, measured or drawn by their tolerances.",
     ),
     "pressed_without_load": _limit(
         "Pins and holes press without load: there is no play, and the mechanism can be assembled "

@@ -45,6 +45,7 @@ from app.problems import invalid_input, wrong
 from app.settings import Settings
 from app.units import to_si
 from core.arrays import FloatArray
+from core.derived import if_known
 from core.design.document import Design
 from core.design.results import Results
 from core.design.sections import (
@@ -178,7 +179,7 @@ class DesignDeviationsFields(DeviationsFields, RingPinDeviationsFields, group="d
             If there are.
         """
         lists = {name: value for name in RING_PIN_LISTS if (value := getattr(self, name))}
-        pins = whole.design.ring_pins if lists else None
+        pins = if_known(lambda: whole.design.ring_pins) if lists else None
         errors = [
             wrong(f"/deviations/{name}", "different_length", expected=pins, actual=len(value))
             for name, value in lists.items()

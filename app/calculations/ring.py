@@ -105,7 +105,7 @@ class RingPinsFields(RequestModel, group="gear"):
     pin_material: Maybe[Material] = quantity("Pin material")
     """A name of the table of materials, or values."""
     disc_material: Maybe[Material] = quantity("Disc material")
-    """A name of the table of materials, or values."""
+    """A name of the table of materials, or values; that of the holes where these have one."""
     pin_support: Maybe[RingPinSupport] = quantity("Support of the ring's pins", advanced=True)
     """In half a bore (seat), as where not given, held at both ends free to tilt (supported), or
     built in (fixed)."""
@@ -250,19 +250,13 @@ class RingFields(RingPinsFields, group="gear"):
             raise field_error("gear/disc_material", "discs_disagree", field="hole_material")
 
     def section(self, whole: Any) -> Ring:
-        """The ring in SI units; what is not given is that of the mechanism and of the contact."""
+        """The ring in SI units, with the difference of the mechanism's teeth where it has them."""
         more: dict[str, Any] = {}
-        difference, contact = whole.mechanism.teeth_difference, whole.contact
+        difference = whole.mechanism.teeth_difference
         if difference is not None:
             more["teeth_difference"] = difference
         if self.kind == "involute" and self.reference_pressure_angle_deg is None:
             more["reference_pressure_angle"] = to_si("angle_deg", REFERENCE_ANGLE_DEG)
-        if self.kind == "cycloid":
-            discs = self.disc_material
-            if contact is not None:
-                discs = contact.hole_material
-                if self.contact_length_mm is None and contact.contact_length_mm is not None:
-                    more["contact_length"] = to_si("length_mm", contact.contact_length_mm)
-            more["disc_material"] = discs or DISC_MATERIAL
-            more["pin_material"] = self.pin_material or PIN_MATERIAL
+        if self.kind == "cycloid" and self.pin_material is None:
+            more["pin_material"] = PIN_MATERIAL
         return self.ring(**more)

@@ -47,7 +47,6 @@ from app.settings import Settings
 from app.sources import ISO_6336, JOHNSON_1985
 from app.theme import Figure, Theme
 from app.units import to_si
-from core.crank.ring_mesh import cycloid_mesh
 from core.errors import InvalidInput
 from core.output.contact_law import HertzLaw, LinearLaw
 from core.output.real_curves import real_curves, stiffness_curve
@@ -58,7 +57,6 @@ from core.ring.profile import CycloidDisc, Modification, outline_points
 from core.ring.sharing import (
     CycloidMesh,
     RingDeviations,
-    ideal_mesh,
     mesh_gaps,
     mesh_over_turn,
     mesh_position,
@@ -290,8 +288,11 @@ class RingMeshRequest(RequestModel, group="positions"):
     @cached_property
     def mesh(self) -> CycloidMesh:
         """The mesh as it is made, in SI units."""
-        return self.cycloid.ring().cycloid_mesh(
+        ring = self.cycloid.ring()
+        return ring.cycloid_mesh(
             disc=self.disc,
+            contact_length=ring.contact_length,
+            disc_material=ring.disc_material,
             crank_angles=self.mechanism.crank_angles,
             law=self.contact_law.named() or HertzLaw(),
             deviations=(RingDeviations() if self.deviations is None else self.deviations.section()),
@@ -334,13 +335,7 @@ class RingMeshRequest(RequestModel, group="positions"):
         solved.values |= {"kind": "cycloid", "geometry": RingGeometryOut.values(self.disc)}
         if "ideal" in asked:
             each = self.load.output_torque_Nm / self.mechanism.satellites
-            ratio = cycloid_mesh(
-                eccentricity=self.disc.eccentricity,
-                ratio=float(self.disc.satellite_teeth),
-                ring_pin_circle_radius=self.disc.ring_pin_circle_radius,
-            ).radial_force_ratio
-            ideal = ideal_mesh(disc=self.disc, disc_torque=each)
-            solved.values["ideal"] = RingIdealOut.values(ideal, radial_force_ratio=ratio)
+            solved.values["ideal"] = RingIdealOut.of(self.disc, each)
         if "over_turn" in asked:
             turn = mesh_over_turn(
                 mesh=mesh,

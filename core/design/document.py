@@ -19,6 +19,7 @@ from core.design.sections import (
     PairSizes,
     Requirements,
     Ring,
+    RingBody,
     Rollers,
     RollingBearing,
     SatelliteBody,
@@ -175,9 +176,8 @@ class Design:
         if places and len(places) != satellites:
             counts = {"expected": satellites, "actual": len(places)}
             raise InvalidInput("gear.satellite_positions", places, "different_length", **counts)
-        if ring.contact_length is not None:
-            name = "gear.satellite_positions"
-            check_apart(name=name, positions=places, width=ring.contact_length)
+        if (width := if_known(lambda: self.ring_length)) is not None:
+            check_apart(name="gear.satellite_positions", positions=places, width=width)
         bore, radius = ring.sleeve_bore_radius, ring.ring_pin_radius
         if bore is not None and radius is not None and not bore < radius:
             than = {"field": "ring_pin_radius", "limit": radius}
@@ -267,14 +267,52 @@ class Design:
         )
 
     @property
-    def ring_pins(self) -> int | None:
-        """Pins of a ring on which cycloid discs roll; None where their number is not known."""
-        if not self.gear or self.gear.kind != "cycloid":
-            return None
-        difference = self.gear.teeth_difference or 1
-        lobes = self.mechanism.ratio * difference
-        whole = abs(lobes - round(lobes)) <= AS_TYPED * lobes
-        return round(lobes) + difference if whole else None
+    def lobes(self) -> int:
+        """Lobes of a cycloid disc, which a ratio that is typed need not have."""
+        ratio = self.mechanism.ratio
+        lobes = ratio * (self.gear.teeth_difference or 1)
+        if abs(lobes - round(lobes)) > AS_TYPED * lobes:
+            raise NotKnown("ratio_not_whole", ratio=ratio)
+        return round(lobes)
+
+    @property
+    def ring_pins(self) -> int:
+        """Pins of a ring: one more than lobes where nobody says how many."""
+        return self.lobes + (self.gear.teeth_difference or 1)
+
+    @property
+    def ring_length(self) -> float:
+        """Length of the contact of a disc on a pin of the ring, m: as on the pins of the output,
+        where it is not given.
+        """
+        of_output = self.contact.contact_length if self.contact else None
+        length = self.gear.contact_length or of_output
+        if length is None:
+            raise NotKnown("size_missing", "gear.contact_length")
+        return length
+
+    @property
+    def disc_material(self) -> ElasticMaterial | None:
+        """Material of the discs: that of their holes."""
+        of_holes = self.contact.hole_material if self.contact else None
+        return self.gear.disc_material or of_holes
+
+    @cached_property
+    def lasting_teeth(self) -> dict[RingBody, ElasticMaterial]:
+        """Materials of the pins of the ring and of the discs, their limits wanted for the loads
+        over the life, as far as they are given: once a turn of the crank against the ring on a pin,
+        and against the disc on a lobe.
+        """
+        life, speed = self.requirements.life, self.turning_speed
+        known = speed is not None and math.isfinite(life)
+        of_pins = speed * life / (2 * math.pi) if known and speed is not None else None
+        loads: dict[RingBody, tuple[ElasticMaterial | None, float | None]] = {
+            "pin": (self.gear.pin_material, of_pins),
+            "disc": (self.disc_material, self.loads_over(life)),
+        }
+        return {
+            body: each.lasting(often) for body, (each, often) in loads.items() if each is not None
+        }
 
     @property
     def roller_play(self) -> float:
@@ -340,6 +378,12 @@ class Design:
         the torque, and the others what is left, evenly.
         """
         return self.distribution_factor if self.distribution_of == "discs" else 1.0
+
+    @property
+    def ring_factor(self) -> float:
+        """That factor as it is stated of satellites, on the torque for the teeth."""
+        stated = self.contact and self.distribution_of == "discs"
+        return self.contact.distribution_factor if stated else 1.0
 
     @property
     def load_factor(self) -> float:

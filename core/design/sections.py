@@ -44,6 +44,8 @@ RingKind = Literal["involute", "cycloid", "none"]
 
 RingPinSupport = Literal["seat", "supported", "fixed"]
 
+RingBody = Literal["pin", "disc"]
+
 SharedBy = Literal["discs", "pins"]
 """Whose uneven share a distribution factor states: of satellites, or of the pairs of one."""
 
@@ -242,6 +244,8 @@ class Requirements:
     min_wall: float | None = None  # m
     max_backlash: float | None = None  # rad
     max_lost_motion: float | None = None  # rad
+    max_ring_backlash: float | None = None  # of the teeth alone, rad
+    max_transmission_error: float | None = None  # of the teeth alone, rad
     max_deflection: float | None = None  # of the pins, m
     max_slope: float | None = None  # of the pins, rad
     min_efficiency: float | None = None
@@ -678,7 +682,8 @@ class Ring:
         disc : CycloidDisc
             All of them.
         **made
-            Cranks, law, deviations, geometry, shares: see `core.ring.sharing.CycloidMesh`.
+            Their cranks, width and material, law, deviations, geometry, shares: see
+            `core.ring.sharing.CycloidMesh`.
 
         Returns
         -------
@@ -686,18 +691,12 @@ class Ring:
 
         Raises
         ------
-        NotKnown
-            If the length of the contact is not given.
         InvalidInput
             If an input is out of range.
         """
-        if self.contact_length is None:
-            raise NotKnown("size_missing", "gear.contact_length")
         return CycloidMesh(
             disc=disc,
-            contact_length=self.contact_length,
             pin_material=self.pin_material,
-            disc_material=self.disc_material,
             pin=self.bent_pin,
             seat_stiffness=self.seat_stiffness,
             **made,

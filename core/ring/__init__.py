@@ -6,6 +6,7 @@ profile             a cycloid disc as it is cut: outline, curvature, undercut, p
 approach            its approach to the ring's pins, in the place of that of pins in holes
 sharing             forces, lag, play and stiffness at a position and over the turn
 loss                sliding on the pins: loss, efficiency, pv
+bent_pins           pins that are held at both ends: stress and slope
 line_of_action      where involute teeth touch, their path, tips that pass each other
 involute            an involute satellite in its ring: sizes, backlash, interferences
 possible_teeth      whether any teeth mesh, by module, teeth and eccentricity alone
