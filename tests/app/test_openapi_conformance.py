@@ -64,6 +64,7 @@ PHYSICAL = {code for code, each in CODES.items() if each.kind == "impossible"} |
     "not_zero",
     "one_of_coupling",
     "other_branch",
+    "outside_method",
     "other_pitch",
     "right_angle",
     "roller_without_arm",
