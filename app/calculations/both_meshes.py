@@ -16,6 +16,7 @@ from app.model import Kinds, Maybe, ResponseModel, Values, field_error, quantity
 from app.problems import invalid_input, refusal, wrong
 from app.settings import Settings
 from app.units import from_si, to_si
+from core.design.sections import Ring
 from core.errors import InvalidInput
 from core.output.contact_law import HertzLaw
 from core.output.real_mechanism import Deviations, RealMechanism
@@ -40,6 +41,10 @@ class SeriesRingFields(CycloidRingFields, group="gear"):
     """Cycloid discs and the pins of their ring, and how these give."""
 
     contact_law: Maybe[MeshLawFields] = None
+
+    def ring(self, **more: Any) -> Ring:
+        """The ring without its law of contact, which is that of the mesh."""
+        return super(SeriesRingFields, self.model_copy(update={"contact_law": None})).ring(**more)
 
 
 class SeriesDeviationsFields(DeviationsFields, RingPinDeviationsFields, group="deviations"):
