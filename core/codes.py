@@ -56,6 +56,8 @@ _INVALID = {
     "in exact geometry",
     "flanks_first_order": "must be of first order beside {field}: flanks that are turned against "
     "each other say nothing of tips and roots",
+    "flanks_not_drawn": "must be 0: flanks that are turned against each other say nothing of tips "
+    "and roots, so that there is no outline to draw",
     "greater_than": "must be greater than {limit:.15g}",
     "greater_than_equal": "must be at least {limit:.15g}",
     "in_carrier": "must be at least half of {field}, {limit:.9g}: the contact would reach into the "
@@ -76,6 +78,7 @@ _INVALID = {
     "there is no such cycloid",
     "no_mesh": "must be at least {limit:.9g}: teeth of this {field} do not mesh any nearer",
     "no_sleeve": "must be smaller than twice {field}, {limit:.9g}: there is no room for a sleeve",
+    "no_tooth_form": "must be cycloid: of other teeth no form is known here, and none is drawn",
     "not_in_table": "must be one of {values}",
     "not_sourced": "is needed beside the name: no source has that of {material}",
     "not_single": "must be one number, not an array",
@@ -147,6 +150,8 @@ _UNKNOWN = {
     "wider_than_satellite": "The bearing is wider than the satellite",
     "without_sleeve": "The pins have no sleeves",
     "nothing_judged": "Nothing of it is judged",
+    "too_many_ring_pairs": "The ring has {pairs:d} pairs of pins and satellites: it is solved of "
+    "up to {limit:d}",
     "teeth_not_judged": "The contact and the strength of the teeth are not calculated",
     "conformal_solution": "Wide contacts have a pressure of their own, which asks for no narrow "
     "one",
@@ -199,6 +204,9 @@ _UNKNOWN = {
     "one_only": "There is one only",
     "plastic_first": "The first turns yield; the contact settles after that",
     "pressure_error": "The limit lies within the error of the value",
+    "pins_in_seats": "The pins of the ring lie in half bores, where they do not bend",
+    "ring_fatigue_unknown": "The fatigue strength of the pins of the ring is not calculated",
+    "ring_friction_unknown": "The friction on the pins of the ring is not given",
     "rating_unknown": "No load rating of the bearing is given",
     "roots_unknown": "The roots of the satellite's teeth are not known: enter their radius, or the "
     "one of the ring's pins",
@@ -581,6 +589,15 @@ _LIMITS = {
         tests="Whether gaps are small beside the radius of the pins' path in the valleys.",
         why="From half that radius on, the nearest point of the path is hardly the only one.",
         mend="Make the modification smaller, or the shortening coefficient.",
+    ),
+    "ring_deviations_unknown": _limit(
+        "Nothing is said of where the ring's pins really stand: a few hundredths of a millimetre "
+        "may make the largest force several times as large.",
+        title="Deviations of the ring's pins not known",
+        tests="Whether deviations of the pins of the ring are given.",
+        why="Pins that stand off their places carry earlier, or not at all, than the others: the "
+        "forces are those of a ring without errors.",
+        mend="Give the deviations of the pins, measured or drawn by their tolerances.",
     ),
     "pressed_without_load": _limit(
         "Pins and holes press without load: there is no play, and the mechanism can be assembled "

@@ -1,34 +1,27 @@
 """Ring mesh and output mechanism in series: what a request says of the ring, and the answer."""
 
-import math
 from collections.abc import Iterator
 from functools import cached_property
 from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import BeforeValidator, Field, model_validator
 
-from app.calculations.hertz import material_of
 from app.calculations.mechanism import PairOut
 from app.calculations.real_design import RealDesignFields
 from app.calculations.real_mechanism import DeviationsFields, SatelliteCouplingFields
-from app.calculations.ring_parts import (
-    CycloidRingFields,
-    MeshLawFields,
-    RingPinDeviationsFields,
-)
+from app.calculations.ring import RING_PIN_LISTS as OF_RING
+from app.calculations.ring import RingPinDeviationsFields
+from app.calculations.ring_parts import CycloidRingFields, MeshLawFields
 from app.model import Kinds, Maybe, ResponseModel, Values, field_error, quantity, result
 from app.problems import invalid_input, refusal, wrong
 from app.settings import Settings
 from app.units import from_si, to_si
+from core.design.sections import Ring
 from core.errors import InvalidInput
 from core.output.contact_law import HertzLaw
 from core.output.real_mechanism import Deviations, RealMechanism
-from core.ring.profile import CycloidDisc, Modification
 from core.ring.series import MeshesInSeries, SeriesPosition
 from core.ring.sharing import CycloidMesh, RingDeviations
-
-OF_RING = tuple(RingPinDeviationsFields.model_fields)
-"""Deviations that only a ring has."""
 
 MAX_FORCES_IN_SERIES = 25_000
 """Most forces of positions, and of curves, of both meshes: angles times pairs."""
@@ -48,6 +41,10 @@ class SeriesRingFields(CycloidRingFields, group="gear"):
     """Cycloid discs and the pins of their ring, and how these give."""
 
     contact_law: Maybe[MeshLawFields] = None
+
+    def ring(self, **more: Any) -> Ring:
+        """The ring without its law of contact, which is that of the mesh."""
+        return super(SeriesRingFields, self.model_copy(update={"contact_law": None})).ring(**more)
 
 
 class SeriesDeviationsFields(DeviationsFields, RingPinDeviationsFields, group="deviations"):
@@ -239,23 +236,16 @@ class SeriesFields(RealDesignFields):
     def _ring(self) -> CycloidMesh:
         gear, own, errors = self.gear, self.mechanism, self.deviations
         assert gear is not None and own.satellite_teeth is not None
-        change, seat = gear.modification, gear.seat_stiffness_N_per_mm
-        law = None if gear.contact_law is None else gear.contact_law.named()
-        return CycloidMesh(
-            disc=CycloidDisc(
+        ring, law = gear.ring(), None if gear.contact_law is None else gear.contact_law.named()
+        return ring.cycloid_mesh(
+            disc=ring.disc(
                 satellite_teeth=own.satellite_teeth,
                 eccentricity=to_si("eccentricity_mm", self.contact.eccentricity_mm),
-                ring_pin_circle_radius=to_si("radius_mm", gear.ring_pin_circle_radius_mm),
-                ring_pin_radius=to_si("radius_mm", gear.ring_pin_radius_mm),
-                modification=Modification(**({} if change is None else change.to_core())),
             ),
             crank_angles=self.built.crank_angles,
-            contact_length=to_si("length_mm", gear.contact_length_mm),
+            contact_length=ring.contact_length,
+            disc_material=ring.disc_material,
             law=law or HertzLaw(),
-            pin_material=material_of(gear.pin_material),
-            disc_material=material_of(gear.disc_material),
-            pin=gear.pin(),
-            seat_stiffness=math.inf if seat is None else to_si("seat_stiffness_N_per_mm", seat),
             deviations=RingDeviations() if errors is None else errors.of_ring(),
             exact=self.geometry == "exact",
         )

@@ -59,12 +59,21 @@ class RequirementsFields(RequestModel, group="requirements"):
     """Largest play of the unloaded output mechanism over the turn."""
     max_lost_motion_arcmin: Maybe[Size] = quantity("Largest lost motion", "Δφ_l", step=0.5)
     """Largest rotation of the output mechanism between 3 % of the torque in both directions."""
+    max_ring_backlash_arcmin: Maybe[Size] = quantity(
+        "Largest backlash of the teeth", "Δφ_r", step=0.5
+    )
+    """Largest play of the unloaded output over the turn by the teeth alone."""
+    max_transmission_error_arcmin: Maybe[Size] = quantity(
+        "Largest transmission error of the teeth", "TE_max", step=0.1
+    )
+    """Largest less least lag of the output over the turn under the torque, by the teeth alone."""
     max_deflection_mm: Maybe[Size] = quantity("Largest deflection", "Δ_max", step=0.01)
     """Largest deflection of the shaft at its bearings, or of the pins in the satellites."""
     max_slope_mrad: Maybe[Size] = quantity("Largest slope", "θ_max", step=0.1)
     """Largest slope of the shaft in its bearings, or of the pins in the satellites."""
     min_efficiency: Maybe[float] = quantity("Least efficiency", "η_min", step=0.01, ge=1e-3, lt=1)
-    """Least mean efficiency of the output mechanism alone."""
+    """Least mean efficiency of the output mechanism, with the ring where friction on its pins is
+    given."""
     max_wear_mm: Maybe[Size] = quantity("Largest wear", "h_max", step=0.01)
     """Largest depth of wear of pin or hole at the end of the life."""
     max_pv_MPa_m_per_s: Maybe[Size] = quantity("Largest pv", "(pv)_all", step=0.1)

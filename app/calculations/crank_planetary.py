@@ -49,13 +49,20 @@ from app.calculations.output_efficiency import FrictionFields, OutputEfficiencyR
 from app.calculations.pin_rollers_answer import RollersOut
 from app.calculations.pin_strength import PinStrengthResponse
 from app.calculations.reducer_fixes import fixes_of
-from app.calculations.ring import RingFields
+from app.calculations.ring import RING_PIN_LISTS, RingFields
+from app.calculations.ring_mesh_answer import (
+    MeshTurnOut,
+    RingEfficiencyOut,
+    RingGeometryOut,
+    RingIdealOut,
+)
 from app.calculations.satellite_bearing import (
     BearingFields,
     CrankshaftFields,
     SatelliteBearingResponse,
 )
 from app.calculations.shares_answer import SharesOut, shares_warnings
+from app.calculations.solved import Solved
 from app.calculations.usual_fit_answer import UsualFitOut
 from app.model import (
     Angle,
@@ -124,6 +131,7 @@ Section = Literal[
     "hertz",
     "pin_strength",
     "output_efficiency",
+    "ring_mesh",
     "satellite_bearing",
     "crankshaft",
     "rollers",
@@ -149,6 +157,7 @@ _NEEDS: dict[Section, tuple[str, ...]] = {
     "hertz": _TOUCHING,
     "pin_strength": (*_TOUCHING, "pin"),
     "output_efficiency": (*_TURNING, "friction"),
+    "ring_mesh": ("load", "contact/eccentricity_mm", "gear/modification"),
     "satellite_bearing": (*_TURNING, "gear", "bearing"),
     "crankshaft": (*_TURNING, "gear", "crankshaft"),
     "rollers": (*_TOUCHING, "contact/eccentricity_mm", "rollers"),
@@ -246,11 +255,19 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
 
     def notices(self) -> tuple[Notice, ...]:
         """Also that nothing is known of the clearance, where nobody says that it is none."""
-        found = super().notices()
+        found = (*super().notices(), *self._of_ring())
         if self.contact is None or not self.contact.clearance_unknown:
             return found  # without an eccentricity that is what is missing, and said
         perfect = (each for each in found if each.code != "perfect_parts")
         return (Notice("clearance_unknown"), *perfect)
+
+    def _of_ring(self) -> Iterator[Notice]:
+        """What is not known of a ring whose mesh is judged."""
+        gear, made = self.gear, self.deviations
+        if gear is None or gear.modification is None:
+            return
+        if made is None or all(getattr(made, name) is None for name in RING_PIN_LISTS):
+            yield Notice("ring_deviations_unknown")
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """Also the friction of plastics, by which they yield, where it is known."""
@@ -259,7 +276,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
             design = self.design
         except CalculationError:  # of which a solution is asked: a size that makes none yet
             return
-        dry = design.plastics and not (design.friction or design.sleeved)
+        dry = design.plastics and not (design.friction or design.sleeved or design.rollers)
         if dry and design.dry_friction is not None:
             yield ("friction", "coefficient"), design.dry_friction
 
@@ -301,11 +318,19 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         allowed = [
             each for each in allowed if self.mechanism.pairs <= MOST_PAIRS.get(each, MAX_PAIRS)
         ]
+        if self._draws_ring:
+            allowed.append("ring_mesh")
         if not self.results.solved or "hertz" not in allowed:
             return allowed
         if if_known(lambda: self.results.judged_forces) is None:
             return [each for each in allowed if each != "hertz" and each not in STRENGTH]
         return [each for each in (*allowed, "load_sharing") if not self._unfit(each)]
+
+    @property
+    def _draws_ring(self) -> bool:
+        """Whether the mesh of the ring is answered where it is not named: it can be solved."""
+        given = all(map(self._has, _NEEDS["ring_mesh"]))
+        return given and if_known(lambda: self.results.ring_working) is not None
 
     def _unfit(self, section: Section) -> bool:
         """Whether a section rests on forces of parts that cannot be put together."""
@@ -476,6 +501,25 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         values = LoadSharingOut.values(sharing, run_us, judged_force_N=force_N, curves=drawn)
         return at_output(values, self.design.members)
 
+    def solve_ring(self) -> Solved:
+        """The mesh of the ring under the torque, in the direction of the larger pressure."""
+        assert self.load is not None
+        turn, solved = self.results.ring_working[0], Solved()
+        mesh, members = turn.mesh, self.design.members
+        each = self.design.pin_torque / self.mechanism.satellites
+        solved.values |= {
+            "geometry": RingGeometryOut.values(mesh.disc),
+            "method": "exact" if mesh.exact else "first_order",
+            "torque_direction": "driving" if turn.turn.torque > 0 else "reverse",
+            "ideal": at_output(RingIdealOut.of(mesh.disc, each), members),
+            "over_turn": at_output(MeshTurnOut.values(turn), members),
+        }
+        loss = if_known(lambda: self.results.ring_loss)
+        if loss is not None:
+            solved.values["efficiency"] = RingEfficiencyOut.values(loss)
+        solved.take(turn.accuracy, turn.notices)
+        return solved
+
     def solve_disc(self) -> Notice | None:
         """Whether the edge of the satellite is so near to its holes that the pressure is off."""
         return if_known(lambda: self.results.disc_of(self.results.hertz))
@@ -545,6 +589,9 @@ def solve(body: CrankPlanetaryRequest) -> Values:
         contact, hertz_us = run(body, lambda: body.results.hertz)
         factor = body.results.line_load_factor if body.pin else None
         sections["hertz"] = DesignHertzOut.values(contact, hertz_us, line_load_factor=factor)
+    if "ring_mesh" in asked:
+        ring, ring_us = run(body, body.solve_ring)
+        sections["ring_mesh"] = ring.answer(ring_us)
     for name, answer in ANSWERS.items():
         if name in asked:
             found, run_us = run(body, partial(body.strength, name))

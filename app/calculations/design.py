@@ -29,6 +29,7 @@ from app.calculations.real_mechanism import (
     assumed_pin,
     torque_direction,
 )
+from app.calculations.ring import RING_PIN_LISTS, RingPinDeviationsFields
 from app.model import (
     NO_DUST,
     Forms,
@@ -40,9 +41,11 @@ from app.model import (
     quantity,
     result,
 )
+from app.problems import invalid_input, wrong
 from app.settings import Settings
 from app.units import to_si
 from core.arrays import FloatArray
+from core.derived import if_known
 from core.design.document import Design
 from core.design.results import Results
 from core.design.sections import (
@@ -150,6 +153,42 @@ class SleevedPinFields(DesignPinFields, group="pin"):
     satellite_positions_mm: Maybe[list[Size]] = pin_places()  # type: ignore[assignment]
 
 
+class DesignDeviationsFields(DeviationsFields, RingPinDeviationsFields, group="deviations"):
+    """What a piece deviates from its nominal sizes: of each pin, of each hole satellite by
+    satellite, of each crank or disc, of each pin of the ring. Positive: outward, in the driving
+    sense, larger, ahead.
+    """
+
+    @property
+    def of_ring_alone(self) -> bool:
+        """Whether nothing is stated but of the pins of the ring."""
+        given = {name for name, value in self if value is not None}
+        return bool(given) and given <= {*RING_PIN_LISTS}
+
+    def refuse_other_ring(self, whole: "DesignFields") -> None:
+        """Refuse lists that are not one value for each pin of the ring, where it has a number.
+
+        Parameters
+        ----------
+        whole : DesignFields
+            What they are in.
+
+        Raises
+        ------
+        Problem
+            If there are.
+        """
+        lists = {name: value for name in RING_PIN_LISTS if (value := getattr(self, name))}
+        pins = if_known(lambda: whole.design.ring_pins) if lists else None
+        errors = [
+            wrong(f"/deviations/{name}", "different_length", expected=pins, actual=len(value))
+            for name, value in lists.items()
+            if pins not in (None, len(value))
+        ]
+        if errors:
+            raise invalid_input(errors)
+
+
 class DesignFields(GivingFields):
     """Mechanism, load and contact, and all that changes the forces.
 
@@ -163,7 +202,7 @@ class DesignFields(GivingFields):
     load: Maybe[DesignLoadFields] = None
     contact: Maybe[PinContactFields] = None
     contact_law: Maybe[ContactLawFields] = None
-    deviations: Maybe[DeviationsFields] = None
+    deviations: Maybe[DesignDeviationsFields] = None
     pin: Maybe[DesignPinFields] = None
     rollers: Maybe[RollersFields] = None
 
@@ -220,6 +259,12 @@ class DesignFields(GivingFields):
         gear = getattr(self, "gear", None)
         if gear is not None:
             gear.refuse_other_teeth(self.mechanism.teeth_difference)
+            if self.contact is not None:
+                gear.refuse_other_discs(self.contact.hole_material)
+        for name in RING_PIN_LISTS if self.deviations is not None else ():
+            given = getattr(self.deviations, name) is not None
+            if given and (gear is None or gear.kind != "cycloid"):
+                raise field_error("gear", "needed_beside", field=name)
         return self
 
     @model_validator(mode="after")
@@ -232,8 +277,9 @@ class DesignFields(GivingFields):
     def as_made(self) -> bool:
         """Whether clearance, deviations, a law of contact or satellites that give are given."""
         loose = self.contact is not None and self._clearance_mm(self.contact) > 0
-        sections = (self.contact_law, self.deviations, self.support)
-        return loose or any(each is not None for each in sections)
+        sections = (self.contact_law, self.support)
+        made = self.deviations is not None and not self.deviations.of_ring_alone
+        return loose or made or any(each is not None for each in sections)
 
     def _clearance_mm(self, contact: PinContactFields) -> float:
         """Radial clearance with what rollers add to one that is known."""
@@ -284,6 +330,7 @@ class DesignFields(GivingFields):
         self.refuse_other_shares(self.mechanism.satellites)
         if self.deviations is not None:
             self.deviations.refuse_other_lengths(self.mechanism.pins, self.mechanism.satellites)
+            self.deviations.refuse_other_ring(self)
         super().refuse_beyond(settings)
 
     @cached_property

@@ -377,7 +377,7 @@ class DeviationsFields(RequestModel, group="deviations"):
 
     def _lengths(self, pins: int, satellites: int) -> Iterator[tuple[str, int, int]]:
         for name, value in self:
-            if value is None:
+            if value is None or name.startswith("ring"):
                 continue
             if not name.startswith("hole"):
                 yield name, pins if name.startswith("pin") else satellites, len(value)

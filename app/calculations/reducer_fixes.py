@@ -3,6 +3,8 @@
 from collections.abc import Iterator
 from typing import Any
 
+from pydantic import ValidationError
+
 from app.pointers import with_values
 from core.checks.check import Check, Verdict
 from core.checks.largest_torque import crank_verdict
@@ -59,7 +61,10 @@ def _chosen(request: Any, check: Check, variable: str, current: Verdict) -> Fix 
         return None
     others = _fits(request, before) if name == "fit" else _materials(before)
     for after in others:
-        other = reposted(request, {f"/{section}/{name}": after})
+        try:
+            other = reposted(request, {f"/{section}/{name}": after})
+        except ValidationError:  # the discs are said to be of the present one elsewhere too
+            continue
         try:
             if not beyond(aimed(design=other.design, check=check)) >= 0:
                 continue

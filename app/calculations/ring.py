@@ -1,32 +1,199 @@
-"""The ring as a request gives it: what presses the satellites along their cranks."""
+"""The ring as a request gives it: the pins and discs of a cycloid, or what else presses the
+satellites along their cranks.
+"""
 
-from typing import Any, ClassVar
+from collections.abc import Iterator
+from functools import partial
+from typing import Annotated, Any, ClassVar, Self
 
-from app.model import Forms, Kinds, Maybe, RequestModel, Size, Whole, field_error, quantity
+from pydantic import Field, field_validator, model_validator
+
+from app.calculations.hertz import Material, contact_length, material_of
+from app.calculations.mechanism import MAX_SATELLITES
+from app.model import (
+    NO_DUST,
+    Forms,
+    Kinds,
+    Maybe,
+    RequestModel,
+    Size,
+    Whole,
+    field_error,
+    no_dust,
+    quantity,
+)
 from app.units import to_si
-from core.design.sections import Ring
+from core.design.sections import Ring, RingPinSupport
 from core.design.sections import RingKind as Kind
+from core.ring.profile import Modification
 
 REFERENCE_ANGLE_DEG = 20.0
 
+PIN_MATERIAL, DISC_MATERIAL = "steel_bearing", "steel_through_hardened"
+"""Of the ring's pins and of the discs, where they are not given."""
 
-class RingFields(RequestModel, group="gear"):
+OF_SUPPORTS = ("span_mm", "satellite_positions_mm")
+"""What ring pins have that bend."""
+
+Change = Annotated[float, Field(ge=-0.5, le=0.5)]
+
+RingDeviation = Annotated[float, Field(ge=-0.2, le=0.2)]
+
+PerRingPin = Annotated[list[RingDeviation], Field(min_length=1, max_length=1000)]
+
+pin_circle_radius = partial(
+    quantity,
+    "Circle of the ring's pins",
+    "R_p",
+    step=1,
+    help="Radius of the circle of the ring's pins, on which a cycloid disc rolls.",
+)
+ring_pin_radius = partial(
+    quantity,
+    "Radius of the ring's pins",
+    "r_p",
+    step=0.5,
+    help="Of the pins, or of their sleeves; with it the roots of a cycloid disc are known.",
+)
+"""Fields that may be left out in some requests, and not in others."""
+
+
+class ModificationFields(RequestModel, group="gear"):
+    """By what the tool that cuts the discs is set off from the ring's pins."""
+
+    equidistant_mm: Change = quantity(
+        "Equidistant modification", "Δ_e", default=0.0, step=0.005, schema=NO_DUST
+    )
+    """Radius of the tool less that of the pins: positive makes the disc smaller all around."""
+    pin_circle_mm: Change = quantity(
+        "Modification of the circle", "Δ_p", default=0.0, step=0.005, schema=NO_DUST
+    )
+    """Radius of the tool's circle less that of the pins: negative makes the disc smaller."""
+    rotation_arcmin: float = quantity(
+        "Modification by rotation", "δ_r", default=0.0, step=0.5, schema=NO_DUST, ge=0, le=30
+    )
+    """By which the flanks are turned to either side; in first order only."""
+
+    _sizes = field_validator("equidistant_mm", "pin_circle_mm", "rotation_arcmin")(no_dust)
+
+    def section(self) -> Modification:
+        """The same in SI units."""
+        return Modification(**self.to_core())
+
+
+class RingPinsFields(RequestModel, group="gear"):
+    """The pins of a ring and the cycloid discs on them, as far as they are given."""
+
+    RULES: ClassVar[tuple[dict[str, Any], ...]] = (
+        {
+            "if": {
+                "properties": {"pin_support": {"enum": ["supported", "fixed"]}},
+                "required": ["pin_support"],
+            },
+            "then": {"required": [*OF_SUPPORTS]},
+            "else": {"not": {"anyOf": [{"required": [name]} for name in OF_SUPPORTS]}},
+        },
+    )
+
+    kind: Maybe[Kind] = quantity("Ring")
+    """Involute teeth, pins on which a cycloid disc rolls, or none: its force along the crank is
+    left out."""
+    ring_pin_circle_radius_mm: Maybe[Size] = pin_circle_radius()
+    ring_pin_radius_mm: Maybe[Size] = ring_pin_radius()
+    contact_length_mm: Maybe[Size] = contact_length()
+    modification: Maybe[ModificationFields] = None
+    pin_material: Maybe[Material] = quantity("Pin material")
+    """A name of the table of materials, or values."""
+    disc_material: Maybe[Material] = quantity("Disc material")
+    """A name of the table of materials, or values; that of the holes where these have one."""
+    pin_support: Maybe[RingPinSupport] = quantity("Support of the ring's pins", advanced=True)
+    """In half a bore (seat), as where not given, held at both ends free to tilt (supported), or
+    built in (fixed)."""
+    span_mm: Maybe[Size] = quantity("Span of the ring's pins", "L", step=1, advanced=True)
+    """Distance of the two supports; not of a seat."""
+    satellite_positions_mm: Maybe[list[Size]] = quantity(
+        "Places of the satellites",
+        "z₁ … z_K",
+        min_length=1,
+        max_length=MAX_SATELLITES,
+        advanced=True,
+    )
+    """Middle plane of each satellite from one support; not of a seat."""
+    seat_stiffness_N_per_mm: Maybe[Size] = quantity(
+        "Stiffness of a seat", "k_s", step=10_000, advanced=True
+    )
+    """Of a pin in its bore and of what holds that; rigid where not given."""
+    friction_coefficient: Maybe[float] = quantity(
+        "Friction coefficient", "μ", step=0.01, ge=0, le=1
+    )
+    """Of what slides on the ring's pins; without it no loss is answered."""
+    sleeve_bore_radius_mm: Maybe[Size] = quantity("Bore of the sleeves", "r_i", step=0.5)
+    """Radius of the bore of sleeves on the ring's pins, in which these slide."""
+    rolling: Maybe[bool] = quantity("Rolling elements", advanced=True)
+    """Whether rolling elements carry the sleeves: nothing slides."""
+
+    @model_validator(mode="after")
+    def _held(self) -> Self:
+        support = self.pin_support or "seat"
+        for name in OF_SUPPORTS:
+            given = getattr(self, name) is not None
+            if given and support == "seat":
+                raise field_error(name, "of_another_kind", kind="seat")
+            if not given and support != "seat":
+                raise field_error(name, "needed_beside", field="pin_support")
+        return self
+
+    def ring(self, **more: Any) -> Ring:
+        """The ring in SI units, with what else is known of it."""
+        own = self.to_core() | more
+        if self.modification is not None:
+            own["modification"] = self.modification.section()
+        for name in ("pin_material", "disc_material"):
+            if name in own:
+                own[name] = material_of(own[name])
+        if "satellite_positions" in own:
+            own["satellite_positions"] = tuple(own["satellite_positions"])
+        return Ring(**own)
+
+
+class RingPinDeviationsFields(RequestModel, group="deviations"):
+    """What the pins of a ring deviate from their nominal sizes."""
+
+    ring_pin_radial_mm: Maybe[PerRingPin] = quantity("Ring pins outward", "ρ", step=0.001)
+    """Of each pin of the ring, outward; the first faces the crank at the crank angle 0."""
+    ring_pin_tangential_mm: Maybe[PerRingPin] = quantity(
+        "Ring pins along the circle", "τ", step=0.001
+    )
+    """Of each pin of the ring, as the output turns."""
+    ring_pin_radius_mm: Maybe[PerRingPin] = quantity("Ring pin radii", "Δr", step=0.001)
+    """Of the radius of each pin of the ring."""
+
+
+RING_PIN_LISTS = tuple(RingPinDeviationsFields.model_fields)
+"""Fields of these."""
+
+TOOTH_DATA = tuple(
+    name
+    for name in RingPinsFields.model_fields
+    if name not in ("kind", "ring_pin_circle_radius_mm", "ring_pin_radius_mm")
+)
+"""What the mesh of cycloid discs is judged by, besides the sizes of the ring."""
+
+
+class RingFields(RingPinsFields, group="gear"):
     """Teeth or pins of the ring, or the ratio of its forces itself."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("kind",), ("radial_force_ratio",)),)
 
     KINDS: ClassVar[Kinds] = {
         "involute": (("module_mm",), ("teeth_difference", "reference_pressure_angle_deg")),
-        "cycloid": (("ring_pin_circle_radius_mm",), ("ring_pin_radius_mm",)),
+        "cycloid": (("ring_pin_circle_radius_mm",), ("ring_pin_radius_mm", *TOOTH_DATA)),
         "none": ((), ()),
         None: ((), ()),
     }
     """The difference of teeth is that of the mechanism where this has teeth, and needed where it
     has none; a ratio that is given needs nothing."""
 
-    kind: Maybe[Kind] = quantity("Ring")
-    """Involute teeth, pins on which a cycloid disc rolls, or none: its force along the crank is
-    left out."""
     module_mm: Maybe[Size] = quantity("Module", "m", step=0.5)
     """Of the teeth."""
     teeth_difference: Maybe[Whole] = quantity("Difference of teeth", "z₃ − z₂", ge=1, le=1000)
@@ -36,15 +203,17 @@ class RingFields(RequestModel, group="gear"):
         "Reference pressure angle", "α", step=0.5, ge=1, le=60
     )
     """Of the teeth; 20° where not given."""
-    ring_pin_circle_radius_mm: Maybe[Size] = quantity("Circle of the ring's pins", "R_p", step=1)
-    """Radius of the circle of the ring's pins, on which a cycloid disc rolls."""
-    ring_pin_radius_mm: Maybe[Size] = quantity("Radius of the ring's pins", "r_p", step=0.5)
-    """With it the roots of a cycloid disc are known, which the holes must not reach."""
     radial_force_ratio: Maybe[float] = quantity(
         "Ratio of the ring's forces", "ρ", step=0.05, ge=-100, le=100
     )
     """Force along the crank over that across it: positive towards the reducer's axis, as with
     involute teeth, negative outwards, as with a ring of pins."""
+
+    def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
+        """Also the material of the ring's pins, where their mesh is judged."""
+        yield from super().assumed()
+        if self.modification is not None and self.pin_material is None:
+            yield ("pin_material",), PIN_MATERIAL
 
     def refuse_other_teeth(self, difference: int | None) -> None:
         """Refuse involute teeth without a difference, or with another than the mechanism's.
@@ -63,11 +232,31 @@ class RingFields(RequestModel, group="gear"):
         if given and difference and difference > 0 and given != difference:
             raise field_error(name, "teeth_disagree", expected=difference)
 
+    def refuse_other_discs(self, material: Any) -> None:
+        """Refuse a material of the discs that is not that of their holes.
+
+        Parameters
+        ----------
+        material : str or MaterialFields
+            Of the holes.
+
+        Raises
+        ------
+        PydanticCustomError
+            If it is.
+        """
+        own = self.disc_material
+        if own is not None and material_of(own) != material_of(material):
+            raise field_error("gear/disc_material", "discs_disagree", field="hole_material")
+
     def section(self, whole: Any) -> Ring:
         """The ring in SI units, with the difference of the mechanism's teeth where it has them."""
-        own, difference = self.to_core(), whole.mechanism.teeth_difference
+        more: dict[str, Any] = {}
+        difference = whole.mechanism.teeth_difference
         if difference is not None:
-            own["teeth_difference"] = difference
-        if self.kind == "involute":
-            own.setdefault("reference_pressure_angle", to_si("angle_deg", REFERENCE_ANGLE_DEG))
-        return Ring(**own)
+            more["teeth_difference"] = difference
+        if self.kind == "involute" and self.reference_pressure_angle_deg is None:
+            more["reference_pressure_angle"] = to_si("angle_deg", REFERENCE_ANGLE_DEG)
+        if self.kind == "cycloid" and self.pin_material is None:
+            more["pin_material"] = PIN_MATERIAL
+        return self.ring(**more)

@@ -8,7 +8,6 @@ from typing import Annotated, Any, ClassVar, Literal, Self, get_args
 import numpy as np
 from pydantic import BeforeValidator, Field, model_validator
 
-from app.calculations.hertz import material_of
 from app.calculations.involute_mesh import InvoluteRingFields, drawn_path, solved_pair
 from app.calculations.load_sharing_answer import StiffnessCurveOut
 from app.calculations.ring_mesh_answer import (
@@ -48,7 +47,6 @@ from app.settings import Settings
 from app.sources import ISO_6336, JOHNSON_1985
 from app.theme import Figure, Theme
 from app.units import to_si
-from core.crank.ring_mesh import cycloid_mesh
 from core.errors import InvalidInput
 from core.output.contact_law import HertzLaw, LinearLaw
 from core.output.real_curves import real_curves, stiffness_curve
@@ -59,7 +57,6 @@ from core.ring.profile import CycloidDisc, Modification, outline_points
 from core.ring.sharing import (
     CycloidMesh,
     RingDeviations,
-    ideal_mesh,
     mesh_gaps,
     mesh_over_turn,
     mesh_position,
@@ -284,29 +281,20 @@ class RingMeshRequest(RequestModel, group="positions"):
         """The discs, in SI units."""
         gear, eccentricity = self.cycloid, self.eccentricity
         assert eccentricity is not None  # cycloids need it
-        change = gear.modification
-        return CycloidDisc(
-            satellite_teeth=self.mechanism.satellite_teeth,
-            eccentricity=eccentricity,
-            ring_pin_circle_radius=to_si("radius_mm", gear.ring_pin_circle_radius_mm),
-            ring_pin_radius=to_si("radius_mm", gear.ring_pin_radius_mm),
-            modification=Modification() if change is None else Modification(**change.to_core()),
+        return gear.ring().disc(
+            satellite_teeth=self.mechanism.satellite_teeth, eccentricity=eccentricity
         )
 
     @cached_property
     def mesh(self) -> CycloidMesh:
         """The mesh as it is made, in SI units."""
-        gear = self.cycloid
-        seat = gear.seat_stiffness_N_per_mm
-        return CycloidMesh(
+        ring = self.cycloid.ring()
+        return ring.cycloid_mesh(
             disc=self.disc,
+            contact_length=ring.contact_length,
+            disc_material=ring.disc_material,
             crank_angles=self.mechanism.crank_angles,
-            contact_length=to_si("length_mm", gear.contact_length_mm),
             law=self.contact_law.named() or HertzLaw(),
-            pin_material=material_of(gear.pin_material),
-            disc_material=material_of(gear.disc_material),
-            pin=gear.pin(),
-            seat_stiffness=math.inf if seat is None else to_si("seat_stiffness_N_per_mm", seat),
             deviations=(RingDeviations() if self.deviations is None else self.deviations.section()),
             exact=self.geometry == "exact",
             support=self.support,
@@ -329,9 +317,8 @@ class RingMeshRequest(RequestModel, group="positions"):
     @property
     def friction(self) -> RingFriction:
         """What slides; without a coefficient as if it were 0."""
-        own = self.cycloid
-        bore = to_si("radius_mm", own.sleeve_bore_radius_mm)
-        return RingFriction(own.friction_coefficient or 0.0, bore, own.rolling)
+        ring = self.cycloid.ring()
+        return ring.friction or RingFriction(0.0, ring.sleeve_bore_radius, ring.rolling)
 
     @property
     def input_speed(self) -> float | None:
@@ -348,13 +335,7 @@ class RingMeshRequest(RequestModel, group="positions"):
         solved.values |= {"kind": "cycloid", "geometry": RingGeometryOut.values(self.disc)}
         if "ideal" in asked:
             each = self.load.output_torque_Nm / self.mechanism.satellites
-            ratio = cycloid_mesh(
-                eccentricity=self.disc.eccentricity,
-                ratio=float(self.disc.satellite_teeth),
-                ring_pin_circle_radius=self.disc.ring_pin_circle_radius,
-            ).radial_force_ratio
-            ideal = ideal_mesh(disc=self.disc, disc_torque=each)
-            solved.values["ideal"] = RingIdealOut.values(ideal, radial_force_ratio=ratio)
+            solved.values["ideal"] = RingIdealOut.of(self.disc, each)
         if "over_turn" in asked:
             turn = mesh_over_turn(
                 mesh=mesh,

@@ -15,7 +15,9 @@ from app.model import (
     result,
 )
 from app.units import from_si
-from core.ring.profile import OutlinePoints
+from core.crank.ring_mesh import cycloid_mesh
+from core.ring.profile import CycloidDisc, OutlinePoints
+from core.ring.sharing import ideal_mesh
 
 
 class RingGeometryOut(ResponseModel):
@@ -51,6 +53,16 @@ class RingIdealOut(ResponseModel):
     radial_force_ratio: float = result(
         "Force of the ring along the crank over that across it; negative outwards.", symbol="ρ"
     )
+
+    @classmethod
+    def of(cls, disc: CycloidDisc, disc_torque: float) -> dict[str, object]:
+        """The values of perfect discs of these sizes, each under a torque, N*m."""
+        ratio = cycloid_mesh(
+            eccentricity=disc.eccentricity,
+            ratio=float(disc.satellite_teeth),
+            ring_pin_circle_radius=disc.ring_pin_circle_radius,
+        ).radial_force_ratio
+        return cls.values(ideal_mesh(disc=disc, disc_torque=disc_torque), radial_force_ratio=ratio)
 
 
 class MeshPositionOut(ResponseModel):
@@ -200,6 +212,27 @@ class SharedPairsOut(ResponseModel):
     edge_contact: bool = result(
         "Whether a pair carries at the corner of a tip, where no pressure is known."
     )
+
+
+class DesignMeshOut(ResponseModel):
+    """The mesh of cycloid discs with their ring in a whole design, under the torque without its
+    factor.
+    """
+
+    BESIDE = ("geometry", "method", "torque_direction", "ideal", "over_turn", "efficiency")
+
+    geometry: RingGeometryOut
+    method: Literal["exact", "first_order"] = result(
+        "Geometry of the forces: of first order where flanks are turned."
+    )
+    torque_direction: Literal["driving", "reverse"] = result(
+        "Direction of the torque: of both the one with the larger pressure."
+    )
+    ideal: RingIdealOut
+    over_turn: MeshTurnOut
+    efficiency: Maybe[RingEfficiencyOut] = None
+    accuracy: AccuracyOut
+    warnings: Maybe[list[WarningOut]] = None
 
 
 class RingMeshResponse(ResponseModel):

@@ -57,10 +57,10 @@ _shaft = partial(
     source="steep",
 )
 def pressure_angle(design: Design, results: Results) -> Check:
-    if_known(lambda: results.ring_mesh)  # a ring that cannot be is refused, of whatever kind
+    if_known(lambda: results.ring_force)  # a ring that cannot be is refused, of whatever kind
     if design.gear and design.gear.kind != "involute":
         return Check(pressure_angle, "not_applicable", reason="no_involute")
-    angle = results.ring_mesh.operating_pressure_angle
+    angle = results.ring_force.operating_pressure_angle
     assert angle is not None  # of an involute
     return judged(pressure_angle, float(angle), STEEP, warning="steep_mesh")
 
@@ -88,7 +88,7 @@ def mesh_possible(design: Design, results: Results) -> Check:
     gear = design.gear
     if gear.kind != "involute":
         return Check(mesh_possible, "not_applicable", reason="no_involute")
-    eccentricity, _ = design.known_eccentricity, results.ring_mesh  # which refuses base circles
+    eccentricity, _ = design.known_eccentricity, results.ring_force  # which refuses base circles
     assert gear.module is not None and gear.teeth_difference is not None
     assert gear.reference_pressure_angle is not None
     low, high = STANDARD_ANGLES

@@ -17,6 +17,7 @@ from core.checks.pin_rollers import PIN_ROLLERS
 from core.checks.pins import PINS
 from core.checks.plastics import PLASTICS
 from core.checks.play import PLAY
+from core.checks.ring_load import RING_LOAD
 from core.checks.ring_pins import RING_PINS
 from core.checks.space import SPACE
 from core.design.document import Design
@@ -36,6 +37,7 @@ CRANK_CHECKS = {
         *FRICTION,
         *CRANK,
         *RING_PINS,
+        *RING_LOAD,
         *BEARINGS,
         *PIN_ROLLERS,
         *BALANCE,
@@ -190,7 +192,10 @@ def _lacks(design: Design, part: Part, own: list[Check]) -> Iterator[NotKnown]:
         missing = "contact.hole_clearance" if known else "contact.eccentricity"
         yield NotKnown("clearance_unknown", missing)
     if part.code == "teeth":
-        yield NotKnown("teeth_not_judged")
+        if design.gear and design.gear.kind != "cycloid":
+            yield NotKnown("teeth_not_judged")
+        elif design.gear and design.gear.modification is None:
+            yield NotKnown("modification_unknown", "gear.modification")
     elif "gear" in part.sections and design.gear and design.gear.kind == "none":
         yield NotKnown("no_ring_force", "gear.kind")
     for check in own:

@@ -3,7 +3,7 @@
 from functools import partial
 
 from core.checks.check import Check, Measure, design_check
-from core.checks.inputs import FORCES, LIFE, SPEEDS
+from core.checks.inputs import FORCES, LIFE, RING_SHARING, SPEEDS
 from core.design.document import Design
 from core.design.results import Results
 from core.errors import NotKnown
@@ -16,15 +16,22 @@ _check = partial(design_check, group="friction", part="losses", needs=("touching
     title="Efficiency of the output mechanism",
     formula="η ≥ η_min",
     why="Below it more is lost than is asked.",
-    inputs=(
-        *FORCES,
-        *SPEEDS,
-        "friction.coefficient",
-        "friction.sleeve",
-        "rollers.kind",
-        "rollers.bore_diameter",
-        "rollers.friction_coefficient",
-        "requirements.min_efficiency",
+    inputs=tuple(
+        dict.fromkeys(
+            (
+                *FORCES,
+                *SPEEDS,
+                *RING_SHARING,
+                "gear.friction_coefficient",
+                "gear.rolling",
+                "friction.coefficient",
+                "friction.sleeve",
+                "rollers.kind",
+                "rollers.bore_diameter",
+                "rollers.friction_coefficient",
+                "requirements.min_efficiency",
+            )
+        )
     ),
     fixes=("friction.coefficient", "load.pin_circle_radius", "pin.diameter"),
     source="user",
@@ -33,7 +40,7 @@ _check = partial(design_check, group="friction", part="losses", needs=("touching
 )
 def efficiency(design: Design, results: Results) -> Measure:
     """Its limit is used by the losses."""
-    value = float(results.output_efficiency.efficiency)
+    value = results.efficiency
     return Measure(value, used=lambda limit: (1 - value) / (1 - limit))
 
 

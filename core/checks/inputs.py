@@ -76,6 +76,57 @@ RING = (
 )
 """Of the ring's force on a satellite."""
 
+RING_PINS = (
+    "gear.kind",
+    "gear.ring_pin_circle_radius",
+    "gear.teeth_difference",
+    "gear.modification.equidistant",
+    "gear.modification.pin_circle",
+    "mechanism.ratio",
+    "mechanism.satellites",
+    "mechanism.crank_spacing",
+    "mechanism.crank_angles",
+    "contact.eccentricity",
+    "deviations",
+)
+"""Of the gaps between cycloid discs and the pins of their ring, but for what takes the same part of
+the lag at each.
+"""
+
+RING_GAPS = (*RING_PINS, "gear.modification.rotation")
+"""Of these gaps."""
+
+RING_GIVES = (
+    *RING_GAPS,
+    "gear.ring_pin_radius",
+    "gear.contact_length",
+    "gear.pin_material",
+    "gear.disc_material",
+    "gear.pin_support",
+    "gear.span",
+    "gear.satellite_positions",
+    "gear.seat_stiffness",
+    "gear.sleeve_bore_radius",  # of pins that bend
+    "contact.contact_length",
+    "contact.hole_material",
+    "satellite_coupling",
+)
+"""Of how these pins share a torque."""
+
+RING_SHARING = (*RING_GIVES, "load.output_torque")
+"""Of the forces on them."""
+
+UNEVEN = ("contact.distribution_factor", "contact.distribution_of")
+"""Of a share that is stated."""
+
+RING_LOADED = (
+    *RING_SHARING,
+    *UNEVEN,
+    "contact.dynamic_factor",
+    "load.application_factor",
+)
+"""The same, with the factors on pressures."""
+
 OF_DISCS = (*FORCES, "contact.distribution_of", *RING)
 """Of the loads of satellites on the crank."""
 
@@ -90,6 +141,8 @@ ROOTS = (
     "gear.teeth_difference",
     "gear.ring_pin_circle_radius",
     "gear.ring_pin_radius",
+    "gear.modification.equidistant",
+    "gear.modification.pin_circle",
     "mechanism.ratio",
     "contact.eccentricity",
 )

@@ -28,7 +28,10 @@ PARTS = {
         Part(code="contact", title="pins in holes", sections=("load", "contact")),
         Part(code="pins", title="pins", sections=("load", "contact", "pin")),
         Part(
-            code="teeth", title="teeth of satellite and ring", sections=("gear",), by_forces=False
+            code="teeth",
+            title="teeth of satellite and ring",
+            sections=("load", "contact", "gear"),
+            by_forces=False,
         ),
         Part(
             code="satellite_bearing",

@@ -95,8 +95,19 @@ def in_disc(
     return judged(kind, pressure, limit, error=error, rough=rough, **more)
 
 
-def _whence(limit: ContactLimit) -> dict[str, str]:
-    """Where a limit of the pressure comes from, of a check."""
+def whence(limit: ContactLimit) -> dict[str, str]:
+    """Where a limit of the pressure comes from.
+
+    Parameters
+    ----------
+    limit : ContactLimit
+        The limit.
+
+    Returns
+    -------
+    dict
+        Attributes of a check.
+    """
     return {
         "limit_source": limit.source,
         "criterion": limit.criterion,
@@ -114,7 +125,7 @@ def _pressure(body: Body) -> Kind:
         return {
             "limit": results.pressure_limits[code],
             "life_factor": limit.life_factor,
-            **_whence(limit),
+            **whence(limit),
         }
 
     @_check(
@@ -234,7 +245,7 @@ def _static(body: Body) -> Kind:
         pressure, limit = contact.governing_pressure, material.static_pressure
         if pressure is None:
             raise NotKnown("contact_wraps")
-        whence = {}
+        source = dict[str, str]()
         if limit is None:  # what it bears for ever it bears once; beyond that nothing is known
             lasting = material.limit
             if lasting is None or pressure > lasting.pressure:
@@ -245,7 +256,7 @@ def _static(body: Body) -> Kind:
                     reason="limit_unknown",
                     missing=(f"contact.{body}_material.allowable_pressure",),
                 )
-            limit, whence = float(lasting.pressure), _whence(lasting)
+            limit, source = float(lasting.pressure), whence(lasting)
         return in_disc(
             kind=static,
             results=results,
@@ -255,7 +266,7 @@ def _static(body: Body) -> Kind:
             reserve=force_factor(
                 contact=contact, contact_at=results.static_contact_at, limit=limit
             ),
-            **whence,
+            **source,
         )
 
     return static

@@ -9,7 +9,6 @@ from core.design.refusals import named
 from core.design.results import Results
 from core.errors import NotKnown
 from core.precision import AS_TYPED
-from core.ring.profile import CycloidDisc
 
 NEAR_UNDERCUT = 1.1
 """Least bend of the pins' path over their radius for which errors leave a part of the flank."""
@@ -22,16 +21,31 @@ _ring = partial(design_check, group="gear", part="teeth", needs=("contact", "gea
 _PATH = (
     "gear.kind",
     "gear.ring_pin_circle_radius",
+    "gear.modification.equidistant",
+    "gear.modification.pin_circle",
     "mechanism.ratio",
     "contact.eccentricity",
 )
 
 
-def _none(design: Design, results: Results, kind: Kind) -> Check | None:
-    """A check of another ring than one of pins; None where it is one, which can be."""
-    if design.gear.kind != "cycloid":
+def no_ring_pins(*, results: Results, kind: Kind) -> Check | None:
+    """A check of another ring than one of pins.
+
+    Parameters
+    ----------
+    results : Results
+        Results of a design.
+    kind : Kind
+        Which check.
+
+    Returns
+    -------
+    Check or None
+        None where it is one, which can be.
+    """
+    if results.design.gear.kind != "cycloid":
         return Check(kind, "not_applicable", reason="no_ring_pins")
-    _ = results.ring_mesh  # which refuses a disc whose path crosses itself
+    _ = results.ring_force  # which refuses a disc whose path crosses itself
     return None
 
 
@@ -50,50 +64,26 @@ def _pin_radius(design: Design) -> float:
     return radius
 
 
-def _difference(design: Design) -> int:
-    """Pins less lobes: one where nobody says how many."""
-    return design.gear.teeth_difference or 1
-
-
-def _lobes(design: Design) -> int:
-    """Lobes of a satellite, which a ratio that is typed need not have."""
-    ratio = design.mechanism.ratio
-    lobes = ratio * _difference(design)
-    if abs(lobes - round(lobes)) > AS_TYPED * lobes:
-        raise NotKnown("ratio_not_whole", ratio=ratio)
-    return round(lobes)
-
-
 @_ring(
     "ring_undercut",
     title="Flanks that the ring's pins leave",
-    formula="ρ_min/r_p ≥ 1.1",
-    why="At 1 and below, the outline loops: a pin would cut off a part of the satellite's flanks. "
-    "Slightly above, errors do so.",
+    formula="ρ_min/r_m ≥ 1.1",
+    why="At 1 and below, the outline loops: its tool would cut off a part of the satellite's "
+    "flanks. Slightly above, errors do so.",
     inputs=(*_PATH, "gear.ring_pin_radius", "gear.teeth_difference"),
     fixes=("gear.ring_pin_radius", "gear.ring_pin_circle_radius", "contact.eccentricity"),
     keep="above",
 )
 def ring_undercut(design: Design, results: Results) -> Check:
-    if other := _none(design, results, ring_undercut):
+    if other := no_ring_pins(results=results, kind=ring_undercut):
         return other
-    difference, lobes = _difference(design), _lobes(design)
+    lobes, difference = design.lobes, design.gear.teeth_difference or 1
     if difference > 1:  # the flanks near the tips are cut off
         raise NotKnown("cycloid_difference", difference=difference)
     if lobes < 2:
         return Check(ring_undercut, "not_applicable", reason="one_only")
-    radius = _pin_radius(design)
-    disc = named(
-        design,
-        "gear",
-        lambda: CycloidDisc(
-            satellite_teeth=lobes,
-            eccentricity=design.known_eccentricity,
-            ring_pin_circle_radius=_circle(design),
-            ring_pin_radius=radius,
-        ),
-    )
-    margin = disc.undercut_margin
+    made = partial(design.gear.disc, satellite_teeth=lobes, eccentricity=design.known_eccentricity)
+    margin = named(design, "gear", made).undercut_margin
     if not margin > 1 + AS_TYPED:
         return judged(ring_undercut, margin, NEAR_UNDERCUT)._replace(impossible=True)
     found = judged(ring_undercut, margin, NEAR_UNDERCUT, warning="near_undercut")
@@ -120,7 +110,7 @@ def ring_undercut(design: Design, results: Results) -> Check:
 def ring_pin_room(design: Design, results: Results) -> Check:
     if design.gear.kind != "cycloid":
         return Check(ring_pin_room, "not_applicable", reason="no_ring_pins")
-    pins, size = _lobes(design) + _difference(design), _pin_radius(design)
+    pins, size = design.ring_pins, _pin_radius(design)
     width = 2 * _circle(design) * math.sin(math.pi / pins) - 2 * size
     return wall(ring_pin_room, width=width, size=size, guide=2 * BETWEEN_PINS * size)
 

@@ -151,7 +151,7 @@ def _alike(results: Results) -> bool:
 
 def _deviating(results: Results) -> bool:
     """Whether a size or a place deviates."""
-    return results.design.deviations not in (None, Deviations())
+    return results.design.output_deviations not in (None, Deviations())
 
 
 def _reason(results: Results, shares: list[float]) -> ShareReason:

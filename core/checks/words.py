@@ -58,9 +58,11 @@ CHECK_SOURCES = {
     "pin_wall": "derived: a ring bent by the force and held by the shear of the pin, as a curved "
     "beam: 1.5 to 37 % above plane elasticity",
     "pin_beam": "beam theory, the true locus of the moment; yield strength of the material",
+    "ring_mesh": "solved over the turn with modification, deviations and elasticity of the teeth, "
+    "as by the mesh of the ring",
     "roller_rating": "ISO 281:2007 and ISO 76, with the ratings that were given; of bearings whose "
     "outer ring nothing supports, what the two elements next to the load carry",
-    "roots": "geometry; where no root radius is given: of a cycloid disc r_f = R_p − e − r_p, of "
+    "roots": "geometry; where no root radius is given: of a cycloid disc r_f = R_m − e − r_m, of "
     "involute teeth r_f = m·(z₂/2 − 1.25 + x) by the basic rack of ISO 53, with a profile shift "
     "taken as 0 ≤ x ≤ 1.25",
     "shigley": "Shigley, Mechanical Engineering Design, 6; or the endurance limit that was given",

@@ -55,7 +55,7 @@ def _load_curves(
     torque, and by each row of shares over 1/K, of ideal forces.
     """
     design, load, made = results.design, results.design.load, results.made
-    eccentricity, rho = design.known_eccentricity, float(results.ring_mesh.radial_force_ratio)
+    eccentricity, rho = design.known_eccentricity, float(results.ring_force.radial_force_ratio)
     ways = WAYS[load.torque_direction]
     curves = []
     if made is None:

@@ -19,6 +19,7 @@ from core.design.sections import (
     PairSizes,
     Requirements,
     Ring,
+    RingBody,
     Rollers,
     RollingBearing,
     SatelliteBody,
@@ -36,6 +37,7 @@ from core.output.pin_section import MOST_BORE
 from core.output.real_mechanism import Deviations
 from core.output.satellite_support import CrankSupport, ElasticMesh, SatelliteSupport, Shares
 from core.precision import AS_TYPED, SAME
+from core.ring.sharing import RingDeviations
 
 DRAWN = 1e-3
 """Part of a distance that is lost where it is rounded on a drawing."""
@@ -93,8 +95,8 @@ class Design:
     InvalidInput
         If the peak torque is below the working one, a distribution factor is below 1 or gives a
         satellite more than the torque, satellites reach into each other, their places on pins and
-        crankshaft differ, a pin is thicker than what touches the hole, or rollers do not belong to
-        pins and holes.
+        crankshaft differ, a pin is thicker than what touches the hole, rollers do not belong to
+        pins and holes, or what the pins of a ring have does not fit them.
     """
 
     mechanism: MechanismSection  # pins, satellites, cranks, ratio
@@ -123,6 +125,7 @@ class Design:
         self._check_places()
         self._check_rollers()
         self._check_thickness()
+        self._check_ring_pins()
         if self.bearing:
             self.bearing.check_sizes("bearing")
         for index, each in enumerate((self.crankshaft and self.crankshaft.bearings) or ()):
@@ -163,6 +166,22 @@ class Design:
         if diameter > 2 * radius * (1 + SAME):
             most = {"field": "pin_radius", "limit": 2 * radius}
             raise InvalidInput("pin.diameter", diameter, "too_thick", **most)
+
+    def _check_ring_pins(self) -> None:
+        """Each satellite has its place on the pins of the ring, whose sleeves are wider."""
+        ring = self.gear
+        if not ring:
+            return
+        places, satellites = ring.satellite_positions, self.mechanism.satellites
+        if places and len(places) != satellites:
+            counts = {"expected": satellites, "actual": len(places)}
+            raise InvalidInput("gear.satellite_positions", places, "different_length", **counts)
+        if (width := if_known(lambda: self.ring_length)) is not None:
+            check_apart(name="gear.satellite_positions", positions=places, width=width)
+        bore, radius = ring.sleeve_bore_radius, ring.ring_pin_radius
+        if bore is not None and radius is not None and not bore < radius:
+            than = {"field": "ring_pin_radius", "limit": radius}
+            raise InvalidInput("gear.sleeve_bore_radius", bore, "smaller_than", **than)
 
     def _check_rollers(self) -> None:
         """Rollers fit onto their pins and are what touches the holes; no sleeve is beside them."""
@@ -220,11 +239,80 @@ class Design:
     @property
     def as_made(self) -> bool:
         """Whether clearance, deviations, a law of contact or satellites that give are stated."""
-        stated = (self.contact_law, self.deviations, self.support)
+        stated = (self.contact_law, self.output_deviations, self.support)
         clearance = (self.contact.clearance or 0.0) if self.contact else 0.0
         if self.touching and not self.clearance_unknown:
             clearance += self.roller_play
         return clearance > 0 or any(each is not None for each in stated)
+
+    @property
+    def output_deviations(self) -> Deviations | None:
+        """Deviations of pins, holes and cranks; None where none are stated but those of a ring."""
+        made = self.deviations
+        if made is None or (made.of_ring and made.of_output == Deviations()):
+            return None
+        return made.of_output
+
+    @property
+    def ring_deviations(self) -> RingDeviations:
+        """Deviations of the pins of the ring, of cranks and discs."""
+        made = self.deviations or Deviations()
+        return RingDeviations(
+            pin_radial=made.ring_pin_radial,
+            pin_tangential=made.ring_pin_tangential,
+            pin_radius=made.ring_pin_radius,
+            eccentricity=made.eccentricity,
+            crank_phase=made.crank_phase,
+            disc_phase=made.disc_phase,
+        )
+
+    @property
+    def lobes(self) -> int:
+        """Lobes of a cycloid disc, which a ratio that is typed need not have."""
+        ratio = self.mechanism.ratio
+        lobes = ratio * (self.gear.teeth_difference or 1)
+        if abs(lobes - round(lobes)) > AS_TYPED * lobes:
+            raise NotKnown("ratio_not_whole", ratio=ratio)
+        return round(lobes)
+
+    @property
+    def ring_pins(self) -> int:
+        """Pins of a ring: one more than lobes where nobody says how many."""
+        return self.lobes + (self.gear.teeth_difference or 1)
+
+    @property
+    def ring_length(self) -> float:
+        """Length of the contact of a disc on a pin of the ring, m: as on the pins of the output,
+        where it is not given.
+        """
+        of_output = self.contact.contact_length if self.contact else None
+        length = self.gear.contact_length or of_output
+        if length is None:
+            raise NotKnown("size_missing", "gear.contact_length")
+        return length
+
+    @property
+    def disc_material(self) -> ElasticMaterial | None:
+        """Material of the discs: that of their holes."""
+        of_holes = self.contact.hole_material if self.contact else None
+        return self.gear.disc_material or of_holes
+
+    @cached_property
+    def lasting_teeth(self) -> dict[RingBody, ElasticMaterial]:
+        """Materials of the pins of the ring and of the discs, their limits wanted for the loads
+        over the life, as far as they are given: once a turn of the crank against the ring on a pin,
+        and against the disc on a lobe.
+        """
+        life, speed = self.requirements.life, self.turning_speed
+        known = speed is not None and math.isfinite(life)
+        of_pins = speed * life / (2 * math.pi) if known and speed is not None else None
+        loads: dict[RingBody, tuple[ElasticMaterial | None, float | None]] = {
+            "pin": (self.gear.pin_material, of_pins),
+            "disc": (self.disc_material, self.loads_over(life)),
+        }
+        return {
+            body: each.lasting(often) for body, (each, often) in loads.items() if each is not None
+        }
 
     @property
     def roller_play(self) -> float:
@@ -290,6 +378,12 @@ class Design:
         the torque, and the others what is left, evenly.
         """
         return self.distribution_factor if self.distribution_of == "discs" else 1.0
+
+    @property
+    def ring_factor(self) -> float:
+        """That factor as it is stated of satellites, on the torque for the teeth."""
+        stated = self.contact and self.distribution_of == "discs"
+        return self.contact.distribution_factor if stated else 1.0
 
     @property
     def load_factor(self) -> float:

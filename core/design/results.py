@@ -5,7 +5,7 @@ known.
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -28,7 +28,7 @@ from core.first_yield import first_yield
 from core.hertz import HertzContact, force_factor, hertz
 from core.materials import Body
 from core.output.contact_force import ContactForce, contact_force
-from core.output.contact_law import ContactLaw, contact_compliance, usual_law
+from core.output.contact_law import ContactLaw, HertzLaw, contact_compliance, usual_law
 from core.output.edge_load import EdgeLoad, SlopingContacts
 from core.output.fit import Fit
 from core.output.losses import PinLosses, pin_losses
@@ -39,8 +39,14 @@ from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.real_turn import sampled
 from core.output.sampled_turn import WAYS, Made, SampledTurn
+from core.output.satellite_support import Shares
 from core.output.turn import Turn
 from core.results import Notice
+from core.ring.bent_pins import BentRingPins, bent_ring_pins
+from core.ring.loss import RingLoss, ring_loss
+from core.ring.sharing import CycloidMesh, MeshTurn, mesh_over_turn
+
+Calculated = TypeVar("Calculated")
 
 MOST_REAL_PAIRS, MOST_GIVING_PAIRS = 100, 25
 """Most pairs of a mechanism whose real forces are solved: over the turn that takes seconds; of one
@@ -48,6 +54,11 @@ whose satellites give."""
 
 MOST_PIN_PAIRS = 500
 """Most pairs of which the locus of a pin's moment is looked at."""
+
+MOST_RING_PAIRS, SHARES_AS_LONG = 300, 12
+"""Most pairs of discs and pins of a ring over the turn, and how many times as long a turn takes of
+given shares, whose loops are interpreted.
+"""
 
 MOST_BEARING_PAIRS = 2000
 """Most pairs of which the forces on the satellites are integrated over the turn."""
@@ -92,8 +103,10 @@ class Results:
 
     @cached_property
     def equal(self) -> "Results":
-        """The same where satellites share the load equally."""
-        return Results(self.design, equal=True)
+        """The same where satellites share the load equally, of one mesh with the ring."""
+        found = Results(self.design, equal=True)
+        found.ring_turn = self.ring_turn
+        return found
 
     @cached_property
     def softest(self) -> "Results":
@@ -159,7 +172,7 @@ class Results:
             pin_material=design.lasting["pin"],
             hole_material=design.lasting["hole"],
             pin=pin,
-            deviations=design.deviations or Deviations(),
+            deviations=design.output_deviations or Deviations(),
             exact=design.support is None and not (bends and design.tied),
             support=design.support,
             roller_play=design.roller_play,
@@ -581,6 +594,16 @@ class Results:
         return named(self.design, "pin", self._losses)
 
     @property
+    def efficiency(self) -> float:
+        """Of the output, and of the ring where friction on its pins is given."""
+        output, gear = float(self.output_efficiency.efficiency), self.design.gear
+        if not gear or gear.friction is None:
+            return output
+        lost, power = self.ring_loss.mean_loss, self.member_loads.output_power
+        assert lost is not None and power is not None  # at a speed, which the output needs
+        return 1 / (1 / output + lost / power)
+
+    @property
     def _rubbing_diameter(self) -> float | None:
         """Diameter at which rollers or sleeves turn on their pins, m."""
         design = self.design
@@ -676,7 +699,7 @@ class Results:
         )
 
     @derived
-    def ring_mesh(self) -> RingMesh:
+    def ring_force(self) -> RingMesh:
         """The ring's force on a satellite."""
         gear = self.design.gear
         if not gear:
@@ -689,6 +712,111 @@ class Results:
         )
 
     @derived
+    def ring_mesh(self) -> CycloidMesh:
+        """Cycloid discs on the pins of their ring as they are made, where their modification is
+        known, by Hertz' law: in exact geometry where flanks are not turned. All discs have one lag,
+        or given shares of the torque.
+        """
+        design, gear = self.design, self.design.gear
+        if not gear:
+            raise NotKnown("section_missing", "gear")
+        if gear.kind != "cycloid":
+            raise NotKnown("no_ring_pins")
+        change = gear.modification
+        if change is None:
+            raise NotKnown("modification_unknown", "gear.modification")
+        if (difference := gear.teeth_difference or 1) > 1:
+            raise NotKnown("cycloid_difference", difference=difference)
+        length = design.ring_length
+        shares = design.support if isinstance(design.support, Shares) else None
+        most = MOST_RING_PAIRS // (1 if shares is None else SHARES_AS_LONG)
+        pairs = design.ring_pins * design.mechanism.satellites
+        if pairs > most:
+            raise NotKnown("too_many_ring_pairs", pairs=pairs, limit=most)
+        disc = self._of_ring(
+            lambda: gear.disc(satellite_teeth=design.lobes, eccentricity=design.known_eccentricity)
+        )
+        return self._of_ring(
+            lambda: gear.cycloid_mesh(
+                disc=disc,
+                crank_angles=design.mechanism.built.crank_angles,
+                contact_length=length,
+                disc_material=design.disc_material,
+                law=HertzLaw(),
+                deviations=design.ring_deviations,
+                exact=change.rotation == 0,
+                support=shares,
+            )
+        )
+
+    def _of_ring(self, calculation: Callable[[], Calculated]) -> Calculated:
+        """A result about the ring; what it refuses is not known of the design."""
+        try:
+            return named(self.design, "gear", calculation)
+        except InvalidInput as refusal:
+            raise NotKnown(refusal.code, refusal=refusal) from refusal
+
+    @cached_property
+    def ring_turn(self) -> Callable[[float], MeshTurn]:
+        """These over the turn, of a torque on the pins, N*m, negative in reverse."""
+
+        def turn(torque: float) -> MeshTurn:
+            return self._of_ring(lambda: mesh_over_turn(mesh=self.ring_mesh, output_torque=torque))
+
+        return cache(turn)
+
+    def ring_turns(self, torque: float) -> list[MeshTurn]:
+        """The same in each direction of the torque, N*m, that of the larger pressure first."""
+        ways = WAYS[self.design.load.torque_direction]
+        turns = [self.ring_turn(way * torque) for way in ways]
+        return sorted(turns, key=lambda turn: turn.max_pressure or 0.0, reverse=len(ways) > 1)
+
+    @derived
+    def ring_working(self) -> list[MeshTurn]:
+        """The same under the torque without its factor."""
+        return self.ring_turns(self.design.pin_torque)
+
+    @derived
+    def ring_loading(self) -> MeshTurn:
+        """The mesh whose pressure is judged: under the dynamic load, of the satellite with most of
+        it where an uneven share is stated.
+        """
+        factor = self.design.load_factor * self.design.ring_factor
+        return self.ring_turns(self.design.pin_torque * factor)[0]
+
+    @derived
+    def ring_static(self) -> list[MeshTurn]:
+        """The same under the torque of static strength, in each direction, that of the larger
+        pressure first.
+        """
+        return self.ring_turns(self.design.static_torque * self.design.ring_factor)
+
+    @derived
+    def ring_pins(self) -> BentRingPins:
+        """Pins of the ring that bend, under the torque of static strength: the direction that bends
+        them more.
+        """
+        bent = (bent_ring_pins(turn=turn) for turn in self.ring_static)
+        return max(bent, key=lambda each: each.stress)
+
+    @derived
+    def ring_loss(self) -> RingLoss:
+        """Friction on the pins of the ring under the torque, in the direction that loses more."""
+        gear = self.design.gear
+        friction = gear.friction if gear else None
+        if friction is None:
+            raise NotKnown("ring_friction_unknown", "gear.friction_coefficient")
+        found = [
+            self._of_ring(
+                lambda turn=turn: ring_loss(  # type: ignore[misc]
+                    turn=turn, friction=friction, input_speed=self.design.turning_speed
+                )
+            )
+            for turn in self.ring_working
+        ]
+        return max(found, key=lambda each: each.loss_ratio)
+
+    @derived
     def satellite_bearing(self) -> SatelliteBearings:
         """Load and life of the satellites' bearings under the torque, their static safety under the
         peak torque, of at most `MOST_BEARING_PAIRS`. Without a speed there is no life.
@@ -696,7 +824,7 @@ class Results:
         bearing = self.design.bearing
         if not bearing:
             raise NotKnown("section_missing", "bearing")
-        mesh = self.ring_mesh
+        mesh = self.ring_force
         self._limit_pairs(MOST_BEARING_PAIRS)
         return named(
             self.design,
@@ -732,7 +860,7 @@ class Results:
         own = self.design.crankshaft
         if not own:
             raise NotKnown("section_missing", "crankshaft")
-        mesh, speeds = self.ring_mesh, self.design.known_speeds
+        mesh, speeds = self.ring_force, self.design.known_speeds
         self._limit_pairs(MOST_BEARING_PAIRS)
         given = self._turning | self._on_shaft | {"input_speed": speeds.crank} | other
         if own.bearings is not None:

@@ -5,7 +5,7 @@ ring, bearings, crankshaft, body of the satellite, requirements.
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
-from typing import Literal, NamedTuple, get_args
+from typing import Any, Literal, NamedTuple, get_args
 
 from core.crank.balance import Counterweight
 from core.crank.bearing_life import Bearing
@@ -36,8 +36,15 @@ from core.output.pin_geometry import felt
 from core.output.sampled_turn import Direction
 from core.precision import SAME
 from core.results import Notice
+from core.ring.loss import RingFriction
+from core.ring.profile import CycloidDisc, Modification
+from core.ring.sharing import CycloidMesh
 
 RingKind = Literal["involute", "cycloid", "none"]
+
+RingPinSupport = Literal["seat", "supported", "fixed"]
+
+RingBody = Literal["pin", "disc"]
 
 SharedBy = Literal["discs", "pins"]
 """Whose uneven share a distribution factor states: of satellites, or of the pairs of one."""
@@ -237,6 +244,8 @@ class Requirements:
     min_wall: float | None = None  # m
     max_backlash: float | None = None  # rad
     max_lost_motion: float | None = None  # rad
+    max_ring_backlash: float | None = None  # of the teeth alone, rad
+    max_transmission_error: float | None = None  # of the teeth alone, rad
     max_deflection: float | None = None  # of the pins, m
     max_slope: float | None = None  # of the pins, rad
     min_efficiency: float | None = None
@@ -565,6 +574,26 @@ class Ring:
         Radius of these pins, m.
     radial_force_ratio : float or None
         Force along the crank over that across it.
+    modification : Modification or None
+        Of the discs; None where nothing is known of it.
+    contact_length : float or None
+        Of a disc on a pin, m.
+    pin_material, disc_material : ElasticMaterial or None
+        Of the ring's pins and of the discs.
+    pin_support : {"seat", "supported", "fixed"}
+        In half a bore, held at both ends free to tilt, or built in at both.
+    span : float or None
+        Distance of the two supports, m.
+    satellite_positions : tuple of float
+        Middle plane of each satellite from one of them, m.
+    seat_stiffness : float
+        Of a pin in its bore and of what holds that, N/m.
+    friction_coefficient : float or None
+        Of what slides on the pins.
+    sleeve_bore_radius : float or None
+        Of sleeves on the pins, m.
+    rolling : bool
+        Whether rolling elements carry them.
     """
 
     kind: RingKind | None = None
@@ -574,13 +603,111 @@ class Ring:
     ring_pin_circle_radius: float | None = None
     ring_pin_radius: float | None = None
     radial_force_ratio: float | None = None
+    modification: Modification | None = None
+    contact_length: float | None = None
+    pin_material: ElasticMaterial | None = None
+    disc_material: ElasticMaterial | None = None
+    pin_support: RingPinSupport = "seat"
+    span: float | None = None
+    satellite_positions: tuple[float, ...] = ()
+    seat_stiffness: float = math.inf
+    friction_coefficient: float | None = None
+    sleeve_bore_radius: float | None = None
+    rolling: bool = False
+
+    @property
+    def changed(self) -> Modification:
+        """The modification; none where nothing is known of it."""
+        return self.modification or Modification()
+
+    @property
+    def bent_pin(self) -> PinSupport | None:
+        """How the pins bend, inside their sleeves; not at all in seats."""
+        if self.pin_support == "seat":
+            return None
+        inner = self.sleeve_bore_radius or self.ring_pin_radius
+        assert inner is not None and self.pin_material is not None
+        return PinSupport(
+            support=self.pin_support,
+            diameter=2 * inner,
+            satellite_positions=self.satellite_positions,
+            material=self.pin_material,
+            span=self.span,
+        )
+
+    @property
+    def friction(self) -> RingFriction | None:
+        """What slides on the pins; None where the coefficient is not known."""
+        if self.friction_coefficient is None:
+            return None
+        return RingFriction(self.friction_coefficient, self.sleeve_bore_radius, self.rolling)
+
+    def disc(self, *, satellite_teeth: int, eccentricity: float) -> CycloidDisc:
+        """A disc, as far as its modification is known.
+
+        Parameters
+        ----------
+        satellite_teeth : int
+            Its lobes.
+        eccentricity : float
+            Eccentricity of the cranks, m.
+
+        Returns
+        -------
+        CycloidDisc
+
+        Raises
+        ------
+        NotKnown
+            If the size of the pins is not given.
+        InvalidInput
+            If there is no such disc.
+        """
+        assert self.ring_pin_circle_radius is not None
+        if self.ring_pin_radius is None:
+            raise NotKnown("size_missing", "gear.ring_pin_radius")
+        return CycloidDisc(
+            satellite_teeth=satellite_teeth,
+            eccentricity=eccentricity,
+            ring_pin_circle_radius=self.ring_pin_circle_radius,
+            ring_pin_radius=self.ring_pin_radius,
+            modification=self.changed,
+        )
+
+    def cycloid_mesh(self, *, disc: CycloidDisc, **made: Any) -> CycloidMesh:
+        """Such discs on the pins.
+
+        Parameters
+        ----------
+        disc : CycloidDisc
+            All of them.
+        **made
+            Their cranks, width and material, law, deviations, geometry, shares: see
+            `core.ring.sharing.CycloidMesh`.
+
+        Returns
+        -------
+        CycloidMesh
+
+        Raises
+        ------
+        InvalidInput
+            If an input is out of range.
+        """
+        return CycloidMesh(
+            disc=disc,
+            pin_material=self.pin_material,
+            pin=self.bent_pin,
+            seat_stiffness=self.seat_stiffness,
+            **made,
+        )
 
     def roots(self, *, ratio: float, eccentricity: float | None) -> tuple[float, float]:
         """Between which radii the roots of a satellite's teeth lie.
 
         Of involute teeth ``m*(z2/2 - 1.25 + x)``, with a profile shift x that is taken to be from 0
-        to 1.25; of a cycloid disc ``R_p - e - r_p``, what the ring's pins sweep, or within
-        ``R_p - e`` where their radius is not known.
+        to 1.25; of a cycloid disc ``R_m - e - r_m``, what its tool sweeps, that of the ring's pins
+        where no modification is known, or within ``R_m - e`` where their radius is not.
 
         Parameters
         ----------
@@ -607,10 +734,11 @@ class Ring:
         if self.kind != "cycloid":
             return 0.0, math.inf
         assert self.ring_pin_circle_radius is not None
-        swept = self.ring_pin_circle_radius - (eccentricity or 0.0)
+        swept = self.ring_pin_circle_radius + self.changed.pin_circle - (eccentricity or 0.0)
         if self.ring_pin_radius is None or eccentricity is None:
             return 0.0, swept
-        return swept - self.ring_pin_radius, swept - self.ring_pin_radius
+        root = swept - self.ring_pin_radius - self.changed.equidistant
+        return root, root
 
     def mesh(self, *, eccentricity: float, ratio: float) -> RingMesh:
         """The ring's force on a satellite.

@@ -72,7 +72,8 @@ def _fix(results: Results, code: str, variable: str, current: Verdict) -> Fix | 
     def change(value: float) -> Check:
         return aimed(design=vary(design=design, variable=variable, value=value), check=check)
 
-    solved = group in STRENGTH or (group == "contact" and results.solved)
+    estimated = group in ("contact", "gear") and check.rough
+    solved = group in STRENGTH or estimated or (group == "contact" and results.solved)
     if solved and variable not in WHOLE:
         exact = _secant(lambda value: _met(change(value)), cure.before)
         return None if exact is None else _checked(cure, exact)

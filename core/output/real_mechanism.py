@@ -72,6 +72,19 @@ class Deviations:
     eccentricity: tuple[float, ...] = ()  # of each crank, m, K
     crank_phase: tuple[float, ...] = ()  # angle of each crank, rad, K
     disc_phase: tuple[float, ...] = ()  # of each disc's holes against its teeth, rad, K
+    ring_pin_radial: tuple[float, ...] = ()  # place of each pin of a ring, m, z_p values
+    ring_pin_tangential: tuple[float, ...] = ()  # m, z_p
+    ring_pin_radius: tuple[float, ...] = ()  # m, z_p
+
+    @property
+    def of_output(self) -> "Deviations":
+        """The same without a ring."""
+        return replace(self, ring_pin_radial=(), ring_pin_tangential=(), ring_pin_radius=())
+
+    @property
+    def of_ring(self) -> bool:
+        """Whether any is of the pins of a ring."""
+        return self != self.of_output
 
     def rows(self, pins: int, satellites: int) -> Errors[Row]:
         """Flat rows for the kernel.

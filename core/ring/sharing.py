@@ -17,6 +17,7 @@ from core.errors import ImpossibleMechanism, InvalidInput
 from core.materials import ElasticMaterial, effective_modulus
 from core.output.compiled import at_hand, in_place_of
 from core.output.conformal_law import NO_CURVE, NO_WRAP
+from core.output.contact_force import PairNumber
 from core.output.contact_law import (
     ContactLaw,
     PinSupport,
@@ -28,9 +29,9 @@ from core.output.contact_law import (
 from core.output.mechanism import Mechanism
 from core.output.over_turn import Extreme, OverTurn
 from core.output.satellite_support import SharedTorque, Shares, check_shares
-from core.output.sharing_kernel import PRESSURE, RIGID, Position
+from core.output.sharing_kernel import PRESSURE, RIGID
 from core.output.stage import Stage, in_floats
-from core.output.summits import summits
+from core.output.summits import Summit, summits
 from core.output.turn import Turn
 from core.precision import ROUNDING
 from core.results import Accuracy, Notice, poorly_known
@@ -418,7 +419,7 @@ def mesh_position(*, mesh: CycloidMesh, crank_angle: float, output_torque: float
         crank_along=tuple(along.tolist()),
         loaded_pairs=int(loaded.sum()),
         play=None if pressed else (ends[0], ends[1]),
-        interference=_interference(mesh, setup, found, mesh.wave(crank_angle)),
+        interference=_interference(mesh, setup, not pressed, mesh.wave(crank_angle)),
         stiffness=found.stiffness,
         max_pressure=mesh.pressure(float((force * np.array(pairs.curved)).max())),
         sliding_distance=float(far[loaded].max()),
@@ -431,10 +432,10 @@ def mesh_position(*, mesh: CycloidMesh, crank_angle: float, output_torque: float
     )
 
 
-def _interference(
-    mesh: CycloidMesh, setup: MeshSetup, found: Position, angle: float
-) -> float | None:
-    """Smallest possible worst approach without load, where pairs press, dead ones too."""
+def _interference(mesh: CycloidMesh, setup: MeshSetup, free: bool, angle: float) -> float | None:
+    """Smallest possible worst approach without load, where pairs press, dead ones too: none where
+    the others are free.
+    """
     room, pairs = mesh.room(), mesh.pairs
     approach.at(angle, setup, pairs, room)
     loops: Any = mesh.loops
@@ -444,7 +445,7 @@ def _interference(
         for q, v in zip(room.q, room.v, strict=True)
         if abs(v) < NO_TURN * longest and q > ROUNDING * setup.radius
     ]
-    if not dead and found.low <= found.high + found.play_error:
+    if not dead and free:
         return None
     if mesh.shared is not None:
         loops = mesh.shared
@@ -510,15 +511,41 @@ class MeshTurn(OverTurn):
         return found
 
     @derived
-    def max_pressure(self) -> float | None:
-        """Largest Hertz pressure over the turn, Pa, where the materials are known."""
-        if self.mesh.pressure(1.0) is None:
-            return None
+    def _hardest(self) -> Summit:
+        """The largest force over reduced radius over the turn."""
         grid = self._grid(self.turn.fine, "pressure")
         tops = summits(grid=grid, narrow=self.turn.narrow(PRESSURE))
         top = max(tops, key=lambda summit: summit.height)
         top, _ = self._above(self._grid(self.turn.again, "pressure"), PRESSURE, top)
-        return self.mesh.pressure(top.height)
+        return top
+
+    @property
+    def max_pressure(self) -> float | None:
+        """Largest Hertz pressure over the turn, Pa, where the materials are known."""
+        if self.mesh.pressure(1.0) is None:
+            return None
+        return self.mesh.pressure(self._hardest.height)
+
+    @property
+    def hardest_place(self) -> tuple[PairNumber, float]:
+        """The pair with that pressure, and the crank angle at which it has it, rad."""
+        load, room, place = self.turn.load, self.mesh.room(), self._hardest.place
+        self.mesh.solved(place, load.torque, load.setup, room)
+        pressed = np.array(room.force) * np.array(self.mesh.pairs.curved)
+        satellite, pin = divmod(int(pressed.argmax()), self.mesh.disc.pins)
+        return PairNumber(satellite + 1, pin + 1), place % (2 * math.pi)
+
+    @derived
+    def interference(self) -> float:
+        """Smallest possible worst approach without load, m, where the lags that both flanks leave
+        are farthest apart; 0 where no pairs press anywhere over the turn.
+        """
+        rows = self.turn.fine
+        if not self.pressed_without_load:
+            return 0.0
+        worst = int((rows["low"] - rows["high"]).argmax())
+        there, way = float(rows["wave"][worst]), math.copysign(1.0, self.turn.torque)
+        return _interference(self.mesh, self.mesh.setup(way), False, there) or 0.0
 
     @property
     def peak_force_ratio(self) -> float:

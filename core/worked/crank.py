@@ -245,7 +245,7 @@ def shaft_steps(results: Results) -> list[Step]:
     _take(sheet, results)
     speeds = results.design.known_speeds
     sheet.take("n_1", "input_speed", speeds.crank)
-    sheet.take("rho", "radial_force_ratio", results.ring_mesh.radial_force_ratio)
+    sheet.take("rho", "radial_force_ratio", results.ring_force.radial_force_ratio)
     for letter, place in zip(LETTERS, shaft.bearing_positions, strict=True):
         sheet.take(f"z_{letter}", "bearing_position", place)
     _centrifugal(sheet, results, "n_1")

@@ -65,7 +65,8 @@ def test_every_code_is_said_somewhere() -> None:
         if path.name not in ("codes.py",)
     ]
     said = {name for text in sources for name in re.findall(r'"(\w+)"', text)}
-    composed = {code for code in CHECKS if re.fullmatch(r"contact_\w+_(pin|hole)", code)}
+    made = r"contact_\w+_(pin|hole)|ring_(pressure|static)_(pin|disc)"
+    composed = {code for code in CHECKS if re.fullmatch(made, code)}
     tables = [path for path in sources if "OF_REQUESTS = {" in path]
     assert len(tables) == 1  # which names its codes itself
     of_requests = {code for code in OF_REQUESTS if sum(t.count(f'"{code}"') for t in sources) > 1}

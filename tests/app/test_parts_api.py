@@ -81,7 +81,7 @@ async def test_of_what_is_not_known_of_the_clearance_nothing_is_green(api):
     assert {code for code in BY_FORCES if parts[code]["status"] != "open"} == set()
     assert parts["contact"]["reason"] == "clearance_unknown"
     assert parts["contact"]["missing"] == ["/contact/hole_clearance_mm"]
-    assert parts["teeth"]["reason"] == "teeth_not_judged"
+    assert parts["teeth"]["reason"] == "modification_unknown"
     assert parts["body"]["status"] == "pass"
     assert checks["interference"]["missing"] == ["/contact/hole_clearance_mm"]
     assert [each["code"] for each in answer.get("warnings", ())] == []  # which the checks say

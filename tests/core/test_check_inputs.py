@@ -20,15 +20,18 @@ from core.design.document import Design
 from core.design.results import Results
 from core.design.sections import (
     FatigueBasis,
+    Friction,
     Requirements,
     Ring,
     Rollers,
     RollingBearing,
+    SatelliteBody,
     Temperatures,
 )
 from core.errors import CalculationError
 from core.material_table import MATERIALS
-from core.materials import ElasticMaterial, Plastic
+from core.materials import ContactLimit, ElasticMaterial, Plastic
+from core.ring.profile import Modification
 from tests.inputs.checks import WHOLE, design_of, having
 
 assert WHOLE.pin and WHOLE.bearing and WHOLE.crankshaft and WHOLE.friction and WHOLE.gear
@@ -272,10 +275,103 @@ DESIGNS |= {
     ),
 }
 
+LASTING = ElasticMaterial(
+    210e9, 0.3, ContactLimit("given", 2e9, curve="hardened"), yield_strength=900e6
+)
+TOOTHED = design_of(
+    pins=6,
+    satellites=2,
+    ratio=6.0,
+    crank_spacing=3.0,
+    output_torque=100.0,
+    input_speed=100.0,
+    pin_circle_radius=0.03,
+    contact_length=0.01,
+    pin_radius=0.004,
+    hole_radius=0.008,
+    eccentricity=0.004,
+    pin_material=LASTING,
+    hole_material=LASTING,
+    dynamic_factor=1.1,
+    satellite_body=SatelliteBody(),
+    friction=Friction(coefficient=0.05),
+    min_wall=1e-3,
+    max_ring_backlash=1.0,
+    max_transmission_error=1.0,
+    max_pv=1e9,
+    max_slope=1.0,
+    min_efficiency=0.5,
+    scope=("teeth", "body", "losses"),
+    gear=Ring(
+        kind="cycloid",
+        ring_pin_circle_radius=0.045,
+        ring_pin_radius=0.004,
+        modification=Modification(equidistant=1e-4, pin_circle=-1e-5, rotation=1e-4),
+        pin_material=LASTING,
+        pin_support="supported",
+        span=0.05,
+        satellite_positions=(0.018, 0.03),
+        seat_stiffness=5e8,
+        sleeve_bore_radius=0.003,
+        friction_coefficient=0.06,
+    ),
+)
+"""Teeth on the pins of a ring, which bend in their sleeves."""
+MANY = having(
+    having(TOOTHED, crank_spacing=None, gear=None, satellite_body=None, friction=None),
+    scope=("teeth",),
+    satellites=1,
+    ratio=50.0,
+    eccentricity=0.0006,
+    hole_radius=0.0046,
+    peak_torque=200.0,
+    gear=replace(
+        TOOTHED.gear,  # type: ignore[type-var]
+        ring_pin_radius=0.0015,
+        sleeve_bore_radius=0.001,
+        satellite_positions=(0.02,),
+    ),
+)
+TOOTH = having(TOOTHED, scope=("teeth",), satellite_body=None, friction=None)
+DESIGNS |= {
+    "teeth": TOOTHED,
+    "teeth under a factor": having(TOOTH, application_factor=1.2),
+    "teeth under a stated sharing": having(TOOTH, distribution_factor=1.2, peak_torque=200.0),
+    "teeth that press": having(
+        TOOTHED,
+        output_torque=5.0,
+        peak_torque=7.0,
+        scope=("teeth", "losses"),
+        gear=replace(
+            TOOTHED.gear,  # type: ignore[type-var]
+            modification=Modification(equidistant=-3e-5, pin_circle=-1e-5, rotation=1e-4),
+            contact_length=0.011,
+            disc_material=LASTING,
+        ),
+    ),
+    "teeth of a ratio that stays whole where it grows by a fiftieth": MANY,
+    "such teeth that press": having(
+        MANY,
+        gear=Ring(
+            kind="cycloid",
+            ring_pin_circle_radius=0.045,
+            ring_pin_radius=0.0015,
+            modification=Modification(equidistant=-1e-5, pin_circle=-5e-6),
+            pin_material=LASTING,
+        ),
+    ),
+}
+
 INPUTS = {"pin.tensile_strength": "pin.material"}
 """Inputs by the paths of a design that have other names."""
 
-MATERIALS_OF = ("contact.pin_material", "contact.hole_material", "pin.material")
+MATERIALS_OF = (
+    "contact.pin_material",
+    "contact.hole_material",
+    "pin.material",
+    "gear.pin_material",
+    "gear.disc_material",
+)
 """Inputs that are materials, each with values of its own."""
 
 JUMPS = {("dead_centre", "mechanism.pins"), ("dead_centre", "mechanism.crank_spacing")}

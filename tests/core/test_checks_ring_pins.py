@@ -14,7 +14,7 @@ from core.design.document import Design
 from core.design.results import Results
 from core.design.sections import Ring
 from core.errors import InvalidInput
-from core.ring.profile import CycloidDisc
+from core.ring.profile import CycloidDisc, Modification
 from tests.inputs.checks import REF, check_of, having
 from tests.oracles.teeth import cycloid_margin
 
@@ -163,3 +163,21 @@ def test_roots_are_those_of_the_outline() -> None:
     )
     bare = having(design, satellite_body=replace(design.satellite_body, root_radius=None))
     assert bare.roots == pytest.approx((disc.root_radius, disc.root_radius), rel=1e-14)
+
+
+def test_roots_and_undercut_are_those_of_the_tool() -> None:
+    """A tool that is larger than the pins, on a smaller circle, cuts deeper, and more sharply."""
+    design = on_pins(lobes=29, shortening=0.9, radius=2e-3)
+    change = Modification(equidistant=3e-4, pin_circle=-2e-4)
+    cut = having(
+        design,
+        gear=replace(design.gear, modification=change),  # type: ignore[type-var]
+        root_radius=None,
+    )
+    eccentricity = design.contact.eccentricity or 0.0
+    deep = CIRCLE - 2e-4 - eccentricity - 2.3e-3
+    assert cut.roots == pytest.approx((deep, deep), rel=1e-14)
+    margin = cycloid_margin(
+        ring_pins=30, circle_radius=CIRCLE - 2e-4, eccentricity=eccentricity, pin_radius=2.3e-3
+    )
+    assert check_of("ring_undercut", cut).value == pytest.approx(margin, rel=3e-4)

@@ -15,6 +15,7 @@ from core.design.results import Results
 from core.design.sections import PART_NAMES, Ring, RollingBearing
 from core.material_table import MATERIALS
 from core.materials import ContactLimit, ElasticMaterial
+from core.ring.profile import Modification
 from core.tolerance.iso286 import fit_clearance
 from tests.inputs.checks import HOLE, PIN, REF, WHOLE, check_of, having
 
@@ -34,13 +35,21 @@ SOUND = having(
     WHOLE,
     hole_radius=0.01002,
     output_torque=60.0,
-    gear=Ring(kind="cycloid", ring_pin_circle_radius=0.1, ring_pin_radius=0.004),
+    gear=Ring(
+        kind="cycloid",
+        ring_pin_circle_radius=0.1,
+        ring_pin_radius=0.004,
+        modification=Modification(equidistant=5e-6),
+        pin_material=PIN,
+    ),
     bearing=BEARING,
     crankshaft=SHAFT,
     min_efficiency=0.5,
     satellite_body=replace(REF.satellite_body, root_radius=0.09, bore_radius=0.0325),
 )
-"""All of its parts hold, but the teeth, which nothing judges."""
+"""All of its parts hold."""
+UNMODIFIED = having(SOUND, gear=replace(SOUND.gear, modification=None))  # type: ignore[type-var]
+"""The same where nothing is known of the modification of its discs."""
 
 
 def statuses(design: Design) -> dict[str, str]:
@@ -51,20 +60,26 @@ def reasons(design: Design) -> dict[str, str]:
     return {each.code: each.reason for each in crank_verdict(Results(design)).parts if each.reason}
 
 
-def test_all_parts_of_a_sound_design_pass_but_the_teeth() -> None:
+def test_all_parts_of_a_sound_design_pass() -> None:
     found = crank_verdict(Results(SOUND))
+    assert {each.status for each in found.parts} == {"pass"}, found.parts
+    assert found.verdict == "pass" and "teeth" in found.largest_torque_of
+
+
+def test_teeth_whose_modification_is_not_known_are_open() -> None:
+    found = crank_verdict(Results(UNMODIFIED))
     opened = {each.code: each.status for each in found.parts}
     assert opened == dict.fromkeys(PARTS, "pass") | {"teeth": "open"}, found.parts
-    assert reasons(SOUND) == {"teeth": "teeth_not_judged"}
+    assert reasons(UNMODIFIED) == {"teeth": "modification_unknown"}
     assert found.verdict == "incomplete"
-    judged = having(SOUND, scope=tuple(part for part in PART_NAMES if part != "teeth"))
+    judged = having(UNMODIFIED, scope=tuple(part for part in PART_NAMES if part != "teeth"))
     alone = crank_verdict(Results(judged))
     assert alone.verdict == "pass" and statuses(judged)["teeth"] == "left_out"
     assert {*alone.largest_torque_of} == {"contact", "pins", "satellite_bearing", "crank_bearings"}
     assert "teeth" in alone.not_considered and "body" not in alone.not_considered
 
 
-@pytest.mark.parametrize("part", [each for each in PART_NAMES if each != "teeth"])
+@pytest.mark.parametrize("part", PART_NAMES)
 def test_a_part_by_itself(part: str) -> None:
     """Its checks are made and no others; the verdict is its own."""
     design = having(SOUND, scope=(part,))
@@ -88,7 +103,7 @@ def test_a_section_that_is_not_given_opens_its_parts(section: str) -> None:
     fatigue = {"fatigue": None} if section == "pin" else {}
     found = crank_verdict(Results(having(SOUND, **{section: None}, **fatigue)))
     opened = {each.code: each for each in found.parts if each.status == "open"}
-    assert {*opened} == {*SECTIONS[section], "teeth"}
+    assert {*opened} == {*SECTIONS[section]}
     for part in SECTIONS[section]:
         assert opened[part].reason == "section_missing" and section in opened[part].missing
 
@@ -154,8 +169,8 @@ def unknown(design: Design) -> Design:
 def test_a_clearance_that_is_not_known_opens_what_reads_forces() -> None:
     assert {each for each in PARTS if each not in ("teeth", "body")} == BY_FORCES
     found = crank_verdict(Results(unknown(SOUND)))
-    assert reasons(unknown(SOUND)) == dict.fromkeys(BY_FORCES, "clearance_unknown") | {
-        "teeth": "teeth_not_judged"
+    assert reasons(unknown(UNMODIFIED)) == dict.fromkeys(BY_FORCES, "clearance_unknown") | {
+        "teeth": "modification_unknown"
     }
     assert not found.largest_torque_known and found.largest_torque_of == ()
     perfect = having(unknown(SOUND), clearance_stated=True)

@@ -1,0 +1,331 @@
+"""Checks of cycloid discs on the pins of their ring under load: what presses without it, pressure,
+play, transmission error, bending of the pins, pv.
+"""
+
+from functools import partial
+from typing import Any, get_args
+
+from core.checks.check import Check, Kind, Measure, design_check, judged
+from core.checks.inputs import (
+    LIFE,
+    RING_GAPS,
+    RING_GIVES,
+    RING_LOADED,
+    RING_SHARING,
+    SPEEDS,
+    UNEVEN,
+)
+from core.checks.pin_contact import whence
+from core.checks.ring_pins import no_ring_pins
+from core.design.document import Design
+from core.design.results import Results
+from core.design.sections import RingBody
+from core.errors import NotKnown
+from core.materials import ElasticMaterial
+from core.ring.sharing import MeshTurn
+
+FIRST_ORDER = 0.02
+"""Error of a pressure in first order, of the mesh: of the peak force up to 4 % were seen."""
+
+BODIES: tuple[RingBody, ...] = get_args(RingBody)
+
+_check = partial(design_check, group="gear", part="teeth", needs=("load", "contact", "gear"))
+
+
+def _error(turn: MeshTurn) -> float:
+    """Relative error of what is proportional to the forces of a mesh, of number and model."""
+    return float(turn.accuracy.relative_error) + (0.0 if turn.mesh.exact else FIRST_ORDER)
+
+
+@_check(
+    "ring_pressed",
+    title="Teeth that go together without force",
+    unit="mm",
+    formula="δ ≤ 0",
+    why="Otherwise discs and pins of the ring press without load, and go together by force only.",
+    inputs=RING_GAPS,
+    fixes=("gear.modification.equidistant",),
+    source="ring_mesh",
+)
+def ring_pressed(design: Design, results: Results) -> Check:
+    if other := no_ring_pins(results=results, kind=ring_pressed):
+        return other
+    return judged(ring_pressed, max(turn.interference for turn in results.ring_working[:1]), 0.0)
+
+
+NAMES: dict[RingBody, str] = {"pin": "pins of the ring", "disc": "discs on the ring"}
+
+MATERIALS: dict[RingBody, str] = {"pin": "gear.pin_material", "disc": "contact.hole_material"}
+
+
+def _pressed(turn: MeshTurn, body: RingBody) -> tuple[float, dict[str, Any]]:
+    """Largest pressure over the turn, Pa, and where it is reached."""
+    value = turn.max_pressure
+    if value is None:
+        raise NotKnown("limit_unknown", MATERIALS[body])
+    pair, angle = turn.hardest_place
+    return value, {"satellite": pair.satellite, "pin": pair.pin, "crank_angle": angle}
+
+
+def _no_limit(
+    kind: Kind, body: RingBody, material: ElasticMaterial, value: float, at: dict[str, Any]
+) -> Check:
+    """A check of a pressure of which the material has no limit."""
+    unknown = "limit_unknown" if material.plastic is None else "plastic_limit_unknown"
+    missing = (f"{MATERIALS[body]}.allowable_pressure",)
+    return Check(kind, "not_checked", value=value, reason=unknown, at=at, missing=missing)
+
+
+def _pressure(body: RingBody) -> Kind:
+
+    def limits(design: Design, results: Results) -> dict[str, Any]:
+        """Of a material that has a limit."""
+        material = design.lasting_teeth.get(body)
+        limit = material and material.limit
+        if not limit:
+            return {}
+        allowed = float(limit.allowable) / design.requirements.pitting_safety
+        return {"limit": allowed, "life_factor": limit.life_factor, **whence(limit)}
+
+    @_check(
+        f"ring_pressure_{body}",
+        unit="MPa",
+        title=f"Contact pressure of the {NAMES[body]}",
+        formula="p ≤ p_all·Z_NT/S",
+        why=f"Above it the surface of the {NAMES[body]} pits within the life.",
+        inputs=(*RING_LOADED, *LIFE, "requirements.pitting_safety"),
+        fixes=("gear.contact_length", "load.output_torque"),
+        source="ring_mesh",
+        known=limits,
+    )
+    def pressure(design: Design, results: Results) -> Check:
+        if other := no_ring_pins(results=results, kind=pressure):
+            return other
+        turn, material = results.ring_loading, design.lasting_teeth[body]
+        value, at = _pressed(turn, body)
+        if material.limit is None:
+            return _no_limit(pressure, body, material, value, at)
+        known = limits(design, results)
+        found = judged(
+            pressure,
+            value,
+            **known,
+            reserve=(known["limit"] / value) ** 2,
+            error=_error(turn),
+            rough=True,
+            at=at,
+        )
+        reason, lacks = "life_of_teeth", tuple[str, ...]()
+        if material.limit.curve is None:
+            reason = "no_life_curve"
+        elif material.limit.loads is None:
+            reason, lacks = "life_without_speed", ("load.input_speed",)
+        return found if found.reason else found._replace(reason=reason, missing=lacks)
+
+    return pressure
+
+
+def _static(body: RingBody) -> Kind:
+    @_check(
+        f"ring_static_{body}",
+        unit="MPa",
+        title=f"Contact pressure of the {NAMES[body]} at the peak torque",
+        formula="p(T_max) ≤ p_static",
+        why=f"Above it the surface of the {NAMES[body]} is dented at once.",
+        inputs=(*RING_GIVES, *UNEVEN, "load.peak_torque"),
+        fixes=("gear.contact_length", "load.peak_torque"),
+        source="static_pressure",
+    )
+    def static(design: Design, results: Results) -> Check:
+        if other := no_ring_pins(results=results, kind=static):
+            return other
+        if design.load.peak_torque is None:
+            missing = ("load.peak_torque",)
+            return Check(static, "not_asked", reason="no_peak_torque", missing=missing)
+        turn, material = results.ring_static[0], design.lasting_teeth[body]
+        value, at = _pressed(turn, body)
+        limit, source = material.static_pressure, dict[str, str]()
+        if limit is None:  # what it bears for ever it bears once; beyond that nothing is known
+            lasting = material.limit
+            if lasting is None or value > lasting.pressure:
+                return _no_limit(static, body, material, value, at)
+            limit, source = float(lasting.pressure), whence(lasting)
+        return judged(
+            static,
+            value,
+            limit,
+            reserve=(limit / value) ** 2,
+            error=_error(turn),
+            rough=True,
+            at=at,
+            **source,
+        )
+
+    return static
+
+
+@_check(
+    "ring_backlash",
+    title="Backlash of the teeth",
+    unit="arcmin",
+    formula="max(θ₊ − θ₋) ≤ Δφ",
+    why="Otherwise the unloaded output turns by more than is asked.",
+    inputs=(*RING_GAPS, "requirements.max_ring_backlash"),
+    fixes=("gear.modification.equidistant",),
+    source="ring_mesh",
+    asks="max_ring_backlash",
+)
+def ring_backlash(design: Design, results: Results) -> Check | Measure:
+    """Not looked for where nobody asks."""
+    if other := no_ring_pins(results=results, kind=ring_backlash):
+        return other
+    if design.requirements.max_ring_backlash is None:
+        raise NotKnown("no_limit")
+    play = results.ring_working[0].backlash_max
+    return Measure(design.members.angle_at_output(play))
+
+
+@_check(
+    "ring_transmission_error",
+    title="Transmission error of the teeth",
+    unit="arcmin",
+    formula="max θ − min θ ≤ TE",
+    why="Otherwise the output turns less evenly than is asked.",
+    inputs=(*RING_SHARING, "requirements.max_transmission_error"),
+    fixes=(),
+    source="ring_mesh",
+    asks="max_transmission_error",
+)
+def ring_transmission_error(design: Design, results: Results) -> Check | Measure:
+    """Under the torque itself; not looked for where nobody asks."""
+    if other := no_ring_pins(results=results, kind=ring_transmission_error):
+        return other
+    if design.requirements.max_transmission_error is None:
+        raise NotKnown("no_limit")
+    worst = max(turn.transmission_error for turn in results.ring_working)
+    return Measure(design.members.angle_at_output(worst))
+
+
+def _bends(results: Results, kind: Kind) -> Check | None:
+    """A check of pins that do not bend; None where they do."""
+    if other := no_ring_pins(results=results, kind=kind):
+        return other
+    if results.design.gear.pin_support == "seat":
+        return Check(kind, "not_applicable", reason="pins_in_seats")
+    return None
+
+
+@_check(
+    "ring_pin_stress",
+    title="Static strength of the pins of the ring",
+    unit="MPa",
+    formula="σ_v ≤ R_e/S_F",
+    why="Above it the pins of the ring bend for good.",
+    inputs=(*RING_LOADED, "load.peak_torque", "requirements.bending_safety"),
+    fixes=("load.output_torque",),
+    source="pin_beam",
+)
+def ring_pin_stress(design: Design, results: Results) -> Check:
+    if other := _bends(results, ring_pin_stress):
+        return other
+    found, material = results.ring_pins, design.gear.pin_material
+    strength = None if material is None else material.loaded_strength("pin")
+    if strength is None:
+        missing = ("gear.pin_material.yield_strength",)
+        return Check(
+            ring_pin_stress,
+            "not_checked",
+            value=found.stress,
+            reason="yield_unknown",
+            missing=missing,
+        )
+    limit = strength / design.requirements.bending_safety
+    return judged(
+        ring_pin_stress,
+        found.stress,
+        limit,
+        reserve=limit / found.stress,
+        error=found.relative_error + _error(results.ring_loading),
+        rough=True,
+        at={"pin": found.pin},
+    )
+
+
+@_check(
+    "ring_pin_fatigue",
+    title="Fatigue of the pins of the ring",
+    formula="n ≥ S_D",
+    why="Below it the pins of the ring break after some time where they bend most.",
+    inputs=("gear.kind", "gear.pin_support"),
+    fixes=(),
+    source="no_source",
+    keep="above",
+)
+def ring_pin_fatigue(design: Design, results: Results) -> Check:
+    """Not known: notch and endurance of these pins are not asked for."""
+    if other := _bends(results, ring_pin_fatigue):
+        return other
+    return Check(ring_pin_fatigue, "not_checked", reason="ring_fatigue_unknown")
+
+
+@_check(
+    "ring_pin_slope",
+    title="Slope of the pins of the ring in the satellites",
+    unit="mrad",
+    formula="θ ≤ θ_max",
+    why="Above it the teeth carry on their edges.",
+    inputs=(*RING_LOADED, "load.peak_torque", "requirements.max_slope"),
+    fixes=("load.output_torque",),
+    source="beam",
+    asks="max_slope",
+)
+def ring_pin_slope(design: Design, results: Results) -> Check | Measure:
+    if other := _bends(results, ring_pin_slope):
+        return other
+    found = results.ring_pins
+    return Measure(
+        found.slope, error=found.relative_error, reserve=lambda growth: growth, rough=True
+    )
+
+
+@_check(
+    "ring_pv",
+    title="Pressure times sliding speed of the sleeves of the ring",
+    unit="MPa_m_per_s",
+    formula="p·v ≤ (pv)_all",
+    why="Above it the sleeves on the pins of the ring get hot and wear fast.",
+    inputs=(
+        *RING_SHARING,
+        *SPEEDS,
+        "gear.rolling",
+        "requirements.max_pv",
+    ),
+    fixes=("gear.contact_length", "load.input_speed", "load.output_torque"),
+    source="user",
+    asks="max_pv",
+    needed=False,
+)
+def ring_pv(design: Design, results: Results) -> Check | Measure:
+    if other := no_ring_pins(results=results, kind=ring_pv):
+        return other
+    if design.gear.rolling or design.gear.sleeve_bore_radius is None:
+        return Check(ring_pv, "not_applicable", reason="no_bush")
+    if design.requirements.max_pv is None:
+        raise NotKnown("no_limit")
+    _ = design.known_speed
+    value = results.ring_loss.peak_pv
+    assert value is not None  # of sleeves at a speed
+    return Measure(value, error=_error(results.ring_working[0]), rough=True)
+
+
+RING_LOAD = (
+    ring_pressed,
+    *map(_pressure, BODIES),
+    *map(_static, BODIES),
+    ring_backlash,
+    ring_transmission_error,
+    ring_pin_stress,
+    ring_pin_fatigue,
+    ring_pin_slope,
+    ring_pv,
+)

@@ -1,0 +1,175 @@
+"""The mesh of the ring in the design document over REST: what is refused, and that it is what
+`/ring-mesh` answers.
+"""
+
+from copy import deepcopy
+
+import pytest
+
+from app.examples import REQUESTS
+
+pytestmark = pytest.mark.anyio
+
+PATH = "crank-planetary"
+ALONE = REQUESTS["ring-mesh"]
+DESIGN = {
+    "mechanism": {"pins": 6, **ALONE["mechanism"]},
+    "load": {**ALONE["load"], "pin_circle_radius_mm": 32.0},
+    "contact": {
+        **ALONE["contact"],
+        "pin_radius_mm": 5.0,
+        "contact_length_mm": 12.0,
+        "hole_clearance_mm": 0.02,
+    },
+    "gear": ALONE["gear"],
+    "include": ["checks"],
+}
+"""The example of `/ring-mesh` with the pins of an output."""
+
+
+def changed(**sections):
+    """The design with other fields; None takes one away."""
+    body = deepcopy(DESIGN)
+    for section, fields in sections.items():
+        if not isinstance(fields, dict):
+            body[section] = fields
+            continue
+        inner = body.setdefault(section, {})
+        inner |= fields
+        for name in [name for name, value in inner.items() if value is None]:
+            del inner[name]
+    return body
+
+
+@pytest.mark.parametrize(
+    ("sections", "pointer", "code"),
+    [
+        ({"gear": {"disc_material": "steel_structural"}}, "/gear/disc_material", "discs_disagree"),
+        ({"gear": {"span_mm": 40.0}}, "/gear/span_mm", "of_another_kind"),
+        ({"gear": {"pin_support": "fixed"}}, "/gear/span_mm", "needed_beside"),
+        (
+            {
+                "gear": {
+                    "pin_support": "fixed",
+                    "span_mm": 40.0,
+                    "satellite_positions_mm": [20.0],
+                }
+            },
+            "/gear/satellite_positions_mm",
+            "different_length",
+        ),
+        (
+            {
+                "gear": {
+                    "pin_support": "fixed",
+                    "span_mm": 40.0,
+                    "satellite_positions_mm": [20.0, 31.0],
+                }
+            },
+            "/gear/satellite_positions_mm/1",
+            "too_near",
+        ),
+        ({"gear": {"sleeve_bore_radius_mm": 5.0}}, "/gear/sleeve_bore_radius_mm", "smaller_than"),
+        (
+            {"deviations": {"ring_pin_radius_mm": [0.001] * 19}},
+            "/deviations/ring_pin_radius_mm",
+            "different_length",
+        ),
+        (
+            {
+                "gear": {"kind": "none", **dict.fromkeys(set(ALONE["gear"]) - {"kind"})},
+                "deviations": {"ring_pin_radial_mm": [0.001] * 20},
+            },
+            "/gear",
+            "needed_beside",
+        ),
+        ({"gear": {"kind": "none"}}, "/gear/ring_pin_circle_radius_mm", "of_another_kind"),
+    ],
+)
+async def test_what_does_not_fit_together_is_refused(api, sections, pointer, code):
+    response = await api.post(PATH, json=changed(**sections))
+    (error,) = response.json()["errors"]
+    assert (error["pointer"], error["code"]) == (pointer, code)
+
+
+async def test_pins_of_the_ring_leave_those_of_the_output_alone(api):
+    """Where only the ring's pins deviate, nothing is said of the parts of the output."""
+    perfect = {"contact": {"hole_clearance_mm": 0.0}}
+    made = {"deviations": {"ring_pin_radial_mm": [0.001] * 20}}
+    for sections, model in ((made, "ideal"), ({"deviations": {}}, "real")):
+        answer = (await api.post(PATH, json=changed(**perfect, **sections))).json()
+        assert answer["model"] == model
+
+
+async def test_the_discs_may_be_named_as_their_holes_are(api):
+    named = {"gear": {"disc_material": "steel_through_hardened"}}
+    assert (await api.post(PATH, json=changed(**named))).status_code == 200
+
+
+async def test_the_mesh_is_what_its_endpoint_answers(api):
+    """By default too; with the deviations of this piece in both."""
+    off = [0.004, -0.003, 0.002, 0.0] * 5
+    for deviations in (ALONE["deviations"], {"ring_pin_tangential_mm": off}):
+        alone = {**ALONE, "deviations": deviations, "include": ["over_turn", "ideal"]}
+        own = (await api.post("ring-mesh", json=alone)).json()
+        body = changed(include=["ring_mesh"]) | {"deviations": deviations}
+        answer = (await api.post(PATH, json=body)).json()
+        found = answer["ring_mesh"]
+        assert (found["method"], found["torque_direction"]) == ("exact", "driving")
+        for name in ("geometry", "ideal", "over_turn", "efficiency"):
+            assert found[name] == own[name], name
+        assert found["accuracy"]["relative_error"] == own["accuracy"]["relative_error"]
+    usual = changed()
+    del usual["include"]
+    answer = (await api.post(PATH, json=usual)).json()
+    assert {"ring_mesh", "cyclogram", "load_sharing"} <= {*answer}
+    assert [each["pointer"] for each in answer["assumed"]] == [
+        "/contact/pin_material",
+        "/contact/hole_material",
+        "/gear/pin_material",
+    ]
+
+
+async def test_angles_are_those_of_the_output(api):
+    """The ring turns by u/(u + 1) of what the pins would, and carries as much more."""
+    pins = changed(include=["ring_mesh"])
+    ring = changed(include=["ring_mesh"], mechanism={"output": "ring"})
+    ring["load"]["output_torque_Nm"] *= 20 / 19
+    one, two = [(await api.post(PATH, json=body)).json()["ring_mesh"] for body in (pins, ring)]
+    for name, part in (
+        ("backlash_max_arcmin", 19 / 20),
+        ("transmission_error_arcmin", 19 / 20),
+        ("stiffness_min_Nm_per_arcmin", (20 / 19) ** 2),
+        ("max_pressure_MPa", 1.0),
+    ):
+        assert two["over_turn"][name] == pytest.approx(part * one["over_turn"][name], rel=1e-6)
+
+
+async def test_what_is_not_known_of_the_teeth_is_said(api):
+    alone = {"scope": ["teeth"]}
+    for sections, code, reason in (
+        ({"gear": {"modification": None}}, None, "modification_unknown"),
+        ({}, "ring_deviations_unknown", None),
+        ({"deviations": {"ring_pin_radius_mm": [0.0] * 20}}, None, None),
+    ):
+        answer = (await api.post(PATH, json=changed(requirements=alone, **sections))).json()
+        warned = {each["code"] for each in answer.get("warnings", ())}
+        assert ("ring_deviations_unknown" in warned) == (code is not None)
+        (teeth,) = (each for each in answer["parts"] if each["code"] == "teeth")
+        assert teeth.get("reason") == reason
+        assert (teeth["status"] == "open") == (reason is not None)
+    named = changed(include=["ring_mesh"], gear={"modification": None})
+    (error,) = (await api.post(PATH, json=named)).json()["errors"]
+    assert (error["pointer"], error["code"]) == ("/gear/modification", "needed_for")
+
+
+async def test_teeth_are_cured_by_what_they_are_judged_by(api):
+    """A fix, reposted, holds."""
+    body = changed(requirements={"scope": ["teeth"]}, include=["checks", "fixes"])
+    answer = (await api.post(PATH, json=body | {"contact": {**body["contact"]}})).json()
+    body["gear"] = {**body["gear"], "contact_length_mm": 12.0}
+    fix = next(each for each in answer["fixes"] if each["pointer"] == "/gear/contact_length_mm")
+    assert (answer["verdict"], fix["verdict"]) == ("fail", "pass")
+    body["gear"]["contact_length_mm"] = fix["to"]
+    cured = (await api.post(PATH, json=body)).json()
+    assert cured["verdict"] == "pass" and cured["governing"] == "ring_pressure_disc"

@@ -1,0 +1,343 @@
+"""Checks of the teeth on the pins of a ring: against published and closed numbers, positions of the
+mesh that are looked at one by one, and statics by hand.
+"""
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from core.checks.crank_planetary import crank_checks
+from core.checks.largest_torque import crank_verdict
+from core.contact_life import life_factor
+from core.design.document import Design
+from core.design.results import MOST_RING_PAIRS, Results
+from core.design.sections import Friction, Ring
+from core.materials import ContactLimit, ElasticMaterial
+from core.output.real_mechanism import Deviations
+from core.output.satellite_support import Shares
+from core.ring.bent_pins import bent_ring_pins
+from core.ring.profile import Modification
+from core.ring.sharing import mesh_position
+from tests.inputs.checks import check_of, design_of, having
+
+ARCMIN = math.radians(1) / 60
+HARD = ElasticMaterial(210e9, 0.3, ContactLimit("given", 1800e6, curve="hardened"))
+SOFT = ElasticMaterial(210e9, 0.3, ContactLimit("given", 1500e6), yield_strength=900e6)
+A7 = design_of(
+    pins=6,
+    satellites=1,
+    ratio=39.0,
+    output_torque=400.0,
+    pin_circle_radius=0.04,
+    contact_length=0.015,
+    pin_radius=0.006,
+    hole_radius=0.0075,
+    eccentricity=0.0015,
+    pin_material=HARD,
+    hole_material=SOFT,
+    gear=Ring(
+        kind="cycloid",
+        ring_pin_circle_radius=0.082,
+        ring_pin_radius=0.005,
+        modification=Modification(equidistant=2e-5, pin_circle=-1e-5),
+        pin_material=HARD,
+    ),
+)
+"""The discs of a published case, pressed to 1208.519 MPa at 33.3 degrees under 400 N*m."""
+
+
+FEW = design_of(
+    pins=6,
+    satellites=1,
+    ratio=11.0,
+    output_torque=100.0,
+    pin_circle_radius=0.03,
+    contact_length=0.01,
+    eccentricity=0.0025,
+    gear=Ring(
+        kind="cycloid",
+        ring_pin_circle_radius=0.05,
+        ring_pin_radius=0.005,
+        modification=Modification(equidistant=6e-5),
+        pin_material=HARD,
+        disc_material=HARD,
+    ),
+)
+
+
+def geared(design: Design = A7, /, **changes: Any) -> Design:
+    """A design with another ring."""
+    return having(design, gear=replace(design.gear, **changes))  # type: ignore[type-var]
+
+
+def test_the_mesh_is_that_of_the_published_case() -> None:
+    mesh = Results(A7).ring_mesh
+    found = mesh_position(mesh=mesh, crank_angle=math.radians(33.3), output_torque=400.0)
+    assert found.max_pressure == pytest.approx(1208.519e6, rel=1e-6)
+    assert found.rotation[0] / ARCMIN == pytest.approx(1.7777511833, rel=1e-9)
+
+
+def pressed(force: float, angle: float) -> float:
+    """Hertz pressure of a pin of these discs at an angle from the crank, by its path's bend."""
+    tool, circle, length, modulus = 0.005 + 2e-5, 0.082 - 1e-5, 0.015, 210e9 / 0.91 / 2
+    k = 0.0015 * 40 / circle
+    slope = math.sqrt(1 + k * k - 2 * k * math.cos(angle))
+    bend = (1 + 40 * k * k - 41 * k * math.cos(angle)) / (circle * slope**3)
+    curved = 1 / 0.005 + bend / (1 - tool * bend)
+    return math.sqrt(force * modulus * curved / (math.pi * length))
+
+
+@pytest.mark.parametrize("factor", [1.0, 1.5])
+def test_the_pressure_is_the_largest_of_all_positions(factor: float) -> None:
+    """Under the torque times its factor; where it is said to be, it is."""
+    design = having(A7, application_factor=factor)
+    check = check_of("ring_pressure_pin", design)
+    mesh, torque = Results(design).ring_mesh, 400.0 * factor
+    pitch = 2 * math.pi / 40
+    places = [*np.linspace(0, pitch, 60), check.at["crank_angle"]]
+    found = [mesh_position(mesh=mesh, crank_angle=a, output_torque=torque) for a in places]
+    pressures = [each.max_pressure or 0.0 for each in found]
+    assert check.value == pytest.approx(pressures[-1], rel=1e-9)
+    assert max(pressures[:-1]) <= pressures[-1] * (1 + 1e-12)
+    assert max(pressures[:-1]) == pytest.approx(pressures[-1], rel=1e-3)
+    own = [pressed(f, places[-1] + k * pitch) for k, f in enumerate(found[-1].force[0])]
+    assert (check.at["satellite"], check.at["pin"]) == (1, 1 + own.index(max(own)))
+    assert check.value == pytest.approx(max(own), rel=1e-9)
+    other = check_of("ring_pressure_disc", design)
+    assert other.value == check.value and other.at == check.at
+
+
+def test_limits_are_those_of_each_body_over_its_own_loads() -> None:
+    """A pin of the ring is loaded once a turn of the crank, a lobe once a turn against the disc."""
+    speed, life = 100.0, 3e7
+    design = having(
+        geared(disc_material=replace(HARD, limit=ContactLimit("given", 2e9, curve="nitrided"))),
+        input_speed=speed,
+        life=life,
+        pitting_safety=1.25,
+    )
+    loads = speed * life / (2 * math.pi)
+    pin, disc = (check_of(f"ring_pressure_{body}", design) for body in ("pin", "disc"))
+    factors = [
+        life_factor(curve="hardened", loads=loads),
+        life_factor(curve="nitrided", loads=loads * (1 + 1 / 39)),
+    ]
+    assert pin.limit == pytest.approx(1800e6 * factors[0] / 1.25, rel=1e-12)
+    assert disc.limit == pytest.approx(2e9 * factors[1] / 1.25, rel=1e-12)
+    assert (pin.reason, pin.life_factor) == ("life_of_teeth", pytest.approx(factors[0]))
+    plain = check_of("ring_pressure_disc", A7)
+    assert (plain.limit, plain.reason) == (pytest.approx(1500e6 / 1.2), "no_life_curve")
+    still = check_of("ring_pressure_pin", A7)
+    assert (still.reason, still.missing) == ("life_without_speed", ("load.input_speed",))
+
+
+def test_the_peak_torque_is_held_against_static_limits() -> None:
+    """A static limit of the material, or what it bears for ever; of the torque without a factor."""
+    assert check_of("ring_static_pin", A7).status == "not_asked"
+    dents = replace(HARD, static_pressure=4e9)
+    design = having(geared(pin_material=dents), peak_torque=700.0, application_factor=1.5)
+    pin, disc = (check_of(f"ring_static_{body}", design) for body in ("pin", "disc"))
+    alone = check_of("ring_pressure_pin", having(A7, output_torque=700.0))
+    assert pin.value == disc.value == pytest.approx(alone.value, rel=1e-12)
+    assert (pin.limit, pin.status) == (4e9, "pass")
+    assert (disc.status, disc.reason) == ("not_checked", "limit_unknown")  # above 1500 MPa
+    less = having(geared(), peak_torque=450.0)
+    assert check_of("ring_static_disc", less).limit == 1500e6
+
+
+def test_the_reserve_is_the_torque_at_which_the_limit_is_reached() -> None:
+    verdict = crank_verdict(Results(having(A7, scope=("teeth",))))
+    check = verdict["ring_pressure_disc"]
+    assert check.torque_reserve is not None and check.limit is not None
+    there = check_of("ring_pressure_disc", having(A7, output_torque=400.0 * check.torque_reserve))
+    assert there.value == pytest.approx(check.limit, rel=1e-5)
+    assert verdict.largest_torque_of == ("teeth",)
+
+
+def test_of_both_directions_the_worse_is_judged() -> None:
+    """Pins that are off their places make them differ."""
+    off = tuple(2e-5 * math.sin(1.0 + 2.0 * k) for k in range(12))
+    design = having(FEW, deviations=Deviations(ring_pin_tangential=off))
+    ways = ("driving", "reverse", "alternating")
+    each = [having(design, torque_direction=way) for way in ways]
+    driving, back, both = (check_of("ring_pressure_pin", one).value or 0.0 for one in each)
+    assert both == max(driving, back) and driving != pytest.approx(back, rel=1e-3)
+    lags = [Results(one).ring_working for one in each]
+    asked = having(each[2], max_transmission_error=1.0)
+    most = max(turns[0].transmission_error for turns in lags[:2])
+    assert check_of("ring_transmission_error", asked).value == most
+    mesh = Results(design).ring_mesh
+    assert mesh.exact and mesh.deviations.pin_tangential == off
+    turned = geared(design, modification=Modification(rotation=1e-4))
+    assert not Results(turned).ring_mesh.exact
+
+
+def test_shares_that_are_given_are_those_of_the_mesh() -> None:
+    even = having(FEW, satellites=2)
+    two = having(even, satellite_coupling=Shares((0.7, 0.3)))
+    given, equal = (check_of("ring_pressure_pin", each).value for each in (two, even))
+    mesh = Results(two).ring_mesh
+    found = mesh_position(mesh=mesh, crank_angle=0.4, output_torque=100.0)
+    assert found.disc_torque == pytest.approx((70.0, 30.0), rel=1e-9)
+    assert given is not None and equal is not None and given > 1.1 * equal
+
+
+def test_an_uneven_share_that_is_stated_is_on_the_torque() -> None:
+    two = having(A7, satellites=2)
+    stated = having(two, distribution_factor=1.3)
+    alone = having(two, output_torque=520.0)
+    found = check_of("ring_pressure_pin", stated).value
+    assert found == pytest.approx(check_of("ring_pressure_pin", alone).value, rel=1e-9)
+
+
+@pytest.mark.parametrize(("equidistant", "interference"), [(-5e-6, 5e-6), (0.0, 0.0), (5e-6, 0.0)])
+def test_what_is_cut_too_large_presses_all_around(equidistant: float, interference: float) -> None:
+    design = geared(modification=Modification(equidistant=equidistant))
+    found = check_of("ring_pressed", design)
+    assert found.value == pytest.approx(interference, abs=1e-12)
+    assert found.status == ("fail" if interference else "pass") and found.torque_reserve is None
+
+
+def test_backlash_is_that_of_the_published_disc() -> None:
+    """Largest over the turn 2.56426736 arcmin, in first order; by the ring as output a part."""
+    design = having(
+        A7,
+        ratio=18.0,
+        eccentricity=0.0015,
+        max_ring_backlash=3 * ARCMIN,
+        gear=Ring(
+            kind="cycloid",
+            ring_pin_circle_radius=0.034,
+            ring_pin_radius=0.0025,
+            modification=Modification(equidistant=1e-5),
+            pin_material=HARD,
+        ),
+    )
+    found = check_of("ring_backlash", design)
+    assert (found.value or 0) / ARCMIN == pytest.approx(2.56426736, rel=3e-4)
+    assert (found.status, found.limit) == ("pass", 3 * ARCMIN)
+    assert (
+        check_of("ring_backlash", having(design, max_ring_backlash=2.5 * ARCMIN)).status == "fail"
+    )
+    of_ring = check_of("ring_backlash", having(design, output="ring")).value
+    assert of_ring == pytest.approx((found.value or 0) * 18 / 19, rel=1e-9)
+    plain = check_of("ring_backlash", A7)
+    assert (plain.status, plain.value) == ("not_asked", None)
+
+
+SPAN, PLACE, THIN = 0.06, 0.02, 1e-4
+BENT = having(
+    geared(pin_support="supported", span=SPAN, satellite_positions=(PLACE,)), contact_length=THIN
+)
+"""Loads of no width, one third along pins that are free to tilt."""
+
+
+def test_a_pin_of_the_ring_is_a_beam() -> None:
+    """M = F*a*b/L under the load; slope there F*a*b*(b - a)/(3*E*I*L)."""
+    found = check_of("ring_pin_stress", BENT)
+    force = Results(BENT).ring_loading.peak_force
+    rest = SPAN - PLACE
+    bending = force * PLACE * rest / SPAN / (math.pi * 0.01**3 / 32)
+    assert found.value == pytest.approx(bending, rel=3e-3)  # the load is 0.1 mm long
+    assert found.status == "not_checked" and found.reason == "yield_unknown"
+    steel = replace(HARD, yield_strength=800e6)
+    judged = check_of("ring_pin_stress", geared(BENT, pin_material=steel))
+    assert judged.limit == pytest.approx(800e6 / 1.5)
+    slope = check_of("ring_pin_slope", having(BENT, max_slope=1.0)).value
+    inertia = math.pi * 0.01**4 / 64
+    tilt = force * PLACE * rest * (rest - PLACE) / (3 * 210e9 * inertia * SPAN)
+    assert slope == pytest.approx(tilt, rel=3e-3)
+    sleeved = Results(geared(BENT, sleeve_bore_radius=0.004)).ring_mesh.pin
+    assert sleeved is not None and sleeved.diameter == 0.008
+    peak = having(BENT, peak_torque=800.0)
+    assert (check_of("ring_pin_stress", peak).value or 0) > 1.9 * bending
+    fatigue = check_of("ring_pin_fatigue", BENT)
+    assert (fatigue.status, fatigue.reason) == ("not_checked", "ring_fatigue_unknown")
+
+
+def test_discs_bend_a_pin_together() -> None:
+    """Forces of both along their normals, position by position."""
+    places = (0.02, 0.035)
+    design = geared(
+        having(A7, satellites=2, contact_length=0.01),
+        pin_support="supported",
+        span=SPAN,
+        satellite_positions=places,
+        modification=Modification(),
+    )
+    turn = Results(design).ring_loading
+    mesh, most = turn.mesh, 0.0
+    for angle in np.linspace(0, 2 * math.pi / 40, 25):
+        found = mesh_position(mesh=mesh, crank_angle=float(angle), output_torque=400.0)
+        for k in range(40):
+            moment = np.zeros(2)
+            for j, place in enumerate(places):
+                a = angle + math.pi * j + 2 * math.pi * k / 40
+                k1 = 0.0015 * 40 / 0.082
+                s = math.sqrt(1 + k1 * k1 - 2 * k1 * math.cos(a))
+                normal = np.array([1 - k1 * math.cos(a), k1 * math.sin(a)]) / s
+                at = places[0]
+                arm = (SPAN - place) * at / SPAN
+                if place == at:  # spread over its length
+                    arm -= 0.01 / 8
+                moment += found.force[j][k] * arm * normal
+            most = max(most, float(np.hypot(*moment)))
+    stress = bent_ring_pins(turn=turn).stress
+    assert stress >= most / (math.pi * 0.01**3 / 32) * (1 - 1e-3)
+    assert stress == pytest.approx(most / (math.pi * 0.01**3 / 32), rel=0.15)
+
+
+def test_what_slides_on_the_ring_lowers_the_efficiency() -> None:
+    design = having(A7, friction=Friction(coefficient=0.05), input_speed=100.0, min_efficiency=0.5)
+    rubbing = geared(design, friction_coefficient=0.06)
+    alone, both = (check_of("efficiency", each).value or 0.0 for each in (design, rubbing))
+    turn = Results(rubbing).ring_working[0]
+    assert 1 / both == pytest.approx(1 / alone + 0.06 * turn.sliding_loss, rel=1e-12)
+    unknown = geared(rubbing, modification=None)
+    assert check_of("efficiency", unknown).reason == "modification_unknown"
+
+
+def test_pv_is_that_of_sleeves() -> None:
+    """F/(2*r_i*b) of the force and sliding that are hardest, v*r_i/r at the output's speed."""
+    design = having(geared(friction_coefficient=0.06), input_speed=100.0, max_pv=1e12)
+    assert check_of("ring_pv", design).reason == "no_bush"
+    sleeved = geared(design, sleeve_bore_radius=0.003)
+    found = check_of("ring_pv", sleeved).value
+    turn = Results(sleeved).ring_working[0]
+    assert found == pytest.approx(turn.hardest_rub * 100 / 39 / (2 * 0.005 * 0.015), rel=1e-9)
+    assert check_of("ring_pv", geared(sleeved, rolling=True)).reason == "no_bush"
+    unknown = geared(sleeved, friction_coefficient=None)
+    assert check_of("ring_pv", unknown).reason == "ring_friction_unknown"
+
+
+def teeth_of(design: Design) -> tuple[str, str]:
+    parts = crank_checks(Results(design)).parts
+    return next((each.status, each.reason) for each in parts if each.code == "teeth")
+
+
+def test_teeth_are_judged_by_all_that_they_need() -> None:
+    assert teeth_of(A7)[0] in ("pass", "marginal")
+    for open_, reason in (
+        (geared(modification=None), "modification_unknown"),
+        (geared(pin_material=replace(HARD, limit=None)), "limit_unknown"),
+        (having(BENT, contact_length=0.015), "yield_unknown"),
+        (having(A7, load=None), "section_missing"),
+        (having(A7, eccentricity=None), "eccentricity_assumed"),
+        (having(A7, ratio=39.5), "ratio_not_whole"),
+        (geared(ring_pin_radius=None), "size_missing"),
+        (having(A7, satellites=1 + MOST_RING_PAIRS // 40), "too_many_ring_pairs"),
+    ):
+        assert teeth_of(open_) == ("open", reason)
+    assert teeth_of(geared(modification=Modification(equidistant=-5e-6)))[0] == "fail"
+    assert teeth_of(having(A7, output_torque=4000.0))[0] == "fail"
+
+
+def test_only_a_ring_of_pins_has_these() -> None:
+    other = having(A7, gear=Ring(kind="none"))
+    for check in crank_checks(Results(other)).checks:
+        assert not check.code.startswith("ring_") or check.status == "not_applicable"
+    for code in ("ring_pin_stress", "ring_pin_slope", "ring_pin_fatigue"):
+        assert check_of(code, A7).reason == "pins_in_seats"
