@@ -14,13 +14,17 @@ from pathlib import Path
 
 LOG = logging.getLogger("khv.compiled")
 
-ONCE = "compiling the load sharing, once an installation: about a minute"
+ONCE = "compiling the load sharing, once an installation: about two minutes"
 
 CORE = Path(__file__).parent.parent / "core"
 
-SOURCES = CORE / "output" / "sharing_kernel.py", CORE / "ring" / "approach.py"
+SOURCES = (
+    CORE / "output" / "sharing_kernel.py",
+    CORE / "ring" / "approach.py",
+    CORE / "ring" / "series_kernel.py",
+)
 
-LAST = "values_core.ring.approach"
+LAST = "values_core.ring.series_kernel"
 """What `run_once` has compiled last."""
 
 
@@ -78,8 +82,37 @@ def _meshes() -> None:
     assert meshed.peak_force > 0 and meshed.lost_motion > 0
 
 
-PARTS = {"turns": _turns, "meshes": _meshes}
-"""What is compiled apart from each other."""
+def _series() -> None:
+    """All that is called of both meshes in series."""
+    from core.output.contact_law import LinearLaw
+    from core.output.mechanism import Mechanism
+    from core.output.real_mechanism import RealMechanism
+    from core.output.sharing_kernel import LOST_MOTION
+    from core.ring.profile import CycloidDisc
+    from core.ring.series import MeshesInSeries
+    from core.ring.series_turn import SeriesTurn
+    from core.ring.sharing import CycloidMesh
+
+    disc = CycloidDisc(
+        satellite_teeth=5, eccentricity=0.001, ring_pin_circle_radius=0.02, ring_pin_radius=0.002
+    )
+    law = LinearLaw(5e7)
+    ring = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01, law=law)
+    output = RealMechanism(
+        mechanism=Mechanism(3, (0.0,), 5.0),
+        pin_circle_radius=0.01,
+        pin_radius=0.002,
+        eccentricity=0.001,
+        contact_length=0.01,
+        law=law,
+    )
+    turn = SeriesTurn(MeshesInSeries(ring, output), 5.0)
+    assert turn.poses([0.1])["force"][0] > 0
+    assert turn.narrow(LOST_MOTION)(0.1, 0.2)[1] >= turn.values(LOST_MOTION, [0.1]).heights[0] > 0
+
+
+PARTS = {"turns": _turns, "meshes": _meshes, "series": _series}
+"""What is compiled; the last of it takes from the others, which are apart from each other."""
 
 
 def run_once() -> None:
@@ -128,13 +161,15 @@ def make_cache() -> None:
         return
     LOG.info(ONCE)
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(0))
-    with ExitStack() as ends:
-        codes = (f"from app.compiled import make_part; make_part({name!r})" for name in PARTS)
-        parts = [subprocess.Popen([sys.executable, "-c", code]) for code in codes]
-        for part in parts:
-            ends.callback(part.kill)
-        for part in parts:
-            part.wait()
+    *first, last = PARTS
+    for names in (first, [last]):
+        with ExitStack() as ends:
+            codes = (f"from app.compiled import make_part; make_part({name!r})" for name in names)
+            parts = [subprocess.Popen([sys.executable, "-c", code]) for code in codes]
+            for part in parts:
+                ends.callback(part.kill)
+            for part in parts:
+                part.wait()
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ the bytes and orjson writes them, which takes half the time of FastAPI's own way
 
 import gzip
 import time
-from collections.abc import AsyncIterator, Callable, Coroutine, Iterator
+from collections.abc import AsyncIterator, Callable, Coroutine, Iterable, Iterator
 from contextlib import aclosing
 from functools import cache
 from typing import Any, TypeVar, get_args
@@ -21,7 +21,7 @@ from starlette.requests import ClientDisconnect
 from starlette.types import Receive, Scope, Send
 
 from app.middleware import PART_BYTES
-from app.model import Calculation, RequestModel
+from app.model import Calculation, Export, RequestModel
 from app.problems import (
     REFUSED,
     RESPONSES,
@@ -33,14 +33,13 @@ from app.problems import (
 )
 from app.processes import Tell, in_parts, in_process, wanted
 from app.record import Record, at_hand
-from app.registry import CALCULATIONS
+from app.registry import CALCULATIONS, EXPORTS
 from app.running import named
 from app.settings import Settings
 from app.theme import Theme, with_words
 from core.errors import ImpossibleMechanism, InvalidInput
 
 JSON = "application/json"
-CONTENT_TYPE = (b"content-type", JSON.encode())
 LINES = "application/x-ndjson"
 
 LIGHT_BYTES = 16_384
@@ -134,6 +133,38 @@ def _answer(
     """The same from the bytes of a request, in a process."""
     calculation = CALCULATIONS[name]
     tell(content_of(calculation, read_body(calculation, sent, settings), theme, zipped))
+
+
+def route_of_files(export: Export) -> type[APIRoute]:
+    """The same for files of a design: they are written in a process, which alone knows of what they
+    take.
+    """
+
+    async def handle(request: Request) -> Response:
+        record = at_hand.get() or Record()
+        sent = await received(record, record.settings.max_body_bytes)
+        asked = export.name, sent, takes_gzip(record.headers), record.settings
+        async with wanted(record):
+            file = await in_process(request.app.state.jobs, _written, *asked, record=record)
+        named = b'attachment; filename="%b"' % file.name.encode()
+        headers = [(b"content-disposition", named)]
+        return Answer(file.content, record, file.media_type.encode(), headers)
+
+    class FileRoute(APIRoute):
+        def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
+            return handle
+
+    return FileRoute
+
+
+def _written(tell: Tell, name: str, sent: bytes, zipped: bool, settings: Settings) -> None:
+    """A file of a design from the bytes of a request, in a process."""
+    export = EXPORTS[name]
+    file = export.write(read_body(export, sent, settings))
+    packed = file.media_type == "application/zip"
+    if zipped and not packed and len(file.content) >= COMPRESS_BYTES:
+        file = file._replace(content=gzip.compress(file.content, COMPRESS_LEVEL, mtime=0))
+    tell(file)
 
 
 async def _told_by_lines(request: Request, name: str, sent: bytes, record: Record) -> Response:
@@ -236,10 +267,11 @@ async def received(record: Record, limit: int) -> bytes:
 
 @cache
 def _reader(name: str) -> Callable[[bytes], RequestModel]:
-    return TypeAdapter(CALCULATIONS[name].request).validator.validate_json
+    asked: Calculation | Export = CALCULATIONS[name] if name in CALCULATIONS else EXPORTS[name]
+    return TypeAdapter(asked.request).validator.validate_json
 
 
-def read_body(calculation: Calculation, content: bytes, settings: Settings) -> RequestModel:
+def read_body(asked: Calculation | Export, content: bytes, settings: Settings) -> RequestModel:
     """The body of a request.
 
     Raises
@@ -249,7 +281,7 @@ def read_body(calculation: Calculation, content: bytes, settings: Settings) -> R
     """
     if len(content) > MAX_NESTED and content.count(b"{") + content.count(b"[") > MAX_NESTED:
         raise refusal("", "too_nested", limit=MAX_NESTED)
-    return admitted(_reader(calculation.name), content, settings)
+    return admitted(_reader(asked.name), content, settings)
 
 
 def admitted(read: Callable[[Any], Body], content: Any, settings: Settings) -> Body:
@@ -310,15 +342,22 @@ def _nulls(values: Any, name: str) -> Iterator[str]:
 
 
 class Answer(Response):
-    """Answer of JSON, which may be compressed. A large one, of which parts wait for the client, has
-    a place.
+    """Answer of JSON or of a file, which may be compressed. A large one, of which parts wait for
+    the client, has a place.
     """
 
-    def __init__(self, content: bytes, record: Record) -> None:
+    def __init__(
+        self,
+        content: bytes,
+        record: Record,
+        media_type: bytes = JSON.encode(),
+        headers: Iterable[tuple[bytes, bytes]] = (),
+    ) -> None:
         # Starlette's own takes three times as long.
         self.status_code, self.background, self.body = 200, None, content
         self.record = record
-        self.raw_headers = [CONTENT_TYPE, (b"content-length", b"%d" % len(content))]
+        length = b"content-length", b"%d" % len(content)
+        self.raw_headers = [(b"content-type", media_type), length, *headers]
         zipped = content.startswith(GZIP)
         if zipped or len(content) >= COMPRESS_BYTES:
             self.raw_headers.append((b"vary", b"accept-encoding"))

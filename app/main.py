@@ -24,13 +24,14 @@ from app.endpoint import (
     STREAMED,
     FigureOut,
     route_of,
+    route_of_files,
 )
 from app.examples import REQUESTS
 from app.jobs import Jobs
 from app.middleware import Requests
-from app.model import Calculation
+from app.model import Calculation, Export
 from app.problems import REFUSED, RESPONSES, refused, unavailable
-from app.registry import CALCULATIONS
+from app.registry import CALCULATIONS, EXPORTS
 from app.settings import Settings, current
 
 STATIC = Path(__file__).parent.parent / "static"
@@ -53,6 +54,7 @@ TAGS = [
     {"name": "precessional gear", "description": "Precessional gear with a roller wheel."},
     {"name": "exploration", "description": "What an input has to be for a result."},
     {"name": "accuracy", "description": "Error against run time of the methods."},
+    {"name": "files", "description": "Parts of a design as files for other programs."},
     {"name": "batch", "description": "Many requests of one calculation."},
     {"name": "service", "description": "What the service says about itself."},
 ]
@@ -81,6 +83,30 @@ def add_route(app: FastAPI, calculation: Calculation, *, drawn: bool = False) ->
         responses=STREAMED if calculation.reporting and not drawn else RESPONSES,
         openapi_extra={"requestBody": {"content": {JSON: example}}},
         route_class_override=route_of(calculation, drawn=drawn),
+    )
+
+
+def add_export(app: FastAPI, export: Export) -> None:
+    """Add the endpoint of files of a design."""
+    file = {"schema": {"type": "string", "format": "binary"}}
+    disposition = {"description": "Name of the file.", "schema": {"type": "string"}}
+    answered = {
+        "description": "The file.",
+        "headers": {"content-disposition": disposition},
+        "content": dict.fromkeys(export.media_types, file),
+    }
+    app.router.add_api_route(
+        f"{API}/{export.name}",
+        cast(Any, export.write),
+        methods=["POST"],
+        operation_id=export.name.replace("/", "_"),
+        tags=["files"],
+        summary=export.title,
+        response_class=Response,
+        response_model=None,
+        responses=RESPONSES | {200: answered},
+        openapi_extra={"requestBody": {"content": {JSON: {"example": REQUESTS[export.name]}}}},
+        route_class_override=route_of_files(export),
     )
 
 
@@ -158,6 +184,8 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     for each in CALCULATIONS.values():
         if each.figure is not None:
             add_route(app, each, drawn=True)
+    for export in EXPORTS.values():
+        add_export(app, export)
     app.include_router(batch.router, prefix=API)
     app.include_router(about.router)
     app.include_router(about.problems)
@@ -167,7 +195,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
             allow_origins=settings.cors_origins,
             allow_methods=["GET", "POST"],
             allow_headers=["content-type", "x-request-id"],
-            expose_headers=["server-timing", "x-request-id", "retry-after"],
+            expose_headers=["content-disposition", "server-timing", "x-request-id", "retry-after"],
         )
     app.add_middleware(Requests, settings=settings)
 

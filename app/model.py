@@ -572,6 +572,25 @@ class Calculation:
         return values
 
 
+class File(NamedTuple):
+    """A file that is answered."""
+
+    name: str
+    media_type: str
+    content: bytes
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Export:
+    """Files of a design as the service offers them; `app.registry` lists all of them."""
+
+    name: str  # its path below the API's prefix
+    title: str  # what it is, for people
+    request: type["RequestModel"]  # model of its request
+    write: Callable[[Any], File]  # a function of a module: the file of a request
+    media_types: tuple[str, ...]  # which kinds of files
+
+
 NEGLECTED = {
     "bearing_elasticity": "play and elasticity of the bearings",
     "bodies_rigid": "the deformation of discs, hole walls, carrier and crankshaft",

@@ -53,8 +53,10 @@ OF_REQUESTS = {
     "multiple_of": "must be a multiple of {limit:.15g}",
     "needed_beside": "is needed beside {field}",
     "needed_for": "is needed for {section}",
+    "needed_to_draw": "is needed: what is not known is not drawn",
     "no_such_bearing": "is none of the bearings by name, such as {near}; sizes and load ratings "
     "may be given instead of it",
+    "no_such_part": "is none of the parts that are drawn: {parts}",
     "no_class_of_size": "is known for diameters up to {limit_mm:g} mm only",
     "not_this_cycloid": "must be {expected}, one more than the satellite has: discs of other "
     "cycloids, and those of which lobes are left out, are not calculated",
@@ -260,6 +262,11 @@ class Problem(Exception):
         more = self.more + len(self.errors) - errors
         named = self.errors[:errors]
         return replace(self, errors=named, more=more, detail=_sentence(named, more))
+
+    def beneath(self, place: str) -> "Problem":
+        """The same of a request that stands at a place of another."""
+        errors = [replace(each, pointer=place + each.pointer) for each in self.errors]
+        return invalid_input(errors, self.more)
 
     def response(self) -> Response:
         """The problem as an HTTP answer."""

@@ -20,7 +20,8 @@ from app.calculations import (
     tolerance_study,
     work_precision,
 )
-from app.model import Calculation
+from app.exports import dxf
+from app.model import Calculation, Export
 
 CALCULATIONS: dict[str, Calculation] = {
     module.CALCULATION.name: module.CALCULATION
@@ -46,3 +47,6 @@ CALCULATIONS: dict[str, Calculation] = {
     )
 }
 """By name, in the order in which a request's path is compared."""
+
+EXPORTS: dict[str, Export] = {module.EXPORT.name: module.EXPORT for module in (dxf,)}
+"""Files of a design, by name."""

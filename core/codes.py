@@ -56,6 +56,8 @@ _INVALID = {
     "in exact geometry",
     "flanks_first_order": "must be of first order beside {field}: flanks that are turned against "
     "each other say nothing of tips and roots",
+    "flanks_not_drawn": "must be 0: flanks that are turned against each other say nothing of tips "
+    "and roots, so that there is no outline to draw",
     "greater_than": "must be greater than {limit:.15g}",
     "greater_than_equal": "must be at least {limit:.15g}",
     "in_carrier": "must be at least half of {field}, {limit:.9g}: the contact would reach into the "
@@ -76,6 +78,7 @@ _INVALID = {
     "there is no such cycloid",
     "no_mesh": "must be at least {limit:.9g}: teeth of this {field} do not mesh any nearer",
     "no_sleeve": "must be smaller than twice {field}, {limit:.9g}: there is no room for a sleeve",
+    "no_tooth_form": "must be cycloid: of other teeth no form is known here, and none is drawn",
     "not_in_table": "must be one of {values}",
     "not_sourced": "is needed beside the name: no source has that of {material}",
     "not_single": "must be one number, not an array",
@@ -88,6 +91,7 @@ _INVALID = {
     "roller_without_arm": "puts roller {roller} at a multiple of half a turn: there its "
     "contact has no arm",
     "smaller_than": "must be smaller than {field}, {limit:.9g}",
+    "stages_differ": "must be {other:.9g}, as in the output mechanism",
     "sum_not_one": "must add up to 1, not to {sum:.15g}",
     "too_few": "needs a sample of at least {limit:d}",
     "too_many_pairs": "must be at most {limit:d}, with {satellites} satellites",
@@ -119,6 +123,9 @@ _IMPOSSIBLE = {
     "not_stable": "The forces do not hold the output: its torque falls as it turns on",
     "no_radius_left": "A deviation leaves nothing of the radius of pin {pin} of the ring, or of "
     "the crank of satellite {satellite}",
+    "outside_method": "It lies outside of what the method is made for: of involute teeth 1 to 8 "
+    "more in the ring and a reference pressure angle of 14.5 to 30 degrees, of both meshes in "
+    "series cycloid discs on ring pins",
     "overflow": "The numbers given leave the range of numbers: {names} would not be finite",
     "teeth_interfere": "The teeth run into each other, or touch where they are no involutes",
     "unloaded": "The loads cancel: nothing presses the bearings",
@@ -143,8 +150,6 @@ _UNKNOWN = {
     "wider_than_satellite": "The bearing is wider than the satellite",
     "without_sleeve": "The pins have no sleeves",
     "nothing_judged": "Nothing of it is judged",
-    "outside_method": "Teeth are looked at of 1 to 8 more in the ring, and of a reference pressure "
-    "angle of 14.5 to 30 degrees",
     "too_many_ring_pairs": "The ring has {pairs:d} pairs of pins and satellites: it is solved of "
     "up to {limit:d}",
     "teeth_not_judged": "The contact and the strength of the teeth are not calculated",

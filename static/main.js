@@ -173,6 +173,7 @@ function build(id, { modelOf, ...parts }, history) {
         lengths = chosen;
         lasting.setItem("lengths", chosen);
         rebuild();
+        panel.querySelector('[data-choice="lengths"] input:checked').focus(); // the one that was chosen is made anew
       },
       whole() {
         for (const button of [print, report]) button.disabled = false;

@@ -5,11 +5,12 @@
 import { formatNumber, formatQuantity, unitOf } from "./lib/format.js";
 import { fieldAtPointer, keysOf } from "./lib/form_state.js";
 import { fieldTexts } from "./lib/schema_form.js";
-import { shownUnit } from "./lib/units.js";
+import { DIAMETER, inDiameters, shownUnit } from "./lib/units.js";
 import { message, said } from "./messages/index.js";
 
 const FIELDS = ["field", "other"]; // parameters that are names of fields
 const LIMITS = ["limit", "low", "high", "value"]; // and values of the field that the text is about
+const MISSING = ["missing", "needed", "needed_beside", "not_sourced"]; // refusals that ask for something
 
 /** What the service says in English, by kind and code: its words, and what its other descriptions name. */
 export function englishOf([openapi, { examples }, { materials }, { calculations }, { was, ...words }]) {
@@ -28,6 +29,12 @@ const quoted = (title) => message("page.quoted", { title });
 
 /** The title of a field: on the page, or as the service has it. */
 const titleOf = (name, titles) => titles.get(name) ?? said("fields", name)?.title ?? name;
+
+/** Whether a text tells a value of the field that it is about. */
+const tells = (params = {}) => Object.entries(params).some(([name, value]) => typeof value === "number" && (LIMITS.includes(name) || name.endsWith("_mm")));
+
+/** Whether it is of a radius that is shown as a diameter: of the box itself, or of another one that is named. */
+const ofRadius = ({ unit }, params) => tells(params) && (unit === DIAMETER || (inDiameters() && FIELDS.some((name) => params[name] in message("diameter"))));
 
 function parameter(name, value, unit, titles) {
   if (FIELDS.includes(name)) return quoted(titleOf(value, titles));
@@ -64,9 +71,23 @@ export function ofTitle(title, words) {
   return message("verdict.field", { title, words: words.charAt(0).toLowerCase() + words.slice(1) });
 }
 
-/** What the service says of a box: its words, and the cell, or the column, of a list of records they are about. */
-function atBox(field, pointer, words) {
+/** Titles as they stand beside a field: those of its own part first, where others have fields of the same name. */
+function titlesBeside(pointer, shown, titles) {
+  const part = keysOf(pointer).slice(0, -1).join(".");
+  const beside = shown.filter(({ path, name }) => name && path === (part ? `${part}.${name}` : name));
+  return new Map([...titles, ...beside.map(({ name, title }) => [name, title])]);
+}
+
+/**
+ * What the service says of a box: its words, the cell, or the column, of a list of records they are about, and where
+ * something is asked for that is no box yet, its path.
+ */
+function atBox(field, { pointer, params }, words, titles) {
   const keys = keysOf(pointer);
+  if (["name", "option"].includes(field.kind) && keys.join(".") !== field.path) {
+    return { words: ofTitle(quoted(titleOf(keys.at(-1), titles)), words), ask: keys.join(".") };
+  }
+  if (ofRadius(field, params)) return { words: message("form.ofRadius", { words }) };
   const about = field.kind === "records" && field.columns.findLast(({ name }) => keys.includes(name));
   if (!about) return { words };
   if (field.covers) return { words: ofTitle(about.title, words) };
@@ -100,8 +121,8 @@ function placeText(where) {
 }
 
 /**
- * A refusal in words: `{ at: {path: { words, place? }}, elsewhere: [sentence] }`, parted into what
- * belongs to the `shown` fields and what does not.
+ * A refusal in words: `{ at: {path: { words, place?, ask?, code? }}, elsewhere: [sentence] }`, parted into what
+ * belongs to the `shown` fields and what does not; `code` is that of a refusal which asks for something.
  */
 export function refusalTexts(refusal, shown, titles) {
   const at = {};
@@ -109,8 +130,8 @@ export function refusalTexts(refusal, shown, titles) {
   for (const error of refusal.errors) {
     const field = fieldAtPointer(shown, error.pointer);
     const about = named(error.pointer);
-    const words = inWords(error, about.name, titles);
-    if (field) at[field.path] ??= atBox(field, error.pointer, words);
+    const words = inWords(error, about.name, titlesBeside(error.pointer, shown, titles));
+    if (field) at[field.path] ??= { ...atBox(field, error, words, titles), ...(MISSING.includes(error.code) && { code: error.code }) };
     else elsewhere.push(ofPointer(about, words, titles) + (error.pointer === "" ? placeText(refusal.where) : ""));
   }
   if (refusal.errors.length === 0) elsewhere.push(refusalOfKind(refusal));

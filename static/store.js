@@ -7,7 +7,7 @@
  * `touched`  paths of the boxes where the user has been; `insisted`: Enter counts for all of them
  * `phase`    "incomplete", "wrong", "computing", "refused" or "fresh", or without an answer one of `UNANSWERED`
  * `address`  the query of what was asked last, and `pending`, its inputs
- * `refusal`  what the service refused: `{ at: {path: { words, place? }}, text }`, or null
+ * `refusal`  what the service refused: `{ at: {path: { words, place?, ask?, code? }}, text }`, or null
  * `shown`    the results on the screen: `{ typed, input, filled, answer, requests, cells }`, or null
  * `fixes`    what mends the design on the screen, `{ of: shown, list, long }`, of several inputs together first, `long` where it took too long to find; or null
  * `curves`   the curves of a figure that the drawing needs: `{ of: shown, data }`
@@ -204,12 +204,15 @@ function startedAt({ about: { calculator }, turn }, answer) {
 }
 
 function refused(state, refusal) {
-  const { model, titles } = state.about;
+  const { about: { model, titles }, touched, insisted: all } = state;
   const { at, elsewhere } = refusalTexts(refusal, shownFields(model, state.typed), titles);
   const atBoxes = Object.entries(at).map(([path, { words }]) => ofTitle(model.fields.get(path).title, words));
   const text = [...elsewhere, ...atBoxes].join("; ");
-  const phase = atBoxes.length > 0 ? "wrong" : "refused";
-  return { ...state, phase, refusal: { at, text }, line: ["bad", text], said: text };
+  // What a table lacks, or what nobody has filled in yet, is asked for: it is not called wrong.
+  const asks = ([path, { code }]) => code === "not_sourced" || (code && !all && !touched.has(path));
+  const asked = elsewhere.length === 0 && Object.entries(at).every(asks);
+  const phase = atBoxes.length === 0 ? "refused" : asked ? "incomplete" : "wrong";
+  return { ...state, phase, refusal: { at, text }, line: [asked ? "" : "bad", text], said: text };
 }
 
 /**

@@ -11,7 +11,7 @@ import { shownFields, stateFromInput, stepped, textIn, withLinks } from "./lib/f
 import { entryOf, optionsOf } from "./lib/schema_form.js";
 import { LABELS, query, withVerdict } from "./lib/url_state.js";
 import { message } from "./messages/index.js";
-import { neglectedIn } from "./service_texts.js";
+import { neglectedIn, problemText } from "./service_texts.js";
 import * as next from "./store.js";
 import { createChecks } from "./views/checks.js";
 import { createDrawingView } from "./views/drawing.js";
@@ -117,6 +117,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       left: (path) => store.apply(next.left, path),
       chosen: (choice, option) => change(next.chose, choice, option),
       switched: (group, on) => changeAtOnce(next.switched, group, on),
+      asked: (path) => lead(path),
       apply() {
         store.apply(next.insisted);
         asking.now();
@@ -127,6 +128,8 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   });
   const apply = (sets) => changeAtOnce(next.applied, sets);
   const lead = (path) => {
+    const { wanted } = model.fields.get(path) ?? {};
+    if (wanted && !next.wants(store.state, wanted)) changeAtOnce(next.switched, wanted, true);
     for (const [choice, option] of Object.entries(optionsOf(model, path))) {
       if (store.state.typed.chosen[choice] !== option) changeAtOnce(next.chose, choice, option);
     }
@@ -217,6 +220,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   addEventListener("storage", () => asking.compare(), { signal: listening.signal }); // kept in another tab
   addEventListener("online", () => asking.now(), { signal: listening.signal });
 
+  let begun = false; // from then on everything keeps its place, and its focus, while it computes
   const retheme = (theme = currentTheme()) => store.apply(next.themed, theme);
   store.show([
     notice,
@@ -226,7 +230,8 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     {
       update(state) {
         host.dataset.state = state.phase;
-        host.dataset.begun = String(state.shown !== null || state.phase !== "computing");
+        begun ||= state.shown !== null || state.phase !== "computing";
+        host.dataset.begun = String(begun);
         host.dataset.stale = String(next.stale(state));
         host.dataset.impossible = String(next.standing(state).phase === "refused");
       },
@@ -255,13 +260,13 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     on.whole();
   };
   const load = () => loadRest().then(addRest, () => setTimeout(load, AGAIN_MS));
-  const begun = answered.then(() => Promise.all(figures.map((figure) => figure.settled())));
+  const drawn = answered.then(() => Promise.all(figures.map((figure) => figure.settled())));
   if (makeRest) addRest();
-  else begun.finally(load);
+  else drawn.finally(load);
 
   return {
     /** When the first figures are drawn. */
-    begun,
+    begun: drawn,
     /** To the first box. */
     begin: () => form.focus(shownFields(model, store.state.typed)[0].path),
     retheme: () => retheme(),
@@ -289,7 +294,12 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       };
     },
     /** What was asked for the results on the screen, and answered; null where there are none. */
-    exchange: () => store.state.shown && { calculator: calculator.id, ...store.state.shown },
+    exchange: () => store.state.shown && {
+      calculator: calculator.id,
+      ...store.state.shown,
+      files: (calculator.files?.(store.state.shown) ?? []).map(({ id, path, body }) => ({ id, make: () => client.file(path, body) })),
+      refused: (problem) => problemText(problem, titles),
+    },
     /** Stop; what was typed last is told even where it has not been asked about yet. */
     close() {
       asking.cancel();

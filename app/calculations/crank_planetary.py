@@ -276,7 +276,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
             design = self.design
         except CalculationError:  # of which a solution is asked: a size that makes none yet
             return
-        dry = design.plastics and not (design.friction or design.sleeved)
+        dry = design.plastics and not (design.friction or design.sleeved or design.rollers)
         if dry and design.dry_friction is not None:
             yield ("friction", "coefficient"), design.dry_friction
 

@@ -7,6 +7,13 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import Field
 
+from app.calculations.both_meshes import (
+    MAX_FORCES_IN_SERIES,
+    MAX_TURN_IN_SERIES,
+    RingTurnOut,
+    SeriesFields,
+    ring_values,
+)
 from app.calculations.contact_force import CurveFields
 from app.calculations.fit import fit_notices
 from app.calculations.fit_answer import FitOut
@@ -19,8 +26,7 @@ from app.calculations.load_sharing_answer import (
 )
 from app.calculations.load_sharing_figure import Drawn, load_sharing_figure
 from app.calculations.members_answer import at_output
-from app.calculations.real_design import LEFT_OUT, RealDesignFields
-from app.calculations.real_mechanism import DeviationsFields
+from app.calculations.real_design import LEFT_OUT
 from app.calculations.solved import Solved
 from app.model import LARGEST, Angle, Calculation, Maybe, Values, quantity
 from app.running import run
@@ -34,10 +40,12 @@ from core.output.alternating import WorseTurn, worse_curves, worse_position
 from core.output.contact_force import drawing_angles, force_curves, force_peak
 from core.output.contact_law import law_kind
 from core.output.fit import solvable
-from core.output.loaded_position import LoadedPosition, loaded_position
-from core.output.over_turn import OverTurn, over_turn
+from core.output.loaded_position import loaded_position
+from core.output.over_turn import over_turn
 from core.output.real_curves import RealCurves, StiffnessCurve, real_curves, stiffness_curve
 from core.output.real_mechanism import Deviations, RealMechanism
+from core.ring.series import MeshesInSeries, series_position
+from core.ring.series_turn import positions_in_series, series_over_turn
 
 Section = Literal[
     "positions", "over_turn", "curves", "stiffness_curve", "pressure", "ideal", "worked"
@@ -60,16 +68,15 @@ SHARES = (-1.0, -0.75, -0.5, -0.25, -0.1, -0.05, -0.02, 0.02, 0.05, 0.1, 0.25, 0
 
 DIRECTIONS = "driving", "reverse"
 
-DRAWN_SAMPLES = 361
-"""Crank angles of the figure's curves."""
+DRAWN_SAMPLES, DRAWN_IN_SERIES = 361, 121
+"""Crank angles of the figure's curves; of both meshes in series."""
 
 Torque = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
 
 
-class LoadSharingRequest(CurveFields, RealDesignFields, group="positions"):
+class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
     """Mechanism, load and contact as the parts are made, and which results are wanted."""
 
-    deviations: Maybe[DeviationsFields] = None
     crank_angle_deg: list[Angle] = quantity(
         "Crank angles", "φ", default=[0.0], min_length=1, max_length=MAX_POSITIONS
     )
@@ -108,6 +115,17 @@ class LoadSharingRequest(CurveFields, RealDesignFields, group="positions"):
                 self._refuse_pairs(limit)
         if self.deviations is not None:
             self.deviations.refuse_other_lengths(self.mechanism.pins, self.mechanism.satellites)
+        if self.in_series:
+            angles = {
+                "positions": len(self.crank_angle_deg),
+                "stiffness_curve": len(self.torques),
+                "curves": 2 * self.samples,
+            }
+            most = max((angles[name] for name in self.include if name in angles), default=1)
+            self.refuse_many_in_series(MAX_FORCES_IN_SERIES // times // most)
+            if "over_turn" in self.include:
+                turns = positions_in_series(lobes=self.mechanism.satellite_teeth or 1)
+                self.refuse_many_in_series(MAX_TURN_IN_SERIES // times // turns)
 
     def _refuse_pairs(self, limit: int) -> None:
         most = self.mechanism.most_pins(limit)
@@ -135,44 +153,56 @@ class LoadSharingRequest(CurveFields, RealDesignFields, group="positions"):
         """The mechanism as it is made, in SI units."""
         return self.made(Deviations() if self.deviations is None else self.deviations.section())
 
+    def stage(self, real: RealMechanism) -> RealMechanism | MeshesInSeries:
+        """What the torque is handed on by: the output mechanism, or both meshes."""
+        return self.in_ring(real) if self.in_series else real
+
     def solve_all(self) -> Solved:
         """What is asked for."""
         real = self.real()
-        fit = solvable(real)
+        fit = solvable(real, in_series=self.in_series)
         notices = fit_notices(self.contact, self.load.pin_circle_radius_mm, fit)
         asked, solved = {*self.include} - {"worked"} or {"positions"}, Solved()
         solved.notices |= {each.code: each for each in notices}
         try:
             self.solve_sections(real, asked, solved)
         except ImpossibleMechanism as refusal:
-            raise (fit.refusal() if fit.room.least < 0 else refusal) from refusal
+            misfit = fit.room.least < 0 and not self.in_series
+            raise (fit.refusal() if misfit else refusal) from refusal
         solved.values["fit"] = FitOut.values(fit)
         return solved
 
     def solve_sections(self, real: RealMechanism, asked: set[Section], solved: Solved) -> None:
         """The sections that are asked."""
-        pressed = "pressure" in asked
+        pressed, stage = "pressure" in asked, self.stage(real)
 
         def pressures(force: tuple[tuple[float, ...], ...]) -> Any:
             return from_si("pressure_MPa", real.pressures(force)) if pressed else None
 
         if "over_turn" in asked:
-            turn, direction = self.turn(real)
-            each_pair = pressures(turn.pair_force)
-            found = OverTurnOut.values(turn, pressure_MPa=each_pair, torque_direction=direction)
+            turn, direction = self.turn(stage)
+            found = OverTurnOut.values(
+                turn,
+                pressure_MPa=pressures(turn.pair_force),
+                torque_direction=direction,
+                ring=RingTurnOut.values(turn.ring) if self.in_series else None,
+            )
             solved.values["over_turn"] = at_output(found, self.members)
             solved.take(turn.accuracy, turn.notices)
         if "positions" in asked or (pressed and "over_turn" not in asked):
             solved.values["positions"] = positions = []
             for angle in self.crank_angles:
-                there, direction = self.position(real, angle)
+                there, direction = self.position(stage, angle)
                 solved.take(there.accuracy, there.notices)
                 values = PositionOut.values(
-                    there, pressure_MPa=pressures(there.force), torque_direction=direction
+                    there,
+                    pressure_MPa=pressures(there.force),
+                    torque_direction=direction,
+                    ring=ring_values(there) if self.in_series else None,
                 )
                 positions.append(at_output(values, self.members))
         if "curves" in asked:
-            curves, direction = self.curves(real, 2 * math.pi, self.samples)
+            curves, direction = self.curves(stage, 2 * math.pi, self.samples)
             solved.take(curves.accuracy)
             drives = self.members.input_torque(
                 curves.input_torque, -self.torque if direction == "reverse" else self.torque
@@ -184,7 +214,7 @@ class LoadSharingRequest(CurveFields, RealDesignFields, group="positions"):
             )
             solved.values["curves"] = at_output(found, self.members)
         if "stiffness_curve" in asked:
-            lag = self.lag_curve(real)
+            lag = self.lag_curve(stage)
             solved.take(lag.accuracy)
             found = StiffnessCurveOut.values(lag)
             solved.values["stiffness_curve"] = at_output(found, self.members)
@@ -205,21 +235,24 @@ class LoadSharingRequest(CurveFields, RealDesignFields, group="positions"):
             for n in range(own.pins)
         ]
 
-    def position(self, real: RealMechanism, angle: float) -> tuple[LoadedPosition, str | None]:
+    def position(
+        self, stage: RealMechanism | MeshesInSeries, angle: float
+    ) -> tuple[Any, str | None]:
         """A position; where the torque alternates the worse, and its direction."""
-        asked: dict[str, Any] = {"real": real, "crank_angle": angle, "output_torque": self.torque}
+        solve: Any = series_position if self.in_series else loaded_position
+        asked: dict[str, Any] = {"real": stage, "crank_angle": angle, "output_torque": self.torque}
         if not self.alternating:
-            return loaded_position(**asked), None
-        found, reverse = worse_position(**asked)
+            return solve(**asked), None
+        found, reverse = worse_position(**asked, position=solve)
         return found, DIRECTIONS[reverse]
 
-    def turn(self, real: RealMechanism) -> tuple[OverTurn | WorseTurn, str | None]:
+    def turn(self, stage: RealMechanism | MeshesInSeries) -> tuple[Any, str | None]:
         """The turn; where the torque alternates the worse, and the direction of its peak."""
         share, torque = self.lost_motion_torque_share, self.torque
         ways = (1, -1) if self.alternating else (1,)
+        solve: Any = series_over_turn if self.in_series else over_turn
         turn, *back = (
-            over_turn(real=real, output_torque=way * torque, lost_motion_share=share)
-            for way in ways
+            solve(real=stage, output_torque=way * torque, lost_motion_share=share) for way in ways
         )
         if not back:
             return turn, None
@@ -227,26 +260,30 @@ class LoadSharingRequest(CurveFields, RealDesignFields, group="positions"):
         return worse, DIRECTIONS[worse.reverse]
 
     def curves(
-        self, real: RealMechanism, end: float, samples: int
+        self, stage: RealMechanism | MeshesInSeries, end: float, samples: int
     ) -> tuple[RealCurves, str | None]:
         """Forces and lags at evenly spaced crank angles up to an end, rad."""
         angles = np.linspace(0.0, end, samples)
-        asked: dict[str, Any] = {"real": real, "crank_angle": angles, "output_torque": self.torque}
+        asked: dict[str, Any] = {"real": stage, "crank_angle": angles, "output_torque": self.torque}
         if not self.alternating:
             return real_curves(**asked), None
         curves, reverse = worse_curves(**asked)
         return curves, DIRECTIONS[reverse]
 
-    def lag_curve(self, real: RealMechanism) -> StiffnessCurve:
+    def lag_curve(self, stage: RealMechanism | MeshesInSeries) -> StiffnessCurve:
         """Lag over torque at the first crank angle."""
-        return stiffness_curve(real=real, crank_angle=self.crank_angles[0], torques=self.torques)
+        return stiffness_curve(real=stage, crank_angle=self.crank_angles[0], torques=self.torques)
 
     def solve_for_drawing(self) -> Drawn:
         """All that the figure shows."""
         real = self.real()
-        solvable(real)
+        stage, samples = self.stage(real), DRAWN_SAMPLES
+        if self.in_series:
+            samples = DRAWN_IN_SERIES
+            self.refuse_many_in_series(MAX_FORCES_IN_SERIES // (2 * samples))
+        solvable(real, in_series=self.in_series)
         angles, _ = drawing_angles(mechanism=self.built)
-        curves, direction = self.curves(real, float(angles[-1]), DRAWN_SAMPLES)
+        curves, direction = self.curves(stage, float(angles[-1]), samples)
         hardest = [real.hardest(force.tolist()) for force in curves.force.T]
         # What drives is what the other way brakes.
         turned = math.pi if self.torque < 0 or direction == "reverse" else 0.0
@@ -258,9 +295,7 @@ class LoadSharingRequest(CurveFields, RealDesignFields, group="positions"):
             force_exponent=law_kind(real.law)[1],
         )
         members = self.members
-        play = loaded_position(
-            real=real, crank_angle=self.crank_angles[0], output_torque=self.torque
-        ).play
+        play = self.position(stage, self.crank_angles[0])[0].play
         return Drawn(
             curves=curves.at_output(members),
             ideal=ideal.force,
@@ -268,7 +303,7 @@ class LoadSharingRequest(CurveFields, RealDesignFields, group="positions"):
             pressure=np.array(
                 [each.governing_pressure for each in hardest if each is not None], float
             ),
-            lag_curve=self.lag_curve(real).at_output(members),
+            lag_curve=self.lag_curve(stage).at_output(members),
             play=play and tuple(map(members.angle_at_output, play)),
         )
 

@@ -3,6 +3,7 @@
 from functools import partial
 from typing import Any, Literal
 
+from app.calculations.both_meshes import RingPartOut, RingTurnOut
 from app.calculations.cyclogram import CountIntervalOut, Range
 from app.calculations.fit_answer import FitOut
 from app.calculations.mechanism import PairOut
@@ -28,7 +29,7 @@ worse_direction = partial(
 class PositionOut(ResponseModel):
     """The mechanism at one crank angle under load."""
 
-    BESIDE = ("pressure_MPa",)
+    BESIDE = ("pressure_MPa", "ring")
 
     crank_angle_deg: float = result("Crank angle.", symbol="φ")
     rotation_arcmin: float = result(
@@ -55,7 +56,8 @@ class PositionOut(ResponseModel):
         "Smallest possible worst approach of the unloaded pairs, where they press.", symbol="δ"
     )
     stiffness_Nm_per_arcmin: float = result(
-        "Torque over rotation of the output mechanism alone.", symbol="dT/dθ"
+        "Torque over rotation of the output mechanism alone, or of both meshes in series.",
+        symbol="dT/dθ",
     )
     max_pressure_MPa: Maybe[float] = result(
         "Largest pressure of the pairs, as it is judged: by Hertz, or of the contact that wraps; "
@@ -66,6 +68,10 @@ class PositionOut(ResponseModel):
     pressure_MPa: Maybe[list[list[float]]] = result(
         "The same of each pair, where asked.", symbol="p_0"
     )
+    ring: Maybe[RingPartOut] = result(
+        "What the ring does, where both meshes are in series: all else is then of both, forces and "
+        "pressures of the pins of the output."
+    )
     rotation_error_arcmin: float = result("Bound of the error of the rotation.")
     play_error_arcmin: float = result("Bound of the error of the play.")
     force_error_N: float = result("Bound of the error of each force.")
@@ -74,7 +80,7 @@ class PositionOut(ResponseModel):
 class OverTurnOut(ResponseModel):
     """Extremes over the turn of the wave; the accuracy of the answer is that of the peak force."""
 
-    BESIDE = ("pressure_MPa",)
+    BESIDE = ("pressure_MPa", "ring")
 
     peak_force_N: float = result("Largest force of all pairs over the turn.", symbol="F_max")
     peak_force_ratio: float = result("The same over F₀ = T/R.", symbol="f")
@@ -116,6 +122,10 @@ class OverTurnOut(ResponseModel):
         equation="T/u + (1 + 1/u)·ΣF·∂δ/∂ψ",
     )
     pressed_without_load: bool = result("Whether pairs press without load anywhere.")
+    ring: Maybe[RingTurnOut] = result(
+        "What the ring does, where both meshes are in series: all else is then of both, forces and "
+        "pressures of the pins of the output, over as many turns of the crank as a disc has lobes."
+    )
     angle_error_arcmin: float = result(
         "Estimate of the error of backlash, lost motion and transmission errors."
     )

@@ -71,9 +71,14 @@ class RealDesignFields(GivingFields, group="contact_law"):
             self.refuse_giving()
         return self
 
+    @property
+    def known_in_first_order(self) -> bool:
+        """Whether what the satellites give is known in first order only."""
+        return self.coupled or self.crank_support is not None
+
     @model_validator(mode="after")
     def _first_order(self) -> Self:
-        if self.geometry == "exact" and (self.coupled or self.crank_support is not None):
+        if self.geometry == "exact" and self.known_in_first_order:
             beside = "satellite_coupling" if self.coupled else "crank_support"
             raise field_error("geometry", "first_order_only", field=beside)
         if self.geometry == "exact" and self.tied:

@@ -3,7 +3,6 @@
 import math
 from collections.abc import Iterator
 from copy import deepcopy
-from dataclasses import replace
 from functools import cached_property
 from typing import Annotated, Any, ClassVar, Literal
 
@@ -30,7 +29,7 @@ from app.model import (
     result,
 )
 from app.pointers import holder, inner, keys, with_values
-from app.problems import Problem, invalid_input, refusal, wrong_fields
+from app.problems import Problem, refusal, wrong_fields
 from app.running import named, run
 from app.settings import Settings
 from app.worked import stated
@@ -269,8 +268,7 @@ def _refused(error: Exception) -> Exception:
     problem = wrong_fields(error) if isinstance(error, ValidationError) else error
     if not isinstance(problem, Problem):
         return error
-    errors = [replace(each, pointer=f"/input{each.pointer}") for each in problem.errors]
-    return invalid_input(errors, problem.more)
+    return problem.beneath("/input")
 
 
 def _number(value: Any) -> float | None:

@@ -257,6 +257,12 @@ class LoadSharingStudy(Study):
         "to which pairs carry.",
     )
 
+    @model_validator(mode="after")
+    def _of_the_output(self) -> Self:
+        if self.input.in_series:
+            raise field_error("input/satellite_coupling", "of_another_kind", kind=self.quantity)
+        return self
+
     def solve(self) -> WorkPrecision:
         """The study."""
         study = real_peak_study if self.quantity == "peak_force" else carried_ends_study

@@ -126,6 +126,21 @@ class Client:
         with self._answer("POST", calculation, content) as answer:
             return _object(answer.read())
 
+    def file(
+        self, export: str, body: Mapping[str, Any] | None = None, /, **fields: Any
+    ) -> tuple[str, bytes]:
+        """Name and content of a file, such as `export/dxf`; the request as in `ask`.
+
+        Raises
+        ------
+        Refused
+            As `ask`.
+        """
+        content = _json({**(body or {}), **fields})
+        with self._answer("POST", export, content, accept="*/*") as answer:
+            named = answer.headers["content-disposition"]
+            return named.partition('filename="')[2].rstrip('"'), answer.read()
+
     def ask_many(
         self,
         calculation: str,

@@ -1,11 +1,13 @@
 """The torque at which a plastic contact yields at once: all that is known of what may not last."""
 
 from dataclasses import dataclass
+from functools import partial
 
 from core.checks.check import Verdict
 from core.checks.crank_planetary import crank_check
 from core.checks.largest_torque import under
 from core.checks.plastics import PLASTICS
+from core.derived import if_known
 from core.design.results import Results
 from core.materials import Body
 
@@ -18,7 +20,7 @@ LASTING = 0.25
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ColdYield:
-    """When the weaker plastic body of a contact yields at once."""
+    """When the weaker plastic body of a contact yields at once, of those with a known strength."""
 
     torque: float  # above which it does, N*m; the peak torque is as many times as large as it is
     body: Body  # which
@@ -65,7 +67,12 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
         if abs(reserve - 1) <= NEAR:
             break
     contact = results.static_contact
-    body = min(design.plastics, key=lambda each: results.cold_limit(each, contact))
+    limits = {
+        each: limit
+        for each in design.plastics
+        if (limit := if_known(partial(results.cold_limit, each, contact))) is not None
+    }
+    body = min(limits, key=limits.__getitem__)
     strength = design.lasting[body].loaded_strength(body)
     assert strength is not None
     judged = [kind.code for kind in PLASTICS if kind is not check.kind]

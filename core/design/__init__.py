@@ -13,4 +13,5 @@ contact             the force at which a contact is at a limit
 losses              losses by the forces of the mechanism as it is made
 results             what follows from a design: one property for each result
 curves              results over crank angles
+drawings            satellites and pins of their ring as they are drawn
 """

@@ -1,5 +1,6 @@
 """A torque that alternates: both directions are solved, and the worse is given."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -7,7 +8,7 @@ from core.arrays import FloatArray
 from core.output.loaded_position import LoadedPosition, loaded_position
 from core.output.over_turn import OverTurn
 from core.output.real_curves import RealCurves, real_curves
-from core.output.real_mechanism import RealMechanism
+from core.output.stage import Stage
 from core.precision import AS_TYPED
 from core.results import Accuracy, Notice
 
@@ -18,24 +19,30 @@ def _reverse(driving: float, reverse: float) -> bool:
 
 
 def worse_position(
-    *, real: RealMechanism, crank_angle: float, output_torque: float
-) -> tuple[LoadedPosition, bool]:
+    *,
+    real: Stage,
+    crank_angle: float,
+    output_torque: float,
+    position: Callable[..., Any] = loaded_position,
+) -> tuple[Any, bool]:
     """The direction with the larger force at one crank angle.
 
     Parameters
     ----------
-    real : RealMechanism
+    real : Stage
         The mechanism.
     crank_angle : float
         Crank angle, rad.
     output_torque : float
         Size of the torque, N*m, > 0.
+    position : callable
+        How a position of it is solved.
 
     Returns
     -------
     position : LoadedPosition
-        Of the worse direction; the largest pressure is that of both, as a smaller force between
-        narrower radii may press harder.
+        Of the worse direction, as `position` gives it; the largest pressure is that of both, as a
+        smaller force between narrower radii may press harder.
     reverse : bool
         Whether that is the reverse.
 
@@ -44,10 +51,10 @@ def worse_position(
     InvalidInput
         If an input is out of range.
     ImpossibleMechanism
-        If either direction cannot be; see `RealMechanism.solved`.
+        If either direction cannot be; see `Stage.solved`.
     """
     driving, back = (
-        loaded_position(real=real, crank_angle=crank_angle, output_torque=sign * output_torque)
+        position(real=real, crank_angle=crank_angle, output_torque=sign * output_torque)
         for sign in (1, -1)
     )
     reverse = _reverse(max(map(max, driving.force)), max(map(max, back.force)))
@@ -65,13 +72,13 @@ def _larger_pressure(
 
 
 def worse_curves(
-    *, real: RealMechanism, crank_angle: FloatArray, output_torque: float
+    *, real: Stage, crank_angle: FloatArray, output_torque: float
 ) -> tuple[RealCurves, bool]:
     """The direction with the larger force at crank angles.
 
     Parameters
     ----------
-    real : RealMechanism
+    real : Stage
         The mechanism.
     crank_angle : array, M
         Crank angles, rad.
@@ -88,7 +95,7 @@ def worse_curves(
     Raises
     ------
     ImpossibleMechanism
-        If either direction cannot be; see `RealMechanism.solved`.
+        If either direction cannot be; see `Stage.solved`.
     """
     driving, back = (
         real_curves(real=real, crank_angle=crank_angle, output_torque=sign * output_torque)

@@ -6,8 +6,9 @@ as they are and give the same bits.
 
 import functools
 import os
+import sys
 import types
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from typing import Any
 
@@ -24,7 +25,8 @@ def _copies(
     """
     sources = [source] if over is None else [source, over]
     names = {name: each for one in sources for name, each in vars(one).items()} | others
-    names["SOURCES"] = tuple(one.__file__ for one in sources)
+    read = [*sources, *(sys.modules[each.__module__] for _, each in _borrowed(over))]
+    names["SOURCES"] = tuple(dict.fromkeys(one.__file__ for one in read))
     for one in sources:
         for name, plain in vars(one).items():
             own = isinstance(plain, types.FunctionType) and plain.__module__ == one.__name__
@@ -34,6 +36,16 @@ def _copies(
                 copy.__qualname__ = name if over is None else f"{name}_{over.__name__}"
                 names[name] = made(copy)
     return names
+
+
+def _borrowed(over: types.ModuleType | None) -> Iterator[tuple[str, types.FunctionType]]:
+    """Functions that a module has of others of these loops, by its names for them."""
+    if over is None:
+        return
+    for name, plain in vars(over).items():
+        others = isinstance(plain, types.FunctionType) and plain.__module__ != over.__name__
+        if others and plain.__module__.startswith("core."):
+            yield name, plain
 
 
 def in_place_of(over: types.ModuleType | None = None, **others: Callable[..., Any]) -> Any:
@@ -105,13 +117,21 @@ def _compiled(over: types.ModuleType | None) -> types.SimpleNamespace:
     os.environ.setdefault("NUMBA_CACHE_LOCATOR_CLASSES", f"{__name__}.{Place.__name__}")
     import numba
 
-    names = _copies(numba.njit(cache=True, nogil=True, error_model="numpy"), {}, over)
+    of_others = {
+        name: getattr(_of(plain.__module__), plain.__name__) for name, plain in _borrowed(over)
+    }
+    names = _copies(numba.njit(cache=True, nogil=True, error_model="numpy"), of_others, over)
     return types.SimpleNamespace(
         **names,
         row=functools.partial(np.array, dtype=float),
         table=np.ascontiguousarray,
         threads=len(os.sched_getaffinity(0)),
     )
+
+
+def _of(module: str) -> types.SimpleNamespace:
+    """The compiled functions of a module."""
+    return _compiled(None if module == source.__name__ else sys.modules[module])
 
 
 class Place:

@@ -264,13 +264,15 @@ def _force_under(real: RealMechanism, pair: int, pressure: float) -> float:
     return force_factor(contact=under(1.0), contact_at=under, limit=pressure)
 
 
-def solvable(real: RealMechanism) -> Fit:
+def solvable(real: RealMechanism, *, in_series: bool = False) -> Fit:
     """How the pins fit, where forces may be solved.
 
     Parameters
     ----------
     real : RealMechanism
         The mechanism.
+    in_series : bool
+        Whether the discs turn in their ring, too: what does not fit where they are held may.
 
     Returns
     -------
@@ -285,6 +287,6 @@ def solvable(real: RealMechanism) -> Fit:
     fit = Fit(real)
     fit.refuse_without_bound()
     real.pairs  # noqa: B018 - refuses holes that are no larger than their pins
-    if fit.impossible:
+    if fit.impossible and not in_series:
         raise fit.refusal()
     return fit

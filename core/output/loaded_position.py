@@ -134,7 +134,7 @@ def loaded_position(
         accuracy=accuracy,
         notices=(
             *notices(real=real, lag=abs(found.lag), pressed=pressed, contact=contact),
-            *_bent_together(real, force.reshape(-1, pins)),
+            *bent_together(real=real, force=force.reshape(-1, pins)),
             *poorly_known(accuracy),
         ),
     )
@@ -204,8 +204,20 @@ def notices(
     return tuple(found)
 
 
-def _bent_together(real: RealMechanism, force: FloatArray) -> tuple[Notice, ...]:
-    """Notice that pins are loaded by several satellites, whose bending is taken one by one."""
+def bent_together(*, real: RealMechanism, force: FloatArray) -> tuple[Notice, ...]:
+    """Notice that pins are loaded by several satellites, whose bending is taken one by one.
+
+    Parameters
+    ----------
+    real : RealMechanism
+        The mechanism.
+    force : array, K x N
+        Force of each pair, N.
+
+    Returns
+    -------
+    tuple of Notice
+    """
     alone = real.pin is not None and real.tied_pin is None
     together = alone and ((force > 0).sum(axis=0) > 1).any()
     return (Notice("pin_bending_uncoupled"),) if together else ()

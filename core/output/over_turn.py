@@ -146,7 +146,7 @@ class OverTurn:
         found, top, rough = all_summits(coarse=coarse, fine=fine, narrow=turn.narrow(FORCE))
         top, missed = self._above(again, FORCE, top)
         found.append(top)
-        peak, first = top.height, self.real.mechanism.initial_crank_angle
+        peak, first = top.height, turn.first
         offs = [
             (psi - first) % turn.period
             for summit in found
@@ -260,18 +260,26 @@ class OverTurn:
             pressure *= math.sqrt(self._pressed.height / at_peak)
         return pressure
 
-    def _extreme(self, name: str, kind: int, sign: int = 1) -> Extreme:
-        """Largest value over the turn, or least for the sign -1."""
+    def _top(self, name: str, kind: int, sign: int = 1) -> tuple[Summit, float]:
+        """Where a value of the positions is largest over the turn, or least for the sign -1, and by
+        how much half of them or a second look say otherwise.
+        """
         turn = self.turn
         coarse, fine, again = (
             self._grid(rows, name, sign) for rows in (turn.coarse, turn.fine, turn.again)
         )
         top, missed = highest(coarse=coarse, fine=fine, narrow=turn.narrow(kind, sign))
         top, more = self._above(again, kind, top, sign)
+        return top, missed + more
+
+    def _extreme(self, name: str, kind: int, sign: int = 1) -> Extreme:
+        """Largest value over the turn, or least for the sign -1."""
+        top, missed = self._top(name, kind, sign)
         jumps = kind == STIFFNESS  # on the high side of a jump nothing is missed
-        error = missed + more + (0.0 if jumps else top.error)
+        error = missed + (0.0 if jumps else top.error)
         if name in ROUNDED:
-            error += by_rounding(heights=fine.heights, errors=ROUNDED[name](turn.fine))
+            fine = self._grid(self.turn.fine, name, sign)
+            error += by_rounding(heights=fine.heights, errors=ROUNDED[name](self.turn.fine))
         return Extreme(sign * top.height, error)
 
     def _spread(self, name: str, kind: int) -> Extreme:

@@ -91,7 +91,7 @@ def real_curves(*, real: Stage, crank_angle: FloatArray, output_torque: float) -
         least, most = sorted((direction * found.low, direction * found.high))
         if found.low > found.high:
             least = most = (least + most) / 2 if math.isfinite(least) else 0.0
-        forces.append([*room.force])
+        forces.append(real.forces(room))
         unsure, steps = max(unsure, found.force_error), steps + found.steps + reverse.steps
         rows.append(
             (

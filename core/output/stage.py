@@ -13,7 +13,6 @@ from core.output.sharing_kernel import (
     TOO_FAR,
     TOO_WIDE,
     Position,
-    judged,
     too_wide,
 )
 
@@ -99,6 +98,16 @@ class Stage:
         """Room for the results of one position."""
         raise NotImplementedError
 
+    def forces(self, room: Any) -> list[float]:
+        """Forces of the pairs as a position left them, N.
+
+        Parameters
+        ----------
+        room : named tuple
+            Of the position.
+        """
+        return [*room.force]
+
     def wave(self, crank_angle: float) -> float:
         """Wave angle of a crank angle, rad, within half a turn around 0.
 
@@ -134,16 +143,34 @@ class Stage:
             as wide as its pin.
         """
         position: Position = self.loops.solve(psi, torque, setup, self.pairs, room)
-        status = judged(position, setup, self.pairs, room)
+        status = self.loops.judged(position, setup, self.pairs, room)
         if status in REFUSALS:
-            params: dict[str, Any] = {}
-            if status == TOO_WIDE:
-                j, n = divmod(too_wide(self.pairs, room), setup.pins)
-                params = {"satellite": j + 1, "pin": n + 1}
-            start = self.mechanism.initial_crank_angle
-            angle = (psi - start) % (2 * math.pi) / self.mechanism.waves_per_turn
-            raise ImpossibleMechanism(REFUSALS[status], {"crank_angle": angle}, **params)
+            params = self.beyond_law(room) if status == TOO_WIDE else {}
+            place = {"crank_angle": self.crank_angle(psi)}
+            raise ImpossibleMechanism(REFUSALS[status], place, **params)
         return position
+
+    def crank_angle(self, psi: float) -> float:
+        """First crank angle >= 0 of a wave angle, rad.
+
+        Parameters
+        ----------
+        psi : float
+            Wave angle, rad.
+        """
+        off = psi - self.mechanism.initial_crank_angle
+        return off % (2 * math.pi) / self.mechanism.waves_per_turn
+
+    def beyond_law(self, room: Any) -> dict[str, Any]:
+        """The pair whose force is beyond its law: numbers of satellite and pin.
+
+        Parameters
+        ----------
+        room : named tuple
+            A position in which one is.
+        """
+        j, n = divmod(too_wide(self.pairs, room), self.mechanism.pins)
+        return {"satellite": j + 1, "pin": n + 1}
 
     def rows(self, values: Sequence[float]) -> tuple[tuple[float, ...], ...]:
         """Values of the pairs, satellite by satellite.

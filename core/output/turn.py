@@ -6,7 +6,7 @@ with each of them, and only one pitch of it is solved.
 """
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -60,6 +60,9 @@ class Turn:
         Share of the torque under which the lost motion is taken.
     """
 
+    results: Any = Poses
+    """What is asked of positions."""
+
     def __init__(self, real: Stage, torque: float, share: float = 0.03) -> None:
         self.real: Any = real
         self.torque = torque
@@ -68,15 +71,17 @@ class Turn:
         self.load = Load(
             abs(float(torque)), float(share), real.setup(direction), real.setup(-direction)
         )
-        pairs, room = real.pairs, real.room()
-        self.pairs = type(pairs)(*map(self.kernel.row, pairs))
-        self.room = type(room)(*map(self.kernel.row, room))
+        self.pairs, self.room = (
+            _as_rows(each, self.kernel.row) for each in (real.pairs, real.room())
+        )
         self.evaluations = 0
         self.repeats = real.mechanism.pins if real.pins_alike else 1
         """How often the turn repeats: from one period to the next a pin feels what the next one
         felt.
         """
         self.period = 2 * math.pi / self.repeats
+        self.first = real.mechanism.initial_crank_angle
+        """Wave angle at the crank angle 0."""
 
     def of_pairs(self, largest: FloatArray) -> FloatArray:
         """Largest values of all pairs over the turn, by those over a period."""
@@ -88,9 +93,10 @@ class Turn:
     def poses(self, places: Sequence[float]) -> Rows:
         """Positions at wave angles, rad."""
         self.evaluations += len(places)
-        row, many, pairs = self.kernel.row, len(places), len(self.pairs.a)
+        own = self.load.setup
+        row, many, pairs = self.kernel.row, len(places), own.pins * own.satellites
         forces = row([0.0] * many * pairs)
-        results = Poses(forces, *[row([0.0] * many) for _ in Poses._fields[1:]])
+        results = self.results(forces, *[row([0.0] * many) for _ in self.results._fields[1:]])
         given = self.load.torque, self.load.setup, self.pairs, self.room, results
         self._refused(places, self.kernel.poses(row(places), *given))
         rows = {name: np.array(each) for name, each in results._asdict().items()}
@@ -116,9 +122,13 @@ class Turn:
     @derived
     def again(self) -> Rows:
         """Positions of the second look, none of which is one of the others, over a period."""
-        count = max(LOOKED_AGAIN // self.repeats, LEAST_AGAIN)
-        first = self.real.mechanism.initial_crank_angle
-        return self.poses(other_places(count=count, first=first, period=self.period).tolist())
+        places = other_places(count=self.looked_again, first=self.first, period=self.period)
+        return self.poses(places.tolist())
+
+    @property
+    def looked_again(self) -> int:
+        """Positions of the second look."""
+        return max(LOOKED_AGAIN // self.repeats, LEAST_AGAIN)
 
     def values(self, kind: int, places: Iterable[float], period: float = 2 * math.pi) -> Grid:
         """A quantity at wave angles over a turn, or over so much of it, rad."""
@@ -162,7 +172,7 @@ class Turn:
         many = pins * self.load.setup.satellites
         count = many * -(-POSITIONS // many)
         step = 2 * math.pi / count
-        first = self.real.mechanism.initial_crank_angle
+        first = self.first
         grid = [first + step * i for i in range(count // self.repeats)]
         dead = {
             round((half - pairs.phase[j] - 2 * math.pi * n / pins - first) % self.period, 9)
@@ -178,6 +188,15 @@ class Turn:
             for sign in (-1, 1)
         ]
         return grid, near
+
+
+def _as_rows(values: Any, row: Callable[[Any], Any]) -> Any:
+    """Rows as loops take them, of which parts are rows too, each made by `row`."""
+    if isinstance(values, tuple):
+        return type(values)(*[_as_rows(each, row) for each in values])
+    if isinstance(values, memoryview) and row is list:
+        return values  # of which parts are rows, too
+    return row(values)
 
 
 def joined(*, one: Rows, other: Rows) -> Rows:

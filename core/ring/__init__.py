@@ -5,6 +5,9 @@ Modules, in reading order (each may use those above it)
 profile             a cycloid disc as it is cut: outline, curvature, undercut, points
 approach            its approach to the ring's pins, in the place of that of pins in holes
 sharing             forces, lag, play and stiffness at a position and over the turn
+series_kernel       a disc between the ring and the pins of the output, which finds its own lag
+series              both meshes in series: forces, lags, play and stiffness at a position
+series_turn         the same over the turns after which all repeats
 loss                sliding on the pins: loss, efficiency, pv
 bent_pins           pins that are held at both ends: stress and slope
 line_of_action      where involute teeth touch, their path, tips that pass each other

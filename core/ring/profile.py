@@ -27,10 +27,13 @@ LEAST_POINTS = 4
 """Least points of a lobe."""
 
 LOOKED = 2000
-"""Places of a lobe at which its sharpest bend is looked for."""
+"""Places of a lobe at which its sharpest bend, and its distance from chords, is looked for."""
 
 BETWEEN = 1.001
 """What the sharpest bend may be above that of these places."""
+
+ALONG = 4
+"""Least parts of a chord between which the distance of the outline from it is measured."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -270,7 +273,9 @@ class OutlinePoints:
     chord_error: float  # how far the outline is from the polygon at most, m
 
 
-def outline_points(*, disc: CycloidDisc, chord_error: float) -> OutlinePoints:
+def outline_points(
+    *, disc: CycloidDisc, chord_error: float, most: int = MOST_POINTS
+) -> OutlinePoints:
     """Points of a disc so close that its outline is near their polygon; as many on every lobe, the
     first in the valley that faces the crank at the crank angle 0, clockwise.
 
@@ -280,6 +285,8 @@ def outline_points(*, disc: CycloidDisc, chord_error: float) -> OutlinePoints:
         The disc.
     chord_error : float
         How far the outline may be from the polygon, m, > 0.
+    most : int
+        Most points.
 
     Returns
     -------
@@ -288,12 +295,13 @@ def outline_points(*, disc: CycloidDisc, chord_error: float) -> OutlinePoints:
     Raises
     ------
     InvalidInput
-        If the disc is undercut, or that would take more than `MOST_POINTS`, or its lobes do.
+        If the disc is undercut, or that would take more points, or its lobes do.
 
     Notes
     -----
     Between points that are dt apart the outline bends away from its chord by
-    ``|C'|^2*|curvature|*dt^2/8`` at most; what is stated is measured in the middle of each chord.
+    ``|C'|^2*|curvature|*dt^2/8`` at most, in the limit of close points; what is stated is measured
+    along each chord, and at the vertex of a parabola through the largest distance there.
 
     Examples
     --------
@@ -311,22 +319,35 @@ def outline_points(*, disc: CycloidDisc, chord_error: float) -> OutlinePoints:
     path = disc.path_curvature(places)
     bends = (disc.tool_circle_radius * disc.slope(places)) ** 2
     bends = bends * np.abs((1 - disc.tool_radius * path) * path)
-    most = BETWEEN * float(bends.max())
-    each = max(math.ceil(lobe / math.sqrt(8 * chord_error / most)), LEAST_POINTS)
-    if each * disc.satellite_teeth > MOST_POINTS:
-        fit = MOST_POINTS // disc.satellite_teeth
+    bend = BETWEEN * float(bends.max())
+    each = max(math.ceil(lobe / math.sqrt(8 * chord_error / bend)), LEAST_POINTS)
+    if each * disc.satellite_teeth > most:
+        fit = most // disc.satellite_teeth
         if fit < LEAST_POINTS:
             lobes = disc.satellite_teeth
-            limit = MOST_POINTS // LEAST_POINTS
+            limit = most // LEAST_POINTS
             raise InvalidInput("satellite_teeth", lobes, "less_than_equal", limit=limit)
-        least = most * (lobe / fit) ** 2 / 8
+        least = bend * (lobe / fit) ** 2 / 8
         raise InvalidInput("chord_error", chord_error, "greater_than_equal", limit=least)
     count = each * disc.satellite_teeth
     t = 2 * math.pi * np.arange(count) / count
     points = disc.outline(t)
-    ends = points[: each + 1]
-    middles = disc.outline(t[:each] + math.pi / count)
-    chords = np.diff(ends)
-    aside = np.abs(((middles - ends[:-1]) * np.conj(chords)).imag) / np.abs(chords)
-    error = float(aside.max()) + 4 * ROUNDING * disc.tip_radius
+    error = _farthest(disc, points[: each + 1]) + 4 * ROUNDING * disc.tip_radius
     return OutlinePoints(np.column_stack((points.real, points.imag)), error)
+
+
+def _farthest(disc: CycloidDisc, ends: ComplexArray) -> float:
+    """How far a lobe is from the chords between its points, which are even in t, m."""
+    each, lobe = len(ends) - 1, 2 * math.pi / disc.satellite_teeth
+    parts = max(ALONG, math.ceil(LOOKED / each))
+    t = np.linspace(0, lobe, each * parts, endpoint=False)
+    starts, chords = ends[:-1, None], np.diff(ends)[:, None]
+    along = disc.outline(t).reshape(each, parts)
+    aside = ((along - starts) * np.conj(chords)).imag / np.abs(chords)
+    aside = np.column_stack((aside, np.zeros(each)))
+    best = np.abs(aside[:, 1:-1]).argmax(axis=1) + 1
+    before, most, after = (aside[np.arange(each), best + way] for way in (-1, 0, 1))
+    # 0 below the vertex where the three lie on a line
+    bend = before - 2 * most + after
+    vertex = most - (after - before) ** 2 / np.where(bend == 0, np.inf, 8 * bend)
+    return float(np.abs(vertex).max())

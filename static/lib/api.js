@@ -59,32 +59,49 @@ async function lastOf(body, progressed) {
   }
 }
 
+/** What an answer says, as JSON or as lines. */
+function saidBy(response, progressed) {
+  const lines = (response.headers?.get("content-type") ?? "").includes(LINES);
+  return lines ? lastOf(response.body, progressed) : response.json();
+}
+
+/** A file that is answered, with its name. */
+async function fileOf(response) {
+  const [, name] = /filename="([^"]+)"/.exec(response.headers.get("content-disposition") ?? "") ?? [];
+  return { name, content: await response.blob() };
+}
+
 /**
  * `get(path)` and `post(path, body, { signal, query })` below `base`, which is below the page; with `progressed(share)`
- * the answer may come as lines that say how far it is.
+ * the answer may come as lines that say how far it is. `file(path, body)` answers `{ name, content }`.
  */
 export function createClient({ base = "/api/v1", fetch = globalThis.fetch } = {}) {
-  async function ask(path, options, progressed) {
+  async function ask(path, options, read = saidBy) {
     try {
       const response = await fetch(`.${base}${path}`, options);
       if (!response.ok) throw await problemOf(response);
-      const lines = (response.headers?.get("content-type") ?? "").includes(LINES);
-      return await (lines ? lastOf(response.body, progressed) : response.json());
+      return await read(response);
     } catch (error) {
       if (error instanceof Problem || error.name === "AbortError") throw error;
       throw new Problem({ title: "unreachable" });
     }
   }
+  const sending = (body, accept, signal) => ({
+    method: "POST",
+    signal,
+    headers: { accept, "content-type": "application/json" },
+    body: JSON.stringify(body),
+  });
   return {
     base,
     get: (path) => ask(path), // without headers: so it takes what the page's head has asked for
     post: (path, body, { signal, query, progressed } = {}) =>
-      ask(query ? `${path}?${new URLSearchParams(query)}` : path, {
-        method: "POST",
-        signal,
-        headers: { accept: progressed ? `${LINES}, application/json` : "application/json", "content-type": "application/json" },
-        body: JSON.stringify(body),
-      }, progressed),
+      ask(
+        query ? `${path}?${new URLSearchParams(query)}` : path,
+        sending(body, progressed ? `${LINES}, application/json` : "application/json", signal),
+        (response) => saidBy(response, progressed),
+      ),
+    file: (path, body) => ask(path, sending(body, "*/*"), fileOf),
   };
 }
 

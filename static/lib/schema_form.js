@@ -59,6 +59,12 @@ function kindOf(schema, resolve) {
   return { number: "number", integer: "integer", array: "numbers", string: "name", boolean: "flag" }[schema.type];
 }
 
+/** The words of an enumeration; none of them is one too where nothing has to be said. */
+function optionsIn({ enum: words, "x-options": named, default: preset }, required) {
+  if (words) return required || preset ? words : ["", ...words];
+  return named && ["", ...named];
+}
+
 function fieldOf(schema, path, required, resolve) {
   const name = path.split(".").pop();
   const kind = kindOf(schema, resolve);
@@ -73,7 +79,7 @@ function fieldOf(schema, path, required, resolve) {
     symbol: schema["x-symbol"] ?? "",
     unit: schema["x-unit"] ?? unitOf(name),
     step: schema["x-step"] ?? (kind === "integer" ? 1 : undefined),
-    options: schema.enum ?? (schema["x-options"] && ["", ...schema["x-options"]]) ?? { flag: ["false", "true"], names: schema.items?.enum }[kind],
+    options: optionsIn(schema, required) ?? { flag: ["false", "true"], names: schema.items?.enum }[kind],
     group: schema["x-group"],
     advanced: schema["x-advanced"] ?? false,
     required,

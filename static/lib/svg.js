@@ -11,6 +11,7 @@ import { inDiameters, shownValue } from "./units.js";
 
 const HEAD = 8; // length of an arrowhead, px
 const HALF = 2.6; // half its width
+const LETTER_PX = 7.7; // of a label, at most and on average
 
 export const WIDE_PX = 480; // from here on views stand side by side
 
@@ -108,16 +109,17 @@ export function dimension(from, to, symbol, { value = "", field = "", offset = 0
 /** What a drawing calls a radius, and what it says of it: in diameters twice of both. */
 export const sized = (symbol, length) => (inDiameters() ? [`2${symbol}`, mm(2 * length)] : [symbol, mm(length)]);
 
-/** A radius of so many mm from the centre outwards, in degrees from upright, clockwise; its label outside, not left of `least`. */
+/** A radius of so many mm from the centre outwards, in degrees from upright, clockwise; its label outside, not left of `least` nor of what it takes itself. */
 export function radius(centre, length, angle, named, { of, field = "", lead = 26, least = 0 } = {}) {
   const [symbol, value] = sized(named, of);
   const direction = [Math.sin((angle * Math.PI) / 180), -Math.cos((angle * Math.PI) / 180)];
   const along = (by) => [centre[0] + direction[0] * by, centre[1] + direction[1] * by];
   const [rim, end] = [along(length), along(length + lead)];
   const right = direction[0] >= 0;
+  const room = least && Math.max(least, LETTER_PX * `${symbol} = ${value}`.length);
   return html`<g class="dimension" data-field="${field}">${line(centre, end, "extent")}
     <path class="head" d="${headPath(centre, rim)}"/>
-    ${label([Math.max(least, end[0] + (right ? 4 : -4)), end[1] + 4], symbol, { value, field, anchor: right ? "start" : "end" })}</g>`;
+    ${label([Math.max(room, end[0] + (right ? 4 : -4)), end[1] + 4], symbol, { value, field, anchor: right ? "start" : "end" })}</g>`;
 }
 
 /** The path of an arc about a centre, from one angle to a larger one, degrees from upright, clockwise. */

@@ -78,7 +78,7 @@ export function createChecks({ calculator, titles, fieldAt, askedAt, on }) {
       root.querySelector(".waiting").hidden = Boolean(judged?.checks);
       if (!judged?.checks) return;
       const rows = judged.checks.map((check) => checkRow(check, titles))
-        .map((row) => ({ ...row, missing: row.missing.map(askedAt) }));
+        .map((row) => ({ ...row, missing: [...new Set(row.missing.map(askedAt))] }));
       // What is asked for stands in sight wherever it comes.
       const inSight = rows.filter(({ judged: known, status, needed }, i) => (known && i < AT_ONCE) || (status === "not_checked" && needed));
       fill(first, html`${inSight.map((row) => rowMarkup(row, fieldAt))}`);

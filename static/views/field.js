@@ -19,7 +19,7 @@ function titleOf(field) {
 
 /**
  * `on.typed(text)` follows the typing, `on.step(direction, factor)` the arrow keys, `on.suggest()`
- * the suggestion's button.
+ * the suggestion's button, `on.asked(path)` leads to a field.
  */
 export function createField(field, { suggestion, sizable, on }) {
   const id = `field-${field.path.replaceAll(".", "-")}`;
@@ -33,11 +33,13 @@ export function createField(field, { suggestion, sizable, on }) {
           title="${message("sizing.at", { field: field.title })}">◎</button>`}
         <span class="unit" id="${id}-unit">${shownUnit(field.unit)}</span>
       </span>
-      <p class="field-message" id="${id}-message"><span></span></p>
+      <p class="field-message" id="${id}-message"><span></span> <button type="button" class="link" hidden></button></p>
     </div>`);
   const input = root.querySelector(".box");
   const line = root.querySelector(".field-message span");
   const button = root.querySelector(".suggest");
+  const link = root.querySelector(".field-message .link");
+  let asked = null;
 
   input.addEventListener("input", () => on.typed(input.value));
   input.addEventListener("keydown", (event) => {
@@ -50,6 +52,7 @@ export function createField(field, { suggestion, sizable, on }) {
   const size = root.querySelector(".size");
   size?.addEventListener("click", () => on.size());
   button?.addEventListener("click", () => on.suggest());
+  link.addEventListener("click", () => on.asked(asked));
 
   return {
     root,
@@ -57,8 +60,11 @@ export function createField(field, { suggestion, sizable, on }) {
     setText(text) {
       if (input.value !== text) input.value = text;
     },
-    /** The message of an error, or the quiet note that takes its place. */
-    setMessage({ error = "", note = "" }) {
+    /** The message of an error, or the quiet note that takes its place; `ask`, the field that it asks for. */
+    setMessage({ error = "", note = "", ask }) {
+      asked = ask?.path;
+      link.hidden = !asked;
+      if (asked) link.textContent = `${message("checks.enter")} ${ask.title}`;
       const shown = error || note || field.help;
       if (line.textContent !== shown) line.textContent = shown;
       root.classList.toggle("wrong", error !== "");

@@ -50,9 +50,9 @@ export function nameFiles(title) {
   design = title.trim().toLowerCase().replace(/[^\p{L}\p{N}]+/gu, "-").replace(/^-|-$/g, "");
 }
 
-/** Give the user a file, named by the design where it has a title; `content` is a text, or a data URL where it begins like one. */
-export function download(name, content, type = "text/plain") {
-  const url = content.startsWith("data:") ? content : URL.createObjectURL(new Blob([content], { type }));
+/** Give the user a file, named by the design where it has a title; `content` is a text or a blob, or a data URL where it begins like one. */
+export function download(name, content, type = content.type ?? "text/plain") {
+  const url = String(content).startsWith("data:") ? content : URL.createObjectURL(new Blob([content], { type }));
   const link = document.createElement("a");
   Object.assign(link, { href: url, download: design ? `${design}-${name}` : name });
   link.click();

@@ -82,7 +82,7 @@ function createChoice({ id, title, options }, { on }) {
 
 /**
  * `on.typed(path, text)`, `on.step(path, direction, factor)`, `on.left(path)`, `on.chosen(choice, option)`,
- * `on.apply()`, `on.lengths(option)`, `on.size(path)`, `on.switched(group, on)`.
+ * `on.apply()`, `on.lengths(option)`, `on.size(path)`, `on.switched(group, on)`, `on.asked(path)`.
  */
 export function createForm({ model, calculator, catalogues, lengths, on }) {
   const root = element(html`<form class="form" novalidate aria-label="${message("form.inputs")}"></form>`);
@@ -125,6 +125,7 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
         size: () => on.size(field.path),
         typed: (text) => on.typed(field.path, text),
         step: (direction, factor) => on.step(field.path, direction, factor),
+        asked: on.asked,
         /** What follows others does so while it is empty; else the value itself is put in. */
         suggest: () => {
           on.typed(field.path, suggestions[field.path].linked ? "" : textIn(field, suggested[field.path]));
@@ -239,9 +240,11 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
       if (field.empty) view.setPlaceholder(message(`form.${field.empty}`));
       if (field.follows) view.setPlaceholder(reading?.followed ? textIn(field, reading.value) : "");
       const refused = refusedAt(state, path);
+      const asks = Boolean(refused?.code) && state.phase === "incomplete";
       view.setMessage({
-        error: readingText(reading) || (refused?.words ?? ""),
-        note: noteOf(field, reading, texts[path], filled),
+        error: readingText(reading) || (!asks && refused?.words) || "",
+        note: asks ? refused.words : noteOf(field, reading, texts[path], filled),
+        ask: refused?.ask && { path: refused.ask, title: model.fields.get(refused.ask)?.title },
         place: reading?.row === undefined ? refused?.place : { row: reading.row, column: reading.column.name },
       });
     }
@@ -284,7 +287,11 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
     focus(path) {
       const view = fields.get(path);
       view.root.closest("details")?.setAttribute("open", "");
-      view.focus();
+      // What is not asked of such a design gives way to the first box of its group.
+      const group = view.root.closest(".group");
+      const seen = ({ root: own }) => own.getClientRects().length > 0;
+      const first = [...fields].find(([at, one]) => group.contains(one.root) && seen(one) && model.fields.get(at).kind !== "switch");
+      (seen(view) ? view : first[1]).focus();
     },
     update(state) {
       boxes(state);

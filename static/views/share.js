@@ -1,4 +1,5 @@
 /** What the user may take along: the link, the request for other programs, request and answer as files. */
+import { Problem } from "../lib/api.js";
 import { csvOf, curlLine, flatValues, pythonCode } from "../lib/exports.js";
 import { fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
@@ -23,7 +24,8 @@ function snippet(kind, label, text) {
 
 /**
  * Opened by `button`. `exchange()` gives what was asked for the results on the screen: `{ calculator, requests: [{ path,
- * body, answer }], filled, answer }`, or null where there are none.
+ * body, answer }], filled, answer }`, and `files: [{ id, make }]`, what the service draws of them, with `refused(problem)`,
+ * which words why it does not; or null where there are none.
  */
 export function createShare({ button, exchange, say }) {
   const dialog = createDialog({ id: "share", title: message("share.title"), content: html`<div class="share"></div>` });
@@ -42,7 +44,9 @@ export function createShare({ button, exchange, say }) {
         pythonCode(url(bodies.at(-1).path), bodies.at(-1).body))}
       ${bodies.length > 0 ? html`<div class="files">
         <button type="button" class="toggle" data-file="json">${message("share.json")}</button>
-        <button type="button" class="toggle" data-file="csv">${message("share.csv")}</button></div>`
+        <button type="button" class="toggle" data-file="csv">${message("share.csv")}</button>
+        ${shown.files.map(({ id }) => html`<button type="button" class="toggle" data-file="${id}">${message(`share.${id}`)}</button>`)}</div>
+        <p class="refused" role="alert"></p>`
         : html`<p>${message("share.nothing")}</p>`}`);
     dialog.showModal();
   }
@@ -61,7 +65,19 @@ export function createShare({ button, exchange, say }) {
       }
     }
     const file = target.closest("[data-file]")?.dataset.file;
-    const { calculator, requests } = shown ?? {};
+    const { calculator, requests, files = [], refused } = shown ?? {};
+    const made = files.find(({ id }) => id === file);
+    if (made) {
+      const said = content.querySelector(".refused");
+      said.textContent = "";
+      try {
+        const { name, content: blob } = await made.make();
+        download(name, blob);
+      } catch (problem) {
+        if (!(problem instanceof Problem)) throw problem;
+        said.textContent = refused(problem);
+      }
+    }
     if (file === "json") download(`${calculator}.json`, `${JSON.stringify({ requests }, null, 2)}\n`, "application/json");
     if (file === "csv") download(`${calculator}.csv`, resultsCsv(shown), "text/csv");
   });

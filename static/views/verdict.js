@@ -53,7 +53,7 @@ function torqueMarkup({ numbers }, judged, usual) {
   const label = html`<p class="label">${message("checks.torque")}</p>`;
   const { largest_torque_Nm: largest, largest_torque_estimated: estimated } = judged ?? {};
   const cold = judged && numbers !== "part" && coldYield(judged); // of plastic nobody knows a largest one
-  if (cold) return html`${label}<p class="note cold"><b>${cold.sentence}</b> ${cold.by}</p>${usual && usualMarkup(usual)}`;
+  if (cold) return html`${label}<p class="note cold"><b>${cold.sentence}</b> <span class="by">${cold.by}</span></p>${usual && usualMarkup(usual)}`;
   if (largest === undefined) return html`${label}<p class="note">${judged && numbers !== "part" ? torqueUnknown(judged) : "–"}</p>${usual && usualMarkup(usual)}`;
   const { value, unit } = quantityParts(largest, "N·m", torqueDigits(judged));
   return html`${label}<p><span class="figures">${estimated && "≈\u00a0"}${value}</span> <span class="figures-unit">${unit}</span></p>

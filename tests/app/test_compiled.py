@@ -23,7 +23,7 @@ from core.output.contact_law import LinearLaw
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_mechanism import RealMechanism
-from core.ring import approach
+from core.ring import approach, series_kernel
 from core.ring.profile import CycloidDisc
 from core.ring.sharing import CycloidMesh, mesh_over_turn
 
@@ -94,8 +94,9 @@ print([name for name in sys.modules if name.partition(".")[0] in ("core", "numpy
 """
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
-    assert tuple(Path(each.__file__) for each in (sharing_kernel, approach)) == compiled.SOURCES
-    kernel = loops.in_place_of(approach)
+    sources = sharing_kernel, approach, series_kernel
+    assert tuple(Path(each.__file__) for each in sources) == compiled.SOURCES
+    kernel = loops.in_place_of(series_kernel)
     assert kernel.values.__qualname__ == compiled.LAST
 
 
@@ -164,11 +165,12 @@ def test_a_service_without_a_cache_makes_one_first(elsewhere, monkeypatch, caplo
     with caplog.at_level("INFO", logger="khv.compiled"):
         compiled.make_cache()
         named = [[name for name in compiled.PARTS if repr(name) in code] for code in run]
-        assert named == [["turns"], ["meshes"]] and ended == ["waited"] * 2 + ["killed"] * 2
+        assert named == [["turns"], ["meshes"], ["series"]]
+        assert ended == [*["waited"] * 2, *["killed"] * 2, "waited", "killed"]
         assert "once an installation" in caplog.text
         (elsewhere / f"sharing_kernel.{compiled.LAST}-1.py311.nbi").touch()
         compiled.make_cache()
-    assert len(run) == 2 and len(caplog.records) == 1
+    assert len(run) == 3 and len(caplog.records) == 1
 
 
 def test_a_cache_can_be_read_where_it_cannot_be_written(elsewhere, monkeypatch):

@@ -108,6 +108,10 @@ async def test_a_printed_drive_gets_one_torque_and_no_green_word(api):
     assert first["value"] < first["limit"] and first["utilisation"] < 1
     assert checks["temperature"]["missing"] == ["/temperatures/satellite_C"]
     assert answer["parts"][0]["status"] == "open" and answer["verdict"] == "incomplete"
+    rings = {"rollers": {"name": "683"}, "contact": PRINTED["contact"] | {"pin_radius_mm": 3.5}}
+    rolling = (await api.post("crank-planetary", json=PRINTED | rings)).json()
+    assert rolling["cold_yield"]["friction"] == 0  # and none is assumed
+    assert "/friction/coefficient" not in {each["pointer"] for each in rolling["assumed"]}
 
 
 @pytest.mark.anyio

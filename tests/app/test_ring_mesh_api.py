@@ -12,6 +12,7 @@ import pytest
 
 from app.examples import REQUESTS
 from tests.inputs.involute import CASES as INVOLUTE
+from tests.oracles.held import close
 
 pytestmark = pytest.mark.anyio
 
@@ -38,23 +39,6 @@ def rounded(**sections):
     for name, value in sections.items():
         body[name] = body.get(name, {}) | value if isinstance(value, dict) else value
     return body
-
-
-def close(found, expected, path=""):
-    """Every number of the expected answer, to nine digits of the largest beside it."""
-    if isinstance(expected, dict):
-        for name, value in expected.items():
-            close(found[name], value, f"{path}/{name}")
-    elif isinstance(expected, list) and expected and not isinstance(expected[0], (int, float)):
-        assert len(found) == len(expected), path
-        for i, (one, other) in enumerate(zip(found, expected, strict=True)):
-            close(one, other, f"{path}/{i}")
-    elif isinstance(expected, (bool, str)):
-        assert found == expected, path
-    else:
-        rows = expected if isinstance(expected, list) else [expected]
-        size = max(map(abs, rows)) or 1.0
-        assert found == pytest.approx(expected, rel=0, abs=1e-9 * size), path
 
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case["name"].split()[0])

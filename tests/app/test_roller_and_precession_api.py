@@ -206,8 +206,10 @@ async def test_a_gear_that_cannot_work_is_refused_with_its_place(api, change, pl
     assert place in response.json()["where"]
 
 
-def test_starting_the_service_loads_neither_mpmath_nor_plotly():
-    code = "import sys, app.main; print(*(m for m in ('mpmath', 'plotly') if m in sys.modules))"
+def test_starting_the_service_loads_nothing_that_a_request_may_not_ask_for():
+    """Nor do the processes for calculations."""
+    heavy = "'mpmath', 'plotly', 'ezdxf', 'fontTools'"
+    code = f"import sys, app.main, app.loaded; print(*(m for m in ({heavy}) if m in sys.modules))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == ""
 

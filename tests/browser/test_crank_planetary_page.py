@@ -272,6 +272,7 @@ def test_radii_are_typed_as_diameters_where_chosen(page: Page, service: str) -> 
     force = result(page, "peak_force_N")
     page.locator('[data-choice="lengths"] input[value="diameter"]').check(force=True)
     settled(page)
+    expect(page.locator('[data-choice="lengths"] input[value="diameter"]')).to_be_focused()
     expect(box(page, "load.pin_circle_radius_mm")).to_have_value("65")
     assert result(page, "peak_force_N") == force
     page.locator('[data-choice="lengths"] input[value="radius"]').check(force=True)
@@ -302,6 +303,40 @@ def test_a_design_of_ones_own_from_an_empty_form(page: Page, service: str) -> No
     page.go_back()
     settled(page)
     expect(box(page, "mechanism.pins")).to_have_value("6")
+
+
+def test_what_is_typed_on_a_phone_keeps_its_place_while_it_computes(
+    page: Page, service: str
+) -> None:
+    """The first answer of a design from an empty form: nothing is hidden, no key goes astray."""
+    page.set_viewport_size({"width": 390, "height": 844})
+    show(page, service)
+    page.get_by_role("button", name="New").click()
+    settled(page, "incomplete")
+    for path, text in ZYL.items():
+        if path not in ("contact.contact_length_mm", "load.force_exponent"):
+            box(page, path).fill(text)
+    held: list[Route] = []
+    page.route("**/api/v1/crank-planetary", lambda route: held.append(route))
+    length = box(page, "contact.contact_length_mm")
+    length.press_sequentially("1")
+    settled(page, "computing")
+    expect(length).to_be_focused()
+    expect(length).to_be_visible()
+    page.keyboard.type("6")
+    expect(length).to_have_value("16")
+    page.unroute("**/api/v1/crank-planetary")
+    for route in held:
+        with suppress(Error):  # what is asked anew is taken back
+            route.continue_()
+    settled(page)
+    # The sentence of a plastic leaves the form its room.
+    box(page, "contact.hole_clearance_mm").fill("0.1")
+    box(page, "contact.hole_radius_mm").fill("")
+    box(page, "contact.eccentricity_mm").fill("1.5")
+    box(page, "contact.hole_material").select_option("plastic_pla_printed")
+    expect(page.locator(".verdict .cold")).to_contain_text("Will yield at once above")
+    assert page.locator(".verdict").bounding_box()["height"] < 844 / 3
 
 
 def test_a_link_with_something_unknown_says_so(page: Page, service: str) -> None:
@@ -353,6 +388,29 @@ def test_what_a_check_misses_is_a_click_away(page: Page, service: str) -> None:
     page.locator(".checks .more > summary").click()
     page.locator('[data-ask="mechanism.satellite_teeth"]').click()
     expect(box(page, "mechanism.satellite_teeth")).to_be_focused()
+
+
+def test_what_is_missing_of_a_printed_drive_is_a_click_away(page: Page, service: str) -> None:
+    """A name without Poisson's ratio, and friction, in a group that is off, are asked for."""
+    show(page, service, FITTED)
+    petg = words_at(page, "contact.hole_material")
+    box(page, "contact.hole_material").select_option("plastic_petg_printed")
+    expect(petg).to_contain_text("“Poisson's ratio”: is needed beside the name")
+    expect(page.locator(".word")).to_have_text("Input incomplete")
+    expect(page.locator(".field.wrong")).to_have_count(0)
+    petg.get_by_role("button", name="Poisson's ratio").click()
+    expect(box(page, "contact.hole_material.poissons_ratio")).to_be_focused()
+    expect(box(page, "contact.hole_material.name")).to_have_value("plastic_petg_printed")
+    change(page, lambda: page.keyboard.type("0.38"))
+    page.get_by_role("button", name="Friction coefficient").click()
+    expect(box(page, "friction.coefficient")).to_be_focused()
+    expect(box(page, "friction.coefficient")).to_have_value("")  # no usual value of a plastic
+    change(page, lambda: page.keyboard.type("0.4"))
+    page.get_by_role("button", name="Yield strength").click()
+    change(page, lambda: page.keyboard.type("44"))
+    expect(page.locator(".verdict .torque")).to_contain_text("Will yield at once above")
+    page.locator('[data-part="pins"]').click()
+    expect(box(page, "pin.support")).to_be_focused()
 
 
 def test_two_tabs_share_what_is_kept(page: Page, service: str) -> None:

@@ -1,5 +1,6 @@
 """What is off until wanted: clearance and errors, tolerances, strength and life."""
 
+import zipfile
 from contextlib import suppress
 
 import pytest
@@ -517,3 +518,42 @@ def test_fatigue_of_rollers_and_of_the_shaft_with_its_contact_lines(
     assert "line_contact.mating_radius_mm=-30" in address(page)
     reopen(page)
     expect(row("Pressure along the contact lines")).to_be_visible()
+
+
+def test_discs_are_taken_along_as_drawings_once_their_modification_is_known(
+    page: Page, service: str
+) -> None:
+    ring = {
+        "mechanism.satellite_teeth": "19",
+        "mechanism.ring_teeth": "20",
+        "contact.hole_clearance_mm": "0.03",
+        "load.input_speed_rpm": "1500",
+        "bearings.on": "on",
+        "gear.kind": "cycloid",
+        "gear.ring_pin_circle_radius_mm": "70",
+        "gear.ring_pin_radius_mm": "5",
+    }
+    design = {name: text for name, text in DESIGN.items() if name != "mechanism.ratio"}
+    show(page, service, "crank-planetary", **design | ring)
+    take, drawings = (
+        page.get_by_role("button", name=name) for name in ("Take along", "Drawings, DXF")
+    )
+    take.click()
+    expect(page.get_by_role("button", name="All results, CSV")).to_be_visible()
+    expect(drawings).to_have_count(0)
+    page.keyboard.press("Escape")
+    box(page, "gear.modification.equidistant_mm").fill("0.02")
+    settled(page)
+    reopen(page)
+    take.press("Enter")
+    with page.expect_download() as download:
+        drawings.press("Enter")
+    with zipfile.ZipFile(download.value.path()) as bundle:
+        assert bundle.namelist() == ["satellite_1.dxf", "satellite_2.dxf", "ring_pins.dxf"]
+        assert b"Equidistant modification +0.02 mm" in bundle.read("satellite_2.dxf")
+    page.keyboard.press("Escape")
+    box(page, "gear.ring_pin_radius_mm").fill("40")
+    settled(page)
+    take.click()
+    drawings.click()
+    expect(page.get_by_role("alert")).to_contain_text("the tool would cut off a part")

@@ -406,6 +406,9 @@ def test_of_two_plastics_the_weaker_one_and_the_hotter_one_are_judged() -> None:
     assert check_of("contact_static_cold", both).limit == weaker
     cold = cold_yield(results=results, found=crank_verdict(results))
     assert cold is not None and (cold.body, cold.strength) == ("hole", 23e6)
+    printed = Results(having(both, pin_material=PLA, output_torque=1e3))  # across layers: not known
+    cold = cold_yield(results=printed, found=crank_verdict(printed))
+    assert cold is not None and (cold.body, cold.strength) == ("hole", 23e6)
     hot = having(both, temperatures=Temperatures(satellite=40.0, pins=60.0))
     assert check_of("temperature", hot).status == "fail"
     warm = check_of("temperature", having(both, temperatures=Temperatures(satellite=40, pins=50)))

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from app.examples import EXAMPLES, REQUESTS
+from app.registry import EXPORTS
 from tests.app.worked_designs import BARE_4000, SLEEVED_4000
 from tests.app.worked_designs import REQUESTS as WORKED
 from tests.inputs.fuzz_requests import DESIGNS, mutated
@@ -27,8 +28,8 @@ COUNT, REFUSED = 400, 35
 HELD = 10
 """Requests of each calculation that exact values are known of, one in five of them extreme."""
 
-SLOW = {"work-precision", "batch"}
-"""What takes minutes, or is many of the others."""
+LEFT = {"work-precision", "batch", *EXPORTS}
+"""What takes minutes, is many of the others, or is no numbers."""
 
 Asked = dict[str, Any]
 
@@ -40,7 +41,7 @@ def asked(path: str, body: Any) -> Asked:
 def usual() -> list[Asked]:
     """What is shown to people."""
     found = [asked(each["calculation"], each["input"]) for each in EXAMPLES]
-    found += [asked(path, body) for path, body in REQUESTS.items() if path not in SLOW]
+    found += [asked(path, body) for path, body in REQUESTS.items() if path not in LEFT]
     tutorial = re.findall(r"ask (\S+) '(.*?)'\n", TUTORIAL.read_text(encoding="utf-8"), re.DOTALL)
     found += [asked(path, json.loads(body)) for path, body in tutorial]
     whole = [each for each in found if each["path"] == "crank-planetary"]

@@ -13,6 +13,7 @@ import pytest
 from khv_calc import Client, Fault, Refused, is_called
 
 from app.examples import EXAMPLES, REQUESTS
+from app.registry import EXPORTS
 from app.settings import Settings
 
 FORCE = {"pins": 3, "ratio": 20, "output_torque_Nm": 500, "pin_circle_radius_mm": 50}
@@ -33,9 +34,17 @@ def test_an_answer_is_that_of_the_api(service, calc):
     assert sent["peak_force_N"] == answer["peak_force_N"]
 
 
-@pytest.mark.parametrize("name", REQUESTS)
+@pytest.mark.parametrize("name", [each for each in REQUESTS if each not in EXPORTS])
 def test_every_calculation_can_be_asked(calc, name):
     assert calc.ask(name, REQUESTS[name])
+
+
+def test_a_file(calc):
+    name, content = calc.file("export/dxf", REQUESTS["export/dxf"], parts=["ring_pins"])
+    assert name == "ring_pins.dxf" and content.rstrip().endswith(b"EOF")
+    with pytest.raises(Refused) as caught:
+        calc.file("export/dxf", REQUESTS["export/dxf"], parts=["carrier"])
+    assert caught.value.faults[0].pointer == "/parts/0"
 
 
 def test_what_the_service_says_about_itself(calc):

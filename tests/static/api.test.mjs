@@ -89,3 +89,14 @@ test("an abort is silent, a problem is told, another fault is thrown", async () 
   assert.equal((await newest.ask(async () => { throw problem; })).problem, problem);
   await assert.rejects(newest.ask(async () => { throw new TypeError("a bug"); }), TypeError);
 });
+
+test("a file comes with its name, and why there is none as a problem", async () => {
+  const headers = { "content-disposition": 'attachment; filename="ring_pins.dxf"' };
+  const { calls, client } = answering(200, "0\nEOF\n", "image/vnd.dxf", headers);
+  const { name, content } = await client.file("/export/dxf", { parts: ["ring_pins"] });
+  assert.deepEqual([name, content.type, await content.text()], ["ring_pins.dxf", "image/vnd.dxf", "0\nEOF\n"]);
+  assert.equal(calls[0].options.body, '{"parts":["ring_pins"]}');
+  const errors = [{ pointer: "/design/contact", code: "needed_to_draw", params: {} }];
+  const refused = answering(422, { status: 422, errors }, "application/problem+json").client;
+  await assert.rejects(refused.file("/export/dxf", {}), (problem) => problem instanceof Problem && problem.errors[0].pointer === "/design/contact");
+});

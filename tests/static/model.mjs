@@ -51,6 +51,7 @@ export const OPENAPI = {
         properties: {
           youngs_modulus_GPa: { type: "number", title: "Young's modulus", exclusiveMinimum: 0 },
           allowable_pressure_MPa: { anyOf: [{ type: "number" }, { type: "null" }], title: "Allowable" },
+          layers: { anyOf: [{ enum: ["flat", "upright"], type: "string" }, { type: "null" }], title: "Layers" },
         },
       },
     },

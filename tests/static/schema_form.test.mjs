@@ -33,8 +33,9 @@ test("a name or own values become a choice without being told", () => {
   assert.deepEqual(choice.options.map(({ id }) => id), ["named", "own"]);
   assert.deepEqual(
     choice.options[1].fields.map(({ path, required }) => [path, required]),
-    [["contact.pin_material.youngs_modulus_GPa", true], ["contact.pin_material.allowable_pressure_MPa", false]],
+    [["contact.pin_material.youngs_modulus_GPa", true], ["contact.pin_material.allowable_pressure_MPa", false], ["contact.pin_material.layers", false]],
   );
+  assert.deepEqual(field("contact.pin_material.layers").options, ["", "flat", "upright"], "what need not be said can be unsaid");
 });
 
 test("a body becomes a state and the state the same body", () => {

@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { afterEach, test } from "node:test";
 
 import { Problem } from "../../static/lib/api.js";
+import { DIAMETER, setDiameters } from "../../static/lib/units.js";
 import { LANGUAGES, message, setEnglish, useLanguage } from "../../static/messages/index.js";
 import { explained, problemText, reasonText, refusalTexts, warningText } from "../../static/service_texts.js";
 import { english } from "./service.mjs";
@@ -20,6 +21,36 @@ test("a refusal of a field on the screen goes to its box", () => {
   const { at, elsewhere } = refusalTexts(refusalOf(least("/mechanism/pins")), shown, TITLES);
   assert.deepEqual(at, { "mechanism.pins": { words: "Must be at least 1" } });
   assert.deepEqual(elsewhere, []);
+});
+
+test("a refusal of what is no box yet names it at the box that it lies in, and says where it is entered", () => {
+  const shown = [{ path: "contact.hole_material", name: "hole_material", kind: "option", title: "Hole material" }];
+  const lacks = { pointer: "/contact/hole_material/poissons_ratio", code: "not_sourced", params: { material: "plastic_petg_printed" }, detail: "" };
+  assert.deepEqual(refusalTexts(refusalOf(lacks), shown, TITLES).at["contact.hole_material"], {
+    words: "“Poisson's ratio”: is needed beside the name: no source has that of PETG, printed",
+    ask: "contact.hole_material.poissons_ratio", code: "not_sourced",
+  });
+});
+
+test("another field has the title that it has beside the one that is refused", () => {
+  const named = (path, title) => ({ path, name: path.split(".").at(-1), kind: "number", title });
+  const shown = [named("rollers.bore_diameter_mm", "Bore"), named("rollers.name", "Bearing"), named("contact.pin_material.name", "Otherwise as")];
+  const error = { pointer: "/rollers/bore_diameter_mm", code: "needed", params: { field: "name" }, detail: "" };
+  const { at } = refusalTexts(refusalOf(error), shown, new Map([["name", "Otherwise as"]]));
+  assert.equal(at["rollers.bore_diameter_mm"].words, "Is needed: this or “Bearing”");
+});
+
+test("where radii are shown as diameters, limits are said to be of the radius", () => {
+  setDiameters(true);
+  const shown = [
+    { path: "pin_radius_mm", name: "pin_radius_mm", kind: "number", title: "Pin diameter", unit: DIAMETER },
+    { path: "eccentricity_mm", name: "eccentricity_mm", kind: "number", title: "Eccentricity", unit: "mm" },
+  ];
+  const beyond = { pointer: "/eccentricity_mm", code: "smaller_than", params: { field: "pin_radius_mm", limit: 3 }, detail: "" };
+  const { at } = refusalTexts(refusalOf(least("/pin_radius_mm", 0.5), beyond), shown, new Map([["pin_radius_mm", "Pin diameter"]]));
+  setDiameters(false);
+  assert.equal(at.pin_radius_mm.words, "Must be at least 0.5\u00a0mm (on the radius)");
+  assert.equal(at.eccentricity_mm.words, "Must be smaller than “Pin diameter”, 3\u00a0mm (on the radius)");
 });
 
 test("a refusal of other fields is a sentence with their titles", () => {

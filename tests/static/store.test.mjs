@@ -88,6 +88,16 @@ test("a refusal stands at its box until something is typed there, beside what wa
   assert.deepEqual([none.phase, none.said, none.shown.answer], ["refused", "Cannot work", ANSWER]);
 });
 
+test("a refusal that asks for what nobody has filled in yet calls nothing wrong; after Enter, or where somebody was, it does", () => {
+  const needed = refusal({ pointer: "/mechanism/pins", code: "needed", params: { field: "ratio" }, detail: "is needed" });
+  const phaseOf = (state, problem = needed) => answeredWith(state, { refusal: problem }).phase;
+  assert.equal(phaseOf(opened()), "incomplete");
+  assert.deepEqual([phaseOf(next.insisted(opened())), phaseOf(next.left(opened(), "mechanism.pins"))], ["wrong", "wrong"]);
+  const lacks = refusal({ pointer: "/contact/pin_material/poissons_ratio", code: "not_sourced", params: { material: "steel" }, detail: "" });
+  const lacking = answeredWith(next.insisted(opened()), { refusal: lacks });
+  assert.deepEqual([lacking.phase, lacking.line[0]], ["incomplete", ""], "a name of the table is not wrong");
+});
+
 test("without the service the numbers count as older, and the reason is said", () => {
   const state = next.failed(next.asked(answeredWith(opened())), new Problem({ title: "unreachable" }));
   assert.deepEqual(next.standing(state), { phase: "offline", numbers: "older" });

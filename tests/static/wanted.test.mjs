@@ -284,6 +284,30 @@ test("a figure of strength and life asks with the design that its numbers are of
   }
 });
 
+test("discs are drawn of which all is known, each with its own crank", async () => {
+  const drawn = async (gear, mechanism = {}) => {
+    const filled = { ...DESIGN, mechanism: { ...DESIGN.mechanism, ...mechanism }, besides: { bearings: { on: "on" }, gear } };
+    const requests = [];
+    await calculator.ask({
+      post: async (path, body) => {
+        requests.push({ path: `/api/v1${path}`, body });
+        return {};
+      },
+      input: filled, filled, sections: calculator.sections, tables: new Set(),
+    });
+    return calculator.files({ requests, filled });
+  };
+  const cycloid = { kind: "cycloid", ring_pin_circle_radius_mm: 60, ring_pin_radius_mm: 5 };
+  const modification = { equidistant_mm: 0.02 };
+  for (const gear of [cycloid, { ...cycloid, ring_pin_radius_mm: undefined, modification }, { kind: "involute", module_mm: 2 }]) {
+    assert.deepEqual(await drawn(gear), []);
+  }
+  const [{ id, path, body: { design, parts } }] = await drawn({ ...cycloid, modification }, { crank_angles_deg: [0, 100, 230], satellites: 3 });
+  assert.deepEqual([id, path, parts], ["dxf", "/export/dxf", ["satellite_1", "satellite_2", "satellite_3", "ring_pins"]]);
+  assert.deepEqual(design.gear, { ...cycloid, modification });
+  assert.equal(design.include, undefined);
+});
+
 test("more pairs than the service takes are refused without it: of a mechanism, made forces, figures", async () => {
   const { MOST_PAIRS } = await import("../../static/calculators/crank-planetary/mechanism.js");
   const design = (pairs, made = {}) => ({
@@ -372,6 +396,14 @@ test("the calculator's own groups have words for all that they add", () => {
   for (const { id, fields } of WANTED) {
     for (const { words } of [{ words: ["on", id] }, ...Object.values(fields)]) if (words) assert.ok(fieldWords(...words), words.join());
   }
+});
+
+test("the friction of a plastic is asked, that of metals starts from a usual value", () => {
+  const table = { pla: { youngs_modulus_GPa: 3 }, steel: { youngs_modulus_GPa: 206 } };
+  const { starts } = WANTED.find(({ id }) => id === "losses");
+  const friction = (pin, hole) => starts({ contact: { pin_material: pin, hole_material: hole } }, (_, given) => table[given] ?? given)["friction.coefficient"];
+  assert.deepEqual([friction("steel", "steel"), friction("steel", "pla")], [0.08, undefined]);
+  assert.deepEqual([friction({ name: "pla", poissons_ratio: 0.38 }, "steel"), friction("steel", { youngs_modulus_GPa: 70, poissons_ratio: 0.3 })], [undefined, 0.08]);
 });
 
 test("a pin has one material, unless it was typed apart", () => {

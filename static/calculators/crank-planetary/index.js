@@ -7,7 +7,7 @@
 import { cell, stated } from "../../lib/verdict.js";
 import { formatAngle, formatNumber, formatQuantity, shownDigits, tidy } from "../../lib/format.js";
 import { pairsOf } from "../../lib/chart.js";
-import { inDiameters } from "../../lib/units.js";
+import { DIAMETER, inDiameters } from "../../lib/units.js";
 import { message, quantityWords } from "../../messages/index.js";
 import { figureText } from "../../service_texts.js";
 import { createDrawing } from "./drawing.js";
@@ -94,7 +94,8 @@ const willBeSolved = (input) => input.besides?.real?.on === "on" || isSolved({ .
 function clearanceNote(input) {
   const clearance = clearanceOf(input);
   if (!(Math.abs(clearance) > 1e-9)) return "";
-  return message(`form.${clearance > 0 ? "clearance" : "interference"}`, { value: formatQuantity(Math.abs(clearance), "mm", 4) });
+  if (clearance > 0) return message("form.clearance", { value: formatQuantity(clearance, "mm", 4) });
+  return message("form.interference", { value: formatQuantity(-clearance, inDiameters() ? DIAMETER : "mm", 4) });
 }
 
 /** Tooth numbers of exactly this ratio, with the least difference; none where there are none. */
@@ -369,6 +370,14 @@ export default {
     },
     { id: "workPeak", section: "contact_force", measures: "contact-force", body: forceBody, example: TRADE_OFF },
   ],
+
+  /** What the service draws of the design on the screen: cycloid discs whose modification is stated, and the pins of their ring. */
+  files({ requests, filled }) {
+    const { include, ...design } = requests.find(({ path }) => path.endsWith(this.path))?.body ?? {};
+    if (!design.gear?.modification || !design.gear.ring_pin_radius_mm) return [];
+    const discs = cranksOf(filled.mechanism).map((_, j) => `satellite_${j + 1}`);
+    return [{ id: "dxf", path: "/export/dxf", body: { design, parts: [...discs, "ring_pins"] } }];
+  },
 
   wanted: WANTED,
   beside: BESIDE,

@@ -122,6 +122,7 @@ const LOSSES = {
 };
 
 const ring = (kind) => ({ when: ["gear.kind", kind], required: true });
+const discs = { when: ["gear.kind", "cycloid"], default: null }; // nothing is known of what is left empty
 const BEARINGS = {
   "gear.kind": { options: ["ratio"], default: "involute" },
   "gear.module_mm": ring("involute"),
@@ -129,6 +130,8 @@ const BEARINGS = {
   "gear.reference_pressure_angle_deg": { ...rare, when: ["gear.kind", "involute"] },
   "gear.ring_pin_circle_radius_mm": ring("cycloid"),
   "gear.ring_pin_radius_mm": { when: ["gear.kind", "cycloid"] },
+  "gear.modification.equidistant_mm": discs,
+  "gear.modification.pin_circle_mm": discs,
   "gear.radial_force_ratio": ring("ratio"),
   "bearing.name": {},
   "bearing.kind": { default: "roller", when: ["bearing.name", undefined, ""] },
@@ -240,6 +243,17 @@ function starts({ contact }) {
 
 const WHOLE = ["/crank-planetary"];
 
+const PLASTIC_GPA = 20; // below it a modulus is that of a plastic
+
+/** Whether pins or holes are of plastic, whose friction has no usual value. */
+function hasPlastic({ contact = {} }, materialOf) {
+  return ["pin_material", "hole_material"].some((name) => {
+    const path = `contact.${name}`;
+    const { name: table, youngs_modulus_GPa: own } = materialOf(path, contact[name]) ?? {};
+    return (own ?? materialOf(path, table)?.youngs_modulus_GPa) < PLASTIC_GPA;
+  });
+}
+
 export const WANTED = [
   {
     id: "real",
@@ -279,7 +293,7 @@ export const WANTED = [
     paths: WHOLE,
     fields: LOSSES,
     judged: true,
-    starts: () => ({ "friction.coefficient": 0.08, "load.input_speed_rpm": USUAL_RPM }),
+    starts: (input, materialOf) => ({ "friction.coefficient": hasPlastic(input, materialOf) ? undefined : 0.08, "load.input_speed_rpm": USUAL_RPM }),
     load: () => Promise.all([import("./losses.js"), import("../../views/part.js")]),
   },
   {

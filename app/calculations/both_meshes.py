@@ -1,0 +1,310 @@
+"""Ring mesh and output mechanism in series: what a request says of the ring, and the answer."""
+
+from collections.abc import Iterator
+from functools import cached_property
+from typing import Annotated, Any, ClassVar, Literal, Self
+
+from pydantic import BeforeValidator, Field, model_validator
+
+from app.calculations.mechanism import PairOut
+from app.calculations.real_design import RealDesignFields
+from app.calculations.real_mechanism import DeviationsFields, SatelliteCouplingFields
+from app.calculations.ring import RING_PIN_LISTS as OF_RING
+from app.calculations.ring import RingPinDeviationsFields
+from app.calculations.ring_parts import CycloidRingFields, MeshLawFields
+from app.model import Kinds, Maybe, ResponseModel, Values, field_error, quantity, result
+from app.problems import invalid_input, refusal, wrong
+from app.settings import Settings
+from app.units import from_si, to_si
+from core.design.sections import Ring
+from core.errors import InvalidInput
+from core.output.contact_law import HertzLaw
+from core.output.real_mechanism import Deviations, RealMechanism
+from core.ring.series import MeshesInSeries, SeriesPosition
+from core.ring.sharing import CycloidMesh, RingDeviations
+
+MAX_FORCES_IN_SERIES = 25_000
+"""Most forces of positions, and of curves, of both meshes: angles times pairs."""
+
+MAX_TURN_IN_SERIES = 250_000
+"""The same over all turns, whose loops are compiled."""
+
+
+def _no_involute(given: Any) -> Any:
+    """Refuse involute teeth."""
+    if isinstance(given, dict) and given.get("kind") == "involute":
+        raise field_error("kind", "outside_method")
+    return given
+
+
+class SeriesRingFields(CycloidRingFields, group="gear"):
+    """Cycloid discs and the pins of their ring, and how these give."""
+
+    contact_law: Maybe[MeshLawFields] = None
+
+    def ring(self, **more: Any) -> Ring:
+        """The ring without its law of contact, which is that of the mesh."""
+        return super(SeriesRingFields, self.model_copy(update={"contact_law": None})).ring(**more)
+
+
+class SeriesDeviationsFields(DeviationsFields, RingPinDeviationsFields, group="deviations"):
+    """What a piece deviates from its nominal sizes: of each pin, of each hole satellite by
+    satellite, of each crank or disc, and of each pin of a ring that lies in series. Positive:
+    outward, in the driving sense, larger, ahead.
+    """
+
+    def section(self, _: Any = None) -> Deviations:
+        """Those of the output mechanism in SI units."""
+        return DeviationsFields.section(self.model_copy(update=dict.fromkeys(OF_RING)))
+
+    def of_ring(self) -> RingDeviations:
+        """Those of the ring in SI units."""
+        own = self.to_core()
+        named = {
+            name: f"ring_{name}" if "pin" in name else name for name in RingDeviations.__slots__
+        }
+        return RingDeviations(**{name: tuple(own.get(each, ())) for name, each in named.items()})
+
+    def _lengths(self, pins: int, satellites: int) -> Iterator[tuple[str, int, int]]:
+        every = super()._lengths(pins, satellites)
+        return (each for each in every if each[0] not in OF_RING)
+
+    def refuse_other_ring(self, pins: int) -> None:
+        """Refuse lists that are not one value for each pin of the ring.
+
+        Raises
+        ------
+        Problem
+            If there are.
+        """
+        lists = {name: value for name in OF_RING if (value := getattr(self, name)) is not None}
+        errors = [
+            wrong(f"/deviations/{name}", "different_length", expected=pins, actual=len(value))
+            for name, value in lists.items()
+            if len(value) != pins
+        ]
+        if errors:
+            raise invalid_input(errors)
+
+
+class SeriesCouplingFields(SatelliteCouplingFields, group="satellite_coupling"):
+    """How the satellites share the torque."""
+
+    KINDS: ClassVar[Kinds] = {**SatelliteCouplingFields.KINDS, "ring": ((), ())}
+
+    kind: Literal["rigid", "elastic", "shares", "ring"] = quantity(  # type: ignore[assignment]
+        "Coupling of the satellites", default="rigid"
+    )
+    """Rigid: all turn as one; elastic: each gives in its mesh with the ring; shares: each carries a
+    given share; ring: each finds its place between the ring of `gear` and the pins, so that both
+    meshes are in series."""
+
+
+class SeriesFields(RealDesignFields):
+    """Mechanism, load and contact as the parts are made, by themselves or in series with the mesh
+    of the discs with their ring.
+    """
+
+    gear: Annotated[Maybe[SeriesRingFields], BeforeValidator(_no_involute)] = Field(
+        default=None, description="Ring and discs, where both meshes are in series."
+    )
+    deviations: Maybe[SeriesDeviationsFields] = None
+    satellite_coupling: Maybe[SeriesCouplingFields] = None
+
+    RULES: ClassVar[tuple[dict[str, Any], ...]] = (
+        {
+            "if": {
+                "properties": {
+                    "satellite_coupling": {
+                        "properties": {"kind": {"const": "ring"}},
+                        "required": ["kind"],
+                    }
+                },
+                "required": ["satellite_coupling"],
+            },
+            "then": {
+                "required": ["gear"],
+                "properties": {"mechanism": {"required": ["satellite_teeth", "ring_teeth"]}},
+            },
+            "else": {
+                "not": {"required": ["gear"]},
+                "properties": {
+                    "deviations": {"not": {"anyOf": [{"required": [name]} for name in OF_RING]}}
+                },
+            },
+        },
+    )
+
+    @property
+    def in_series(self) -> bool:
+        """Whether the mesh with the ring is in series."""
+        return self.satellite_coupling is not None and self.satellite_coupling.kind == "ring"
+
+    @property
+    def known_in_first_order(self) -> bool:
+        """Whether what the satellites give is known in first order only."""
+        return super().known_in_first_order and not self.in_series
+
+    @model_validator(mode="after")
+    def _ring_in_series(self) -> Self:
+        own, errors, kind = self.mechanism, self.deviations, "rigid"
+        if self.satellite_coupling is not None:
+            kind = self.satellite_coupling.kind
+        if kind != "ring":
+            if self.gear is not None:
+                raise field_error("gear", "of_another_kind", kind=kind)
+            for name in OF_RING if errors is not None else ():
+                if getattr(errors, name) is not None:
+                    raise field_error(f"deviations/{name}", "of_another_kind", kind=kind)
+            return self
+        if self.gear is None:
+            raise field_error("gear", "needed_beside", field="satellite_coupling")
+        for name in ("satellite_teeth", "ring_teeth"):
+            if getattr(own, name) is None:
+                raise field_error(f"mechanism/{name}", "needed_beside", field="gear")
+        assert own.satellite_teeth is not None
+        if own.ring_teeth != own.satellite_teeth + 1:
+            more = {"expected": own.satellite_teeth + 1}
+            raise field_error("mechanism/ring_teeth", "not_this_cycloid", **more)
+        change = self.gear.modification
+        if self.geometry == "exact" and change is not None and change.rotation_arcmin > 0:
+            raise field_error("geometry", "flanks_first_order", field="rotation_arcmin")
+        return self
+
+    @property
+    def pairs_in_series(self) -> int:
+        """Number of pairs of output and ring."""
+        return self.mechanism.satellites * (self.mechanism.pins + (self.mechanism.ring_teeth or 0))
+
+    def refuse_beyond(self, settings: Settings) -> None:
+        """Refuse more pairs of the ring than the operator allows, and lists that do not fit it."""
+        super().refuse_beyond(settings)
+        if not self.in_series:
+            return
+        own, teeth = self.mechanism, self.mechanism.ring_teeth or 0
+        self.refuse_many_in_series(settings.max_pairs + own.pairs)
+        if self.deviations is not None:
+            self.deviations.refuse_other_ring(teeth)
+
+    def refuse_many_in_series(self, limit: int) -> None:
+        """Refuse more pairs of both meshes, by the ring's.
+
+        Parameters
+        ----------
+        limit : int
+            Most pairs.
+
+        Raises
+        ------
+        Problem
+            If there are more.
+        """
+        own = self.mechanism
+        if self.pairs_in_series > limit:
+            most = max(limit // own.satellites - own.pins, 0)
+            more = {"limit": most, "satellites": own.satellites}
+            raise refusal("/mechanism/ring_teeth", "too_many_pairs", **more)
+
+    def in_ring(self, output: RealMechanism) -> MeshesInSeries:
+        """The output mechanism in series with the mesh of its discs with the ring, in SI units.
+
+        Parameters
+        ----------
+        output : RealMechanism
+            As `made`.
+
+        Returns
+        -------
+        MeshesInSeries
+
+        Raises
+        ------
+        InvalidInput
+            If the ring is not possible.
+        """
+        try:
+            ring = self._ring
+            assert ring.pairs  # refuses what has no size
+        except InvalidInput as error:
+            for section in ("gear.contact_law", "gear"):
+                if (name := f"{section}.{error.parameter}") in self.core_paths:
+                    raise InvalidInput(name, error.value, error.code, **error.params) from error
+            raise
+        return MeshesInSeries(ring, output)
+
+    @cached_property
+    def _ring(self) -> CycloidMesh:
+        gear, own, errors = self.gear, self.mechanism, self.deviations
+        assert gear is not None and own.satellite_teeth is not None
+        ring, law = gear.ring(), None if gear.contact_law is None else gear.contact_law.named()
+        return ring.cycloid_mesh(
+            disc=ring.disc(
+                satellite_teeth=own.satellite_teeth,
+                eccentricity=to_si("eccentricity_mm", self.contact.eccentricity_mm),
+            ),
+            crank_angles=self.built.crank_angles,
+            contact_length=ring.contact_length,
+            disc_material=ring.disc_material,
+            law=law or HertzLaw(),
+            deviations=RingDeviations() if errors is None else errors.of_ring(),
+            exact=self.geometry == "exact",
+        )
+
+
+class RingPartOut(ResponseModel):
+    """What the ring does at a crank angle, where both meshes are in series."""
+
+    BESIDE = ("crank_load_N",)
+
+    rotation_arcmin: list[float] = result(
+        "Lag of the holes of each disc behind their ideal angle: what the teeth make of the lag of "
+        "the output; the rest is that of the pins.",
+        symbol="λ_j",
+    )
+    force_N: list[list[float]] = result(
+        "Force of each pin of the ring, a list for each satellite.", symbol="F_jk"
+    )
+    disc_torque_Nm: list[float] = result(
+        "Torque of the forces about each disc's centre.", symbol="T_j", equation="ΣF·h"
+    )
+    crank_across_N: list[float] = result(
+        "Force of the ring on each disc against the turning of its crank.", symbol="W_j"
+    )
+    crank_along_N: list[float] = result(
+        "Force of the ring on each disc along its crank, to the axis."
+    )
+    crank_load_N: list[float] = result(
+        "Force of the ring and of the pins together on each crank, in size."
+    )
+    loaded_pairs: int = result("Number of pairs with a force.")
+    max_pressure_MPa: Maybe[float] = result(
+        "Largest Hertz pressure of the pairs.", symbol="p_0", equation="Johnson 4.2"
+    )
+    play_arcmin: list[list[float]] = result(
+        "From where to where each disc can turn in the ring alone; where its pins press, twice the "
+        "lag at which they do not turn it.",
+        symbol="λ₋, λ₊",
+    )
+
+
+class RingTurnOut(ResponseModel):
+    """What the ring does over all turns, where both meshes are in series."""
+
+    peak_force_N: float = result("Largest force of a pin of the ring.", symbol="F_max")
+    peak_crank_angle_deg: float = result(
+        "First crank angle at which it occurs, of all turns.", symbol="φ"
+    )
+    peak_pair: PairOut = result("The satellite, and the pin of the ring that carries it there.")
+    max_pressure_MPa: Maybe[float] = result(
+        "Largest Hertz pressure.", symbol="p_0", equation="Johnson 4.2"
+    )
+    loaded_pairs_min: int = result("Least number of pairs with a force.")
+    loaded_pairs_max: int = result("Largest number of pairs with a force.")
+    peak_error: float = result("Estimate of the relative error of the largest force.")
+
+
+def ring_values(position: SeriesPosition) -> Values:
+    """What the ring does at a position."""
+    return RingPartOut.values(
+        position.ring, crank_load_N=from_si("crank_load_N", position.crank_force)
+    )

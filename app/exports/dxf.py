@@ -1,0 +1,295 @@
+"""Satellites and the pins of their ring as DXF files, for drawing and cutting."""
+
+import io
+import re
+import zipfile
+from functools import partial
+from typing import TYPE_CHECKING, NamedTuple, Self
+
+import numpy as np
+from pydantic import Field, model_validator
+
+from app import VERSION
+from app.calculations.crank_planetary import CrankPlanetaryRequest
+from app.calculations.mechanism import MAX_SATELLITES
+from app.model import Export, File, RequestModel, field_error, quantity
+from app.problems import Problem, pointer, refusal
+from app.running import path_of, run
+from app.settings import Settings
+from app.units import from_si, to_si
+from core.arrays import FloatArray
+from core.design.document import Design
+from core.design.drawings import (
+    DrawnRingPins,
+    DrawnSatellite,
+    drawn_disc,
+    drawn_ring_pins,
+    drawn_satellites,
+)
+from core.errors import InvalidInput, NotKnown
+
+if TYPE_CHECKING:
+    from ezdxf.layouts import Modelspace
+
+DXF, ZIP = "image/vnd.dxf", "application/zip"
+
+RING_PINS = "ring_pins"
+
+PART = r"satellite_([1-9]\d{0,2})|ring_pins"
+"""Names of parts."""
+
+MOST_CIRCLES = 1000
+"""Most holes, and most pins of a ring: a file of so many takes a second."""
+
+FORMAT = "R2010"
+"""Of the files: no newer one has anything that they need."""
+
+LAYERS = {"OUTLINE": 7, "HOLES": 5, "BORE": 3, "PINS": 1, "CENTRE": 4, "TITLE": 8}
+"""Layers of each file, with their colours by number."""
+
+CENTRE_LINE = (50.8, 31.75, -6.35, 6.35, -6.35)
+"""Long and short dashes of centre lines: a repeat, and its pieces."""
+
+DASHES = 40.0
+"""Repeats of that along a drawing."""
+
+BEYOND = 1.15
+"""Length of the lines of a centre over the diameter that they cross."""
+
+LINES = 60.0
+"""Lines of text that a part is high."""
+
+DIGITS = 12
+"""Decimals of millimetres below which there is rounding alone."""
+
+MADE_BY = f"KHV Calc {VERSION}"
+
+EARLIEST = (1980, 1, 1, 0, 0, 0)
+"""Date of a file in a ZIP, which has none earlier: the same request is the same file."""
+
+
+class DxfRequest(RequestModel, group="drawing"):
+    """A design, and which of its parts are drawn."""
+
+    design: CrankPlanetaryRequest = Field(
+        description="The request of /crank-planetary, with a ring of pins whose modification is "
+        "given: what is not known is not drawn. Its deviations are not drawn, and what it asks for "
+        "is not answered."
+    )
+    parts: list[str] = Field(
+        min_length=1,
+        max_length=MAX_SATELLITES + 1,
+        description="Parts: satellite_1 to the number of satellites, and ring_pins; one answers a "
+        "DXF file, several a ZIP of one each.",
+        json_schema_extra={"items": {"type": "string", "pattern": f"^({PART})$"}},
+    )
+    chord_error_mm: float = quantity("Chord error", "ε", default=0.001, step=0.001, ge=1e-6, le=1)
+    """How far the outline may be from the polygon of its points."""
+
+    @model_validator(mode="after")
+    def _has_the_parts(self) -> Self:
+        satellites = self.design.mechanism.satellites
+        for index, name in enumerate(self.parts):
+            found = re.fullmatch(PART, name)
+            if not found or int(found[1] or 1) > satellites:
+                own = "satellite_1" if satellites == 1 else f"satellite_1 … satellite_{satellites}"
+                raise field_error(f"parts/{index}", "no_such_part", parts=f"{own}, {RING_PINS}")
+        return self
+
+    @model_validator(mode="after")
+    def _no_lobe_left_out(self) -> Self:
+        given, gear = self.design.mechanism, self.design.gear
+        cycloid = gear is not None and gear.kind == "cycloid"
+        if cycloid and given.teeth_difference not in (None, 1):
+            assert given.satellite_teeth is not None
+            expected = given.satellite_teeth + 1
+            raise field_error("design/mechanism/ring_teeth", "not_this_cycloid", expected=expected)
+        return self
+
+    def refuse_beyond(self, settings: Settings) -> None:
+        """Refuse what the design's own request does, and more circles than are drawn."""
+        try:
+            self.design.refuse_beyond(settings)
+        except Problem as error:
+            raise error.beneath("/design") from error
+        own = self.design.mechanism
+        if own.pairs > MOST_CIRCLES:
+            raise InvalidInput("pins", own.pins, "too_many_pairs", **own.most_pins(MOST_CIRCLES))
+
+    @property
+    def satellites(self) -> tuple[int, ...]:
+        """Numbers of the satellites that are asked for, each once."""
+        found = (re.fullmatch(PART, name) for name in dict.fromkeys(self.parts))
+        return tuple(int(each[1]) for each in found if each and each[1])
+
+    def drawn(self) -> list["_Part"]:
+        """The parts in the order in which they are asked for, each once."""
+        design, error = self.design.design, to_si("chord_error_mm", self.chord_error_mm)
+        pins = drawn_ring_pins(design=design)
+        if (count := len(pins.centres)) > MOST_CIRCLES:
+            limit = MOST_CIRCLES
+            raise InvalidInput("mechanism.ring_teeth", count, "less_than_equal", limit=limit)
+        parts = {RING_PINS: _ring_pins(pins)}
+        if numbers := self.satellites:
+            some = drawn_satellites(design=design, numbers=numbers, chord_error=error)
+            parts |= {f"satellite_{each.number}": _satellite(each, design) for each in some}
+        return [parts[name] for name in dict.fromkeys(self.parts)]
+
+
+class _Circles(NamedTuple):
+    """Circles of one size on a pitch circle about the origin, numbered from 1; mm."""
+
+    layer: str
+    pitch: float  # radius of the circle of their centres
+    centres: FloatArray  # X and Y of each
+    radius: float
+
+
+class _Part(NamedTuple):
+    """What is drawn of a part; mm."""
+
+    reach: float  # how far it goes from the origin
+    outline: FloatArray | None  # X and Y of the points of a closed polygon
+    circles: _Circles
+    bore: float | None  # radius
+    said: dict[str, str]  # what a program may want to know of it, by name
+    title: list[str]  # lines of text
+
+
+def _satellite(drawn: DrawnSatellite, design: Design) -> _Part:
+    outline, holes = (from_si("points_mm", each) for each in (drawn.outline, drawn.hole_centres))
+    error, radius, pitch = (
+        from_si("length_mm", each)
+        for each in (drawn.chord_error, drawn.hole_radius, drawn.hole_circle_radius)
+    )
+    bore = None if drawn.bore_radius is None else from_si("radius_mm", drawn.bore_radius)
+    x, y = (round(from_si("centre_mm", each), DIGITS) + 0.0 for each in drawn.centre)
+    own, disc = design.gear.changed, drawn_disc(design=design)
+    tool, circle = (from_si("length_mm", each) for each in (own.equidistant, own.pin_circle))
+    return _Part(
+        reach=float(np.hypot(*outline.T).max()),
+        outline=outline,
+        circles=_Circles("HOLES", pitch, holes, radius),
+        bore=bore,
+        said={
+            "part": f"satellite_{drawn.number}",
+            "chord_error_mm": repr(error),
+            "centre_x_mm": repr(x),
+            "centre_y_mm": repr(y),
+        },
+        title=[
+            f"Satellite {drawn.number} of {design.mechanism.satellites}, "
+            f"{disc.satellite_teeth} lobes",
+            f"Closed polyline of {len(outline)} points, {error:.4g} mm from the outline at most",
+            f"Equidistant modification {tool:+.6g} mm, of the circle {circle:+.6g} mm",
+            f"{len(holes)} holes of diameter {2 * radius:.9g} mm, "
+            + ("bore not given" if bore is None else f"bore {2 * bore:.9g} mm"),
+            f"At the crank angle 0 this centre is at X {x:.6f}, Y {y:.6f} mm",
+        ],
+    )
+
+
+def _ring_pins(drawn: DrawnRingPins) -> _Part:
+    centres = from_si("centres_mm", drawn.centres)
+    pitch, radius = (from_si("length_mm", each) for each in (drawn.circle_radius, drawn.radius))
+    return _Part(
+        reach=pitch + radius,
+        outline=None,
+        circles=_Circles("PINS", pitch, centres, radius),
+        bore=None,
+        said={"part": RING_PINS},
+        title=[
+            f"Pins of the ring: {len(centres)} of diameter {2 * radius:.9g} mm",
+            "Numbered anticlockwise; a crank of the angle 0 faces the first at the crank angle 0",
+        ],
+    )
+
+
+def write(body: DxfRequest) -> File:
+    """Satellites and the pins of their ring as DXF files, in millimetres, by their nominal sizes:
+    the outline of a cycloid disc as a closed polyline with its chord error measured, holes, bore
+    and pins as circles.
+
+    One part is a DXF file, several are a ZIP. All stand as at the crank angle 0, satellites about
+    their own centres.
+    """
+    try:
+        parts, _ = run(body, body.drawn)
+    except NotKnown as error:
+        missing = error.missing[0] if error.missing else "gear"
+        raise refusal(pointer(path_of(body, missing) or ()), "needed_to_draw") from error
+    files = {part.said["part"]: run(body, partial(_file, part))[0] for part in parts}
+    if len(files) == 1:
+        ((name, content),) = files.items()
+        return File(f"{name}.dxf", DXF, content)
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as bundle:
+        for name, content in files.items():
+            bundle.writestr(zipfile.ZipInfo(f"{name}.dxf", EARLIEST), content, zipfile.ZIP_DEFLATED)
+    return File("parts.zip", ZIP, packed.getvalue())
+
+
+def _file(part: _Part) -> bytes:
+    """A part as the bytes of a DXF file."""
+    import ezdxf  # some of a second, where a file is asked for
+    from ezdxf import units
+
+    ezdxf.options.write_fixed_meta_data_for_testing = True  # neither times nor ids by chance
+    drawing = ezdxf.new(FORMAT, units=units.MM)
+    drawing.linetypes.add("CENTER", CENTRE_LINE, description="Center ____ _ ____ _ ____")
+    for name, color in LAYERS.items():
+        line = "CENTER" if name == "CENTRE" else "CONTINUOUS"
+        drawing.layers.add(name, color=color, linetype=line)
+    drawing.header["$LTSCALE"] = 2 * part.reach / (DASHES * CENTRE_LINE[0])
+    for tag, value in (part.said | {"unit": "mm", "made_by": MADE_BY}).items():
+        drawing.header.custom_vars.append(tag, value)
+    low = _draw(part, drawing.modelspace())
+    high = BEYOND * part.reach
+    drawing.modelspace().reset_extents((-high, low, 0), (high, high, 0))
+    drawing.set_modelspace_vport(high - low, (0, (high + low) / 2))
+    # by name: else they stand in the order of a set of texts, which each process has otherwise
+    for kind in sorted(drawing.entitydb.dxf_types_in_use()):
+        drawing.classes.add_class(kind)
+    text = io.StringIO()
+    drawing.write(text)
+    return drawing.encode(text.getvalue())
+
+
+def _draw(part: _Part, space: "Modelspace") -> float:
+    """Draw a part, and say how low it reaches."""
+    on = {name: {"layer": name} for name in LAYERS}
+    layer, pitch, centres, radius = part.circles
+    if part.outline is not None:
+        polygon = space.add_lwpolyline((), close=True, dxfattribs=on["OUTLINE"])
+        # in one piece: of points that are added one by one all before are copied each time
+        polygon.lwpoints.extend(np.column_stack((part.outline, np.zeros((len(part.outline), 3)))))
+    if part.bore is not None:
+        space.add_circle((0, 0), part.bore, dxfattribs=on["BORE"])
+    space.add_circle((0, 0), pitch, dxfattribs=on["CENTRE"])
+    height = 2 * part.reach / LINES
+    small = min(height, radius / 2)
+    crosses = [((0.0, 0.0), part.reach)]
+    for number, (x, y) in enumerate(centres.tolist(), 1):
+        space.add_circle((x, y), radius, dxfattribs=on[layer])
+        label = space.add_text(str(number), height=small, dxfattribs=on["TITLE"])
+        label.set_placement((x + small / 2, y + small / 2))
+        crosses.append(((x, y), radius))
+    for (x, y), half in crosses:
+        arm = BEYOND * half
+        space.add_line((x - arm, y), (x + arm, y), dxfattribs=on["CENTRE"])
+        space.add_line((x, y - arm), (x, y + arm), dxfattribs=on["CENTRE"])
+    low = -BEYOND * part.reach
+    for line in (*part.title, f"{MADE_BY}, nominal sizes in mm"):
+        low -= 2 * height
+        text = space.add_text(line, height=height, dxfattribs=on["TITLE"])
+        text.set_placement((-part.reach, low))
+    return low - height
+
+
+EXPORT = Export(
+    name="export/dxf",
+    title="Satellites and the pins of their ring as DXF files",
+    request=DxfRequest,
+    write=write,
+    media_types=(DXF, ZIP),
+)

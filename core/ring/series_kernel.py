@@ -1,0 +1,729 @@
+"""Ring and output mechanism in series: discs that find their own lag between the two.
+
+Unknown are the lag of the output, and the lag of the holes of each disc, both behind their ideal
+angle and counted as the torque turns. In its ring a disc is what `core.ring.approach` makes of it,
+on the pins of the output what `core.output.sharing_kernel` makes of one satellite that is turned
+back: at its lag the wave angle is as much less, and the output lags behind it by the difference.
+Of a disc the torque of the ring and that of the pins about its centre are equal; the torque of all
+pins on the output is the load. Both are derivatives of the stored energy, so that what the discs
+add to the stiffness is eliminated by Schur's complement.
+
+The functions stand for those of the same names of `core.output.sharing_kernel` and keep its rules;
+their wave angle is the crank angle.
+"""
+
+import math
+from typing import Any, NamedTuple
+
+from core.output.sharing_kernel import (
+    EPS,
+    INPUT_TORQUE,
+    NO_DRIVE,
+    NOT_SOLVED,
+    NOT_STABLE,
+    RADIAN,
+    SOLVED,
+    STEPS,
+    TOO_FAR,
+    TOO_WIDE,
+    Load,
+    Pairs,
+    Position,
+    Room,
+    Row,
+    Setup,
+    at,
+    balance,
+    play,
+    start,
+    too_wide,
+    touch_error,
+    wave_torque,
+    within,
+)
+from core.output.sharing_kernel import hardest as hardest_of
+from core.output.sharing_kernel import largest as largest_of
+from core.output.sharing_kernel import loaded as loaded_of
+from core.ring.approach import MeshPairs, MeshRoom
+from core.ring.approach import at as mesh_at
+from core.ring.approach import balance as mesh_balance
+from core.ring.approach import on_crank as mesh_on_crank
+from core.ring.approach import play as mesh_play
+from core.ring.approach import shift as mesh_shift
+from core.ring.approach import wave_torque as mesh_wave_torque
+
+MESH_FORCE, MESH_PRESSURE = 12, 13
+"""What is looked at over the turn besides: of the pins of the ring the largest force, and force
+over reduced radius.
+"""
+
+MIDDLES = 12
+"""Steps to where a disc that carries nothing comes to either end of its freedom."""
+
+LOOSE, NEARLY = 0.1, 1e-5
+"""How far discs are settled while the lag of the output is still sought, as a part of their own
+lag; and the part of it by which that moves at last, from where on all is settled to rounding.
+"""
+
+JUST = 1e-9
+"""Least step in which the lag is sought beyond the play, rad."""
+
+LOOSELY = 8
+"""Steps of Newton at most before that."""
+
+PRESSED = 0.5
+"""Of a row of flags: what is above it is set."""
+
+
+class SeriesSetup(NamedTuple):
+    """What a design is, without its errors."""
+
+    pins: int  # of the output
+    satellites: int
+    direction: float  # of the torque: 1, or -1 in reverse
+    ratio: float
+    start: float  # wave angle at the crank angle 0
+    mesh: Any  # `MeshSetup` of one disc in its ring
+    output: Setup  # of one disc on the pins of the output
+
+
+class SeriesPairs(NamedTuple):
+    """Constants of the pairs, disc by disc: as many numbers of each in every row."""
+
+    teeth: Any  # `MeshPairs`
+    holes: Pairs
+
+
+class SeriesRoom(NamedTuple):
+    """Results of one position, disc by disc, and what the discs are in it, [K]."""
+
+    teeth: Any  # `MeshRoom`
+    holes: Room
+    lag: Row
+    moves: Row  # by the lag of the output
+    torque: Row  # of the ring about the disc's centre
+    error: Row  # of the lag
+    low: Row  # play in the ring; where it presses what it leaves without torque, twice
+    high: Row
+    slack_low: Row  # play on the pins, as far as the output lags behind; likewise
+    slack_high: Row
+    held: Row  # whether the pins press into a disc without load
+    pressed: Row  # [1] whether pins press without load in either stage by itself
+
+
+class SeriesPoses(NamedTuple):
+    """Positions under load as `core.output.sharing_kernel.Poses`, and what the ring does there."""
+
+    forces: Row
+    lag: Row
+    stiffness: Row
+    force: Row
+    pressure: Row
+    loaded: Row
+    low: Row
+    high: Row
+    lag_error: Row
+    play_error: Row
+    force_error: Row
+    input_torque: Row
+    mesh_force: Row  # largest on a pin of the ring
+    mesh_pressure: Row  # largest force over reduced radius there
+    mesh_loaded: Row  # number of the ring's pairs with a force
+    pressed: Row  # whether pins press without load in either stage by itself
+
+
+class Between(NamedTuple):
+    """One disc: what is the ring's, and what the output's."""
+
+    teeth: Any  # `MeshPairs`
+    mesh: Any  # `MeshRoom`
+    holes: Pairs
+    pins: Room
+
+
+class Held(NamedTuple):
+    """Pins of the output on a disc: torque on the output, and about the disc's centre; the second
+    derivatives of the energy by the lags of output and disc.
+    """
+
+    torque: float
+    gross: float
+    on_disc: float
+    by_output: float
+    by_both: float
+    by_disc: float
+
+
+class Linked(NamedTuple):
+    """A disc between ring and pins, at a lag of the output and its own."""
+
+    torque: float  # on the output
+    of_ring: float  # about its centre
+    size: float  # of the terms of its balance
+    gross: float  # of those of the torque on the output
+    slope: float  # of the torque on the output, with the disc's balance solved
+    value: float  # torque of the ring less that of the pins
+    change: float  # step of Newton of its lag
+    moves: float  # its lag by that of the output; so the torque by what the balance is off
+    share: float  # 1 over the slope of the balance
+
+
+def between(j: int, setup: SeriesSetup, pairs: SeriesPairs, room: SeriesRoom) -> Between:
+    """Disc j by itself, in the same rows."""
+    a, c = j * setup.mesh.pins, j * setup.pins
+    b, d = a + setup.mesh.pins, c + setup.pins
+    teeth, mesh, holes, pins = pairs.teeth, room.teeth, pairs.holes, room.holes
+    return Between(
+        MeshPairs(
+            teeth.phase[a:b],
+            teeth.own[a:b],
+            teeth.off[a:b],
+            teeth.eta[a:b],
+            teeth.cosine[a:b],
+            teeth.sine[a:b],
+            teeth.radial[a:b],
+            teeth.tangential[a:b],
+            teeth.larger[a:b],
+            teeth.moved[a:b],
+            teeth.base[a:b],
+            teeth.most[a:b],
+            teeth.a[a:b],
+            teeth.b[a:b],
+            teeth.limit[a:b],
+            teeth.curved[a:b],
+            teeth.distance[a:b],
+            teeth.size[a:b],
+        ),
+        MeshRoom(
+            mesh.q[a:b],
+            mesh.u[a:b],
+            mesh.v[a:b],
+            mesh.unsure[a:b],
+            mesh.force[a:b],
+            mesh.lever[a:b],
+            mesh.stiffness[a:b],
+            mesh.own_lag[a:b],
+            mesh.own_moves[a:b],
+            mesh.own_error[a:b],
+            mesh.cosine[a:b],
+            mesh.sine[a:b],
+            mesh.sharp[a:b],
+            mesh.foot[a:b],
+            mesh.fixed[a:b],
+            mesh.zero[a:b],
+        ),
+        Pairs(
+            holes.arm[c:d],
+            holes.phase[c:d],
+            holes.x[c:d],
+            holes.y[c:d],
+            holes.ex[c:d],
+            holes.ey[c:d],
+            holes.k0[c:d],
+            holes.k1[c:d],
+            holes.k2[c:d],
+            holes.distance[c:d],
+            holes.size[c:d],
+            holes.a[c:d],
+            holes.b[c:d],
+            holes.limit[c:d],
+            holes.curved[c:d],
+            holes.give,
+            holes.ends[c:d],
+        ),
+        Room(
+            pins.q[c:d],
+            pins.u[c:d],
+            pins.v[c:d],
+            pins.unsure[c:d],
+            pins.force[c:d],
+            pins.lever[c:d],
+            pins.stiffness[c:d],
+            pins.own_lag[c:d],
+            pins.own_moves[c:d],
+            pins.own_error[c:d],
+            pins.approach[c:d],
+            pins.before[c:d],
+            pins.moved[c:d],
+            pins.system,
+        ),
+    )
+
+
+def wave(angle: float, setup: SeriesSetup) -> float:
+    """Wave angle of the output mechanism at a crank angle."""
+    return angle * (1 + 1 / setup.ratio) + setup.start
+
+
+def pins_at(psi: float, lag: float, setup: SeriesSetup, disc: Between) -> None:
+    """The pins of the output about a disc that lags: in first order lines of action are fixed."""
+    turned = setup.direction * lag if setup.output.exact else 0.0
+    at(psi - turned, setup.output, disc.holes, disc.pins)
+
+
+def held(psi: float, lag: float, own: float, setup: SeriesSetup, disc: Between) -> Held:
+    """Pins of the output on a disc, by the lags of the output and of the disc.
+
+    With p the pin's centre, q the hole's from that of its disc and d between the centres, all in
+    the disc's frame, the approach is ``|d|`` less a length, and its derivative by the disc's lag
+    ``-Im(conj(d)*q)/|d|``.
+    """
+    one, holes, found = setup.output, disc.holes, disc.pins
+    if one.exact:
+        pins_at(psi, own, setup, disc)
+    behind = lag - own
+    torque, slope, gross = balance(behind, one, holes, found)
+    if not one.exact:
+        return Held(torque, gross, torque, slope, -slope, slope)
+    half, way = math.sin(behind / 2), setup.direction
+    less, sine = -2 * half * half, way * math.sin(behind)
+    angle = psi - way * own + holes.phase[0]
+    wx, wy = holes.arm[0] * math.sin(angle) / 2, holes.arm[0] * math.cos(angle) / 2
+    on_disc = by_both = by_disc = 0.0
+    for i in range(one.pins):
+        force, stiffness = found.force[i], found.stiffness[i]
+        if force == 0:
+            continue
+        x, y, ex, ey = holes.x[i], holes.y[i], holes.ex[i], holes.ey[i]
+        px, py, qx, qy = (1 + less) * x + sine * y, (1 + less) * y - sine * x, x - ex, y - ey
+        dx, dy = ex + wx + less * x + sine * y, ey + wy + less * y - sine * x
+        length, lever = math.sqrt(dx * dx + dy * dy), way * found.lever[i]
+        arm = (dx * qy - dy * qx) / length
+        on_disc += force * way * arm
+        by_both += (force * (lever * arm - px * qx - py * qy)) / length - stiffness * lever * arm
+        bend = (qx * qx + qy * qy + dx * qx + dy * qy - arm * arm) / length
+        by_disc += stiffness * arm * arm + force * bend
+    return Held(torque, gross, on_disc, slope, by_both, by_disc)
+
+
+def linked(psi: float, lag: float, own: float, setup: SeriesSetup, disc: Between) -> Linked:
+    """A disc at a lag of the output and its own; its forces are in the room."""
+    on_pins = held(psi, lag, own, setup, disc)
+    torque, slope, gross = mesh_balance(own, setup.mesh, disc.teeth, disc.mesh)
+    stiff, value = slope + on_pins.by_disc, torque - on_pins.on_disc
+    share = 1 / stiff if stiff > 0 else 0.0
+    moves = -on_pins.by_both * share
+    return Linked(
+        on_pins.torque,
+        torque,
+        gross + on_pins.gross,
+        on_pins.gross,
+        on_pins.by_output + on_pins.by_both * moves,
+        value,
+        -value * share,
+        moves,
+        share,
+    )
+
+
+def rest(in_ring: bool, psi: float, own: float, setup: SeriesSetup, disc: Between) -> float:
+    """Lag at which the pins that press a disc turn it neither way: its own in the ring, or by which
+    the output is behind it.
+    """
+    lag, low, high, far = 0.0, -math.inf, math.inf, setup.mesh.eccentricity / setup.mesh.radius
+    for step in range(1, STEPS):
+        if in_ring:
+            torque, slope, gross = mesh_balance(lag, setup.mesh, disc.teeth, disc.mesh)
+        else:
+            found = held(psi, own + lag, own, setup, disc)
+            torque, slope, gross = found.on_disc, found.by_output, found.gross
+        if abs(torque) <= EPS * gross:
+            break
+        if torque > 0:
+            high = lag
+        else:
+            low = lag
+        change = -torque / slope if slope > 0 else math.inf
+        following = within(lag, min(max(change, -far), far), low, high, step)
+        if following in (low, high):
+            break
+        lag = following
+    return lag
+
+
+def slack(
+    side: float, psi: float, own: float, setup: SeriesSetup, disc: Between
+) -> tuple[float, float, bool]:
+    """How far the output may lag behind a disc on a side at most, its error, and whether its pins
+    press, at a lag of the disc.
+    """
+    turned = setup.direction * own if setup.output.exact else 0.0
+    one, holes, found = setup.output, disc.holes, disc.pins
+    pins_at(psi, own, setup, disc)
+    low, high, behind, onset = play(one, holes, found)
+    error = max(
+        touch_error(low, behind, psi - turned, one, holes, found),
+        touch_error(high, onset, psi - turned, one, holes, found),
+    )
+    if low > high + error:
+        for i in range(one.pins):
+            found.force[i] = 0.0
+        return rest(False, psi, own, setup, disc), error, True
+    return (high if side > 0 else low), error, False
+
+
+def placed(
+    angle: float, setup: SeriesSetup, pairs: SeriesPairs, room: SeriesRoom
+) -> tuple[float, float, float, bool]:
+    """Least and largest lag of the output at which nothing carries, their error, and whether pins
+    press in any stage by itself. The first is larger where pairs press.
+    """
+    psi, low, high, error, pressed = wave(angle, setup), -math.inf, math.inf, 0.0, False
+    one = setup.mesh
+    for j in range(setup.satellites):
+        disc = between(j, setup, pairs, room)
+        teeth, found = disc.teeth, disc.mesh
+        for i in range(one.pins):
+            found.force[i] = 0.0
+        mesh_at(angle, one, teeth, found)
+        first, last, behind, onset = mesh_play(one, teeth, found)
+        off = max(
+            touch_error(first, behind, angle, one, teeth, found),
+            touch_error(last, onset, angle, one, teeth, found),
+        )
+        mesh_shift(0.0, -1, one, teeth, found)
+        if first > last + off:
+            first = last = rest(True, psi, 0.0, setup, disc)
+            pressed = True
+        room.low[j], room.high[j] = first, last
+        behind_most, off_high, held_high = slack(1.0, psi, last, setup, disc)
+        behind_least, off_low, held_low = slack(-1.0, psi, first, setup, disc)
+        room.slack_low[j], room.slack_high[j] = behind_least, behind_most
+        room.held[j] = 1.0 if held_low or held_high else 0.0
+        pressed = pressed or held_low or held_high
+        low, high = max(low, first + behind_least), min(high, last + behind_most)
+        error = max(error, off + max(off_low, off_high))
+    room.pressed[0] = 1.0 if pressed or low > high + error else 0.0
+    return low, high, error, pressed
+
+
+def middle(
+    psi: float, lag: float, least: float, most: float, setup: SeriesSetup, disc: Between
+) -> float:
+    """Middle of the lags at which a disc, without force, lies between the ends of its play in the
+    ring and the pins.
+    """
+    low, high = least, most
+    for _ in range(MIDDLES if setup.output.exact else 1):
+        before = low, high
+        low = max(least, lag - slack(1.0, psi, low, setup, disc)[0])
+        high = min(most, lag - slack(-1.0, psi, high, setup, disc)[0])
+        if before == (low, high):
+            break
+    return (low + high) / 2
+
+
+def settled(
+    j: int,
+    psi: float,
+    lag: float,
+    close: float,
+    setup: SeriesSetup,
+    disc: Between,
+    room: SeriesRoom,
+) -> tuple[Linked, bool]:
+    """Disc j in balance at a lag of the output, so close as a part of its own, and whether it is.
+    What is left is less than the next step of Newton, which is taken.
+    """
+    own, low, high = room.lag[j], -math.inf, math.inf
+    # It lies between where the ring lets it go and where the pins do.
+    least = min(room.low[j], lag - room.slack_low[j])
+    most = max(room.high[j], lag - room.slack_high[j])
+    wider = (most - least) / 2 + JUST
+    least, most = least - wider, most + wider
+    one, done = linked(psi, lag, own, setup, disc), False
+    for step in range(1, STEPS):
+        if one.value == 0 and one.share == 0:  # free
+            if room.held[j] < PRESSED:
+                own = middle(psi, lag, room.low[j], room.high[j], setup, disc)
+            done = True
+            break
+        if abs(one.value) <= EPS * one.size or abs(one.change) <= close * abs(own):
+            own += one.change if close > EPS else 0.0
+            done = True
+            break
+        if one.value > 0:
+            high = own
+        else:
+            low = own
+        change = one.change if one.share > 0 else math.inf
+        change = min(max(change, least - own), most - own)
+        following = within(own, change, low, high, step)
+        if following in (low, high):
+            done = True
+            break
+        own = following
+        one = linked(psi, lag, own, setup, disc)
+    room.lag[j], room.moves[j], room.torque[j] = own, one.moves, one.of_ring
+    return one, done
+
+
+def solve(
+    psi: float, torque: float, setup: SeriesSetup, pairs: SeriesPairs, room: SeriesRoom
+) -> Position:
+    """Equilibrium at a crank angle under a torque > 0; forces, levers and the lags of the discs are
+    left in the room. Play and lag are those of the output.
+    """
+    low, high, play_error, pressed = placed(psi, setup, pairs, room)
+    over, lag = wave(psi, setup), math.inf
+    zero = (low + high) / 2 if low > high else high
+    for j in range(setup.satellites):
+        disc = between(j, setup, pairs, room)
+        for i in range(setup.pins):
+            disc.pins.force[i] = 0.0
+        for i in range(setup.mesh.pins):
+            disc.mesh.force[i] = 0.0
+        pins_at(over, room.high[j], setup, disc)
+        alone = max(start(torque, setup.mesh, disc.teeth, disc.mesh), room.high[j])
+        alone += max(start(torque, setup.output, disc.holes, disc.pins), room.slack_high[j])
+        lag = min(lag, alone)
+    if lag == math.inf or zero == math.inf:
+        return Position(0.0, 0.0, low, high, play_error, 0.0, 0.0, NO_DRIVE, 0)
+    for j in range(setup.satellites):
+        room.lag[j] = room.high[j] + max(lag - room.high[j] - room.slack_high[j], 0.0) / 2
+    pressed = pressed or low > high
+    first, last = -math.inf if pressed else zero, math.inf
+    power = 1.0 if pressed else 1 / max(setup.mesh.exponent, setup.output.exponent)
+    step, status, far = 0, NOT_SOLVED, setup.mesh.eccentricity / setup.mesh.radius
+    value = slope = 0.0
+    loose, reach = True, max(lag - zero, abs(zero), JUST)
+    for step in range(1, STEPS):
+        carried = size = slope = 0.0
+        balanced = True
+        for j in range(setup.satellites):
+            disc = between(j, setup, pairs, room)
+            one, done = settled(j, over, lag, LOOSE if loose else EPS, setup, disc, room)
+            balanced = balanced and done
+            carried += one.torque - one.moves * one.value
+            size += one.gross + abs(one.moves) * one.size
+            slope += one.slope
+        value = carried - torque
+        ratio, change = carried / torque, math.inf
+        if slope > 0 and power == 1:
+            change = -value / slope
+        elif slope > 0 and ratio > 0:
+            change = torque * (ratio ** (1 - power) - ratio) / (power * slope)
+        if pressed:
+            change = min(max(change, -far), far)
+        if change > reach:  # contacts that only just touch are softer than any further on
+            change, reach = reach, 2 * reach
+        following = lag + change
+        if loose:  # nothing is known of the sign
+            inside = first < following < last
+            loose = inside and abs(change) > NEARLY * abs(lag) and step < LOOSELY
+            if not inside:
+                continue
+        else:
+            if value > 0:
+                last = lag
+            else:
+                first = lag
+            if abs(value) <= EPS * size or abs(change) <= EPS * abs(lag):
+                status = SOLVED if balanced else NOT_SOLVED
+                break
+            following = within(lag, change, first, last, step)
+            if following in (first, last):
+                status = SOLVED if balanced else NOT_SOLVED
+                break
+        for j in range(setup.satellites):
+            room.lag[j] += room.moves[j] * (following - lag)
+        lag = following
+    if slope <= 0:
+        return Position(lag, slope, low, high, play_error, 0.0, 0.0, NOT_STABLE, step)
+    lag_error, force_error = series_errors(psi, torque, lag, value, setup, pairs, room)
+    lag_error += (0.0 if pressed else play_error) + EPS * abs(lag)
+    return Position(lag, slope, low, high, play_error, lag_error, force_error, status, step)
+
+
+def series_errors(
+    angle: float,
+    torque: float,
+    lag: float,
+    value: float,
+    setup: SeriesSetup,
+    pairs: SeriesPairs,
+    room: SeriesRoom,
+) -> tuple[float, float]:
+    """Bounds of the errors of the lag of the output and of all forces, as `solve` left the room: by
+    what the balances are off, and by rounding of their terms, of levers and of approaches.
+    """
+    psi = wave(angle, setup)
+    in_ring, on_pins = EPS * (4 + 2 * abs(angle)), EPS * (4 + 2 * abs(psi))
+    mesh, output = setup.mesh, setup.output
+    off, slope, force_error = abs(value) + 4 * EPS * torque, 0.0, 0.0
+    for j in range(setup.satellites):
+        own, disc = room.lag[j], between(j, setup, pairs, room)
+        one = linked(psi, lag, own, setup, disc)
+        slope += one.slope
+        teeth, holes = disc.mesh, disc.pins
+        rough, unsure = 4 * EPS * one.size + abs(one.value), 0.0
+        for i in range(mesh.pins):
+            near = in_ring * (disc.teeth.size[i] + abs(own) * mesh.radius)
+            teeth.unsure[i] = near
+            rough += in_ring * teeth.force[i] * mesh.radius
+            rough += teeth.stiffness[i] * abs(teeth.lever[i]) * near
+        for i in range(output.pins):
+            twice = 2 * disc.holes.distance[i] if output.exact else 1.0
+            near = on_pins * (disc.holes.size[i] / twice + abs(lag - own) * output.radius)
+            holes.unsure[i] = near
+            unsure += on_pins * holes.force[i] * output.radius
+            unsure += holes.stiffness[i] * abs(holes.lever[i]) * near
+        room.error[j] = (rough + unsure) * one.share
+        off += unsure + 4 * EPS * one.gross + abs(one.moves) * (rough + unsure)
+        room.moves[j] = one.moves
+    lag_error = off / slope if slope > 0 else math.inf
+    for j in range(setup.satellites):
+        disc = between(j, setup, pairs, room)
+        teeth, holes = disc.mesh, disc.pins
+        room.error[j] += abs(room.moves[j]) * lag_error
+        for i in range(mesh.pins):
+            near = abs(teeth.lever[i]) * room.error[j] + teeth.unsure[i]
+            near = teeth.stiffness[i] * near + 8 * EPS * teeth.force[i]
+            force_error = max(force_error, near)
+        for i in range(output.pins):
+            near = abs(holes.lever[i]) * (lag_error + room.error[j]) + holes.unsure[i]
+            near = holes.stiffness[i] * near + 8 * EPS * holes.force[i]
+            force_error = max(force_error, near)
+    return lag_error, force_error
+
+
+def played(
+    psi: float, setup: SeriesSetup, pairs: SeriesPairs, room: SeriesRoom
+) -> tuple[float, float]:
+    """Limits of the play of the output at a crank angle."""
+    low, high, _, _ = placed(psi, setup, pairs, room)
+    return low, high
+
+
+def judged(position: Position, setup: SeriesSetup, pairs: SeriesPairs, room: SeriesRoom) -> int:
+    """Whether a position can be, as `solve` left the room: a status."""
+    if position.status == NO_DRIVE:
+        return NO_DRIVE
+    if abs(position.lag) > RADIAN:
+        return NOT_STABLE if setup.output.exact else TOO_FAR
+    if position.status != SOLVED:
+        return position.status
+    if not math.isfinite(position.force_error):
+        return NOT_SOLVED
+    if max(too_wide(pairs.teeth, room.teeth), too_wide(pairs.holes, room.holes)) >= 0:
+        return TOO_WIDE
+    return SOLVED
+
+
+def input_torque(
+    psi: float,
+    torque: float,
+    lag: float,
+    setup: SeriesSetup,
+    pairs: SeriesPairs,
+    room: SeriesRoom,
+) -> float:
+    """Torque that turns the crank without friction, as `solve` left the room: its part of the load,
+    and of each force times the derivative of its approach by the crank angle at those lags.
+    """
+    over, total = wave(psi, setup), setup.direction * torque / setup.ratio
+    for j in range(setup.satellites):
+        own, disc = room.lag[j], between(j, setup, pairs, room)
+        turned = over - (setup.direction * own if setup.output.exact else 0.0)
+        total += mesh_wave_torque(psi, own, setup.mesh, disc.teeth, disc.mesh)
+        on_pins = wave_torque(turned, lag - own, setup.output, disc.holes, disc.pins)
+        total += (1 + 1 / setup.ratio) * on_pins
+    return total
+
+
+def on_crank(
+    j: int, psi: float, lag: float, setup: SeriesSetup, pairs: SeriesPairs, room: SeriesRoom
+) -> tuple[float, float, float, float]:
+    """Forces on disc j along its crank, to the axis, and across it, against its turning: of the
+    ring, and of the pins of the output, as `solve` left the room.
+    """
+    along = across = pins_along = pins_across = 0.0
+    mesh, output, own = setup.mesh, setup.output, room.lag[j]
+    disc = between(j, setup, pairs, room)
+    for i in range(mesh.pins):
+        force = disc.mesh.force[i]
+        if force > 0:
+            x, y = mesh_on_crank(i, 0, mesh, disc.teeth, disc.mesh)
+            along += force * x
+            across += force * y
+    holes, found, way = disc.holes, disc.pins, setup.direction
+    half = math.sin((lag - own) / 2)
+    less, sine = -2 * half * half, way * math.sin(lag - own)
+    angle = wave(psi, setup) - way * own + holes.phase[0]
+    ux, uy = math.sin(angle), math.cos(angle)
+    for i in range(output.pins):
+        force = found.force[i]
+        if force == 0:
+            continue
+        if not output.exact:  # all normals along the crank, from the hole to the pin
+            pins_along += force
+            continue
+        x, y = holes.x[i], holes.y[i]
+        dx = holes.ex[i] + holes.arm[0] * ux / 2 + less * x + sine * y
+        dy = holes.ey[i] + holes.arm[0] * uy / 2 + less * y - sine * x
+        length = math.sqrt(dx * dx + dy * dy)
+        pins_along -= force * (dx * ux + dy * uy) / length
+        pins_across += force * (ux * dy - uy * dx) / length
+    return along, across, pins_along, pins_across
+
+
+def of_mesh(pressing: bool, pairs: SeriesPairs, room: SeriesRoom) -> float:
+    """Largest force on a pin of the ring, or force over reduced radius."""
+    most = 0.0
+    for i, force in enumerate(room.teeth.force):
+        most = max(most, force * pairs.teeth.curved[i] if pressing else force)
+    return most
+
+
+def largest(room: SeriesRoom) -> float:
+    """Largest force of the output's pins."""
+    return largest_of(room.holes)
+
+
+def hardest(setup: SeriesSetup, pairs: SeriesPairs, room: SeriesRoom) -> float:
+    """What presses them most."""
+    return hardest_of(setup.output, pairs.holes, room.holes)
+
+
+def other(
+    kind: int,
+    psi: float,
+    lag: float,
+    load: Load,
+    pairs: SeriesPairs,
+    room: SeriesRoom,
+) -> float:
+    """What is looked at besides, as `solve` left the room."""
+    setup: Any = load.setup
+    if kind == INPUT_TORQUE:
+        return input_torque(psi, load.torque, lag, setup, pairs, room)
+    return of_mesh(kind == MESH_PRESSURE, pairs, room)
+
+
+def poses(
+    places: Row,
+    torque: float,
+    setup: SeriesSetup,
+    pairs: SeriesPairs,
+    room: SeriesRoom,
+    results: SeriesPoses,
+) -> int:
+    """Positions at crank angles; the first one that cannot be, or -1."""
+    count = setup.pins * setup.satellites
+    for k, psi in enumerate(places):
+        found = solve(psi, torque, setup, pairs, room)
+        if judged(found, setup, pairs, room) != SOLVED:
+            return k
+        for i in range(count):
+            results.forces[k * count + i] = room.holes.force[i]
+        results.lag[k], results.stiffness[k] = found.lag, found.stiffness
+        results.force[k], results.pressure[k] = largest(room), hardest(setup, pairs, room)
+        results.loaded[k], results.mesh_loaded[k] = loaded_of(room.holes), loaded_of(room.teeth)
+        results.low[k], results.high[k] = found.low, found.high
+        results.lag_error[k], results.play_error[k] = found.lag_error, found.play_error
+        results.force_error[k] = found.force_error
+        results.input_torque[k] = input_torque(psi, torque, found.lag, setup, pairs, room)
+        results.mesh_force[k] = of_mesh(False, pairs, room)
+        results.mesh_pressure[k] = of_mesh(True, pairs, room)
+        results.pressed[k] = room.pressed[0]
+    return -1

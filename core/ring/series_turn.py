@@ -1,0 +1,247 @@
+"""Ring mesh and output mechanism in series, over the turns of the crank after which all repeats.
+
+The ring's forces repeat with the crank, those of the output with the wave, which makes ``z + 1``
+turns where the crank makes z: together with z turns of the crank, one of the output.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.arrays import check_finite, check_single
+from core.derived import derived
+from core.errors import InvalidInput
+from core.output.contact_force import PairNumber
+from core.output.loaded_position import notices
+from core.output.over_turn import OverTurn, Peak
+from core.output.sharing_kernel import FORCE
+from core.output.turn import LOOKED_AGAIN, POSITIONS, Turn
+from core.results import Notice, poorly_known
+from core.ring.series import MeshesInSeries
+from core.ring.series_kernel import MESH_FORCE, MESH_PRESSURE, SeriesPoses
+
+LEAST_A_TURN = 48
+"""Positions of a turn of the crank at least."""
+
+OF_A_PITCH = 4
+"""And over a pitch of the ring's pins, where that makes no more than `MOST`."""
+
+MOST = 4000
+"""Positions of all turns above which a pitch has fewer."""
+
+
+def positions_in_series(*, lobes: int) -> int:
+    """Positions of the even grid over all turns: as many in each pitch of the ring's pins.
+
+    Parameters
+    ----------
+    lobes : int
+        Of a disc; as many turns of the crank, with one pin of the ring more.
+
+    Returns
+    -------
+    int
+
+    Examples
+    --------
+    >>> positions_in_series(lobes=20), positions_in_series(lobes=59)
+    (1680, 3540)
+    """
+    pitches = lobes * (lobes + 1)
+    least = math.ceil(max(LEAST_A_TURN, POSITIONS / lobes) / (lobes + 1))
+    return pitches * max(least, min(OF_A_PITCH, MOST // pitches))
+
+
+class SeriesTurn(Turn):
+    """Both meshes under a torque, over the turns of the crank; refusals as `Stage.solved`.
+
+    Parameters
+    ----------
+    real : MeshesInSeries
+        Both meshes.
+    torque : float
+        On the output link, N*m, not 0; negative in reverse.
+    share : float
+        Share of the torque under which the lost motion is taken.
+    """
+
+    results = SeriesPoses
+
+    def __init__(self, real: MeshesInSeries, torque: float, share: float = 0.03) -> None:
+        super().__init__(real, torque, share)
+        self.repeats, self.first = 1, 0.0
+        self.period = 2 * math.pi * real.mechanism.ratio
+
+    def positions(self) -> tuple[list[float], list[float]]:
+        """Crank angles of an even grid; none is near where a pair takes up or leaves more than
+        elsewhere.
+        """
+        count = positions_in_series(lobes=self.real.ring.disc.satellite_teeth)
+        return [self.period * k / count for k in range(count)], []
+
+    @property
+    def looked_again(self) -> int:
+        """As many for each of the grid's as of one stage."""
+        return round(len(self.positions()[0]) * LOOKED_AGAIN / POSITIONS) | 1
+
+
+@dataclass(frozen=True, slots=True)
+class RingTurn:
+    """What the ring does over the turns."""
+
+    peak_force: float  # largest on a pin of the ring, N
+    peak_crank_angle: float  # crank angle at which it occurs, rad, of all turns
+    peak_pair: PairNumber  # satellite, and the pin that carries it there, from 1
+    max_pressure: float | None  # largest Hertz pressure, Pa, where the materials are known
+    peak_error: float  # estimate of the error of the force, relative
+    loaded_pairs_min: int  # least number of pairs with a force, on the grid
+    loaded_pairs_max: int  # largest number
+
+
+class SeriesOverTurn(OverTurn):
+    """Extremes of both meshes over the turns, each looked for when it is asked for. What is said of
+    forces and pairs is of the pins of the output, `ring` of those of the ring.
+
+    Parameters
+    ----------
+    turn : SeriesTurn
+        Both meshes under a torque.
+    """
+
+    def __init__(self, turn: SeriesTurn) -> None:
+        super().__init__(turn)
+        self.series: MeshesInSeries = turn.real
+        self.real = self.series.output
+
+    @derived
+    def _peak(self) -> Peak:
+        turn = self.turn
+        before = turn.evaluations
+        top, missed = self._top("force", FORCE)
+        place = min(each % turn.period for each in top.alike)
+        there = turn.poses([place])["forces"]
+        coarse, fine, again = (each["forces"] for each in (turn.coarse, turn.fine, turn.again))
+        most = np.max([fine.max(axis=0), again.max(axis=0), there[0]], axis=0)
+        unsure = float(turn.fine["force_error"].max())
+        return Peak(
+            force=top.height,
+            crank_angle=place,
+            pair=int(there[0].argmax()),
+            pair_force=most.tolist(),
+            pair_error=float((most - coarse.max(axis=0)).max()) / top.height,
+            relative_error=(missed + top.error + unsure) / top.height,
+            evaluations=len(fine) + len(again) + turn.evaluations - before,
+        )
+
+    @derived
+    def ring(self) -> RingTurn:
+        """What the ring does."""
+        turn, series = self.turn, self.series
+        top, missed = self._top("mesh_force", MESH_FORCE)
+        place, torque = min(each % turn.period for each in top.alike), abs(turn.torque)
+        room = series.room()
+        series.solved(place, torque, turn.load.setup, room)
+        pair = int(np.array(room.teeth.force).argmax())
+        satellite, pin = divmod(pair, series.ring.disc.pins)
+        pressure = None
+        if series.ring.pressure(1.0) is not None:
+            pressure = series.ring.pressure(self._top("mesh_pressure", MESH_PRESSURE)[0].height)
+        loaded, unsure = turn.fine["mesh_loaded"], float(turn.fine["force_error"].max())
+        return RingTurn(
+            peak_force=top.height,
+            peak_crank_angle=place,
+            peak_pair=PairNumber(satellite + 1, pin + 1),
+            max_pressure=pressure,
+            peak_error=(missed + top.error + unsure) / top.height,
+            loaded_pairs_min=int(loaded.min()),
+            loaded_pairs_max=int(loaded.max()),
+        )
+
+    @property
+    def pressed_without_load(self) -> bool:
+        """Whether pairs press so anywhere, in either stage too."""
+        return bool(self.turn.fine["pressed"].any())
+
+    @property
+    def stiffness_error(self) -> float:
+        """Estimate of the error of the stiffnesses, relative: also what was found beyond the grid,
+        since they jump where pairs take over, and are what they are there for a moment only.
+        """
+        rows = self.turn.fine["stiffness"]
+        high, low = self.stiffness_max - rows.max(), rows.min() - self.stiffness_min
+        return super().stiffness_error + float(max(high, low)) / self.stiffness_min
+
+    @property
+    def ripple_error(self) -> float:
+        """Estimate of its error, N*m."""
+        unsure = float(self.turn.fine["force_error"].max())
+        pairs = len(self.series.pairs.teeth.a) + len(self.series.pairs.holes.a)
+        return self._ripple.error + 2 * unsure * pairs * self.real.eccentricity
+
+    @property
+    def notices(self) -> tuple[Notice, ...]:
+        """What to know besides."""
+        of_output = notices(
+            real=self.real,
+            lag=float(np.abs(self.turn.fine["lag"]).max()),
+            pressed=False,
+            contact=self.real.contact(*self.hardest) if self._wraps else self._contact,
+        )
+        of_ring = self.series.notices(pressed=self.pressed_without_load)
+        return (*of_output, *of_ring, *poorly_known(self.accuracy))
+
+
+def series_over_turn(
+    *, real: MeshesInSeries, output_torque: float, lost_motion_share: float = 0.03
+) -> SeriesOverTurn:
+    """Peak forces, backlash, lost motion, transmission error and stiffness of both meshes.
+
+    Parameters
+    ----------
+    real : MeshesInSeries
+        Both meshes.
+    output_torque : float
+        Torque T on the output link, N*m, not 0; negative in reverse.
+    lost_motion_share : float
+        Share of the torque under which the lost motion is taken, 0 < share <= 1.
+
+    Returns
+    -------
+    SeriesOverTurn
+
+    Raises
+    ------
+    InvalidInput
+        If an input is out of range.
+    ImpossibleMechanism
+        Where a position cannot be, see `Stage.solved`.
+
+    Examples
+    --------
+    >>> from core.output.contact_law import LinearLaw
+    >>> from core.output.mechanism import Mechanism
+    >>> from core.output.real_mechanism import RealMechanism
+    >>> from core.ring.profile import CycloidDisc
+    >>> from core.ring.sharing import CycloidMesh
+    >>> disc = CycloidDisc(satellite_teeth=5, eccentricity=1e-3,
+    ...                    ring_pin_circle_radius=0.02, ring_pin_radius=2e-3)
+    >>> ring = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01,
+    ...                    law=LinearLaw(5e7), exact=False)
+    >>> output = RealMechanism(mechanism=Mechanism(3, (0.0,), 5.0), pin_circle_radius=0.01,
+    ...                        pin_radius=2e-3, eccentricity=1e-3, contact_length=0.01,
+    ...                        law=LinearLaw(5e7), exact=False)
+    >>> found = series_over_turn(real=MeshesInSeries(ring, output), output_torque=5.0)
+    >>> round(found.peak_force, 6), round(found.ring.peak_force, 4)
+    (624.616606, 686.7476)
+    """
+    check_single(output_torque=output_torque, lost_motion_share=lost_motion_share)
+    check_finite(output_torque=output_torque)
+    if output_torque == 0:
+        raise InvalidInput("output_torque", output_torque, "not_zero")
+    if not 0 < lost_motion_share <= 1:
+        code, limit = ("greater_than", 0) if lost_motion_share <= 0 else ("less_than_equal", 1)
+        raise InvalidInput("lost_motion_share", lost_motion_share, code, limit=limit)
+    found = SeriesOverTurn(SeriesTurn(real, output_torque, lost_motion_share))
+    assert found.turn.coarse  # refuses what cannot be
+    return found

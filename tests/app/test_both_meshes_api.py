@@ -1,0 +1,186 @@
+"""Ring mesh and output mechanism in series over REST: the cases as posted, sections, refusals."""
+
+import json
+from copy import deepcopy
+from pathlib import Path
+
+import pytest
+
+from tests.oracles.held import close
+
+pytestmark = pytest.mark.anyio
+
+PATH = "load-sharing"
+CASES = json.loads((Path(__file__).parents[1] / "oracles/series_cases.json").read_text())
+BASE = CASES[1]["body"]
+
+
+def changed(without=(), **sections):
+    body = deepcopy(BASE)
+    for name, value in sections.items():
+        body[name] = body.get(name, {}) | value if isinstance(value, dict) else value
+    for section, *name in without:
+        if name:
+            del body[section][name[0]]
+        else:
+            del body[section]
+    return body
+
+
+async def answered(api, body):
+    response = await api.post(PATH, json=body)
+    assert response.status_code == 200, response.text
+    return response.json()
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case["name"][:2])
+async def test_case(api, case):
+    answer = await answered(api, case["body"])
+    close(answer, case["expect"])
+    assert set(answer) == {"positions", "fit", "accuracy", "warnings"}
+    (position,) = answer["positions"]
+    behind = [position["rotation_arcmin"] - own for own in position["ring"]["rotation_arcmin"]]
+    assert position["satellite_rotation_arcmin"] == pytest.approx(behind, rel=1e-12)
+    assert [each["code"] for each in answer["warnings"]] == ["seat_rigid"]
+
+
+async def test_curves_pass_through_the_positions(api):
+    named = ["positions", "curves", "stiffness_curve", "ideal", "pressure", "worked"]
+    body = changed(include=named, samples=5, crank_angle_deg=[90], torques_Nm=[-240, 240])
+    answer = await answered(api, body)
+    curves, lag, position = (
+        answer["curves"],
+        answer["stiffness_curve"],
+        answer["positions"][0],
+    )
+    assert curves["rotation_arcmin"][1] == lag["rotation_arcmin"][1] == position["rotation_arcmin"]
+    assert curves["reverse_rotation_arcmin"][1] == lag["rotation_arcmin"][0] < 0
+    forces = [force[1] for force in curves["force_N"]]
+    assert forces == [each for row in position["force_N"] for each in row]
+    assert max(map(max, position["pressure_MPa"])) == pytest.approx(position["max_pressure_MPa"])
+    assert answer["ideal"]["peak_force_N"] > 0 and answer["worked"]
+    loads = [each["crank_load_N"] for each in [position["ring"]]]
+    assert min(loads[0]) > 1000
+
+
+async def test_the_ring_gives_by_its_own_law(api):
+    """Hertz's where none is named, and what its seats give."""
+    lags = [
+        (await answered(api, changed(gear=change)))["positions"][0]["ring"]["rotation_arcmin"][0]
+        for change in (
+            {"contact_law": {"kind": "hertz"}},
+            {"contact_law": {}},
+            {"contact_law": {"kind": "hertz", "reference_depth_mm": 6.0}},
+            {"seat_stiffness_N_per_mm": 2e5},
+        )
+    ]
+    assert lags[0] == lags[1] < lags[2] and lags[3] > 2.199109504
+    body = changed(without=[("gear", "contact_law"), ("gear", "modification")])
+    answer = await answered(api, body)
+    assert "modification_unknown" in [each["code"] for each in answer["warnings"]]
+    del body["gear"]["pin_material"]
+    assumed = (await answered(api, body))["assumed"]
+    assert [each["pointer"] for each in assumed] == ["/gear/pin_material"]
+
+
+async def test_a_torque_that_alternates_is_answered_by_its_worse_direction(api):
+    positions = {
+        way: (await answered(api, changed(load={"torque_direction": way})))["positions"][0]
+        for way in ("driving", "reverse", "alternating")
+    }
+    worse, way = positions["alternating"], positions["alternating"]["torque_direction"]
+    peaks = {each: max(map(max, positions[each]["force_N"])) for each in ("driving", "reverse")}
+    assert way == max(peaks, key=peaks.get) and min(peaks.values()) < max(peaks.values())
+    assert worse["ring"] == positions[way]["ring"]
+
+
+async def test_of_the_ring_as_output_the_lag_is_its_own(api):
+    """The same torque on the pins, and the angles against them."""
+    pins = (await answered(api, BASE))["positions"][0]
+    load = {"output_torque_Nm": 240 * 21 / 20}
+    ring = (await answered(api, changed(mechanism={"output": "ring"}, load=load)))["positions"][0]
+    assert ring["rotation_arcmin"] == pytest.approx(pins["rotation_arcmin"] * 20 / 21)
+    close(ring["ring"], pins["ring"])
+
+
+async def test_over_all_turns(api):
+    """As many as a disc has lobes: no position passes the extremes, and the ring has its own."""
+    body = changed(include=["over_turn", "positions", "ideal"], crank_angle_deg=[0, 800, 1800])
+    answer = await answered(api, body)
+    turn, positions = answer["over_turn"], answer["positions"]
+    assert turn["peak_force_N"] > max(max(map(max, each["force_N"])) for each in positions)
+    ring = turn["ring"]
+    assert ring["peak_force_N"] > max(max(map(max, each["ring"]["force_N"])) for each in positions)
+    assert answer["ideal"]["ratio"] == turn["peak_force_N"] / answer["ideal"]["peak_force_N"]
+    assert ring["peak_error"] < 1e-3 and answer["accuracy"]["relative_error"] < 1e-3
+    at_peak = changed(crank_angle_deg=[turn["peak_crank_angle_deg"], ring["peak_crank_angle_deg"]])
+    one, other = (await answered(api, at_peak))["positions"]
+    pair, tooth = turn["peak_pair"], ring["peak_pair"]
+    force = one["force_N"][pair["satellite"] - 1][pair["pin"] - 1]
+    assert force == pytest.approx(turn["peak_force_N"], rel=1e-9)
+    force = other["ring"]["force_N"][tooth["satellite"] - 1][tooth["pin"] - 1]
+    assert force == pytest.approx(ring["peak_force_N"], rel=1e-9)
+    alone = changed(without=[("gear",), ("satellite_coupling",)], include=["over_turn"])
+    for name in ("ring_pin_radial_mm", "ring_pin_tangential_mm", "ring_pin_radius_mm"):
+        del alone["deviations"][name]
+    rigid = (await answered(api, alone))["over_turn"]
+    assert "ring" not in rigid and turn["backlash_max_arcmin"] > rigid["backlash_max_arcmin"]
+    assert turn["stiffness_max_Nm_per_arcmin"] < rigid["stiffness_max_Nm_per_arcmin"]
+    one_disc = CASES[0]["body"] | {"include": ["over_turn"]}
+    both = one_disc | {"load": one_disc["load"] | {"torque_direction": "alternating"}}
+    worse, way = [(await answered(api, each))["over_turn"] for each in (both, one_disc)]
+    assert worse["peak_force_N"] == pytest.approx(way["peak_force_N"]) and worse["ring"]
+
+
+async def test_the_figure(api):
+    figure = await api.post(f"{PATH}/chart", json=BASE)
+    assert figure.status_code == 200
+    names = [trace["name"] for trace in figure.json()["data"]]
+    assert names.count("1.1") == 2
+    lag = next(trace for trace in figure.json()["data"] if trace.get("yaxis") == "y2")
+    assert len(lag["y"]) == 121
+
+
+@pytest.mark.parametrize(
+    ("body", "pointer", "code"),
+    [
+        (changed(without=[("gear",)]), "/gear", "needed_beside"),
+        (changed(without=[("satellite_coupling",)]), "/gear", "of_another_kind"),
+        (changed(satellite_coupling={"kind": "rigid"}), "/gear", "of_another_kind"),
+        (changed(without=[("satellite_coupling",), ("gear",)]), "/deviations/ring_pin_radial_mm",
+         "of_another_kind"),
+        (changed(gear={"kind": "involute"}), "/gear/kind", "outside_method"),
+        (changed(gear={"module_mm": 2.0}), "/gear/module_mm", "extra_forbidden"),
+        (changed(mechanism={"ring_teeth": 22}), "/mechanism/ring_teeth", "not_this_cycloid"),
+        (changed(without=[("mechanism", "satellite_teeth"), ("mechanism", "ring_teeth")],
+                 mechanism={"ratio": 20}), "/mechanism/satellite_teeth", "needed_beside"),
+        (changed(crank_support={"stiffness_N_per_mm": 1e5}), "/satellite_coupling", "only_one"),
+        (changed(pin={"support": "tie_ring", "satellite_positions_mm": [10, 25], "span_mm": 40}),
+         "/pin/support", "only_one"),
+        (changed(geometry="exact", gear={"modification": {"rotation_arcmin": 1.0}}), "/geometry",
+         "flanks_first_order"),
+        (changed(deviations={"ring_pin_radial_mm": [0.0]}), "/deviations/ring_pin_radial_mm",
+         "different_length"),
+        (changed(deviations={"pin_radial_mm": [0.0]}), "/deviations/pin_radial_mm",
+         "different_length"),
+        (changed(gear={"contact_law": {"kind": "hertz", "reference_depth_mm": 9.0}}),
+         "/gear/contact_law/reference_depth_mm", "less_than_equal"),
+        (changed(gear={"pin_support": "fixed", "span_mm": 40, "satellite_positions_mm": [10]}),
+         "/gear/satellite_positions_mm", "different_length"),
+        (changed(gear={"ring_pin_radius_mm": 30.0}), "/gear/ring_pin_radius_mm", "undercut"),
+        (changed(crank_angle_deg=[0.0] * 900), "/mechanism/ring_teeth", "too_many_pairs"),
+        (changed(mechanism={"pins": 60}, include=["over_turn"],
+                 without=[("deviations",)]), "/mechanism/ring_teeth", "too_many_pairs"),
+    ],
+)  # fmt: skip
+async def test_refusals(api, body, pointer, code):
+    response = await api.post(PATH, json=body)
+    assert response.status_code == 422, response.text
+    found = [(each["pointer"], each["code"]) for each in response.json()["errors"]]
+    assert (pointer, code) in found
+
+
+async def test_work_and_precision_are_of_the_output_alone(api):
+    body = {"calculation": PATH, "input": BASE}
+    response = await api.post("work-precision", json=body)
+    assert response.json()["errors"][0]["pointer"] == "/input/satellite_coupling"

@@ -1,0 +1,323 @@
+"""Ring mesh and output mechanism in series: sums, limits, mirrors, what presses, refusals."""
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from core.errors import ImpossibleMechanism, InvalidInput
+from core.output.contact_law import LinearLaw, PinSupport
+from core.output.loaded_position import loaded_position
+from core.output.mechanism import Mechanism
+from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.satellite_support import ElasticMesh, Shares
+from core.ring.profile import CycloidDisc, Modification
+from core.ring.series import MeshesInSeries, SeriesPosition, series_position
+from core.ring.sharing import CycloidMesh, RingDeviations, mesh_position
+from tests.inputs.real_mechanisms import STEEL
+from tests.inputs.series import drawn
+from tests.oracles.seeds import seeds
+
+DISC = CycloidDisc(11, 2.5e-3, 0.05, 0.005, Modification(2e-5, -1e-5))
+STIFF = LinearLaw(1e14)
+PIN, PHASE = (0.0, 4e-6, 0.0, 0.0, 0.0, 0.0), (1e-5, -2e-5)
+
+
+def series_of(
+    ring: dict[str, Any] | None = None, output: dict[str, Any] | None = None, **both: Any
+) -> MeshesInSeries:
+    count = len(both.pop("crank_angles", (0.0, math.pi)))
+    angles, exact = tuple(2 * math.pi * j / count for j in range(count)), both.pop("exact", True)
+    mesh: dict[str, Any] = {
+        "disc": DISC,
+        "crank_angles": angles,
+        "contact_length": 0.01,
+        "law": LinearLaw(1e8),
+        "pin_material": STEEL,
+        "disc_material": STEEL,
+        "exact": exact,
+        "deviations": RingDeviations(**both),
+    }
+    real: dict[str, Any] = {
+        "mechanism": Mechanism(6, angles, 11.0),
+        "pin_circle_radius": 0.03,
+        "pin_radius": 0.004,
+        "eccentricity": DISC.eccentricity,
+        "contact_length": 0.01,
+        "law": LinearLaw(1e8),
+        "clearance": 1e-5,
+        "exact": exact,
+        "deviations": Deviations(**both),
+    }
+    return MeshesInSeries(
+        CycloidMesh(**mesh | (ring or {})), RealMechanism(**real | (output or {}))
+    )
+
+
+def at(series: MeshesInSeries, angle: float, torque: float) -> SeriesPosition:
+    return series_position(real=series, crank_angle=angle, output_torque=torque)
+
+
+def flat(rows: Any) -> list[float]:
+    return [each for row in rows for each in row]
+
+
+@pytest.mark.parametrize("seed", seeds(6))
+def test_of_one_disc_in_first_order_lags_and_plays_of_both_stages_add(seed: int) -> None:
+    series, angle, torque = drawn(3 * seed, exact=False)
+    (ring, output), *_ = series.discs
+    series = MeshesInSeries(ring, replace(output, deviations=with_phases(ring, output)))
+    found = at(series, angle, torque)
+    teeth = mesh_position(mesh=ring, crank_angle=angle, output_torque=torque)
+    holes = loaded_position(real=output, crank_angle=angle, output_torque=torque)
+    assert found.rotation == pytest.approx(teeth.rotation[0] + holes.rotation, rel=1e-12)
+    assert found.play == pytest.approx(
+        [sum(each) for each in zip(teeth.play, holes.play, strict=True)], rel=1e-12
+    )
+    gives = 1 / teeth.stiffness + 1 / holes.stiffness
+    assert found.stiffness == pytest.approx(1 / gives, rel=1e-12)
+    assert flat(found.force) == pytest.approx(flat(holes.force), rel=1e-9, abs=1e-9)
+    assert flat(found.ring.force) == pytest.approx(flat(teeth.force), rel=1e-9, abs=1e-9)
+
+
+def with_phases(ring: CycloidMesh, output: RealMechanism) -> Deviations:
+    """Deviations of an output whose discs have the phases of those in the ring."""
+    own = ring.deviations
+    return replace(output.deviations, disc_phase=own.disc_phase, crank_phase=own.crank_phase)
+
+
+@pytest.mark.parametrize("seed", seeds(8))
+def test_the_torques_of_the_discs_are_the_load(seed: int) -> None:
+    series, angle, torque = drawn(seed, exact=False)
+    found = at(series, angle, torque)
+    assert sum(found.satellite_torque) == pytest.approx(torque, rel=1e-12)
+    assert found.ring.disc_torque == found.satellite_torque
+    behind = [found.rotation - each for each in found.ring.rotation]
+    assert found.satellite_rotation == pytest.approx(behind, rel=1e-12)
+
+
+@pytest.mark.parametrize("seed", seeds(6))
+def test_forces_turn_the_crank_by_their_arms(seed: int) -> None:
+    """In exact geometry: each disc is in balance about its centre, so that what presses it turns
+    the crank as if all of it pressed there.
+    """
+    series, angle, torque = drawn(seed)
+    found = at(series, angle, torque)
+    arms = [series.output.eccentricity + off for off in series.output.deviations.eccentricity]
+    turning = sum(arm * each for arm, each in zip(arms, found.across, strict=True))
+    assert turning == pytest.approx(found.input_torque, rel=1e-11)
+
+
+@pytest.mark.parametrize("exact", [True, False])
+def test_the_mean_torque_of_the_crank_is_its_part_of_the_load(exact: bool) -> None:
+    """Over the turns after which all repeats: what contacts store they give back."""
+    series = series_of(
+        exact=exact,
+        disc_phase=PHASE,
+        output={"law": LinearLaw(2e8), "deviations": Deviations(PIN, disc_phase=PHASE)},
+    )
+    turns = 2 * math.pi * 11
+    torques = [at(series, turns * k / 990, 150.0).input_torque for k in range(990)]
+    assert np.mean(torques) == pytest.approx(150.0 / 11, rel=2e-6)
+    assert max(torques) - min(torques) > 1e-3
+    one, other = at(series, 0.7, 150.0), at(series, 0.7 + turns, 150.0)
+    assert other.rotation == pytest.approx(one.rotation, rel=1e-12)
+    assert other.rotation != pytest.approx(at(series, 0.7 + 2 * math.pi, 150.0).rotation, rel=1e-4)
+
+
+@pytest.mark.parametrize("seed", seeds(6))
+@pytest.mark.parametrize("exact", [True, False])
+def test_the_mirrored_drive_is_turned_back_as_much(seed: int, exact: bool) -> None:
+    series, angle, torque = drawn(seed, exact=exact)
+    ring, output = series.ring, series.output
+
+    def back(row: tuple[Any, ...], sign: int = 1) -> tuple[Any, ...]:
+        return tuple(sign * row[-k % len(row)] for k in range(len(row)))
+
+    own, errors = ring.deviations, output.deviations
+    phases = {
+        name: tuple(-each for each in getattr(own, name)) for name in ("crank_phase", "disc_phase")
+    }
+    angles = tuple(-each for each in ring.crank_angles)
+    mirrored = MeshesInSeries(
+        replace(
+            ring,
+            crank_angles=angles,
+            deviations=replace(
+                own,
+                pin_radial=back(own.pin_radial),
+                pin_tangential=back(own.pin_tangential, -1),
+                pin_radius=back(own.pin_radius),
+                **phases,
+            ),
+        ),
+        replace(
+            output,
+            mechanism=replace(
+                output.mechanism,
+                crank_angles=angles,
+                initial_crank_angle=-output.mechanism.initial_crank_angle,
+            ),
+            deviations=Deviations(
+                back(errors.pin_radial),
+                back(errors.pin_tangential, -1),
+                back(errors.pin_radius),
+                tuple(back(row) for row in errors.hole_radial),
+                tuple(back(row, -1) for row in errors.hole_tangential),
+                tuple(back(row) for row in errors.hole_radius),
+                errors.eccentricity,
+                **phases,
+            ),
+        ),
+    )
+    found, other = at(series, angle, torque), at(mirrored, -angle, -torque)
+    assert other.rotation == pytest.approx(-found.rotation, rel=1e-9)
+    most = max(flat(found.force) + flat(found.ring.force))
+    for rows, others in ((found.force, other.force), (found.ring.force, other.ring.force)):
+        for row, turned in zip(rows, others, strict=True):
+            assert back(turned) == pytest.approx(row, abs=1e-9 * most)
+    assert other.play == pytest.approx([-each for each in reversed(found.play)], rel=1e-9)
+    for limits, others in zip(found.ring.play, other.ring.play, strict=True):
+        assert others == pytest.approx([-each for each in reversed(limits)], rel=1e-9)
+    assert other.input_torque == pytest.approx(-found.input_torque, rel=1e-9)
+
+
+PHASES = {"disc_phase": (3e-5, -2e-5), "crank_phase": (2e-4, -3e-4)}
+BENT = PinSupport("cantilever", 0.006, (0.01, 0.025), STEEL)
+
+
+@pytest.mark.parametrize("exact", [True, False])
+def test_on_a_stiff_ring_it_is_the_output_mechanism(exact: bool) -> None:
+    """Errors of the phases are in the teeth there, and in the holes here."""
+    perfect = replace(DISC, modification=Modification())
+    series = series_of(
+        {"disc": perfect, "law": STIFF, "deviations": RingDeviations(**PHASES)},
+        {"pin": BENT, "deviations": Deviations(**PHASES)},
+        exact=exact,
+    )
+    found = at(series, 1.3, -120.0)
+    same = loaded_position(real=series.output, crank_angle=1.3, output_torque=-120.0)
+    assert found.rotation == pytest.approx(same.rotation, rel=1e-5)
+    assert flat(found.force) == pytest.approx(flat(same.force), abs=1e-4 * max(flat(same.force)))
+    assert found.play == pytest.approx(same.play, rel=1e-9)
+    assert found.stiffness == pytest.approx(same.stiffness, rel=1e-4)
+    assert found.input_torque == pytest.approx(input_torque(series.output, 1.3, -120.0), rel=1e-4)
+
+
+def input_torque(real: RealMechanism, angle: float, torque: float) -> float:
+    setup, room, psi = real.setup(math.copysign(1.0, torque)), real.room(), real.wave(angle)
+    found = real.solved(psi, abs(torque), setup, room)
+    turning: float = real.loops.input_torque(psi, abs(torque), found.lag, setup, real.pairs, room)
+    return turning
+
+
+@pytest.mark.parametrize("exact", [True, False])
+def test_on_stiff_pins_it_is_the_ring_mesh(exact: bool) -> None:
+    rings = RingDeviations(pin_radial=tuple(1e-6 * (k % 5 - 2) for k in range(12)), **PHASES)
+    series = series_of(
+        {"deviations": rings, "pin": PinSupport("fixed", 0.008, (0.01, 0.025), STEEL, 0.035)},
+        {"law": STIFF, "clearance": 0.0, "deviations": Deviations(**PHASES)},
+        exact=exact,
+    )
+    found = at(series, 1.3, 120.0)
+    same = mesh_position(mesh=series.ring, crank_angle=1.3, output_torque=120.0)
+    assert found.rotation == pytest.approx(same.rotation[0], rel=1e-5)
+    assert found.ring.rotation == pytest.approx(same.rotation, rel=1e-5)
+    most = max(flat(same.force))
+    assert flat(found.ring.force) == pytest.approx(flat(same.force), abs=1e-4 * most)
+    assert found.ring.crank_along == pytest.approx(same.crank_along, abs=1e-4 * most)
+    assert found.stiffness == pytest.approx(same.stiffness, rel=1e-4)
+    assert found.ring.max_pressure == pytest.approx(same.max_pressure, rel=1e-4)
+
+
+@pytest.mark.parametrize("exact", [True, False])
+def test_a_disc_that_carries_nothing_lies_in_the_middle(exact: bool) -> None:
+    series = series_of(exact=exact, disc_phase=(0.0, -4e-4))
+    found = at(series, 0.4, 5.0)
+    assert found.satellite_torque[0] > 0 == found.satellite_torque[1]
+    low, high = found.ring.play[1]
+    holes = replace(series.discs[1][1], exact=False)
+    slack = loaded_position(real=holes, crank_angle=0.4, output_torque=1.0).play
+    ends = max(low, found.rotation - slack[1]), min(high, found.rotation - slack[0])
+    assert found.ring.rotation[1] == pytest.approx(sum(ends) / 2, rel=1e-2 if exact else 1e-9)
+    assert not any(found.force[1]) and not any(found.ring.force[1])
+
+
+def test_the_lag_grows_with_the_torque_from_the_play_on() -> None:
+    series, angle, _ = drawn(5)
+    torques = [-100.0, -10.0, -1.0, -1e-3, 1e-3, 1.0, 10.0, 100.0]
+    found = [at(series, angle, torque) for torque in torques]
+    lags = [each.rotation for each in found]
+    assert lags == sorted(lags)
+    assert (lags[3], lags[4]) == pytest.approx(found[0].play, rel=1e-3)
+
+
+@pytest.mark.parametrize("exact", [True, False])
+def test_parts_that_press(exact: bool) -> None:
+    """Pins in holes too small by themselves, teeth by themselves, and discs against each other."""
+    tight = series_of(output={"clearance": -2e-6}, exact=exact)
+    found = at(tight, 0.4, 100.0)
+    assert found.interference == pytest.approx(2e-6, rel=1e-2) and found.play is not None
+    narrow = replace(DISC, modification=Modification(-3e-6))
+    found = at(series_of({"disc": narrow}, exact=exact), 0.4, 100.0)
+    assert found.interference == pytest.approx(3e-6, rel=1e-2)
+    assert all(low == high for low, high in found.ring.play)
+    turned = at(series_of(exact=exact, disc_phase=(0.0, 4e-3)), 0.4, 100.0)
+    assert turned.play is None and turned.interference > 1e-6
+    for each in (found, turned):
+        assert "pressed_without_load" in [notice.code for notice in each.notices]
+    free = at(series_of(exact=exact), 0.4, 100.0)
+    assert free.interference is None and free.play is not None
+
+
+def test_a_disc_turned_by_a_hole_goes_onto_the_next_pins() -> None:
+    turned = at(series_of(disc_phase=(0.0, math.pi / 3)), 0.4, 100.0)
+    plain = at(series_of(disc_phase=(0.0, 0.0)), 0.4, 100.0)
+    assert turned.rotation == pytest.approx(plain.rotation, rel=1e-9)
+    assert flat(turned.ring.force) == pytest.approx(flat(plain.ring.force), rel=1e-6, abs=1e-6)
+
+
+TIED = PinSupport("tie_ring", 0.006, (0.01, 0.02), STEEL, 0.03)
+
+
+def of_output(**change: Any) -> dict[str, Any]:
+    return {"output": change}
+
+
+@pytest.mark.parametrize(
+    ("change", "name", "code"),
+    [
+        (of_output(mechanism=Mechanism(6, (0.0,), 11.0)), "satellites", "stages_differ"),
+        (of_output(mechanism=Mechanism(6, (0.0, 3.0), 11.0)), "crank_angles[1]", "stages_differ"),
+        (of_output(mechanism=Mechanism(6, (0.0, math.pi), 12.0)), "ratio", "stages_differ"),
+        (of_output(eccentricity=2.6e-3), "eccentricity", "stages_differ"),
+        (of_output(exact=False), "exact", "stages_differ"),
+        (of_output(deviations=Deviations(disc_phase=PHASE)), "disc_phase[0]", "stages_differ"),
+        ({"ring": {"support": Shares((0.5, 0.5))}}, "support", "only_one"),
+        (of_output(support=ElasticMesh(1e5)) | {"exact": False}, "support", "only_one"),
+        (of_output(pin=TIED) | {"exact": False}, "pin.support", "only_one"),
+    ],
+)
+def test_stages_of_different_discs_are_refused(
+    change: dict[str, Any], name: str, code: str
+) -> None:
+    with pytest.raises(InvalidInput) as caught:
+        series_of(**change)
+    assert (caught.value.parameter, caught.value.code) == (name, code)
+
+
+def test_what_cannot_be_is_refused() -> None:
+    for torque in (0.0, math.nan):
+        with pytest.raises(InvalidInput, match="output_torque"):
+            at(series_of(), 0.4, torque)
+    soft = {"law": LinearLaw(1e3)}
+    with pytest.raises(ImpossibleMechanism) as caught:
+        at(series_of(soft, soft), 25.0, 1e4)
+    assert caught.value.code in {"not_stable", "not_balanced"}
+    assert caught.value.where["crank_angle"] == pytest.approx(25.0)
+    one_pin = {"mechanism": Mechanism(1, (0.0,), 11.0)}
+    with pytest.raises(ImpossibleMechanism) as caught:
+        at(series_of(output=one_pin, crank_angles=(0.0,)), math.pi * 11 / 12, 10.0)
+    assert caught.value.code in {"dead_centre", "not_stable", "beyond_first_order"}
