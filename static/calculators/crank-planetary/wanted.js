@@ -150,11 +150,9 @@ const BEARINGS = {
 const ofPins = { when: ["gear.kind", "cycloid"] };
 const held = { ...rare, when: ["gear.pin_support", "supported", "fixed"], required: true };
 const TEETH = {
-  "gear.modification.equidistant_mm": { ...ofPins, required: true },
-  "gear.modification.pin_circle_mm": ofPins,
   "gear.pin_material": ofPins,
   "gear.friction_coefficient": ofPins,
-  "gear.modification.rotation_arcmin": { ...rare, ...ofPins },
+  "gear.modification.rotation_arcmin": { ...rare, ...discs },
   "gear.contact_length_mm": { ...rare, ...ofPins },
   "gear.seat_stiffness_N_per_mm": { ...rare, ...ofPins },
   "gear.sleeve_bore_radius_mm": { ...rare, ...ofPins },
@@ -309,7 +307,7 @@ export const WANTED = [
     id: "teeth",
     section: "ring_mesh",
     needs: "bearings",
-    applies: ({ besides }) => besides?.gear?.kind === "cycloid",
+    applies: ({ besides }) => Boolean(besides?.gear?.modification), // which stands with the ring
     paths: WHOLE,
     fields: TEETH,
     judged: true,
