@@ -429,7 +429,9 @@ Shape = tuple[type[RequestModel], tuple[tuple[str, "Shape | None"], ...]]
 
 @lru_cache(maxsize=512)
 def core_paths(shape: Shape) -> dict[str, tuple[str, ...]]:
-    """Paths of the fields of a request, by its shape; where a model is not given, as if it were."""
+    """Paths of the fields of a request, by its shape; where a model is not given, as if it were. By
+    its name alone a parameter is the first of that name that is given, or else the first.
+    """
     model, within = shape[0], {name: inner for name, inner in shape[1] if inner is not None}
     plan = _core_plan(model)
     found: dict[str, tuple[str, ...]] = {core: (name,) for name, core, _ in reversed(plan)}
@@ -438,9 +440,12 @@ def core_paths(shape: Shape) -> dict[str, tuple[str, ...]]:
         for each in held:
             for parameter, path in core_paths(each).items():
                 found.setdefault(f"{core}.{parameter}", (name, *path))
-    for name, inner in within.items():
-        for parameter, path in core_paths(inner).items():
-            found.setdefault(parameter, (name, *path))
+    within_it = {name: (core_paths(inner), {*given_paths(inner)}) for name, inner in within.items()}
+    for missing in (False, True):
+        for name, (paths, given) in within_it.items():
+            for parameter, path in paths.items():
+                if missing or path in given:
+                    found.setdefault(parameter, (name, *path))
     return found
 
 

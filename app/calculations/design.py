@@ -261,7 +261,8 @@ class DesignFields(GivingFields):
             gear.refuse_other_teeth(self.mechanism.teeth_difference)
             if self.contact is not None:
                 gear.refuse_other_discs(self.contact.hole_material)
-        for name in RING_PIN_LISTS if self.deviations is not None else ():
+        listed = RING_PIN_LISTS if self.deviations is not None else ()
+        for name in listed if "gear" in type(self).model_fields else ():
             given = getattr(self.deviations, name) is not None
             if given and (gear is None or gear.kind != "cycloid"):
                 raise field_error("gear", "needed_beside", field=name)

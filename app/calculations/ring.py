@@ -102,8 +102,8 @@ class RingPinsFields(RequestModel, group="gear"):
     ring_pin_radius_mm: Maybe[Size] = ring_pin_radius()
     contact_length_mm: Maybe[Size] = contact_length()
     modification: Maybe[ModificationFields] = None
-    pin_material: Maybe[Material] = quantity("Pin material")
-    """A name of the table of materials, or values."""
+    pin_material: Maybe[Material] = quantity("Material of the ring's pins")
+    """A name of the table of materials, or values; bearing steel where not given."""
     disc_material: Maybe[Material] = quantity("Disc material")
     """A name of the table of materials, or values; that of the holes where these have one."""
     pin_support: Maybe[RingPinSupport] = quantity("Support of the ring's pins", advanced=True)

@@ -125,8 +125,8 @@ class CycloidRingFields(RingPinsFields, group="gear"):
     ring_pin_circle_radius_mm: Size = pin_circle_radius()
     ring_pin_radius_mm: Size = ring_pin_radius()
     contact_length_mm: Size = contact_length()
-    pin_material: Material = quantity("Pin material", default=PIN_MATERIAL)
-    """A name of the table of materials, or values."""
+    pin_material: Material = quantity("Material of the ring's pins", default=PIN_MATERIAL)
+    """A name of the table of materials, or values; bearing steel where not given."""
     disc_material: Material = quantity("Disc material", default=DISC_MATERIAL)
     """A name of the table of materials, or values."""
 

@@ -16,7 +16,7 @@ function isScalar(value) {
 
 /** A word of the answer in the language in use. */
 function wordOf(name, value) {
-  if (name === "torque_direction") return message(`option.${value}`);
+  if (["torque_direction", "method"].includes(name)) return message(`option.${value}`);
   const kind = { body: "figures", criterion: "criteria" }[name];
   return (kind && said(kind, value)) ?? value;
 }

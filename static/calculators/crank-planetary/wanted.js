@@ -147,6 +147,24 @@ const BEARINGS = {
   ...asked("static_safety"),
 };
 
+const ofPins = { when: ["gear.kind", "cycloid"] };
+const held = { ...rare, when: ["gear.pin_support", "supported", "fixed"], required: true };
+const TEETH = {
+  "gear.modification.equidistant_mm": { ...ofPins, required: true },
+  "gear.modification.pin_circle_mm": ofPins,
+  "gear.pin_material": ofPins,
+  "gear.friction_coefficient": ofPins,
+  "gear.modification.rotation_arcmin": { ...rare, ...ofPins },
+  "gear.contact_length_mm": { ...rare, ...ofPins },
+  "gear.seat_stiffness_N_per_mm": { ...rare, ...ofPins },
+  "gear.sleeve_bore_radius_mm": { ...rare, ...ofPins },
+  "gear.rolling": { ...rare, ...ofPins },
+  "gear.pin_support": { ...rare, ...ofPins, default: "seat" },
+  "gear.span_mm": held,
+  "gear.satellite_positions_mm": held,
+  ...asked("max_ring_backlash_arcmin", "max_transmission_error_arcmin"),
+};
+
 const shaftBearing = (index, letter) => ({
   [`crankshaft.bearings.${index}.kind`]: { default: "ball", words: [`kind_${letter}`, "crank"] },
   [`crankshaft.bearings.${index}.dynamic_rating_N`]: { words: [`rating_${letter}`, "crank"] },
@@ -288,6 +306,17 @@ export const WANTED = [
     load: () => Promise.all([import("./bearings.js"), import("../../views/part.js")]),
   },
   {
+    id: "teeth",
+    section: "ring_mesh",
+    needs: "bearings",
+    applies: ({ besides }) => besides?.gear?.kind === "cycloid",
+    paths: WHOLE,
+    fields: TEETH,
+    judged: true,
+    starts: (input) => ({ ...ringOf(input), "gear.kind": "cycloid", "gear.modification.equidistant_mm": 0.02, "load.input_speed_rpm": USUAL_RPM }),
+    load: () => Promise.all([import("./teeth.js"), import("../../views/part.js")]),
+  },
+  {
     id: "crank",
     section: "crankshaft",
     needs: "bearings",
@@ -318,7 +347,8 @@ export const BESIDE = [
 const isOn = ({ besides }, id) => besides?.[id]?.on === "on";
 
 /** Sections of the answer that are wanted. */
-export const wantedSections = (input) => WANTED.filter(({ id, section }) => section && isOn(input, id)).map(({ section }) => section);
+export const wantedSections = (input) => WANTED
+  .filter(({ id, section, applies = () => true }) => section && isOn(input, id) && applies(input)).map(({ section }) => section);
 
 /** Whether sleeves are on the pins. */
 export const sleeved = (input) => isOn(input, "strength") && input.besides.strength.surface === "sleeved";
@@ -351,7 +381,8 @@ export function inputOf({ pin: given, fatigue = {}, rollers, friction, gear, bea
       ...(pin && { strength: { ...on, surface: friction?.sleeve ? "sleeved" : "bare", fatigue: way }, pin, fatigue }),
       ...(rollers && { rolling: on, rollers }),
       ...(friction && { losses: on, friction }),
-      ...((bearing || crankshaft) && { bearings: on, gear: { kind: "ratio", ...gear }, bearing }),
+      ...((bearing || crankshaft || gear?.modification) && { bearings: on, gear: { kind: "ratio", ...gear }, bearing }),
+      ...(gear?.modification && { teeth: on }),
       ...(crankshaft && { crank: on, crankshaft }),
       ...(requirements && { requirements }),
     },
