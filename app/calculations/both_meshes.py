@@ -292,7 +292,7 @@ class RingTurnOut(ResponseModel):
 
     peak_force_N: float = result("Largest force of a pin of the ring.", symbol="F_max")
     peak_crank_angle_deg: float = result(
-        "First crank angle at which it occurs, of all turns.", symbol="φ"
+        "Crank angle at which it occurs, of all turns; of equal peaks any.", symbol="φ"
     )
     peak_pair: PairOut = result("The satellite, and the pin of the ring that carries it there.")
     max_pressure_MPa: Maybe[float] = result(

@@ -272,7 +272,7 @@ class Design:
         ratio = self.mechanism.ratio
         lobes = ratio * (self.gear.teeth_difference or 1)
         if abs(lobes - round(lobes)) > AS_TYPED * lobes:
-            raise NotKnown("ratio_not_whole", ratio=ratio)
+            raise NotKnown("ratio_not_whole", "mechanism.satellite_teeth", ratio=ratio)
         return round(lobes)
 
     @property

@@ -80,12 +80,9 @@ def drawn_disc(*, design: Design) -> CycloidDisc:
     difference = gear.teeth_difference or 1
     if difference > 1:  # the tips are cut off
         raise NotKnown("cycloid_difference", difference=difference)
-    pins, eccentricity = design.ring_pins, design.known_eccentricity
-    if pins is None:
-        ratio = design.mechanism.ratio
-        raise NotKnown("ratio_not_whole", "mechanism.satellite_teeth", ratio=ratio)
+    lobes, eccentricity = design.lobes, design.known_eccentricity
     return named(
-        design, "gear", lambda: gear.disc(satellite_teeth=pins - 1, eccentricity=eccentricity)
+        design, "gear", lambda: gear.disc(satellite_teeth=lobes, eccentricity=eccentricity)
     )
 
 

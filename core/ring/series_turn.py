@@ -9,14 +9,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.arrays import check_finite, check_single
+from core.arrays import FloatArray, check_finite, check_single
 from core.derived import derived
 from core.errors import InvalidInput
+from core.numerics.extremes import LOOKED, zoom
 from core.output.contact_force import PairNumber
 from core.output.loaded_position import notices
-from core.output.over_turn import OverTurn, Peak
-from core.output.sharing_kernel import FORCE
+from core.output.over_turn import Extreme, OverTurn, Peak
+from core.output.sharing_kernel import FORCE, PRESSURE, STIFFNESS
+from core.output.summits import Summit
 from core.output.turn import LOOKED_AGAIN, POSITIONS, Turn
+from core.precision import SAME
 from core.results import Notice, poorly_known
 from core.ring.series import MeshesInSeries
 from core.ring.series_kernel import MESH_FORCE, MESH_PRESSURE, SeriesPoses
@@ -27,7 +30,7 @@ LEAST_A_TURN = 48
 OF_A_PITCH = 4
 """And over a pitch of the ring's pins, where that makes no more than `MOST`."""
 
-MOST = 4000
+MOST = 2000
 """Positions of all turns above which a pitch has fewer."""
 
 
@@ -163,14 +166,33 @@ class SeriesOverTurn(OverTurn):
         """Whether pairs press so anywhere, in either stage too."""
         return bool(self.turn.fine["pressed"].any())
 
-    @property
-    def stiffness_error(self) -> float:
-        """Estimate of the error of the stiffnesses, relative: also what was found beyond the grid,
-        since they jump where pairs take over, and are what they are there for a moment only.
+    @derived
+    def _stiffness(self) -> tuple[Extreme, Extreme]:
+        """Largest and least, about the best positions: where pairs take over the stiffness jumps,
+        and is what it is there for a moment only. What the coarse grid alone misses is the error.
         """
-        rows = self.turn.fine["stiffness"]
-        high, low = self.stiffness_max - rows.max(), rows.min() - self.stiffness_min
-        return super().stiffness_error + float(max(high, low)) / self.stiffness_min
+        turn, found = self.turn, []
+        step = turn.period / len(turn.fine["wave"])
+        for sign in (1, -1):
+
+            def values(places: FloatArray, sign: int = sign) -> FloatArray:
+                return sign * turn.values(STIFFNESS, places.tolist()).heights
+
+            known = sign * np.concatenate([turn.fine["stiffness"], turn.again["stiffness"]])
+            places = np.concatenate([turn.fine["wave"], turn.again["wave"]])
+            best = known.argsort()[-LOOKED:]
+            _, heights, _ = zoom(values=values, places=places[best], width=step)
+            top = float(max(heights.max(), known.max()))
+            rough = float((sign * turn.coarse["stiffness"]).max())
+            found.append(Extreme(sign * top, top - rough))
+        return found[0], found[1]
+
+    @derived
+    def _pressed(self) -> Summit | None:
+        curved = self.real.pairs.curved
+        if not max(curved) > min(curved) * (1 + SAME):
+            return None
+        return self._top("pressure", PRESSURE)[0]
 
     @property
     def ripple_error(self) -> float:

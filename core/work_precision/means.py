@@ -296,7 +296,7 @@ def equivalent_reaction_study(
     result = solve()
     worst = int(np.argmax(result.equivalent_reaction))
     if result.equivalent_reaction[worst] == 0:
-        raise ImpossibleMechanism("unloaded", parameter="satellite_positions")
+        raise ImpossibleMechanism("unloaded", parameter="crankshaft.satellite_positions")
     here, other = bearing_positions[worst], bearing_positions[1 - worst]
     cranks = mechanism.crank_angles
 

@@ -107,9 +107,9 @@ def test_the_summits_against_a_dense_walk(exact: bool, torque: float) -> None:
         assert most * (1 - 1e-9) <= found <= most * (1 + near)
     assert play.min() * (1 - 1e-3) <= turn.backlash_min <= play.min() * (1 + 1e-9)
     stiff, unsure = rows["stiffness"], turn.stiffness_error  # for moments, where it jumps
-    assert stiff.max() * (1 - unsure) <= turn.stiffness_max <= stiff.max() * (1 + 1e-3)
-    assert stiff.min() * (1 - 1e-3) <= turn.stiffness_min <= stiff.min() * (1 + unsure)
-    assert unsure < 0.01
+    assert stiff.max() * (1 - unsure) <= turn.stiffness_max <= stiff.max() * (1 + rough)
+    assert stiff.min() * (1 - rough) <= turn.stiffness_min <= stiff.min() * (1 + unsure)
+    assert unsure < 0.02
     for place, name, most in (
         (turn.peak_crank_angle, "force", turn.peak_force),
         (turn.ring.peak_crank_angle, "mesh_force", turn.ring.peak_force),
