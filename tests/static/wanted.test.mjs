@@ -465,3 +465,8 @@ test("satellites along the shaft are as far apart as along the pins until they a
   assert.deepEqual([[15, 45], [45, 15], [15]].map((pins) => follows(input(pins))), [[20, 50], [50, 20], [20, 42]]);
   assert.deepEqual(bearings(input([15, 45], [50, 20])), [0, 70]);
 });
+
+test("a field stands in one group: in two, what is left empty in one would be said by the other", () => {
+  const groups = WANTED.flatMap(({ fields }) => Object.keys(fields));
+  assert.deepEqual(groups.filter((path, index) => groups.indexOf(path) !== index), []);
+});
