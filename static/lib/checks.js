@@ -63,7 +63,7 @@ export function partRow({ code, title, status, governing, reason, missing = [] }
     level: LEVELS[status] ?? "",
     mark: MARKS[status],
     words: [message(`partStatus.${status}`), why].filter(Boolean).join(": "),
-    ask: status === "open" && lacks ? pathOf(lacks) : undefined,
+    ask: status === "open" && lacks ? pathOf(lacks) : status === "not_asked" && code === "losses" ? "friction.coefficient" : undefined,
     governing,
     leaves: status !== "left_out",
   };

@@ -65,7 +65,7 @@ function partsMarkup(parts, known) {
   const judged = parts.filter(({ status }) => status !== "left_out");
   const rows = parts.map(partRow);
   return html`<ul>${rows.map(({ code, title, status, level, mark, words, ask, leaves }) => html`
-    <li class="chip ${status}" data-part-of="${code}"><button type="button" data-part="${code}" data-ask="${ask ?? ""}" title="${words}">
+    <li class="chip ${status}" data-part-of="${code}"><button type="button" data-part="${code}" data-ask="${ask ?? ""}" data-takes="${leaves ? "" : code}" title="${words}">
       <span class="mark ${level || ""}" aria-hidden="true">${mark}</span>${title}<span class="unseen">: ${words}</span></button><button
       type="button" class="scope" ${(!known || (leaves && judged.length < 2)) && html`disabled`} data-leaves="${leaves ? code : ""}" data-takes="${leaves ? "" : code}" aria-label="${message(leaves ? "parts.leave" : "parts.take", { part: title })}"
       title="${message(leaves ? "parts.leave" : "parts.take", { part: title })}">${leaves ? "×" : "+"}</button></li>`)}</ul>
@@ -99,9 +99,9 @@ export function createVerdict({ calculator, titles, scope: all = [], on }) {
       part("judged").focus(); // the button goes
       on.again();
     } else if (ask) on.asked(ask);
-    else if (code) on.shown(judgedNow.parts.find((one) => one.code === code).governing);
     else if (leaves) on.scoped(scope().filter((one) => one !== leaves));
     else if (takes) on.scoped(judgedNow.parts.map((one) => one.code).filter((one) => one === takes || scope().includes(one)));
+    else if (code) on.shown(judgedNow.parts.find((one) => one.code === code).governing);
     else if (button.matches(".only")) on.scoped(["contact"]);
     else if (button.matches(".every")) on.scoped(judgedNow.parts.map((one) => one.code));
   });

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { assumedIn, checkRow, fixRow, judgedOf, notConsidered, sizedBy, torqueUnknown, verdictSentence, wordNote, wordOf } from "../../static/lib/checks.js";
+import { assumedIn, checkRow, fixRow, judgedOf, notConsidered, partRow, sizedBy, torqueUnknown, verdictSentence, wordNote, wordOf } from "../../static/lib/checks.js";
 import { solutionOf, solveBody, targetsOf } from "../../static/lib/sizing.js";
 import { useLanguage } from "../../static/messages/index.js";
 import "./service.mjs";
@@ -175,4 +175,11 @@ test("what is assumed is said with its title, in the user's words", async () => 
   await useLanguage("uk");
   assert.doesNotMatch(assumedIn({ assumed }), /steel|_/);
   await useLanguage("en");
+});
+
+test("the chip of a part that nobody asks for leads to what it would need, as one that lacks something does", () => {
+  const ask = (part) => partRow(part).ask;
+  assert.equal(ask({ code: "losses", status: "not_asked" }), "friction.coefficient");
+  assert.equal(ask({ code: "teeth", status: "open", missing: ["/requirements/life_h", "/gear/modification"] }), "gear.modification");
+  assert.equal(ask({ code: "pins", status: "pass", governing: "pin_static" }), undefined);
 });
