@@ -23,7 +23,7 @@ LOG = logging.getLogger("khv.cluster")
 BLOCKS = 32
 """Blocks of a task, some 2,000 pieces: a quarter of a second."""
 
-CONNECT_S = 5
+CONNECT_S = 10
 """Time after which a scheduler that does not answer, or has no workers, counts as lost."""
 
 CORE = Path(__file__).parent.parent / "core"
