@@ -14,7 +14,7 @@ from pathlib import Path
 
 LOG = logging.getLogger("khv.compiled")
 
-ONCE = "compiling the load sharing, once an installation: about two minutes"
+ONCE = "compiling the load sharing, once an installation: about a minute"
 
 CORE = Path(__file__).parent.parent / "core"
 
