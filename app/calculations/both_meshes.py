@@ -13,7 +13,7 @@ from app.calculations.ring import RING_PIN_LISTS as OF_RING
 from app.calculations.ring import RingPinDeviationsFields
 from app.calculations.ring_parts import CycloidRingFields, MeshLawFields
 from app.model import Kinds, Maybe, ResponseModel, Values, field_error, quantity, result
-from app.problems import invalid_input, refusal, wrong
+from app.problems import refusal
 from app.settings import Settings
 from app.units import from_si, to_si
 from core.design.sections import Ring
@@ -68,23 +68,6 @@ class SeriesDeviationsFields(DeviationsFields, RingPinDeviationsFields, group="d
     def _lengths(self, pins: int, satellites: int) -> Iterator[tuple[str, int, int]]:
         every = super()._lengths(pins, satellites)
         return (each for each in every if each[0] not in OF_RING)
-
-    def refuse_other_ring(self, pins: int) -> None:
-        """Refuse lists that are not one value for each pin of the ring.
-
-        Raises
-        ------
-        Problem
-            If there are.
-        """
-        lists = {name: value for name in OF_RING if (value := getattr(self, name)) is not None}
-        errors = [
-            wrong(f"/deviations/{name}", "different_length", expected=pins, actual=len(value))
-            for name, value in lists.items()
-            if len(value) != pins
-        ]
-        if errors:
-            raise invalid_input(errors)
 
 
 class SeriesCouplingFields(SatelliteCouplingFields, group="satellite_coupling"):

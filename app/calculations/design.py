@@ -41,7 +41,6 @@ from app.model import (
     quantity,
     result,
 )
-from app.problems import invalid_input, wrong
 from app.settings import Settings
 from app.units import to_si
 from core.arrays import FloatArray
@@ -164,29 +163,6 @@ class DesignDeviationsFields(DeviationsFields, RingPinDeviationsFields, group="d
         """Whether nothing is stated but of the pins of the ring."""
         given = {name for name, value in self if value is not None}
         return bool(given) and given <= {*RING_PIN_LISTS}
-
-    def refuse_other_ring(self, whole: "DesignFields") -> None:
-        """Refuse lists that are not one value for each pin of the ring, where it has a number.
-
-        Parameters
-        ----------
-        whole : DesignFields
-            What they are in.
-
-        Raises
-        ------
-        Problem
-            If there are.
-        """
-        lists = {name: value for name in RING_PIN_LISTS if (value := getattr(self, name))}
-        pins = if_known(lambda: whole.design.ring_pins) if lists else None
-        errors = [
-            wrong(f"/deviations/{name}", "different_length", expected=pins, actual=len(value))
-            for name, value in lists.items()
-            if pins not in (None, len(value))
-        ]
-        if errors:
-            raise invalid_input(errors)
 
 
 class DesignFields(GivingFields):
@@ -331,7 +307,8 @@ class DesignFields(GivingFields):
         self.refuse_other_shares(self.mechanism.satellites)
         if self.deviations is not None:
             self.deviations.refuse_other_lengths(self.mechanism.pins, self.mechanism.satellites)
-            self.deviations.refuse_other_ring(self)
+            if self.deviations.ring_lists:
+                self.deviations.refuse_other_ring(if_known(lambda: self.design.ring_pins))
         super().refuse_beyond(settings)
 
     @cached_property

@@ -22,6 +22,7 @@ from app.model import (
     no_dust,
     quantity,
 )
+from app.problems import invalid_input, wrong
 from app.units import to_si
 from core.design.sections import Ring, RingPinSupport
 from core.design.sections import RingKind as Kind
@@ -167,6 +168,28 @@ class RingPinDeviationsFields(RequestModel, group="deviations"):
     """Of each pin of the ring, as the output turns."""
     ring_pin_radius_mm: Maybe[PerRingPin] = quantity("Ring pin radii", "Δr", step=0.001)
     """Of the radius of each pin of the ring."""
+
+    @property
+    def ring_lists(self) -> dict[str, list[float]]:
+        """Lists that are given, by their field."""
+        given = {name: getattr(self, name) for name in RING_PIN_LISTS}
+        return {name: value for name, value in given.items() if value}
+
+    def refuse_other_ring(self, pins: int | None) -> None:
+        """Refuse lists that are not one value for each pin of the ring, where it has a number.
+
+        Raises
+        ------
+        Problem
+            If there are.
+        """
+        errors = [
+            wrong(f"/deviations/{name}", "different_length", expected=pins, actual=len(value))
+            for name, value in self.ring_lists.items()
+            if pins not in (None, len(value))
+        ]
+        if errors:
+            raise invalid_input(errors)
 
 
 RING_PIN_LISTS = tuple(RingPinDeviationsFields.model_fields)
