@@ -34,6 +34,7 @@ from core.output.sharing_kernel import (
     Setup,
     at,
     balance,
+    part,
     play,
     start,
     too_wide,
@@ -44,10 +45,10 @@ from core.output.sharing_kernel import (
 from core.output.sharing_kernel import hardest as hardest_of
 from core.output.sharing_kernel import largest as largest_of
 from core.output.sharing_kernel import loaded as loaded_of
-from core.ring.approach import MeshPairs, MeshRoom
 from core.ring.approach import at as mesh_at
 from core.ring.approach import balance as mesh_balance
 from core.ring.approach import on_crank as mesh_on_crank
+from core.ring.approach import part as mesh_part
 from core.ring.approach import play as mesh_play
 from core.ring.approach import shift as mesh_shift
 from core.ring.approach import wave_torque as mesh_wave_torque
@@ -168,86 +169,11 @@ class Linked(NamedTuple):
     share: float  # 1 over the slope of the balance
 
 
-def between(j: int, setup: SeriesSetup, pairs: SeriesPairs, room: SeriesRoom) -> Between:
+def between(j: int, pairs: SeriesPairs, room: SeriesRoom) -> Between:
     """Disc j by itself, in the same rows."""
-    a, c = j * setup.mesh.pins, j * setup.pins
-    b, d = a + setup.mesh.pins, c + setup.pins
-    teeth, mesh, holes, pins = pairs.teeth, room.teeth, pairs.holes, room.holes
-    return Between(
-        MeshPairs(
-            teeth.phase[a:b],
-            teeth.own[a:b],
-            teeth.off[a:b],
-            teeth.eta[a:b],
-            teeth.cosine[a:b],
-            teeth.sine[a:b],
-            teeth.radial[a:b],
-            teeth.tangential[a:b],
-            teeth.larger[a:b],
-            teeth.moved[a:b],
-            teeth.base[a:b],
-            teeth.most[a:b],
-            teeth.a[a:b],
-            teeth.b[a:b],
-            teeth.limit[a:b],
-            teeth.curved[a:b],
-            teeth.distance[a:b],
-            teeth.size[a:b],
-        ),
-        MeshRoom(
-            mesh.q[a:b],
-            mesh.u[a:b],
-            mesh.v[a:b],
-            mesh.unsure[a:b],
-            mesh.force[a:b],
-            mesh.lever[a:b],
-            mesh.stiffness[a:b],
-            mesh.own_lag[a:b],
-            mesh.own_moves[a:b],
-            mesh.own_error[a:b],
-            mesh.cosine[a:b],
-            mesh.sine[a:b],
-            mesh.sharp[a:b],
-            mesh.foot[a:b],
-            mesh.fixed[a:b],
-            mesh.zero[a:b],
-        ),
-        Pairs(
-            holes.arm[c:d],
-            holes.phase[c:d],
-            holes.x[c:d],
-            holes.y[c:d],
-            holes.ex[c:d],
-            holes.ey[c:d],
-            holes.k0[c:d],
-            holes.k1[c:d],
-            holes.k2[c:d],
-            holes.distance[c:d],
-            holes.size[c:d],
-            holes.a[c:d],
-            holes.b[c:d],
-            holes.limit[c:d],
-            holes.curved[c:d],
-            holes.give,
-            holes.ends[c:d],
-        ),
-        Room(
-            pins.q[c:d],
-            pins.u[c:d],
-            pins.v[c:d],
-            pins.unsure[c:d],
-            pins.force[c:d],
-            pins.lever[c:d],
-            pins.stiffness[c:d],
-            pins.own_lag[c:d],
-            pins.own_moves[c:d],
-            pins.own_error[c:d],
-            pins.approach[c:d],
-            pins.before[c:d],
-            pins.moved[c:d],
-            pins.system,
-        ),
-    )
+    teeth, mesh = mesh_part(j, pairs.teeth, room.teeth)
+    holes, pins = part(j, pairs.holes, room.holes)
+    return Between(teeth, mesh, holes, pins)
 
 
 def wave(angle: float, setup: SeriesSetup) -> float:
@@ -371,7 +297,7 @@ def placed(
     psi, low, high, error, pressed = wave(angle, setup), -math.inf, math.inf, 0.0, False
     one = setup.mesh
     for j in range(setup.satellites):
-        disc = between(j, setup, pairs, room)
+        disc = between(j, pairs, room)
         teeth, found = disc.teeth, disc.mesh
         for i in range(one.pins):
             found.force[i] = 0.0
@@ -468,7 +394,7 @@ def solve(
     over, lag = wave(psi, setup), math.inf
     zero = (low + high) / 2 if low > high else high
     for j in range(setup.satellites):
-        disc = between(j, setup, pairs, room)
+        disc = between(j, pairs, room)
         for i in range(setup.pins):
             disc.pins.force[i] = 0.0
         for i in range(setup.mesh.pins):
@@ -491,7 +417,7 @@ def solve(
         carried = size = slope = 0.0
         balanced = True
         for j in range(setup.satellites):
-            disc = between(j, setup, pairs, room)
+            disc = between(j, pairs, room)
             one, done = settled(j, over, lag, LOOSE if loose else EPS, setup, disc, room)
             balanced = balanced and done
             carried += one.torque - one.moves * one.value
@@ -552,7 +478,7 @@ def series_errors(
     mesh, output = setup.mesh, setup.output
     off, slope, force_error = abs(value) + 4 * EPS * torque, 0.0, 0.0
     for j in range(setup.satellites):
-        own, disc = room.lag[j], between(j, setup, pairs, room)
+        own, disc = room.lag[j], between(j, pairs, room)
         one = linked(psi, lag, own, setup, disc)
         slope += one.slope
         teeth, holes = disc.mesh, disc.pins
@@ -573,7 +499,7 @@ def series_errors(
         room.moves[j] = one.moves
     lag_error = off / slope if slope > 0 else math.inf
     for j in range(setup.satellites):
-        disc = between(j, setup, pairs, room)
+        disc = between(j, pairs, room)
         teeth, holes = disc.mesh, disc.pins
         room.error[j] += abs(room.moves[j]) * lag_error
         for i in range(mesh.pins):
@@ -623,7 +549,7 @@ def input_torque(
     """
     over, total = wave(psi, setup), setup.direction * torque / setup.ratio
     for j in range(setup.satellites):
-        own, disc = room.lag[j], between(j, setup, pairs, room)
+        own, disc = room.lag[j], between(j, pairs, room)
         turned = over - (setup.direction * own if setup.output.exact else 0.0)
         total += mesh_wave_torque(psi, own, setup.mesh, disc.teeth, disc.mesh)
         on_pins = wave_torque(turned, lag - own, setup.output, disc.holes, disc.pins)
@@ -639,7 +565,7 @@ def on_crank(
     """
     along = across = pins_along = pins_across = 0.0
     mesh, output, own = setup.mesh, setup.output, room.lag[j]
-    disc = between(j, setup, pairs, room)
+    disc = between(j, pairs, room)
     for i in range(mesh.pins):
         force = disc.mesh.force[i]
         if force > 0:
