@@ -120,7 +120,9 @@ def _compiled(over: types.ModuleType | None) -> types.SimpleNamespace:
     of_others = {
         name: getattr(_of(plain.__module__), plain.__name__) for name, plain in _borrowed(over)
     }
-    names = _copies(numba.njit(cache=True, nogil=True, error_model="numpy"), of_others, over)
+    # The loops make no arrays: what they are given is held by who calls them, and not counted.
+    made = numba.njit(cache=True, nogil=True, error_model="numpy", _nrt=False)
+    names = _copies(made, of_others, over)
     return types.SimpleNamespace(
         **names,
         row=functools.partial(np.array, dtype=float),

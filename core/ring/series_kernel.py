@@ -24,6 +24,7 @@ from core.output.sharing_kernel import (
     RADIAN,
     SOLVED,
     STEPS,
+    TINY,
     TOO_FAR,
     TOO_WIDE,
     Load,
@@ -33,7 +34,7 @@ from core.output.sharing_kernel import (
     Row,
     Setup,
     at,
-    balance,
+    law,
     play,
     start,
     too_wide,
@@ -44,9 +45,8 @@ from core.output.sharing_kernel import (
 from core.output.sharing_kernel import hardest as hardest_of
 from core.output.sharing_kernel import largest as largest_of
 from core.output.sharing_kernel import loaded as loaded_of
-from core.ring.approach import MeshPairs, MeshRoom
+from core.ring.approach import MeshPairs, MeshRoom, reach, touch
 from core.ring.approach import at as mesh_at
-from core.ring.approach import balance as mesh_balance
 from core.ring.approach import on_crank as mesh_on_crank
 from core.ring.approach import play as mesh_play
 from core.ring.approach import shift as mesh_shift
@@ -60,10 +60,12 @@ over reduced radius.
 MIDDLES = 12
 """Steps to where a disc that carries nothing comes to either end of its freedom."""
 
-LOOSE, NEARLY = 0.1, 1e-5
+LOOSE = 0.1
 """How far discs are settled while the lag of the output is still sought, as a part of their own
-lag; and the part of it by which that moves at last, from where on all is settled to rounding.
-"""
+lag."""
+
+CLOSE = 1e-12
+"""Steps of Newton, as parts of the lag, after which the next ones would be rounding."""
 
 JUST = 1e-9
 """Least step in which the lag is sought beyond the play, rad."""
@@ -108,6 +110,9 @@ class SeriesRoom(NamedTuple):
     slack_low: Row  # play on the pins, as far as the output lags behind; likewise
     slack_high: Row
     held: Row  # whether the pins press into a disc without load
+    turned: Row  # [1] torque that was solved last, negative in reverse; 0 where it was not
+    last: Row  # [1] lag of the output then
+    wound: Row  # [1] and by how much it was beyond the play
     pressed: Row  # [1] whether pins press without load in either stage by itself
 
 
@@ -261,45 +266,129 @@ def pins_at(psi: float, lag: float, setup: SeriesSetup, disc: Between) -> None:
     at(psi - turned, setup.output, disc.holes, disc.pins)
 
 
-def held(psi: float, lag: float, own: float, setup: SeriesSetup, disc: Between) -> Held:
-    """Pins of the output on a disc, by the lags of the output and of the disc.
+def held(
+    j: int,
+    psi: float,
+    lag: float,
+    own: float,
+    setup: SeriesSetup,
+    pairs: SeriesPairs,
+    room: SeriesRoom,
+) -> Held:
+    """Pins of the output on disc j, by the lags of the output and of the disc.
 
     With p the pin's centre, q the hole's from that of its disc and d between the centres, all in
     the disc's frame, the approach is ``|d|`` less a length, and its derivative by the disc's lag
     ``-Im(conj(d)*q)/|d|``.
     """
-    one, holes, found = setup.output, disc.holes, disc.pins
-    if one.exact:
-        pins_at(psi, own, setup, disc)
-    behind = lag - own
-    torque, slope, gross = balance(behind, one, holes, found)
-    if not one.exact:
-        return Held(torque, gross, torque, slope, -slope, slope)
-    half, way = math.sin(behind / 2), setup.direction
-    less, sine = -2 * half * half, way * math.sin(behind)
-    angle = psi - way * own + holes.phase[0]
-    wx, wy = holes.arm[0] * math.sin(angle) / 2, holes.arm[0] * math.cos(angle) / 2
-    on_disc = by_both = by_disc = 0.0
-    for i in range(one.pins):
-        force, stiffness = found.force[i], found.stiffness[i]
-        if force == 0:
-            continue
+    one, holes, found, way = setup.output, pairs.holes, room.holes, setup.direction
+    exact, behind, first = one.exact, lag - own, j * setup.pins
+    angle = psi + holes.phase[first] - (way * own if exact else 0.0)
+    wx, wy = holes.arm[first] * math.sin(angle), holes.arm[first] * math.cos(angle)
+    half, sine = math.sin(behind / 2), math.sin(behind)
+    less = -2 * half * half
+    torque = gross = by_output = on_disc = by_both = by_disc = 0.0
+    for i in range(first, first + setup.pins):
         x, y, ex, ey = holes.x[i], holes.y[i], holes.ex[i], holes.ey[i]
-        px, py, qx, qy = (1 + less) * x + sine * y, (1 + less) * y - sine * x, x - ex, y - ey
-        dx, dy = ex + wx + less * x + sine * y, ey + wy + less * y - sine * x
-        length, lever = math.sqrt(dx * dx + dy * dy), way * found.lever[i]
-        arm = (dx * qy - dy * qx) / length
-        on_disc += force * way * arm
-        by_both += (force * (lever * arm - px * qx - py * qy)) / length - stiffness * lever * arm
-        bend = (qx * qx + qy * qy + dx * qx + dy * qy - arm * arm) / length
-        by_disc += stiffness * arm * arm + force * bend
-    return Held(torque, gross, on_disc, slope, by_both, by_disc)
+        q = wx * ex + wy * ey + holes.k0[i]
+        u, v = 0.0, way * (wx * x + wy * y)
+        approach = q + behind * v
+        if exact:
+            u, v = wx * x + wy * y + holes.k1[i], way * (wx * y - wy * x + holes.k2[i])
+            approach = q + less * u + sine * v
+        if approach <= TINY:
+            found.force[i] = found.lever[i] = found.stiffness[i] = 0.0
+            continue
+        lever, bend, length = v, 0.0, 1.0
+        if exact:
+            length = math.sqrt(holes.distance[i] * holes.distance[i] + approach)
+            approach /= length + holes.distance[i]
+            lever = ((1 + less) * v - sine * u) / (2 * length)
+            bend = (-((1 + less) * u + sine * v) / 2 - lever * lever) / length
+        force, stiffness = law(
+            one.law,
+            approach,
+            holes.a[i],
+            holes.b[i],
+            one.exponent,
+            found.force[i],
+            found.stiffness[i],
+            one.curve,
+        )
+        found.force[i], found.lever[i], found.stiffness[i] = force, lever, stiffness
+        torque += force * lever
+        gross += force * abs(lever)
+        by_output += stiffness * lever * lever + force * bend
+        if exact:
+            px, py = (1 + less) * x + way * sine * y, (1 + less) * y - way * sine * x
+            qx, qy = x - ex, y - ey
+            dx, dy = (
+                ex + wx / 2 + less * x + way * sine * y,
+                ey + wy / 2 + less * y - way * sine * x,
+            )
+            arm, lever = (dx * qy - dy * qx) / length, way * lever
+            on_disc += force * way * arm
+            by_both += force * (lever * arm - px * qx - py * qy) / length
+            by_both -= stiffness * lever * arm
+            bend = (qx * qx + qy * qy + dx * qx + dy * qy - arm * arm) / length
+            by_disc += stiffness * arm * arm + force * bend
+    if not exact:
+        return Held(torque, gross, torque, by_output, -by_output, by_output)
+    return Held(torque, gross, on_disc, by_output, by_both, by_disc)
 
 
-def linked(psi: float, lag: float, own: float, setup: SeriesSetup, disc: Between) -> Linked:
-    """A disc at a lag of the output and its own; its forces are in the room."""
-    on_pins = held(psi, lag, own, setup, disc)
-    torque, slope, gross = mesh_balance(own, setup.mesh, disc.teeth, disc.mesh)
+def toothed(
+    j: int, own: float, setup: SeriesSetup, pairs: SeriesPairs, room: SeriesRoom
+) -> tuple[float, float, float]:
+    """Torque of the ring about the centre of disc j at its lag, its derivative, and the sum of its
+    terms' sizes: `core.ring.approach.balance` of one disc in the rows of all.
+    """
+    one, teeth, found = setup.mesh, pairs.teeth, room.teeth
+    first = j * one.pins
+    torque = slope = gross = 0.0
+    found.own_lag[first] = own
+    for i in range(first, first + one.pins):
+        lever, bend = found.v[i], 0.0
+        approach = found.q[i] + own * lever
+        if one.foot:
+            moved = abs(own) * one.radius
+            if found.u[i] == 0:
+                moved += teeth.moved[i]
+            if approach >= reach(i, moved, one, found):
+                exact = touch(i, first, own, one, teeth, found)
+                approach, lever, bend = exact.approach + found.fixed[i], exact.lever, exact.bend
+        if approach <= TINY:
+            found.force[i] = found.lever[i] = found.stiffness[i] = 0.0
+            continue
+        force, stiffness = law(
+            one.law,
+            approach,
+            teeth.a[i],
+            teeth.b[i],
+            one.exponent,
+            found.force[i],
+            found.stiffness[i],
+            one.curve,
+        )
+        found.force[i], found.lever[i], found.stiffness[i] = force, lever, stiffness
+        torque += force * lever
+        gross += force * abs(lever)
+        slope += stiffness * lever * lever + force * bend
+    return torque, slope, gross
+
+
+def linked(
+    j: int,
+    psi: float,
+    lag: float,
+    own: float,
+    setup: SeriesSetup,
+    pairs: SeriesPairs,
+    room: SeriesRoom,
+) -> Linked:
+    """Disc j at a lag of the output and its own; its forces are in the room."""
+    on_pins = held(j, psi, lag, own, setup, pairs, room)
+    torque, slope, gross = toothed(j, own, setup, pairs, room)
     stiff, value = slope + on_pins.by_disc, torque - on_pins.on_disc
     share = 1 / stiff if stiff > 0 else 0.0
     moves = -on_pins.by_both * share
@@ -316,16 +405,24 @@ def linked(psi: float, lag: float, own: float, setup: SeriesSetup, disc: Between
     )
 
 
-def rest(in_ring: bool, psi: float, own: float, setup: SeriesSetup, disc: Between) -> float:
-    """Lag at which the pins that press a disc turn it neither way: its own in the ring, or by which
+def rest(
+    in_ring: bool,
+    j: int,
+    psi: float,
+    own: float,
+    setup: SeriesSetup,
+    pairs: SeriesPairs,
+    room: SeriesRoom,
+) -> float:
+    """Lag at which the pins that press disc j turn it neither way: its own in the ring, or by which
     the output is behind it.
     """
     lag, low, high, far = 0.0, -math.inf, math.inf, setup.mesh.eccentricity / setup.mesh.radius
     for step in range(1, STEPS):
         if in_ring:
-            torque, slope, gross = mesh_balance(lag, setup.mesh, disc.teeth, disc.mesh)
+            torque, slope, gross = toothed(j, lag, setup, pairs, room)
         else:
-            found = held(psi, own + lag, own, setup, disc)
+            found = held(j, psi, own + lag, own, setup, pairs, room)
             torque, slope, gross = found.on_disc, found.by_output, found.gross
         if abs(torque) <= EPS * gross:
             break
@@ -342,9 +439,16 @@ def rest(in_ring: bool, psi: float, own: float, setup: SeriesSetup, disc: Betwee
 
 
 def slack(
-    side: float, psi: float, own: float, setup: SeriesSetup, disc: Between
+    side: float,
+    j: int,
+    psi: float,
+    own: float,
+    setup: SeriesSetup,
+    pairs: SeriesPairs,
+    room: SeriesRoom,
+    disc: Between,
 ) -> tuple[float, float, bool]:
-    """How far the output may lag behind a disc on a side at most, its error, and whether its pins
+    """How far the output may lag behind disc j on a side at most, its error, and whether its pins
     press, at a lag of the disc.
     """
     turned = setup.direction * own if setup.output.exact else 0.0
@@ -358,7 +462,7 @@ def slack(
     if low > high + error:
         for i in range(one.pins):
             found.force[i] = 0.0
-        return rest(False, psi, own, setup, disc), error, True
+        return rest(False, j, psi, own, setup, pairs, room), error, True
     return (high if side > 0 else low), error, False
 
 
@@ -383,11 +487,11 @@ def placed(
         )
         mesh_shift(0.0, -1, one, teeth, found)
         if first > last + off:
-            first = last = rest(True, psi, 0.0, setup, disc)
+            first = last = rest(True, j, psi, 0.0, setup, pairs, room)
             pressed = True
         room.low[j], room.high[j] = first, last
-        behind_most, off_high, held_high = slack(1.0, psi, last, setup, disc)
-        behind_least, off_low, held_low = slack(-1.0, psi, first, setup, disc)
+        behind_most, off_high, held_high = slack(1.0, j, psi, last, setup, pairs, room, disc)
+        behind_least, off_low, held_low = slack(-1.0, j, psi, first, setup, pairs, room, disc)
         room.slack_low[j], room.slack_high[j] = behind_least, behind_most
         room.held[j] = 1.0 if held_low or held_high else 0.0
         pressed = pressed or held_low or held_high
@@ -398,16 +502,17 @@ def placed(
 
 
 def middle(
-    psi: float, lag: float, least: float, most: float, setup: SeriesSetup, disc: Between
+    j: int, psi: float, lag: float, setup: SeriesSetup, pairs: SeriesPairs, room: SeriesRoom
 ) -> float:
-    """Middle of the lags at which a disc, without force, lies between the ends of its play in the
+    """Middle of the lags at which disc j, without force, lies between the ends of its play in the
     ring and the pins.
     """
-    low, high = least, most
+    disc = between(j, setup, pairs, room)
+    low, high = least, most = room.low[j], room.high[j]
     for _ in range(MIDDLES if setup.output.exact else 1):
         before = low, high
-        low = max(least, lag - slack(1.0, psi, low, setup, disc)[0])
-        high = min(most, lag - slack(-1.0, psi, high, setup, disc)[0])
+        low = max(least, lag - slack(1.0, j, psi, low, setup, pairs, room, disc)[0])
+        high = min(most, lag - slack(-1.0, j, psi, high, setup, pairs, room, disc)[0])
         if before == (low, high):
             break
     return (low + high) / 2
@@ -419,7 +524,7 @@ def settled(
     lag: float,
     close: float,
     setup: SeriesSetup,
-    disc: Between,
+    pairs: SeriesPairs,
     room: SeriesRoom,
 ) -> tuple[Linked, bool]:
     """Disc j in balance at a lag of the output, so close as a part of its own, and whether it is.
@@ -431,11 +536,12 @@ def settled(
     most = max(room.high[j], lag - room.slack_high[j])
     wider = (most - least) / 2 + JUST
     least, most = least - wider, most + wider
-    one, done = linked(psi, lag, own, setup, disc), False
+    done = False
     for step in range(1, STEPS):
+        one = linked(j, psi, lag, own, setup, pairs, room)
         if one.value == 0 and one.share == 0:  # free
             if room.held[j] < PRESSED:
-                own = middle(psi, lag, room.low[j], room.high[j], setup, disc)
+                own = middle(j, psi, lag, setup, pairs, room)
             done = True
             break
         if abs(one.value) <= EPS * one.size or abs(one.change) <= close * abs(own):
@@ -453,9 +559,26 @@ def settled(
             done = True
             break
         own = following
-        one = linked(psi, lag, own, setup, disc)
     room.lag[j], room.moves[j], room.torque[j] = own, one.moves, one.of_ring
     return one, done
+
+
+def begun(
+    over: float, torque: float, setup: SeriesSetup, pairs: SeriesPairs, room: SeriesRoom
+) -> float:
+    """Lag of the output at which the best placed pairs of one disc alone would carry the torque;
+    the discs are put between.
+    """
+    lag = math.inf
+    for j in range(setup.satellites):
+        disc = between(j, setup, pairs, room)
+        pins_at(over, room.high[j], setup, disc)
+        own = max(start(torque, setup.mesh, disc.teeth, disc.mesh), room.high[j])
+        own += max(start(torque, setup.output, disc.holes, disc.pins), room.slack_high[j])
+        lag = min(lag, own)
+    for j in range(setup.satellites):
+        room.lag[j] = room.high[j] + max(lag - room.high[j] - room.slack_high[j], 0.0) / 2
+    return lag
 
 
 def solve(
@@ -465,22 +588,22 @@ def solve(
     left in the room. Play and lag are those of the output.
     """
     low, high, play_error, pressed = placed(psi, setup, pairs, room)
-    over, lag = wave(psi, setup), math.inf
+    over = wave(psi, setup)
     zero = (low + high) / 2 if low > high else high
-    for j in range(setup.satellites):
-        disc = between(j, setup, pairs, room)
-        for i in range(setup.pins):
-            disc.pins.force[i] = 0.0
-        for i in range(setup.mesh.pins):
-            disc.mesh.force[i] = 0.0
-        pins_at(over, room.high[j], setup, disc)
-        alone = max(start(torque, setup.mesh, disc.teeth, disc.mesh), room.high[j])
-        alone += max(start(torque, setup.output, disc.holes, disc.pins), room.slack_high[j])
-        lag = min(lag, alone)
+    for i in range(setup.pins * setup.satellites):
+        room.holes.force[i] = 0.0
+    for i in range(setup.mesh.pins * setup.satellites):
+        room.teeth.force[i] = 0.0
+    if room.turned[0] == setup.direction * torque and math.isfinite(zero):
+        # As far beyond the play as where it was solved last, which mostly is nearby.
+        lag = zero + room.wound[0]
+        for j in range(setup.satellites):
+            room.lag[j] += lag - room.last[0]
+    else:
+        lag = begun(over, torque, setup, pairs, room)
+    room.turned[0] = 0.0
     if lag == math.inf or zero == math.inf:
         return Position(0.0, 0.0, low, high, play_error, 0.0, 0.0, NO_DRIVE, 0)
-    for j in range(setup.satellites):
-        room.lag[j] = room.high[j] + max(lag - room.high[j] - room.slack_high[j], 0.0) / 2
     pressed = pressed or low > high
     first, last = -math.inf if pressed else zero, math.inf
     power = 1.0 if pressed else 1 / max(setup.mesh.exponent, setup.output.exponent)
@@ -489,11 +612,11 @@ def solve(
     loose, reach = True, max(lag - zero, abs(zero), JUST)
     for step in range(1, STEPS):
         carried = size = slope = 0.0
-        balanced = True
+        balanced = close = True
         for j in range(setup.satellites):
-            disc = between(j, setup, pairs, room)
-            one, done = settled(j, over, lag, LOOSE if loose else EPS, setup, disc, room)
+            one, done = settled(j, over, lag, LOOSE if loose else EPS, setup, pairs, room)
             balanced = balanced and done
+            close = close and abs(one.change) <= CLOSE * abs(lag)
             carried += one.torque - one.moves * one.value
             size += one.gross + abs(one.moves) * one.size
             slope += one.slope
@@ -510,7 +633,9 @@ def solve(
         following = lag + change
         if loose:  # nothing is known of the sign
             inside = first < following < last
-            loose = inside and abs(change) > NEARLY * abs(lag) and step < LOOSELY
+            if inside and close and abs(change) <= CLOSE * abs(lag):
+                status = SOLVED if balanced else NOT_SOLVED
+            loose = inside and status != SOLVED and step < LOOSELY
             if not inside:
                 continue
         else:
@@ -528,9 +653,13 @@ def solve(
         for j in range(setup.satellites):
             room.lag[j] += room.moves[j] * (following - lag)
         lag = following
+        if status == SOLVED:
+            break
     if slope <= 0:
         return Position(lag, slope, low, high, play_error, 0.0, 0.0, NOT_STABLE, step)
-    lag_error, force_error = series_errors(psi, torque, lag, value, setup, pairs, room)
+    lag_error, force_error, slope = series_errors(psi, torque, lag, setup, pairs, room)
+    if status == SOLVED:
+        room.turned[0], room.last[0], room.wound[0] = setup.direction * torque, lag, lag - zero
     lag_error += (0.0 if pressed else play_error) + EPS * abs(lag)
     return Position(lag, slope, low, high, play_error, lag_error, force_error, status, step)
 
@@ -539,52 +668,51 @@ def series_errors(
     angle: float,
     torque: float,
     lag: float,
-    value: float,
     setup: SeriesSetup,
     pairs: SeriesPairs,
     room: SeriesRoom,
-) -> tuple[float, float]:
-    """Bounds of the errors of the lag of the output and of all forces, as `solve` left the room: by
-    what the balances are off, and by rounding of their terms, of levers and of approaches.
+) -> tuple[float, float, float]:
+    """Bounds of the errors of the lag of the output and of all forces at the lags in the room: by
+    what the balances are off there, and by rounding of their terms, of levers and of approaches.
+    And the stiffness there.
     """
     psi = wave(angle, setup)
     in_ring, on_pins = EPS * (4 + 2 * abs(angle)), EPS * (4 + 2 * abs(psi))
-    mesh, output = setup.mesh, setup.output
-    off, slope, force_error = abs(value) + 4 * EPS * torque, 0.0, 0.0
+    mesh, output, teeth, holes = setup.mesh, setup.output, room.teeth, room.holes
+    off, slope, force_error, carried = 4 * EPS * torque, 0.0, 0.0, 0.0
     for j in range(setup.satellites):
-        own, disc = room.lag[j], between(j, setup, pairs, room)
-        one = linked(psi, lag, own, setup, disc)
+        own = room.lag[j]
+        one = linked(j, psi, lag, own, setup, pairs, room)
         slope += one.slope
-        teeth, holes = disc.mesh, disc.pins
         rough, unsure = 4 * EPS * one.size + abs(one.value), 0.0
-        for i in range(mesh.pins):
-            near = in_ring * (disc.teeth.size[i] + abs(own) * mesh.radius)
+        for i in range(j * mesh.pins, (j + 1) * mesh.pins):
+            near = in_ring * (pairs.teeth.size[i] + abs(own) * mesh.radius)
             teeth.unsure[i] = near
             rough += in_ring * teeth.force[i] * mesh.radius
             rough += teeth.stiffness[i] * abs(teeth.lever[i]) * near
-        for i in range(output.pins):
-            twice = 2 * disc.holes.distance[i] if output.exact else 1.0
-            near = on_pins * (disc.holes.size[i] / twice + abs(lag - own) * output.radius)
+        for i in range(j * output.pins, (j + 1) * output.pins):
+            twice = 2 * pairs.holes.distance[i] if output.exact else 1.0
+            near = on_pins * (pairs.holes.size[i] / twice + abs(lag - own) * output.radius)
             holes.unsure[i] = near
             unsure += on_pins * holes.force[i] * output.radius
             unsure += holes.stiffness[i] * abs(holes.lever[i]) * near
         room.error[j] = (rough + unsure) * one.share
+        carried += one.torque - one.moves * one.value
         off += unsure + 4 * EPS * one.gross + abs(one.moves) * (rough + unsure)
-        room.moves[j] = one.moves
+        room.moves[j], room.torque[j] = one.moves, one.of_ring
+    off += abs(carried - torque)
     lag_error = off / slope if slope > 0 else math.inf
     for j in range(setup.satellites):
-        disc = between(j, setup, pairs, room)
-        teeth, holes = disc.mesh, disc.pins
         room.error[j] += abs(room.moves[j]) * lag_error
-        for i in range(mesh.pins):
+        for i in range(j * mesh.pins, (j + 1) * mesh.pins):
             near = abs(teeth.lever[i]) * room.error[j] + teeth.unsure[i]
             near = teeth.stiffness[i] * near + 8 * EPS * teeth.force[i]
             force_error = max(force_error, near)
-        for i in range(output.pins):
+        for i in range(j * output.pins, (j + 1) * output.pins):
             near = abs(holes.lever[i]) * (lag_error + room.error[j]) + holes.unsure[i]
             near = holes.stiffness[i] * near + 8 * EPS * holes.force[i]
             force_error = max(force_error, near)
-    return lag_error, force_error
+    return lag_error, force_error, slope
 
 
 def played(
