@@ -454,8 +454,10 @@ def _interference(mesh: CycloidMesh, setup: MeshSetup, free: bool, angle: float)
     return float(loops.interference(-far, far, setup, pairs, room))
 
 
-def mesh_gaps(*, mesh: CycloidMesh, crank_angle: float) -> tuple[tuple[float, ...], ...]:
-    """Gaps of all pairs where the discs do not lag: negative where they would press.
+def mesh_gaps(
+    *, mesh: CycloidMesh, crank_angle: float, rotation: tuple[float, ...] = ()
+) -> tuple[tuple[float, ...], ...]:
+    """Gaps of all pairs where the discs lag by so much: negative where they press.
 
     Parameters
     ----------
@@ -463,6 +465,8 @@ def mesh_gaps(*, mesh: CycloidMesh, crank_angle: float) -> tuple[tuple[float, ..
         The mesh.
     crank_angle : float
         Crank angle, rad.
+    rotation : tuple of float, K, optional
+        Lag of each disc, rad, negative in reverse; none where it is not given.
 
     Returns
     -------
@@ -484,12 +488,14 @@ def mesh_gaps(*, mesh: CycloidMesh, crank_angle: float) -> tuple[tuple[float, ..
     check_single(crank_angle=crank_angle)
     setup, room, pairs = mesh.setup(1.0), mesh.room(), mesh.pairs
     approach.at(mesh.wave(crank_angle), setup, pairs, room)
+    pins, lags = setup.pins, rotation or (0.0,) * setup.satellites
     if not mesh.exact:
-        return mesh.rows([-q for q in room.q])
-    pins = setup.pins
+        return mesh.rows(
+            [-q - lags[i // pins] * v for i, (q, v) in enumerate(zip(room.q, room.v, strict=True))]
+        )
     return mesh.rows(
         [
-            -approach.touch(i, i // pins, 0.0, setup, pairs, room).approach
+            -approach.touch(i, i // pins, lags[i // pins], setup, pairs, room).approach
             for i in range(len(room.q))
         ]
     )

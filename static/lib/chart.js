@@ -2,6 +2,7 @@
  * Figures as the service sends them (Plotly's data and layout, canonical units, English) made ready
  * for the reader: in the language and the units shown, as tables, with other designs laid over. No DOM.
  */
+import { message } from "../messages/index.js";
 import { figureText } from "../service_texts.js";
 import { shownAsIs, shownValue } from "./units.js";
 
@@ -188,8 +189,15 @@ export function pairsOf({ name, mode }) {
   return mode === "lines" && PAIR.test(name) ? name.split(" = ") : [];
 }
 
+/** Whether a name is that of a pin of the ring with a satellite, `2/14`, not of one of the output, `2.3`. */
+export const isOfRing = (name) => name?.includes("/") ?? false;
+
 /** A name of pairs as the reader knows them. */
 export function pairNames(name) {
+  if (isOfRing(name)) {
+    const [satellite, pin] = name.split("/");
+    return message("drawing.ringPair", { satellite, pin });
+  }
   return name.split(" = ").map((pair) => {
     const [satellite, pin] = pair.split(".");
     return figureText("pair", { satellite, pin });

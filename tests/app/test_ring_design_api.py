@@ -4,9 +4,13 @@
 
 from copy import deepcopy
 
+import numpy as np
 import pytest
 
+from app.calculations import crank_planetary
+from app.calculations.crank_planetary import CrankPlanetaryRequest, solve
 from app.examples import REQUESTS
+from core.ring.sharing import mesh_position
 
 pytestmark = pytest.mark.anyio
 
@@ -39,6 +43,13 @@ def changed(**sections):
         for name in [name for name, value in inner.items() if value is None]:
             del inner[name]
     return body
+
+
+def distance(points, polygon):
+    """How far points are from a closed polygon."""
+    sides, away = np.roll(polygon, -1) - polygon, points[:, None] - polygon
+    along = np.clip((away / sides).real, 0, 1)
+    return np.abs(away - along * sides).min(axis=1)
 
 
 @pytest.mark.parametrize(
@@ -128,6 +139,63 @@ async def test_the_mesh_is_what_its_endpoint_answers(api):
         "/contact/hole_material",
         "/gear/pin_material",
     ]
+
+
+OFF = {
+    "ring_pin_radial_mm": [0.004, -0.003, 0.002, 0.0] * 5,
+    "ring_pin_tangential_mm": [0.005, 0.0, -0.002, 0.003] * 5,
+    "ring_pin_radius_mm": [0.001, 0.0, 0.002, -0.001] * 5,
+}
+UNEVEN = {"crank_angles_deg": [0.0, 100.0, 215.0], "satellites": 3, "initial_crank_angle_deg": 25.0}
+
+
+@pytest.mark.parametrize(("deviations", "direction"), [({}, "driving"), (OFF, "reverse")])
+def test_discs_stand_on_the_pins_as_they_are_drawn(monkeypatch, deviations, direction):
+    """Put where the answer says, a fine outline is as far from each pin as its gap says, and turned
+    by the lag; where they press it reaches into it.
+    """
+    monkeypatch.setattr(crank_planetary, "DRAWN_ERROR", 2e-8)
+    body = changed(
+        mechanism=UNEVEN,
+        load={"torque_direction": direction},
+        deviations=deviations,
+        include=["ring_drawing"],
+    )
+    request = CrankPlanetaryRequest.model_validate(body)
+    drawn = solve(request)["ring_drawing"]
+    turn = request.results.ring_working[0].turn
+    lobe = np.array(drawn["lobe_mm"]) @ [1, 1j]
+    outline = np.concatenate([lobe * np.exp(-2j * np.pi * i / 19) for i in range(19)])
+    pins = np.array([each["centre_mm"] for each in drawn["ring_pins"]]) @ [1, 1j]
+    radii = [each["radius_mm"] for each in drawn["ring_pins"]]
+    angles, gaps, forces = (
+        np.array(drawn[name]) for name in ("crank_angle_deg", "gap_mm", "force_N")
+    )
+    assert angles[0] == 0 and angles[-1] == 360 and (gaps[..., 0] == gaps[..., -1]).all()
+    for i in (0, 1, len(angles) // 3, len(angles) - 2):
+        phi = np.radians(angles[i])
+        found = mesh_position(mesh=turn.real, crank_angle=phi, output_torque=turn.torque)
+        assert forces[..., i] == pytest.approx(np.array(found.force), abs=1e-5 * forces.max())
+        for j, alpha in enumerate(UNEVEN["crank_angles_deg"]):
+            crank = 2j * np.exp(-1j * (phi + np.radians(25.0 + alpha)))
+            turned = np.radians(drawn["turn_deg"][j]) + phi / 19 - found.rotation[j]
+            far = distance(pins, outline * np.exp(1j * turned) + crank) - radii
+            loaded = forces[j, :, i] > 0
+            assert gaps[j, ~loaded, i] == pytest.approx(far[~loaded], abs=3e-4)
+            assert (far[loaded] < 0).all() and not gaps[j, loaded, i].any() and loaded.any()
+    assert gaps.max() > 0.02  # of which the tolerance above is little
+
+
+async def test_what_cannot_be_drawn_is_left_out(api):
+    """No outline of flanks that are turned, no more pairs than are drawn."""
+    turned = changed(
+        gear={"modification": {"rotation_arcmin": 1.0}}, include=["ring_drawing", "ring_mesh"]
+    )
+    drawn = (await api.post(PATH, json=turned)).json()["ring_drawing"]
+    assert "lobe_mm" not in drawn and len(drawn["force_N"][0]) == 20
+    many = changed(mechanism={"satellites": 13}, include=["ring_drawing", "ring_mesh"])
+    answer = (await api.post(PATH, json=many)).json()
+    assert "ring_drawing" not in answer and "ring_mesh" in answer
 
 
 async def test_angles_are_those_of_the_output(api):

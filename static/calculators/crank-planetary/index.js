@@ -297,7 +297,7 @@ export default {
         contact: input.contact,
         ...Object.fromEntries(DESIGN.filter((part) => input[part]).map((part) => [part, input[part]])),
       }),
-      include: [...sections, ...(sections.includes("contact_force") && (filled.mechanism.output ?? "pins") !== "pins" ? ["members"] : []), ...(solved ? [this.solved] : []), ...(solved && tables.has("cyclogram") ? ["real_cyclogram"] : []), "checks"],
+      include: [...sections, ...(sections.includes("contact_force") && (filled.mechanism.output ?? "pins") !== "pins" ? ["members"] : []), ...(solved ? [this.solved] : []), ...(solved && tables.has("cyclogram") ? ["real_cyclogram"] : []), ...(sections.includes("ring_mesh") ? ["ring_drawing"] : []), "checks"],
     }));
   },
 
@@ -327,7 +327,7 @@ export default {
 
   /** Values of the answer that figures, their tables or the checks show, or that only place the others. */
   elsewhere: [
-    "locus", "pairs", "driving_count", "dead_zones_deg", "curves", "pins", "crank_angle_deg", "source", "source_code", "life", "forces",
+    "locus", "pairs", "driving_count", "dead_zones_deg", "curves", "ring_drawing", "pins", "crank_angle_deg", "source", "source_code", "life", "forces",
     "angle_error_arcmin", "stiffness_error", "pair_error", "ripple_error_Nm",
   ],
 
