@@ -57,6 +57,7 @@ from app.calculations.ring_mesh_answer import (
     RingGeometryOut,
     RingIdealOut,
 )
+from app.calculations.ring_mesh_figure import ShownMesh, ring_mesh_figure
 from app.calculations.satellite_bearing import (
     BearingFields,
     CrankshaftFields,
@@ -74,6 +75,7 @@ from app.model import (
     quantity,
     warning,
 )
+from app.problems import refusal
 from app.running import run
 from app.settings import Settings
 from app.sources import (
@@ -538,11 +540,19 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     def solve_ring_drawing(self) -> Values | None:
         """Discs and ring as they are drawn, and what they do under the same torque."""
         turn = self.results.ring_working[0]
-        pairs = turn.mesh.disc.pins * self.mechanism.satellites
-        if pairs > MAX_DRAWN_PAIRS:
+        if turn.mesh.disc.pins * self.mechanism.satellites > MAX_DRAWN_PAIRS:
             return None
         drawn = drawn_mesh(design=self.design, mesh=turn.mesh, chord_error=DRAWN_ERROR)
         return RingDrawingOut.of(drawn, MeshCurves(turn, DRAWN_RING))
+
+    def solve_ring_figure(self) -> ShownMesh:
+        """What the figure of the mesh shows."""
+        turn, own = self.results.ring_working[0], self.mechanism
+        if turn.mesh.disc.pins * own.satellites > MAX_DRAWN_PAIRS:
+            name = "ratio" if own.ring_teeth is None else "ring_teeth"
+            limit = {"limit": MAX_DRAWN_PAIRS // own.satellites, "satellites": own.satellites}
+            raise refusal(f"/mechanism/{name}", "too_many_pairs", **limit)
+        return ShownMesh.of(turn, members=self.design.members)
 
     def solve_disc(self) -> Notice | None:
         """Whether the edge of the satellite is so near to its holes that the pressure is off."""
@@ -700,8 +710,11 @@ def _force_figure(body: CrankPlanetaryRequest, theme: Theme) -> Figure:
 def figure(body: CrankPlanetaryRequest, theme: Theme = "light") -> Figure:
     """Cyclogram and, where a load is given, forces over one angle axis, as a Plotly figure: by the
     model of the answer, and the ideal one thin beside the real one. Where `include` names one of
-    the sections `cyclogram` and `contact_force`, that alone.
+    the sections `cyclogram` and `contact_force`, that alone; where it names `ring_mesh` alone, the
+    mesh of the ring at its peak and over the turn.
     """
+    if body.include == ["ring_mesh"]:
+        return ring_mesh_figure(run(body, body.solve_ring_figure)[0], theme)
     run(body, body.mechanism.refuse_undrawable)
     named = {"cyclogram", "contact_force"} & {*(body.include or ())}
     if body.load is None or named == {"cyclogram"}:

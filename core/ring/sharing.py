@@ -5,7 +5,7 @@ ideal angle; the equilibrium is that of `core.output.sharing_kernel` over `core.
 """
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -20,6 +20,7 @@ from core.output.conformal_law import NO_CURVE, NO_WRAP
 from core.output.contact_force import PairNumber
 from core.output.contact_law import (
     ContactLaw,
+    LinearLaw,
     PinSupport,
     check_law,
     law_constants,
@@ -46,7 +47,7 @@ from core.ring.approach import (
     MeshRoom,
     MeshSetup,
 )
-from core.ring.profile import CycloidDisc
+from core.ring.profile import CycloidDisc, Modification
 
 DEPTHS = 0.5, 2.0
 """Reference depths over the pin's radius within which a half-space stands for a disc."""
@@ -136,6 +137,20 @@ class CycloidMesh(Stage):
     def mechanism(self) -> Mechanism:  # type: ignore[override] # not set
         """The ring's pins and the cranks: the wave of their forces turns with the crank."""
         return Mechanism(self.disc.pins, self.crank_angles, math.inf)
+
+    @property
+    def perfect(self) -> "CycloidMesh":
+        """The same of perfect rigid parts, contacts linear."""
+        return replace(
+            self,
+            disc=replace(self.disc, modification=Modification()),
+            law=LinearLaw(1e8),
+            pin=None,
+            seat_stiffness=math.inf,
+            deviations=RingDeviations(),
+            exact=False,
+            support=None,
+        )
 
     @property
     def eccentricity(self) -> float:

@@ -243,3 +243,13 @@ export const besideIdeal = ({ data }) => data.some(({ meta }) => meta === "ideal
 export function coinciding({ data }) {
   return data.filter((trace) => pairsOf(trace).length > 1).map(({ name }) => pairNames(name));
 }
+
+const LONG_TITLE = 18; // letters
+
+/** An axis with its title in two lines where it is longer than a low panel is high. */
+export function inTwoLines(axis) {
+  const { text } = axis.title;
+  const place = text.lastIndexOf(" ", text.length * 0.6);
+  if (text.length <= LONG_TITLE || place <= 0) return axis;
+  return { ...axis, title: { ...axis.title, text: `${text.slice(0, place)}<br>${text.slice(place + 1)}` } };
+}

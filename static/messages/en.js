@@ -939,6 +939,8 @@ export default {
     pinStrengthLabel: "The bending moment of a pin as a curve over the turn with the worst direction, beside it the bending stress over the crank angle.",
     losses: "Loss and efficiency",
     lossesLabel: "Power lost to friction and efficiency over the crank angle, each with its mean.",
+    teeth: "Forces and gaps of the ring's pins",
+    teethLabel: "Over the pins of the ring, at the crank angle of the largest force: force and gap of each with each satellite, the forces of perfect parts thin; below, over the turn of the crank, the largest force and the lag of the output.",
     bearings: "Load of the satellites' bearings",
     bearingsLabel: "Load of each satellite's bearing in the frame of its crank, beside it its size over the crank angle with the equivalent load.",
     crank: "Reactions of the crankshaft",

@@ -5,6 +5,7 @@
 from copy import deepcopy
 
 import numpy as np
+import plotly.graph_objects as go
 import pytest
 
 from app.calculations import crank_planetary
@@ -196,6 +197,42 @@ async def test_what_cannot_be_drawn_is_left_out(api):
     many = changed(mechanism={"satellites": 13}, include=["ring_drawing", "ring_mesh"])
     answer = (await api.post(PATH, json=many)).json()
     assert "ring_drawing" not in answer and "ring_mesh" in answer
+
+
+async def test_the_figure_is_of_the_peak(api):
+    """Forces there over the pins, peak and lag over the turn, as `/ring-mesh` has them; the lag is
+    that of the output.
+    """
+    body = changed(include=["ring_mesh"], mechanism={"output": "ring"})
+    turn = (await api.post(PATH, json=body)).json()["ring_mesh"]["over_turn"]
+    figure = (await api.post(f"{PATH}/chart", json=body)).json()
+    go.Figure(data=figure["data"], layout=figure["layout"])
+    of = {}
+    for trace in figure["data"]:
+        of.setdefault(trace.get("yaxis"), []).append(trace)
+    angle, pair = turn["peak_crank_angle_deg"], turn["peak_pair"]
+    alone = {**ALONE, "deviations": {}, "include": ["positions"], "crank_angle_deg": [angle]}
+    pins = ALONE["load"]["output_torque_Nm"] * 19 / 20  # where the ring has it all
+    alone["load"] = {**ALONE["load"], "output_torque_Nm": pins}
+    (there,) = (await api.post("ring-mesh", json=alone)).json()["positions"]
+    shown = [each for each in of["y"] if each["mode"] == "lines+markers"]
+    for row, trace in zip(there["force_N"], shown, strict=True):
+        assert trace["y"] == pytest.approx(row, rel=1e-6, abs=1e-3)
+    most = shown[pair["satellite"] - 1]
+    assert most["y"][pair["pin"] - 1] == pytest.approx(turn["peak_force_N"], rel=1e-6)
+    for gap, force in zip(of["y2"], shown, strict=True):
+        assert [value > 0 for value in gap["y"]] == [value == 0 for value in force["y"]]
+    curve, peak = of["y3"]
+    assert (*peak["x"], *peak["y"]) == (angle, turn["peak_force_N"])
+    assert 0.99 * turn["peak_force_N"] < max(curve["y"]) <= turn["peak_force_N"] * (1 + 1e-6)
+    (lag,) = of["y4"]
+    ends = turn["lag_min_arcmin"], turn["lag_max_arcmin"]
+    assert (min(lag["y"]), max(lag["y"])) == pytest.approx(ends, rel=1e-3)
+    assert ends[1] < 0.96 * max(there["rotation_arcmin"])
+    assert set(of) == {"y", "y2", "y3", "y4"}
+    many = changed(mechanism={"satellites": 13}, include=["ring_mesh"])
+    (error,) = (await api.post(f"{PATH}/chart", json=many)).json()["errors"]
+    assert (error["pointer"], error["code"]) == ("/mechanism/ring_teeth", "too_many_pairs")
 
 
 async def test_angles_are_those_of_the_output(api):

@@ -2,6 +2,7 @@
  * The mechanism as it is made, with clearance, errors and elasticity: what is asked of the service and what its answer
  * says. No DOM.
  */
+import { inTwoLines } from "../../lib/chart.js";
 import { formatAngle, formatNumber, formatQuantity, quantityParts, tidy } from "../../lib/format.js";
 import { message, quantityWords } from "../../messages/index.js";
 import { askedOf, eccentricityOf, fitted, MOST_PAIRS, refuseMore } from "./mechanism.js";
@@ -82,13 +83,6 @@ export function range(from, to, unit, digits = 4) {
 }
 
 const DOMAINS = { yaxis2: [0.66, 1], yaxis3: [0.38, 0.58], yaxis4: [0, 0.25] };
-const LONG_TITLE = 18;
-
-/** A title in two lines where it is longer than its axis. */
-function broken(text) {
-  const place = text.lastIndexOf(" ", text.length * 0.6);
-  return text.length > LONG_TITLE && place > 0 ? `${text.slice(0, place)}<br>${text.slice(place + 1)}` : text;
-}
 
 /** The service's figure without its forces, which have a figure of their own. */
 function shape({ data, layout: { yaxis, ...layout } }) {
@@ -97,7 +91,7 @@ function shape({ data, layout: { yaxis, ...layout } }) {
     layout: {
       ...layout,
       ...Object.fromEntries(Object.entries(DOMAINS).map(([axis, domain]) => [axis, {
-        ...layout[axis], domain, title: { ...layout[axis].title, text: broken(layout[axis].title.text) },
+        ...inTwoLines(layout[axis]), domain,
       }])),
     },
   };
