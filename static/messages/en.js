@@ -7,6 +7,7 @@ export default {
     "study.pin_class": { title: "Pin diameter, class", help: "ISO 286 class of the diameter that touches the hole." },
     "study.hole_class": { title: "Hole diameter, class", help: "ISO 286 class of the diameter of the holes." },
     "real.pins": { title: "Measured pins", help: "Deviations of a measured part, of each pin: outward, in the driving sense, of its radius." },
+    "teeth.ring_pins": { title: "Measured pins of the ring", help: "Deviations of a measured ring, of each of its pins: outward, as the output turns, of its radius. The first faces the crank at φ = 0, the others follow against the clock; zeros say that there are none." },
     "real.holes": { title: "Measured holes", help: "Deviations of each hole, satellite by satellite: outward, in the driving sense, of its radius." },
     "real.cranks": { title: "Measured cranks and discs", help: "Deviations of each eccentricity, crank angle, and of the angle of a disc's holes against its teeth." },
     "study.on": { title: "Tolerances", help: "What tolerances do to the pieces: many are drawn at random and calculated, when asked." },

@@ -6,7 +6,7 @@ import { inTwoLines } from "../../lib/chart.js";
 import { formatAngle, formatNumber, formatQuantity, quantityParts, tidy } from "../../lib/format.js";
 import { message, quantityWords } from "../../messages/index.js";
 import { askedOf, eccentricityOf, fitted, MOST_PAIRS, refuseMore } from "./mechanism.js";
-import { partsOf } from "./wanted.js";
+import { columnsOf, partsOf } from "./wanted.js";
 
 /** What is left between pin and hole by their sizes, without the noise of binary differences. */
 function playOf({ hole_radius_mm: hole, pin_radius_mm: pin, eccentricity_mm: eccentricity }) {
@@ -36,20 +36,13 @@ export function designOf({
   };
 }
 
-const given = (rows, name) => rows?.some((row) => row[name] !== undefined) ?? false;
-
 function chunks(list, size) {
   return Array.from({ length: Math.ceil(list.length / size) }, (_, i) => list.slice(i * size, (i + 1) * size));
 }
 
-/** The tables of a measured part as the lists of a body; what is left empty there is 0, a column left empty is not said. */
+/** The tables of a measured part as the lists of a body. */
 export function deviationsOf({ pins, holes, cranks } = {}, { pins: count }) {
-  const lists = [pins, holes, cranks].flatMap((rows) => [...new Set((rows ?? []).flatMap(Object.keys))]
-    .filter((name) => given(rows, name))
-    .map((name) => {
-      const values = rows.map((row) => row[name] ?? 0);
-      return [name, rows === holes ? chunks(values, count) : values];
-    }));
+  const lists = [...columnsOf(pins), ...columnsOf(holes, (values) => chunks(values, count)), ...columnsOf(cranks)];
   return lists.length > 0 ? Object.fromEntries(lists) : null;
 }
 
