@@ -18,7 +18,7 @@ from app.calculations.members_answer import MembersOut
 from app.calculations.output_efficiency import OutputEfficiencyResponse
 from app.calculations.pin_rollers_answer import RollersOut
 from app.calculations.pin_strength import PinStrengthResponse
-from app.calculations.ring_mesh_answer import DesignMeshOut
+from app.calculations.ring_mesh_answer import DesignMeshOut, RingDrawingOut
 from app.calculations.satellite_bearing import SatelliteBearingResponse
 from app.calculations.shares_answer import SharesOut
 from app.calculations.usual_fit_answer import UsualFitOut
@@ -115,6 +115,10 @@ class CrankPlanetaryResponse(JudgedResponse):
     )
     ring_mesh: Maybe[DesignMeshOut] = result(
         "As `/ring-mesh` answers of cycloid discs, under the torque without its factor."
+    )
+    ring_drawing: Maybe[RingDrawingOut] = result(
+        "Discs and ring of `ring_mesh` as they are drawn, in its direction of the torque; absent "
+        "of more than 240 pairs."
     )
     satellite_bearing: Maybe[SatelliteBearingResponse] = result(
         "As `/satellite-bearing` answers, under the torque without its factor, the static safety "

@@ -39,10 +39,10 @@ def _error(turn: MeshTurn) -> float:
 
 @_check(
     "ring_pressed",
-    title="Teeth that go together without force",
+    title="Interference of the teeth without load",
     unit="mm",
     formula="δ ≤ 0",
-    why="Otherwise discs and pins of the ring press without load, and go together by force only.",
+    why="With it discs and pins of the ring go together by force only.",
     inputs=RING_GAPS,
     fixes=("gear.modification.equidistant",),
     source="ring_mesh",
