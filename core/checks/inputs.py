@@ -127,6 +127,34 @@ RING_LOADED = (
 )
 """The same, with the factors on pressures."""
 
+INVOLUTE_TEETH = (
+    "gear.kind",
+    "gear.module",
+    "gear.teeth_difference",
+    "gear.reference_pressure_angle",
+    "gear.satellite_profile_shift",
+    "gear.ring_profile_shift",
+    "gear.satellite_addendum",
+    "gear.ring_addendum",
+    "gear.satellite_tip_radius",
+    "gear.ring_tip_radius",
+    "mechanism.ratio",
+    "contact.eccentricity",
+)
+"""Of involute teeth and where they touch."""
+
+INVOLUTE_RACK = ("gear.dedendum", "gear.rack_tip_radius")
+"""Of the hob that makes the satellite."""
+
+INVOLUTE_LOADED = (
+    *INVOLUTE_TEETH,
+    "gear.contact_length",
+    "gear.face_load_factor",
+    *LOADED,
+    "contact.distribution_of",
+)
+"""Of the forces on them: satellites carry what their pins do."""
+
 OF_DISCS = (*FORCES, "contact.distribution_of", *RING)
 """Of the loads of satellites on the crank."""
 
@@ -143,6 +171,8 @@ ROOTS = (
     "gear.ring_pin_radius",
     "gear.modification.equidistant",
     "gear.modification.pin_circle",
+    "gear.satellite_profile_shift",
+    "gear.dedendum",
     "mechanism.ratio",
     "contact.eccentricity",
 )
