@@ -6,7 +6,13 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from core.checks.check import Check, Kind, design_check, judged
-from core.checks.inputs import INVOLUTE_LOADED, INVOLUTE_RACK, INVOLUTE_TEETH
+from core.checks.inputs import (
+    INVOLUTE_CUTTER,
+    INVOLUTE_LOADED,
+    INVOLUTE_RACK,
+    INVOLUTE_TEETH,
+    SATELLITE_TIPS,
+)
 from core.design.document import Design
 from core.design.results import Results
 from core.errors import NotKnown
@@ -41,7 +47,7 @@ class Pressed(NamedTuple):
 
 
 def involute_pressed(*, results: Results, factor: float) -> Pressed:
-    """Largest pressure of involute teeth, at an end of the path, mostly its start.
+    """Largest pressure of involute teeth, at the start of the path.
 
     Parameters
     ----------
@@ -60,11 +66,10 @@ def involute_pressed(*, results: Results, factor: float) -> Pressed:
         If the path starts where the satellite has no involute, or what it hangs on is not known.
     """
     load = results.involute_load(factor)
-    ends = [each for each in (load.pressure_start, load.pressure_end) if each is not None]
-    if len(ends) < 2:
+    if load.pressure_start is None:
         raise NotKnown("off_involutes")
     error = float(load.accuracy.relative_error) + results.satellite_torque_error(factor)
-    return Pressed(max(ends), error, results.made is not None, {})
+    return Pressed(load.pressure_start, error, results.made is not None, {})
 
 
 def no_involute(*, results: Results, kind: Kind) -> Check | None:
@@ -170,13 +175,7 @@ def mesh_tips(design: Design, results: Results) -> Check:
     title="Contact on involutes only",
     formula="tan α₁ ≥ tan α_F",
     why="Otherwise a tip of one runs into the fillet of the other.",
-    inputs=(
-        *INVOLUTE_TEETH,
-        *INVOLUTE_RACK,
-        "gear.cutter_teeth",
-        "gear.cutter_profile_shift",
-        "gear.cutter_addendum",
-    ),
+    inputs=(*INVOLUTE_TEETH, *INVOLUTE_RACK, *INVOLUTE_CUTTER),
     fixes=("gear.satellite_profile_shift", "gear.satellite_addendum", "gear.ring_addendum"),
     source="involute_mesh",
 )
@@ -204,7 +203,6 @@ def mesh_involute(design: Design, results: Results) -> Check:
     why="Otherwise the hob cuts away a part of the satellite's flanks.",
     inputs=(
         "gear.kind",
-        "gear.module",  # whether teeth can be there at all
         "gear.teeth_difference",
         "gear.reference_pressure_angle",
         "gear.satellite_profile_shift",
@@ -226,13 +224,7 @@ def mesh_undercut(design: Design, results: Results) -> Check:
     title="Clearance of the tips",
     formula="c/m ≥ 0.15",
     why="Below 0 tips run into the roots of the others. Slightly above, errors do so.",
-    inputs=(
-        *INVOLUTE_TEETH,
-        "gear.dedendum",
-        "gear.cutter_teeth",
-        "gear.cutter_profile_shift",
-        "gear.cutter_addendum",
-    ),
+    inputs=(*INVOLUTE_TEETH, "gear.dedendum", *INVOLUTE_CUTTER),
     fixes=("gear.satellite_profile_shift", "gear.satellite_addendum", "gear.ring_addendum"),
     source="involute_mesh",
 )
@@ -250,7 +242,7 @@ def mesh_tip_clearance(design: Design, results: Results) -> Check:
     formula="s_a/m ≥ 0.25",
     why="Below 0 the teeth are pointed and shorter than they are meant to be. Slightly above, the "
     "tips break.",
-    inputs=INVOLUTE_TEETH,
+    inputs=tuple(each for each in INVOLUTE_TEETH if each != "contact.eccentricity"),
     fixes=("gear.satellite_profile_shift", "gear.satellite_addendum", "gear.ring_addendum"),
     source="involute_mesh",
 )
@@ -270,6 +262,7 @@ def mesh_tip_thickness(design: Design, results: Results) -> Check:
     why="Above it teeth of the satellites break at their roots within the life.",
     inputs=(
         *INVOLUTE_LOADED,
+        *SATELLITE_TIPS,
         *INVOLUTE_RACK,
         "gear.root_strength",
         "requirements.fatigue_safety",

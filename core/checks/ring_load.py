@@ -7,15 +7,13 @@ from typing import Any, get_args
 
 from core.checks.check import Check, Kind, Measure, design_check, judged
 from core.checks.inputs import (
-    INVOLUTE_LOADED,
-    INVOLUTE_TEETH,
     LIFE,
-    RING_GAPS,
-    RING_GIVES,
     RING_LOADED,
     RING_SHARING,
     SPEEDS,
-    UNEVEN,
+    TEETH_GAPS,
+    TEETH_GIVE,
+    TEETH_LOADED,
 )
 from core.checks.involute_mesh import Pressed, involute_pressed, refused
 from core.checks.pin_contact import whence
@@ -54,7 +52,7 @@ def _no_mesh(results: Results, kind: Kind) -> Check | None:
     unit="mm",
     formula="δ ≤ 0",
     why="Otherwise satellites and ring press without load, and go together by force only.",
-    inputs=(*RING_GAPS, *INVOLUTE_TEETH),
+    inputs=TEETH_GAPS,
     fixes=("gear.modification.equidistant", "gear.satellite_profile_shift"),
     source="ring_mesh",
 )
@@ -125,14 +123,7 @@ def _pressure(body: RingBody) -> Kind:
         title=f"Contact pressure of the {NAMES[body]}",
         formula="p ≤ p_all·Z_NT/S",
         why=f"Above it the surface of the {NAMES[body]} pits within the life.",
-        inputs=(
-            *RING_LOADED,
-            *INVOLUTE_LOADED,
-            "gear.ring_material",
-            "gear.satellite_material",
-            *LIFE,
-            "requirements.pitting_safety",
-        ),
+        inputs=(*TEETH_LOADED, *LIFE, "requirements.pitting_safety"),
         fixes=("gear.contact_length", "load.output_torque"),
         source="ring_mesh",
         known=limits,
@@ -168,14 +159,7 @@ def _static(body: RingBody) -> Kind:
         title=f"Contact pressure of the {NAMES[body]} at the peak torque",
         formula="p(T_max) ≤ p_static",
         why=f"Above it the surface of the {NAMES[body]} is dented at once.",
-        inputs=(
-            *RING_GIVES,
-            *UNEVEN,
-            *INVOLUTE_LOADED,
-            "gear.ring_material",
-            "gear.satellite_material",
-            "load.peak_torque",
-        ),
+        inputs=(*TEETH_GIVE, "load.peak_torque"),
         fixes=("gear.contact_length", "load.peak_torque"),
         source="static_pressure",
     )
@@ -205,7 +189,7 @@ def _static(body: RingBody) -> Kind:
     unit="arcmin",
     formula="max(θ₊ − θ₋) ≤ Δφ",
     why="Otherwise the unloaded output turns by more than is asked.",
-    inputs=(*RING_GAPS, *INVOLUTE_TEETH, "requirements.max_ring_backlash"),
+    inputs=(*TEETH_GAPS, "requirements.max_ring_backlash"),
     fixes=("gear.modification.equidistant", "gear.satellite_profile_shift"),
     source="ring_mesh",
     asks="max_ring_backlash",
