@@ -10,6 +10,7 @@ from pydantic import Field, field_validator, model_validator
 
 from app.calculations.hertz import Material, contact_length, material_of
 from app.calculations.mechanism import MAX_SATELLITES
+from app.calculations.pin import strengths_of
 from app.model import (
     NO_DUST,
     Forms,
@@ -149,9 +150,12 @@ class RingPinsFields(RequestModel, group="gear"):
         own = self.to_core() | more
         if self.modification is not None:
             own["modification"] = self.modification.section()
-        for name in ("pin_material", "disc_material"):
-            if name in own:
-                own[name] = material_of(own[name])
+        if "pin_material" in own:
+            held = strengths_of(own.pop("pin_material"))
+            own["pin_material"] = held.pop("material")
+            own |= {f"pin_{name}": value for name, value in held.items()}
+        if "disc_material" in own:
+            own["disc_material"] = material_of(own["disc_material"])
         if "satellite_positions" in own:
             own["satellite_positions"] = tuple(own["satellite_positions"])
         return Ring(**own)
@@ -210,7 +214,16 @@ class RingFields(RingPinsFields, group="gear"):
 
     KINDS: ClassVar[Kinds] = {
         "involute": (("module_mm",), ("teeth_difference", "reference_pressure_angle_deg")),
-        "cycloid": (("ring_pin_circle_radius_mm",), ("ring_pin_radius_mm", *TOOTH_DATA)),
+        "cycloid": (
+            ("ring_pin_circle_radius_mm",),
+            (
+                "ring_pin_radius_mm",
+                *TOOTH_DATA,
+                "rotates",
+                "tool_radius_mm",
+                "every_second_pin",
+            ),
+        ),
         "none": ((), ()),
         None: ((), ()),
     }
@@ -231,6 +244,15 @@ class RingFields(RingPinsFields, group="gear"):
     )
     """Force along the crank over that across it: positive towards the reducer's axis, as with
     involute teeth, negative outwards, as with a ring of pins."""
+
+    rotates: Maybe[bool] = quantity("Ring pins rotate", advanced=True)
+    """Whether the pins turn in their supports: then their bending is fully reversed."""
+    tool_radius_mm: Maybe[Size] = quantity("Radius of the tool", "r_t", step=1, advanced=True)
+    """Of the wheel or cutter that makes the flanks of the discs, which has to reach into their
+    valleys."""
+    every_second_pin: Maybe[bool] = quantity("Every second pin", advanced=True)
+    """Whether every second pin of the ring is left out, of an even number: the forces of such a
+    ring are not calculated."""
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """Also the material of the ring's pins, where their mesh is judged."""

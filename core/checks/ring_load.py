@@ -1,5 +1,5 @@
 """Checks of cycloid discs on the pins of their ring under load: what presses without it, pressure,
-play, transmission error, bending of the pins, pv.
+play, transmission error, strength of the pins, pressure in their seats, efficiency, pv.
 """
 
 from functools import partial
@@ -7,7 +7,9 @@ from typing import Any, get_args
 
 from core.checks.check import Check, Kind, Measure, design_check, judged
 from core.checks.inputs import (
+    FATIGUE,
     LIFE,
+    OF_BENT_PINS,
     RING_GAPS,
     RING_GIVES,
     RING_LOADED,
@@ -16,6 +18,7 @@ from core.checks.inputs import (
     UNEVEN,
 )
 from core.checks.pin_contact import whence
+from core.checks.pins import fatigue_safety, static_strength
 from core.checks.ring_pins import no_ring_pins
 from core.design.document import Design
 from core.design.results import Results
@@ -215,6 +218,11 @@ def _bends(results: Results, kind: Kind) -> Check | None:
     return None
 
 
+def _more_error(results: Results) -> float:
+    """Relative error of the forces on pins that bend, besides that of the numbers."""
+    return 0.0 if results.ring_mesh.exact else FIRST_ORDER
+
+
 @_check(
     "ring_pin_stress",
     title="Static strength of the pins of the ring",
@@ -228,26 +236,14 @@ def _bends(results: Results, kind: Kind) -> Check | None:
 def ring_pin_stress(design: Design, results: Results) -> Check:
     if other := _bends(results, ring_pin_stress):
         return other
-    found, material = results.ring_pins, design.gear.pin_material
-    strength = None if material is None else material.loaded_strength("pin")
-    if strength is None:
-        missing = ("gear.pin_material.yield_strength",)
-        return Check(
-            ring_pin_stress,
-            "not_checked",
-            value=found.stress,
-            reason="yield_unknown",
-            missing=missing,
-        )
-    limit = strength / design.requirements.bending_safety
-    return judged(
+    found = results.ring_pin_strength
+    return static_strength(
         ring_pin_stress,
-        found.stress,
-        limit,
-        reserve=limit / found.stress,
-        error=found.relative_error + _error(results.ring_loading),
-        rough=True,
+        found=found,
+        pin=results.bent_ring_pin,
+        safety=design.requirements.bending_safety,
         at={"pin": found.pin},
+        error=_more_error(results),
     )
 
 
@@ -256,16 +252,24 @@ def ring_pin_stress(design: Design, results: Results) -> Check:
     title="Fatigue of the pins of the ring",
     formula="n ≥ S_D",
     why="Below it the pins of the ring break after some time where they bend most.",
-    inputs=("gear.kind", "gear.pin_support"),
-    fixes=(),
-    source="no_source",
+    inputs=(*RING_LOADED, "gear.rotates", *FATIGUE, *LIFE, "requirements.fatigue_safety"),
+    fixes=("load.output_torque",),
+    source="shigley",
     keep="above",
 )
 def ring_pin_fatigue(design: Design, results: Results) -> Check:
-    """Not known: notch and endurance of these pins are not asked for."""
+    """By what the fatigue of the pins of the output is judged by."""
     if other := _bends(results, ring_pin_fatigue):
         return other
-    return Check(ring_pin_fatigue, "not_checked", reason="ring_fatigue_unknown")
+    _, found = results.ring_pin_fatigue_strength, results.ring_pin_strength  # known, or raises
+    return fatigue_safety(
+        ring_pin_fatigue,
+        found=found,
+        pin=results.bent_ring_pin,
+        safety=design.requirements.fatigue_safety,
+        at={"pin": found.pin},
+        error=_more_error(results),
+    )
 
 
 @_check(
@@ -274,7 +278,7 @@ def ring_pin_fatigue(design: Design, results: Results) -> Check:
     unit="mrad",
     formula="θ ≤ θ_max",
     why="Above it the teeth carry on their edges.",
-    inputs=(*RING_LOADED, "load.peak_torque", "requirements.max_slope"),
+    inputs=(*RING_LOADED, "requirements.max_slope"),
     fixes=("load.output_torque",),
     source="beam",
     asks="max_slope",
@@ -282,9 +286,80 @@ def ring_pin_fatigue(design: Design, results: Results) -> Check:
 def ring_pin_slope(design: Design, results: Results) -> Check | Measure:
     if other := _bends(results, ring_pin_slope):
         return other
-    found = results.ring_pins
+    found = results.ring_pin_strength
+    assert found.deflection is not None
     return Measure(
-        found.slope, error=found.relative_error, reserve=lambda growth: growth, rough=True
+        found.deflection.slope,
+        error=4 * found.accuracy.relative_error + _more_error(results),
+        at={"satellite": found.deflection.slope_satellite},
+        reserve=lambda growth: growth,
+        rough=True,
+    )
+
+
+@_check(
+    "ring_seat_pressure",
+    title="Pressure of the ring's pins in their seats",
+    unit="MPa",
+    formula="F/(2·r_p·b) ≤ p_all",
+    why="Above it the bores that hold the pins of the ring wear out.",
+    inputs=(
+        *(name for name in RING_LOADED if name not in OF_BENT_PINS),
+        "requirements.max_seat_pressure",
+    ),
+    fixes=("gear.contact_length", "load.output_torque"),
+    source="user",
+    asks="max_seat_pressure",
+    needed=False,
+)
+def ring_seat_pressure(design: Design, results: Results) -> Check | Measure:
+    """Of the force on the area that the pin covers; not looked for where nobody asks."""
+    if other := no_ring_pins(results=results, kind=ring_seat_pressure):
+        return other
+    if design.gear.pin_support != "seat":
+        return Check(ring_seat_pressure, "not_applicable", reason="pins_bend")
+    if design.requirements.max_seat_pressure is None:
+        raise NotKnown("no_limit")
+    turn = results.ring_loading
+    area = 2 * turn.mesh.disc.ring_pin_radius * turn.mesh.contact_length
+    pair = turn.peak_pair
+    return Measure(
+        turn.peak_force / area,
+        error=_error(turn),
+        at={"satellite": pair.satellite, "pin": pair.pin, "crank_angle": turn.peak_crank_angle},
+        reserve=lambda growth: growth,
+        rough=True,
+    )
+
+
+@_check(
+    "ring_efficiency",
+    title="Efficiency of the teeth",
+    formula="η ≥ η_min",
+    why="Below it more is lost in the teeth than is asked.",
+    inputs=(
+        *RING_SHARING,
+        "gear.friction_coefficient",
+        "gear.rolling",
+        "requirements.min_ring_efficiency",
+    ),
+    fixes=(),
+    source="user",
+    keep="above",
+    asks="min_ring_efficiency",
+)
+def ring_efficiency(design: Design, results: Results) -> Check | Measure:
+    """Its limit is used by the losses; not looked for where nobody asks."""
+    if other := no_ring_pins(results=results, kind=ring_efficiency):
+        return other
+    if design.requirements.min_ring_efficiency is None:
+        raise NotKnown("no_limit")
+    loss, (turn, *_) = results.ring_loss, results.ring_working
+    unsure = loss.loss_error + (0.0 if turn.mesh.exact else FIRST_ORDER)
+    return Measure(
+        loss.efficiency,
+        error=loss.loss_ratio * loss.efficiency * unsure,
+        used=lambda limit: (1 - loss.efficiency) / (1 - limit),
     )
 
 
@@ -327,5 +402,7 @@ RING_LOAD = (
     ring_pin_stress,
     ring_pin_fatigue,
     ring_pin_slope,
+    ring_seat_pressure,
+    ring_efficiency,
     ring_pv,
 )
