@@ -112,7 +112,29 @@ def fatigue_safety(
     error: float = 0.0,
     rough: bool = True,
 ) -> Check:
-    """The fatigue of pins, of which there is a cycle; parameters as `static_strength`."""
+    """The fatigue of pins, of which there is a cycle.
+
+    Parameters
+    ----------
+    kind : Kind
+        Which check.
+    found : PinStrength
+        What they bear.
+    pin : DesignPin
+        One of them.
+    safety : float
+        That is required.
+    at : mapping
+        Where it is least.
+    error : float
+        Relative error of the forces besides.
+    rough : bool
+        Whether the forces do not grow with the torque.
+
+    Returns
+    -------
+    Check
+    """
     assert found.fatigue is not None
     reached = found.fatigue.safety_factor
     check = judged(

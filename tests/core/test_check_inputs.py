@@ -359,12 +359,11 @@ DESIGNS |= {
         TOOTH,
         fatigue=None,
         max_slope=None,
-        output_torque=5.0,
         distribution_factor=1.2,
         max_seat_pressure=1e9,
         gear=replace(
             TOOTHED.gear,  # type: ignore[type-var]
-            modification=Modification(equidistant=-3e-5, pin_circle=-1e-5, rotation=1e-4),
+            modification=Modification(equidistant=-5e-6, pin_circle=-1e-6, rotation=1e-4),
             pin_support="seat",
             span=None,
             satellite_positions=(),
