@@ -25,7 +25,7 @@ from app.model import (
 )
 from app.problems import invalid_input, wrong
 from app.units import to_si
-from core.design.sections import Ring, RingPinSupport
+from core.design.sections import Ring, RingClass, RingPinSupport
 from core.design.sections import RingKind as Kind
 from core.ring.profile import Modification
 
@@ -222,6 +222,7 @@ class RingFields(RingPinsFields, group="gear"):
                 "rotates",
                 "tool_radius_mm",
                 "every_second_pin",
+                "ring_class",
             ),
         ),
         "none": ((), ()),
@@ -253,6 +254,11 @@ class RingFields(RingPinsFields, group="gear"):
     every_second_pin: Maybe[bool] = quantity("Every second pin", advanced=True)
     """Whether every second pin of the ring is left out, of an even number: the forces of such a
     ring are not calculated."""
+
+    ring_class: Maybe[RingClass] = quantity("How the ring is made", advanced=True)
+    """Ground, machined or printed, discs and ring: what is usual of their modification and of the
+    places of the ring's pins, where these are not known; printed where discs are softer than
+    20 GPa, else ground, where not given."""
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """Also the material of the ring's pins, where their mesh is judged."""

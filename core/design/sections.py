@@ -46,6 +46,8 @@ RingPinSupport = Literal["seat", "supported", "fixed"]
 
 RingBody = Literal["pin", "disc"]
 
+RingClass = Literal["ground", "machined", "printed"]
+
 SharedBy = Literal["discs", "pins"]
 """Whose uneven share a distribution factor states: of satellites, or of the pairs of one."""
 
@@ -621,6 +623,8 @@ class Ring:
         Of what grinds or cuts the flanks of the discs, m.
     every_second_pin : bool
         Whether every second pin is left out.
+    ring_class : {"ground", "machined", "printed"} or None
+        How discs and ring are made, by which what is not known of them is usual.
     """
 
     kind: RingKind | None = None
@@ -647,6 +651,7 @@ class Ring:
     rolling: bool = False
     tool_radius: float | None = None
     every_second_pin: bool = False
+    ring_class: RingClass | None = None
 
     @property
     def changed(self) -> Modification:

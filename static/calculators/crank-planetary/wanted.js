@@ -132,6 +132,7 @@ const BEARINGS = {
   "gear.ring_pin_radius_mm": { when: ["gear.kind", "cycloid"] },
   "gear.modification.equidistant_mm": discs,
   "gear.modification.pin_circle_mm": discs,
+  "gear.ring_class": { ...rare, when: ["gear.kind", "cycloid"] },
   "gear.radial_force_ratio": ring("ratio"),
   "bearing.name": {},
   "bearing.kind": { default: "roller", when: ["bearing.name", undefined, ""] },
