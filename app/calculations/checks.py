@@ -424,7 +424,8 @@ def _of_size(fix: Fix, body: RequestModel) -> tuple[tuple[str | int, ...], Value
         path_of(body, each)
         for each in ("contact.hole_radius", "contact.hole_clearance", "pin.diameter")
     )
-    if fix.variable == "contact.pin_radius" and hole is not None and _value(body, hole) is not None:
+    grows = fix.variable in ("contact.pin_radius", "contact.eccentricity")
+    if grows and hole is not None and _value(body, hole) is not None:
         sets[pointer(hole)] = _short(_value(body, hole) + to - before)
     inside = _value(body, pin) if pin is not None else None
     no_sleeve = inside is not None and math.isclose(float(inside), 2 * before, rel_tol=1e-12)

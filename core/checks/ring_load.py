@@ -34,6 +34,19 @@ BODIES: tuple[RingBody, ...] = get_args(RingBody)
 
 _check = partial(design_check, group="gear", part="teeth", needs=("load", "contact", "gear"))
 
+MODIFICATION = ("gear.modification.equidistant", "gear.modification.pin_circle")
+
+_FIXES = (
+    *MODIFICATION,
+    "gear.contact_length",
+    "gear.ring_pin_radius",
+    "contact.eccentricity",
+)
+"""What may lower the pressure of the teeth, besides the torque."""
+
+_THICKER = ("gear.ring_pin_radius", "gear.sleeve_bore_radius", "gear.span", "load.output_torque")
+"""What may cure pins that bend."""
+
 
 def _error(turn: MeshTurn) -> float:
     """Relative error of what is proportional to the forces of a mesh, of number and model."""
@@ -47,7 +60,7 @@ def _error(turn: MeshTurn) -> float:
     formula="δ ≤ 0",
     why="Otherwise discs and pins of the ring press without load, and go together by force only.",
     inputs=RING_GAPS,
-    fixes=("gear.modification.equidistant",),
+    fixes=MODIFICATION,
     source="ring_mesh",
 )
 def ring_pressed(design: Design, results: Results) -> Check:
@@ -97,7 +110,7 @@ def _pressure(body: RingBody) -> Kind:
         formula="p ≤ p_all·Z_NT/S",
         why=f"Above it the surface of the {NAMES[body]} pits within the life.",
         inputs=(*RING_LOADED, *LIFE, "requirements.pitting_safety"),
-        fixes=("gear.contact_length", "load.output_torque"),
+        fixes=(*_FIXES, "load.output_torque"),
         source="ring_mesh",
         known=limits,
     )
@@ -136,7 +149,7 @@ def _static(body: RingBody) -> Kind:
         formula="p(T_max) ≤ p_static",
         why=f"Above it the surface of the {NAMES[body]} is dented at once.",
         inputs=(*RING_GIVES, *UNEVEN, "load.peak_torque"),
-        fixes=("gear.contact_length", "load.peak_torque"),
+        fixes=(*_FIXES, "load.peak_torque"),
         source="static_pressure",
     )
     def static(design: Design, results: Results) -> Check:
@@ -174,7 +187,7 @@ def _static(body: RingBody) -> Kind:
     formula="max(θ₊ − θ₋) ≤ Δφ",
     why="Otherwise the unloaded output turns by more than is asked.",
     inputs=(*RING_GAPS, "requirements.max_ring_backlash"),
-    fixes=("gear.modification.equidistant",),
+    fixes=MODIFICATION,
     source="ring_mesh",
     asks="max_ring_backlash",
 )
@@ -195,7 +208,7 @@ def ring_backlash(design: Design, results: Results) -> Check | Measure:
     formula="max θ − min θ ≤ TE",
     why="Otherwise the output turns less evenly than is asked.",
     inputs=(*RING_SHARING, "requirements.max_transmission_error"),
-    fixes=(),
+    fixes=MODIFICATION,
     source="ring_mesh",
     asks="max_transmission_error",
 )
@@ -230,7 +243,7 @@ def _more_error(results: Results) -> float:
     formula="σ_v ≤ R_e/S_F",
     why="Above it the pins of the ring bend for good.",
     inputs=(*RING_LOADED, "load.peak_torque", "requirements.bending_safety"),
-    fixes=("load.output_torque",),
+    fixes=_THICKER,
     source="pin_beam",
 )
 def ring_pin_stress(design: Design, results: Results) -> Check:
@@ -253,7 +266,7 @@ def ring_pin_stress(design: Design, results: Results) -> Check:
     formula="n ≥ S_D",
     why="Below it the pins of the ring break after some time where they bend most.",
     inputs=(*RING_LOADED, "gear.rotates", *FATIGUE, *LIFE, "requirements.fatigue_safety"),
-    fixes=("load.output_torque",),
+    fixes=_THICKER,
     source="shigley",
     keep="above",
 )
@@ -279,7 +292,7 @@ def ring_pin_fatigue(design: Design, results: Results) -> Check:
     formula="θ ≤ θ_max",
     why="Above it the teeth carry on their edges.",
     inputs=(*RING_LOADED, "requirements.max_slope"),
-    fixes=("load.output_torque",),
+    fixes=tuple(name for name in _THICKER if name != "gear.span"),
     source="beam",
     asks="max_slope",
 )
@@ -307,7 +320,7 @@ def ring_pin_slope(design: Design, results: Results) -> Check | Measure:
         *(name for name in RING_LOADED if name not in OF_BENT_PINS),
         "requirements.max_seat_pressure",
     ),
-    fixes=("gear.contact_length", "load.output_torque"),
+    fixes=("gear.ring_pin_radius", "gear.contact_length", "load.output_torque"),
     source="user",
     asks="max_seat_pressure",
     needed=False,
@@ -343,7 +356,7 @@ def ring_seat_pressure(design: Design, results: Results) -> Check | Measure:
         "gear.rolling",
         "requirements.min_ring_efficiency",
     ),
-    fixes=(),
+    fixes=("gear.friction_coefficient",),
     source="user",
     keep="above",
     asks="min_ring_efficiency",

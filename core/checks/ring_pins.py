@@ -103,7 +103,7 @@ def ring_undercut(design: Design, results: Results) -> Check:
     formula="ρ_v ≥ r_t",
     why="A larger wheel or cutter does not reach the bottom of the valleys.",
     inputs=(*_PATH, "gear.ring_pin_radius", "gear.teeth_difference", "gear.tool_radius"),
-    fixes=("gear.ring_pin_radius",),
+    fixes=("gear.tool_radius", "gear.ring_pin_radius"),
     keep="above",
     needed=False,
 )
