@@ -37,8 +37,13 @@ QUANTITIES = (
     "stiffness_min",
 )
 
-BLOCK = 64
-"""Pieces that are calculated at once."""
+BLOCK, LARGEST = 64, 1024
+"""Pieces that are calculated at once, at least and at most."""
+
+WORK = 500_000
+"""Pairs of all positions of a block's pieces, beyond the least: some tens of milliseconds, after
+which a study can be ended. Of fewer pieces each takes more for its draws than for its equilibria.
+"""
 
 WORST = 32
 """Samples of the highest peaks, a tenth of all at most, on which the error of the angle grid is
@@ -178,6 +183,24 @@ class Study:
             other=tuple(other),
         )
 
+    def block(self, pieces: int) -> int:
+        """How many of the pieces are a block; where threads share them, there are some for each.
+
+        Parameters
+        ----------
+        pieces : int
+            How many there are.
+
+        Returns
+        -------
+        int
+        """
+        own = self.real.mechanism
+        most = min(WORK // (self.asked.positions * own.pins * own.satellites), LARGEST)
+        if self.mapped is None:
+            most = min(most, pieces // (4 * (self.threads or at_hand().threads)))
+        return max(most, BLOCK)
+
     def values(self, pieces: Drawn) -> tuple[FloatArray, FloatArray]:
         """Quantities of pieces, and which of them fit; on all processors where the loops are
         compiled, or where the study is `mapped` to, with the same bits however they are split.
@@ -194,7 +217,8 @@ class Study:
         fits : array, shape (pieces,)
             FITS, BINDS or NOWHERE of `core.output.sharing_kernel`.
         """
-        blocks = [pieces.part(first, first + BLOCK) for first in range(0, len(pieces), BLOCK)]
+        size = self.block(len(pieces))
+        blocks = [pieces.part(first, first + size) for first in range(0, len(pieces), size)]
         found, done = [], 0
         mapped = self.in_threads if self.mapped is None else self.mapped
         plain = replace(self, real=replace(self.real), progress=_untold, mapped=None)
