@@ -4,7 +4,6 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
@@ -24,7 +23,7 @@ from core.output.sharing_kernel import (
     Room,
 )
 from core.output.summits import summits
-from core.output.turn import Turn
+from core.output.turn import Turn, as_rows
 from core.tolerance.quantiles import Estimate, percentile, share
 from core.tolerance.tolerances import Drawn, Tolerances, deviations
 
@@ -291,11 +290,8 @@ class Study:
         direction = math.copysign(1.0, asked.output_torque)
         sizes = real.setup(direction), real.setup(-direction)
 
-        def rows(blank: Any) -> Any:
-            return type(blank)(*map(kernel.row, blank))
-
         none = [0.0] * len(pieces.pin_radial)
-        results: Pieces = rows(Pieces(*[none] * len(Pieces._fields)))
+        results: Pieces = as_rows(Pieces(*[none] * len(Pieces._fields)), kernel.row)
         load = Load(abs(asked.output_torque), asked.lost_motion_share, *sizes)
         lost = "lost_motion" in asked.quantities
         under_load = bool({*asked.quantities} - {"backlash_max", "lost_motion"})
@@ -308,8 +304,8 @@ class Study:
             load,
             kernel.row(real.mechanism.crank_angles),
             kernel.row(real.compliance),
-            rows(real.blank(Pairs)),
-            rows(real.blank(Room)),
+            as_rows(real.blank(Pairs), kernel.row),
+            as_rows(real.blank(Room), kernel.row),
             results,
         )
         return results
