@@ -227,11 +227,11 @@ class RingFields(RingPinsFields, InvoluteTeethFields, group="gear"):
     )
 
     KINDS: ClassVar[Kinds] = {
+        "cycloid": (("ring_pin_circle_radius_mm",), ("ring_pin_radius_mm", *TOOTH_DATA)),
         "involute": (
             ("module_mm",),
             ("teeth_difference", "reference_pressure_angle_deg", *INVOLUTE_DATA),
         ),
-        "cycloid": (("ring_pin_circle_radius_mm",), ("ring_pin_radius_mm", *TOOTH_DATA)),
         "none": ((), ()),
         None: ((), ()),
     }
