@@ -53,10 +53,12 @@ from app.calculations.reducer_fixes import fixes_of
 from app.calculations.ring import RING_PIN_LISTS, RingFields
 from app.calculations.ring_mesh_answer import (
     MeshTurnOut,
+    RingDrawingOut,
     RingEfficiencyOut,
     RingGeometryOut,
     RingIdealOut,
 )
+from app.calculations.ring_mesh_figure import ShownMesh, ring_mesh_figure
 from app.calculations.satellite_bearing import (
     BearingFields,
     CrankshaftFields,
@@ -64,7 +66,7 @@ from app.calculations.satellite_bearing import (
 )
 from app.calculations.shares_answer import SharesOut, shares_warnings
 from app.calculations.solved import Solved
-from app.calculations.usual_fit_answer import UsualFitOut
+from app.calculations.usual_fit_answer import UsualFitOut, UsualModificationOut
 from app.model import (
     Angle,
     Calculation,
@@ -74,6 +76,7 @@ from app.model import (
     quantity,
     warning,
 )
+from app.problems import refusal
 from app.running import run
 from app.settings import Settings
 from app.sources import (
@@ -97,8 +100,13 @@ from core.checks.check import Verdict
 from core.checks.cold_yield import ColdYield, cold_yield
 from core.checks.largest_torque import crank_verdict
 from core.checks.shares import disc_shares
-from core.checks.usual_fit import usual_fit
+from core.checks.usual_modification import (
+    UsualModification,
+    usual_clearance_too,
+    usual_modification,
+)
 from core.derived import if_known
+from core.design.drawings import drawn_mesh
 from core.design.real_forces import RealForces
 from core.design.results import MOST_BEARING_PAIRS, MOST_PIN_PAIRS, Results
 from core.errors import CalculationError
@@ -114,6 +122,7 @@ from core.output.pin_geometry import (
 from core.output.real_cyclogram import RealCyclogram, carried_forces, real_cyclogram
 from core.output.turn import Turn
 from core.results import Notice
+from core.ring.mesh_curves import MeshCurves
 from core.worked.crank import bearing_steps, shaft_steps
 from core.worked.hertz import judged_steps
 from core.worked.losses import loss_steps
@@ -133,11 +142,13 @@ Section = Literal[
     "pin_strength",
     "output_efficiency",
     "ring_mesh",
+    "ring_drawing",
     "satellite_bearing",
     "crankshaft",
     "rollers",
     "geometry",
     "usual_fit",
+    "usual_modification",
     "checks",
     "fixes",
     "combined",
@@ -147,6 +158,7 @@ Section = Literal[
 SECTIONS: tuple[Section, ...] = get_args(Section)
 
 _TOUCHING = ("load", "contact")
+_MESHING = ("load", "contact/eccentricity_mm", "gear/modification")
 _TURNING = (*_TOUCHING, "load/input_speed_rpm", "contact/eccentricity_mm")
 
 _NEEDS: dict[Section, tuple[str, ...]] = {
@@ -158,12 +170,14 @@ _NEEDS: dict[Section, tuple[str, ...]] = {
     "hertz": _TOUCHING,
     "pin_strength": (*_TOUCHING, "pin"),
     "output_efficiency": (*_TURNING, "friction"),
-    "ring_mesh": ("load", "contact/eccentricity_mm", "gear/modification"),
+    "ring_mesh": _MESHING,
+    "ring_drawing": _MESHING,
     "satellite_bearing": (*_TURNING, "gear", "bearing"),
     "crankshaft": (*_TURNING, "gear", "crankshaft"),
     "rollers": (*_TOUCHING, "contact/eccentricity_mm", "rollers"),
     "geometry": _TOUCHING,
     "usual_fit": (*_TOUCHING, "contact/eccentricity_mm"),
+    "usual_modification": ("load", "contact/eccentricity_mm", "gear"),
     "checks": (),
     "fixes": (),
     "combined": (),
@@ -178,8 +192,20 @@ INVOLUTE_NEEDS = (
 )
 """The same of the mesh of involute teeth."""
 
+SEARCHED = frozenset(("fixes", "combined", "usual_fit", "usual_modification"))
+"""Sections for which designs are tried."""
+
 DRAWN_SAMPLES = 361
 """Crank angles of the figure's real forces."""
+
+DRAWN_RING = 120
+"""Crank angles at which discs and ring are drawn, at least, of at most `MAX_DRAWN_PAIRS`."""
+
+MAX_DRAWN_PAIRS = 240
+"""Most pairs of discs and ring that are drawn."""
+
+DRAWN_ERROR = 1e-5
+"""Chord error of the outline there, m."""
 
 STRENGTH: tuple[Section, ...] = (
     "pin_strength",
@@ -233,9 +259,10 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         min_length=1,
         max_length=len(_NEEDS),
         description="Sections of the answer: what is not named is not computed. Where it is "
-        "absent: all but real_cyclogram, geometry, usual_fit, checks, fixes and combined, as far "
-        "as their input is given; members where others than the pins are the output; load_sharing "
-        "where clearance, deviations, a contact law, satellites that give or pins that bend are. "
+        "absent: all but real_cyclogram, geometry, usual_fit, usual_modification, checks, fixes "
+        "and combined, as far as their input is given; members where others than the pins are the "
+        "output; load_sharing where clearance, deviations, a contact law, satellites that give or "
+        "pins that bend are. "
         "load_sharing and hertz with these are left out then where the forces cannot be solved. "
         "What rests on the forces of parts that cannot be put together is always: the check "
         "interference says why.",
@@ -305,7 +332,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         lost_motion = self.requirements.max_lost_motion_arcmin is not None
         solves = self.as_made or "load_sharing" in include or lost_motion
         loaded = self.load is not None and self.contact is not None
-        if {"fixes", "combined", "usual_fit"} & {*include} or (loaded and (searches or solves)):
+        if SEARCHED & {*include} or (loaded and (searches or solves)):
             return math.inf
         if self.load is None:
             return self.mechanism.cost()
@@ -458,11 +485,16 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
 
     def solve_usual_fit(self) -> Values | None:
         """The design with a usual clearance, where none is known or 0 is stated."""
-        found = usual_fit(self.design)
+        found = usual_clearance_too(design=self.design, ring=self.usual_ring)
         if found is None:
             return None
         name, results, judged = found
         return UsualFitOut.of(name, results, judged)
+
+    @cached_property
+    def usual_ring(self) -> UsualModification | None:
+        """The design with a usual ring of pins."""
+        return usual_modification(self.design)
 
     def strength(self, section: Section) -> Any:
         """Result of a section of strength and life."""
@@ -558,6 +590,23 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         solved.take(turn.accuracy, turn.notices)
         return solved
 
+    def solve_ring_drawing(self) -> Values | None:
+        """Discs and ring as they are drawn, and what they do under the same torque."""
+        turn = self.results.ring_working[0]
+        if turn.mesh.disc.pins * self.mechanism.satellites > MAX_DRAWN_PAIRS:
+            return None
+        drawn = drawn_mesh(design=self.design, mesh=turn.mesh, chord_error=DRAWN_ERROR)
+        return RingDrawingOut.of(drawn, MeshCurves(turn, DRAWN_RING))
+
+    def solve_ring_figure(self) -> ShownMesh:
+        """What the figure of the mesh shows."""
+        turn, own = self.results.ring_working[0], self.mechanism
+        if turn.mesh.disc.pins * own.satellites > MAX_DRAWN_PAIRS:
+            name = "ratio" if own.ring_teeth is None else "ring_teeth"
+            limit = {"limit": MAX_DRAWN_PAIRS // own.satellites, "satellites": own.satellites}
+            raise refusal(f"/mechanism/{name}", "too_many_pairs", **limit)
+        return ShownMesh.of(turn, members=self.design.members)
+
     def solve_disc(self) -> Notice | None:
         """Whether the edge of the satellite is so near to its holes that the pressure is off."""
         return if_known(lambda: self.results.disc_of(self.results.hertz))
@@ -630,6 +679,10 @@ def solve(body: CrankPlanetaryRequest) -> Values:
     if "ring_mesh" in asked:
         ring, ring_us = run(body, body.solve_ring)
         sections["ring_mesh"] = ring.answer(ring_us)
+    if "ring_drawing" in asked:
+        drawing, _ = run(body, body.solve_ring_drawing)
+        if drawing is not None:
+            sections["ring_drawing"] = drawing
     for name, answer in ANSWERS.items():
         if name in asked:
             found, run_us = run(body, partial(body.strength, name))
@@ -640,6 +693,10 @@ def solve(body: CrankPlanetaryRequest) -> Values:
         usual, _ = run(body, body.solve_usual_fit)
         if usual is not None:
             sections["usual_fit"] = usual
+    if "usual_modification" in asked:
+        ring_made, _ = run(body, lambda: body.usual_ring)
+        if ring_made is not None:
+            sections["usual_modification"] = UsualModificationOut.of(ring_made)
     sizes, _ = run(body, body.solve_fit)
     fit, _ = run(body, lambda: if_known(lambda: body.results.fit))
     if fit is not None:
@@ -710,8 +767,11 @@ def _force_figure(body: CrankPlanetaryRequest, theme: Theme) -> Figure:
 def figure(body: CrankPlanetaryRequest, theme: Theme = "light") -> Figure:
     """Cyclogram and, where a load is given, forces over one angle axis, as a Plotly figure: by the
     model of the answer, and the ideal one thin beside the real one. Where `include` names one of
-    the sections `cyclogram` and `contact_force`, that alone.
+    the sections `cyclogram` and `contact_force`, that alone; where it names `ring_mesh` alone, the
+    mesh of the ring at its peak and over the turn.
     """
+    if body.include == ["ring_mesh"]:
+        return ring_mesh_figure(run(body, body.solve_ring_figure)[0], theme)
     run(body, body.mechanism.refuse_undrawable)
     named = {"cyclogram", "contact_force"} & {*(body.include or ())}
     if body.load is None or named == {"cyclogram"}:

@@ -1,13 +1,11 @@
 """The mesh of satellites with their ring, pins or involute teeth: request and answer."""
 
-import math
-from dataclasses import replace
 from functools import cached_property
 from typing import Annotated, Any, ClassVar, Literal, Self, get_args
 
-import numpy as np
 from pydantic import BeforeValidator, Field, model_validator
 
+from app.calculations.contact_law import MeshLawFields
 from app.calculations.involute_mesh import (
     InvoluteRingFields,
     drawn_path,
@@ -25,11 +23,10 @@ from app.calculations.ring_mesh_answer import (
     RingIdealOut,
     RingMeshResponse,
 )
-from app.calculations.ring_mesh_figure import DrawnMesh, DrawnPath, path_figure, ring_mesh_figure
+from app.calculations.ring_mesh_figure import DrawnPath, ShownMesh, path_figure, ring_mesh_figure
 from app.calculations.ring_parts import (
     CycloidRingFields,
     MeshCouplingFields,
-    MeshLawFields,
     RingCrankFields,
     RingDeviationsFields,
     RingLoadFields,
@@ -55,16 +52,17 @@ from app.theme import Figure, Theme
 from app.units import to_si
 from core.design.sections import Ring
 from core.errors import InvalidInput
-from core.output.contact_law import HertzLaw, LinearLaw
-from core.output.real_curves import real_curves, stiffness_curve
+from core.output.contact_law import HertzLaw
+from core.output.real_curves import stiffness_curve
 from core.output.satellite_support import Shares
+from core.output.turn import Turn
 from core.ring.involute import InvolutePair, involute_pair
 from core.ring.loss import RingFriction, ring_loss, sliding_part
-from core.ring.profile import CycloidDisc, Modification, outline_points
+from core.ring.profile import CycloidDisc, outline_points
 from core.ring.sharing import (
     CycloidMesh,
+    MeshTurn,
     RingDeviations,
-    mesh_gaps,
     mesh_over_turn,
     mesh_position,
 )
@@ -92,12 +90,6 @@ MAX_DRAWN_PAIRS = 240
 
 TORQUES = (-1.0, -0.75, -0.5, -0.25, -0.1, -0.03, 0.03, 0.1, 0.25, 0.5, 0.75, 1.0)
 """Shares of the torque at which the curve of the lag is sent."""
-
-DRAWN_ANGLES = 361
-"""Crank angles of the figure's curves."""
-
-DRAWN_ERROR = 1e-5
-"""Chord error of the outline in the figure, m."""
 
 
 def _of_its_kind(given: Any) -> Any:
@@ -315,24 +307,10 @@ class RingMeshRequest(RequestModel, group="positions"):
             contact_length=ring.contact_length,
             disc_material=ring.disc_material,
             crank_angles=self.mechanism.crank_angles,
-            law=self.contact_law.named() or HertzLaw(),
+            law=ring.contact_law or self.contact_law.named() or HertzLaw(),
             deviations=(RingDeviations() if self.deviations is None else self.deviations.section()),
             exact=self.geometry == "exact",
             support=self.support,
-        )
-
-    @property
-    def perfect(self) -> CycloidMesh:
-        """The same of perfect parts, contacts linear."""
-        return replace(
-            self.mesh,
-            disc=replace(self.disc, modification=Modification()),
-            law=LinearLaw(1e8),
-            pin=None,
-            seat_stiffness=math.inf,
-            deviations=RingDeviations(),
-            exact=False,
-            support=None,
         )
 
     @property
@@ -419,21 +397,10 @@ class RingMeshRequest(RequestModel, group="positions"):
         """The pressure along the path of contact."""
         return drawn_path(pair=self.pair, loaded=self.loaded_teeth)
 
-    def solve_for_drawing(self) -> DrawnMesh:
+    def solve_for_drawing(self) -> ShownMesh:
         """All that the figure shows."""
-        mesh, angle = self.mesh, self.angles[0]
-        asked: dict[str, Any] = {"crank_angle": angle, "output_torque": self.torque}
-        position = mesh_position(mesh=mesh, **asked)
-        perfect = mesh_position(mesh=self.perfect, **asked)
-        angles = np.linspace(0.0, 2 * math.pi, DRAWN_ANGLES)
-        return DrawnMesh(
-            mesh=mesh,
-            position=position,
-            ideal=perfect.force,
-            gaps=mesh_gaps(mesh=mesh, crank_angle=angle),
-            curves=real_curves(real=mesh, crank_angle=angles, output_torque=self.torque),
-            outline=outline_points(disc=self.disc, chord_error=DRAWN_ERROR).points,
-        )
+        turn = MeshTurn(Turn(self.mesh, self.torque))
+        return ShownMesh.of(turn, crank_angle=self.angles[0])
 
 
 def solve(body: RingMeshRequest) -> Values:

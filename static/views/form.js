@@ -150,8 +150,10 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
     const part = element(html`<fieldset class="group card wanted" data-group="${id}" aria-label="${gate.title}"></fieldset>`);
     addField(gate, part);
     root.append(part);
+    let added = false;
     return (state) => {
-      if (fields.has(items[0].path) || !wants(state, id)) return;
+      if (added || !wants(state, id)) return;
+      added = true;
       const host = element(html`<div class="wanted-fields"></div>`);
       const more = element(html`<details class="more"><summary>${message("form.more")}</summary></details>`);
       for (const item of items) addItem(item, item.advanced ? more : host);

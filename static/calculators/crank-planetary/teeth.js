@@ -1,8 +1,18 @@
 /** Teeth of satellites and ring, cycloid discs on pins or involute ones: what is said of the service's answer. No DOM. */
+import { inTwoLines } from "../../lib/chart.js";
 import { formatNumber, formatQuantity } from "../../lib/format.js";
 import { message } from "../../messages/index.js";
 
-export const path = "/crank-planetary";
+/** The service's figure, its titles no longer than its panels are high. */
+const shape = ({ data, layout }) => ({
+  data,
+  layout: { ...layout, ...Object.fromEntries(["yaxis", "yaxis2", "yaxis3", "yaxis4"].map((axis) => [axis, inTwoLines(layout[axis])])) },
+});
+
+export const figure = {
+  id: "teeth", section: "ring_mesh", path: "/crank-planetary/chart", height: 760, shape,
+  body: (input, answer, [{ body }]) => ({ ...body, include: ["ring_mesh"] }),
+};
 
 const arcmin = (value) => formatQuantity(value, "′", 4);
 

@@ -132,6 +132,7 @@ const BEARINGS = {
   "gear.ring_pin_radius_mm": { when: ["gear.kind", "cycloid"] },
   "gear.modification.equidistant_mm": discs,
   "gear.modification.pin_circle_mm": discs,
+  "gear.ring_class": { ...rare, when: ["gear.kind", "cycloid"] },
   "gear.radial_force_ratio": ring("ratio"),
   "bearing.name": {},
   "bearing.kind": { default: "roller", when: ["bearing.name", undefined, ""] },
@@ -168,10 +169,19 @@ const TEETH = {
   "gear.seat_stiffness_N_per_mm": { ...rare, ...ofPins },
   "gear.sleeve_bore_radius_mm": { ...rare, ...ofPins },
   "gear.rolling": { ...rare, ...ofPins },
+  "deviations.ring_pins": {
+    ...ofPins,
+    words: ["ring_pins", "teeth"],
+    columns: deviated("ring_pin"),
+    rows: ({ mechanism }) => counted(mechanism.ring_teeth ?? ratioOf(mechanism) + 1, (n) => message("real.pin", { pin: n + 1 })),
+  },
   "gear.pin_support": { ...rare, ...ofPins, default: "seat" },
   "gear.span_mm": held,
   "gear.satellite_positions_mm": held,
-  ...asked("max_ring_backlash_arcmin", "max_transmission_error_arcmin"),
+  "gear.rotates": { ...held, required: false },
+  "gear.tool_radius_mm": { ...rare, ...ofPins },
+  "gear.every_second_pin": { ...rare, ...ofPins },
+  ...asked("max_ring_backlash_arcmin", "max_transmission_error_arcmin", "min_ring_efficiency", "max_seat_pressure_MPa"),
 };
 
 const shaftBearing = (index, letter) => ({
@@ -384,6 +394,27 @@ export const wantedSections = (input) => WANTED
 /** Whether sleeves are on the pins. */
 export const sleeved = (input) => isOn(input, "strength") && input.besides.strength.surface === "sleeved";
 
+/**
+ * Columns of a table of measured parts as the lists of a body, each made of its values by `shaped`; what is left empty there
+ * is 0, a column left empty is not said.
+ */
+export function columnsOf(rows = [], shaped = (values) => values) {
+  const names = [...new Set(rows.flatMap(Object.keys))];
+  return names.map((name) => [name, shaped(rows.map((row) => row[name] ?? 0))]);
+}
+
+/** The same of the pins of the ring, where any is said: no lists of it are not known. */
+function ofRingPins({ ring_pins: rows } = {}) {
+  const lists = columnsOf(rows);
+  return lists.length > 0 ? { deviations: Object.fromEntries(lists) } : {};
+}
+
+/** Lists of deviations in two: those of the pins of the ring, and those of the other parts, null where there are none. */
+export function partedDeviations(lists = {}) {
+  const [ring, others] = [true, false].map((own) => Object.entries(lists).filter(([name]) => name.startsWith("ring_pin_") === own));
+  return [ring, others].map((some) => (some.length > 0 ? Object.fromEntries(some) : null));
+}
+
 /** The parts of the document that the groups which are on say, for these sections of the answer. */
 export function partsOf(input, sections) {
   const on = (id) => isOn(input, id) && sections.includes(WANTED.find((group) => group.id === id).section);
@@ -393,14 +424,18 @@ export function partsOf(input, sections) {
     ...(on("rolling") && { rollers }),
     ...(on("losses") && !on("rolling") && { friction: { ...friction, sleeve: on("strength") && sleeved(input) } }),
     ...(on("bearings") && { gear: { ...(kind !== "ratio" && { kind }), ...gear }, bearing }),
+    ...(on("teeth") && ofRingPins(input.besides.deviations)),
     ...(on("crank") && { crankshaft }),
     ...(requirements && { requirements: { ...input.requirements, ...requirements } }),
   };
 }
 
 /** What the form shows of a design document: the groups are on whose parts it has; a pin of one material has it in one field. */
-export function inputOf({ pin: given, fatigue = {}, rollers, friction, gear, bearing, crankshaft, ...own }) {
+export function inputOf({ pin: given, fatigue = {}, rollers, friction, gear, bearing, crankshaft, deviations, ...own }) {
   const { requirements, contact } = own;
+  const [ring, others] = partedDeviations(deviations);
+  const count = Math.max(0, ...Object.values(ring ?? {}).map(({ length }) => length));
+  const rows = Array.from({ length: count }, (_, k) => Object.fromEntries(Object.entries(ring).map(([name, values]) => [name, values[k]])));
   const { material, ...bare } = given ?? {};
   const pin = given && JSON.stringify(material) === JSON.stringify(contact?.pin_material) ? bare : given;
   const ways = { notch_factor: "fatigue_notch_factor", notch: "notch", endurance_limit: "endurance_limit_MPa" };
@@ -408,7 +443,9 @@ export function inputOf({ pin: given, fatigue = {}, rollers, friction, gear, bea
   const on = { on: "on" };
   return {
     ...own,
+    ...(others && { deviations: others }),
     besides: {
+      ...(ring && { deviations: { ring_pins: rows } }),
       ...(pin && { strength: { ...on, surface: friction?.sleeve ? "sleeved" : "bare", fatigue: way }, pin, fatigue }),
       ...(rollers && { rolling: on, rollers }),
       ...(friction && { losses: on, friction }),
@@ -434,7 +471,8 @@ export function figureBody(...own) {
       mechanism,
       load,
       ...(answer?.load_sharing && { contact_law: {} }),
-      ...Object.fromEntries(["contact", "pin", "rollers", ...MADE, ...own].filter((part) => parts[part]).map((part) => [part, parts[part]])),
+      ...Object.fromEntries(["contact", "pin", "rollers", ...MADE, ...own].map((part) => [part, part === "deviations" ? partedDeviations(parts[part])[1] : parts[part]])
+        .filter(([, said]) => said)),
     };
   };
 }
