@@ -57,12 +57,14 @@ INVOLUTE = replace(
     ring_material=LASTING,
     root_strength=800e6,
     face_load_factor=1.1,
+    friction_coefficient=0.06,
 )
 """Teeth whose shifts and heights are known."""
 ALL = having(
     WHOLE,
     gear=INVOLUTE,
     max_ring_backlash=1.0,
+    min_ring_efficiency=0.5,
     outer_radius=0.08,
     root_radius=0.072,
     bore_radius=0.02,

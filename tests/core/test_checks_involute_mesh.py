@@ -340,6 +340,9 @@ def test_what_slides_on_the_flanks_lowers_the_efficiency() -> None:
     middle = (float(own["start_roll"]) + float(own["end_roll"])) / 2
     lost = 0.06 * (math.tan(float(own["angle"])) - middle)
     assert 1 / both == pytest.approx(1 / alone + lost, rel=1e-9)
+    rubbing = having(geared(design, friction_coefficient=0.06), min_ring_efficiency=0.95)
+    teeth = check_of("ring_efficiency", rubbing)
+    assert teeth.value == pytest.approx(1 / (1 + lost), rel=1e-9) and teeth.status == "fail"
     unknown = geared(design, friction_coefficient=0.06, ring_profile_shift=None)
     assert check_of("efficiency", unknown).reason == "teeth_not_judged"
 
