@@ -3,7 +3,7 @@
 from functools import partial
 
 from core.checks.check import Check, Measure, design_check
-from core.checks.inputs import FORCES, LIFE, RING_SHARING, SPEEDS
+from core.checks.inputs import FORCES, LIFE, SPEEDS
 from core.design.document import Design
 from core.design.results import Results
 from core.errors import NotKnown
@@ -21,7 +21,6 @@ _check = partial(design_check, group="friction", part="losses", needs=("touching
             (
                 *FORCES,
                 *SPEEDS,
-                *RING_SHARING,
                 "gear.friction_coefficient",
                 "gear.rolling",
                 "friction.coefficient",

@@ -40,42 +40,6 @@ SHARING = (
 )
 """Of pins and holes as they are made: how satellites and pins share the load."""
 
-FORCES = (*FORCE, *SHARING)
-"""Of the forces on pins."""
-
-LOADED = (*FORCES, "contact.dynamic_factor", "load.application_factor")
-"""The same, with the factor on stresses and pressures."""
-
-SLIDING = ("friction.coefficient", "friction.sleeve")
-"""Of what slides in the holes."""
-
-SPEEDS = ("load.input_speed", "load.ring_speed", "load.carrier_speed")
-"""Of crank, pins and ring against each other."""
-
-LIFE = (*SPEEDS, "requirements.life")
-"""Of how often a load comes in the life."""
-
-FATIGUE = (
-    "fatigue.surface",
-    "fatigue.surface_factor",
-    "fatigue.reliability_percent",
-    "fatigue.reliability_factor",
-    "fatigue.fatigue_notch_factor",
-    "fatigue.notch",
-    "fatigue.endurance_limit",
-    "fatigue.criterion",
-)
-
-RING = (
-    "gear.kind",
-    "gear.module",
-    "gear.teeth_difference",
-    "gear.reference_pressure_angle",
-    "gear.ring_pin_circle_radius",
-    "gear.radial_force_ratio",
-)
-"""Of the ring's force on a satellite."""
-
 RING_PINS = (
     "gear.kind",
     "gear.ring_pin_circle_radius",
@@ -114,21 +78,60 @@ RING_GIVES = (
 )
 """Of how these pins share a torque."""
 
+FORCES = tuple(dict.fromkeys((*FORCE, *SHARING, *RING_GIVES)))
+"""Of the forces on pins: of discs in series with their ring, of how that shares the torque, too."""
+
+LOADED = (*FORCES, "contact.dynamic_factor", "load.application_factor")
+"""The same, with the factor on stresses and pressures."""
+
+SLIDING = ("friction.coefficient", "friction.sleeve")
+"""Of what slides in the holes."""
+
+SPEEDS = ("load.input_speed", "load.ring_speed", "load.carrier_speed")
+"""Of crank, pins and ring against each other."""
+
+LIFE = (*SPEEDS, "requirements.life")
+"""Of how often a load comes in the life."""
+
+FATIGUE = (
+    "fatigue.surface",
+    "fatigue.surface_factor",
+    "fatigue.reliability_percent",
+    "fatigue.reliability_factor",
+    "fatigue.fatigue_notch_factor",
+    "fatigue.notch",
+    "fatigue.endurance_limit",
+    "fatigue.criterion",
+)
+
+RING = (
+    "gear.kind",
+    "gear.module",
+    "gear.teeth_difference",
+    "gear.reference_pressure_angle",
+    "gear.ring_pin_circle_radius",
+    "gear.radial_force_ratio",
+)
+"""Of the ring's force on a satellite."""
+
 RING_SHARING = (*RING_GIVES, "load.output_torque")
 """Of the forces on them."""
 
 UNEVEN = ("contact.distribution_factor", "contact.distribution_of")
 """Of a share that is stated."""
 
+RING_FORCES = tuple(dict.fromkeys((*RING_SHARING, *FORCES)))
+"""Of these in series with the pins of the output, too."""
+
 RING_LOADED = (
-    *RING_SHARING,
-    *UNEVEN,
+    *RING_FORCES,
+    "contact.distribution_of",
     "contact.dynamic_factor",
     "load.application_factor",
 )
 """The same, with the factors on pressures."""
 
-OF_DISCS = (*FORCES, "contact.distribution_of", *RING)
+OF_DISCS = tuple(dict.fromkeys((*FORCES, "contact.distribution_of", *RING)))
 """Of the loads of satellites on the crank."""
 
 BEARING_LOAD = (*OF_DISCS, "bearing.kind", "crankshaft.satellite_mass")

@@ -8,12 +8,11 @@ from typing import Any, get_args
 from core.checks.check import Check, Kind, Measure, design_check, judged
 from core.checks.inputs import (
     LIFE,
+    RING_FORCES,
     RING_GAPS,
-    RING_GIVES,
     RING_LOADED,
     RING_SHARING,
     SPEEDS,
-    UNEVEN,
 )
 from core.checks.pin_contact import whence
 from core.checks.ring_pins import no_ring_pins
@@ -132,7 +131,7 @@ def _static(body: RingBody) -> Kind:
         title=f"Contact pressure of the {NAMES[body]} at the peak torque",
         formula="p(T_max) ≤ p_static",
         why=f"Above it the surface of the {NAMES[body]} is dented at once.",
-        inputs=(*RING_GIVES, *UNEVEN, "load.peak_torque"),
+        inputs=(*RING_LOADED, "load.peak_torque"),
         fixes=("gear.contact_length", "load.peak_torque"),
         source="static_pressure",
     )
@@ -295,7 +294,7 @@ def ring_pin_slope(design: Design, results: Results) -> Check | Measure:
     formula="p·v ≤ (pv)_all",
     why="Above it the sleeves on the pins of the ring get hot and wear fast.",
     inputs=(
-        *RING_SHARING,
+        *RING_FORCES,
         *SPEEDS,
         "gear.rolling",
         "requirements.max_pv",

@@ -44,6 +44,13 @@ class Shares:
 
 
 @dataclass(frozen=True, slots=True)
+class RingInSeries:
+    """Each disc finds its place between the pins of its ring and those of the output, as both
+    meshes give: it is no support of the one alone.
+    """
+
+
+@dataclass(frozen=True, slots=True)
 class SharedTorque:
     """Its satellites, each solved for itself.
 

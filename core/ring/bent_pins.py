@@ -57,10 +57,10 @@ def bent_ring_pins(*, turn: MeshTurn) -> BentRingPins:
         poissons_ratio=pin.material.poissons_ratio,
         span=pin.span,
     )
-    rows = turn.turn.fine
+    wave, every = turn.samples
     pins, satellites = disc.pins, len(mesh.crank_angles)
-    force = rows["forces"].reshape(-1, satellites, pins) * _normals(
-        rows["wave"], mesh.pairs.phase[:satellites], pins, disc.shortening_coefficient
+    force = every.reshape(-1, satellites, pins) * _normals(
+        wave, mesh.pairs.phase[:satellites], pins, disc.shortening_coefficient
     )
     places = np.array(pin.satellite_positions)
     x = np.unique(np.concatenate((np.linspace(0.0, pin.span, SECTIONS), places)))
@@ -73,7 +73,7 @@ def bent_ring_pins(*, turn: MeshTurn) -> BentRingPins:
         )
         for each in np.moveaxis(force, 2, 0)
     ]
-    worst, missed = int(np.argmax(stress)), turn.peak_force / float(rows["forces"].max()) - 1
+    worst, missed = int(np.argmax(stress)), turn.peak_force / float(every.max()) - 1
     return BentRingPins(
         stress=stress[worst],
         pin=worst + 1,

@@ -31,6 +31,8 @@ from core.design.sections import (
 from core.errors import CalculationError
 from core.material_table import MATERIALS
 from core.materials import ContactLimit, ElasticMaterial, Plastic
+from core.output.contact_law import PowerLaw
+from core.output.satellite_support import RingInSeries
 from core.ring.profile import Modification
 from tests.inputs.checks import WHOLE, design_of, having
 
@@ -359,6 +361,74 @@ DESIGNS |= {
             modification=Modification(equidistant=-1e-5, pin_circle=-5e-6),
             pin_material=LASTING,
         ),
+    ),
+}
+
+RINGED = Ring(
+    kind="cycloid",
+    ring_pin_circle_radius=0.085,
+    ring_pin_radius=0.005,
+    teeth_difference=1,
+    modification=Modification(equidistant=3e-5, pin_circle=-1e-5),
+    contact_length=0.018,
+    contact_law=PowerLaw(1.1, 1e3, 5e-6),
+    pin_material=LASTING,
+    pin_support="supported",
+    span=0.06,
+    satellite_positions=(0.018, 0.04),
+    seat_stiffness=5e8,
+    sleeve_bore_radius=0.004,
+    friction_coefficient=0.06,
+)
+SERIES = having(
+    ALL,
+    hole_radius=0.01002,
+    peak_torque=1500.0,
+    satellite_coupling=RingInSeries(),
+    gear=RINGED,
+    root_radius=None,
+    max_ring_backlash=1.0,
+    max_transmission_error=1.0,
+)
+"""Both meshes in series."""
+DESIGNS |= {
+    "both meshes": SERIES,
+    "both meshes, turned flanks, uneven cranks": having(
+        SERIES,
+        crank_spacing=2.0,
+        application_factor=1.2,
+        max_unbalance_share=1e-4,
+        gear=replace(RINGED, modification=Modification(3e-5, -1e-5, 1e-4)),
+    ),
+    "both meshes of seats": having(
+        SERIES,
+        dynamic_factor=1.1,
+        gear=replace(
+            RINGED,
+            pin_support="seat",
+            span=None,
+            satellite_positions=(),
+            sleeve_bore_radius=None,
+            contact_law=None,
+        ),
+    ),
+    "both meshes, rollers": having(
+        ROLLED,
+        peak_torque=700.0,
+        satellite_coupling=RingInSeries(),
+        gear=RINGED,
+        max_unbalance_share=1e-4,
+        crank_spacing=2.0,
+    ),
+    "both meshes, few loads": having(
+        SERIES,
+        fatigue=TIRED,
+        output_torque=1500.0,
+        peak_torque=None,
+        life=3e4,
+        pin_material=STEEL,
+        hole_material=STEEL,
+        friction=replace(ALL.friction, life=None),  # type: ignore[type-var]
     ),
 }
 
