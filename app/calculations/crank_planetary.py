@@ -111,6 +111,7 @@ from core.output.pin_geometry import (
     pin_geometry,
 )
 from core.output.real_cyclogram import RealCyclogram, carried_forces, real_cyclogram
+from core.output.satellite_support import RingInSeries
 from core.output.turn import Turn
 from core.results import Notice
 from core.ring.series_turn import SeriesOverTurn
@@ -201,6 +202,14 @@ MOST_PAIRS: dict[Section, int] = {
     "rollers": MOST_BEARING_PAIRS,
 }
 """Most pairs of which they are calculated."""
+
+
+class _UsualCoupling:
+    """That of a design of which none is stated: both meshes in series, where they are known."""
+
+    def section(self, _: Any = None) -> RingInSeries:
+        """The coupling in SI units."""
+        return RingInSeries(stated=False)
 
 
 class CrankPlanetaryRequest(DesignFields, group="mechanism"):
@@ -387,7 +396,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
             if name != "pin" or self.contact is not None
         }
         if "gear" in given and "crank_support" not in given:
-            given.setdefault("satellite_coupling", DesignCouplingFields(kind="ring"))
+            given.setdefault("satellite_coupling", _UsualCoupling())
         return given
 
     @cached_property

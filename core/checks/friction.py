@@ -20,6 +20,7 @@ _check = partial(design_check, group="friction", part="losses", needs=("touching
         dict.fromkeys(
             (
                 *FORCES,
+                "gear.modification.rotation",
                 *SPEEDS,
                 "gear.friction_coefficient",
                 "gear.rolling",

@@ -61,7 +61,7 @@ RING_GAPS = (*RING_PINS, "gear.modification.rotation")
 """Of these gaps."""
 
 RING_GIVES = (
-    *RING_GAPS,
+    *RING_PINS,
     "gear.ring_pin_radius",
     "gear.contact_length",
     "gear.contact_law",
@@ -114,13 +114,18 @@ RING = (
 )
 """Of the ring's force on a satellite."""
 
-RING_SHARING = (*RING_GIVES, "load.output_torque")
+RING_SHARING = (*RING_GIVES, "gear.modification.rotation", "load.output_torque")
 """Of the forces on them."""
 
-UNEVEN = ("contact.distribution_factor", "contact.distribution_of")
-"""Of a share that is stated."""
-
-RING_FORCES = tuple(dict.fromkeys((*RING_SHARING, *FORCES)))
+RING_FORCES = tuple(
+    dict.fromkeys(
+        (
+            *RING_SHARING,
+            *(each for each in FORCE if each != "load.force_exponent"),
+            *SHARING,
+        )
+    )
+)
 """Of these in series with the pins of the output, too."""
 
 RING_LOADED = (

@@ -124,6 +124,13 @@ def _pressure(body: RingBody) -> Kind:
     return pressure
 
 
+STATIC = (
+    *(each for each in RING_FORCES if each != "load.output_torque"),
+    "contact.distribution_of",
+)
+"""Of the forces at the peak torque."""
+
+
 def _static(body: RingBody) -> Kind:
     @_check(
         f"ring_static_{body}",
@@ -131,7 +138,7 @@ def _static(body: RingBody) -> Kind:
         title=f"Contact pressure of the {NAMES[body]} at the peak torque",
         formula="p(T_max) ≤ p_static",
         why=f"Above it the surface of the {NAMES[body]} is dented at once.",
-        inputs=(*RING_LOADED, "load.peak_torque"),
+        inputs=(*STATIC, "load.peak_torque"),
         fixes=("gear.contact_length", "load.peak_torque"),
         source="static_pressure",
     )

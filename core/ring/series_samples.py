@@ -13,7 +13,9 @@ from core.output.turn import Rows
 from core.ring.series_turn import SeriesTurn
 
 NEAR = 5e-5
-"""How far forces may lie off the straight lines between samples, as a part of the largest."""
+"""How far forces may lie off the straight lines between samples, as a part of the largest, and of
+as many turns of the wave so many times as far.
+"""
 
 
 def sampled_in_series(turn: SeriesTurn) -> SampledTurn:
@@ -58,9 +60,10 @@ def sampled_in_series(turn: SeriesTurn) -> SampledTurn:
     30.0
     """
     output = turn.real.output
-    rows = refined(turn, NEAR, partial(_ring_off, turn))
+    near = NEAR * max(1.0, turn.pitches / turn.real.ring.disc.satellite_teeth)
+    rows = refined(turn, near, partial(_ring_off, turn))
     force = rows["forces"]
-    error = float(off(turn, rows).max() + rows["force_error"].max()) / force.max()
+    error = float((off(turn, rows).max() + rows["force_error"].max()) / force.max())
     periods, way = np.arange(turn.repeats), math.copysign(1.0, turn.torque)
     angle = (rows["wave"] + turn.period * periods[:, None]).ravel()
     found = directed(
