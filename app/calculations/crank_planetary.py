@@ -43,6 +43,7 @@ from app.calculations.fatigue import PinFatigueFields
 from app.calculations.fit_answer import FitOut
 from app.calculations.geometry_answer import GeometryOut
 from app.calculations.hertz import entry_of
+from app.calculations.involute_mesh import solved_pair
 from app.calculations.load_sharing_answer import RealCyclogramOut
 from app.calculations.mechanism import MAX_PAIRS
 from app.calculations.members_answer import MembersOut, at_output
@@ -53,10 +54,12 @@ from app.calculations.reducer_fixes import fixes_of
 from app.calculations.ring import RING_PIN_LISTS, RingFields
 from app.calculations.ring_mesh_answer import (
     MeshTurnOut,
+    RingDrawingOut,
     RingEfficiencyOut,
     RingGeometryOut,
     RingIdealOut,
 )
+from app.calculations.ring_mesh_figure import ShownMesh, ring_mesh_figure
 from app.calculations.satellite_bearing import (
     BearingFields,
     CrankshaftFields,
@@ -64,7 +67,7 @@ from app.calculations.satellite_bearing import (
 )
 from app.calculations.shares_answer import SharesOut, shares_warnings
 from app.calculations.solved import Solved
-from app.calculations.usual_fit_answer import UsualFitOut
+from app.calculations.usual_fit_answer import UsualFitOut, UsualModificationOut
 from app.model import (
     Angle,
     Calculation,
@@ -74,6 +77,7 @@ from app.model import (
     quantity,
     warning,
 )
+from app.problems import refusal
 from app.running import run
 from app.settings import Settings
 from app.sources import (
@@ -97,8 +101,13 @@ from core.checks.check import Verdict
 from core.checks.cold_yield import ColdYield, cold_yield
 from core.checks.largest_torque import crank_verdict
 from core.checks.shares import disc_shares
-from core.checks.usual_fit import usual_fit
+from core.checks.usual_modification import (
+    UsualModification,
+    usual_clearance_too,
+    usual_modification,
+)
 from core.derived import if_known
+from core.design.drawings import drawn_mesh
 from core.design.real_forces import RealForces
 from core.design.results import MOST_BEARING_PAIRS, MOST_PIN_PAIRS, Results
 from core.errors import CalculationError
@@ -114,6 +123,7 @@ from core.output.real_cyclogram import RealCyclogram, carried_forces, real_cyclo
 from core.output.satellite_support import RingInSeries
 from core.output.turn import Turn
 from core.results import Notice
+from core.ring.mesh_curves import MeshCurves
 from core.ring.series_turn import SeriesOverTurn
 from core.worked.crank import bearing_steps, shaft_steps
 from core.worked.hertz import judged_steps
@@ -134,11 +144,13 @@ Section = Literal[
     "pin_strength",
     "output_efficiency",
     "ring_mesh",
+    "ring_drawing",
     "satellite_bearing",
     "crankshaft",
     "rollers",
     "geometry",
     "usual_fit",
+    "usual_modification",
     "checks",
     "fixes",
     "combined",
@@ -148,6 +160,7 @@ Section = Literal[
 SECTIONS: tuple[Section, ...] = get_args(Section)
 
 _TOUCHING = ("load", "contact")
+_MESHING = ("load", "contact/eccentricity_mm", "gear/modification")
 _TURNING = (*_TOUCHING, "load/input_speed_rpm", "contact/eccentricity_mm")
 
 _NEEDS: dict[Section, tuple[str, ...]] = {
@@ -159,12 +172,14 @@ _NEEDS: dict[Section, tuple[str, ...]] = {
     "hertz": _TOUCHING,
     "pin_strength": (*_TOUCHING, "pin"),
     "output_efficiency": (*_TURNING, "friction"),
-    "ring_mesh": ("load", "contact/eccentricity_mm", "gear/modification"),
+    "ring_mesh": _MESHING,
+    "ring_drawing": _MESHING,
     "satellite_bearing": (*_TURNING, "gear", "bearing"),
     "crankshaft": (*_TURNING, "gear", "crankshaft"),
     "rollers": (*_TOUCHING, "contact/eccentricity_mm", "rollers"),
     "geometry": _TOUCHING,
     "usual_fit": (*_TOUCHING, "contact/eccentricity_mm"),
+    "usual_modification": ("load", "contact/eccentricity_mm", "gear"),
     "checks": (),
     "fixes": (),
     "combined": (),
@@ -172,8 +187,27 @@ _NEEDS: dict[Section, tuple[str, ...]] = {
 }
 """Which parts of the request each section of the answer needs, and which of their fields."""
 
+INVOLUTE_NEEDS = (
+    "load",
+    "contact/eccentricity_mm",
+    *(f"gear/{body}_profile_shift" for body in ("satellite", "ring")),
+)
+"""The same of the mesh of involute teeth."""
+
+SEARCHED = frozenset(("fixes", "combined", "usual_fit", "usual_modification"))
+"""Sections for which designs are tried."""
+
 DRAWN_SAMPLES = 361
 """Crank angles of the figure's real forces."""
+
+DRAWN_RING = 120
+"""Crank angles at which discs and ring are drawn, at least, of at most `MAX_DRAWN_PAIRS`."""
+
+MAX_DRAWN_PAIRS = 240
+"""Most pairs of discs and ring that are drawn."""
+
+DRAWN_ERROR = 1e-5
+"""Chord error of the outline there, m."""
 
 STRENGTH: tuple[Section, ...] = (
     "pin_strength",
@@ -238,9 +272,10 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         min_length=1,
         max_length=len(_NEEDS),
         description="Sections of the answer: what is not named is not computed. Where it is "
-        "absent: all but real_cyclogram, geometry, usual_fit, checks, fixes and combined, as far "
-        "as their input is given; members where others than the pins are the output; load_sharing "
-        "where clearance, deviations, a contact law, satellites that give or pins that bend are. "
+        "absent: all but real_cyclogram, geometry, usual_fit, usual_modification, checks, fixes "
+        "and combined, as far as their input is given; members where others than the pins are the "
+        "output; load_sharing where clearance, deviations, a contact law, satellites that give or "
+        "pins that bend are. "
         "load_sharing and hertz with these are left out then where the forces cannot be solved. "
         "What rests on the forces of parts that cannot be put together is always: the check "
         "interference says why.",
@@ -252,7 +287,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     @model_validator(mode="after")
     def _parts_for_sections(self) -> Self:
         for section in self.include or ():
-            for part in _NEEDS[section]:
+            for part in self._needs(section):
                 if not self._has(part):
                     raise field_error(part, "needed_for", section=section)
         return self
@@ -267,6 +302,11 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         if self.gear.kind != "cycloid":
             raise field_error("gear/kind", "outside_method")
         return self
+
+    def _needs(self, section: Section) -> tuple[str, ...]:
+        """What a section of the answer needs; of involute teeth their shifts."""
+        involute = self.gear is not None and self.gear.kind == "involute"
+        return INVOLUTE_NEEDS if section == "ring_mesh" and involute else _NEEDS[section]
 
     def _has(self, part: str) -> bool:
         """Whether a part of the request, or a field of one, is given; rollers have friction."""
@@ -317,7 +357,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         in_series = self.gear is not None and self.gear.modification is not None
         solves = self.as_made or in_series or "load_sharing" in include or lost_motion
         loaded = self.load is not None and self.contact is not None
-        if {"fixes", "combined", "usual_fit"} & {*include} or (loaded and (searches or solves)):
+        if SEARCHED & {*include} or (loaded and (searches or solves)):
             return math.inf
         if self.load is None:
             return self.mechanism.cost()
@@ -354,8 +394,10 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     @property
     def _draws_ring(self) -> bool:
         """Whether the mesh of the ring is answered where it is not named: it can be solved."""
-        given = all(map(self._has, _NEEDS["ring_mesh"]))
-        return given and if_known(lambda: self.results.ring_working) is not None
+        given, found = all(map(self._has, self._needs("ring_mesh"))), self.results
+        if self.gear is not None and self.gear.kind == "involute":
+            return given and if_known(lambda: found.involute_load(1.0)) is not None
+        return given and if_known(lambda: found.ring_working) is not None
 
     def _unfit(self, section: Section) -> bool:
         """Whether a section rests on forces of parts that cannot be put together."""
@@ -473,11 +515,16 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
 
     def solve_usual_fit(self) -> Values | None:
         """The design with a usual clearance, where none is known or 0 is stated."""
-        found = usual_fit(self.design)
+        found = usual_clearance_too(design=self.design, ring=self.usual_ring)
         if found is None:
             return None
         name, results, judged = found
         return UsualFitOut.of(name, results, judged)
+
+    @cached_property
+    def usual_ring(self) -> UsualModification | None:
+        """The design with a usual ring of pins."""
+        return usual_modification(self.design)
 
     def strength(self, section: Section) -> Any:
         """Result of a section of strength and life."""
@@ -538,8 +585,31 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         )
         return at_output(values, self.design.members)
 
+    def solve_pair(self) -> Solved:
+        """The mesh of involute teeth, of the satellite with the largest torque."""
+        results, design = self.results, self.design
+        factor = design.load_factor
+        pair, loaded = results.involute_pair, results.loaded_teeth(factor)
+        _ = results.involute_load(factor)  # which needs materials
+        asked = {"stresses"} | ({"shared_pairs"} if pair.on_involutes else set())
+        solved = solved_pair(
+            ring=design.gear,
+            pair=pair,
+            loaded=loaded,
+            output_torque=design.pin_torque,
+            input_speed=design.turning_speed,
+            asked=asked,
+        )
+        values = solved.values
+        del values["kind"]  # which the design says
+        values["satellite_torque_Nm"] = loaded["torque"]
+        values["geometry"] = at_output(values["geometry"], design.members)
+        return solved
+
     def solve_ring(self) -> Solved:
         """The mesh of the ring under the torque, in the direction of the larger pressure."""
+        if self.design.gear.kind == "involute":
+            return self.solve_pair()
         assert self.load is not None
         turn, solved = self.results.ring_working[0], Solved()
         mesh, members = turn.mesh, self.design.members
@@ -556,6 +626,23 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
             solved.values["efficiency"] = RingEfficiencyOut.values(loss)
         solved.take(turn.accuracy, turn.notices)
         return solved
+
+    def solve_ring_drawing(self) -> Values | None:
+        """Discs and ring as they are drawn, and what they do under the same torque."""
+        turn = self.results.ring_working[0]
+        if turn.mesh.disc.pins * self.mechanism.satellites > MAX_DRAWN_PAIRS:
+            return None
+        drawn = drawn_mesh(design=self.design, mesh=turn.mesh, chord_error=DRAWN_ERROR)
+        return RingDrawingOut.of(drawn, MeshCurves(turn, DRAWN_RING))
+
+    def solve_ring_figure(self) -> ShownMesh:
+        """What the figure of the mesh shows."""
+        turn, own = self.results.ring_working[0], self.mechanism
+        if turn.mesh.disc.pins * own.satellites > MAX_DRAWN_PAIRS:
+            name = "ratio" if own.ring_teeth is None else "ring_teeth"
+            limit = {"limit": MAX_DRAWN_PAIRS // own.satellites, "satellites": own.satellites}
+            raise refusal(f"/mechanism/{name}", "too_many_pairs", **limit)
+        return ShownMesh.of(turn, members=self.design.members)
 
     def solve_disc(self) -> Notice | None:
         """Whether the edge of the satellite is so near to its holes that the pressure is off."""
@@ -626,6 +713,10 @@ def solve(body: CrankPlanetaryRequest) -> Values:
     if "ring_mesh" in asked:
         ring, ring_us = run(body, body.solve_ring)
         sections["ring_mesh"] = ring.answer(ring_us)
+    if "ring_drawing" in asked:
+        drawing, _ = run(body, body.solve_ring_drawing)
+        if drawing is not None:
+            sections["ring_drawing"] = drawing
     for name, answer in ANSWERS.items():
         if name in asked:
             found, run_us = run(body, partial(body.strength, name))
@@ -636,6 +727,10 @@ def solve(body: CrankPlanetaryRequest) -> Values:
         usual, _ = run(body, body.solve_usual_fit)
         if usual is not None:
             sections["usual_fit"] = usual
+    if "usual_modification" in asked:
+        ring_made, _ = run(body, lambda: body.usual_ring)
+        if ring_made is not None:
+            sections["usual_modification"] = UsualModificationOut.of(ring_made)
     sizes, _ = run(body, body.solve_fit)
     fit, _ = run(body, lambda: if_known(lambda: body.results.fit))
     if fit is not None:
@@ -708,8 +803,11 @@ def _force_figure(body: CrankPlanetaryRequest, theme: Theme) -> Figure:
 def figure(body: CrankPlanetaryRequest, theme: Theme = "light") -> Figure:
     """Cyclogram and, where a load is given, forces over one angle axis, as a Plotly figure: by the
     model of the answer, and the ideal one thin beside the real one. Where `include` names one of
-    the sections `cyclogram` and `contact_force`, that alone.
+    the sections `cyclogram` and `contact_force`, that alone; where it names `ring_mesh` alone, the
+    mesh of the ring at its peak and over the turn.
     """
+    if body.include == ["ring_mesh"]:
+        return ring_mesh_figure(run(body, body.solve_ring_figure)[0], theme)
     run(body, body.mechanism.refuse_undrawable)
     named = {"cyclogram", "contact_force"} & {*(body.include or ())}
     if body.load is None or named == {"cyclogram"}:

@@ -20,7 +20,8 @@ fit                 room of the pins in their holes, clearance
 space               walls between holes, to rim and bore; space between pins, for satellites
 crank               ring, bearings of the satellites, crankshaft
 ring_pins           cycloid discs on the pins of a ring: what geometry alone says
-ring_load           cycloid discs on these pins under load: pressure, play, bending
+involute_mesh       involute teeth: path of contact, tips, undercut, roots
+ring_load           satellites in their ring under load: pressure, play, bending
 bearings            bearings as they are bought: ratings that can be, room, speed, least load
 pin_rollers         bearings as rollers on the pins: life, load, speed, room, tilt
 balance             what turns with the crankshaft and is not balanced
@@ -29,6 +30,7 @@ largest_torque      the largest torque of the reducer as it is made
 shares              which satellite carries how much, and what hangs on it
 cold_yield          the torque at which a plastic contact yields at once
 usual_fit           the reducer with a usual clearance, where none is known
+usual_modification  with a usual ring, where its modification or its pins' places are not
 rollers             swinging rollers
 shaft               the precessional gear and its shaft
 records             all checks, by code

@@ -40,6 +40,9 @@ SHARING = (
 )
 """Of pins and holes as they are made: how satellites and pins share the load."""
 
+PIN_FORCES = (*FORCE, *SHARING)
+"""Of the forces on pins by themselves."""
+
 RING_PINS = (
     "gear.kind",
     "gear.ring_pin_circle_radius",
@@ -60,7 +63,10 @@ the lag at each.
 RING_GAPS = (*RING_PINS, "gear.modification.rotation")
 """Of these gaps."""
 
-RING_GIVES = (
+OF_BENT_PINS = ("gear.span", "gear.satellite_positions", "gear.sleeve_bore_radius")
+"""Of how pins of the ring bend."""
+
+RING_CARRIES = (
     *RING_PINS,
     "gear.ring_pin_radius",
     "gear.contact_length",
@@ -68,17 +74,18 @@ RING_GIVES = (
     "gear.pin_material",
     "gear.disc_material",
     "gear.pin_support",
-    "gear.span",
-    "gear.satellite_positions",
+    *OF_BENT_PINS,
     "gear.seat_stiffness",
-    "gear.sleeve_bore_radius",  # of pins that bend
     "contact.contact_length",
     "contact.hole_material",
     "satellite_coupling",
 )
+"""Of how these pins share a torque, but for flanks that are turned, all alike."""
+
+RING_GIVES = (*RING_CARRIES, "gear.modification.rotation")
 """Of how these pins share a torque."""
 
-FORCES = tuple(dict.fromkeys((*FORCE, *SHARING, *RING_GIVES)))
+FORCES = tuple(dict.fromkeys((*PIN_FORCES, *RING_CARRIES)))
 """Of the forces on pins: of discs in series with their ring, of how that shares the torque, too."""
 
 LOADED = (*FORCES, "contact.dynamic_factor", "load.application_factor")
@@ -114,8 +121,11 @@ RING = (
 )
 """Of the ring's force on a satellite."""
 
-RING_SHARING = (*RING_GIVES, "gear.modification.rotation", "load.output_torque")
+RING_SHARING = (*RING_GIVES, "load.output_torque")
 """Of the forces on them."""
+
+UNEVEN = ("contact.distribution_factor", "contact.distribution_of")
+"""Of a share that is stated."""
 
 RING_FORCES = tuple(
     dict.fromkeys(
@@ -136,6 +146,87 @@ RING_LOADED = (
 )
 """The same, with the factors on pressures."""
 
+INVOLUTE_GEARS = (
+    "gear.kind",
+    "gear.module",
+    "gear.teeth_difference",
+    "gear.reference_pressure_angle",
+    "mechanism.ratio",
+    "contact.eccentricity",
+)
+"""Of involute teeth, whatever their heights and shifts."""
+
+SATELLITE_TIPS = (
+    "gear.satellite_profile_shift",
+    "gear.satellite_addendum",
+    "gear.satellite_tip_radius",
+)
+"""Of where the tips of the satellite are."""
+
+RING_TIPS = ("gear.ring_profile_shift", "gear.ring_addendum", "gear.ring_tip_radius")
+"""Of where those of the ring are."""
+
+INVOLUTE_TEETH = (*INVOLUTE_GEARS, *SATELLITE_TIPS, *RING_TIPS)
+"""Of involute teeth and where they touch."""
+
+INVOLUTE_RACK = ("gear.dedendum", "gear.rack_tip_radius")
+"""Of the hob that makes the satellite."""
+
+INVOLUTE_CUTTER = ("gear.cutter_teeth", "gear.cutter_profile_shift", "gear.cutter_addendum")
+"""Of the cutter that makes the ring."""
+
+INVOLUTE_GIVES = tuple(
+    dict.fromkeys(
+        (
+            *INVOLUTE_GEARS,
+            "gear.contact_length",
+            "gear.face_load_factor",
+            *(
+                each
+                for each in PIN_FORCES
+                if each not in ("load.output_torque", "load.force_exponent")
+            ),
+            "contact.distribution_of",
+        )
+    )
+)
+"""Of how a torque is on them: satellites carry what their pins do."""
+
+ON_STRESSES = ("load.output_torque", "contact.dynamic_factor", "load.application_factor")
+"""Of the torque itself, with the factor on stresses and pressures."""
+
+INVOLUTE_LOADED = (*INVOLUTE_GIVES, *ON_STRESSES)
+"""Of the forces on them."""
+
+TEETH_GAPS = tuple(
+    dict.fromkeys(
+        (
+            *RING_GAPS,
+            *INVOLUTE_GEARS,
+            "gear.satellite_profile_shift",
+            "gear.ring_profile_shift",
+        )
+    )
+)
+"""Of the gaps between satellites and ring, of whatever kind."""
+
+TEETH_GIVE = tuple(
+    dict.fromkeys(
+        (
+            *RING_GIVES,
+            *UNEVEN,
+            *INVOLUTE_GIVES,
+            *RING_TIPS,
+            "gear.ring_material",
+            "gear.satellite_material",
+        )
+    )
+)
+"""Of how a torque is on satellites and ring, of whatever kind."""
+
+TEETH_LOADED = (*TEETH_GIVE, *ON_STRESSES)
+"""Of the pressure between them."""
+
 OF_DISCS = tuple(dict.fromkeys((*FORCES, "contact.distribution_of", *RING)))
 """Of the loads of satellites on the crank."""
 
@@ -152,6 +243,8 @@ ROOTS = (
     "gear.ring_pin_radius",
     "gear.modification.equidistant",
     "gear.modification.pin_circle",
+    "gear.satellite_profile_shift",
+    "gear.dedendum",
     "mechanism.ratio",
     "contact.eccentricity",
 )

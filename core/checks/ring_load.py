@@ -1,5 +1,6 @@
-"""Checks of cycloid discs on the pins of their ring under load: what presses without it, pressure,
-play, transmission error, bending of the pins, pv.
+"""Checks of satellites in their ring under load: what presses without it, pressure, play; of
+cycloid discs on its pins also transmission error, strength of the pins, pressure in their seats,
+efficiency, pv.
 """
 
 from functools import partial
@@ -7,20 +8,26 @@ from typing import Any, get_args
 
 from core.checks.check import Check, Kind, Measure, design_check, judged
 from core.checks.inputs import (
+    FATIGUE,
     LIFE,
+    OF_BENT_PINS,
     RING_FORCES,
-    RING_GAPS,
     RING_LOADED,
     RING_SHARING,
     SPEEDS,
+    TEETH_GAPS,
+    TEETH_GIVE,
+    TEETH_LOADED,
 )
+from core.checks.involute_mesh import Pressed, involute_pressed, refused
 from core.checks.pin_contact import whence
+from core.checks.pins import fatigue_safety, static_strength
 from core.checks.ring_pins import no_ring_pins
 from core.design.document import Design
 from core.design.results import Results
 from core.design.sections import RingBody
 from core.errors import NotKnown
-from core.materials import ElasticMaterial
+from core.precision import AS_TYPED
 from core.ring.sharing import MeshTurn
 
 FIRST_ORDER = 0.02
@@ -30,48 +37,90 @@ BODIES: tuple[RingBody, ...] = get_args(RingBody)
 
 _check = partial(design_check, group="gear", part="teeth", needs=("load", "contact", "gear"))
 
+MODIFICATION = ("gear.modification.equidistant", "gear.modification.pin_circle")
+
+_FIXES = (
+    *MODIFICATION,
+    "gear.contact_length",
+    "gear.ring_pin_radius",
+    "contact.eccentricity",
+)
+"""What may lower the pressure of the teeth, besides the torque."""
+
+_THICKER = ("gear.ring_pin_radius", "gear.sleeve_bore_radius", "gear.span", "load.output_torque")
+"""What may cure pins that bend."""
+
 
 def _error(turn: MeshTurn) -> float:
     """Relative error of what is proportional to the forces of a mesh, of number and model."""
     return float(turn.accuracy.relative_error) + (0.0 if turn.mesh.exact else FIRST_ORDER)
 
 
+def _no_mesh(results: Results, kind: Kind) -> Check | None:
+    """A check of a ring without pins or teeth; None where it has these, and they can be."""
+    gear = results.design.gear
+    if gear.kind == "involute":
+        return None
+    return no_ring_pins(results=results, kind=kind)
+
+
 @_check(
     "ring_pressed",
-    title="Teeth that go together without force",
+    title="Interference of the teeth without load",
     unit="mm",
     formula="δ ≤ 0",
-    why="Otherwise discs and pins of the ring press without load, and go together by force only.",
-    inputs=RING_GAPS,
-    fixes=("gear.modification.equidistant",),
+    why="With it satellites and ring press without load, and go together by force only.",
+    inputs=TEETH_GAPS,
+    fixes=(*MODIFICATION, "gear.satellite_profile_shift"),
     source="ring_mesh",
 )
 def ring_pressed(design: Design, results: Results) -> Check:
-    if other := no_ring_pins(results=results, kind=ring_pressed):
+    if other := _no_mesh(results, ring_pressed):
         return other
+    if design.gear.kind == "involute":
+        if narrow := refused(results=results, kind=ring_pressed, names=("ring_profile_shift",)):
+            return narrow  # spaces that have room for the teeth at no eccentricity
+        pair = results.involute_pair
+        over = -pair.normal_backlash
+        felt = over > AS_TYPED * pair.teeth.module
+        return judged(ring_pressed, over if felt else 0.0, 0.0)
     return judged(ring_pressed, max(turn.interference for turn in results.ring_working[:1]), 0.0)
 
 
-NAMES: dict[RingBody, str] = {"pin": "pins of the ring", "disc": "discs on the ring"}
+NAMES: dict[RingBody, str] = {
+    "pin": "pins or teeth of the ring",
+    "disc": "satellites' teeth",
+}
 
-MATERIALS: dict[RingBody, str] = {"pin": "gear.pin_material", "disc": "contact.hole_material"}
+
+def _material(design: Design, body: RingBody) -> str:
+    """Path of a material."""
+    if body == "disc":
+        return "contact.hole_material"
+    return "gear.ring_material" if design.gear.kind == "involute" else "gear.pin_material"
 
 
-def _pressed(turn: MeshTurn, body: RingBody) -> tuple[float, dict[str, Any]]:
-    """Largest pressure over the turn, Pa, and where it is reached."""
+def _pressed(results: Results, body: RingBody, *, static: bool) -> Pressed:
+    """Largest pressure over the turn, under the dynamic load, or at the peak torque."""
+    design = results.design
+    if design.gear.kind == "involute":
+        factor = design.static_torque / design.pin_torque if static else design.load_factor
+        return involute_pressed(results=results, factor=factor)
+    turn = results.ring_static[0] if static else results.ring_loading
     value = turn.max_pressure
     if value is None:
-        raise NotKnown("limit_unknown", MATERIALS[body])
+        raise NotKnown("limit_unknown", _material(design, body))
     pair, angle = turn.hardest_place
-    return value, {"satellite": pair.satellite, "pin": pair.pin, "crank_angle": angle}
+    at = {"satellite": pair.satellite, "pin": pair.pin, "crank_angle": angle}
+    return Pressed(value, _error(turn), True, at)
 
 
-def _no_limit(
-    kind: Kind, body: RingBody, material: ElasticMaterial, value: float, at: dict[str, Any]
-) -> Check:
+def _no_limit(kind: Kind, design: Design, body: RingBody, found: Pressed) -> Check:
     """A check of a pressure of which the material has no limit."""
+    material = design.lasting_teeth[body]
     unknown = "limit_unknown" if material.plastic is None else "plastic_limit_unknown"
-    missing = (f"{MATERIALS[body]}.allowable_pressure",)
+    missing = (f"{_material(design, body)}.allowable_pressure",)
+    value, at = found.value, found.at
     return Check(kind, "not_checked", value=value, reason=unknown, at=at, missing=missing)
 
 
@@ -92,27 +141,24 @@ def _pressure(body: RingBody) -> Kind:
         title=f"Contact pressure of the {NAMES[body]}",
         formula="p ≤ p_all·Z_NT/S",
         why=f"Above it the surface of the {NAMES[body]} pits within the life.",
-        inputs=(*RING_LOADED, *LIFE, "requirements.pitting_safety"),
-        fixes=("gear.contact_length", "load.output_torque"),
+        inputs=(*TEETH_LOADED, *LIFE, "requirements.pitting_safety"),
+        fixes=(*_FIXES, "load.output_torque"),
         source="ring_mesh",
         known=limits,
     )
     def pressure(design: Design, results: Results) -> Check:
-        if other := no_ring_pins(results=results, kind=pressure):
+        if other := _no_mesh(results, pressure):
             return other
-        turn, material = results.ring_loading, design.lasting_teeth[body]
-        value, at = _pressed(turn, body)
+        pressed = _pressed(results, body, static=False)
+        material = design.lasting_teeth[body]
         if material.limit is None:
-            return _no_limit(pressure, body, material, value, at)
+            return _no_limit(pressure, design, body, pressed)
         known = limits(design, results)
         found = judged(
             pressure,
-            value,
+            **pressed._asdict(),
             **known,
-            reserve=(known["limit"] / value) ** 2,
-            error=_error(turn),
-            rough=True,
-            at=at,
+            reserve=(known["limit"] / pressed.value) ** 2,
         )
         reason, lacks = "life_of_teeth", tuple[str, ...]()
         if material.limit.curve is None:
@@ -124,13 +170,6 @@ def _pressure(body: RingBody) -> Kind:
     return pressure
 
 
-STATIC = (
-    *(each for each in RING_FORCES if each != "load.output_torque"),
-    "contact.distribution_of",
-)
-"""Of the forces at the peak torque."""
-
-
 def _static(body: RingBody) -> Kind:
     @_check(
         f"ring_static_{body}",
@@ -138,34 +177,26 @@ def _static(body: RingBody) -> Kind:
         title=f"Contact pressure of the {NAMES[body]} at the peak torque",
         formula="p(T_max) ≤ p_static",
         why=f"Above it the surface of the {NAMES[body]} is dented at once.",
-        inputs=(*STATIC, "load.peak_torque"),
-        fixes=("gear.contact_length", "load.peak_torque"),
+        inputs=(*TEETH_GIVE, "load.peak_torque"),
+        fixes=(*_FIXES, "load.peak_torque"),
         source="static_pressure",
     )
     def static(design: Design, results: Results) -> Check:
-        if other := no_ring_pins(results=results, kind=static):
+        if other := _no_mesh(results, static):
             return other
         if design.load.peak_torque is None:
             missing = ("load.peak_torque",)
             return Check(static, "not_asked", reason="no_peak_torque", missing=missing)
-        turn, material = results.ring_static[0], design.lasting_teeth[body]
-        value, at = _pressed(turn, body)
-        limit, source = material.static_pressure, dict[str, str]()
+        pressed = _pressed(results, body, static=True)
+        material, value = design.lasting_teeth[body], pressed.value
+        limit, source = material.static_pressure, dict[str, Any]()
         if limit is None:  # what it bears for ever it bears once; beyond that nothing is known
             lasting = material.limit
             if lasting is None or value > lasting.pressure:
-                return _no_limit(static, body, material, value, at)
+                return _no_limit(static, design, body, pressed)
             limit, source = float(lasting.pressure), whence(lasting)
-        return judged(
-            static,
-            value,
-            limit,
-            reserve=(limit / value) ** 2,
-            error=_error(turn),
-            rough=True,
-            at=at,
-            **source,
-        )
+        reserve = (limit / value) ** 2
+        return judged(static, **pressed._asdict(), limit=limit, reserve=reserve, **source)
 
     return static
 
@@ -176,15 +207,17 @@ def _static(body: RingBody) -> Kind:
     unit="arcmin",
     formula="max(θ₊ − θ₋) ≤ Δφ",
     why="Otherwise the unloaded output turns by more than is asked.",
-    inputs=(*RING_GAPS, "requirements.max_ring_backlash"),
-    fixes=("gear.modification.equidistant",),
+    inputs=(*TEETH_GAPS, "requirements.max_ring_backlash"),
+    fixes=(*MODIFICATION, "gear.satellite_profile_shift"),
     source="ring_mesh",
     asks="max_ring_backlash",
 )
 def ring_backlash(design: Design, results: Results) -> Check | Measure:
-    """Not looked for where nobody asks."""
-    if other := no_ring_pins(results=results, kind=ring_backlash):
+    """Not looked for where nobody asks; of involute teeth it is known at once."""
+    if other := _no_mesh(results, ring_backlash):
         return other
+    if design.gear.kind == "involute":
+        return Measure(design.members.angle_at_output(max(results.involute_pair.backlash, 0.0)))
     if design.requirements.max_ring_backlash is None:
         raise NotKnown("no_limit")
     play = results.ring_working[0].backlash_max
@@ -198,14 +231,16 @@ def ring_backlash(design: Design, results: Results) -> Check | Measure:
     formula="max θ − min θ ≤ TE",
     why="Otherwise the output turns less evenly than is asked.",
     inputs=(*RING_SHARING, "requirements.max_transmission_error"),
-    fixes=(),
+    fixes=MODIFICATION,
     source="ring_mesh",
     asks="max_transmission_error",
 )
 def ring_transmission_error(design: Design, results: Results) -> Check | Measure:
     """Under the torque itself; not looked for where nobody asks."""
-    if other := no_ring_pins(results=results, kind=ring_transmission_error):
+    if other := _no_mesh(results, ring_transmission_error):
         return other
+    if design.gear.kind == "involute":
+        raise NotKnown("tooth_errors_unknown")
     if design.requirements.max_transmission_error is None:
         raise NotKnown("no_limit")
     worst = max(turn.transmission_error for turn in results.ring_working)
@@ -221,6 +256,11 @@ def _bends(results: Results, kind: Kind) -> Check | None:
     return None
 
 
+def _more_error(results: Results) -> float:
+    """Relative error of the forces on pins that bend, besides that of the numbers."""
+    return 0.0 if results.ring_mesh.exact else FIRST_ORDER
+
+
 @_check(
     "ring_pin_stress",
     title="Static strength of the pins of the ring",
@@ -228,32 +268,20 @@ def _bends(results: Results, kind: Kind) -> Check | None:
     formula="σ_v ≤ R_e/S_F",
     why="Above it the pins of the ring bend for good.",
     inputs=(*RING_LOADED, "load.peak_torque", "requirements.bending_safety"),
-    fixes=("load.output_torque",),
+    fixes=_THICKER,
     source="pin_beam",
 )
 def ring_pin_stress(design: Design, results: Results) -> Check:
     if other := _bends(results, ring_pin_stress):
         return other
-    found, material = results.ring_pins, design.gear.pin_material
-    strength = None if material is None else material.loaded_strength("pin")
-    if strength is None:
-        missing = ("gear.pin_material.yield_strength",)
-        return Check(
-            ring_pin_stress,
-            "not_checked",
-            value=found.stress,
-            reason="yield_unknown",
-            missing=missing,
-        )
-    limit = strength / design.requirements.bending_safety
-    return judged(
+    found = results.ring_pin_strength
+    return static_strength(
         ring_pin_stress,
-        found.stress,
-        limit,
-        reserve=limit / found.stress,
-        error=found.relative_error + _error(results.ring_loading),
-        rough=True,
+        found=found,
+        pin=results.bent_ring_pin,
+        safety=design.requirements.bending_safety,
         at={"pin": found.pin},
+        error=_more_error(results),
     )
 
 
@@ -262,16 +290,24 @@ def ring_pin_stress(design: Design, results: Results) -> Check:
     title="Fatigue of the pins of the ring",
     formula="n ≥ S_D",
     why="Below it the pins of the ring break after some time where they bend most.",
-    inputs=("gear.kind", "gear.pin_support"),
-    fixes=(),
-    source="no_source",
+    inputs=(*RING_LOADED, "gear.rotates", *FATIGUE, *LIFE, "requirements.fatigue_safety"),
+    fixes=_THICKER,
+    source="shigley",
     keep="above",
 )
 def ring_pin_fatigue(design: Design, results: Results) -> Check:
-    """Not known: notch and endurance of these pins are not asked for."""
+    """By what the fatigue of the pins of the output is judged by."""
     if other := _bends(results, ring_pin_fatigue):
         return other
-    return Check(ring_pin_fatigue, "not_checked", reason="ring_fatigue_unknown")
+    _, found = results.ring_pin_fatigue_strength, results.ring_pin_strength  # known, or raises
+    return fatigue_safety(
+        ring_pin_fatigue,
+        found=found,
+        pin=results.bent_ring_pin,
+        safety=design.requirements.fatigue_safety,
+        at={"pin": found.pin},
+        error=_more_error(results),
+    )
 
 
 @_check(
@@ -280,17 +316,88 @@ def ring_pin_fatigue(design: Design, results: Results) -> Check:
     unit="mrad",
     formula="θ ≤ θ_max",
     why="Above it the teeth carry on their edges.",
-    inputs=(*RING_LOADED, "load.peak_torque", "requirements.max_slope"),
-    fixes=("load.output_torque",),
+    inputs=(*RING_LOADED, "requirements.max_slope"),
+    fixes=tuple(name for name in _THICKER if name != "gear.span"),
     source="beam",
     asks="max_slope",
 )
 def ring_pin_slope(design: Design, results: Results) -> Check | Measure:
     if other := _bends(results, ring_pin_slope):
         return other
-    found = results.ring_pins
+    found = results.ring_pin_strength
+    assert found.deflection is not None
     return Measure(
-        found.slope, error=found.relative_error, reserve=lambda growth: growth, rough=True
+        found.deflection.slope,
+        error=4 * found.accuracy.relative_error + _more_error(results),
+        at={"satellite": found.deflection.slope_satellite},
+        reserve=lambda growth: growth,
+        rough=True,
+    )
+
+
+@_check(
+    "ring_seat_pressure",
+    title="Pressure of the ring's pins in their seats",
+    unit="MPa",
+    formula="F/(2·r_p·b) ≤ p_all",
+    why="Above it the bores that hold the pins of the ring wear out.",
+    inputs=(
+        *(name for name in RING_LOADED if name not in OF_BENT_PINS),
+        "requirements.max_seat_pressure",
+    ),
+    fixes=("gear.ring_pin_radius", "gear.contact_length", "load.output_torque"),
+    source="user",
+    asks="max_seat_pressure",
+    needed=False,
+)
+def ring_seat_pressure(design: Design, results: Results) -> Check | Measure:
+    """Of the force on the area that the pin covers; not looked for where nobody asks."""
+    if other := no_ring_pins(results=results, kind=ring_seat_pressure):
+        return other
+    if design.gear.pin_support != "seat":
+        return Check(ring_seat_pressure, "not_applicable", reason="pins_bend")
+    if design.requirements.max_seat_pressure is None:
+        raise NotKnown("no_limit")
+    turn = results.ring_loading
+    area = 2 * turn.mesh.disc.ring_pin_radius * turn.mesh.contact_length
+    pair = turn.peak_pair
+    return Measure(
+        turn.peak_force / area,
+        error=_error(turn),
+        at={"satellite": pair.satellite, "pin": pair.pin, "crank_angle": turn.peak_crank_angle},
+        reserve=lambda growth: growth,
+        rough=True,
+    )
+
+
+@_check(
+    "ring_efficiency",
+    title="Efficiency of the teeth",
+    formula="η ≥ η_min",
+    why="Below it more is lost in the teeth than is asked.",
+    inputs=(
+        *RING_FORCES,
+        "gear.friction_coefficient",
+        "gear.rolling",
+        "requirements.min_ring_efficiency",
+    ),
+    fixes=("gear.friction_coefficient",),
+    source="user",
+    keep="above",
+    asks="min_ring_efficiency",
+)
+def ring_efficiency(design: Design, results: Results) -> Check | Measure:
+    """Its limit is used by the losses; not looked for where nobody asks."""
+    if other := no_ring_pins(results=results, kind=ring_efficiency):
+        return other
+    if design.requirements.min_ring_efficiency is None:
+        raise NotKnown("no_limit")
+    loss, (turn, *_) = results.ring_loss, results.ring_working
+    unsure = loss.loss_error + (0.0 if turn.mesh.exact else FIRST_ORDER)
+    return Measure(
+        loss.efficiency,
+        error=loss.loss_ratio * loss.efficiency * unsure,
+        used=lambda limit: (1 - loss.efficiency) / (1 - limit),
     )
 
 
@@ -333,5 +440,7 @@ RING_LOAD = (
     ring_pin_stress,
     ring_pin_fatigue,
     ring_pin_slope,
+    ring_seat_pressure,
+    ring_efficiency,
     ring_pv,
 )

@@ -44,7 +44,10 @@ from core.output.sampled_turn import WAYS, Made, SampledTurn
 from core.output.satellite_support import Shares
 from core.output.turn import Turn
 from core.results import Notice
-from core.ring.bent_pins import BentRingPins, bent_ring_pins
+from core.ring.bent_pins import forces_on_ring
+from core.ring.involute import MOST_DIFFERENCE, STANDARD_ANGLES, InvolutePair, involute_pair
+from core.ring.involute_load import InvoluteLoad, RootStress, involute_load, involute_loss
+from core.ring.involute_load import root_stress as tooth_root
 from core.ring.loss import RingLoss, ring_loss
 from core.ring.series import MeshesInSeries, series_position
 from core.ring.series_samples import sampled_in_series
@@ -378,14 +381,20 @@ class Results:
     @derived
     def fatigue_strength(self) -> FatigueStrength:
         """What the fatigue of the pins is judged by."""
-        design, pin, basis = self.design, self.bent_pin, self.design.fatigue
+        return self._fatigue_of(self.bent_pin, self.design.loads_over)
+
+    def _fatigue_of(
+        self, pin: DesignPin, loads: Callable[[float], float | None]
+    ) -> FatigueStrength:
+        """The same of a pin that is loaded so often over a life, s."""
+        design, basis = self.design, self.design.fatigue
         if basis.criterion == "soderberg" and pin.material.yield_strength is None:
-            raise NotKnown("yield_unknown", "pin.material.yield_strength")
+            raise NotKnown("yield_unknown", f"{pin.material_path}.yield_strength")
         found = named(design, "fatigue", lambda: basis.strength(pin))
         if not pin.steel or pin.rotates:  # then no cycles are counted
             return found
         life = design.requirements.life if basis.life is None else basis.life
-        return replace(found, cycles=design.loads_over(life))
+        return replace(found, cycles=loads(life))
 
     @property
     def loaded_pins(self) -> dict[str, Any]:
@@ -482,11 +491,8 @@ class Results:
     @property
     def size_notices(self) -> tuple[Notice, ...]:
         """Whether the pin is thicker than its material's strengths hold for."""
-        pin = self.design.pin
-        valid = pin.valid_diameter if pin else None
-        if valid is None or pin.diameter <= valid:
-            return ()
-        return (Notice("beyond_size", {"limit": valid * 1e3}),)
+        thick = self.design.pin.thick if self.design.pin else None
+        return () if thick is None else (thick,)
 
     @derived
     def hertz(self) -> HertzContact:
@@ -783,6 +789,8 @@ class Results:
             raise NotKnown("modification_unknown", "gear.modification")
         if (difference := gear.teeth_difference or 1) > 1:
             raise NotKnown("cycloid_difference", difference=difference)
+        if gear.every_second_pin:
+            raise NotKnown("every_second_pin")
         length = design.ring_length
         shares = design.support if isinstance(design.support, Shares) else None
         most = MOST_RING_PAIRS // (1 if shares is None else SHARES_AS_LONG)
@@ -804,6 +812,75 @@ class Results:
                 support=shares,
             )
         )
+
+    @derived
+    def involute_pair(self) -> InvolutePair:
+        """A satellite of involute teeth in its ring, where its shifts and heights are known."""
+        design, gear = self.design, self.design.gear
+        if not gear:
+            raise NotKnown("section_missing", "gear")
+        if gear.kind != "involute":
+            raise NotKnown("no_involute")
+        if gear.unknown_teeth:
+            raise NotKnown("teeth_not_judged", *gear.unknown_teeth)
+        eccentricity, _ = design.known_eccentricity, self.ring_force  # which refuses base circles
+        assert gear.teeth_difference is not None and gear.reference_pressure_angle is not None
+        low, high = STANDARD_ANGLES
+        usual = low <= gear.reference_pressure_angle <= high
+        if gear.teeth_difference > MOST_DIFFERENCE or not usual:
+            raise NotKnown("outside_method")
+        satellite, ring = design.lobes, design.ring_pins
+        return self._of_ring(
+            lambda: involute_pair(
+                teeth=gear.involute_teeth(satellite_teeth=satellite, ring_teeth=ring),
+                eccentricity=eccentricity,
+            )
+        )
+
+    def satellite_torque(self, factor: float) -> float:
+        """Largest torque of a satellite over the turn under so many times the torque, over that
+        factor, N*m: its couple with the pins is that with an involute ring.
+        """
+        design = self.design
+        if self.made is None:
+            return design.pin_torque * design.disc_factor / design.mechanism.satellites
+        torque = design.pin_torque * factor
+        ways = WAYS[design.load.torque_direction]
+        return max(float(abs(self.made(way * torque).couple).max()) for way in ways) / factor
+
+    def satellite_torque_error(self, factor: float) -> float:
+        """Estimate of the relative error of that torque."""
+        if self.made is None:
+            return 0.0
+        torque = self.design.pin_torque * factor
+        ways = WAYS[self.design.load.torque_direction]
+        return max(self.made(way * torque).error for way in ways)
+
+    def loaded_teeth(self, factor: float) -> dict[str, Any]:
+        """What involute teeth carry under so many times the torque, as arguments."""
+        design, gear = self.design, self.design.gear
+        return {
+            "torque": self.satellite_torque(factor),
+            "contact_length": design.ring_length,
+            "satellite_material": design.disc_material,
+            "ring_material": gear.ring_material,
+            "load_factor": factor * gear.face_load_factor,
+        }
+
+    def involute_load(self, factor: float) -> InvoluteLoad:
+        """Forces and pressures of involute teeth under so many times the torque."""
+        pair, loaded = self.involute_pair, self.loaded_teeth(factor)
+        for body in ("satellite", "ring"):
+            if loaded[f"{body}_material"] is None:
+                raise NotKnown("limit_unknown", f"gear.{body}_material")
+        return self._of_ring(lambda: involute_load(pair=pair, **loaded))
+
+    @derived
+    def root_stress(self) -> RootStress:
+        """Bending of the roots of satellites' involute teeth under the dynamic load."""
+        pair, loaded = self.involute_pair, self.loaded_teeth(self.design.load_factor)
+        forces = {name: loaded[name] for name in ("torque", "contact_length", "load_factor")}
+        return self._of_ring(lambda: tooth_root(pair=pair, **forces))
 
     def _of_ring(self, calculation: Callable[[], Calculated]) -> Calculated:
         """A result about the ring; what it refuses is not known of the design."""
@@ -857,21 +934,65 @@ class Results:
         """
         return self.ring_turns(self.design.static_torque * self.design.ring_factor)
 
+    @property
+    def bent_ring_pin(self) -> DesignPin:
+        """A pin of the ring that bends."""
+        pin = self.design.gear.bent_pin
+        if pin is None:
+            raise NotKnown("pins_in_seats")
+        return pin
+
     @derived
-    def ring_pins(self) -> BentRingPins:
-        """Pins of the ring that bend, under the torque of static strength: the direction that bends
-        them more.
-        """
-        bent = (bent_ring_pins(turn=turn) for turn in self.ring_static)
-        return max(bent, key=lambda each: each.stress)
+    def ring_pin_stresses(self) -> PinStresses:
+        """Stresses of the pins of the ring that bend, under the dynamic load."""
+        design, mesh, pin = self.design, self.ring_mesh, self.bent_ring_pin
+        made = cache(lambda torque: forces_on_ring(self.ring_turn(torque)))
+        return self._of_ring(
+            lambda: pin_stresses(
+                mechanism=mesh.mechanism,
+                output_torque=design.pin_torque * design.ring_factor,
+                application_factor=design.load_factor,
+                peak_torque=design.static_torque * design.ring_factor,
+                torque_direction=design.load.torque_direction,
+                pin_circle_radius=mesh.disc.ring_pin_circle_radius,
+                contact_length=mesh.contact_length,
+                diameter=pin.diameter,
+                satellite_positions=pin.satellite_positions,
+                material=pin.material,
+                support=pin.support,
+                span=pin.span,
+                made=made,
+            )
+        )
+
+    @derived
+    def ring_pin_fatigue_strength(self) -> FatigueStrength:
+        """What their fatigue is judged by."""
+        return self._fatigue_of(self.bent_ring_pin, self.design.turns_over)
+
+    @derived
+    def ring_pin_strength(self) -> PinStrength:
+        """Their strength, with the fatigue where it is known."""
+        return self.ring_pin_stresses.strength(
+            rotates=self.design.gear.rotates,
+            fatigue=if_known(lambda: self.ring_pin_fatigue_strength),
+            deflection=True,
+        )
 
     @derived
     def ring_loss(self) -> RingLoss:
-        """Friction on the pins of the ring under the torque, in the direction that loses more."""
+        """Friction in the ring under the torque: on its pins in the direction that loses more."""
         gear = self.design.gear
         friction = gear.friction if gear else None
         if friction is None:
             raise NotKnown("ring_friction_unknown", "gear.friction_coefficient")
+        if gear.kind == "involute":
+            return involute_loss(
+                pair=self.involute_pair,
+                friction=friction.coefficient,
+                output_torque=self.design.pin_torque,
+                input_speed=self.design.turning_speed,
+            )
         found = [
             self._of_ring(
                 lambda turn=turn: ring_loss(  # type: ignore[misc]

@@ -36,6 +36,7 @@ from core.output.pin_geometry import felt
 from core.output.sampled_turn import Direction
 from core.precision import SAME
 from core.results import Notice
+from core.ring.involute import HEIGHTS, Cutter, InvoluteTeeth, addendum_of, rack_of
 from core.ring.loss import RingFriction
 from core.ring.profile import CycloidDisc, Modification
 from core.ring.sharing import CycloidMesh
@@ -45,6 +46,8 @@ RingKind = Literal["involute", "cycloid", "none"]
 RingPinSupport = Literal["seat", "supported", "fixed"]
 
 RingBody = Literal["pin", "disc"]
+
+RingClass = Literal["ground", "machined", "printed"]
 
 SharedBy = Literal["discs", "pins"]
 """Whose uneven share a distribution factor states: of satellites, or of the pairs of one."""
@@ -225,8 +228,10 @@ class Requirements:
         not given.
     life : float
         Required life, s; infinite where none is asked.
-    min_efficiency : float or None
-        Least efficiency of the output mechanism.
+    min_efficiency, min_ring_efficiency : float or None
+        Least efficiency of the output mechanism, and of the teeth alone.
+    max_seat_pressure : float or None
+        Largest pressure of the ring's pins in their seats, on the area that they cover, Pa.
     max_unbalance, max_unbalance_couple : float or None
         Largest force, N, and couple, N*m, of what turns with the crankshaft.
     max_unbalance_share : float or None
@@ -249,6 +254,8 @@ class Requirements:
     max_deflection: float | None = None  # of the pins, m
     max_slope: float | None = None  # of the pins, rad
     min_efficiency: float | None = None
+    min_ring_efficiency: float | None = None
+    max_seat_pressure: float | None = None
     max_wear: float | None = None  # depth, m
     max_pv: float | None = None  # pressure times speed, Pa*m/s
     max_sliding_speed: float | None = None  # m/s
@@ -292,6 +299,8 @@ class DesignPin(PinSupport):
         Largest diameter that these strengths hold for, m.
     bolt : PinBolt or None
         The bolt through the pin, which is its spacer then.
+    material_path : str
+        Where its material stands in the design.
     """
 
     contact_length: float | None = None
@@ -300,6 +309,15 @@ class DesignPin(PinSupport):
     steel: bool = False
     valid_diameter: float | None = None
     bolt: PinBolt | None = None
+    material_path: str = "pin.material"
+
+    @property
+    def thick(self) -> Notice | None:
+        """That it is thicker than its material's strengths hold for, where it is."""
+        valid = self.valid_diameter
+        if valid is None or self.diameter <= valid:
+            return None
+        return Notice("beyond_size", {"limit": valid * 1e3})
 
     def bolt_alone(self, bolt: PinBolt) -> "DesignPin":
         """The bolt as the pin: the spacer is only what touches the hole."""
@@ -367,6 +385,7 @@ class FatigueBasis:
             tensile_strength=pin.tensile_strength,
             yield_strength=pin.material.yield_strength,
             steel=pin.steel,
+            material_path=pin.material_path,
         )
 
     def of(
@@ -376,6 +395,7 @@ class FatigueBasis:
         tensile_strength: float | None,
         yield_strength: float | None,
         steel: bool,
+        material_path: str = "pin.material",
     ) -> FatigueStrength:
         """What the fatigue of a round part is judged by.
 
@@ -387,6 +407,8 @@ class FatigueBasis:
             Of its material, Pa.
         steel : bool
             Whether that is a steel.
+        material_path : str
+            Where it stands in the design.
 
         Returns
         -------
@@ -401,7 +423,7 @@ class FatigueBasis:
         """
         tensile, yields = tensile_strength, yield_strength
         if tensile is None:
-            raise NotKnown("endurance_unknown", "pin.material.tensile_strength")
+            raise NotKnown("endurance_unknown", f"{material_path}.tensile_strength")
         if self.endurance_limit is None and not steel:
             raise NotKnown("endurance_unknown", "fatigue.endurance_limit")
         if self.criterion == "soderberg" and yields is None:
@@ -588,6 +610,10 @@ class Ring:
         Distance of the two supports, m.
     satellite_positions : tuple of float
         Middle plane of each satellite from one of them, m.
+    rotates : bool
+        Whether the pins turn in them.
+    pin_tensile_strength, pin_steel, pin_valid_diameter
+        Of the material of the pins, as `DesignPin` has them.
     seat_stiffness : float
         Of a pin in its bore and of what holds that, N/m.
     friction_coefficient : float or None
@@ -596,6 +622,32 @@ class Ring:
         Of sleeves on the pins, m.
     rolling : bool
         Whether rolling elements carry them.
+    satellite_profile_shift, ring_profile_shift : float or None
+        Of involute teeth, outwards, in modules.
+    satellite_addendum, ring_addendum : float or None
+        Their addenda, in modules.
+    satellite_tip_radius, ring_tip_radius : float or None
+        Radii of their tips in place of these, m.
+    dedendum, rack_tip_radius : float, float or None
+        Of the hob that makes the satellite, in modules.
+    cutter_teeth : int or None
+        Of the shaper cutter that makes the ring; None where nothing is known of it.
+    cutter_profile_shift, cutter_addendum : float
+        Of that cutter, in modules.
+    satellite_material, ring_material : ElasticMaterial or None
+        Of involute teeth.
+    face_load_factor : float
+        Factor on the force for stresses along the width.
+    pair_stiffness : float or None
+        Of a pair of teeth along the line of action, N/m.
+    root_strength : float or None
+        Stress that the root of a satellite's tooth bears over the life, Pa.
+    tool_radius : float or None
+        Of what grinds or cuts the flanks of the discs, m.
+    every_second_pin : bool
+        Whether every second pin is left out.
+    ring_class : {"ground", "machined", "printed"} or None
+        How discs and ring are made, by which what is not known of them is usual.
     """
 
     kind: RingKind | None = None
@@ -613,10 +665,44 @@ class Ring:
     pin_support: RingPinSupport = "seat"
     span: float | None = None
     satellite_positions: tuple[float, ...] = ()
+    rotates: bool = False
+    pin_tensile_strength: float | None = None
+    pin_steel: bool = False
+    pin_valid_diameter: float | None = None
     seat_stiffness: float = math.inf
     friction_coefficient: float | None = None
     sleeve_bore_radius: float | None = None
     rolling: bool = False
+    tool_radius: float | None = None
+    every_second_pin: bool = False
+    ring_class: RingClass | None = None
+    satellite_profile_shift: float | None = None
+    ring_profile_shift: float | None = None
+    satellite_addendum: float | None = None
+    ring_addendum: float | None = None
+    satellite_tip_radius: float | None = None
+    ring_tip_radius: float | None = None
+    dedendum: float = DEDENDUM
+    rack_tip_radius: float | None = None
+    cutter_teeth: int | None = None
+    cutter_profile_shift: float = 0.0
+    cutter_addendum: float = DEDENDUM
+    satellite_material: ElasticMaterial | None = None
+    ring_material: ElasticMaterial | None = None
+    face_load_factor: float = 1.0
+    pair_stiffness: float | None = None
+    root_strength: float | None = None
+
+    @property
+    def unknown_teeth(self) -> tuple[str, ...]:
+        """What is not given of involute teeth, of which how they mesh hangs: paths of a design."""
+        heights = {
+            "gear.satellite_profile_shift": self.satellite_profile_shift,
+            "gear.ring_profile_shift": self.ring_profile_shift,
+            "gear.satellite_addendum": self.satellite_addendum or self.satellite_tip_radius,
+            "gear.ring_addendum": self.ring_addendum or self.ring_tip_radius,
+        }
+        return tuple(name for name, value in heights.items() if value is None)
 
     @property
     def changed(self) -> Modification:
@@ -629,18 +715,23 @@ class Ring:
         return self.contact_law or HertzLaw()
 
     @property
-    def bent_pin(self) -> PinSupport | None:
-        """How the pins bend, inside their sleeves; not at all in seats."""
+    def bent_pin(self) -> DesignPin | None:
+        """The pins as they bend, inside their sleeves; not at all in seats."""
         if self.pin_support == "seat":
             return None
         inner = self.sleeve_bore_radius or self.ring_pin_radius
         assert inner is not None and self.pin_material is not None
-        return PinSupport(
+        return DesignPin(
             support=self.pin_support,
             diameter=2 * inner,
             satellite_positions=self.satellite_positions,
             material=self.pin_material,
             span=self.span,
+            rotates=self.rotates,
+            tensile_strength=self.pin_tensile_strength,
+            steel=self.pin_steel,
+            valid_diameter=self.pin_valid_diameter,
+            material_path="gear.pin_material",
         )
 
     @property
@@ -682,6 +773,66 @@ class Ring:
             modification=self.changed,
         )
 
+    def involute_teeth(self, *, satellite_teeth: int, ring_teeth: int) -> InvoluteTeeth:
+        """Involute teeth of which all is given.
+
+        Parameters
+        ----------
+        satellite_teeth, ring_teeth : int
+            Their numbers.
+
+        Returns
+        -------
+        InvoluteTeeth
+
+        Raises
+        ------
+        InvalidInput
+            If there is no such rack, or an addendum is none of `core.ring.involute.HEIGHTS`.
+        """
+        module, angle = self.module, self.reference_pressure_angle
+        shifts = self.satellite_profile_shift, self.ring_profile_shift
+        assert module is not None and angle is not None
+        assert shifts[0] is not None and shifts[1] is not None
+        rack = rack_of(
+            pressure_angle=angle, dedendum=self.dedendum, tip_radius=self.rack_tip_radius
+        )
+        addenda = {}
+        for body, teeth, shift in zip(
+            ("satellite", "ring"), (satellite_teeth, ring_teeth), shifts, strict=True
+        ):
+            given = addenda[body] = getattr(self, f"{body}_addendum")
+            low, high = HEIGHTS
+            if given is not None and not low <= given <= high:
+                code, limit = (
+                    ("less_than_equal", high) if given > high else ("greater_than_equal", low)
+                )
+                raise InvalidInput(f"{body}_addendum", given, code, limit=limit)
+            if given is None:
+                name = f"{body}_tip_radius"
+                addenda[body] = addendum_of(
+                    name=name,
+                    tip_radius=getattr(self, name),
+                    teeth=teeth,
+                    shift=shift or 0.0,
+                    module=module,
+                    pressure_angle=angle,
+                )
+        cutter = None
+        if self.cutter_teeth is not None:
+            cutter = Cutter(self.cutter_teeth, self.cutter_profile_shift, self.cutter_addendum)
+        return InvoluteTeeth(
+            satellite_teeth=satellite_teeth,
+            ring_teeth=ring_teeth,
+            module=module,
+            satellite_profile_shift=shifts[0],
+            ring_profile_shift=shifts[1],
+            satellite_addendum=addenda["satellite"],
+            ring_addendum=addenda["ring"],
+            rack=rack,
+            cutter=cutter,
+        )
+
     def cycloid_mesh(self, *, disc: CycloidDisc, **made: Any) -> CycloidMesh:
         """Such discs on the pins.
 
@@ -713,9 +864,10 @@ class Ring:
     def roots(self, *, ratio: float, eccentricity: float | None) -> tuple[float, float]:
         """Between which radii the roots of a satellite's teeth lie.
 
-        Of involute teeth ``m*(z2/2 - 1.25 + x)``, with a profile shift x that is taken to be from 0
-        to 1.25; of a cycloid disc ``R_m - e - r_m``, what its tool sweeps, that of the ring's pins
-        where no modification is known, or within ``R_m - e`` where their radius is not.
+        Of involute teeth ``m*(z2/2 - h_f + x)``, with a profile shift x that is taken to be from 0
+        to h_f where it is not known; of a cycloid disc ``R_m - e - r_m``, what its tool sweeps,
+        that of the ring's pins where no modification is known, or within ``R_m - e`` where their
+        radius is not.
 
         Parameters
         ----------
@@ -738,7 +890,11 @@ class Ring:
         if self.kind == "involute":
             assert self.module is not None and self.teeth_difference is not None
             reference = self.module * self.teeth_difference * ratio / 2
-            return reference - DEDENDUM * self.module, reference
+            least = reference - self.dedendum * self.module
+            if self.satellite_profile_shift is None:
+                return least, reference
+            root = least + self.satellite_profile_shift * self.module
+            return root, root
         if self.kind != "cycloid":
             return 0.0, math.inf
         assert self.ring_pin_circle_radius is not None

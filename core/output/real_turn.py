@@ -6,6 +6,7 @@ deviations and lag turn out of the crank's direction; in first order it keeps th
 
 import math
 from collections.abc import Callable
+from typing import NamedTuple
 
 import numpy as np
 
@@ -20,6 +21,16 @@ FELT = 4.0
 
 HALVINGS = 16
 """How often the samples beside a kink are halved."""
+
+
+class CloseSamples(NamedTuple):
+    """Forces of all pairs under one torque, over a whole turn."""
+
+    wave: FloatArray  # wave angles, rad, ascending, shape (n,)
+    force: FloatArray  # N, shape (K*N, n)
+    lag: FloatArray  # of the output behind its ideal angle, rad, negative in reverse, shape (n,)
+    error: float  # as `core.output.sampled_turn.PinForces.error`
+    evaluations: int  # positions that were solved
 
 
 def sampled(turn: Turn) -> SampledTurn:
@@ -51,20 +62,44 @@ def sampled(turn: Turn) -> SampledTurn:
     >>> round(float(abs(found.on_pins).max()), 1), bool(np.allclose(found.couple, 30.0))
     (957.1, True)
     """
-    rows = refined(turn)
+    return directed(real=turn.real, samples=close_samples(turn))
+
+
+def close_samples(turn: Turn) -> CloseSamples:
+    """Forces under one torque, sampled as closely as they need.
+
+    Parameters
+    ----------
+    turn : Turn
+        A mechanism under the torque.
+
+    Returns
+    -------
+    CloseSamples
+    """
+    return over_all(turn, refined(turn))
+
+
+def over_all(turn: Turn, rows: Rows) -> CloseSamples:
+    """Samples of a period as those of all of them.
+
+    Parameters
+    ----------
+    turn : Turn
+        A mechanism under a torque.
+    rows : dict of array
+        Positions of a period.
+
+    Returns
+    -------
+    CloseSamples
+    """
     force = rows["forces"]
-    error = (float(off(turn, rows).max()) + float(rows["force_error"].max())) / force.max()
+    error = float((off(turn, rows).max() + rows["force_error"].max()) / force.max())
     periods = np.arange(turn.repeats)
     wave = (rows["wave"] + turn.period * periods[:, None]).ravel()
     lag = math.copysign(1.0, turn.torque) * np.tile(rows["lag"], turn.repeats)
-    return directed(
-        real=turn.real,
-        wave=wave,
-        force=over_periods(turn, force).T,
-        lag=lag,
-        error=error,
-        evaluations=len(force),
-    )
+    return CloseSamples(wave, over_periods(turn, force).T, lag, error, len(force))
 
 
 def over_periods(turn: Turn, force: FloatArray) -> FloatArray:
@@ -146,14 +181,7 @@ def off(turn: Turn, rows: Rows) -> FloatArray:
 
 
 def directed(
-    *,
-    real: RealMechanism,
-    wave: FloatArray,
-    force: FloatArray,
-    lag: FloatArray,
-    own: FloatArray | None = None,
-    error: float,
-    evaluations: int,
+    *, real: RealMechanism, samples: CloseSamples, own: FloatArray | None = None
 ) -> SampledTurn:
     """Forces with their directions, over a turn of the wave.
 
@@ -161,23 +189,17 @@ def directed(
     ----------
     real : RealMechanism
         The mechanism.
-    wave : array, shape (n,)
-        Wave angles, rad.
-    force : array, shape (K*N, n)
-        Forces of the pairs, N.
-    lag : array, shape (n,)
-        Of the output, rad; negative in reverse.
+    samples : CloseSamples
+        Its forces.
     own : array, shape (K, n), optional
-        Of the holes of each disc, where it finds its own; else discs lag as they deviate alone.
-    error : float
-        Estimate of the relative error of the forces.
-    evaluations : int
-        Positions that were solved.
+        Lags of the holes of each disc, rad, where it finds its own; else discs lag as they deviate
+        alone.
 
     Returns
     -------
     SampledTurn
     """
+    wave, force, lag, error, evaluations = samples
     pins, satellites = real.mechanism.pins, real.mechanism.satellites
     errors = real.deviations.rows(pins, satellites)
     cranks = np.array(real.mechanism.crank_angles) + np.array(errors.crank_phase)

@@ -24,14 +24,25 @@ WAYS: dict[Direction, tuple[float, ...]] = {
 """Signs of the torque in each direction."""
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class SampledTurn:
-    """Forces on pins and satellites under one torque."""
+@dataclass(frozen=True, eq=False, slots=True, kw_only=True)
+class PinForces:
+    """Forces on pins under one torque."""
 
     wave: FloatArray  # wave angles, rad, ascending within a period, shape (n,)
-    # Force of each satellite on each pin, N, shape (K, N, n): tangential + i*radial, in the
-    # carrier's frame.
+    # Force of each satellite on each pin, N, shape (K, N, n): tangential + i*radial, in the frame
+    # of what holds the pins.
     on_pins: ComplexArray
+    # Estimate of the relative error of the forces, over the largest: how far samples lie off the
+    # straight line between their neighbours, and that of the positions. Honest, no proof.
+    error: float
+    evaluations: int  # positions that were solved
+    pins_alike: bool = False  # whether all pins feel the same, one after the other
+
+
+@dataclass(frozen=True, eq=False, slots=True, kw_only=True)
+class SampledTurn(PinForces):
+    """Forces on pins and satellites under one torque."""
+
     # Resultant of the pins on each satellite, N, shape (K, n): along its crank towards the axis,
     # and i times that across, back against the crank's rotation under a driving torque.
     on_satellites: ComplexArray
@@ -40,11 +51,6 @@ class SampledTurn:
     # output link.
     couple: FloatArray
     crank_angles: tuple[float, ...]  # of each crank with its deviation, rad
-    # Estimate of the relative error of the forces, over the largest: how far samples lie off the
-    # straight line between their neighbours, and that of the positions. Honest, no proof.
-    error: float
-    evaluations: int  # positions that were solved
-    pins_alike: bool = False  # whether all pins feel the same, one after the other
     waves: int = 1  # turns of the wave after which they repeat
     # Force of the ring on each satellite, as `on_satellites`, N, shape (K, n), where its mesh is
     # solved too.
@@ -111,6 +117,9 @@ class PinSamples:
 
     forces: ComplexArray  # at samples, shape (K, n)
 
+
+PinsMade = Callable[[float], PinForces]
+"""Forces on pins under a torque, N*m, negative in reverse."""
 
 Made = Callable[[float], SampledTurn]
 """The forces of a mechanism under a torque, N*m, negative in reverse; see

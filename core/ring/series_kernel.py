@@ -34,7 +34,9 @@ from core.output.sharing_kernel import (
     Row,
     Setup,
     at,
+    balance,
     law,
+    part,
     play,
     start,
     too_wide,
@@ -45,19 +47,11 @@ from core.output.sharing_kernel import (
 from core.output.sharing_kernel import hardest as hardest_of
 from core.output.sharing_kernel import largest as largest_of
 from core.output.sharing_kernel import loaded as loaded_of
-from core.ring.approach import (
-    ALONG_LEAST,
-    ALONG_MOST,
-    RUB,
-    RUB_AND_PRESS,
-    MeshPairs,
-    MeshRoom,
-    reach,
-    sliding,
-    touch,
-)
+from core.ring.approach import ALONG_LEAST, ALONG_MOST, RUB, RUB_AND_PRESS, sliding
 from core.ring.approach import at as mesh_at
+from core.ring.approach import balance as mesh_balance
 from core.ring.approach import on_crank as mesh_on_crank
+from core.ring.approach import part as mesh_part
 from core.ring.approach import play as mesh_play
 from core.ring.approach import shift as mesh_shift
 from core.ring.approach import wave_torque as mesh_wave_torque
@@ -190,86 +184,11 @@ class Linked(NamedTuple):
     share: float  # 1 over the slope of the balance
 
 
-def between(j: int, setup: SeriesSetup, pairs: SeriesPairs, room: SeriesRoom) -> Between:
+def between(j: int, pairs: SeriesPairs, room: SeriesRoom) -> Between:
     """Disc j by itself, in the same rows."""
-    a, c = j * setup.mesh.pins, j * setup.pins
-    b, d = a + setup.mesh.pins, c + setup.pins
-    teeth, mesh, holes, pins = pairs.teeth, room.teeth, pairs.holes, room.holes
-    return Between(
-        MeshPairs(
-            teeth.phase[a:b],
-            teeth.own[a:b],
-            teeth.off[a:b],
-            teeth.eta[a:b],
-            teeth.cosine[a:b],
-            teeth.sine[a:b],
-            teeth.radial[a:b],
-            teeth.tangential[a:b],
-            teeth.larger[a:b],
-            teeth.moved[a:b],
-            teeth.base[a:b],
-            teeth.most[a:b],
-            teeth.a[a:b],
-            teeth.b[a:b],
-            teeth.limit[a:b],
-            teeth.curved[a:b],
-            teeth.distance[a:b],
-            teeth.size[a:b],
-        ),
-        MeshRoom(
-            mesh.q[a:b],
-            mesh.u[a:b],
-            mesh.v[a:b],
-            mesh.unsure[a:b],
-            mesh.force[a:b],
-            mesh.lever[a:b],
-            mesh.stiffness[a:b],
-            mesh.own_lag[a:b],
-            mesh.own_moves[a:b],
-            mesh.own_error[a:b],
-            mesh.cosine[a:b],
-            mesh.sine[a:b],
-            mesh.sharp[a:b],
-            mesh.foot[a:b],
-            mesh.fixed[a:b],
-            mesh.zero[a:b],
-        ),
-        Pairs(
-            holes.arm[c:d],
-            holes.phase[c:d],
-            holes.x[c:d],
-            holes.y[c:d],
-            holes.ex[c:d],
-            holes.ey[c:d],
-            holes.k0[c:d],
-            holes.k1[c:d],
-            holes.k2[c:d],
-            holes.distance[c:d],
-            holes.size[c:d],
-            holes.a[c:d],
-            holes.b[c:d],
-            holes.limit[c:d],
-            holes.curved[c:d],
-            holes.give,
-            holes.ends[c:d],
-        ),
-        Room(
-            pins.q[c:d],
-            pins.u[c:d],
-            pins.v[c:d],
-            pins.unsure[c:d],
-            pins.force[c:d],
-            pins.lever[c:d],
-            pins.stiffness[c:d],
-            pins.own_lag[c:d],
-            pins.own_moves[c:d],
-            pins.own_error[c:d],
-            pins.approach[c:d],
-            pins.before[c:d],
-            pins.moved[c:d],
-            pins.system,
-        ),
-    )
+    teeth, mesh = mesh_part(j, pairs.teeth, room.teeth)
+    holes, pins = part(j, pairs.holes, room.holes)
+    return Between(teeth, mesh, holes, pins)
 
 
 def wave(angle: float, setup: SeriesSetup) -> float:
@@ -283,129 +202,45 @@ def pins_at(psi: float, lag: float, setup: SeriesSetup, disc: Between) -> None:
     at(psi - turned, setup.output, disc.holes, disc.pins)
 
 
-def held(
-    j: int,
-    psi: float,
-    lag: float,
-    own: float,
-    setup: SeriesSetup,
-    pairs: SeriesPairs,
-    room: SeriesRoom,
-) -> Held:
-    """Pins of the output on disc j, by the lags of the output and of the disc.
+def held(psi: float, lag: float, own: float, setup: SeriesSetup, disc: Between) -> Held:
+    """Pins of the output on a disc, by the lags of the output and of the disc.
 
     With p the pin's centre, q the hole's from that of its disc and d between the centres, all in
     the disc's frame, the approach is ``|d|`` less a length, and its derivative by the disc's lag
     ``-Im(conj(d)*q)/|d|``.
     """
-    one, holes, found, way = setup.output, pairs.holes, room.holes, setup.direction
-    exact, behind, first = one.exact, lag - own, j * setup.pins
-    angle = psi + holes.phase[first] - (way * own if exact else 0.0)
-    wx, wy = holes.arm[first] * math.sin(angle), holes.arm[first] * math.cos(angle)
-    half, sine = math.sin(behind / 2), math.sin(behind)
-    less = -2 * half * half
-    torque = gross = by_output = on_disc = by_both = by_disc = 0.0
-    for i in range(first, first + setup.pins):
+    one, holes, found = setup.output, disc.holes, disc.pins
+    if one.exact:
+        pins_at(psi, own, setup, disc)
+    behind = lag - own
+    torque, slope, gross = balance(behind, one, holes, found)
+    if not one.exact:
+        return Held(torque, gross, torque, slope, -slope, slope)
+    half, way = math.sin(behind / 2), setup.direction
+    less, sine = -2 * half * half, way * math.sin(behind)
+    angle = psi - way * own + holes.phase[0]
+    wx, wy = holes.arm[0] * math.sin(angle) / 2, holes.arm[0] * math.cos(angle) / 2
+    on_disc = by_both = by_disc = 0.0
+    for i in range(one.pins):
+        force, stiffness = found.force[i], found.stiffness[i]
+        if force == 0:
+            continue
         x, y, ex, ey = holes.x[i], holes.y[i], holes.ex[i], holes.ey[i]
-        q = wx * ex + wy * ey + holes.k0[i]
-        u, v = 0.0, way * (wx * x + wy * y)
-        approach = q + behind * v
-        if exact:
-            u, v = wx * x + wy * y + holes.k1[i], way * (wx * y - wy * x + holes.k2[i])
-            approach = q + less * u + sine * v
-        if approach <= TINY:
-            found.force[i] = found.lever[i] = found.stiffness[i] = 0.0
-            continue
-        lever, bend, length = v, 0.0, 1.0
-        if exact:
-            length = math.sqrt(holes.distance[i] * holes.distance[i] + approach)
-            approach /= length + holes.distance[i]
-            lever = ((1 + less) * v - sine * u) / (2 * length)
-            bend = (-((1 + less) * u + sine * v) / 2 - lever * lever) / length
-        force, stiffness = law(
-            one.law,
-            approach,
-            holes.a[i],
-            holes.b[i],
-            one.exponent,
-            found.force[i],
-            found.stiffness[i],
-            one.curve,
-        )
-        found.force[i], found.lever[i], found.stiffness[i] = force, lever, stiffness
-        torque += force * lever
-        gross += force * abs(lever)
-        by_output += stiffness * lever * lever + force * bend
-        if exact:
-            px, py = (1 + less) * x + way * sine * y, (1 + less) * y - way * sine * x
-            qx, qy = x - ex, y - ey
-            dx, dy = (
-                ex + wx / 2 + less * x + way * sine * y,
-                ey + wy / 2 + less * y - way * sine * x,
-            )
-            arm, lever = (dx * qy - dy * qx) / length, way * lever
-            on_disc += force * way * arm
-            by_both += force * (lever * arm - px * qx - py * qy) / length
-            by_both -= stiffness * lever * arm
-            bend = (qx * qx + qy * qy + dx * qx + dy * qy - arm * arm) / length
-            by_disc += stiffness * arm * arm + force * bend
-    if not exact:
-        return Held(torque, gross, torque, by_output, -by_output, by_output)
-    return Held(torque, gross, on_disc, by_output, by_both, by_disc)
+        px, py, qx, qy = (1 + less) * x + sine * y, (1 + less) * y - sine * x, x - ex, y - ey
+        dx, dy = ex + wx + less * x + sine * y, ey + wy + less * y - sine * x
+        length, lever = math.sqrt(dx * dx + dy * dy), way * found.lever[i]
+        arm = (dx * qy - dy * qx) / length
+        on_disc += force * way * arm
+        by_both += (force * (lever * arm - px * qx - py * qy)) / length - stiffness * lever * arm
+        bend = (qx * qx + qy * qy + dx * qx + dy * qy - arm * arm) / length
+        by_disc += stiffness * arm * arm + force * bend
+    return Held(torque, gross, on_disc, slope, by_both, by_disc)
 
 
-def toothed(
-    j: int, own: float, setup: SeriesSetup, pairs: SeriesPairs, room: SeriesRoom
-) -> tuple[float, float, float]:
-    """Torque of the ring about the centre of disc j at its lag, its derivative, and the sum of its
-    terms' sizes: `core.ring.approach.balance` of one disc in the rows of all.
-    """
-    one, teeth, found = setup.mesh, pairs.teeth, room.teeth
-    first = j * one.pins
-    torque = slope = gross = 0.0
-    found.own_lag[first] = own
-    for i in range(first, first + one.pins):
-        lever, bend = found.v[i], 0.0
-        approach = found.q[i] + own * lever
-        if one.foot:
-            moved = abs(own) * one.radius
-            if found.u[i] == 0:
-                moved += teeth.moved[i]
-            if approach >= reach(i, moved, one, found):
-                exact = touch(i, first, own, one, teeth, found)
-                approach, lever, bend = exact.approach + found.fixed[i], exact.lever, exact.bend
-        if approach <= TINY:
-            found.force[i] = found.lever[i] = found.stiffness[i] = 0.0
-            continue
-        force, stiffness = law(
-            one.law,
-            approach,
-            teeth.a[i],
-            teeth.b[i],
-            one.exponent,
-            found.force[i],
-            found.stiffness[i],
-            one.curve,
-        )
-        found.force[i], found.lever[i], found.stiffness[i] = force, lever, stiffness
-        torque += force * lever
-        gross += force * abs(lever)
-        slope += stiffness * lever * lever + force * bend
-    return torque, slope, gross
-
-
-def linked(
-    j: int,
-    psi: float,
-    lag: float,
-    own: float,
-    setup: SeriesSetup,
-    pairs: SeriesPairs,
-    room: SeriesRoom,
-) -> Linked:
-    """Disc j at a lag of the output and its own; its forces are in the room."""
-    on_pins = held(j, psi, lag, own, setup, pairs, room)
-    torque, slope, gross = toothed(j, own, setup, pairs, room)
+def linked(psi: float, lag: float, own: float, setup: SeriesSetup, disc: Between) -> Linked:
+    """A disc at a lag of the output and its own; its forces are in the room."""
+    on_pins = held(psi, lag, own, setup, disc)
+    torque, slope, gross = mesh_balance(own, setup.mesh, disc.teeth, disc.mesh)
     stiff, value = slope + on_pins.by_disc, torque - on_pins.on_disc
     share = 1 / stiff if stiff > 0 else 0.0
     moves = -on_pins.by_both * share
@@ -422,24 +257,16 @@ def linked(
     )
 
 
-def rest(
-    in_ring: bool,
-    j: int,
-    psi: float,
-    own: float,
-    setup: SeriesSetup,
-    pairs: SeriesPairs,
-    room: SeriesRoom,
-) -> float:
-    """Lag at which the pins that press disc j turn it neither way: its own in the ring, or by which
+def rest(in_ring: bool, psi: float, own: float, setup: SeriesSetup, disc: Between) -> float:
+    """Lag at which the pins that press a disc turn it neither way: its own in the ring, or by which
     the output is behind it.
     """
     lag, low, high, far = 0.0, -math.inf, math.inf, setup.mesh.eccentricity / setup.mesh.radius
     for step in range(1, STEPS):
         if in_ring:
-            torque, slope, gross = toothed(j, lag, setup, pairs, room)
+            torque, slope, gross = mesh_balance(lag, setup.mesh, disc.teeth, disc.mesh)
         else:
-            found = held(j, psi, own + lag, own, setup, pairs, room)
+            found = held(psi, own + lag, own, setup, disc)
             torque, slope, gross = found.on_disc, found.by_output, found.gross
         if abs(torque) <= EPS * gross:
             break
@@ -456,16 +283,9 @@ def rest(
 
 
 def slack(
-    side: float,
-    j: int,
-    psi: float,
-    own: float,
-    setup: SeriesSetup,
-    pairs: SeriesPairs,
-    room: SeriesRoom,
-    disc: Between,
+    side: float, psi: float, own: float, setup: SeriesSetup, disc: Between
 ) -> tuple[float, float, bool]:
-    """How far the output may lag behind disc j on a side at most, its error, and whether its pins
+    """How far the output may lag behind a disc on a side at most, its error, and whether its pins
     press, at a lag of the disc.
     """
     turned = setup.direction * own if setup.output.exact else 0.0
@@ -479,7 +299,7 @@ def slack(
     if low > high + error:
         for i in range(one.pins):
             found.force[i] = 0.0
-        return rest(False, j, psi, own, setup, pairs, room), error, True
+        return rest(False, psi, own, setup, disc), error, True
     return (high if side > 0 else low), error, False
 
 
@@ -492,7 +312,7 @@ def placed(
     psi, low, high, error, pressed = wave(angle, setup), -math.inf, math.inf, 0.0, False
     one = setup.mesh
     for j in range(setup.satellites):
-        disc = between(j, setup, pairs, room)
+        disc = between(j, pairs, room)
         teeth, found = disc.teeth, disc.mesh
         for i in range(one.pins):
             found.force[i] = 0.0
@@ -504,11 +324,11 @@ def placed(
         )
         mesh_shift(0.0, -1, one, teeth, found)
         if first > last + off:
-            first = last = rest(True, j, psi, 0.0, setup, pairs, room)
+            first = last = rest(True, psi, 0.0, setup, disc)
             pressed = True
         room.low[j], room.high[j] = first, last
-        behind_most, off_high, held_high = slack(1.0, j, psi, last, setup, pairs, room, disc)
-        behind_least, off_low, held_low = slack(-1.0, j, psi, first, setup, pairs, room, disc)
+        behind_most, off_high, held_high = slack(1.0, psi, last, setup, disc)
+        behind_least, off_low, held_low = slack(-1.0, psi, first, setup, disc)
         room.slack_low[j], room.slack_high[j] = behind_least, behind_most
         room.held[j] = 1.0 if held_low or held_high else 0.0
         pressed = pressed or held_low or held_high
@@ -519,17 +339,16 @@ def placed(
 
 
 def middle(
-    j: int, psi: float, lag: float, setup: SeriesSetup, pairs: SeriesPairs, room: SeriesRoom
+    psi: float, lag: float, least: float, most: float, setup: SeriesSetup, disc: Between
 ) -> float:
-    """Middle of the lags at which disc j, without force, lies between the ends of its play in the
+    """Middle of the lags at which a disc, without force, lies between the ends of its play in the
     ring and the pins.
     """
-    disc = between(j, setup, pairs, room)
-    low, high = least, most = room.low[j], room.high[j]
+    low, high = least, most
     for _ in range(MIDDLES if setup.output.exact else 1):
         before = low, high
-        low = max(least, lag - slack(1.0, j, psi, low, setup, pairs, room, disc)[0])
-        high = min(most, lag - slack(-1.0, j, psi, high, setup, pairs, room, disc)[0])
+        low = max(least, lag - slack(1.0, psi, low, setup, disc)[0])
+        high = min(most, lag - slack(-1.0, psi, high, setup, disc)[0])
         if before == (low, high):
             break
     return (low + high) / 2
@@ -541,7 +360,7 @@ def settled(
     lag: float,
     close: float,
     setup: SeriesSetup,
-    pairs: SeriesPairs,
+    disc: Between,
     room: SeriesRoom,
 ) -> tuple[Linked, bool]:
     """Disc j in balance at a lag of the output, so close as a part of its own, and whether it is.
@@ -555,10 +374,10 @@ def settled(
     least, most = least - wider, most + wider
     done = False
     for step in range(1, STEPS):
-        one = linked(j, psi, lag, own, setup, pairs, room)
+        one = linked(psi, lag, own, setup, disc)
         if one.value == 0 and one.share == 0:  # free
             if room.held[j] < PRESSED:
-                own = middle(j, psi, lag, setup, pairs, room)
+                own = middle(psi, lag, room.low[j], room.high[j], setup, disc)
             done = True
             break
         if abs(one.value) <= EPS * one.size or abs(one.change) <= close * abs(own):
@@ -588,7 +407,7 @@ def begun(
     """
     lag, each = 0.0, torque / setup.satellites
     for j in range(setup.satellites):
-        disc = between(j, setup, pairs, room)
+        disc = between(j, pairs, room)
         pins_at(over, room.high[j], setup, disc)
         most = start(each, setup.mesh, disc.teeth, disc.mesh)
         low, high = room.high[j], max(most, room.high[j])
@@ -670,7 +489,8 @@ def solve(
         carried = size = slope = 0.0
         balanced = close = True
         for j in range(setup.satellites):
-            one, done = settled(j, over, lag, LOOSE if loose else EPS, setup, pairs, room)
+            disc = between(j, pairs, room)
+            one, done = settled(j, over, lag, LOOSE if loose else EPS, setup, disc, room)
             balanced = balanced and done
             close = close and abs(one.change) <= CLOSE * abs(lag)
             carried += one.torque - one.moves * one.value
@@ -737,8 +557,8 @@ def series_errors(
     mesh, output, teeth, holes = setup.mesh, setup.output, room.teeth, room.holes
     off, slope, force_error, carried = 4 * EPS * torque, 0.0, 0.0, 0.0
     for j in range(setup.satellites):
-        own = room.lag[j]
-        one = linked(j, psi, lag, own, setup, pairs, room)
+        own, disc = room.lag[j], between(j, pairs, room)
+        one = linked(psi, lag, own, setup, disc)
         slope += one.slope
         rough, unsure = 4 * EPS * one.size + abs(one.value), 0.0
         for i in range(j * mesh.pins, (j + 1) * mesh.pins):
@@ -807,7 +627,7 @@ def input_torque(
     """
     over, total = wave(psi, setup), setup.direction * torque / setup.ratio
     for j in range(setup.satellites):
-        own, disc = room.lag[j], between(j, setup, pairs, room)
+        own, disc = room.lag[j], between(j, pairs, room)
         turned = over - (setup.direction * own if setup.output.exact else 0.0)
         total += mesh_wave_torque(psi, own, setup.mesh, disc.teeth, disc.mesh)
         on_pins = wave_torque(turned, lag - own, setup.output, disc.holes, disc.pins)
@@ -823,7 +643,7 @@ def on_crank(
     """
     along = across = pins_along = pins_across = 0.0
     mesh, output, own = setup.mesh, setup.output, room.lag[j]
-    disc = between(j, setup, pairs, room)
+    disc = between(j, pairs, room)
     for i in range(mesh.pins):
         force = disc.mesh.force[i]
         if force > 0:
@@ -856,13 +676,13 @@ def on_teeth(
 ) -> tuple[float, float]:
     """The first two of these alone."""
     along = across = 0.0
-    mesh, found = setup.mesh, room.teeth
-    first = j * mesh.pins
-    for i in range(first, first + mesh.pins):
-        if found.force[i] > 0:
-            x, y = mesh_on_crank(i, first, mesh, pairs.teeth, found)
-            along += found.force[i] * x
-            across += found.force[i] * y
+    mesh, disc = setup.mesh, between(j, pairs, room)
+    for i in range(mesh.pins):
+        force = disc.mesh.force[i]
+        if force > 0:
+            x, y = mesh_on_crank(i, 0, mesh, disc.teeth, disc.mesh)
+            along += force * x
+            across += force * y
     return along, across
 
 

@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 
 from core.arrays import ComplexArray, FloatArray
-from core.output.real_turn import directed, off, over_periods, refined
+from core.output.real_turn import CloseSamples, directed, over_all, refined
 from core.output.sampled_turn import SampledTurn, off_straight
 from core.output.turn import Rows
 from core.ring.series_turn import SeriesTurn
@@ -60,20 +60,13 @@ def sampled_in_series(turn: SeriesTurn) -> SampledTurn:
     30.0
     """
     output = turn.real.output
-    near = NEAR * max(1.0, turn.pitches / turn.real.ring.disc.satellite_teeth)
-    rows = refined(turn, near, partial(_ring_off, turn))
-    force = rows["forces"]
-    error = float((off(turn, rows).max() + rows["force_error"].max()) / force.max())
-    periods, way = np.arange(turn.repeats), math.copysign(1.0, turn.torque)
-    angle = (rows["wave"] + turn.period * periods[:, None]).ravel()
+    rows = _rows(turn)
+    samples, way = over_all(turn, rows), math.copysign(1.0, turn.torque)
+    waves = samples.wave * output.mechanism.waves_per_turn
     found = directed(
         real=output,
-        wave=angle * output.mechanism.waves_per_turn + output.mechanism.initial_crank_angle,
-        force=over_periods(turn, force).T,
-        lag=way * np.tile(rows["lag"], turn.repeats),
+        samples=samples._replace(wave=waves + output.mechanism.initial_crank_angle),
         own=way * np.tile(rows["own"], (turn.repeats, 1)).T,
-        error=error,
-        evaluations=len(force),
     )
     return replace(
         found,
@@ -81,6 +74,38 @@ def sampled_in_series(turn: SeriesTurn) -> SampledTurn:
         waves=turn.waves,
         of_ring=np.tile(_of_ring(rows), (turn.repeats, 1)).T,
     )
+
+
+def teeth_samples(turn: SeriesTurn) -> CloseSamples:
+    """Forces of the pins of the ring at the same samples; of pins that are alike over as many
+    periods as each of them takes to have what every other one had.
+
+    Parameters
+    ----------
+    turn : SeriesTurn
+        Both meshes under the torque.
+
+    Returns
+    -------
+    CloseSamples
+        With the lag of the output.
+    """
+    rows, ring = _rows(turn), turn.real.ring
+    force, pins = rows["teeth"], ring.disc.pins
+    each = force.reshape(len(force), -1, pins)
+    periods = np.arange(pins if ring.pins_alike else 1)
+    every = np.concatenate([np.roll(each, -k * turn.pitches, axis=2) for k in periods])
+    wave = (rows["wave"] + turn.period * periods[:, None]).ravel()
+    lag = math.copysign(1.0, turn.torque) * np.tile(rows["lag"], len(periods))
+    flat = every.reshape(len(wave), -1).T
+    inner = off_straight(wave=wave, values=flat).max() if len(wave) > 2 else 0.0
+    error = float((inner + rows["force_error"].max()) / force.max())
+    return CloseSamples(wave, flat, lag, error, len(force))
+
+
+def _rows(turn: SeriesTurn) -> Rows:
+    near = NEAR * max(1.0, turn.pitches / turn.real.ring.disc.satellite_teeth)
+    return refined(turn, near, partial(_ring_off, turn))
 
 
 def _of_ring(rows: Rows) -> ComplexArray:

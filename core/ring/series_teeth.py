@@ -6,11 +6,13 @@ from core.arrays import FloatArray, IntArray
 from core.derived import derived
 from core.output.contact_force import PairNumber
 from core.output.over_turn import Extreme
+from core.output.real_turn import CloseSamples
 from core.output.turn import Turn
 from core.results import Accuracy
 from core.ring.approach import ALONG_LEAST, ALONG_MOST, RUB, RUB_AND_PRESS
 from core.ring.series_kernel import MESH_PRESSURE
-from core.ring.series_turn import SeriesOverTurn
+from core.ring.series_samples import teeth_samples
+from core.ring.series_turn import SeriesOverTurn, SeriesTurn
 from core.ring.sharing import MeshTurn
 
 
@@ -35,6 +37,15 @@ class TeethInSeries(MeshTurn):
         """Crank angles of positions, rad, and the forces of all pairs there, N."""
         rows = self.series.turn.fine
         return rows["wave"], rows["teeth"]
+
+    @property
+    def close(self) -> CloseSamples:
+        """Forces of all pairs, sampled as closely as those of the output and the ring's on the
+        discs need: until each pin has had what each other one that is alike had.
+        """
+        turn = self.series.turn
+        assert isinstance(turn, SeriesTurn)
+        return teeth_samples(turn)
 
     @property
     def even(self) -> IntArray:

@@ -5,7 +5,7 @@ ideal angle; the equilibrium is that of `core.output.sharing_kernel` over `core.
 """
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -15,11 +15,12 @@ from core.arrays import FloatArray, IntArray, check_finite, check_positive, chec
 from core.derived import derived
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.materials import ElasticMaterial, effective_modulus
-from core.output.compiled import at_hand, in_place_of
+from core.output.compiled import at_hand, plain
 from core.output.conformal_law import NO_CURVE, NO_WRAP
 from core.output.contact_force import PairNumber
 from core.output.contact_law import (
     ContactLaw,
+    LinearLaw,
     PinSupport,
     check_law,
     law_constants,
@@ -28,9 +29,10 @@ from core.output.contact_law import (
 )
 from core.output.mechanism import Mechanism
 from core.output.over_turn import Extreme, OverTurn
-from core.output.satellite_support import SharedTorque, Shares, check_shares
-from core.output.sharing_kernel import PRESSURE, RIGID
-from core.output.stage import Stage, in_floats
+from core.output.real_turn import CloseSamples, close_samples
+from core.output.satellite_support import Shares, check_shares
+from core.output.sharing_kernel import PRESSURE, RIGID, SHARES
+from core.output.stage import Stage, blank_rows, in_floats
 from core.output.summits import Summit, summits
 from core.output.turn import Turn
 from core.precision import ROUNDING
@@ -46,10 +48,13 @@ from core.ring.approach import (
     MeshRoom,
     MeshSetup,
 )
-from core.ring.profile import CycloidDisc
+from core.ring.profile import CycloidDisc, Modification
 
 DEPTHS = 0.5, 2.0
 """Reference depths over the pin's radius within which a half-space stands for a disc."""
+
+USUAL_SHORTENING = 0.35, 0.9
+"""Shortening coefficients of most drives."""
 
 VALLEY, LOST = 0.5, 1.0
 """Gap of a pin in a valley over the radius of the path there: above the first one the nearest point
@@ -138,6 +143,20 @@ class CycloidMesh(Stage):
         return Mechanism(self.disc.pins, self.crank_angles, math.inf)
 
     @property
+    def perfect(self) -> "CycloidMesh":
+        """The same of perfect rigid parts, contacts linear."""
+        return replace(
+            self,
+            disc=replace(self.disc, modification=Modification()),
+            law=LinearLaw(1e8),
+            pin=None,
+            seat_stiffness=math.inf,
+            deviations=RingDeviations(),
+            exact=False,
+            support=None,
+        )
+
+    @property
     def eccentricity(self) -> float:
         """E of the cranks, m."""
         return self.disc.eccentricity
@@ -191,7 +210,7 @@ class CycloidMesh(Stage):
                 exponent=exponent,
                 curve=NO_CURVE,
                 wrap=NO_WRAP,
-                support=RIGID,
+                support=RIGID if self.support is None else SHARES,
                 gives=0.0,
                 loose=0.0,
                 foot=self.exact,
@@ -223,8 +242,8 @@ class CycloidMesh(Stage):
     @cached_property
     def pairs(self) -> MeshPairs:
         """Constants of the pairs."""
-        disc, satellites = self.disc, len(self.crank_angles)
-        pairs = MeshPairs(*[[0.0] * (disc.pins * satellites) for _ in MeshPairs._fields])
+        disc = self.disc
+        pairs: MeshPairs = self._blank(MeshPairs)
         law = law_constants(
             law=self.law,
             contact_length=self.contact_length,
@@ -257,28 +276,24 @@ class CycloidMesh(Stage):
 
     def room(self) -> MeshRoom:
         """Room for the results of one position."""
-        count = self.disc.pins * len(self.crank_angles)
-        return MeshRoom(*[[0.0] * count for _ in MeshRoom._fields])
+        room: MeshRoom = self._blank(MeshRoom)
+        return room
 
-    @cached_property
-    def shared(self) -> SharedTorque | None:
-        """The discs of given shares of the torque, where there are any."""
-        if self.support is None:
-            return None
-        return SharedTorque(self.support.shares, in_place_of(approach))
+    def _blank(self, kind: Any) -> Any:
+        shares = () if self.support is None else self.support.shares
+        return blank_rows(
+            kind, pins=self.disc.pins, satellites=len(self.crank_angles), shares=shares
+        )
 
-    @cached_property
+    @property
     def loops(self) -> Any:
         """The functions of `core.output.sharing_kernel` over `core.ring.approach`, interpreted."""
-        shared = self.shared
-        if shared is None:
-            return in_place_of(approach)
-        return in_place_of(approach, solve=shared.solve, played=shared.played)
+        return plain(approach)
 
     @property
     def loops_of_turns(self) -> Any:
         """The same, compiled where they can be."""
-        return at_hand(approach) if self.shared is None else self.loops
+        return at_hand(approach)
 
     def pressure(self, force_over_radius: float) -> float | None:
         """Largest Hertz pressure by a force over the reduced radius, where the materials are known.
@@ -311,6 +326,10 @@ class CycloidMesh(Stage):
         tuple of Notice
         """
         found = [Notice("pressed_without_load")] if pressed else []
+        low, high = USUAL_SHORTENING
+        if not low <= self.disc.shortening_coefficient <= high:
+            share = {"shortening": self.disc.shortening_coefficient}
+            found.append(Notice("unusual_shortening", share))
         if self.pin is None and not math.isfinite(self.seat_stiffness):
             found.append(Notice("seat_rigid"))
         if self.exact and self.valley_gap > VALLEY:
@@ -412,7 +431,7 @@ def mesh_position(*, mesh: CycloidMesh, crank_angle: float, output_torque: float
     accuracy = Accuracy("newton_bracket", found.force_error / float(force.max()), found.steps)
     return MeshPosition(
         crank_angle=crank_angle,
-        rotation=tuple(direction * lag for lag in room.own_lag[: setup.satellites]),
+        rotation=tuple(direction * lag for lag in room.own_lag),
         force=mesh.rows(room.force),
         disc_torque=tuple(torques.tolist()),
         crank_across=tuple(across.tolist()),
@@ -447,15 +466,14 @@ def _interference(mesh: CycloidMesh, setup: MeshSetup, free: bool, angle: float)
     ]
     if not dead and free:
         return None
-    if mesh.shared is not None:
-        loops = mesh.shared
-        return float(loops.interference(angle, setup, pairs, room))
     far = setup.eccentricity / setup.radius
-    return float(loops.interference(-far, far, setup, pairs, room))
+    return float(loops.pressing(-far, far, setup, pairs, room))
 
 
-def mesh_gaps(*, mesh: CycloidMesh, crank_angle: float) -> tuple[tuple[float, ...], ...]:
-    """Gaps of all pairs where the discs do not lag: negative where they would press.
+def mesh_gaps(
+    *, mesh: CycloidMesh, crank_angle: float, rotation: tuple[float, ...] = ()
+) -> tuple[tuple[float, ...], ...]:
+    """Gaps of all pairs where the discs lag by so much: negative where they press.
 
     Parameters
     ----------
@@ -463,6 +481,8 @@ def mesh_gaps(*, mesh: CycloidMesh, crank_angle: float) -> tuple[tuple[float, ..
         The mesh.
     crank_angle : float
         Crank angle, rad.
+    rotation : tuple of float, K, optional
+        Lag of each disc, rad, negative in reverse; none where it is not given.
 
     Returns
     -------
@@ -484,12 +504,14 @@ def mesh_gaps(*, mesh: CycloidMesh, crank_angle: float) -> tuple[tuple[float, ..
     check_single(crank_angle=crank_angle)
     setup, room, pairs = mesh.setup(1.0), mesh.room(), mesh.pairs
     approach.at(mesh.wave(crank_angle), setup, pairs, room)
+    pins, lags = setup.pins, rotation or (0.0,) * setup.satellites
     if not mesh.exact:
-        return mesh.rows([-q for q in room.q])
-    pins = setup.pins
+        return mesh.rows(
+            [-q - lags[i // pins] * v for i, (q, v) in enumerate(zip(room.q, room.v, strict=True))]
+        )
     return mesh.rows(
         [
-            -approach.touch(i, i // pins, 0.0, setup, pairs, room).approach
+            -approach.touch(i, i // pins, lags[i // pins], setup, pairs, room).approach
             for i in range(len(room.q))
         ]
     )
@@ -604,6 +626,11 @@ class MeshTurn(OverTurn):
     def samples(self) -> tuple[FloatArray, FloatArray]:
         """Crank angles of positions, rad, and the forces of all pairs there, N."""
         return self.turn.fine["wave"], self.turn.fine["forces"]
+
+    @property
+    def close(self) -> CloseSamples:
+        """Forces of all pairs, sampled as closely as they need."""
+        return close_samples(self.turn)
 
     @property
     def even(self) -> IntArray:

@@ -44,8 +44,26 @@ ENVELOPE = {
     "width": 0.0199,
     "limiting_speed": 400.0,
 }
+LASTING = ElasticMaterial(
+    210e9, 0.3, ContactLimit("given", 2e9, curve="hardened"), yield_strength=900e6
+)
+INVOLUTE = replace(
+    WHOLE.gear,  # type: ignore[type-var]
+    satellite_profile_shift=0.05,
+    ring_profile_shift=0.3,
+    satellite_addendum=0.6,
+    ring_addendum=0.55,
+    rack_tip_radius=0.3,
+    contact_length=0.018,
+    ring_material=LASTING,
+    root_strength=800e6,
+    face_load_factor=1.1,
+)
+"""Teeth whose shifts and heights are known."""
 ALL = having(
     WHOLE,
+    gear=INVOLUTE,
+    max_ring_backlash=1.0,
     outer_radius=0.08,
     root_radius=0.072,
     bore_radius=0.02,
@@ -184,7 +202,10 @@ DESIGNS = {
         hole_material=STEEL,
         friction=replace(ALL.friction, life=None),  # type: ignore[type-var]
     ),
-    "roots by the module": having(ALL, root_radius=None, outer_radius=None),
+    "roots by the module": having(ALL, root_radius=None, outer_radius=None, gear=WHOLE.gear),
+    "roots by the shift": having(
+        ALL, root_radius=None, outer_radius=None, scope=("body",), pin=None
+    ),
     "rim within the roots": having(ALL, root_radius=None, outer_radius=0.02),
     "the ring as output": having(ALL, output="ring", hole_radius=0.01002),
     "both as output, by the ring": having(
@@ -277,9 +298,6 @@ DESIGNS |= {
     ),
 }
 
-LASTING = ElasticMaterial(
-    210e9, 0.3, ContactLimit("given", 2e9, curve="hardened"), yield_strength=900e6
-)
 TOOTHED = design_of(
     pins=6,
     satellites=2,
@@ -303,6 +321,8 @@ TOOTHED = design_of(
     max_pv=1e9,
     max_slope=1.0,
     min_efficiency=0.5,
+    min_ring_efficiency=0.5,
+    fatigue=TIRED,
     scope=("teeth", "body", "losses"),
     gear=Ring(
         kind="cycloid",
@@ -316,6 +336,9 @@ TOOTHED = design_of(
         seat_stiffness=5e8,
         sleeve_bore_radius=0.003,
         friction_coefficient=0.06,
+        tool_radius=0.003,
+        pin_tensile_strength=1500e6,
+        pin_steel=True,
     ),
 )
 """Teeth on the pins of a ring, which bend in their sleeves."""
@@ -327,6 +350,7 @@ MANY = having(
     eccentricity=0.0006,
     hole_radius=0.0046,
     peak_torque=200.0,
+    life=3e4,
     gear=replace(
         TOOTHED.gear,  # type: ignore[type-var]
         ring_pin_radius=0.0015,
@@ -336,7 +360,7 @@ MANY = having(
 )
 TOOTH = having(TOOTHED, scope=("teeth",), satellite_body=None, friction=None)
 DESIGNS |= {
-    "teeth": TOOTHED,
+    "teeth": having(TOOTHED, fatigue=None),
     "teeth under a factor": having(TOOTH, application_factor=1.2),
     "teeth under a stated sharing": having(TOOTH, distribution_factor=1.2, peak_torque=200.0),
     "teeth that press": having(
@@ -351,6 +375,20 @@ DESIGNS |= {
             disc_material=LASTING,
         ),
     ),
+    "teeth in seats": having(
+        TOOTH,
+        fatigue=None,
+        max_slope=None,
+        distribution_factor=1.2,
+        max_seat_pressure=1e9,
+        gear=replace(
+            TOOTHED.gear,  # type: ignore[type-var]
+            modification=Modification(equidistant=-5e-6, pin_circle=-1e-6, rotation=1e-4),
+            pin_support="seat",
+            span=None,
+            satellite_positions=(),
+        ),
+    ),
     "teeth of a ratio that stays whole where it grows by a fiftieth": MANY,
     "such teeth that press": having(
         MANY,
@@ -360,6 +398,7 @@ DESIGNS |= {
             ring_pin_radius=0.0015,
             modification=Modification(equidistant=-1e-5, pin_circle=-5e-6),
             pin_material=LASTING,
+            friction_coefficient=0.06,
         ),
     ),
 }
@@ -413,7 +452,43 @@ DESIGNS |= {
     ),
 }
 
-INPUTS = {"pin.tensile_strength": "pin.material"}
+
+TIPS = having(ALL, pin=None, fatigue=None, peak_torque=900.0, scope=("teeth",))
+"""Involute teeth under ideal forces."""
+DESIGNS |= {
+    "involute teeth of given tips": having(
+        TIPS,
+        gear=replace(
+            INVOLUTE,
+            satellite_addendum=None,
+            ring_addendum=None,
+            satellite_tip_radius=0.0370125,
+            ring_tip_radius=0.036575,
+        ),
+    ),
+    "involute teeth, those of the ring higher": having(
+        TIPS, gear=replace(INVOLUTE, satellite_addendum=0.5, ring_addendum=0.6)
+    ),
+    "involute teeth of a ratio that stays whole where it grows by a fiftieth": having(
+        TIPS,
+        ratio=50.0,
+        eccentricity=0.0016,
+        hole_radius=0.0096,
+        gear=replace(
+            INVOLUTE,
+            module=0.001,
+            ring_profile_shift=0.9,
+            satellite_material=LASTING,
+            cutter_teeth=18,
+            cutter_profile_shift=0.05,
+        ),
+    ),
+}
+
+INPUTS = {
+    "pin.tensile_strength": "pin.material",
+    "gear.pin_tensile_strength": "gear.pin_material",
+}
 """Inputs by the paths of a design that have other names."""
 
 MATERIALS_OF = (
@@ -422,6 +497,8 @@ MATERIALS_OF = (
     "pin.material",
     "gear.pin_material",
     "gear.disc_material",
+    "gear.satellite_material",
+    "gear.ring_material",
 )
 """Inputs that are materials, each with values of its own."""
 
