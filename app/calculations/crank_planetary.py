@@ -125,6 +125,7 @@ from core.output.turn import Turn
 from core.results import Notice
 from core.ring.mesh_curves import MeshCurves
 from core.ring.series_turn import SeriesOverTurn
+from core.ring.sharing import MeshTurn
 from core.worked.crank import bearing_steps, shaft_steps
 from core.worked.hertz import judged_steps
 from core.worked.losses import loss_steps
@@ -627,9 +628,15 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         solved.take(turn.accuracy, turn.notices)
         return solved
 
+    @property
+    def drawn_ring(self) -> MeshTurn:
+        """The mesh of the ring by itself, which drawing and figure show."""
+        turn = self.results.ring_working[0]
+        return MeshTurn(turn.turn) if self.results.in_series else turn
+
     def solve_ring_drawing(self) -> Values | None:
         """Discs and ring as they are drawn, and what they do under the same torque."""
-        turn = self.results.ring_working[0]
+        turn = self.drawn_ring
         if turn.mesh.disc.pins * self.mechanism.satellites > MAX_DRAWN_PAIRS:
             return None
         drawn = drawn_mesh(design=self.design, mesh=turn.mesh, chord_error=DRAWN_ERROR)
@@ -637,7 +644,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
 
     def solve_ring_figure(self) -> ShownMesh:
         """What the figure of the mesh shows."""
-        turn, own = self.results.ring_working[0], self.mechanism
+        turn, own = self.drawn_ring, self.mechanism
         if turn.mesh.disc.pins * own.satellites > MAX_DRAWN_PAIRS:
             name = "ratio" if own.ring_teeth is None else "ring_teeth"
             limit = {"limit": MAX_DRAWN_PAIRS // own.satellites, "satellites": own.satellites}
