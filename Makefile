@@ -103,6 +103,7 @@ house: .venv/test  ## what the code weighs: the numbers that every larger change
 bench: .venv/test  ## time calculations and requests against each other, as ratios in one run
 	PYTHONPATH=. $(BIN)/python -m benchmarks.speed
 	PYTHONPATH=. $(BIN)/python -m benchmarks.sharing
+	PYTHONPATH=. $(BIN)/python -m benchmarks.studio
 	PYTHONPATH=. $(BIN)/python -m benchmarks.service
 	PYTHONPATH=. $(BIN)/python -m benchmarks.batches
 

@@ -20,8 +20,8 @@ from core.tolerance.tolerances import Drawn
 
 LOG = logging.getLogger("khv.cluster")
 
-BLOCKS = 32
-"""Blocks of a task, some 2,000 pieces: a quarter of a second."""
+PIECES = 2048
+"""Pieces of a task at least: a tenth of a second and more."""
 
 CONNECT_S = 10
 """Time after which a scheduler that does not answer, or has no workers, counts as lost."""
@@ -76,7 +76,8 @@ def _there(address: str, block: Block, blocks: Sequence[Drawn]) -> Iterator[Piec
     Lost
         If they cannot be, or not any more.
     """
-    tasks = [blocks[first : first + BLOCKS] for first in range(0, len(blocks), BLOCKS)]
+    many = -(-PIECES // len(blocks[0]))
+    tasks = [blocks[first : first + many] for first in range(0, len(blocks), many)]
     try:
         futures = _client(address).map(task, [block] * len(tasks), tasks, pure=False)
         for future in futures:

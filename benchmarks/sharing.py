@@ -77,7 +77,7 @@ def _units(call: Callable[[], object], repeats: int, clock: Callable[[], float])
     return float(np.median(ratios))
 
 
-def _study(law: str, samples: int, threads: int = 1, quantity: str = "peak_force") -> Study:
+def study_of(law: str, samples: int, threads: int = 1, quantity: str = "peak_force") -> Study:
     contact, pin, exact = LAWS[law]
     real = RealMechanism(
         mechanism=Mechanism.evenly_spaced(pins=6, satellites=2, ratio=20.0),
@@ -89,7 +89,7 @@ def _study(law: str, samples: int, threads: int = 1, quantity: str = "peak_force
 
 
 def _per_sample(law: str, samples: int, repeats: int) -> float:
-    study = _study(law, samples)
+    study = study_of(law, samples)
     pieces = study.pieces()
     return _units(lambda: study.values(pieces), repeats, time.process_time) / samples
 
@@ -107,19 +107,19 @@ def main(smallest: bool) -> None:
     repeats, few, many = (1, 2, 64) if smallest else (7, 8, 512)
     laws = [*LAWS][1:2] if smallest else [*LAWS]
     plain = {law: _per_sample(law, few, 1) for law in laws}
-    plain_turn = _units(lambda: over_turn(real=_study("10/9", 1).real, output_torque=200.0), 1,
+    plain_turn = _units(lambda: over_turn(real=study_of("10/9", 1).real, output_torque=200.0), 1,
                         time.process_time)  # fmt: skip
     compiled.load()
-    over_turn(real=_study("10/9", 1).real, output_torque=200.0)
+    over_turn(real=study_of("10/9", 1).real, output_torque=200.0)
     _per_sample("linear", 2, 1)
     print(f"{'one sample, 60 positions':26s} {'U, as it is':>12s} {'compiled':>9s} {'times':>6s}")
     for law in laws:
         fast = _per_sample(law, many, repeats)
         print(f"{law:26s} {plain[law]:12.0f} {fast:9.2f} {plain[law] / fast:6.0f}")
-    turn = _units(lambda: over_turn(real=_study("10/9", 1).real, output_torque=200.0), repeats,
+    turn = _units(lambda: over_turn(real=study_of("10/9", 1).real, output_torque=200.0), repeats,
                   time.process_time)  # fmt: skip
     print(f"{'a turn, 10/9':26s} {plain_turn:12.0f} {turn:9.0f} {plain_turn / turn:6.0f}")
-    study = _study("10/9", many)
+    study = study_of("10/9", many)
     pieces = study.pieces()
     walls = [
         _units(lambda n=n: replace(study, threads=n).values(pieces), repeats, time.perf_counter)
@@ -128,7 +128,7 @@ def main(smallest: bool) -> None:
     print(f"two threads: {walls[0] / walls[1]:.2f} times one, of {os.cpu_count()} processors")
     draws = _units(pieces.rows, repeats, time.process_time) / many
     print(f"draws: {draws:.3f} U a sample")
-    play = _study("10/9", many, quantity="backlash_max")
+    play = study_of("10/9", many, quantity="backlash_max")
     alone = _units(lambda: play.values(pieces), repeats, time.process_time) / many
     print(f"backlash alone: {alone:.2f} U a sample")
     if smallest:

@@ -54,9 +54,6 @@ Section = Literal[
 MAX_TURN_PAIRS = 1000
 """Most pairs over the turn: thousands of positions are solved, which takes a second."""
 
-MAX_TURN_SHARED = 100
-"""The same of given shares, whose loops are interpreted: several seconds."""
-
 MAX_POSITIONS = 1000
 """Most crank angles of one request."""
 
@@ -104,9 +101,8 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
         self.refuse_other_shares(self.mechanism.satellites)
         times = self.times_as_long * (2 if self.alternating else 1)
         forces = MAX_FORCES // times
-        turn = MAX_TURN_SHARED if self.interpreted else MAX_TURN_PAIRS
         for section, limit in (
-            ("over_turn", turn // times),
+            ("over_turn", MAX_TURN_PAIRS // times),
             ("positions", forces // len(self.crank_angle_deg)),
             ("stiffness_curve", forces // len(self.torques)),
             ("curves", forces // self.samples),

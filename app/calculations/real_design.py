@@ -23,7 +23,6 @@ from core.errors import InvalidInput
 from core.output.mechanism import Mechanism
 from core.output.members import Members
 from core.output.real_mechanism import Deviations, RealMechanism
-from core.output.satellite_support import Shares
 
 TIMES_AS_LONG, TIED_AS_LONG = 4, 10
 """How many times as long a position takes whose satellites give, or whose pins a tie ring joins."""
@@ -103,11 +102,6 @@ class RealDesignFields(GivingFields, group="contact_law"):
         if self.tied and self.mechanism.pairs > MOST_TIED:
             most = self.mechanism.most_pins(MOST_TIED)
             raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **most)
-
-    @property
-    def interpreted(self) -> bool:
-        """Whether the loops are those that are not compiled: of given shares."""
-        return isinstance(self.support, Shares)
 
     @cached_property
     def built(self) -> Mechanism:

@@ -236,10 +236,6 @@ class RingFields(RingPinsFields, InvoluteTeethFields, group="gear"):
     )
 
     KINDS: ClassVar[Kinds] = {
-        "involute": (
-            ("module_mm",),
-            ("teeth_difference", "reference_pressure_angle_deg", *INVOLUTE_DATA),
-        ),
         "cycloid": (
             ("ring_pin_circle_radius_mm",),
             (
@@ -250,6 +246,10 @@ class RingFields(RingPinsFields, InvoluteTeethFields, group="gear"):
                 "every_second_pin",
                 "ring_class",
             ),
+        ),
+        "involute": (
+            ("module_mm",),
+            ("teeth_difference", "reference_pressure_angle_deg", *INVOLUTE_DATA),
         ),
         "none": ((), ()),
         None: ((), ()),

@@ -76,9 +76,6 @@ Section = Literal[OfCycloids, OfInvolutes]
 MAX_TURN_PAIRS = 1000
 """Most pairs over the turn: thousands of positions are solved."""
 
-MAX_TURN_SHARED = 100
-"""The same of given shares, whose loops are interpreted; in exact geometry a quarter of it."""
-
 MAX_POSITIONS = 1000
 """Most crank angles of one request."""
 
@@ -212,11 +209,8 @@ class RingMeshRequest(RequestModel, group="positions"):
         if self.gear.kind == "involute":
             return
         own = self.mechanism
-        turn = MAX_TURN_PAIRS
-        if isinstance(self.support, Shares):
-            turn = MAX_TURN_SHARED // (4 if self.geometry == "exact" else 1)
         limits = [settings.max_pairs]
-        limits += [turn] if "over_turn" in self.asked else []
+        limits += [MAX_TURN_PAIRS] if "over_turn" in self.asked else []
         limits += [MAX_FORCES // len(self.crank_angle_deg)] if "positions" in self.asked else []
         if own.pairs > min(limits):
             most = {"limit": min(limits) // own.satellites, "satellites": own.satellites}

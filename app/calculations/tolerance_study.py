@@ -61,9 +61,6 @@ POSITIONS_PER_SECOND = 500_000
 """Positions of a pair that a study may have for each second that a calculation may take: with the
 slowest law one processor solves some three times as many."""
 
-SHARED_PER_SECOND = 25_000
-"""The same of given shares, whose loops are interpreted."""
-
 LOST_MOTION_SOLVES = 3
 """Solves of a position where the lost motion is asked: in both directions besides."""
 
@@ -201,8 +198,8 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
         """Refuse more samples than there is time for, if all is done so many times over; where
         none are given so many fit.
         """
-        rate = SHARED_PER_SECOND if self.interpreted else POSITIONS_PER_SECOND
-        budget, positions = int(rate * settings.max_seconds), times * self._positions_of_a_pair
+        budget = int(POSITIONS_PER_SECOND * settings.max_seconds)
+        positions = times * self._positions_of_a_pair
         most = int(budget / (positions * self.mechanism.pairs))
         if most < FEWEST:
             limit = self.mechanism.most_pins(int(budget / (positions * FEWEST)))
@@ -220,7 +217,7 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
         return each * self.crank_angles * self.times_as_long
 
     def _solves(self, names: list[str]) -> float:
-        if names == ["backlash_max_arcmin"] and not self.interpreted:
+        if names == ["backlash_max_arcmin"]:
             return BACKLASH_SOLVES
         return LOST_MOTION_SOLVES if "lost_motion_arcmin" in names else 1
 
@@ -253,7 +250,7 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
             progress=self._counted(report),
         )
         address = current().dask
-        if not address or self.interpreted:
+        if not address:
             return study
         instead = study.in_threads if self.if_cluster_lost == "here" else None
         return replace(study, mapped=on_cluster(address, instead, self._lose))

@@ -3,7 +3,7 @@
 from functools import partial
 
 from core.checks.check import Check, Measure, design_check
-from core.checks.inputs import FORCES, LIFE, SPEEDS
+from core.checks.inputs import FORCES, INVOLUTE_TEETH, LIFE, SPEEDS
 from core.design.document import Design
 from core.design.results import Results
 from core.errors import NotKnown
@@ -22,6 +22,7 @@ _check = partial(design_check, group="friction", part="losses", needs=("touching
                 *FORCES,
                 "gear.modification.rotation",
                 *SPEEDS,
+                *INVOLUTE_TEETH,
                 "gear.friction_coefficient",
                 "gear.rolling",
                 "friction.coefficient",

@@ -9,6 +9,7 @@ from typing import Any, get_args
 from core.checks.check import Check, Kind, Measure, design_check, judged
 from core.checks.inputs import (
     FATIGUE,
+    INVOLUTE_TEETH,
     LIFE,
     OF_BENT_PINS,
     RING_FORCES,
@@ -376,7 +377,7 @@ def ring_seat_pressure(design: Design, results: Results) -> Check | Measure:
     formula="η ≥ η_min",
     why="Below it more is lost in the teeth than is asked.",
     inputs=(
-        *RING_FORCES,
+        *dict.fromkeys((*RING_FORCES, *INVOLUTE_TEETH)),
         "gear.friction_coefficient",
         "gear.rolling",
         "requirements.min_ring_efficiency",
@@ -388,12 +389,13 @@ def ring_seat_pressure(design: Design, results: Results) -> Check | Measure:
 )
 def ring_efficiency(design: Design, results: Results) -> Check | Measure:
     """Its limit is used by the losses; not looked for where nobody asks."""
-    if other := no_ring_pins(results=results, kind=ring_efficiency):
+    if other := _no_mesh(results, ring_efficiency):
         return other
     if design.requirements.min_ring_efficiency is None:
         raise NotKnown("no_limit")
-    loss, (turn, *_) = results.ring_loss, results.ring_working
-    unsure = loss.loss_error + (0.0 if turn.mesh.exact else FIRST_ORDER)
+    loss = results.ring_loss
+    exact = design.gear.kind == "involute" or results.ring_working[0].mesh.exact
+    unsure = loss.loss_error + (0.0 if exact else FIRST_ORDER)
     return Measure(
         loss.efficiency,
         error=loss.loss_ratio * loss.efficiency * unsure,

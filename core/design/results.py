@@ -64,10 +64,8 @@ whose satellites give."""
 MOST_PIN_PAIRS = 500
 """Most pairs of which the locus of a pin's moment is looked at."""
 
-MOST_RING_PAIRS, SHARES_AS_LONG = 300, 12
-"""Most pairs of discs and pins of a ring over the turn, and how many times as long a turn takes of
-given shares, whose loops are interpreted.
-"""
+MOST_RING_PAIRS = 300
+"""Most pairs of discs and pins of a ring over the turn."""
 
 MOST_IN_SERIES = 250_000
 """Most forces of both meshes in series over their turns."""
@@ -793,10 +791,9 @@ class Results:
             raise NotKnown("every_second_pin")
         length = design.ring_length
         shares = design.support if isinstance(design.support, Shares) else None
-        most = MOST_RING_PAIRS // (1 if shares is None else SHARES_AS_LONG)
         pairs = design.ring_pins * design.mechanism.satellites
-        if pairs > most:
-            raise NotKnown("too_many_ring_pairs", pairs=pairs, limit=most)
+        if pairs > MOST_RING_PAIRS:
+            raise NotKnown("too_many_ring_pairs", pairs=pairs, limit=MOST_RING_PAIRS)
         disc = self._of_ring(
             lambda: gear.disc(satellite_teeth=design.lobes, eccentricity=design.known_eccentricity)
         )

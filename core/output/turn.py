@@ -72,7 +72,7 @@ class Turn:
             abs(float(torque)), float(share), real.setup(direction), real.setup(-direction)
         )
         self.pairs, self.room = (
-            _as_rows(each, self.kernel.row) for each in (real.pairs, real.room())
+            as_rows(each, self.kernel.row) for each in (real.pairs, real.room())
         )
         self.evaluations = 0
         self.repeats = real.mechanism.pins if real.pins_alike else 1
@@ -202,12 +202,24 @@ class Turn:
         return grid, near
 
 
-def _as_rows(values: Any, row: Callable[[Any], Any]) -> Any:
-    """Rows as loops take them, of which parts are rows too, each made by `row`."""
+def as_rows(values: Any, row: Callable[[Any], Any]) -> Any:
+    """Rows as loops take them, of which parts are rows too.
+
+    Parameters
+    ----------
+    values : named tuple
+        Rows, or named tuples of such.
+    row : callable
+        Makes one of what loops at hand take.
+
+    Returns
+    -------
+    named tuple
+    """
     if isinstance(values, tuple):
-        return type(values)(*[_as_rows(each, row) for each in values])
+        return type(values)(*[as_rows(each, row) for each in values])
     if isinstance(values, memoryview) and row is list:
-        return values  # of which parts are rows, too
+        return values
     return row(values)
 
 

@@ -4,7 +4,6 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
@@ -24,7 +23,7 @@ from core.output.sharing_kernel import (
     Room,
 )
 from core.output.summits import summits
-from core.output.turn import Turn
+from core.output.turn import Turn, as_rows
 from core.tolerance.quantiles import Estimate, percentile, share
 from core.tolerance.tolerances import Drawn, Tolerances, deviations
 
@@ -37,8 +36,13 @@ QUANTITIES = (
     "stiffness_min",
 )
 
-BLOCK = 64
-"""Pieces that are calculated at once."""
+BLOCK, LARGEST = 64, 1024
+"""Pieces that are calculated at once, at least and at most."""
+
+WORK = 500_000
+"""Pairs of all positions of a block's pieces, beyond the least: some tens of milliseconds, after
+which a study can be ended. Of fewer pieces each takes more for its draws than for its equilibria.
+"""
 
 WORST = 32
 """Samples of the highest peaks, a tenth of all at most, on which the error of the angle grid is
@@ -178,6 +182,24 @@ class Study:
             other=tuple(other),
         )
 
+    def block(self, pieces: int) -> int:
+        """How many of the pieces are a block; where threads share them, there are some for each.
+
+        Parameters
+        ----------
+        pieces : int
+            How many there are.
+
+        Returns
+        -------
+        int
+        """
+        own = self.real.mechanism
+        most = min(WORK // (self.asked.positions * own.pins * own.satellites), LARGEST)
+        if self.mapped is None:
+            most = min(most, pieces // (4 * (self.threads or at_hand().threads)))
+        return max(most, BLOCK)
+
     def values(self, pieces: Drawn) -> tuple[FloatArray, FloatArray]:
         """Quantities of pieces, and which of them fit; on all processors where the loops are
         compiled, or where the study is `mapped` to, with the same bits however they are split.
@@ -194,7 +216,8 @@ class Study:
         fits : array, shape (pieces,)
             FITS, BINDS or NOWHERE of `core.output.sharing_kernel`.
         """
-        blocks = [pieces.part(first, first + BLOCK) for first in range(0, len(pieces), BLOCK)]
+        size = self.block(len(pieces))
+        blocks = [pieces.part(first, first + size) for first in range(0, len(pieces), size)]
         found, done = [], 0
         mapped = self.in_threads if self.mapped is None else self.mapped
         plain = replace(self, real=replace(self.real), progress=_untold, mapped=None)
@@ -267,11 +290,8 @@ class Study:
         direction = math.copysign(1.0, asked.output_torque)
         sizes = real.setup(direction), real.setup(-direction)
 
-        def rows(blank: Any) -> Any:
-            return type(blank)(*map(kernel.row, blank))
-
         none = [0.0] * len(pieces.pin_radial)
-        results: Pieces = rows(Pieces(*[none] * len(Pieces._fields)))
+        results: Pieces = as_rows(Pieces(*[none] * len(Pieces._fields)), kernel.row)
         load = Load(abs(asked.output_torque), asked.lost_motion_share, *sizes)
         lost = "lost_motion" in asked.quantities
         under_load = bool({*asked.quantities} - {"backlash_max", "lost_motion"})
@@ -284,8 +304,8 @@ class Study:
             load,
             kernel.row(real.mechanism.crank_angles),
             kernel.row(real.compliance),
-            rows(real.blank(Pairs)),
-            rows(real.blank(Room)),
+            as_rows(real.blank(Pairs), kernel.row),
+            as_rows(real.blank(Room), kernel.row),
             results,
         )
         return results

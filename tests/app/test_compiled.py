@@ -41,7 +41,7 @@ def called() -> set[str]:
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute)
         if (isinstance(of := node.func.value, ast.Name) and of.id == "kernel")
         or (isinstance(of, ast.Attribute) and of.attr == "kernel")
-    } - {"row", "table", "none"}  # `none` is of given shares, which are interpreted
+    } - {"row", "table", "none"}
 
 
 def test_all_that_is_called_of_the_loops_is_in_the_cache():

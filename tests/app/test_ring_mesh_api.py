@@ -201,12 +201,6 @@ async def test_what_takes_too_long_is_refused(api):
     error = (await api.post(PATH, json=body)).json()["errors"][0]
     assert (error["pointer"], error["code"]) == ("/mechanism/ring_teeth", "too_many_pairs")
     assert error["params"] == {"limit": 500, "satellites": 2}
-    shared = {"kind": "shares", "shares": [0.5, 0.5]}
-    body = changed(satellite_coupling=shared, include=["over_turn"])
-    error = (await api.post(PATH, json=body)).json()["errors"][0]
-    assert error["params"]["limit"] == 12
-    first = await api.post(PATH, json=body | {"geometry": "first_order"})
-    assert first.status_code == 200
 
 
 async def test_a_pin_that_is_lost_in_a_valley(api):

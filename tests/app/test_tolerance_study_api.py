@@ -12,11 +12,9 @@ import plotly.graph_objects as go
 import pytest
 from pydantic import ValidationError
 
-from app.calculations.real_design import TIMES_AS_LONG
 from app.calculations.tolerance_study import (
     BACKLASH_SOLVES,
     POSITIONS_PER_SECOND,
-    SHARED_PER_SECOND,
     ToleranceStudyRequest,
 )
 from app.endpoint import read_body
@@ -397,15 +395,6 @@ def test_work_is_bounded_by_samples_pairs_and_positions():
     fits = body | {"mechanism": {"pins": limit["limit"], "ratio": 20}}
     fits |= {"samples": 20, "percentiles": []}
     ToleranceStudyRequest.model_validate(fits).refuse_beyond(Settings())
-
-
-def test_given_shares_whose_loops_are_interpreted_have_smaller_studies():
-    shares = {"satellite_coupling": {"kind": "shares", "shares": [0.5, 0.5]}}
-    body = CHECKED | shares | {"samples": 100_000, "percentiles": [50]}
-    most = SHARED_PER_SECOND * 10 // (12 * 60 * TIMES_AS_LONG)
-    for quantities in ({}, {"quantities": ["backlash_max_arcmin"], "limits": {}}):
-        found = refusal(body | quantities, 10)
-        assert found == ("samples", "service_limit", {"limit": most})
 
 
 def test_the_usual_study_is_answered():

@@ -55,15 +55,18 @@ INVOLUTE = replace(
     ring_addendum=0.55,
     rack_tip_radius=0.3,
     contact_length=0.018,
+    satellite_material=LASTING,
     ring_material=LASTING,
     root_strength=800e6,
     face_load_factor=1.1,
+    friction_coefficient=0.06,
 )
 """Teeth whose shifts and heights are known."""
 ALL = having(
     WHOLE,
     gear=INVOLUTE,
     max_ring_backlash=1.0,
+    min_ring_efficiency=0.5,
     outer_radius=0.08,
     root_radius=0.072,
     bore_radius=0.02,
@@ -478,7 +481,6 @@ DESIGNS |= {
             INVOLUTE,
             module=0.001,
             ring_profile_shift=0.9,
-            satellite_material=LASTING,
             cutter_teeth=18,
             cutter_profile_shift=0.05,
         ),

@@ -223,6 +223,7 @@ def test_teeth_press_beyond_the_eccentricity_at_which_they_fill_their_spaces() -
         check = check_of("ring_pressed", of(replace(FORTY, e=e)))
         assert check.status == status and check.torque_reserve is None
         assert ((check.value or 0) > 0) == (status == "fail")
+    assert check_of("ring_backlash", of(replace(FORTY, e=free + 1e-3))).value == 0.0
 
 
 B1 = having(
@@ -319,6 +320,13 @@ def test_satellites_carry_on_their_teeth_what_their_pins_do() -> None:
     found = check_of("ring_pressure_pin", loose)
     assert found.value == pytest.approx(one * math.sqrt(most / 150.0), rel=1e-9)
     assert most > 1.02 * 75.0
+    more = having(loose, application_factor=2.0)
+    most = abs(results.made(300.0).couple).max()
+    there = check_of("ring_pressure_pin", more).value
+    assert there == pytest.approx(one * math.sqrt(most / 150.0), rel=1e-9)
+    back = check_of("ring_pressure_pin", having(loose, torque_direction="reverse")).value
+    both = check_of("ring_pressure_pin", having(loose, torque_direction="alternating")).value
+    assert both == max(found.value or 0.0, back or 0.0)
 
 
 def test_what_slides_on_the_flanks_lowers_the_efficiency() -> None:
@@ -332,6 +340,9 @@ def test_what_slides_on_the_flanks_lowers_the_efficiency() -> None:
     middle = (float(own["start_roll"]) + float(own["end_roll"])) / 2
     lost = 0.06 * (math.tan(float(own["angle"])) - middle)
     assert 1 / both == pytest.approx(1 / alone + lost, rel=1e-9)
+    rubbing = having(geared(design, friction_coefficient=0.06), min_ring_efficiency=0.95)
+    teeth = check_of("ring_efficiency", rubbing)
+    assert teeth.value == pytest.approx(1 / (1 + lost), rel=1e-9) and teeth.status == "fail"
     unknown = geared(design, friction_coefficient=0.06, ring_profile_shift=None)
     assert check_of("efficiency", unknown).reason == "teeth_not_judged"
 

@@ -15,7 +15,7 @@ from core.output.contact_law import PinSupport
 from core.output.mechanism import Mechanism
 from core.output.over_turn import OverTurn, over_turn
 from core.output.real_mechanism import RealMechanism
-from core.output.satellite_support import CrankSupport, ElasticMesh
+from core.output.satellite_support import CrankSupport, ElasticMesh, Shares
 from core.output.sharing_kernel import FORCE
 from core.output.turn import Turn
 from core.tolerance.draws import Spread
@@ -81,7 +81,7 @@ def test_both_give_the_same_bits(law, support, exact):
     same_bits(pair_of_discs(law=law, pin=pin, exact=exact))
 
 
-@pytest.mark.parametrize("support", [CrankSupport(1e8, 1e-5), ElasticMesh(1e4)])
+@pytest.mark.parametrize("support", [CrankSupport(1e8, 1e-5), ElasticMesh(1e4), Shares((0.6, 0.4))])
 @pytest.mark.parametrize("law", LAWS, ids=lambda law: f"{type(law).__name__}")
 def test_both_give_the_same_bits_of_satellites_that_give(law, support):
     same_bits(pair_of_discs(law=law, support=support, exact=False))

@@ -13,6 +13,7 @@ import pytest
 
 from core.errors import InvalidInput
 from core.output.compiled import PLAIN, in_place_of
+from core.output.contact_law import ContactLaw, HertzLaw, LinearLaw, PowerLaw
 from core.output.fit import Fit
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import Deviations
@@ -331,6 +332,41 @@ def test_a_backlash_alone_is_not_solved_for_forces(monkeypatch: pytest.MonkeyPat
     assert np.isfinite(study.values(study.pieces())[0]).all()
     with pytest.raises(AssertionError):
         replace(study, asked=ASKED).values(study.pieces())
+
+
+LAWS = [LinearLaw(1e8), PowerLaw(10 / 9, 1000.0, 1e-5), PowerLaw(0.5, 1000.0, 1e-5), HertzLaw()]
+
+
+@pytest.mark.parametrize("exact", [True, False])
+@pytest.mark.parametrize("law", LAWS, ids=lambda law: f"{type(law).__name__}")
+def test_a_study_finds_what_a_position_is_solved_for(law: ContactLaw, exact: bool) -> None:
+    """Its last step of Newton is one along the tangents, of pieces that press as of free ones."""
+    real = design(law=law, exact=exact, pin_material=STEEL, hole_material=STEEL)
+    for clearance in (2e-5, -5e-6):
+        study = Study(replace(real, clearance=clearance), LOOSE, ASKED, samples=6)
+        for i in range(study.samples):
+            piece = study.piece(study.pieces(), i)
+            room, other = piece.room(), piece.room()
+            given = 0.7 * i, 30.0, piece.setup(1.0), piece.pairs
+            found, closer = PLAIN.close_by(*given, room), PLAIN.solve(*given, other)
+            assert (found.status, found.low, found.high) == closer[-2:-1] + closer[2:4]
+            assert found.steps <= closer.steps
+            assert found.lag == pytest.approx(closer.lag, rel=1e-13)
+            assert found.stiffness == pytest.approx(closer.stiffness, rel=1e-7)
+            assert room.force == pytest.approx(other.force, rel=0, abs=1e-13 * max(other.force))
+
+
+def test_blocks_are_larger_where_pieces_are_quick() -> None:
+    """As many pieces in all, however they are split."""
+    few, many = design(), design(mechanism=Mechanism.evenly_spaced(pins=24, satellites=3, ratio=18))
+    alone = replace(Study(few, LOOSE, ASKED), threads=1)
+    assert alone.block(10**6) == 1024 and alone.block(1000) == 250 and alone.block(8) == 64
+    assert 64 <= replace(alone, real=many).block(10**6) < 1024
+    quick = replace(alone, samples=300)
+    split = replace(quick, threads=4)
+    assert len({study.block(300) for study in (quick, split)}) == 2
+    one, other = (study.values(study.pieces())[0] for study in (quick, split))
+    assert one.tobytes() == other.tobytes()
 
 
 def test_what_each_tolerance_does_to_the_fit() -> None:

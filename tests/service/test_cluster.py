@@ -1,11 +1,7 @@
 """Studies on a Dask cluster: scheduler and workers on loopback, as an operator starts them."""
 
 import json
-import os
-import re
 import signal
-import subprocess
-import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
@@ -20,6 +16,7 @@ from core.output.mechanism import Mechanism
 from core.output.real_mechanism import RealMechanism
 from core.tolerance.study import Evaluation, Study
 from core.tolerance.tolerances import Tolerances
+from tests.running_cluster import Cluster
 from tests.running_service import eventually, running_service
 
 pytestmark = pytest.mark.slow
@@ -54,46 +51,6 @@ BODY: dict[str, Any] = {
 }
 
 STREAM = {"accept": "application/x-ndjson"}
-
-
-class Cluster:
-    """A scheduler and its workers, each a process."""
-
-    def __init__(self) -> None:
-        self.processes: list[subprocess.Popen[str]] = []
-        self.scheduler = self._started("scheduler", "--port", "0", "--host", "127.0.0.1")
-        self.address = self._said(self.scheduler, r"Scheduler at:\s+(tcp://\S+)")
-        self.workers = [
-            self._started("worker", self.address, "--nthreads", "1", "--no-nanny") for _ in range(2)
-        ]
-        for worker in self.workers:
-            self._said(worker, r"Registered to:\s+(\S+)")
-
-    def _started(self, kind: str, *arguments: str) -> subprocess.Popen[str]:
-        found = subprocess.Popen(
-            [sys.executable, "-m", f"distributed.cli.dask_{kind}", *arguments, "--no-dashboard"],
-            env=os.environ | {"PYTHONPATH": "."},
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            text=True,
-        )
-        self.processes.append(found)
-        return found
-
-    @staticmethod
-    def _said(process: subprocess.Popen[str], pattern: str) -> str:
-        assert process.stdout is not None
-        lines = []
-        for line in process.stdout:
-            lines.append(line)
-            if found := re.search(pattern, line):
-                return found[1]
-        raise AssertionError("".join(lines))
-
-    def stop(self) -> None:
-        for process in self.processes:
-            process.kill()
-            process.communicate()
 
 
 @pytest.fixture

@@ -1,0 +1,167 @@
+"""Studies on all cores of a machine and on a Dask cluster of this machine, in one run.
+
+Times of the wall, since cores are what is asked about, and of the processor, of all processes that
+take part. Two threads stand beside two processes that know nothing of each other; workers of the
+cluster beside threads; small requests and `/livez` beside two studies that the service calculates.
+"""
+
+import os
+import statistics
+import threading
+import time
+from collections.abc import Callable
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import replace
+from multiprocessing import get_context
+
+import httpx
+import numpy as np
+
+from app.cluster import on_cluster
+from benchmarks.options import options
+from benchmarks.sharing import study_of
+from core.output import compiled
+from core.tolerance.study import Study
+from tests.running_cluster import Cluster
+from tests.running_service import running_service
+
+POSITIONS = 60
+BODY = {
+    "mechanism": {"pins": 6, "satellites": 2, "ratio": 20},
+    "load": {"output_torque_Nm": 200, "pin_circle_radius_mm": 40},
+    "contact": {
+        "contact_length_mm": 12,
+        "pin_radius_mm": 5,
+        "eccentricity_mm": 2,
+        "hole_clearance_mm": 0.02,
+    },
+    "tolerances": {"pin_position_mm": 0.01, "hole_position_mm": 0.02},
+}
+SMALL = {
+    "mechanism": {"pins": 6, "satellites": 2, "ratio": 20},
+    "load": {"output_torque_Nm": 200, "pin_circle_radius_mm": 40},
+}
+
+
+def _study(samples: int, threads: int = 1) -> Study:
+    return study_of("10/9", samples, threads=threads)
+
+
+def _calculated(first: int, last: int) -> float:
+    """Pieces in a process of its own: seconds of the wall."""
+    compiled.load()
+    study = _study(last)
+    begun = time.perf_counter()
+    study.values(study.pieces().part(first, last))
+    return time.perf_counter() - begun
+
+
+def _wall(call: Callable[[], object]) -> float:
+    begun = time.perf_counter()
+    call()
+    return time.perf_counter() - begun
+
+
+def _processor(pids: list[int]) -> float:
+    """Seconds of the processor that processes have taken."""
+    tick, taken = os.sysconf("SC_CLK_TCK"), 0.0
+    for pid in pids:
+        with open(f"/proc/{pid}/stat") as stat:
+            fields = stat.read().rsplit(")", 1)[1].split()
+        taken += (int(fields[11]) + int(fields[12])) / tick
+    return taken
+
+
+def _cores(samples: int, rounds: int) -> None:
+    """Two threads beside two processes."""
+    study = _study(samples)
+    pieces, gains, apart = study.pieces(), [], []
+    half = samples // 2
+    with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as pool:
+        list(pool.map(_calculated, (0, 0), (64, 64)))
+        for _ in range(rounds):
+            one = _wall(lambda: study.values(pieces))
+            two = _wall(lambda: replace(study, threads=2).values(pieces))
+            both = max(pool.map(_calculated, (0, half), (half, samples)))
+            gains.append(one / two)
+            apart.append(one / both)
+    two, both = statistics.median(gains), statistics.median(apart)
+    print(f"two threads {two:.2f} times one, two processes {both:.2f}: {two / both:.2f} of that")
+
+
+def _cluster(samples: int) -> None:
+    """Workers beside a thread here: the same bits, times of the wall and of the processor."""
+    study = _study(samples)
+    pieces = study.pieces()
+    begun = time.process_time()
+    wall = _wall(lambda: study.values(pieces))
+    taken, here = time.process_time() - begun, study.values(pieces)[0]
+    solves = samples * POSITIONS
+    print(f"{solves:.1e} positions: {wall:.1f} s here, {solves / wall:.3g} a second")
+    for workers in (1, 2):
+        cluster = Cluster(workers)
+        try:
+            there = replace(study, mapped=on_cluster(cluster.address, None, lambda: None))
+            there.values(there.pieces().part(0, 64))
+            pids = [each.pid for each in cluster.processes] + [os.getpid()]
+            before = _processor(pids)
+            found: list[np.ndarray] = []
+            on = _wall(lambda there=there, found=found: found.append(there.values(pieces)[0]))
+            more = (_processor(pids) - before) / taken - 1
+            assert found[0].tobytes() == here.tobytes()
+        finally:
+            cluster.stop()
+        print(
+            f"workers {workers}: {wall / on:.2f} times as quick as here, "
+            f"{more:+.0%} of the processor, the same bits"
+        )
+
+
+def _beside(samples: int, seconds: float) -> None:
+    """A small request and `/livez`, alone and beside two studies that the service calculates."""
+    body = BODY | {"samples": samples}
+    with running_service(processes=2) as service:
+        url, done = service.url, threading.Event()
+
+        def study() -> None:
+            with httpx.Client(trust_env=False, timeout=600) as client:
+                while not done.is_set():
+                    client.post(f"{url}/api/v1/tolerance-study", json=body).raise_for_status()
+
+        def asked(client: httpx.Client) -> tuple[float, float]:
+            small, live = [], []
+            post, end = f"{url}/api/v1/contact-force", time.perf_counter() + seconds
+            while time.perf_counter() < end:
+                small.append(_wall(lambda: client.post(post, json=SMALL).raise_for_status()))
+                live.append(_wall(lambda: client.get(f"{url}/livez").raise_for_status()))
+            return tuple(  # type: ignore[return-value]
+                1e3 * float(np.percentile(times, part)) for times, part in ((small, 95), (live, 99))
+            )
+
+        with httpx.Client(trust_env=False, timeout=60) as client:
+            alone = asked(client)
+            threads = [threading.Thread(target=study) for _ in range(2)]
+            for thread in threads:
+                thread.start()
+            time.sleep(min(seconds, 1.0))
+            busy = asked(client)
+            done.set()
+            for thread in threads:
+                thread.join()
+    print(
+        f"a small request, p95: {alone[0]:.1f} ms alone, {busy[0]:.1f} ms beside two studies; "
+        f"/livez, p99: {alone[1]:.1f} and {busy[1]:.1f} ms"
+    )
+
+
+def main(smallest: bool) -> None:
+    """Print what each takes."""
+    compiled.load()
+    _study(64).values(_study(64).pieces())
+    _cores(256 if smallest else 65_536, 1 if smallest else 5)
+    _cluster(4096 if smallest else 166_667)
+    _beside(300 if smallest else 50_000, 0.3 if smallest else 15.0)
+
+
+if __name__ == "__main__":
+    main(options(__doc__).smallest)
