@@ -605,6 +605,16 @@ _LIMITS = {
         why="From half that radius on, the nearest point of the path is hardly the only one.",
         mend="Make the modification smaller, or the shortening coefficient.",
     ),
+    "both_meshes": _limit(
+        "The mesh with the ring and that with the pins are in series: each disc finds its place "
+        "between both, and forces, play and stiffness are those of both. Clearance and elasticity "
+        "of the bearings on the cranks are not in them.",
+        title="Both meshes in series",
+        tests="Whether both meshes are solved together.",
+        why="A disc turns in its ring until the pins take as much of it as the teeth give: neither "
+        "mesh holds the other's half of it still.",
+        mend="State another coupling of the satellites to see either mesh by itself.",
+    ),
     "unusual_shortening": _limit(
         "The shortening coefficient of the discs is {shortening:.3g}: most drives have 0.35 to "
         "0.9.",

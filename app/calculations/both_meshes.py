@@ -18,6 +18,7 @@ from app.settings import Settings
 from app.units import from_si, to_si
 from core.errors import InvalidInput
 from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.satellite_support import ElasticMesh, RingInSeries, Shares
 from core.ring.series import MeshesInSeries, SeriesPosition
 from core.ring.sharing import CycloidMesh, RingDeviations
 
@@ -69,6 +70,14 @@ class SeriesCouplingFields(SatelliteCouplingFields, group="satellite_coupling"):
     """Rigid: all turn as one; elastic: each gives in its mesh with the ring; shares: each carries a
     given share; ring: each finds its place between the ring of `gear` and the pins, so that both
     meshes are in series."""
+
+
+class DesignCouplingFields(SeriesCouplingFields, group="satellite_coupling"):
+    """How the satellites of a design share the torque."""
+
+    def section(self, _: Any = None) -> ElasticMesh | Shares | RingInSeries | None:  # type: ignore[override]
+        """The coupling in SI units; none where it is rigid."""
+        return RingInSeries() if self.kind == "ring" else super().section()
 
 
 class SeriesFields(RealDesignFields):

@@ -8,6 +8,7 @@ from typing import Any, Literal, Self, get_args
 import numpy as np
 from pydantic import Field, model_validator
 
+from app.calculations.both_meshes import DesignCouplingFields, RingTurnOut
 from app.calculations.checks import (
     FixesFor,
     ScopedRequirementsFields,
@@ -112,7 +113,6 @@ from core.design.results import MOST_BEARING_PAIRS, MOST_PIN_PAIRS, Results
 from core.errors import CalculationError
 from core.fixes.fix import Fix
 from core.output.contact_force import ContactForce, ForceCurves, PairNumber, drawing_angles
-from core.output.loaded_position import loaded_position
 from core.output.mechanism import Mechanism
 from core.output.pin_geometry import (
     PinGeometry,
@@ -120,9 +120,12 @@ from core.output.pin_geometry import (
     pin_geometry,
 )
 from core.output.real_cyclogram import RealCyclogram, carried_forces, real_cyclogram
+from core.output.satellite_support import RingInSeries
 from core.output.turn import Turn
 from core.results import Notice
 from core.ring.mesh_curves import MeshCurves
+from core.ring.series_turn import SeriesOverTurn
+from core.ring.sharing import MeshTurn
 from core.worked.crank import bearing_steps, shaft_steps
 from core.worked.hertz import judged_steps
 from core.worked.losses import loss_steps
@@ -236,15 +239,26 @@ MOST_PAIRS: dict[Section, int] = {
 """Most pairs of which they are calculated."""
 
 
+class _UsualCoupling:
+    """That of a design of which none is stated: both meshes in series, where they are known."""
+
+    def section(self, _: Any = None) -> RingInSeries:
+        """The coupling in SI units."""
+        return RingInSeries(stated=False)
+
+
 class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     """Mechanism, load and contact, and which sections of the answer are wanted.
 
     The forces that are judged are those of `DesignFields`, but for perfect parts whose pins bend:
     these are solved too, with no clearance, unless `distribution_factor` above 1 states how uneven
-    the sharing is.
+    the sharing is. Of cycloid discs whose modification is known, as is the clearance of the pins,
+    both meshes are solved in series, where neither `satellite_coupling` nor `crank_support` says
+    otherwise.
     """
 
     mechanism: CyclogramFields
+    satellite_coupling: Maybe[DesignCouplingFields] = None
     fatigue: Maybe[PinFatigueFields] = None
     friction: Maybe[FrictionFields] = None
     gear: Maybe[RingFields] = None
@@ -277,6 +291,17 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
             for part in self._needs(section):
                 if not self._has(part):
                     raise field_error(part, "needed_for", section=section)
+        return self
+
+    @model_validator(mode="after")
+    def _ring_in_series(self) -> Self:
+        coupling = self.satellite_coupling
+        if coupling is None or coupling.kind != "ring":
+            return self
+        if self.gear is None:
+            raise field_error("gear", "needed_beside", field="satellite_coupling")
+        if self.gear.kind != "cycloid":
+            raise field_error("gear/kind", "outside_method")
         return self
 
     def _needs(self, section: Section) -> tuple[str, ...]:
@@ -330,7 +355,8 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         cranked = self.bearing is not None or self.crankshaft is not None
         searches = self.pin is not None or (cranked and self.gear is not None)
         lost_motion = self.requirements.max_lost_motion_arcmin is not None
-        solves = self.as_made or "load_sharing" in include or lost_motion
+        in_series = self.gear is not None and self.gear.modification is not None
+        solves = self.as_made or in_series or "load_sharing" in include or lost_motion
         loaded = self.load is not None and self.contact is not None
         if SEARCHED & {*include} or (loaded and (searches or solves)):
             return math.inf
@@ -404,12 +430,17 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         return Results(self.design)
 
     def parts(self) -> dict[str, Any]:
-        """Without pins where there is no contact: nothing loads them."""
-        return {
+        """Without pins where there is no contact: nothing loads them. Both meshes are in series
+        where nothing else is stated of the satellites.
+        """
+        given = {
             name: part
             for name, part in super().parts().items()
             if name != "pin" or self.contact is not None
         }
+        if "gear" in given and "crank_support" not in given:
+            given.setdefault("satellite_coupling", _UsualCoupling())
+        return given
 
     @cached_property
     def verdict(self) -> Verdict:
@@ -545,7 +576,14 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         if self.load is not None and self.load.curve_samples:
             curves, _ = run(self, partial(self.real_curves, self.load.samples_of(self.built)))
         drawn = curves and ForceCurvesOut.values(curves)
-        values = LoadSharingOut.values(sharing, run_us, judged_force_N=force_N, curves=drawn)
+        ring = sharing.turn.ring if isinstance(sharing.turn, SeriesOverTurn) else None
+        values = LoadSharingOut.values(
+            sharing,
+            run_us,
+            judged_force_N=force_N,
+            curves=drawn,
+            ring=ring and RingTurnOut.values(ring),
+        )
         return at_output(values, self.design.members)
 
     def solve_pair(self) -> Solved:
@@ -590,9 +628,15 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         solved.take(turn.accuracy, turn.notices)
         return solved
 
+    @property
+    def drawn_ring(self) -> MeshTurn:
+        """The mesh of the ring by itself, which drawing and figure show."""
+        turn = self.results.ring_working[0]
+        return MeshTurn(turn.turn) if self.results.in_series else turn
+
     def solve_ring_drawing(self) -> Values | None:
         """Discs and ring as they are drawn, and what they do under the same torque."""
-        turn = self.results.ring_working[0]
+        turn = self.drawn_ring
         if turn.mesh.disc.pins * self.mechanism.satellites > MAX_DRAWN_PAIRS:
             return None
         drawn = drawn_mesh(design=self.design, mesh=turn.mesh, chord_error=DRAWN_ERROR)
@@ -600,7 +644,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
 
     def solve_ring_figure(self) -> ShownMesh:
         """What the figure of the mesh shows."""
-        turn, own = self.results.ring_working[0], self.mechanism
+        turn, own = self.drawn_ring, self.mechanism
         if turn.mesh.disc.pins * own.satellites > MAX_DRAWN_PAIRS:
             name = "ratio" if own.ring_teeth is None else "ring_teeth"
             limit = {"limit": MAX_DRAWN_PAIRS // own.satellites, "satellites": own.satellites}
@@ -621,10 +665,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         if not self.results.solved:
             forces = self.load.forces_at(self.design.driven, self.design.members, crank_angle)
         else:
-            solved = self.results.real_forces
-            torque = solved.way * solved.torque
-            found = loaded_position(real=solved.real, crank_angle=crank_angle, output_torque=torque)
-            forces = np.array(found.force)
+            forces = np.array(self.results.forces_at(crank_angle))
         return geometry, forces
 
 
@@ -704,6 +745,8 @@ def solve(body: CrankPlanetaryRequest) -> Values:
     notices = (() if sizes is None else sizes.notices) + (
         () if body.contact is None else body.contact.material_notices()
     )
+    if run(body, lambda: body.results.in_series)[0]:
+        notices += (Notice("both_meshes"),)
     if (disc := run(body, body.solve_disc)[0]) is not None:
         notices += (disc,)
     if "pin_strength" not in asked:  # which tells it itself

@@ -311,6 +311,8 @@ class Measure(NamedTuple):
         Whether that is rough.
     used : callable, optional
         How much of a limit is used, where that is not their ratio.
+    reason : str, optional
+        What else it is of than the check says.
     """
 
     value: float
@@ -319,6 +321,7 @@ class Measure(NamedTuple):
     reserve: Callable[[float], float] | None = None
     rough: bool = False
     used: Callable[[float], float] | None = None
+    reason: str | None = None
 
 
 def _asked(kind: Kind, found: Check | Measure, limit: float | None) -> Check:
@@ -337,6 +340,7 @@ def _asked(kind: Kind, found: Check | Measure, limit: float | None) -> Check:
             at=found.at,
             rough=found.rough,
         )
+        check = check._replace(reason=found.reason or check.reason)
         return check._replace(utilisation=found.used(limit)) if found.used else check
     missing = (f"requirements.{kind.asks}",)
     return Check(kind, "not_asked", value=found.value, reason="no_limit", missing=missing)

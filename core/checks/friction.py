@@ -3,7 +3,7 @@
 from functools import partial
 
 from core.checks.check import Check, Measure, design_check
-from core.checks.inputs import FORCES, INVOLUTE_TEETH, LIFE, RING_SHARING, SPEEDS
+from core.checks.inputs import FORCES, INVOLUTE_TEETH, LIFE, SPEEDS
 from core.design.document import Design
 from core.design.results import Results
 from core.errors import NotKnown
@@ -20,8 +20,8 @@ _check = partial(design_check, group="friction", part="losses", needs=("touching
         dict.fromkeys(
             (
                 *FORCES,
+                "gear.modification.rotation",
                 *SPEEDS,
-                *RING_SHARING,
                 *INVOLUTE_TEETH,
                 "gear.friction_coefficient",
                 "gear.rolling",

@@ -40,8 +40,53 @@ SHARING = (
 )
 """Of pins and holes as they are made: how satellites and pins share the load."""
 
-FORCES = (*FORCE, *SHARING)
-"""Of the forces on pins."""
+PIN_FORCES = (*FORCE, *SHARING)
+"""Of the forces on pins by themselves."""
+
+RING_PINS = (
+    "gear.kind",
+    "gear.ring_pin_circle_radius",
+    "gear.teeth_difference",
+    "gear.modification.equidistant",
+    "gear.modification.pin_circle",
+    "mechanism.ratio",
+    "mechanism.satellites",
+    "mechanism.crank_spacing",
+    "mechanism.crank_angles",
+    "contact.eccentricity",
+    "deviations",
+)
+"""Of the gaps between cycloid discs and the pins of their ring, but for what takes the same part of
+the lag at each.
+"""
+
+RING_GAPS = (*RING_PINS, "gear.modification.rotation")
+"""Of these gaps."""
+
+OF_BENT_PINS = ("gear.span", "gear.satellite_positions", "gear.sleeve_bore_radius")
+"""Of how pins of the ring bend."""
+
+RING_CARRIES = (
+    *RING_PINS,
+    "gear.ring_pin_radius",
+    "gear.contact_length",
+    "gear.contact_law",
+    "gear.pin_material",
+    "gear.disc_material",
+    "gear.pin_support",
+    *OF_BENT_PINS,
+    "gear.seat_stiffness",
+    "contact.contact_length",
+    "contact.hole_material",
+    "satellite_coupling",
+)
+"""Of how these pins share a torque, but for flanks that are turned, all alike."""
+
+RING_GIVES = (*RING_CARRIES, "gear.modification.rotation")
+"""Of how these pins share a torque."""
+
+FORCES = tuple(dict.fromkeys((*PIN_FORCES, *RING_CARRIES)))
+"""Of the forces on pins: of discs in series with their ring, of how that shares the torque, too."""
 
 LOADED = (*FORCES, "contact.dynamic_factor", "load.application_factor")
 """The same, with the factor on stresses and pressures."""
@@ -76,54 +121,26 @@ RING = (
 )
 """Of the ring's force on a satellite."""
 
-RING_PINS = (
-    "gear.kind",
-    "gear.ring_pin_circle_radius",
-    "gear.teeth_difference",
-    "gear.modification.equidistant",
-    "gear.modification.pin_circle",
-    "mechanism.ratio",
-    "mechanism.satellites",
-    "mechanism.crank_spacing",
-    "mechanism.crank_angles",
-    "contact.eccentricity",
-    "deviations",
-)
-"""Of the gaps between cycloid discs and the pins of their ring, but for what takes the same part of
-the lag at each.
-"""
-
-RING_GAPS = (*RING_PINS, "gear.modification.rotation")
-"""Of these gaps."""
-
-OF_BENT_PINS = ("gear.span", "gear.satellite_positions", "gear.sleeve_bore_radius")
-"""Of how pins of the ring bend."""
-
-RING_GIVES = (
-    *RING_GAPS,
-    "gear.ring_pin_radius",
-    "gear.contact_length",
-    "gear.contact_law",
-    "gear.pin_material",
-    "gear.disc_material",
-    "gear.pin_support",
-    *OF_BENT_PINS,
-    "gear.seat_stiffness",
-    "contact.contact_length",
-    "contact.hole_material",
-    "satellite_coupling",
-)
-"""Of how these pins share a torque."""
-
 RING_SHARING = (*RING_GIVES, "load.output_torque")
 """Of the forces on them."""
 
 UNEVEN = ("contact.distribution_factor", "contact.distribution_of")
 """Of a share that is stated."""
 
+RING_FORCES = tuple(
+    dict.fromkeys(
+        (
+            *RING_SHARING,
+            *(each for each in FORCE if each != "load.force_exponent"),
+            *SHARING,
+        )
+    )
+)
+"""Of these in series with the pins of the output, too."""
+
 RING_LOADED = (
-    *RING_SHARING,
-    *UNEVEN,
+    *RING_FORCES,
+    "contact.distribution_of",
     "contact.dynamic_factor",
     "load.application_factor",
 )
@@ -164,7 +181,11 @@ INVOLUTE_GIVES = tuple(
             *INVOLUTE_GEARS,
             "gear.contact_length",
             "gear.face_load_factor",
-            *(each for each in FORCES if each not in ("load.output_torque", "load.force_exponent")),
+            *(
+                each
+                for each in PIN_FORCES
+                if each not in ("load.output_torque", "load.force_exponent")
+            ),
             "contact.distribution_of",
         )
     )
@@ -206,7 +227,7 @@ TEETH_GIVE = tuple(
 TEETH_LOADED = (*TEETH_GIVE, *ON_STRESSES)
 """Of the pressure between them."""
 
-OF_DISCS = (*FORCES, "contact.distribution_of", *RING)
+OF_DISCS = tuple(dict.fromkeys((*FORCES, "contact.distribution_of", *RING)))
 """Of the loads of satellites on the crank."""
 
 BEARING_LOAD = (*OF_DISCS, "bearing.kind", "crankshaft.satellite_mass")

@@ -57,7 +57,7 @@ def crank_verdict(results: Results, *, every: bool = False) -> Verdict:
         check.rough and check.torque_reserve for check in found.checks
     ):
         return found
-    return _Torques(design, found).judged(every=every)
+    return _Torques(design, found).judged(every=every, guess=_guess(results))
 
 
 def two_ways(results: Results) -> bool:
@@ -210,11 +210,23 @@ class _Torques:
                 holds = max(holds, math.exp(x))
         return holds, False
 
-    def judged(self, *, every: bool) -> Verdict:
-        """The verdict with what is seen under other torques."""
+    def guessed(self) -> float:
+        """About the factor at which the first check fails."""
+        holds, settled = self.largest(self.look(MARGIN))
+        return math.exp(self.first()) if settled else holds
+
+    def judged(self, *, every: bool, guess: float | None = None) -> Verdict:
+        """The verdict with what is seen under other torques; by a guess one of them, near which the
+        first check fails, and no other.
+        """
         left = self.look(MARGIN)
         at_margin = {code: looks[1][1] for code, looks in self.looks.items() if looks[1:]}
-        limit, settled = self.largest(left)
+        if guess is None:
+            limit, settled = self.largest(left)
+        else:
+            settled = False
+            known = guess > 0 and self.look(guess) is not None and math.isfinite(self.first())
+            limit = math.exp(self.first()) if known else 0.0
         if settled and every:
             self.look_further()
         checks = []
@@ -230,6 +242,16 @@ class _Torques:
         if settled or found.torque_reserve is None:
             return found
         return replace(found, torque_reserve=limit, largest_torque_estimated=True)
+
+
+def _guess(results: Results) -> float | None:
+    """Factor on the torque at which the first check fails of a design in series, about: by each
+    mesh with satellites that turn as one, which takes a part of the time. None of other designs.
+    """
+    if not results.in_series:
+        return None
+    apart = changed(results.design, {"satellite_coupling": None})
+    return _Torques(apart, crank_checks(Results(apart))).guessed()
 
 
 def _under_margin(check: Check, holds: bool) -> Check:

@@ -12,6 +12,7 @@ from core.checks.inputs import (
     INVOLUTE_TEETH,
     LIFE,
     OF_BENT_PINS,
+    RING_FORCES,
     RING_LOADED,
     RING_SHARING,
     SPEEDS,
@@ -376,7 +377,7 @@ def ring_seat_pressure(design: Design, results: Results) -> Check | Measure:
     formula="η ≥ η_min",
     why="Below it more is lost in the teeth than is asked.",
     inputs=(
-        *dict.fromkeys((*RING_SHARING, *INVOLUTE_TEETH)),
+        *dict.fromkeys((*RING_FORCES, *INVOLUTE_TEETH)),
         "gear.friction_coefficient",
         "gear.rolling",
         "requirements.min_ring_efficiency",
@@ -409,7 +410,7 @@ def ring_efficiency(design: Design, results: Results) -> Check | Measure:
     formula="p·v ≤ (pv)_all",
     why="Above it the sleeves on the pins of the ring get hot and wear fast.",
     inputs=(
-        *RING_SHARING,
+        *RING_FORCES,
         *SPEEDS,
         "gear.rolling",
         "requirements.max_pv",

@@ -17,7 +17,9 @@ from core.results import Notice
 
 ShareModel = Literal["real", "factor", "given"]
 
-ShareReason = Literal["pin_bending", "deviations", "crank_support", "clearance", "given"]
+ShareReason = Literal[
+    "pin_bending", "deviations", "ring_mesh", "crank_support", "clearance", "given"
+]
 
 ALIKE = 0.01
 """Part of 1/K by which shares may differ and be called alike."""
@@ -120,7 +122,7 @@ def _by_factor(results: Results) -> Sharing:
 def _by_forces(results: Results) -> Sharing | None:
     """By the forces that are solved; None where these are ideal, or all satellites alike."""
     design = results.design
-    if not results.solved or _alike(results):
+    if not results.solved or (_alike(results) and not results.in_series):
         return None
     forces, torque = results.real_forces, design.pin_torque
     assert results.made is not None  # of forces that are solved
@@ -172,6 +174,8 @@ def _reason(results: Results, shares: list[float]) -> ShareReason:
         return "deviations"
     if bends:
         return "pin_bending"
+    if results.in_series:
+        return "ring_mesh"
     return "clearance" if design.support is None else "crank_support"
 
 

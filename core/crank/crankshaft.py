@@ -296,7 +296,9 @@ def _made_reactions(
     for turn in turns:
         parts = made_parts(turn=turn, arm=arm, radial_force_ratio=rho)
         reaction = carried @ (parts.load * _cranks(turn.crank_angles)[:, None]) + still[:, None]
-        sizes = turn.error * np.abs(parts.load) + mesh.error * np.abs(rho * parts.ring)
+        sizes = turn.error * np.abs(parts.load)
+        if turn.of_ring is None:
+            sizes = sizes + mesh.error * np.abs(parts.ring.real)
         lost = (np.abs(carried) @ sizes).max(axis=1) + still_error
         for row, size in enumerate(np.abs(reaction)):
             off[row] = max(off[row], turn.missed(reaction[row]) + lost[row])

@@ -57,7 +57,8 @@ class SatelliteBearings:
 
     # Of a bearing's rings against each other, rad/s, where that of the crank is given.
     relative_speed: Number | None
-    radial_force_ratio: Number  # rho of the ring's force along the crank to that across it
+    # rho of the ring's force along the crank to that across it; its mean where that is solved.
+    radial_force_ratio: Number
     operating_pressure_angle: Number | None  # of involute teeth, rad
     peak_load: FloatArray  # largest over the turn, N, shape (..., K)
     min_load: FloatArray  # least, of a satellite that carries least, N, shape (..., K)
@@ -189,7 +190,6 @@ def satellite_bearings(
     check_positive(peak_torque=static_torque)
     check_not_negative(centrifugal=centrifugal)
     ratio = mechanism.ratio
-    rho = mesh.radial_force_ratio
     spinning = bool(np.any(centrifugal))
     if made is None:
         ideal = partial(
@@ -251,12 +251,12 @@ def satellite_bearings(
     accuracy = loads.accuracy._replace(relative_error=error + 8 * ROUNDING)
     return SatelliteBearings(
         relative_speed=relative_speed,
-        radial_force_ratio=rho,
+        radial_force_ratio=loads.ratio,
         operating_pressure_angle=mesh.operating_pressure_angle,
         peak_load=loads.most,
         min_load=others.least,
         equivalent_load=equivalent,
-        peak_ring_force=loads.ring * np.sqrt(1 + np.square(rho))[..., None],
+        peak_ring_force=loads.ring,
         basic_life=basic,
         life=life,
         static_safety_factor=safety,
@@ -316,14 +316,16 @@ def _together(life: FloatArray, others: FloatArray, weibull_slope: Number) -> Nu
 
 @dataclass(frozen=True, slots=True)
 class _Loads:
-    """Largest, least and equivalent load of each satellite, and the largest force of the ring
-    across its crank, N; the relative error of the equivalent ones.
+    """Largest, least and equivalent load of each satellite, and the largest force of the ring on
+    it, N; the ratio of that along the crank to that across it; the relative error of the
+    equivalent loads.
     """
 
     most: FloatArray
     least: FloatArray
     mean: FloatArray
     ring: FloatArray
+    ratio: Number
     mean_error: float
     accuracy: Accuracy
 
@@ -369,7 +371,8 @@ def _ideal_loads(
         most,
         0.0 - least,
         mean,
-        ring,
+        ring * np.sqrt(1 + np.square(mesh.radial_force_ratio))[..., None],
+        mesh.radial_force_ratio,
         off + truncation / exponent,
         Accuracy("segments_tanh_sinh", off + MISSED + truncation, turn.forces[0].size),
     )
@@ -381,23 +384,26 @@ def _made_loads(
     """Loads of the mechanism as it is made; of both directions the worse. What is within their
     error nothing, is 0.
     """
-    loads, rings, means, missed = [], [], [], []
+    loads, rings, means, missed, ratios = [], [], [], [], []
     for turn in turns:
         parts = made_parts(turn=turn, arm=arm, radial_force_ratio=float(mesh.radial_force_ratio))
+        off = mesh.error * max(1.0, abs(parts.ratio)) if turn.of_ring is None else 0.0
         held = parts.load - centrifugal
         load = np.abs(held)
         loads.append(load)
         rings.append(np.abs(parts.ring))
         means.append(turn.mean(load**exponent) ** (1 / exponent))
-        missed.append(turn.missed(held) / load.max() + turn.error)
-    error = max(missed) + mesh.error * max(1.0, abs(float(mesh.radial_force_ratio)))
+        missed.append(turn.missed(held) / load.max() + turn.error + off)
+        ratios.append(parts.ratio)
+    error = max(missed)
     every, ring = np.concatenate(loads, axis=1), np.concatenate(rings, axis=1).max(axis=1)
     most = every.max(axis=1)
     carrying = most > error * most.max()
     least, mean = every.min(axis=1), np.maximum.reduce(means)
     most, least, mean, ring = (np.where(carrying, each, 0.0) for each in (most, least, mean, ring))
     evaluations = sum(turn.evaluations for turn in turns)
-    return _Loads(most, least, mean, ring, error, Accuracy("sampling", error, evaluations))
+    ratio = max(ratios, key=abs)
+    return _Loads(most, least, mean, ring, ratio, error, Accuracy("sampling", error, evaluations))
 
 
 @dataclass(frozen=True, slots=True)
@@ -407,7 +413,8 @@ class MadeParts:
     # Of pins and ring, shape (K, n): along the crank towards the axis, and i times that across,
     # back against the rotation of the crank under a driving torque.
     load: ComplexArray
-    ring: FloatArray  # of the ring across the crank, shape (K, n)
+    ring: ComplexArray  # of the ring alone, likewise
+    ratio: float  # of the ring's force along the cranks to that across them; its mean where solved
 
 
 def made_parts(*, turn: SampledTurn, arm: float, radial_force_ratio: float) -> MadeParts:
@@ -421,15 +428,19 @@ def made_parts(*, turn: SampledTurn, arm: float, radial_force_ratio: float) -> M
         ``e*u``: of the ring's force about the satellite's centre, m.
     radial_force_ratio : float
         Ratio rho of the ring's force along the crank to that across it: the teeth press apart
-        whichever flank carries.
+        whichever flank carries. Of a ring whose mesh is solved it is not used.
 
     Returns
     -------
     MadeParts
     """
-    ring = turn.couple / arm
-    along = radial_force_ratio * np.abs(ring)
-    return MadeParts(turn.on_satellites + (along + 1j * ring), ring)
+    if turn.of_ring is not None:
+        along, turned = (turn.mean(each).sum() for each in (turn.of_ring.real, turn.of_ring.imag))
+        ratio = float(along / abs(turned))
+        return MadeParts(turn.on_satellites + turn.of_ring, turn.of_ring, ratio)
+    across = turn.couple / arm
+    ring = radial_force_ratio * np.abs(across) + 1j * across
+    return MadeParts(turn.on_satellites + ring, ring, radial_force_ratio)
 
 
 def _loads(

@@ -35,7 +35,13 @@ from core.output.members import Members, MemberSpeeds
 from core.output.pin_beam import check_apart
 from core.output.pin_section import MOST_BORE
 from core.output.real_mechanism import Deviations
-from core.output.satellite_support import CrankSupport, ElasticMesh, SatelliteSupport, Shares
+from core.output.satellite_support import (
+    CrankSupport,
+    ElasticMesh,
+    RingInSeries,
+    SatelliteSupport,
+    Shares,
+)
 from core.precision import AS_TYPED, SAME
 from core.ring.sharing import RingDeviations
 
@@ -88,7 +94,7 @@ class Design:
         Of this piece, where they are stated.
     crank_support, satellite_coupling : SatelliteSupport or None
         What the satellites give, where that is stated, in one way: the geometry is of first order
-        then.
+        then. Or that both meshes are in series.
 
     Raises
     ------
@@ -105,7 +111,7 @@ class Design:
     contact_law: ContactLaw | None = None
     deviations: Deviations | None = None
     crank_support: CrankSupport | None = None
-    satellite_coupling: ElasticMesh | Shares | None = None
+    satellite_coupling: ElasticMesh | Shares | RingInSeries | None = None
     pin: DesignPin = _optional("pin")  # how it is held, bends and breaks
     fatigue: FatigueBasis = _optional("fatigue")  # what that of the pins is judged by
     friction: Friction = _optional("friction")
@@ -221,8 +227,28 @@ class Design:
 
     @property
     def support(self) -> SatelliteSupport | None:
-        """What the satellites give; None where they are rigid."""
-        return self.crank_support or self.satellite_coupling
+        """What the satellites give by themselves; None where they are rigid."""
+        coupling = self.satellite_coupling
+        return self.crank_support or (None if isinstance(coupling, RingInSeries) else coupling)
+
+    @property
+    def in_series(self) -> bool:
+        """Whether both meshes are in series: that of cycloid discs with their ring, whose
+        modification is known, and that with the pins, whose clearance is; of satellites that
+        nothing else is stated of.
+        """
+        gear, contact = self.gear, self.contact
+        asked = isinstance(self.satellite_coupling, RingInSeries) and self.crank_support is None
+        if not asked or not gear or gear.kind != "cycloid" or gear.modification is None:
+            return False
+        made = self.deviations
+        deviates = made is not None and any(
+            map(any, (made.ring_pin_radial, made.ring_pin_tangential, made.ring_pin_radius))
+        )
+        if deviates and not self.satellite_coupling.stated:  # type: ignore[union-attr]
+            return False
+        known = self.touching and contact.clearance is not None and not self.clearance_unknown
+        return known and not self.tied and contact.distribution_factor == 1
 
     @property
     def bolted(self) -> bool:
@@ -241,12 +267,15 @@ class Design:
 
     @property
     def as_made(self) -> bool:
-        """Whether clearance, deviations, a law of contact or satellites that give are stated."""
+        """Whether clearance, deviations, a law of contact or satellites that give are stated, or
+        both meshes are in series.
+        """
         stated = (self.contact_law, self.output_deviations, self.support)
         clearance = (self.contact.clearance or 0.0) if self.contact else 0.0
         if self.touching and not self.clearance_unknown:
             clearance += self.roller_play
-        return clearance > 0 or any(each is not None for each in stated)
+        given = clearance > 0 or any(each is not None for each in stated)
+        return given or self.in_series
 
     @property
     def output_deviations(self) -> Deviations | None:

@@ -10,7 +10,6 @@ from core.hertz import HertzContact
 from core.output.over_turn import OverTurn
 from core.output.real_mechanism import RealMechanism
 from core.output.sampled_turn import WAYS, Direction
-from core.output.turn import Turn
 
 
 @dataclass(frozen=True)
@@ -35,13 +34,16 @@ class RealForces:
     turn: OverTurn
 
     @classmethod
-    def solved(cls, *, turn: Callable[[float], Turn], torque: float, direction: Direction) -> Self:
+    def solved(
+        cls, *, turn: Callable[[float], OverTurn], torque: float, direction: Direction
+    ) -> Self:
         """Forces of a mechanism.
 
         Parameters
         ----------
         turn : callable
-            Of the torque, N*m, negative in reverse: the mechanism under it, with materials.
+            Of the torque, N*m, negative in reverse: extremes of the mechanism under it, with
+            materials.
         torque : float
             Size of the torque, N*m, > 0.
         direction : {"driving", "reverse", "alternating"}
@@ -57,7 +59,7 @@ class RealForces:
             See `core.output.real_mechanism.RealMechanism.solved`.
         """
         ways = WAYS[direction]
-        turns = {way: OverTurn(turn(way * torque)) for way in ways}
+        turns = {way: turn(way * torque) for way in ways}
         way = max(ways, key=lambda way: turns[way].max_pressure or math.inf)
         return cls(turns[way].real, way, torque, turns[way])
 

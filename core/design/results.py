@@ -31,8 +31,10 @@ from core.output.contact_force import ContactForce, contact_force
 from core.output.contact_law import ContactLaw, contact_compliance, usual_law
 from core.output.edge_load import EdgeLoad, SlopingContacts
 from core.output.fit import Fit
+from core.output.loaded_position import loaded_position
 from core.output.losses import PinLosses, pin_losses
 from core.output.members import MemberLoads
+from core.output.over_turn import OverTurn
 from core.output.pin_bolt import Grip, grip
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
@@ -47,6 +49,10 @@ from core.ring.involute import MOST_DIFFERENCE, STANDARD_ANGLES, InvolutePair, i
 from core.ring.involute_load import InvoluteLoad, RootStress, involute_load, involute_loss
 from core.ring.involute_load import root_stress as tooth_root
 from core.ring.loss import RingLoss, ring_loss
+from core.ring.series import MeshesInSeries, series_position
+from core.ring.series_samples import sampled_in_series
+from core.ring.series_teeth import teeth_in_series
+from core.ring.series_turn import SeriesOverTurn, SeriesTurn, positions_in_series
 from core.ring.sharing import CycloidMesh, MeshTurn, mesh_over_turn
 
 Calculated = TypeVar("Calculated")
@@ -60,6 +66,9 @@ MOST_PIN_PAIRS = 500
 
 MOST_RING_PAIRS = 300
 """Most pairs of discs and pins of a ring over the turn."""
+
+MOST_IN_SERIES = 250_000
+"""Most forces of both meshes in series over their turns."""
 
 MOST_BEARING_PAIRS = 2000
 """Most pairs of which the forces on the satellites are integrated over the turn."""
@@ -94,6 +103,23 @@ class Results:
         self.solved = design.as_made or (design.bends and not equal)
         """Whether the forces that are judged are solved over the turn: those of the mechanism as it
         is made, or of perfect parts whose pins bend; else they are the ideal ones."""
+
+    @cached_property
+    def in_series(self) -> bool:
+        """Whether both meshes are solved in series: where the ring's can be, of at most
+        `MOST_IN_SERIES` forces over the turn.
+        """
+        if not self.design.in_series or (ring := if_known(lambda: self.ring_mesh)) is None:
+            return False
+        pairs = self.design.mechanism.pairs + ring.disc.pins * self.design.mechanism.satellites
+        pitches = None if not ring.pins_alike else ring.disc.satellite_teeth
+        lobes = ring.disc.satellite_teeth
+        return positions_in_series(lobes=lobes, pitches=pitches) * pairs <= MOST_IN_SERIES
+
+    @derived
+    def series(self) -> MeshesInSeries:
+        """Both meshes in series."""
+        return MeshesInSeries(self.ring_mesh, self.real)
 
     @property
     def uneven_growth(self) -> bool:
@@ -174,10 +200,16 @@ class Results:
             hole_material=design.lasting["hole"],
             pin=pin,
             deviations=design.output_deviations or Deviations(),
-            exact=design.support is None and not (bends and design.tied),
+            exact=design.support is None and not (bends and design.tied) and not self._by_flanks,
             support=design.support,
             roller_play=design.roller_play,
         )
+
+    @property
+    def _by_flanks(self) -> bool:
+        """Whether flanks of discs in series are turned, which is known in first order only."""
+        change = self.design.gear.modification if self.in_series else None
+        return change is not None and change.rotation > 0
 
     @cached_property
     def law(self) -> ContactLaw:
@@ -243,7 +275,7 @@ class Results:
             raise self.fit.refusal()
         load = self.design.load
         return RealForces.solved(
-            turn=self.turn,
+            turn=self.over_turn,
             torque=self.design.pin_torque * factor,
             direction=load.torque_direction,
         )
@@ -267,14 +299,38 @@ class Results:
     @cached_property
     def turn(self) -> Callable[[float], Turn]:
         """The mechanism as it is made over the turn, of a torque, N*m, negative in reverse."""
+        if self.in_series:
+            return cache(lambda torque: SeriesTurn(self.series, torque))
         return cache(lambda torque: Turn(self.real, torque))
+
+    @cached_property
+    def over_turn(self) -> Callable[[float], OverTurn]:
+        """Extremes of the same."""
+        return cache(lambda torque: self._over(self.turn(torque)))
+
+    def _over(self, turn: Turn) -> OverTurn:
+        return SeriesOverTurn(turn) if isinstance(turn, SeriesTurn) else OverTurn(turn)
+
+    def forces_at(self, crank_angle: float) -> tuple[tuple[float, ...], ...]:
+        """Forces on the pins that are solved, N, K x N, at a crank angle, rad, under the torque in
+        the direction of the larger pressure.
+        """
+        solved = self.real_forces
+        given = {"crank_angle": crank_angle, "output_torque": solved.way * solved.torque}
+        if self.in_series:
+            return series_position(real=self.series, **given).force
+        return loaded_position(real=solved.real, **given).force
 
     @derived
     def made(self) -> Made | None:
         """The forces on pins and satellites that are solved over the turn, of a torque likewise;
         None where the ideal ones are judged.
         """
-        return cache(lambda torque: sampled(self.turn(torque))) if self.solved else None
+        if not self.solved:
+            return None
+        if self.in_series:
+            return cache(lambda torque: sampled_in_series(self.turn(torque)))  # type: ignore[arg-type]
+        return cache(lambda torque: sampled(self.turn(torque)))
 
     @cached_property
     def compliance(self) -> Callable[[Number], Number]:
@@ -832,12 +888,22 @@ class Results:
 
     @cached_property
     def ring_turn(self) -> Callable[[float], MeshTurn]:
-        """These over the turn, of a torque on the pins, N*m, negative in reverse."""
+        """These over the turn, of a torque on the pins, N*m, negative in reverse; where both meshes
+        are in series, the forces of that.
+        """
 
         def turn(torque: float) -> MeshTurn:
+            if self.in_series:
+                return self._of_ring(lambda: self._teeth_in_series(torque))
             return self._of_ring(lambda: mesh_over_turn(mesh=self.ring_mesh, output_torque=torque))
 
         return cache(turn)
+
+    def _teeth_in_series(self, torque: float) -> MeshTurn:
+        over = self.over_turn(torque)
+        assert isinstance(over, SeriesOverTurn)
+        assert over.turn.coarse  # refuses what cannot be
+        return teeth_in_series(series=over)
 
     def ring_turns(self, torque: float) -> list[MeshTurn]:
         """The same in each direction of the torque, N*m, that of the larger pressure first."""

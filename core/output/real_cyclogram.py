@@ -93,14 +93,14 @@ def real_cyclogram(*, turn: Turn, revolutions: float = 1.0) -> RealCyclogram:
             index // mechanism.pins + 1,
             index % mechanism.pins + 1,
             _intervals(ends[pair == index], falls[pair == index], bool(carries[index]),
-                       mechanism, shown),
+                       mechanism, shown, turn.waves),
         )
         for index in range(len(carries))
     )  # fmt: skip
     counts = _counts(pairs, shown, error)
     numbers = [each.pairs for each in counts]
     return RealCyclogram(
-        period=per_wave,
+        period=per_wave * turn.waves,
         pairs=pairs,
         loaded_count=counts,
         min_loaded=min(numbers),
@@ -133,8 +133,8 @@ def carried_ends(*, turn: Turn, samples: int, halvings: int) -> Ends:
         See `core.output.real_mechanism.RealMechanism.solved`.
     """
     first, step = turn.real.mechanism.initial_crank_angle, 2 * math.pi / samples
-    places = first + step * (np.arange(samples) + 1 / math.pi)
-    carries = turn.poses(places.tolist())["forces"] > 0
+    places = first + step * (np.arange(samples * turn.waves) + 1 / math.pi)
+    carries = turn.at_waves(places)["forces"] > 0
     place, pair = np.nonzero(carries != np.roll(carries, -1, axis=0))
     low, high, falls = places[place], places[place] + step, carries[place, pair]
     for _ in range(halvings if len(place) else 0):
@@ -181,7 +181,7 @@ def carried_forces(
 
 def _forces(turn: Turn, places: FloatArray, pair: np.ndarray) -> tuple[FloatArray, FloatArray]:
     """Force of one pair at each wave angle, and its error, N."""
-    rows = turn.poses(places.tolist())
+    rows = turn.at_waves(places)
     return rows["forces"][np.arange(len(pair)), pair], rows["force_error"]
 
 
@@ -200,21 +200,26 @@ def _sure(
 
 
 def _intervals(
-    ends: FloatArray, falls: np.ndarray, always: bool, mechanism: Mechanism, shown: float
+    ends: FloatArray,
+    falls: np.ndarray,
+    always: bool,
+    mechanism: Mechanism,
+    shown: float,
+    waves: int = 1,
 ) -> tuple[tuple[float, float], ...]:
     """Crank angles between which a pair carries, by the wave angles of a turn at which it begins
     and ends (`falls`), cut to the range.
     """
     if len(ends) == 0:
         return ((0.0, shown),) if always else ()
-    per_wave = mechanism.crank_angle_per_wave
-    starts = np.sort(ends[~falls] % (2 * math.pi))
-    stops = np.sort(ends[falls] % (2 * math.pi))
+    per_wave, period = mechanism.crank_angle_per_wave, 2 * math.pi * waves
+    starts = np.sort(ends[~falls] % period)
+    stops = np.sort(ends[falls] % period)
     found = []
-    for wave in range(-1, math.ceil(shown / per_wave) + 1):
+    for wave in range(-waves, math.ceil(shown / per_wave) + 1, waves):
         for start in starts:
             after = stops[stops > start]
-            stop = after[0] if len(after) else stops[0] + 2 * math.pi
+            stop = after[0] if len(after) else stops[0] + period
             low, high = ((wave + each / (2 * math.pi)) * per_wave for each in (start, stop))
             if min(high, shown) > max(low, 0.0):
                 found.append((float(max(low, 0.0)), float(min(high, shown))))

@@ -5,6 +5,7 @@ deviations and lag turn out of the crank's direction; in first order it keeps th
 """
 
 import math
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -33,7 +34,7 @@ class CloseSamples(NamedTuple):
 
 
 def sampled(turn: Turn) -> SampledTurn:
-    """Forces under one torque, sampled as closely as they need, with their directions.
+    """Forces under one torque, sampled as closely as they need.
 
     Parameters
     ----------
@@ -61,7 +62,7 @@ def sampled(turn: Turn) -> SampledTurn:
     >>> round(float(abs(found.on_pins).max()), 1), bool(np.allclose(found.couple, 30.0))
     (957.1, True)
     """
-    return _directed(turn.real, close_samples(turn))
+    return directed(real=turn.real, samples=close_samples(turn))
 
 
 def close_samples(turn: Turn) -> CloseSamples:
@@ -76,42 +77,128 @@ def close_samples(turn: Turn) -> CloseSamples:
     -------
     CloseSamples
     """
+    return over_all(turn, refined(turn))
+
+
+def over_all(turn: Turn, rows: Rows) -> CloseSamples:
+    """Samples of a period as those of all of them.
+
+    Parameters
+    ----------
+    turn : Turn
+        A mechanism under a torque.
+    rows : dict of array
+        Positions of a period.
+
+    Returns
+    -------
+    CloseSamples
+    """
+    force = rows["forces"]
+    error = float((off(turn, rows).max() + rows["force_error"].max()) / force.max())
+    periods = np.arange(turn.repeats)
+    wave = (rows["wave"] + turn.period * periods[:, None]).ravel()
+    lag = math.copysign(1.0, turn.torque) * np.tile(rows["lag"], turn.repeats)
+    return CloseSamples(wave, over_periods(turn, force).T, lag, error, len(force))
+
+
+def over_periods(turn: Turn, force: FloatArray) -> FloatArray:
+    """Forces of the samples of a period over all of them, [n*repeats, K*N].
+
+    Parameters
+    ----------
+    turn : Turn
+        The mechanism under the torque.
+    force : array, shape (n, K*N)
+        Of the samples.
+
+    Returns
+    -------
+    array
+    """
+    each = force.reshape(len(force), -1, turn.real.mechanism.pins)
+    moved = [np.roll(each, -k * turn.step, axis=2) for k in range(turn.repeats)]
+    return np.concatenate(moved).reshape(-1, force.shape[1])
+
+
+def refined(
+    turn: Turn, near: float = JUDGED, besides: Callable[[Rows], FloatArray] | None = None
+) -> Rows:
+    """Positions of a period, as closely as the forces need.
+
+    Parameters
+    ----------
+    turn : Turn
+        The mechanism under the torque.
+    near : float
+        How far they may lie off the straight lines between samples, as a part of the largest.
+    besides : callable, optional
+        What else may lie off no farther, as such parts: of positions, shape (n,).
+
+    Returns
+    -------
+    dict of array
+    """
     rows = turn.fine
     for _ in range(HALVINGS):
         wave = rows["wave"]
-        felt = np.maximum(JUDGED * rows["forces"].max(), FELT * rows["force_error"])
-        rough = _off(turn, rows) > felt
+        felt = np.maximum(near * rows["forces"].max(), FELT * rows["force_error"])
+        rough = off(turn, rows) > felt
+        if besides is not None:
+            rough |= besides(rows) > near
         gaps = np.diff(wave, append=wave[0] + turn.period)
         between = (wave + gaps / 2)[rough | np.roll(rough, -1)]
         if not len(between):
             break
         rows = joined(one=rows, other=turn.poses(between.tolist()))
-    force = rows["forces"]
-    error = (float(_off(turn, rows).max()) + float(rows["force_error"].max())) / force.max()
-    periods, pins = np.arange(turn.repeats), turn.real.mechanism.pins
-    wave = (rows["wave"] + turn.period * periods[:, None]).ravel()
-    each = force.reshape(len(force), -1, pins)
-    whole = np.concatenate([np.roll(each, -k, axis=2) for k in periods]).reshape(len(wave), -1)
-    lag = math.copysign(1.0, turn.torque) * np.tile(rows["lag"], turn.repeats)
-    return CloseSamples(wave, whole.T, lag, error, len(force))
+    return rows
 
 
-def _off(turn: Turn, rows: Rows) -> FloatArray:
-    """How far the largest of the forces' samples lies off the line between its neighbours."""
+def off(turn: Turn, rows: Rows) -> FloatArray:
+    """How far the largest of the forces' samples lies off the line between its neighbours.
+
+    Parameters
+    ----------
+    turn : Turn
+        The mechanism under the torque.
+    rows : dict of array
+        Positions.
+
+    Returns
+    -------
+    array, shape (n,)
+        N.
+    """
     wave, force, pins = rows["wave"], rows["forces"], turn.real.mechanism.pins
-    step = 1 if turn.repeats > 1 else 0  # what a pin felt a period before, the next one feels
-    before, after = (
-        np.roll(row.reshape(-1, pins), way * step, axis=1).reshape(1, -1)
+    before, after = (  # what a pin felt a period before, another one feels
+        np.roll(row.reshape(-1, pins), way * turn.step, axis=1).reshape(1, -1)
         for row, way in ((force[-1], 1), (force[0], -1))
     )
     padded = np.concatenate((before, force, after)).T
     around = np.concatenate(([wave[-1] - turn.period], wave, [wave[0] + turn.period]))
-    off: FloatArray = off_straight(wave=around, values=padded).max(axis=0)
-    return off
+    found: FloatArray = off_straight(wave=around, values=padded).max(axis=0)
+    return found
 
 
-def _directed(real: RealMechanism, samples: CloseSamples) -> SampledTurn:
-    """Forces with their directions."""
+def directed(
+    *, real: RealMechanism, samples: CloseSamples, own: FloatArray | None = None
+) -> SampledTurn:
+    """Forces with their directions, over a turn of the wave.
+
+    Parameters
+    ----------
+    real : RealMechanism
+        The mechanism.
+    samples : CloseSamples
+        Its forces.
+    own : array, shape (K, n), optional
+        Lags of the holes of each disc, rad, where it finds its own; else discs lag as they deviate
+        alone.
+
+    Returns
+    -------
+    SampledTurn
+    """
     wave, force, lag, error, evaluations = samples
     pins, satellites = real.mechanism.pins, real.mechanism.satellites
     errors = real.deviations.rows(pins, satellites)
@@ -120,7 +207,7 @@ def _directed(real: RealMechanism, samples: CloseSamples) -> SampledTurn:
     radial = 1j * np.exp(2j * np.pi * np.arange(pins) / pins)[:, None]  # (N, 1)
     size = force.reshape(satellites, pins, -1)
     if real.exact:
-        hole, pin = _centres(real, crank, radial, lag)
+        hole, pin = _centres(real, crank, radial, lag, own)
         arm = hole - pin
         acts: ComplexArray = size * (arm / np.abs(arm))
         tangential = 1j * radial * np.exp(-1j * lag)
@@ -148,7 +235,11 @@ def _eccentricities(real: RealMechanism) -> FloatArray:
 
 
 def _centres(
-    real: RealMechanism, crank: ComplexArray, radial: ComplexArray, lag: FloatArray
+    real: RealMechanism,
+    crank: ComplexArray,
+    radial: ComplexArray,
+    lag: FloatArray,
+    own: FloatArray | None,
 ) -> tuple[ComplexArray, ComplexArray]:
     """Centres of holes and pins, shape (K, N, n), in the frame of the output without a lag."""
     pins, satellites = real.mechanism.pins, real.mechanism.satellites
@@ -157,6 +248,7 @@ def _centres(
     off_pin = np.array(errors.pin_radial) + 1j * np.array(errors.pin_tangential)
     off_hole = np.array(errors.hole_radial) + 1j * np.array(errors.hole_tangential)
     turned = np.array(errors.disc_phase) + np.array(errors.crank_phase) / real.mechanism.ratio
+    ahead = turned[:, None, None] if own is None else -own[:, None]
     pin = radial * (radius + off_pin)[:, None] * np.exp(-1j * lag)
     hole = radial * (radius + off_hole.reshape(satellites, pins, 1))
-    return _eccentricities(real) * crank + np.exp(1j * turned)[:, None, None] * hole, pin
+    return _eccentricities(real) * crank + np.exp(1j * ahead) * hole, pin

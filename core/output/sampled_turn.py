@@ -4,6 +4,7 @@ Between the samples forces are taken to be straight, so that whatever grows with
 one of them. They are dense where forces have kinks.
 """
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Literal
@@ -27,7 +28,7 @@ WAYS: dict[Direction, tuple[float, ...]] = {
 class PinForces:
     """Forces on pins under one torque."""
 
-    wave: FloatArray  # wave angles, rad, ascending within a turn, shape (n,)
+    wave: FloatArray  # wave angles, rad, ascending within a period, shape (n,)
     # Force of each satellite on each pin, N, shape (K, N, n): tangential + i*radial, in the frame
     # of what holds the pins.
     on_pins: ComplexArray
@@ -50,6 +51,15 @@ class SampledTurn(PinForces):
     # output link.
     couple: FloatArray
     crank_angles: tuple[float, ...]  # of each crank with its deviation, rad
+    waves: int = 1  # turns of the wave after which they repeat
+    # Force of the ring on each satellite, as `on_satellites`, N, shape (K, n), where its mesh is
+    # solved too.
+    of_ring: ComplexArray | None = None
+
+    @property
+    def period(self) -> float:
+        """Wave angle after which forces repeat, rad."""
+        return 2 * math.pi * self.waves
 
     def mean(self, values: FloatArray) -> FloatArray:
         """Mean of values over the turn.
@@ -63,8 +73,8 @@ class SampledTurn(PinForces):
         -------
         array, shape (...)
         """
-        gaps = np.diff(self.wave, append=self.wave[0] + 2 * np.pi)
-        found: FloatArray = values @ (gaps + np.roll(gaps, 1)) / (4 * np.pi)
+        gaps = np.diff(self.wave, append=self.wave[0] + self.period)
+        found: FloatArray = values @ (gaps + np.roll(gaps, 1)) / (2 * self.period)
         return found
 
     def at(self, *, wave: FloatArray, values: NDArray[Any]) -> NDArray[Any]:
@@ -81,7 +91,7 @@ class SampledTurn(PinForces):
         -------
         array, shape (K, m)
         """
-        return np.array([np.interp(wave, self.wave, row, period=2 * np.pi) for row in values])
+        return np.array([np.interp(wave, self.wave, row, period=self.period) for row in values])
 
     def missed(self, values: NDArray[Any]) -> float:
         """Estimate of the error of values between the samples.
@@ -95,7 +105,7 @@ class SampledTurn(PinForces):
         -------
         float
         """
-        turn = 2 * np.pi
+        turn = self.period
         wave = np.concatenate(([self.wave[-1] - turn], self.wave, [self.wave[0] + turn]))
         around = np.concatenate((values[..., -1:], values, values[..., :1]), axis=-1)
         return float(off_straight(wave=wave, values=around).max())

@@ -34,6 +34,17 @@ class Shares:
     shares: tuple[float, ...]  # w_j of each of the K satellites, > 0, of sum 1
 
 
+@dataclass(frozen=True, slots=True)
+class RingInSeries:
+    """Each disc finds its place between the pins of its ring and those of the output, as both
+    meshes give: it is no support of the one alone.
+    """
+
+    # Whether somebody says so; else it is so where that is known and all repeats after one turn
+    # of the wave, as the ring's pins are alike.
+    stated: bool = True
+
+
 SatelliteSupport = CrankSupport | ElasticMesh | Shares
 
 

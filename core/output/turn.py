@@ -80,6 +80,10 @@ class Turn:
         felt.
         """
         self.period = 2 * math.pi / self.repeats
+        self.step = 1 if self.repeats > 1 else 0
+        """By how many pins that is."""
+        self.waves = 1
+        """Turns of the wave after which a pin feels the same again."""
         self.first = real.mechanism.initial_crank_angle
         """Wave angle at the crank angle 0."""
 
@@ -95,15 +99,23 @@ class Turn:
         self.evaluations += len(places)
         own = self.load.setup
         row, many, pairs = self.kernel.row, len(places), own.pins * own.satellites
-        forces = row([0.0] * many * pairs)
-        results = self.results(forces, *[row([0.0] * many) for _ in self.results._fields[1:]])
+        wide = {"forces": pairs} | self.wide
+        names = self.results._fields
+        results = self.results(*[row([0.0] * many * wide.get(name, 1)) for name in names])
         given = self.load.torque, self.load.setup, self.pairs, self.room, results
         self._refused(places, self.kernel.poses(row(places), *given))
         rows = {name: np.array(each) for name, each in results._asdict().items()}
-        return rows | {
-            "wave": np.array(places),
-            "forces": rows["forces"].reshape(many, pairs),
-        }
+        rows |= {name: rows[name].reshape(many, count) for name, count in wide.items()}
+        return rows | {"wave": np.array(places)}
+
+    @property
+    def wide(self) -> dict[str, int]:
+        """How many numbers a position has of what there is not one, besides the forces."""
+        return {}
+
+    def at_waves(self, places: FloatArray) -> Rows:
+        """Positions at wave angles of the output, rad."""
+        return self.poses(places.tolist())
 
     @derived
     def coarse(self) -> Rows:

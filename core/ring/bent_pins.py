@@ -9,7 +9,6 @@ import math
 
 import numpy as np
 
-from core.output.real_turn import close_samples
 from core.output.sampled_turn import PinForces
 from core.ring.sharing import MeshTurn
 
@@ -42,7 +41,7 @@ def forces_on_ring(turn: MeshTurn) -> PinForces:
     >>> found.on_pins.shape[:2], round(float(abs(found.on_pins).max()), 2)
     ((1, 30), 213.14)
     """
-    mesh, samples = turn.mesh, close_samples(turn.turn)
+    mesh, samples = turn.mesh, turn.close
     pins, satellites = mesh.disc.pins, len(mesh.crank_angles)
     phases = np.array(mesh.pairs.phase[:satellites])[:, None, None]
     ring = 2 * math.pi * np.arange(pins)[:, None] / pins

@@ -24,6 +24,7 @@ from core.output.sharing_kernel import (
     RADIAN,
     SOLVED,
     STEPS,
+    TINY,
     TOO_FAR,
     TOO_WIDE,
     Load,
@@ -34,6 +35,7 @@ from core.output.sharing_kernel import (
     Setup,
     at,
     balance,
+    law,
     part,
     play,
     start,
@@ -45,6 +47,7 @@ from core.output.sharing_kernel import (
 from core.output.sharing_kernel import hardest as hardest_of
 from core.output.sharing_kernel import largest as largest_of
 from core.output.sharing_kernel import loaded as loaded_of
+from core.ring.approach import ALONG_LEAST, ALONG_MOST, RUB, RUB_AND_PRESS, sliding
 from core.ring.approach import at as mesh_at
 from core.ring.approach import balance as mesh_balance
 from core.ring.approach import on_crank as mesh_on_crank
@@ -60,6 +63,9 @@ over reduced radius.
 
 MIDDLES = 12
 """Steps to where a disc that carries nothing comes to either end of its freedom."""
+
+BEGUN = 12
+"""Halvings of the lags from which the solution is sought."""
 
 LOOSE = 0.1
 """How far discs are settled while the lag of the output is still sought, as a part of their own
@@ -136,6 +142,10 @@ class SeriesPoses(NamedTuple):
     mesh_pressure: Row  # largest force over reduced radius there
     mesh_loaded: Row  # number of the ring's pairs with a force
     pressed: Row  # whether pins press without load in either stage by itself
+    own: Row  # lag of the holes of each disc, [n*K]
+    along: Row  # force of the ring on each disc along its crank, to the axis, [n*K]
+    across: Row  # and across it, against its turning, [n*K]
+    teeth: Row  # of all pairs of the ring, [n*K*z_p]
 
 
 class Between(NamedTuple):
@@ -392,19 +402,58 @@ def settled(
 def begun(
     over: float, torque: float, setup: SeriesSetup, pairs: SeriesPairs, room: SeriesRoom
 ) -> float:
-    """Lag of the output at which the best placed pairs of one disc alone would carry the torque;
-    the discs are put between.
+    """Lag of the output at which discs that carry alike would carry the torque, in first order; the
+    discs are put between. It is infinite where one cannot.
     """
-    lag = math.inf
+    lag, each = 0.0, torque / setup.satellites
     for j in range(setup.satellites):
         disc = between(j, pairs, room)
         pins_at(over, room.high[j], setup, disc)
-        own = max(start(torque, setup.mesh, disc.teeth, disc.mesh), room.high[j])
-        own += max(start(torque, setup.output, disc.holes, disc.pins), room.slack_high[j])
-        lag = min(lag, own)
+        most = start(each, setup.mesh, disc.teeth, disc.mesh)
+        low, high = room.high[j], max(most, room.high[j])
+        for _ in range(BEGUN if high < math.inf else 0):
+            middle = (low + high) / 2
+            if roughly(middle, setup.mesh, disc.teeth, disc.mesh) > each:
+                high = middle
+            else:
+                low = middle
+        own = high
+        most = start(each, setup.output, disc.holes, disc.pins)
+        low, high = room.slack_high[j], max(most, room.slack_high[j])
+        for _ in range(BEGUN if high < math.inf else 0):
+            middle = (low + high) / 2
+            if roughly(middle, setup.output, disc.holes, disc.pins) > each:
+                high = middle
+            else:
+                low = middle
+        room.lag[j], room.moves[j] = own, own + high
+        lag += (own + high) / setup.satellites
+    if lag == math.inf:
+        return lag
     for j in range(setup.satellites):
-        room.lag[j] = room.high[j] + max(lag - room.high[j] - room.slack_high[j], 0.0) / 2
+        room.lag[j] += (lag - room.moves[j]) / 2
     return lag
+
+
+def roughly(lag: float, setup: Any, pairs: Any, room: Any) -> float:
+    """Torque of the pairs of one mesh at a lag, in first order."""
+    torque = 0.0
+    for i in range(setup.pins):
+        twice = 2 * pairs.distance[i] if setup.exact else 1.0
+        approach = (room.q[i] + lag * room.v[i]) / twice
+        if approach > TINY:
+            force, _ = law(
+                setup.law,
+                approach,
+                pairs.a[i],
+                pairs.b[i],
+                setup.exponent,
+                0.0,
+                0.0,
+                setup.curve,
+            )
+            torque += force * room.v[i] / twice
+    return torque
 
 
 def solve(
@@ -622,6 +671,41 @@ def on_crank(
     return along, across, pins_along, pins_across
 
 
+def on_teeth(
+    j: int, setup: SeriesSetup, pairs: SeriesPairs, room: SeriesRoom
+) -> tuple[float, float]:
+    """The first two of these alone."""
+    along = across = 0.0
+    mesh, disc = setup.mesh, between(j, pairs, room)
+    for i in range(mesh.pins):
+        force = disc.mesh.force[i]
+        if force > 0:
+            x, y = mesh_on_crank(i, 0, mesh, disc.teeth, disc.mesh)
+            along += force * x
+            across += force * y
+    return along, across
+
+
+def of_rub(pressing: bool, setup: SeriesSetup, pairs: SeriesPairs, room: SeriesRoom) -> float:
+    """Largest product of a pair's distance to the pitch point of its disc and its force on the
+    ring, or the root of that over the reduced radius.
+    """
+    most = 0.0
+    for i, force in enumerate(room.teeth.force):
+        far = sliding(i, setup.mesh, room.teeth)
+        most = max(most, far * (math.sqrt(force * pairs.teeth.curved[i]) if pressing else force))
+    return most
+
+
+def along_crank(most: bool, setup: SeriesSetup, pairs: SeriesPairs, room: SeriesRoom) -> float:
+    """Largest, or least, force of the ring on a disc along its crank."""
+    best = -math.inf if most else math.inf
+    for j in range(setup.satellites):
+        own, _ = on_teeth(j, setup, pairs, room)
+        best = max(best, own) if most else min(best, own)
+    return best
+
+
 def of_mesh(pressing: bool, pairs: SeriesPairs, room: SeriesRoom) -> float:
     """Largest force on a pin of the ring, or force over reduced radius."""
     most = 0.0
@@ -652,6 +736,10 @@ def other(
     setup: Any = load.setup
     if kind == INPUT_TORQUE:
         return input_torque(psi, load.torque, lag, setup, pairs, room)
+    if kind in (RUB, RUB_AND_PRESS):
+        return of_rub(kind == RUB_AND_PRESS, setup, pairs, room)
+    if kind in (ALONG_MOST, ALONG_LEAST):
+        return along_crank(kind == ALONG_MOST, setup, pairs, room)
     return of_mesh(kind == MESH_PRESSURE, pairs, room)
 
 
@@ -664,7 +752,7 @@ def poses(
     results: SeriesPoses,
 ) -> int:
     """Positions at crank angles; the first one that cannot be, or -1."""
-    count = setup.pins * setup.satellites
+    count, teeth = setup.pins * setup.satellites, setup.mesh.pins * setup.satellites
     for k, psi in enumerate(places):
         found = solve(psi, torque, setup, pairs, room)
         if judged(found, setup, pairs, room) != SOLVED:
@@ -681,4 +769,11 @@ def poses(
         results.mesh_force[k] = of_mesh(False, pairs, room)
         results.mesh_pressure[k] = of_mesh(True, pairs, room)
         results.pressed[k] = room.pressed[0]
+        for j in range(setup.satellites):
+            results.own[k * setup.satellites + j] = room.lag[j]
+            along, across = on_teeth(j, setup, pairs, room)
+            results.along[k * setup.satellites + j] = along
+            results.across[k * setup.satellites + j] = across
+        for i in range(teeth):
+            results.teeth[k * teeth + i] = room.teeth.force[i]
     return -1

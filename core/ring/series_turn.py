@@ -20,7 +20,7 @@ from core.output.loaded_position import notices
 from core.output.over_turn import Extreme, OverTurn, Peak
 from core.output.sharing_kernel import FORCE, PRESSURE, STIFFNESS
 from core.output.summits import Summit
-from core.output.turn import LOOKED_AGAIN, POSITIONS, Turn
+from core.output.turn import LOOKED_AGAIN, POSITIONS, Rows, Turn
 from core.precision import SAME
 from core.results import Notice, poorly_known
 from core.ring.series import MeshesInSeries
@@ -35,7 +35,7 @@ OF_A_PITCH = 4
 MOST = 2000
 """Positions of all turns above which a pitch has fewer."""
 
-LEAST = 240
+LEAST = 120
 """Positions of a shorter period at least."""
 
 
@@ -58,7 +58,7 @@ def positions_in_series(*, lobes: int, pitches: int | None = None) -> int:
     >>> positions_in_series(lobes=20), positions_in_series(lobes=59)
     (1680, 3540)
     >>> positions_in_series(lobes=20, pitches=5)
-    240
+    120
     """
     pitches = lobes * (lobes + 1) if pitches is None else pitches
     least = math.ceil(max(LEAST_A_TURN, POSITIONS / lobes) / (lobes + 1))
@@ -89,14 +89,20 @@ class SeriesTurn(Turn):
         self.pitches = whole // self.repeats
         """Of the ring, in a period."""
         self.period = 2 * math.pi * self.pitches / (lobes + 1)
+        self.waves = 1 if real.ring.pins_alike else lobes + 1
+        self.step = self.waves * pins // self.repeats % pins
 
     @property
-    def step(self) -> int:
-        """By how many pins the forces of the output have moved on after a period."""
-        lobes, pins = self.real.ring.disc.satellite_teeth, self.real.mechanism.pins
-        waves = 1 if self.real.ring.pins_alike else lobes + 1
-        step: int = waves * pins // self.repeats % pins
-        return step
+    def wide(self) -> dict[str, int]:
+        """Of each disc, and of all pairs of the ring."""
+        discs = self.load.setup.satellites
+        every = dict.fromkeys(("own", "along", "across"), discs)
+        return every | {"teeth": discs * self.real.ring.disc.pins}
+
+    def at_waves(self, places: FloatArray) -> Rows:
+        """Positions at wave angles of the output, rad."""
+        own = self.real.mechanism
+        return self.poses(((places - own.initial_crank_angle) / own.waves_per_turn).tolist())
 
     def of_pairs(self, largest: FloatArray) -> FloatArray:
         """Largest values of all pairs, by those over a period."""
@@ -144,6 +150,19 @@ class SeriesOverTurn(OverTurn):
         super().__init__(turn)
         self.series: MeshesInSeries = turn.real
         self.real = self.series.output
+        self.tops: dict[tuple[str, int], tuple[Summit, float]] = {}
+
+    def top(self, name: str, kind: int, sign: int = 1) -> tuple[Summit, float]:
+        """Where a value of the positions is largest, or least for the sign -1, and what of it may
+        be missed.
+        """
+        if (name, sign) not in self.tops:
+            self.tops[name, sign] = self._top(name, kind, sign)
+        return self.tops[name, sign]
+
+    def by_values(self, kind: int, sign: int = 1) -> Extreme:
+        """Largest value, or least for the sign -1, of what positions do not have."""
+        return self._by_values(kind, sign)[0]
 
     @derived
     def _peak(self) -> Peak:
@@ -172,25 +191,29 @@ class SeriesOverTurn(OverTurn):
     def ring(self) -> RingTurn:
         """What the ring does."""
         turn, series = self.turn, self.series
-        top, missed = self._top("mesh_force", MESH_FORCE)
+        top, missed = self.top("mesh_force", MESH_FORCE)
         place, torque = min(each % turn.period for each in top.alike), abs(turn.torque)
         room = series.room()
         series.solved(place, torque, turn.load.setup, room)
         pair = int(np.array(room.teeth.force).argmax())
         satellite, pin = divmod(pair, series.ring.disc.pins)
-        pressure = None
-        if series.ring.pressure(1.0) is not None:
-            pressure = series.ring.pressure(self._top("mesh_pressure", MESH_PRESSURE)[0].height)
         loaded, unsure = turn.fine["mesh_loaded"], float(turn.fine["force_error"].max())
         return RingTurn(
             peak_force=top.height,
             peak_crank_angle=place,
             peak_pair=PairNumber(satellite + 1, pin + 1),
-            max_pressure=pressure,
+            max_pressure=self.ring_pressure,
             peak_error=(missed + top.error + unsure) / top.height,
             loaded_pairs_min=int(loaded.min()),
             loaded_pairs_max=int(loaded.max()),
         )
+
+    @property
+    def ring_pressure(self) -> float | None:
+        """Largest Hertz pressure of its pairs, Pa, where the materials are known."""
+        if self.series.ring.pressure(1.0) is None:
+            return None
+        return self.series.ring.pressure(self.top("mesh_pressure", MESH_PRESSURE)[0].height)
 
     @property
     def pressed_without_load(self) -> bool:

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from core.arrays import check_finite, check_positive, check_single
+from core.arrays import FloatArray, IntArray, check_finite, check_positive, check_single
 from core.derived import derived
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.materials import ElasticMaterial, effective_modulus
@@ -29,6 +29,7 @@ from core.output.contact_law import (
 )
 from core.output.mechanism import Mechanism
 from core.output.over_turn import Extreme, OverTurn
+from core.output.real_turn import CloseSamples, close_samples
 from core.output.satellite_support import Shares, check_shares
 from core.output.sharing_kernel import PRESSURE, RIGID, SHARES
 from core.output.stage import Stage, blank_rows, in_floats
@@ -621,18 +622,32 @@ class MeshTurn(OverTurn):
         unsure = float(self.turn.fine["force_error"].max()) * self.mesh.disc.pins
         return (max(each.error for each in self._along) + unsure) / self._across
 
+    @property
+    def samples(self) -> tuple[FloatArray, FloatArray]:
+        """Crank angles of positions, rad, and the forces of all pairs there, N."""
+        return self.turn.fine["wave"], self.turn.fine["forces"]
+
+    @property
+    def close(self) -> CloseSamples:
+        """Forces of all pairs, sampled as closely as they need."""
+        return close_samples(self.turn)
+
+    @property
+    def even(self) -> IntArray:
+        """Which of these are evenly spaced."""
+        places, _ = self.turn.positions()
+        return np.searchsorted(self.turn.fine["wave"], places)
+
     @derived
     def _sliding(self) -> Extreme:
-        rows, disc = self.turn.fine, self.mesh.disc
-        even, _ = self.turn.positions()
-        there = np.searchsorted(rows["wave"], even)
+        (wave, force), there, disc = self.samples, self.even, self.mesh.disc
         phases = np.array(self.mesh.pairs.phase[: len(self.mesh.crank_angles)])
         ring = 2 * np.pi * np.arange(disc.pins) / disc.pins
-        angle = rows["wave"][there, None] + (phases[:, None] + ring).ravel()
+        angle = wave[there, None] + (phases[:, None] + ring).ravel()
         k = disc.shortening_coefficient
         slope = np.sqrt((1 - k) ** 2 + 4 * k * np.sin(angle / 2) ** 2)
         far = np.abs(disc.ring_pin_circle_radius * slope - disc.ring_pin_radius)
-        rub = (rows["forces"][there] * far).sum(axis=1) / abs(self.turn.torque)
+        rub = (force[there] * far).sum(axis=1) / abs(self.turn.torque)
         mean = float(rub.mean())
         return Extreme(mean, abs(mean - float(rub[::2].mean())) + 8 * ROUNDING * mean)
 

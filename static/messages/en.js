@@ -117,7 +117,7 @@ export default {
   shares: {
     carried: "Shares of the torque, satellite by satellite: {shares}",
     even: "«{check}» with even shares: {value}",
-    reason: { pin_bending: "bending of the pins", deviations: "deviations", crank_support: "bearings of the cranks that give", clearance: "clearance of uneven cranks", given: "as stated" },
+    reason: { pin_bending: "bending of the pins", deviations: "deviations", ring_mesh: "the mesh with the ring", crank_support: "bearings of the cranks that give", clearance: "clearance of uneven cranks", given: "as stated" },
   },
   besides: {
     older: "Numbers of earlier inputs",

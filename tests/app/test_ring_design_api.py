@@ -97,7 +97,7 @@ def distance(points, polygon):
             "/gear",
             "needed_beside",
         ),
-        ({"gear": {"kind": "none"}}, "/gear/ring_pin_circle_radius_mm", "of_another_kind"),
+        ({"gear": {"kind": "none"}}, "/gear/contact_length_mm", "of_another_kind"),
     ],
 )
 async def test_what_does_not_fit_together_is_refused(api, sections, pointer, code):
@@ -108,7 +108,7 @@ async def test_what_does_not_fit_together_is_refused(api, sections, pointer, cod
 
 async def test_pins_of_the_ring_leave_those_of_the_output_alone(api):
     """Where only the ring's pins deviate, nothing is said of the parts of the output."""
-    perfect = {"contact": {"hole_clearance_mm": 0.0}}
+    perfect = {"contact": {"hole_clearance_mm": 0.0}, "satellite_coupling": {"kind": "rigid"}}
     made = {"deviations": {"ring_pin_radial_mm": [0.001] * 20}}
     for sections, model in ((made, "ideal"), ({"deviations": {}}, "real")):
         answer = (await api.post(PATH, json=changed(**perfect, **sections))).json()
@@ -120,13 +120,18 @@ async def test_the_discs_may_be_named_as_their_holes_are(api):
     assert (await api.post(PATH, json=changed(**named))).status_code == 200
 
 
+RIGID = {"kind": "rigid"}
+"""The ring by itself: discs that turn as one."""
+
+
 async def test_the_mesh_is_what_its_endpoint_answers(api):
     """By default too; with the deviations of this piece in both."""
     off = [0.004, -0.003, 0.002, 0.0] * 5
     for deviations in (ALONE["deviations"], {"ring_pin_tangential_mm": off}):
         alone = {**ALONE, "deviations": deviations, "include": ["over_turn", "ideal"]}
         own = (await api.post("ring-mesh", json=alone)).json()
-        body = changed(include=["ring_mesh"]) | {"deviations": deviations}
+        body = changed(include=["ring_mesh"], satellite_coupling=RIGID)
+        body |= {"deviations": deviations}
         answer = (await api.post(PATH, json=body)).json()
         found = answer["ring_mesh"]
         assert (found["method"], found["torque_direction"]) == ("exact", "driving")
@@ -152,7 +157,7 @@ async def test_the_law_of_the_teeth_is_their_own(api):
     stated = {**alone, "gear": {**alone["gear"], "contact_law": law}, "contact_law": other}
     bodies = (stated, {**alone, "contact_law": law}, alone)
     own, same, usual = [(await api.post("ring-mesh", json=body)).json() for body in bodies]
-    body = changed(include=["ring_mesh"], gear={"contact_law": law})
+    body = changed(include=["ring_mesh"], gear={"contact_law": law}, satellite_coupling=RIGID)
     design = (await api.post(PATH, json=body)).json()["ring_mesh"]
     assert design["over_turn"] == own["over_turn"] == same["over_turn"] != usual["over_turn"]
 
@@ -218,7 +223,7 @@ async def test_the_figure_is_of_the_peak(api):
     """Forces there over the pins, peak and lag over the turn, as `/ring-mesh` has them; the lag is
     that of the output.
     """
-    body = changed(include=["ring_mesh"], mechanism={"output": "ring"})
+    body = changed(include=["ring_mesh"], mechanism={"output": "ring"}, satellite_coupling=RIGID)
     turn = (await api.post(PATH, json=body)).json()["ring_mesh"]["over_turn"]
     figure = (await api.post(f"{PATH}/chart", json=body)).json()
     go.Figure(data=figure["data"], layout=figure["layout"])
@@ -263,6 +268,112 @@ async def test_angles_are_those_of_the_output(api):
         ("max_pressure_MPa", 1.0),
     ):
         assert two["over_turn"][name] == pytest.approx(part * one["over_turn"][name], rel=1e-6)
+
+
+@pytest.mark.parametrize("off", [None, [0.004, -0.003, 0.002, 0.0, 0.001] * 4])
+async def test_both_meshes_are_in_series_where_both_are_known(api, off):
+    """Numbers of `/load-sharing` at places of its own: over the turn, and of the cranks."""
+    made = {} if off is None else {"deviations": {"ring_pin_radial_mm": off}}
+    body = changed(
+        include=["load_sharing", "satellite_bearing", "ring_mesh"],
+        bearing={"kind": "roller", "dynamic_rating_N": 30000.0},
+        load={"input_speed_rpm": 1000.0},
+        **made,
+    )
+    if off is not None:  # over many turns, which nobody waits for that does not ask
+        usual = (await api.post(PATH, json={**body, "include": ["checks"]})).json()
+        assert "both_meshes" not in {each["code"] for each in usual.get("warnings", ())}
+        body["satellite_coupling"] = {"kind": "ring"}
+    answer = (await api.post(PATH, json=body)).json()
+    stated = {**body, "satellite_coupling": {"kind": "ring"}}
+    assert (await api.post(PATH, json=stated)).json()["load_sharing"]["peak_force_N"] == (
+        answer["load_sharing"]["peak_force_N"]
+    )
+    assert "both_meshes" in {each["code"] for each in answer["warnings"]}
+    named = ("mechanism", "load", "contact", "gear", "deviations")
+    alone = {name: {**body[name]} for name in named if name in body}
+    for name in ("friction_coefficient", "disc_material"):
+        alone["gear"].pop(name, None)
+    del alone["load"]["input_speed_rpm"]
+    turns = 9 if off else 1
+    count = 60 * turns
+    angles = [360.0 * turns * k / count + 0.1 for k in range(count)]
+    alone |= {"satellite_coupling": {"kind": "ring"}, "include": ["over_turn"]}
+    whole = (await api.post("load-sharing", json=alone)).json()["over_turn"]
+    made = answer["load_sharing"]
+    for name in (
+        "peak_force_N",
+        "backlash_max_arcmin",
+        "lost_motion_arcmin",
+        "transmission_error_arcmin",
+        "stiffness_min_Nm_per_arcmin",
+    ):
+        assert made[name] == pytest.approx(whole[name], rel=1e-9), name
+    teeth = answer["ring_mesh"]["over_turn"]
+    for name in ("peak_force_N", "max_pressure_MPa"):
+        assert made["ring"][name] == pytest.approx(whole["ring"][name], rel=1e-9)
+        assert teeth[name] == made["ring"][name]
+    alone |= {"include": ["positions"], "crank_angle_deg": angles[:: max(1, turns // 2)]}
+    found = (await api.post("load-sharing", json=alone)).json()["positions"]
+    discs, bearing = [each["ring"] for each in found], answer["satellite_bearing"]
+    for j, own in enumerate(bearing["satellites"]):
+        load = max(each["crank_load_N"][j] for each in discs)
+        assert load * (1 - 1e-4) <= own["peak_load_N"] <= load * 1.05
+        ring = max(
+            math.hypot(each["crank_across_N"][j], each["crank_along_N"][j]) for each in discs
+        )
+        assert ring * (1 - 1e-4) <= own["peak_ring_force_N"] <= ring * 1.05
+    along, across = (
+        sum(sum(each[f"crank_{way}_N"]) for each in discs) for way in ("along", "across")
+    )
+    assert bearing["radial_force_ratio"] == pytest.approx(along / across, abs=5e-3)
+
+
+@pytest.mark.parametrize(
+    "sections",
+    [
+        {"satellite_coupling": {"kind": "rigid"}},
+        {"satellite_coupling": {"kind": "elastic", "stiffness_Nm_per_arcmin": 50.0}},
+        {"crank_support": {"stiffness_N_per_mm": 1e5}},
+        {"contact": {"hole_clearance_mm": None}},
+        {"gear": {"modification": None}},
+        {"contact": {"hole_clearance_mm": 0.0, "distribution_factor": 1.2}},
+    ],
+)
+async def test_what_is_stated_or_not_known_leaves_them_apart(api, sections):
+    """Bearings then have the ideal ratio of the ring's forces."""
+    body = changed(
+        include=["satellite_bearing"],
+        bearing={"kind": "roller", "dynamic_rating_N": 30000.0},
+        load={"input_speed_rpm": 1000.0},
+        **{name: value for name, value in sections.items() if name != "load"},
+    )
+    answer = (await api.post(PATH, json=body)).json()
+    assert "both_meshes" not in {each["code"] for each in answer.get("warnings", ())}
+    size = body["gear"]
+    k1 = 20 * body["contact"]["eccentricity_mm"] / size["ring_pin_circle_radius_mm"]
+    ideal = -(2 - (1 - k1**2) / k1 * math.log((1 + k1) / (1 - k1))) / (math.pi * k1)
+    assert answer["satellite_bearing"]["radial_force_ratio"] == pytest.approx(ideal, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("sections", "pointer", "code"),
+    [
+        ({"gear": None}, "/gear", "needed_beside"),
+        ({"gear": {"kind": "involute", "module_mm": 3.0}}, "/gear/kind", "outside_method"),
+        ({"crank_support": {"stiffness_N_per_mm": 1e5}}, "/satellite_coupling", "only_one"),
+    ],
+)
+async def test_a_ring_in_series_is_one_of_pins(api, sections, pointer, code):
+    body = changed(satellite_coupling={"kind": "ring"})
+    for name, value in sections.items():
+        if value is None:
+            del body[name]
+        else:
+            body[name] = value
+    body.pop("deviations", None)
+    (error,) = (await api.post(PATH, json=body)).json()["errors"]
+    assert (error["pointer"], error["code"]) == (pointer, code)
 
 
 async def test_what_is_not_known_of_the_teeth_is_said(api):

@@ -31,6 +31,8 @@ from core.design.sections import (
 from core.errors import CalculationError
 from core.material_table import MATERIALS
 from core.materials import ContactLimit, ElasticMaterial, Plastic
+from core.output.contact_law import PowerLaw
+from core.output.satellite_support import RingInSeries
 from core.ring.profile import Modification
 from tests.inputs.checks import WHOLE, design_of, having
 
@@ -404,6 +406,56 @@ DESIGNS |= {
     ),
 }
 
+RINGED = Ring(
+    kind="cycloid",
+    ring_pin_circle_radius=0.085,
+    ring_pin_radius=0.005,
+    teeth_difference=1,
+    modification=Modification(equidistant=3e-5, pin_circle=-4e-5),
+    contact_length=0.018,
+    contact_law=PowerLaw(1.1, 1e3, 5e-6),
+    pin_material=LASTING,
+    pin_support="supported",
+    span=0.06,
+    satellite_positions=(0.018, 0.04),
+    seat_stiffness=5e8,
+    sleeve_bore_radius=0.004,
+    friction_coefficient=0.06,
+)
+SERIES = having(
+    ALL,
+    hole_radius=0.01002,
+    peak_torque=700.0,
+    pin_material=LASTING,
+    hole_material=LASTING,
+    satellite_coupling=RingInSeries(),
+    pin=replace(ALL.pin, bore_diameter=0.004),  # type: ignore[type-var]
+    gear=RINGED,
+    root_radius=None,
+    max_ring_backlash=1.0,
+    max_transmission_error=1.0,
+)
+"""Both meshes in series."""
+DESIGNS |= {
+    "both meshes": SERIES,
+    "both meshes, turned flanks, uneven cranks": having(
+        SERIES,
+        crank_spacing=2.0,
+        application_factor=1.2,
+        max_unbalance_share=1e-4,
+        gear=replace(RINGED, modification=Modification(3e-5, -4e-5, 1e-4), contact_law=None),
+    ),
+    "both meshes, rollers": having(
+        ROLLED,
+        peak_torque=700.0,
+        satellite_coupling=RingInSeries(),
+        gear=RINGED,
+        max_unbalance_share=1e-4,
+        crank_spacing=2.0,
+    ),
+}
+
+
 TIPS = having(ALL, pin=None, fatigue=None, peak_torque=900.0, scope=("teeth",))
 """Involute teeth under ideal forces."""
 DESIGNS |= {
@@ -451,6 +503,9 @@ MATERIALS_OF = (
     "gear.ring_material",
 )
 """Inputs that are materials, each with values of its own."""
+
+WHOLES = (*MATERIALS_OF, "gear.contact_law", "contact_law")
+"""The same, and laws of contact."""
 
 JUMPS = {("dead_centre", "mechanism.pins"), ("dead_centre", "mechanism.crank_spacing")}
 """What moves in steps that these designs do not show."""
@@ -516,8 +571,8 @@ def seen() -> dict[tuple[str, str], bool]:
 
 def input_of(name: str) -> str:
     """Name of the input of an attribute."""
-    material = next((each for each in MATERIALS_OF if name.startswith(f"{each}.")), name)
-    return INPUTS.get(name, material)
+    whole = next((each for each in WHOLES if name.startswith(f"{each}.")), name)
+    return INPUTS.get(name, whole)
 
 
 def named(code: str, name: str) -> bool:

@@ -1,0 +1,123 @@
+"""Forces on pins, satellites and crank of both meshes in series, over the turn."""
+
+import math
+from dataclasses import replace
+from functools import partial
+
+import numpy as np
+
+from core.arrays import ComplexArray, FloatArray
+from core.output.real_turn import CloseSamples, directed, over_all, refined
+from core.output.sampled_turn import SampledTurn, off_straight
+from core.output.turn import Rows
+from core.ring.series_turn import SeriesTurn
+
+NEAR = 5e-5
+"""How far forces may lie off the straight lines between samples, as a part of the largest, and of
+as many turns of the wave so many times as far.
+"""
+
+
+def sampled_in_series(turn: SeriesTurn) -> SampledTurn:
+    """Forces under one torque, sampled as closely as those on the pins of the output need, with the
+    ring's on each satellite.
+
+    Parameters
+    ----------
+    turn : SeriesTurn
+        Both meshes under the torque.
+
+    Returns
+    -------
+    SampledTurn
+
+    Raises
+    ------
+    ImpossibleMechanism
+        See `Stage.solved`.
+
+    Examples
+    --------
+    What the ring presses a disc across its crank turns that: in exact geometry with what the pins
+    press it so.
+
+    >>> from core.output.contact_law import LinearLaw
+    >>> from core.output.mechanism import Mechanism
+    >>> from core.output.real_mechanism import RealMechanism
+    >>> from core.ring.profile import CycloidDisc
+    >>> from core.ring.series import MeshesInSeries
+    >>> from core.ring.sharing import CycloidMesh
+    >>> disc = CycloidDisc(satellite_teeth=18, eccentricity=1.5e-3,
+    ...                    ring_pin_circle_radius=0.034, ring_pin_radius=2.5e-3)
+    >>> ring = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01, law=LinearLaw(5e7))
+    >>> real = RealMechanism(
+    ...     mechanism=Mechanism.evenly_spaced(pins=8, satellites=1, ratio=18.0),
+    ...     pin_circle_radius=0.020, pin_radius=0.003, eccentricity=0.0015, contact_length=0.010,
+    ...     clearance=2e-5, law=LinearLaw(stiffness=5e7))
+    >>> found = sampled_in_series(SeriesTurn(MeshesInSeries(ring, real), 30.0))
+    >>> across = found.of_ring + found.on_satellites
+    >>> round(float(found.mean(across.imag)[0])*1.5e-3*18, 3)
+    30.0
+    """
+    output = turn.real.output
+    rows = _rows(turn)
+    samples, way = over_all(turn, rows), math.copysign(1.0, turn.torque)
+    waves = samples.wave * output.mechanism.waves_per_turn
+    found = directed(
+        real=output,
+        samples=samples._replace(wave=waves + output.mechanism.initial_crank_angle),
+        own=way * np.tile(rows["own"], (turn.repeats, 1)).T,
+    )
+    return replace(
+        found,
+        pins_alike=turn.repeats == output.mechanism.pins,
+        waves=turn.waves,
+        of_ring=np.tile(_of_ring(rows), (turn.repeats, 1)).T,
+    )
+
+
+def teeth_samples(turn: SeriesTurn) -> CloseSamples:
+    """Forces of the pins of the ring at the same samples; of pins that are alike over as many
+    periods as each of them takes to have what every other one had.
+
+    Parameters
+    ----------
+    turn : SeriesTurn
+        Both meshes under the torque.
+
+    Returns
+    -------
+    CloseSamples
+        With the lag of the output.
+    """
+    rows, ring = _rows(turn), turn.real.ring
+    force, pins = rows["teeth"], ring.disc.pins
+    each = force.reshape(len(force), -1, pins)
+    periods = np.arange(pins if ring.pins_alike else 1)
+    every = np.concatenate([np.roll(each, -k * turn.pitches, axis=2) for k in periods])
+    wave = (rows["wave"] + turn.period * periods[:, None]).ravel()
+    lag = math.copysign(1.0, turn.torque) * np.tile(rows["lag"], len(periods))
+    flat = every.reshape(len(wave), -1).T
+    inner = off_straight(wave=wave, values=flat).max() if len(wave) > 2 else 0.0
+    error = float((inner + rows["force_error"].max()) / force.max())
+    return CloseSamples(wave, flat, lag, error, len(force))
+
+
+def _rows(turn: SeriesTurn) -> Rows:
+    near = NEAR * max(1.0, turn.pitches / turn.real.ring.disc.satellite_teeth)
+    return refined(turn, near, partial(_ring_off, turn))
+
+
+def _of_ring(rows: Rows) -> ComplexArray:
+    """Force of the ring on each disc along its crank, and i times that across it, [n, K]."""
+    found: ComplexArray = rows["along"] + 1j * rows["across"]
+    return found
+
+
+def _ring_off(turn: SeriesTurn, rows: Rows) -> FloatArray:
+    """How far these lie off the line between their neighbours, as parts of the largest."""
+    parts, wave = _of_ring(rows), rows["wave"]
+    angles = np.concatenate(([wave[-1] - turn.period], wave, [wave[0] + turn.period]))
+    around = np.concatenate((parts[-1:], parts, parts[:1])).T
+    found: FloatArray = off_straight(wave=angles, values=around).max(axis=0) / np.abs(parts).max()
+    return found
