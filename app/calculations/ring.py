@@ -8,6 +8,7 @@ from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import Field, field_validator, model_validator
 
+from app.calculations.contact_law import MeshLawFields
 from app.calculations.hertz import Material, contact_length, material_of
 from app.calculations.mechanism import MAX_SATELLITES
 from app.calculations.pin import strengths_of
@@ -104,6 +105,7 @@ class RingPinsFields(RequestModel, group="gear"):
     ring_pin_radius_mm: Maybe[Size] = ring_pin_radius()
     contact_length_mm: Maybe[Size] = contact_length()
     modification: Maybe[ModificationFields] = None
+    contact_law: Maybe[MeshLawFields] = None
     pin_material: Maybe[Material] = quantity("Material of the ring's pins")
     """A name of the table of materials, or values; bearing steel where not given."""
     disc_material: Maybe[Material] = quantity("Disc material")
@@ -150,6 +152,8 @@ class RingPinsFields(RequestModel, group="gear"):
         own = self.to_core() | more
         if self.modification is not None:
             own["modification"] = self.modification.section()
+        if self.contact_law is not None:
+            own["contact_law"] = self.contact_law.named()
         if "pin_material" in own:
             held = strengths_of(own.pop("pin_material"))
             own["pin_material"] = held.pop("material")

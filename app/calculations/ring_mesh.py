@@ -8,6 +8,7 @@ from typing import Annotated, Any, ClassVar, Literal, Self, get_args
 import numpy as np
 from pydantic import BeforeValidator, Field, model_validator
 
+from app.calculations.contact_law import MeshLawFields
 from app.calculations.involute_mesh import InvoluteRingFields, drawn_path, solved_pair
 from app.calculations.load_sharing_answer import StiffnessCurveOut
 from app.calculations.ring_mesh_answer import (
@@ -23,7 +24,6 @@ from app.calculations.ring_mesh_figure import DrawnMesh, DrawnPath, path_figure,
 from app.calculations.ring_parts import (
     CycloidRingFields,
     MeshCouplingFields,
-    MeshLawFields,
     RingCrankFields,
     RingDeviationsFields,
     RingLoadFields,
@@ -294,7 +294,7 @@ class RingMeshRequest(RequestModel, group="positions"):
             contact_length=ring.contact_length,
             disc_material=ring.disc_material,
             crank_angles=self.mechanism.crank_angles,
-            law=self.contact_law.named() or HertzLaw(),
+            law=ring.contact_law or self.contact_law.named() or HertzLaw(),
             deviations=(RingDeviations() if self.deviations is None else self.deviations.section()),
             exact=self.geometry == "exact",
             support=self.support,

@@ -103,6 +103,7 @@ RING_GIVES = (
     *RING_GAPS,
     "gear.ring_pin_radius",
     "gear.contact_length",
+    "gear.contact_law",
     "gear.pin_material",
     "gear.disc_material",
     "gear.pin_support",

@@ -28,7 +28,7 @@ from core.first_yield import first_yield
 from core.hertz import HertzContact, force_factor, hertz
 from core.materials import Body
 from core.output.contact_force import ContactForce, contact_force
-from core.output.contact_law import ContactLaw, HertzLaw, contact_compliance, usual_law
+from core.output.contact_law import ContactLaw, contact_compliance, usual_law
 from core.output.edge_load import EdgeLoad, SlopingContacts
 from core.output.fit import Fit
 from core.output.losses import PinLosses, pin_losses
@@ -717,7 +717,7 @@ class Results:
     @derived
     def ring_mesh(self) -> CycloidMesh:
         """Cycloid discs on the pins of their ring as they are made, where their modification is
-        known, by Hertz' law: in exact geometry where flanks are not turned. All discs have one lag,
+        known: in exact geometry where flanks are not turned. All discs have one lag,
         or given shares of the torque.
         """
         design, gear = self.design, self.design.gear
@@ -747,7 +747,7 @@ class Results:
                 crank_angles=design.mechanism.built.crank_angles,
                 contact_length=length,
                 disc_material=design.disc_material,
-                law=HertzLaw(),
+                law=gear.law,
                 deviations=design.ring_deviations,
                 exact=change.rotation == 0,
                 support=shares,

@@ -27,7 +27,7 @@ from core.fatigue import (
     surface_factor,
 )
 from core.materials import ElasticMaterial
-from core.output.contact_law import PinSupport
+from core.output.contact_law import ContactLaw, HertzLaw, PinSupport
 from core.output.mechanism import Mechanism
 from core.output.members import Members, Output
 from core.output.pin_bolt import PinBolt
@@ -597,6 +597,8 @@ class Ring:
         Force along the crank over that across it.
     modification : Modification or None
         Of the discs; None where nothing is known of it.
+    contact_law : ContactLaw or None
+        How a pin and a disc give; by Hertz where that is not stated.
     contact_length : float or None
         Of a disc on a pin, m.
     pin_material, disc_material : ElasticMaterial or None
@@ -635,6 +637,7 @@ class Ring:
     ring_pin_radius: float | None = None
     radial_force_ratio: float | None = None
     modification: Modification | None = None
+    contact_law: ContactLaw | None = None
     contact_length: float | None = None
     pin_material: ElasticMaterial | None = None
     disc_material: ElasticMaterial | None = None
@@ -657,6 +660,11 @@ class Ring:
     def changed(self) -> Modification:
         """The modification; none where nothing is known of it."""
         return self.modification or Modification()
+
+    @property
+    def law(self) -> ContactLaw:
+        """The law of contact of the teeth: Hertz's where none is stated."""
+        return self.contact_law or HertzLaw()
 
     @property
     def bent_pin(self) -> DesignPin | None:

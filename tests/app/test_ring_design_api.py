@@ -133,6 +133,19 @@ async def test_the_mesh_is_what_its_endpoint_answers(api):
     ]
 
 
+async def test_the_law_of_the_teeth_is_their_own(api):
+    """Of the design, of the ring alone by either of its fields, of which the ring's counts."""
+    law, other = ({"kind": "linear", "stiffness_N_per_mm": k} for k in (1e5, 2e5))
+    alone = {**ALONE, "deviations": None, "include": ["over_turn"]}
+    del alone["deviations"]
+    stated = {**alone, "gear": {**alone["gear"], "contact_law": law}, "contact_law": other}
+    bodies = (stated, {**alone, "contact_law": law}, alone)
+    own, same, usual = [(await api.post("ring-mesh", json=body)).json() for body in bodies]
+    body = changed(include=["ring_mesh"], gear={"contact_law": law})
+    design = (await api.post(PATH, json=body)).json()["ring_mesh"]
+    assert design["over_turn"] == own["over_turn"] == same["over_turn"] != usual["over_turn"]
+
+
 async def test_angles_are_those_of_the_output(api):
     """The ring turns by u/(u + 1) of what the pins would, and carries as much more."""
     pins = changed(include=["ring_mesh"])

@@ -23,7 +23,6 @@ from core.design.results import Results
 from core.design.sections import Ring
 from core.materials import ContactLimit, ElasticMaterial
 from core.output.real_mechanism import Deviations
-from core.output.satellite_support import Shares
 from core.ring.profile import Modification
 from core.ring.sharing import RingDeviations, mesh_over_turn
 from tests.inputs.checks import design_of, having
@@ -136,7 +135,7 @@ def test_how_rings_are_made() -> None:
 
 
 def test_what_is_known_stays() -> None:
-    """A modification, or places of the pins; of both nothing is drawn, nor of given shares."""
+    """A modification, or places of the pins; of both nothing is drawn."""
     stated = usual(ringed(modification=Modification()))
     assert (stated.equidistant, stated.pin_zone_diameter) == (0.0, pytest.approx(U))
     assert stated.cannot_assemble == 1.0 and stated.verdict.verdict == "fail"
@@ -146,7 +145,6 @@ def test_what_is_known_stays() -> None:
     assert placed.results.design.deviations == off
     modified = ringed(modification=Modification(equidistant=U))
     assert usual_modification(having(modified, deviations=off)) is None
-    assert usual_modification(having(FEW, satellite_coupling=Shares((1.0,)))) is None
     assert usual_modification(ringed(ring_pin_radius=None)) is None
     assert usual_modification(having(FEW, scope=("contact",))) is None
     assert usual_modification(having(FEW, gear=Ring(kind="none"))) is None
