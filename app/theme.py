@@ -69,7 +69,7 @@ TEXTS = {
     "ideal": "Ideal",
     "ideal_ring_pin": "Satellite {satellite}, ring pin {pin}, ideal<br>{value}",
     "ideal_largest": "Largest force, ideal",
-    "gap": "Gap without a lag",
+    "gap": "Gap under load",
     "ideal_pair_force": "Satellite {satellite}, pin {pin}, ideal<br>{force} at {angle}",
     "lag": "Lag of the output",
     "least_room": "Least room",

@@ -14,7 +14,7 @@
   // Room is kept for the words of a language from the first paint on.
   document.documentElement.lang = languages.find((one) => ["en", "uk", "ru"].includes(one)) ?? "en";
   const own = {
-    "crank-planetary": ["index", "drawing", "mechanism", "sentences", "wanted"],
+    "crank-planetary": ["index", "drawing", "mechanism", "ring", "sentences", "wanted"],
     rollers: ["index", "drawing", "sentences"],
     precession: ["index", "drawing", "sentences"],
   };

@@ -42,6 +42,7 @@ from app.calculations.fatigue import PinFatigueFields
 from app.calculations.fit_answer import FitOut
 from app.calculations.geometry_answer import GeometryOut
 from app.calculations.hertz import entry_of
+from app.calculations.involute_mesh import solved_pair
 from app.calculations.load_sharing_answer import RealCyclogramOut
 from app.calculations.mechanism import MAX_PAIRS
 from app.calculations.members_answer import MembersOut, at_output
@@ -52,10 +53,12 @@ from app.calculations.reducer_fixes import fixes_of
 from app.calculations.ring import RING_PIN_LISTS, RingFields
 from app.calculations.ring_mesh_answer import (
     MeshTurnOut,
+    RingDrawingOut,
     RingEfficiencyOut,
     RingGeometryOut,
     RingIdealOut,
 )
+from app.calculations.ring_mesh_figure import ShownMesh, ring_mesh_figure
 from app.calculations.satellite_bearing import (
     BearingFields,
     CrankshaftFields,
@@ -73,6 +76,7 @@ from app.model import (
     quantity,
     warning,
 )
+from app.problems import refusal
 from app.running import run
 from app.settings import Settings
 from app.sources import (
@@ -102,6 +106,7 @@ from core.checks.usual_modification import (
     usual_modification,
 )
 from core.derived import if_known
+from core.design.drawings import drawn_mesh
 from core.design.real_forces import RealForces
 from core.design.results import MOST_BEARING_PAIRS, MOST_PIN_PAIRS, Results
 from core.errors import CalculationError
@@ -117,6 +122,7 @@ from core.output.pin_geometry import (
 from core.output.real_cyclogram import RealCyclogram, carried_forces, real_cyclogram
 from core.output.turn import Turn
 from core.results import Notice
+from core.ring.mesh_curves import MeshCurves
 from core.worked.crank import bearing_steps, shaft_steps
 from core.worked.hertz import judged_steps
 from core.worked.losses import loss_steps
@@ -137,6 +143,7 @@ Section = Literal[
     "pin_strength",
     "output_efficiency",
     "ring_mesh",
+    "ring_drawing",
     "satellite_bearing",
     "crankshaft",
     "rollers",
@@ -152,6 +159,7 @@ Section = Literal[
 SECTIONS: tuple[Section, ...] = get_args(Section)
 
 _TOUCHING = ("load", "contact")
+_MESHING = ("load", "contact/eccentricity_mm", "gear/modification")
 _TURNING = (*_TOUCHING, "load/input_speed_rpm", "contact/eccentricity_mm")
 
 _NEEDS: dict[Section, tuple[str, ...]] = {
@@ -163,7 +171,8 @@ _NEEDS: dict[Section, tuple[str, ...]] = {
     "hertz": _TOUCHING,
     "pin_strength": (*_TOUCHING, "pin"),
     "output_efficiency": (*_TURNING, "friction"),
-    "ring_mesh": ("load", "contact/eccentricity_mm", "gear/modification"),
+    "ring_mesh": _MESHING,
+    "ring_drawing": _MESHING,
     "satellite_bearing": (*_TURNING, "gear", "bearing"),
     "crankshaft": (*_TURNING, "gear", "crankshaft"),
     "rollers": (*_TOUCHING, "contact/eccentricity_mm", "rollers"),
@@ -177,11 +186,27 @@ _NEEDS: dict[Section, tuple[str, ...]] = {
 }
 """Which parts of the request each section of the answer needs, and which of their fields."""
 
+INVOLUTE_NEEDS = (
+    "load",
+    "contact/eccentricity_mm",
+    *(f"gear/{body}_profile_shift" for body in ("satellite", "ring")),
+)
+"""The same of the mesh of involute teeth."""
+
 SEARCHED = frozenset(("fixes", "combined", "usual_fit", "usual_modification"))
 """Sections for which designs are tried."""
 
 DRAWN_SAMPLES = 361
 """Crank angles of the figure's real forces."""
+
+DRAWN_RING = 120
+"""Crank angles at which discs and ring are drawn, at least, of at most `MAX_DRAWN_PAIRS`."""
+
+MAX_DRAWN_PAIRS = 240
+"""Most pairs of discs and ring that are drawn."""
+
+DRAWN_ERROR = 1e-5
+"""Chord error of the outline there, m."""
 
 STRENGTH: tuple[Section, ...] = (
     "pin_strength",
@@ -250,10 +275,15 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     @model_validator(mode="after")
     def _parts_for_sections(self) -> Self:
         for section in self.include or ():
-            for part in _NEEDS[section]:
+            for part in self._needs(section):
                 if not self._has(part):
                     raise field_error(part, "needed_for", section=section)
         return self
+
+    def _needs(self, section: Section) -> tuple[str, ...]:
+        """What a section of the answer needs; of involute teeth their shifts."""
+        involute = self.gear is not None and self.gear.kind == "involute"
+        return INVOLUTE_NEEDS if section == "ring_mesh" and involute else _NEEDS[section]
 
     def _has(self, part: str) -> bool:
         """Whether a part of the request, or a field of one, is given; rollers have friction."""
@@ -340,8 +370,10 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     @property
     def _draws_ring(self) -> bool:
         """Whether the mesh of the ring is answered where it is not named: it can be solved."""
-        given = all(map(self._has, _NEEDS["ring_mesh"]))
-        return given and if_known(lambda: self.results.ring_working) is not None
+        given, found = all(map(self._has, self._needs("ring_mesh"))), self.results
+        if self.gear is not None and self.gear.kind == "involute":
+            return given and if_known(lambda: found.involute_load(1.0)) is not None
+        return given and if_known(lambda: found.ring_working) is not None
 
     def _unfit(self, section: Section) -> bool:
         """Whether a section rests on forces of parts that cannot be put together."""
@@ -517,8 +549,31 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         values = LoadSharingOut.values(sharing, run_us, judged_force_N=force_N, curves=drawn)
         return at_output(values, self.design.members)
 
+    def solve_pair(self) -> Solved:
+        """The mesh of involute teeth, of the satellite with the largest torque."""
+        results, design = self.results, self.design
+        factor = design.load_factor
+        pair, loaded = results.involute_pair, results.loaded_teeth(factor)
+        _ = results.involute_load(factor)  # which needs materials
+        asked = {"stresses"} | ({"shared_pairs"} if pair.on_involutes else set())
+        solved = solved_pair(
+            ring=design.gear,
+            pair=pair,
+            loaded=loaded,
+            output_torque=design.pin_torque,
+            input_speed=design.turning_speed,
+            asked=asked,
+        )
+        values = solved.values
+        del values["kind"]  # which the design says
+        values["satellite_torque_Nm"] = loaded["torque"]
+        values["geometry"] = at_output(values["geometry"], design.members)
+        return solved
+
     def solve_ring(self) -> Solved:
         """The mesh of the ring under the torque, in the direction of the larger pressure."""
+        if self.design.gear.kind == "involute":
+            return self.solve_pair()
         assert self.load is not None
         turn, solved = self.results.ring_working[0], Solved()
         mesh, members = turn.mesh, self.design.members
@@ -535,6 +590,23 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
             solved.values["efficiency"] = RingEfficiencyOut.values(loss)
         solved.take(turn.accuracy, turn.notices)
         return solved
+
+    def solve_ring_drawing(self) -> Values | None:
+        """Discs and ring as they are drawn, and what they do under the same torque."""
+        turn = self.results.ring_working[0]
+        if turn.mesh.disc.pins * self.mechanism.satellites > MAX_DRAWN_PAIRS:
+            return None
+        drawn = drawn_mesh(design=self.design, mesh=turn.mesh, chord_error=DRAWN_ERROR)
+        return RingDrawingOut.of(drawn, MeshCurves(turn, DRAWN_RING))
+
+    def solve_ring_figure(self) -> ShownMesh:
+        """What the figure of the mesh shows."""
+        turn, own = self.results.ring_working[0], self.mechanism
+        if turn.mesh.disc.pins * own.satellites > MAX_DRAWN_PAIRS:
+            name = "ratio" if own.ring_teeth is None else "ring_teeth"
+            limit = {"limit": MAX_DRAWN_PAIRS // own.satellites, "satellites": own.satellites}
+            raise refusal(f"/mechanism/{name}", "too_many_pairs", **limit)
+        return ShownMesh.of(turn, members=self.design.members)
 
     def solve_disc(self) -> Notice | None:
         """Whether the edge of the satellite is so near to its holes that the pressure is off."""
@@ -609,6 +681,10 @@ def solve(body: CrankPlanetaryRequest) -> Values:
     if "ring_mesh" in asked:
         ring, ring_us = run(body, body.solve_ring)
         sections["ring_mesh"] = ring.answer(ring_us)
+    if "ring_drawing" in asked:
+        drawing, _ = run(body, body.solve_ring_drawing)
+        if drawing is not None:
+            sections["ring_drawing"] = drawing
     for name, answer in ANSWERS.items():
         if name in asked:
             found, run_us = run(body, partial(body.strength, name))
@@ -693,8 +769,11 @@ def _force_figure(body: CrankPlanetaryRequest, theme: Theme) -> Figure:
 def figure(body: CrankPlanetaryRequest, theme: Theme = "light") -> Figure:
     """Cyclogram and, where a load is given, forces over one angle axis, as a Plotly figure: by the
     model of the answer, and the ideal one thin beside the real one. Where `include` names one of
-    the sections `cyclogram` and `contact_force`, that alone.
+    the sections `cyclogram` and `contact_force`, that alone; where it names `ring_mesh` alone, the
+    mesh of the ring at its peak and over the turn.
     """
+    if body.include == ["ring_mesh"]:
+        return ring_mesh_figure(run(body, body.solve_ring_figure)[0], theme)
     run(body, body.mechanism.refuse_undrawable)
     named = {"cyclogram", "contact_force"} & {*(body.include or ())}
     if body.load is None or named == {"cyclogram"}:

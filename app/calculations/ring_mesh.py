@@ -1,16 +1,19 @@
 """The mesh of satellites with their ring, pins or involute teeth: request and answer."""
 
-import math
-from dataclasses import replace
 from functools import cached_property
 from typing import Annotated, Any, ClassVar, Literal, Self, get_args
 
-import numpy as np
 from pydantic import BeforeValidator, Field, model_validator
 
 from app.calculations.contact_law import MeshLawFields
-from app.calculations.involute_mesh import InvoluteRingFields, drawn_path, solved_pair
+from app.calculations.involute_mesh import (
+    InvoluteRingFields,
+    drawn_path,
+    pair_notices,
+    solved_pair,
+)
 from app.calculations.load_sharing_answer import StiffnessCurveOut
+from app.calculations.ring import ring_of
 from app.calculations.ring_mesh_answer import (
     MeshPositionOut,
     MeshTurnOut,
@@ -20,7 +23,7 @@ from app.calculations.ring_mesh_answer import (
     RingIdealOut,
     RingMeshResponse,
 )
-from app.calculations.ring_mesh_figure import DrawnMesh, DrawnPath, path_figure, ring_mesh_figure
+from app.calculations.ring_mesh_figure import DrawnPath, ShownMesh, path_figure, ring_mesh_figure
 from app.calculations.ring_parts import (
     CycloidRingFields,
     MeshCouplingFields,
@@ -48,17 +51,19 @@ from app.sources import ISO_6336, JOHNSON_1985
 from app.theme import Figure, Theme
 from app.units import to_si
 from app.worked import worked
+from core.design.sections import Ring
 from core.errors import InvalidInput
-from core.output.contact_law import HertzLaw, LinearLaw
-from core.output.real_curves import real_curves, stiffness_curve
+from core.output.contact_law import HertzLaw
+from core.output.real_curves import stiffness_curve
 from core.output.satellite_support import Shares
+from core.output.turn import Turn
 from core.ring.involute import InvolutePair, involute_pair
 from core.ring.loss import RingFriction, ring_loss, sliding_part
-from core.ring.profile import CycloidDisc, Modification, outline_points
+from core.ring.profile import CycloidDisc, outline_points
 from core.ring.sharing import (
     CycloidMesh,
+    MeshTurn,
     RingDeviations,
-    mesh_gaps,
     mesh_over_turn,
     mesh_position,
 )
@@ -93,12 +98,6 @@ MAX_DRAWN_PAIRS = 240
 
 TORQUES = (-1.0, -0.75, -0.5, -0.25, -0.1, -0.03, 0.03, 0.1, 0.25, 0.5, 0.75, 1.0)
 """Shares of the torque at which the curve of the lag is sent."""
-
-DRAWN_ANGLES = 361
-"""Crank angles of the figure's curves."""
-
-DRAWN_ERROR = 1e-5
-"""Chord error of the outline in the figure, m."""
 
 
 def _of_its_kind(given: Any) -> Any:
@@ -261,15 +260,29 @@ class RingMeshRequest(RequestModel, group="positions"):
     @property
     def pair(self) -> InvolutePair:
         """A satellite of involute teeth in its ring, in SI units."""
-        assert isinstance(self.gear, InvoluteRingFields)
         own = self.mechanism
-        teeth = self.gear.teeth(satellite_teeth=own.satellite_teeth, ring_teeth=own.ring_teeth)
+        teeth = self.involute.involute_teeth(
+            satellite_teeth=own.satellite_teeth, ring_teeth=own.ring_teeth
+        )
         return involute_pair(teeth=teeth, eccentricity=self.eccentricity)
 
+    @cached_property
+    def involute(self) -> Ring:
+        """The ring of involute teeth, in SI units."""
+        assert isinstance(self.gear, InvoluteRingFields)
+        return ring_of(self.gear)
+
     @property
-    def satellite_torque(self) -> float:
-        """Torque of each satellite of involute teeth, N*m."""
-        return self.load.output_torque_Nm / self.mechanism.satellites
+    def loaded_teeth(self) -> dict[str, Any]:
+        """What the stresses of involute teeth follow from, as arguments."""
+        factor = self.load.application_factor or 1.0
+        return {
+            "torque": self.load.output_torque_Nm / self.mechanism.satellites,
+            "contact_length": self.involute.contact_length,
+            "satellite_material": self.involute.satellite_material,
+            "ring_material": self.involute.ring_material,
+            "load_factor": factor * self.involute.face_load_factor,
+        }
 
     @property
     def support(self) -> Shares | None:
@@ -310,20 +323,6 @@ class RingMeshRequest(RequestModel, group="positions"):
         )
 
     @property
-    def perfect(self) -> CycloidMesh:
-        """The same of perfect parts, contacts linear."""
-        return replace(
-            self.mesh,
-            disc=replace(self.disc, modification=Modification()),
-            law=LinearLaw(1e8),
-            pin=None,
-            seat_stiffness=math.inf,
-            deviations=RingDeviations(),
-            exact=False,
-            support=None,
-        )
-
-    @property
     def friction(self) -> RingFriction:
         """What slides; without a coefficient as if it were 0."""
         ring = self.cycloid.ring()
@@ -337,8 +336,8 @@ class RingMeshRequest(RequestModel, group="positions"):
 
     def solve_all(self) -> Solved:
         """What is asked for."""
-        if isinstance(self.gear, InvoluteRingFields):
-            return self._solve_pair(self.gear)
+        if self.gear.kind == "involute":
+            return self._solve_pair()
         solved, asked = Solved(), {*self.asked}
         mesh = self.mesh
         solved.values |= {"kind": "cycloid", "geometry": RingGeometryOut.values(self.disc)}
@@ -403,18 +402,16 @@ class RingMeshRequest(RequestModel, group="positions"):
                 )
         return worked(**steps)
 
-    def _solve_pair(self, gear: InvoluteRingFields) -> Solved:
-        speed, own = self.input_speed, self.mechanism
-        turning = None
-        if speed is not None:
-            turning = speed * (own.ring_teeth - own.satellite_teeth) / own.satellite_teeth
+    def _solve_pair(self) -> Solved:
+        pair = self.pair
         return solved_pair(
-            gear=gear,
-            pair=self.pair,
-            torque=self.satellite_torque,
-            application_factor=self.load.application_factor or 1.0,
-            power=None if turning is None else turning * self.load.output_torque_Nm,
+            ring=self.involute,
+            pair=pair,
+            loaded=self.loaded_teeth,
+            output_torque=self.load.output_torque_Nm,
+            input_speed=self.input_speed,
             asked={*self.asked},
+            notices=pair_notices(pair),
         )
 
     @property
@@ -439,30 +436,12 @@ class RingMeshRequest(RequestModel, group="positions"):
 
     def solve_path(self) -> DrawnPath:
         """The pressure along the path of contact."""
-        assert isinstance(self.gear, InvoluteRingFields)
-        factor = self.load.application_factor or 1.0
-        return drawn_path(
-            gear=self.gear,
-            pair=self.pair,
-            torque=self.satellite_torque,
-            application_factor=factor,
-        )
+        return drawn_path(pair=self.pair, loaded=self.loaded_teeth)
 
-    def solve_for_drawing(self) -> DrawnMesh:
+    def solve_for_drawing(self) -> ShownMesh:
         """All that the figure shows."""
-        mesh, angle = self.mesh, self.angles[0]
-        asked: dict[str, Any] = {"crank_angle": angle, "output_torque": self.torque}
-        position = mesh_position(mesh=mesh, **asked)
-        perfect = mesh_position(mesh=self.perfect, **asked)
-        angles = np.linspace(0.0, 2 * math.pi, DRAWN_ANGLES)
-        return DrawnMesh(
-            mesh=mesh,
-            position=position,
-            ideal=perfect.force,
-            gaps=mesh_gaps(mesh=mesh, crank_angle=angle),
-            curves=real_curves(real=mesh, crank_angle=angles, output_torque=self.torque),
-            outline=outline_points(disc=self.disc, chord_error=DRAWN_ERROR).points,
-        )
+        turn = MeshTurn(Turn(self.mesh, self.torque))
+        return ShownMesh.of(turn, crank_angle=self.angles[0])
 
 
 def work(body: RingMeshRequest) -> list[Values]:
@@ -484,7 +463,7 @@ def figure(body: RingMeshRequest, theme: Theme = "light") -> Figure:
     turn, and the disc on its pins; or the pressure along the path of contact of involute teeth, for
     Plotly.js.
     """
-    if isinstance(body.gear, InvoluteRingFields):
+    if body.gear.kind == "involute":
         path, _ = run(body, body.solve_path)
         return path_figure(path, theme)
     own = body.mechanism

@@ -2,6 +2,8 @@
 
 from typing import Literal
 
+import numpy as np
+
 from app.calculations.involute_teeth import InvoluteGeometryOut, InvoluteStressesOut
 from app.calculations.load_sharing_answer import StiffnessCurveOut
 from app.calculations.mechanism import PairOut
@@ -16,10 +18,15 @@ from app.model import (
     result,
     worked_steps,
 )
-from app.units import from_si
+from app.units import from_si, rounded
 from core.crank.ring_mesh import cycloid_mesh
+from core.design.drawings import DrawnMesh
+from core.ring.mesh_curves import MeshCurves
 from core.ring.profile import CycloidDisc, OutlinePoints
 from core.ring.sharing import ideal_mesh
+
+DRAWN_DIGITS = 6
+"""Of what is drawn, of the largest of a kind."""
 
 
 class RingGeometryOut(ResponseModel):
@@ -203,6 +210,61 @@ class ProfileOut(ResponseModel):
         return cls.values(points, closed=True, points=found.tolist())
 
 
+class RingPinOut(ResponseModel):
+    """A pin of the ring as it is made."""
+
+    pin: int = result("Number of the pin, from 1.", symbol="k")
+    centre_mm: tuple[float, float] = result("Its centre, X and Y.", symbol="P_k")
+    radius_mm: float = result("Its radius.", symbol="r")
+
+
+class RingDrawingOut(ResponseModel):
+    """Discs and ring as they are drawn (Y up through pin 1 of the output at crank angle 0, X
+    right): the outline of a disc, where it stands, and what its pins do over the turn of the crank.
+    """
+
+    lobe_mm: Maybe[list[list[float]]] = result(
+        "Points x, y of one lobe about a disc's centre, from a valley, that is up, clockwise; the "
+        "next begins where it ends, and all are the same. Absent where flanks are turned: no "
+        "outline is known."
+    )
+    turn_deg: list[float] = result(
+        "Angle of each disc at the crank angle 0, anticlockwise; over the turn it grows by that of "
+        "the crank over z₂.",
+        equation="α_j/z₂ − φ₀",
+    )
+    ring_pins: list[RingPinOut] = result("Pins of the ring.")
+    crank_angle_deg: list[float] = result("Crank angles of forces and gaps.", symbol="φ")
+    force_N: list[list[list[float]]] = result(
+        "Force of each pin of the ring at these, satellite by satellite.", symbol="F_jk"
+    )
+    gap_mm: list[list[list[float]]] = result(
+        "What is left between disc and pin under the torque, 0 where they press."
+    )
+
+    @classmethod
+    def of(cls, drawn: DrawnMesh, curves: MeshCurves) -> dict[str, object]:
+        """The values of discs and ring, and of what they do."""
+        own = {
+            "turn_deg": drawn.turns,
+            "centre_mm": drawn.pin_centres,
+            "radius_mm": drawn.pin_radii,
+            "crank_angle_deg": curves.crank_angle,
+            "force_N": curves.force,
+            "gap_mm": curves.gap,
+        } | ({} if drawn.lobe is None else {"lobe_mm": drawn.lobe})
+        values = {
+            name: rounded(from_si(name, np.array(value)), DRAWN_DIGITS).tolist()
+            for name, value in own.items()
+        }
+        sizes = zip(values.pop("centre_mm"), values.pop("radius_mm"), strict=True)
+        pins = [
+            {"pin": k + 1, "centre_mm": centre, "radius_mm": radius}
+            for k, (centre, radius) in enumerate(sizes)
+        ]
+        return values | {"ring_pins": pins}
+
+
 class SharedPairsOut(ResponseModel):
     """Pairs of perfect involute teeth that carry over a pitch, for information: a pitch error of
     some microns takes most of it away, and stresses are those of one pair.
@@ -232,6 +294,21 @@ class DesignMeshOut(ResponseModel):
     )
     ideal: RingIdealOut
     over_turn: MeshTurnOut
+    efficiency: Maybe[RingEfficiencyOut] = None
+    accuracy: AccuracyOut
+    warnings: Maybe[list[WarningOut]] = None
+
+
+class DesignPairOut(ResponseModel):
+    """The mesh of involute teeth in a whole design, of the satellite with the largest torque."""
+
+    satellite_torque_Nm: float = result(
+        "Largest torque of a satellite over the turn, under the dynamic load over its factor.",
+        symbol="T_j",
+    )
+    geometry: InvoluteGeometryOut
+    stresses: InvoluteStressesOut
+    shared_pairs: Maybe[SharedPairsOut] = result("Pairs that carry, where teeth do not interfere.")
     efficiency: Maybe[RingEfficiencyOut] = None
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None

@@ -2,37 +2,95 @@
 
 import math
 from dataclasses import dataclass
+from typing import Self
 
 import numpy as np
 
 from app.theme import INK, Amount, Figure, Theme, axis, curve, layout, marker, text
 from app.units import from_si
 from core.arrays import FloatArray
-from core.output.real_curves import RealCurves
-from core.ring.sharing import CycloidMesh, MeshPosition
+from core.output.members import Members
+from core.ring.mesh_curves import MeshCurves
+from core.ring.profile import outline_points
+from core.ring.sharing import CycloidMesh, MeshPosition, MeshTurn, mesh_gaps, mesh_position
 
 Rows = tuple[tuple[float, ...], ...]
 
+ANGLES = 360
+"""Crank angles of the curves, at least."""
+
+CHORD_ERROR = 1e-5
+"""Of the outline, m."""
+
+PANELS = (0.74, 1.0), (0.5, 0.68), (0.22, 0.4), (0.0, 0.18)
+"""Where forces and gaps over the pins, peak and lag over the turn stand, of their height."""
+
 
 @dataclass(frozen=True, slots=True)
-class DrawnMesh:
+class ShownMesh:
     """What the figure shows, in SI units."""
 
     mesh: CycloidMesh
     position: MeshPosition  # at its crank angle
     ideal: Rows  # forces of perfect parts there
-    gaps: Rows  # gaps of the pairs there, without a lag
-    curves: RealCurves  # forces and lags over the crank angle
-    outline: FloatArray  # points of a disc, shape (n, 2)
+    gaps: Rows  # gaps that are left there under the torque
+    crank_angle: FloatArray  # of the curves
+    largest: FloatArray  # force at these
+    lag: FloatArray  # of the output at these
+    peak: tuple[float, float] | None  # crank angle and largest force over the turn, where known
+    outline: FloatArray | None = None  # points of a disc, shape (n, 2), where it is drawn
+
+    @classmethod
+    def of(
+        cls, turn: MeshTurn, *, crank_angle: float | None = None, members: Members | None = None
+    ) -> Self:
+        """A mesh at a crank angle, with a disc; without one at its peak, and without the disc.
+
+        Parameters
+        ----------
+        turn : MeshTurn
+            The mesh over the turn.
+        crank_angle : float, optional
+            rad.
+        members : Members, optional
+            Which is the output; the pins where it is not given.
+
+        Returns
+        -------
+        ShownMesh
+        """
+        mesh, torque, outline, peak = turn.mesh, turn.turn.torque, None, None
+        if crank_angle is None:
+            angle = turn.peak_crank_angle
+            peak = angle, turn.peak_force
+        else:
+            angle = crank_angle
+            outline = outline_points(disc=mesh.disc, chord_error=CHORD_ERROR).points
+        position = mesh_position(mesh=mesh, crank_angle=angle, output_torque=torque)
+        perfect = mesh_position(mesh=mesh.perfect, crank_angle=angle, output_torque=torque)
+        gaps = mesh_gaps(mesh=mesh, crank_angle=angle, rotation=position.rotation)
+        curves = MeshCurves(turn, ANGLES)
+        lag = curves.rotation
+        return cls(
+            mesh=mesh,
+            position=position,
+            ideal=perfect.force,
+            gaps=tuple(tuple(max(gap, 0.0) for gap in row) for row in gaps),
+            crank_angle=curves.crank_angle,
+            largest=curves.force.max(axis=(0, 1)),
+            lag=lag if members is None else members.angle_at_output(lag),
+            peak=peak,
+            outline=outline,
+        )
 
 
-def ring_mesh_figure(shown: DrawnMesh, theme: Theme) -> Figure:
+def ring_mesh_figure(shown: ShownMesh, theme: Theme) -> Figure:
     """Force and gap over the ring's pins at a crank angle, with the forces of perfect parts thin
     behind; the largest force and the lag over the turn; the first disc on its pins.
 
     Parameters
     ----------
-    shown : DrawnMesh
+    shown : ShownMesh
         What it shows.
     theme : {"light", "dark"}
         Look of the figure.
@@ -42,7 +100,7 @@ def ring_mesh_figure(shown: DrawnMesh, theme: Theme) -> Figure:
     dict
         ``{data, layout}``.
     """
-    angle = Amount(float(from_si("angle_deg", shown.position.crank_angle)), "°")
+    angle = Amount(float(from_si("angle_deg", shown.position.crank_angle)), "°", 4)
     pins = np.arange(1, shown.mesh.disc.pins + 1).tolist()
     data = []
     for words, rows, unit, place, look in (
@@ -57,54 +115,72 @@ def ring_mesh_figure(shown: DrawnMesh, theme: Theme) -> Figure:
             data.append(
                 curve(name, pins, values, j, theme, hovered, colour=j, **look) | {"yaxis": place}
             )
-    curves, at = shown.curves, Amount("%{x:.2f}", "°")
-    angles = from_si("angle_deg", curves.crank_angle)
+    at = Amount("%{x:.2f}", "°")
+    angles = from_si("angle_deg", shown.crank_angle)
     own = {"xaxis": "x2", "showlegend": False}
     name = text("peak_force")
     hovered = text("at_angle", name=name, value=Amount("%{y:.5g}", "N"), angle=at)
-    most = curves.force.max(axis=0)
-    data.append(curve(name, angles, most, 0, theme, hovered, colour=0) | own | {"yaxis": "y3"})
+    data.append(
+        curve(name, angles, shown.largest, 0, theme, hovered, colour=0) | own | {"yaxis": "y3"}
+    )
+    name = text("peak")
+    hovered = text("at_angle", name=name, value=Amount("%{y:.5g}", "N"), angle=at)
+    if shown.peak is not None:
+        there, most = float(from_si("angle_deg", shown.peak[0])), shown.peak[1]
+        data.append(marker(name, there, most, theme, hovered) | own | {"yaxis": "y3"})
     name = text("lag")
     hovered = text("at_angle", name=name, value=Amount("%{y:.5g}", "′"), angle=at)
-    lags = from_si("lag_arcmin", curves.rotation)
+    lags = from_si("lag_arcmin", shown.lag)
     data.append(curve(name, angles, lags, 0, theme, hovered, colour=1) | own | {"yaxis": "y4"})
-    data += _drawing(shown, theme)
+    force_at, gap_at, peak_at, lag_at = PANELS
+    more: Figure = {"height": 760}
+    below = 0.0
+    if shown.outline is not None:
+        data += _drawing(shown, shown.outline, theme)
+        below = 0.4
+        more = {
+            "height": 1180,
+            "shapes": _pins(shown, theme),
+            "xaxis3": axis(theme, "x", "mm", anchor="y5", constrain="domain"),
+            "yaxis5": axis(
+                theme, "y", "mm", domain=[0, 0.33], anchor="x3", scaleanchor="x3",
+                constrain="domain",
+            ),
+        }  # fmt: skip
+
+    def domain(panel: tuple[float, float]) -> list[float]:
+        return [below + (1 - below) * end for end in panel]
+
     return {
         "data": data,
         "layout": layout(
             theme,
-            height=1180,
-            shapes=_pins(shown, theme),
             xaxis=axis(
                 theme, text("ring_pin", angle=angle), anchor="y2", range=[0.5, len(pins) + 0.5]
             ),
             xaxis2=axis(theme, text("crank_angle"), "°", range=[0, 360], anchor="y4"),
-            xaxis3=axis(theme, "x", "mm", anchor="y5", constrain="domain"),
             yaxis=axis(
-                theme, text("contact_force"), "N", domain=[0.84, 1], rangemode="tozero"
+                theme, text("contact_force"), "N", domain=domain(force_at), rangemode="tozero"
             ),
-            yaxis2=axis(theme, text("gap"), "µm", domain=[0.7, 0.81]),
+            yaxis2=axis(theme, text("gap"), "µm", domain=domain(gap_at), rangemode="tozero"),
             yaxis3=axis(
-                theme, text("peak_force"), "N", domain=[0.53, 0.64], anchor="x2",
+                theme, text("peak_force"), "N", domain=domain(peak_at), anchor="x2",
                 rangemode="tozero",
             ),
-            yaxis4=axis(theme, text("lag"), "′", domain=[0.4, 0.51], anchor="x2"),
-            yaxis5=axis(
-                theme, "y", "mm", domain=[0, 0.33], anchor="x3", scaleanchor="x3",
-                constrain="domain",
-            ),
+            yaxis4=axis(theme, text("lag"), "′", domain=domain(lag_at), anchor="x2"),
+            **more,
         ),
     }  # fmt: skip
 
 
-def _drawing(shown: DrawnMesh, theme: Theme) -> list[Figure]:
+def _drawing(shown: ShownMesh, points: FloatArray, theme: Theme) -> list[Figure]:
     """The first disc: outline and pitch point."""
     mesh, phi = shown.mesh, shown.position.crank_angle + shown.mesh.crank_angles[0]
     disc, own = mesh.disc, {"xaxis": "x3", "yaxis": "y5", "showlegend": False}
     crank = 1j * disc.eccentricity * np.exp(-1j * phi)
     lag = shown.position.rotation[0]
     turned = np.exp(1j * (phi / disc.satellite_teeth - lag))
-    outline = shown.outline @ np.array([1, 1j]) * turned + crank
+    outline = points @ np.array([1, 1j]) * turned + crank
     closed = np.append(outline, outline[:1])
     x, y = from_si("points_mm", closed.real), from_si("points_mm", closed.imag)
     name = text("satellite", satellite=1)
@@ -116,7 +192,7 @@ def _drawing(shown: DrawnMesh, theme: Theme) -> list[Figure]:
     return [*drawn, curve(name, x, y, 0, theme, name) | own | {"mode": "markers"}]
 
 
-def _pins(shown: DrawnMesh, theme: Theme) -> list[Figure]:
+def _pins(shown: ShownMesh, theme: Theme) -> list[Figure]:
     """The pins of the ring, those that carry the first disc in the colour of alerts."""
     disc, found = shown.mesh.disc, []
     radius = float(from_si("radius_mm", disc.ring_pin_radius))

@@ -23,6 +23,7 @@ from core.design.refusals import named
 from core.errors import InvalidInput, NotKnown
 from core.output.pin_geometry import pin_geometry
 from core.ring.profile import MOST_POINTS, CycloidDisc, outline_points
+from core.ring.sharing import CycloidMesh
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,6 +48,20 @@ class DrawnRingPins:
     circle_radius: float  # R_p of their centres
     centres: FloatArray  # P_k, anticlockwise from the first one, shape (z_p, 2)
     radius: float  # r_p
+
+
+@dataclass(frozen=True, slots=True)
+class DrawnMesh:
+    """Discs and the pins of their ring as they are made, about the axes of discs and reducer;
+    lengths in m.
+    """
+
+    # Of one lobe, from a valley to the next but its end, clockwise, shape (n, 2): all others are
+    # the same. None where no outline is known, of flanks that are turned.
+    lobe: FloatArray | None
+    turns: tuple[float, ...]  # of the teeth of each disc from where a valley is up, anticlockwise
+    pin_centres: FloatArray  # with their deviations, anticlockwise, shape (z_p, 2)
+    pin_radii: FloatArray  # likewise, shape (z_p,)
 
 
 def drawn_disc(*, design: Design) -> CycloidDisc:
@@ -133,7 +148,7 @@ def drawn_satellites(
     found = []
     for number in numbers:
         crank = built.crank_angles[number - 1]
-        turn = crank / disc.satellite_teeth - start
+        turn = _turn(design, crank)
         (centre,) = _plane(1j * disc.eccentricity * np.exp(-1j * np.array([start + crank])))
         found.append(
             DrawnSatellite(
@@ -178,6 +193,43 @@ def drawn_ring_pins(*, design: Design) -> DrawnRingPins:
         centres=_plane(1j * disc.ring_pin_circle_radius * np.exp(1j * around)),
         radius=disc.ring_pin_radius,
     )
+
+
+def drawn_mesh(*, design: Design, mesh: CycloidMesh, chord_error: float) -> DrawnMesh:
+    """The discs of a design on the pins of their ring.
+
+    Parameters
+    ----------
+    design : Design
+        The design.
+    mesh : CycloidMesh
+        Its discs and ring as they are made.
+    chord_error : float
+        How far an outline may be from the polygon of its points, m.
+
+    Returns
+    -------
+    DrawnMesh
+    """
+    disc, made, built = mesh.disc, mesh.deviations, design.mechanism.built
+    lobe = None
+    if disc.modification.rotation == 0:
+        points = outline_points(disc=disc, chord_error=chord_error).points
+        lobe = points[: len(points) // disc.satellite_teeth]
+    radial, tangential, larger, *_ = made.each(pins=disc.pins, satellites=len(mesh.crank_angles))
+    around = 2 * math.pi * np.arange(disc.pins) / disc.pins - built.initial_crank_angle
+    place = disc.ring_pin_circle_radius + np.array(radial) + 1j * np.array(tangential)
+    return DrawnMesh(
+        lobe=lobe,
+        turns=tuple(_turn(design, crank) for crank in built.crank_angles),
+        pin_centres=_plane(1j * place * np.exp(1j * around)),
+        pin_radii=disc.ring_pin_radius + np.array(larger),
+    )
+
+
+def _turn(design: Design, crank: float) -> float:
+    """Of the teeth of a disc at the crank angle 0, by the angle of its crank, rad."""
+    return crank / design.lobes - design.mechanism.built.initial_crank_angle
 
 
 def _plane(points: ComplexArray) -> FloatArray:

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable, Iterable
 from dataclasses import replace
+from functools import cache
 
 from core.checks.check import Check, Verdict
 from core.checks.crank_planetary import crank_check
@@ -25,6 +26,7 @@ from core.fixes.fix import (
     in_order,
     side_effects,
 )
+from core.fixes.shifts import SHIFT, shift_fixes, shifted
 from core.numerics.inverse import Solution
 from core.precision import SEARCHED
 
@@ -63,10 +65,14 @@ def crank_fixes(*, results: Results, codes: Iterable[str], current: Verdict) -> 
     -------
     list of Fix
     """
-    fixes = []
+    fixes: list[Fix] = []
+    chosen = cache(lambda: shifted(results))
     for code in codes:
         for variable in current[code].kind.fixes:
             if variable in CHOICES:
+                continue
+            if variable == SHIFT:
+                fixes += shift_fixes(designs=chosen(), code=code, current=current)
                 continue
             try:
                 fix = _fix(results, code, variable, current)

@@ -8,6 +8,7 @@ sharing             forces, lag, play and stiffness at a position and over the t
 series_kernel       a disc between the ring and the pins of the output, which finds its own lag
 series              both meshes in series: forces, lags, play and stiffness at a position
 series_turn         the same over the turns after which all repeats
+mesh_curves         forces, lags and gaps of a mesh by itself over the turn, as they are drawn
 loss                sliding on the pins: loss, efficiency, pv
 bent_pins           forces on the pins, by which those bend that are held at both ends
 line_of_action      where involute teeth touch, their path, tips that pass each other

@@ -5,7 +5,7 @@ ideal angle; the equilibrium is that of `core.output.sharing_kernel` over `core.
 """
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -20,6 +20,7 @@ from core.output.conformal_law import NO_CURVE, NO_WRAP
 from core.output.contact_force import PairNumber
 from core.output.contact_law import (
     ContactLaw,
+    LinearLaw,
     PinSupport,
     check_law,
     law_constants,
@@ -46,7 +47,7 @@ from core.ring.approach import (
     MeshRoom,
     MeshSetup,
 )
-from core.ring.profile import CycloidDisc
+from core.ring.profile import CycloidDisc, Modification
 
 DEPTHS = 0.5, 2.0
 """Reference depths over the pin's radius within which a half-space stands for a disc."""
@@ -139,6 +140,20 @@ class CycloidMesh(Stage):
     def mechanism(self) -> Mechanism:  # type: ignore[override] # not set
         """The ring's pins and the cranks: the wave of their forces turns with the crank."""
         return Mechanism(self.disc.pins, self.crank_angles, math.inf)
+
+    @property
+    def perfect(self) -> "CycloidMesh":
+        """The same of perfect rigid parts, contacts linear."""
+        return replace(
+            self,
+            disc=replace(self.disc, modification=Modification()),
+            law=LinearLaw(1e8),
+            pin=None,
+            seat_stiffness=math.inf,
+            deviations=RingDeviations(),
+            exact=False,
+            support=None,
+        )
 
     @property
     def eccentricity(self) -> float:
@@ -454,8 +469,10 @@ def _interference(mesh: CycloidMesh, setup: MeshSetup, free: bool, angle: float)
     return float(loops.pressing(-far, far, setup, pairs, room))
 
 
-def mesh_gaps(*, mesh: CycloidMesh, crank_angle: float) -> tuple[tuple[float, ...], ...]:
-    """Gaps of all pairs where the discs do not lag: negative where they would press.
+def mesh_gaps(
+    *, mesh: CycloidMesh, crank_angle: float, rotation: tuple[float, ...] = ()
+) -> tuple[tuple[float, ...], ...]:
+    """Gaps of all pairs where the discs lag by so much: negative where they press.
 
     Parameters
     ----------
@@ -463,6 +480,8 @@ def mesh_gaps(*, mesh: CycloidMesh, crank_angle: float) -> tuple[tuple[float, ..
         The mesh.
     crank_angle : float
         Crank angle, rad.
+    rotation : tuple of float, K, optional
+        Lag of each disc, rad, negative in reverse; none where it is not given.
 
     Returns
     -------
@@ -484,12 +503,14 @@ def mesh_gaps(*, mesh: CycloidMesh, crank_angle: float) -> tuple[tuple[float, ..
     check_single(crank_angle=crank_angle)
     setup, room, pairs = mesh.setup(1.0), mesh.room(), mesh.pairs
     approach.at(mesh.wave(crank_angle), setup, pairs, room)
+    pins, lags = setup.pins, rotation or (0.0,) * setup.satellites
     if not mesh.exact:
-        return mesh.rows([-q for q in room.q])
-    pins = setup.pins
+        return mesh.rows(
+            [-q - lags[i // pins] * v for i, (q, v) in enumerate(zip(room.q, room.v, strict=True))]
+        )
     return mesh.rows(
         [
-            -approach.touch(i, i // pins, 0.0, setup, pairs, room).approach
+            -approach.touch(i, i // pins, lags[i // pins], setup, pairs, room).approach
             for i in range(len(room.q))
         ]
     )

@@ -246,17 +246,20 @@ def involute_steps(pair: InvolutePair) -> list[Step]:
 
 
 def ring_steps(results: Results) -> list[Step]:
-    """Steps of the mesh of a design with its ring: sizes, pressure and friction under the torque.
+    """Steps of the mesh of a design with its ring: sizes; of cycloid discs pressure and friction
+    under the torque.
 
     Parameters
     ----------
     results : Results
-        Results of a design whose cycloid discs are solved.
+        Results of a design of which it is solved.
 
     Returns
     -------
     list of Step
     """
+    if results.design.gear.kind == "involute":
+        return involute_steps(results.involute_pair)
     turn, design = results.ring_working[0], results.design
     steps = disc_steps(turn.mesh.disc)
     pressed = pressure_steps(

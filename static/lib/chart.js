@@ -2,6 +2,7 @@
  * Figures as the service sends them (Plotly's data and layout, canonical units, English) made ready
  * for the reader: in the language and the units shown, as tables, with other designs laid over. No DOM.
  */
+import { message } from "../messages/index.js";
 import { figureText } from "../service_texts.js";
 import { shownAsIs, shownValue } from "./units.js";
 
@@ -188,8 +189,15 @@ export function pairsOf({ name, mode }) {
   return mode === "lines" && PAIR.test(name) ? name.split(" = ") : [];
 }
 
+/** Whether a name is that of a pin of the ring with a satellite, `2/14`, not of one of the output, `2.3`. */
+export const isOfRing = (name) => name?.includes("/") ?? false;
+
 /** A name of pairs as the reader knows them. */
 export function pairNames(name) {
+  if (isOfRing(name)) {
+    const [satellite, pin] = name.split("/");
+    return message("drawing.ringPair", { satellite, pin });
+  }
   return name.split(" = ").map((pair) => {
     const [satellite, pin] = pair.split(".");
     return figureText("pair", { satellite, pin });
@@ -234,4 +242,14 @@ export const besideIdeal = ({ data }) => data.some(({ meta }) => meta === "ideal
 /** The sets of pairs whose curves coincide, as the reader knows them. */
 export function coinciding({ data }) {
   return data.filter((trace) => pairsOf(trace).length > 1).map(({ name }) => pairNames(name));
+}
+
+const LONG_TITLE = 18; // letters
+
+/** An axis with its title in two lines where it is longer than a low panel is high. */
+export function inTwoLines(axis) {
+  const { text } = axis.title;
+  const place = text.lastIndexOf(" ", text.length * 0.6);
+  if (text.length <= LONG_TITLE || place <= 0) return axis;
+  return { ...axis, title: { ...axis.title, text: `${text.slice(0, place)}<br>${text.slice(place + 1)}` } };
 }

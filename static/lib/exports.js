@@ -60,7 +60,7 @@ print(answer.json())
 `;
 }
 
-const ASIDE = ["accuracy", "warnings", "curves", "checks", "fixes", "not_considered", "counts", "assumed", "fit"];
+const ASIDE = ["accuracy", "warnings", "curves", "checks", "fixes", "not_considered", "counts", "assumed", "fit", "ring_drawing"];
 
 /** Every value of an object as `[name, value, unit]`; parts of lists and objects by their index or key. */
 function leaves(name, value, unit) {

@@ -95,7 +95,8 @@ export function createDrawingView({ calculator, on }) {
     light(lit);
     if (!moving) return;
     if (!drawing) stop();
-    const pairs = drawing?.pairs ?? [];
+    const { pairs: own = [], ringPairs = [] } = drawing ?? {};
+    const pairs = [...own, ...ringPairs];
     fill(choice, html`<option value="">${message("drawing.all")}</option>${pairs.map((name) => html`<option value="${name}">${pairNames(name)}</option>`)}`);
     slider.max = String(end());
     showPlaying();

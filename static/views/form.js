@@ -150,8 +150,10 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
     const part = element(html`<fieldset class="group card wanted" data-group="${id}" aria-label="${gate.title}"></fieldset>`);
     addField(gate, part);
     root.append(part);
+    let added = false;
     return (state) => {
-      if (fields.has(items[0].path) || !wants(state, id)) return;
+      if (added || !wants(state, id)) return;
+      added = true;
       const host = element(html`<div class="wanted-fields"></div>`);
       const more = element(html`<details class="more"><summary>${message("form.more")}</summary></details>`);
       for (const item of items) addItem(item, item.advanced ? more : host);
@@ -167,7 +169,7 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
       return;
     }
     const view = createChoice(choiceAbout(item), { on: { chosen: (option) => on.chosen(item.id, option) } });
-    choices.set(item.id, view);
+    choices.set(item.id, { ...view, parts: item.options.flatMap((option) => option.fields) });
     for (const option of item.options) {
       for (const field of option.fields) addField(field, view.part(option.id));
     }
@@ -218,6 +220,9 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
     const shown = new Set(shownFields(model, state.typed));
     for (const add of wanted) add(state);
     for (const [id, view] of choices) view.setChosen(chosen[id]);
+    for (const { root: place, parts } of choices.values()) {
+      if (parts.some(({ when }) => when)) place.hidden = !parts.some((field) => shown.has(field));
+    }
     for (const id of Object.keys(calculator.alike ?? {})) {
       const { root: place } = choices.get(id) ?? {};
       if (chosen[id] !== "named" || texts[id]) apart.add(id);

@@ -1,5 +1,5 @@
 /** A figure drawn by Plotly: on the screen, following the drawing's crank angle, on paper, as a picture. */
-import { inShownUnits, onPaper, pairsOf } from "../lib/chart.js";
+import { inShownUnits, isOfRing, onPaper, pairsOf } from "../lib/chart.js";
 import { element, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 
@@ -135,8 +135,9 @@ export function createPlot({ label, follows, picked, clicked }) {
     },
     /** Follow the drawing: its crank angle, the pair selected. */
     follow(next) {
-      const other = next.pair !== turn.pair;
-      turn = next;
+      const pair = isOfRing(next.pair) ? null : next.pair; // of which no figure is
+      const other = pair !== turn.pair;
+      turn = { ...next, pair };
       if (!follows || !drawn() || root.hidden) return;
       moveCursor();
       if (other) Plotly.restyle(root, emphasis(root.data));

@@ -5,11 +5,15 @@
 import math
 from copy import deepcopy
 
+import numpy as np
+import plotly.graph_objects as go
 import pytest
 
-from app.calculations.crank_planetary import CrankPlanetaryRequest
+from app.calculations import crank_planetary
+from app.calculations.crank_planetary import CrankPlanetaryRequest, solve
 from app.examples import REQUESTS
 from core.checks.usual_modification import usual_modification
+from core.ring.sharing import mesh_position
 
 pytestmark = pytest.mark.anyio
 
@@ -42,6 +46,13 @@ def changed(**sections):
         for name in [name for name, value in inner.items() if value is None]:
             del inner[name]
     return body
+
+
+def distance(points, polygon):
+    """How far points are from a closed polygon."""
+    sides, away = np.roll(polygon, -1) - polygon, points[:, None] - polygon
+    along = np.clip((away / sides).real, 0, 1)
+    return np.abs(away - along * sides).min(axis=1)
 
 
 @pytest.mark.parametrize(
@@ -144,6 +155,99 @@ async def test_the_law_of_the_teeth_is_their_own(api):
     body = changed(include=["ring_mesh"], gear={"contact_law": law})
     design = (await api.post(PATH, json=body)).json()["ring_mesh"]
     assert design["over_turn"] == own["over_turn"] == same["over_turn"] != usual["over_turn"]
+
+
+OFF = {
+    "ring_pin_radial_mm": [0.004, -0.003, 0.002, 0.0] * 5,
+    "ring_pin_tangential_mm": [0.005, 0.0, -0.002, 0.003] * 5,
+    "ring_pin_radius_mm": [0.001, 0.0, 0.002, -0.001] * 5,
+}
+UNEVEN = {"crank_angles_deg": [0.0, 100.0, 215.0], "satellites": 3, "initial_crank_angle_deg": 25.0}
+
+
+@pytest.mark.parametrize(("deviations", "direction"), [({}, "driving"), (OFF, "reverse")])
+def test_discs_stand_on_the_pins_as_they_are_drawn(monkeypatch, deviations, direction):
+    """Put where the answer says, a fine outline is as far from each pin as its gap says, and turned
+    by the lag; where they press it reaches into it.
+    """
+    monkeypatch.setattr(crank_planetary, "DRAWN_ERROR", 2e-8)
+    body = changed(
+        mechanism=UNEVEN,
+        load={"torque_direction": direction},
+        deviations=deviations,
+        include=["ring_drawing"],
+    )
+    request = CrankPlanetaryRequest.model_validate(body)
+    drawn = solve(request)["ring_drawing"]
+    turn = request.results.ring_working[0].turn
+    lobe = np.array(drawn["lobe_mm"]) @ [1, 1j]
+    outline = np.concatenate([lobe * np.exp(-2j * np.pi * i / 19) for i in range(19)])
+    pins = np.array([each["centre_mm"] for each in drawn["ring_pins"]]) @ [1, 1j]
+    radii = [each["radius_mm"] for each in drawn["ring_pins"]]
+    angles, gaps, forces = (
+        np.array(drawn[name]) for name in ("crank_angle_deg", "gap_mm", "force_N")
+    )
+    assert angles[0] == 0 and angles[-1] == 360 and (gaps[..., 0] == gaps[..., -1]).all()
+    for i in (0, 1, len(angles) // 3, len(angles) - 2):
+        phi = np.radians(angles[i])
+        found = mesh_position(mesh=turn.real, crank_angle=phi, output_torque=turn.torque)
+        assert forces[..., i] == pytest.approx(np.array(found.force), abs=1e-5 * forces.max())
+        for j, alpha in enumerate(UNEVEN["crank_angles_deg"]):
+            crank = 2j * np.exp(-1j * (phi + np.radians(25.0 + alpha)))
+            turned = np.radians(drawn["turn_deg"][j]) + phi / 19 - found.rotation[j]
+            far = distance(pins, outline * np.exp(1j * turned) + crank) - radii
+            loaded = forces[j, :, i] > 0
+            assert gaps[j, ~loaded, i] == pytest.approx(far[~loaded], abs=3e-4)
+            assert (far[loaded] < 0).all() and not gaps[j, loaded, i].any() and loaded.any()
+    assert gaps.max() > 0.02  # of which the tolerance above is little
+
+
+async def test_what_cannot_be_drawn_is_left_out(api):
+    """No outline of flanks that are turned, no more pairs than are drawn."""
+    turned = changed(
+        gear={"modification": {"rotation_arcmin": 1.0}}, include=["ring_drawing", "ring_mesh"]
+    )
+    drawn = (await api.post(PATH, json=turned)).json()["ring_drawing"]
+    assert "lobe_mm" not in drawn and len(drawn["force_N"][0]) == 20
+    many = changed(mechanism={"satellites": 13}, include=["ring_drawing", "ring_mesh"])
+    answer = (await api.post(PATH, json=many)).json()
+    assert "ring_drawing" not in answer and "ring_mesh" in answer
+
+
+async def test_the_figure_is_of_the_peak(api):
+    """Forces there over the pins, peak and lag over the turn, as `/ring-mesh` has them; the lag is
+    that of the output.
+    """
+    body = changed(include=["ring_mesh"], mechanism={"output": "ring"})
+    turn = (await api.post(PATH, json=body)).json()["ring_mesh"]["over_turn"]
+    figure = (await api.post(f"{PATH}/chart", json=body)).json()
+    go.Figure(data=figure["data"], layout=figure["layout"])
+    of = {}
+    for trace in figure["data"]:
+        of.setdefault(trace.get("yaxis"), []).append(trace)
+    angle, pair = turn["peak_crank_angle_deg"], turn["peak_pair"]
+    alone = {**ALONE, "deviations": {}, "include": ["positions"], "crank_angle_deg": [angle]}
+    pins = ALONE["load"]["output_torque_Nm"] * 19 / 20  # where the ring has it all
+    alone["load"] = {**ALONE["load"], "output_torque_Nm": pins}
+    (there,) = (await api.post("ring-mesh", json=alone)).json()["positions"]
+    shown = [each for each in of["y"] if each["mode"] == "lines+markers"]
+    for row, trace in zip(there["force_N"], shown, strict=True):
+        assert trace["y"] == pytest.approx(row, rel=1e-6, abs=1e-3)
+    most = shown[pair["satellite"] - 1]
+    assert most["y"][pair["pin"] - 1] == pytest.approx(turn["peak_force_N"], rel=1e-6)
+    for gap, force in zip(of["y2"], shown, strict=True):
+        assert [value > 0 for value in gap["y"]] == [value == 0 for value in force["y"]]
+    curve, peak = of["y3"]
+    assert (*peak["x"], *peak["y"]) == (angle, turn["peak_force_N"])
+    assert 0.99 * turn["peak_force_N"] < max(curve["y"]) <= turn["peak_force_N"] * (1 + 1e-6)
+    (lag,) = of["y4"]
+    ends = turn["lag_min_arcmin"], turn["lag_max_arcmin"]
+    assert (min(lag["y"]), max(lag["y"])) == pytest.approx(ends, rel=1e-3)
+    assert ends[1] < 0.96 * max(there["rotation_arcmin"])
+    assert set(of) == {"y", "y2", "y3", "y4"}
+    many = changed(mechanism={"satellites": 13}, include=["ring_mesh"])
+    (error,) = (await api.post(f"{PATH}/chart", json=many)).json()["errors"]
+    assert (error["pointer"], error["code"]) == ("/mechanism/ring_teeth", "too_many_pairs")
 
 
 async def test_angles_are_those_of_the_output(api):

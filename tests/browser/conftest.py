@@ -84,7 +84,7 @@ def watch() -> Watch:
 UNFOLDED = """
 localStorage.folds ??= JSON.stringify(Object.fromEntries([
   "hertz", "shaft", "compare", "worked", "real", "fit", "study", "strength", "losses", "bearings",
-  "crank", "endurance", "lines",
+  "teeth", "crank", "endurance", "lines",
 ].flatMap((id) => [[id, true], [`wanted-${id}`, true]])));
 """
 

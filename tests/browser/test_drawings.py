@@ -241,7 +241,7 @@ def test_a_bar_selects_its_pair_everywhere(page: Page, service: str) -> None:
         .flatMap((t) => t.y.filter((_, i) => t.marker.opacity[i] === 1)))];
     }"""
     assert page.evaluate(bright) == [name]
-    expect(page.locator(".drawing .detail .title")).to_contain_text(f"pin {name[2:]}")
+    expect(page.locator(".drawing .title")).to_contain_text(f"pin {name[2:]}")
     page.mouse.click(*place)
     expect(hole).to_have_count(0)
     expect(chosen).to_have_value("")

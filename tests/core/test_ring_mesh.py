@@ -14,6 +14,7 @@ from core.output.satellite_support import Shares
 from core.output.turn import Turn
 from core.ring import approach
 from core.ring.loss import RingFriction, ring_loss
+from core.ring.mesh_curves import MeshCurves
 from core.ring.profile import CycloidDisc, Modification
 from core.ring.sharing import (
     CycloidMesh,
@@ -21,6 +22,7 @@ from core.ring.sharing import (
     MeshTurn,
     RingDeviations,
     ideal_mesh,
+    mesh_gaps,
     mesh_over_turn,
     mesh_position,
 )
@@ -65,6 +67,32 @@ def test_the_torques_of_the_discs_are_the_load(seed: int) -> None:
             for each in first.disc_torque
         ]
         assert first.crank_across == pytest.approx(across, rel=1e-12)
+
+
+@pytest.mark.parametrize("seed", seeds(4))
+@pytest.mark.parametrize("exact", [True, False])
+def test_what_overlaps_presses(seed: int, exact: bool) -> None:
+    """By a linear law as much as the gaps at the lags say."""
+    mesh, angle, torque = drawn(seed, exact=exact, law=LinearLaw(1e8))
+    found = at(mesh, angle, torque)
+    gaps = np.array(mesh_gaps(mesh=mesh, crank_angle=angle, rotation=found.rotation))
+    force = np.array(found.force)
+    assert force == pytest.approx(1e8 * np.maximum(-gaps, 0.0), abs=1e-6 * force.max())
+
+
+def test_curves_of_given_shares_are_of_the_lags_of_each_disc() -> None:
+    made = RingDeviations(pin_radial=(1e-5, -2e-5, 0.0) * 4)
+    mesh = mesh_of(support=Shares((0.7, 0.3)), deviations=made, exact=False)
+    curves = MeshCurves(mesh_over_turn(mesh=mesh, output_torque=50.0), 7)
+    assert curves.force.shape == curves.gap.shape == (2, 12, 8)
+    for i, angle in enumerate(curves.crank_angle.tolist()):
+        found = at(mesh, angle, 50.0)
+        gaps = np.array(mesh_gaps(mesh=mesh, crank_angle=angle, rotation=found.rotation))
+        assert curves.force[..., i] == pytest.approx(np.array(found.force), abs=1e-6)
+        assert curves.gap[..., i] == pytest.approx(np.maximum(gaps, 0.0), abs=1e-12)
+        mean = np.dot((0.7, 0.3), found.rotation)
+        assert curves.rotation[i] == pytest.approx(mean, rel=1e-9)
+        assert found.rotation[0] != found.rotation[1]
 
 
 @pytest.mark.parametrize("seed", seeds(8))

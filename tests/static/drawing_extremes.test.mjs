@@ -41,6 +41,39 @@ test("a mechanism of any size, and with sizes that do not fit each other", () =>
   }
 });
 
+test("a ring of any size about it, with and without what its discs do, and its caption", () => {
+  const cyclogram = {
+    period_deg: 342.857, driving_count: [{ to_deg: 360 }],
+    pairs: [1, 2].map((satellite) => ({ satellite, pin: 1, driving_deg: [[0, 171.43]] })),
+  };
+  const pins = (size) => [0, 1, 2].map((k) => ({ centre_mm: [size * Math.cos(k), size * Math.sin(k)], radius_mm: size / 9 }));
+  const rows = (value) => [0, 1].map(() => [0, 1, 2].map(() => [0, value]));
+  for (const paper of PAPERS) {
+    for (const size of SIZES) {
+      for (const e of SIZES) {
+        const input = {
+          mechanism: { pins: 1, satellites: 2, ratio: 2, initial_crank_angle_deg: 0 },
+          load: { pin_circle_radius_mm: 1 }, contact: { pin_radius_mm: 1, hole_radius_mm: 1 + e, eccentricity_mm: e },
+          besides: { bearings: { on: "on" }, gear: { kind: "cycloid", ring_pin_circle_radius_mm: size, ring_pin_radius_mm: size / 9 } },
+        };
+        const answer = { cyclogram, contact_force: { peak_force_N: 1, peak_pair: { satellite: 1, pin: 1 } } };
+        const plain = crank({ input, answer, curves: [], ...paper });
+        drawable(plain);
+        assert.deepEqual(plain.ringPairs, []);
+        for (const value of [0, 1e-12, 1e6]) {
+          const of = { turn_deg: [0, 90], ring_pins: pins(size), crank_angle_deg: [0, 360], force_N: rows(value), gap_mm: rows(value) };
+          for (const lobe of [{ lobe_mm: [[0, size], [size / 2, size]] }, {}]) {
+            const drawn = crank({ input, answer: { ...answer, ring_drawing: { ...of, ...lobe } }, curves: [], ...paper });
+            drawable(drawn);
+            assert.deepEqual(drawn.ringPairs, ["1/1", "1/2", "1/3", "2/1", "2/2", "2/3"]);
+            assert.ok(new Set([plain, drawn].map(({ caption }) => caption)).size === 2);
+          }
+        }
+      }
+    }
+  }
+});
+
 test("pins and shafts of any size, held in any way, with any number of satellites", () => {
   for (const paper of PAPERS) {
     for (const length of SIZES) {

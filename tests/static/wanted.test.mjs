@@ -284,6 +284,36 @@ test("a figure of strength and life asks with the design that its numbers are of
   }
 });
 
+test("measured pins of the ring are of the teeth alone: beside those of the output, and forces of the output stay ideal", async () => {
+  const ring = { ring_pin_radial_mm: [0.01, 0, 0], ring_pin_radius_mm: [0, -0.002, 0] };
+  const gear = { kind: "cycloid", ring_pin_circle_radius_mm: 60, modification: { equidistant_mm: 0.02 } };
+  const { besides, ...own } = inputOf({ ...DESIGN, gear, bearing: { kind: "ball" }, deviations: { ...ring, pin_radius_mm: [0.02] } });
+  assert.deepEqual(besides.deviations, { ring_pins: [[0.01, 0], [0, -0.002], [0, 0]].map(([ring_pin_radial_mm, ring_pin_radius_mm]) => ({ ring_pin_radial_mm, ring_pin_radius_mm })) });
+  assert.deepEqual(own.deviations, { pin_radius_mm: [0.02] });
+  const pins = { pins: [{ pin_radial_mm: 0.01 }, {}, {}] };
+  const asked = async (more, sections = calculator.sections) => {
+    const requests = [];
+    const perfect = { ...DESIGN.contact, pin_radius_mm: 5, eccentricity_mm: 2, hole_radius_mm: 7 };
+    const input = { ...DESIGN, contact: perfect, besides: { ...besides, ...more, deviations: { ...besides.deviations, ...more.deviations } } };
+    await calculator.ask({ post: async (path, body) => requests.push({ path, body }), input, filled: DESIGN, sections, tables: new Set() });
+    return requests;
+  };
+  const [alone] = await asked({});
+  assert.deepEqual(alone.body.deviations, ring);
+  assert.ok(alone.body.include.includes("ring_drawing") && !alone.body.include.includes("load_sharing"));
+  const both = await asked({ real: { on: "on" }, deviations: pins });
+  assert.deepEqual(both[0].body.deviations, { ...ring, pin_radial_mm: [0.01, 0, 0] });
+  assert.ok(both[0].body.include.includes("load_sharing"));
+  assert.equal((await asked({ teeth: {} }))[0].body.deviations, undefined);
+  const { figure } = await import("../../static/calculators/crank-planetary/bearings.js");
+  assert.deepEqual(figure.body({}, {}, both).deviations, { pin_radial_mm: [0.01, 0, 0] });
+  assert.ok(!("deviations" in figure.body({}, {}, [alone])));
+  const teeth = await import("../../static/calculators/crank-planetary/teeth.js");
+  assert.deepEqual(teeth.figure.body({}, {}, [alone]), { ...alone.body, include: ["ring_mesh"] });
+  const { rows } = WANTED.find(({ id }) => id === "teeth").fields["deviations.ring_pins"];
+  assert.deepEqual([{ ratio: 20 }, { satellite_teeth: 19, ring_teeth: 20 }].map((mechanism) => rows({ mechanism }).length), [21, 20]);
+});
+
 test("discs are drawn of which all is known, each with its own crank", async () => {
   const drawn = async (gear, mechanism = {}) => {
     const filled = { ...DESIGN, mechanism: { ...DESIGN.mechanism, ...mechanism }, besides: { bearings: { on: "on" }, gear } };

@@ -1,12 +1,15 @@
 /** The crank-planetary mechanism to scale at a crank angle: the whole, and one pair enlarged. */
+import { isOfRing } from "../../lib/chart.js";
 import { formatQuantity } from "../../lib/format.js";
 import { fill, html } from "../../lib/html.js";
 import { message } from "../../messages/index.js";
 import { arcPath, circle, createView, headPath, label, line, mm, paper, radius, roundBelow, scaleBar, sized, WIDE_PX } from "../../lib/svg.js";
 import { crankDirections, drivingAt, forcesAt, mechanismOf, MOST_PAIRS, moved, pinAngle, pinCentres, pitchRadii } from "./mechanism.js";
+import { discStill, placeRing, placeRingDetail, reachOf, ringCaption, ringDetail, ringMarks, ringParts, ringStill } from "./ring.js";
 
 const STYLES = 6; // of satellites, as in the figures
 const ARROW = 0.42; // the longest arrow, of the pin circle's radius
+const LESS = 2; // how many times shorter arrows at the ring are at most, of its circle
 const MARGIN = 26; // px
 
 const LABEL_PX = 70; // room for the dimensions about the pair, besides their values
@@ -38,9 +41,10 @@ function places(width, height) {
 function mainStill(view, centre, half, m) {
   const at = view.at;
   const pitch = pitchRadii(m);
-  const shownPitch = m.eccentricity && view.size(pitch.ring) < half;
-  const body = m.eccentricity && pitch.satellite > m.radius + m.holeRadius;
+  const shownPitch = m.eccentricity && !m.ring?.lobe && view.size(pitch.ring) < half;
+  const body = m.eccentricity && !m.ring && pitch.satellite > m.radius + m.holeRadius;
   return html`
+    ${m.ring && ringStill(view, centre, m)}
     ${shownPitch && html`${body && circle(centre, view.size(pitch.ring * 1.05), "ring", FIELD.ratio)}
       ${body && circle(centre, view.size(pitch.ring), "bore")}
       ${circle(centre, view.size(pitch.ring), "pitch", FIELD.ratio)}`}
@@ -48,7 +52,7 @@ function mainStill(view, centre, half, m) {
     ${line([centre[0], centre[1] - half + 4], [centre[0], centre[1] + half - MARGIN + 3], "centre")}
     ${circle(centre, view.size(m.radius), "centre pin-circle", FIELD.R)}
     ${m.cranks.map((_, j) => html`<g class="satellite series-${(j % STYLES) + 1}" data-field="${FIELD.satellites}">
-      ${shownPitch && circle(centre, view.size(pitch.satellite), "pitch", FIELD.ratio)}
+      ${discStill(view, m, j)}${shownPitch && circle(centre, view.size(pitch.satellite), "pitch", FIELD.ratio)}
       ${m.eccentricity && Array.from({ length: m.pins }, (_, n) => {
         const turned = (2 * Math.PI * n) / m.pins;
         const [x, y] = at([-m.radius * Math.sin(turned), m.radius * Math.cos(turned)]);
@@ -65,6 +69,7 @@ function mainStill(view, centre, half, m) {
     <g class="angle phi" data-field="${FIELD.start}"><path class="arc"/><path class="head"/>${label([0, 0], m.start === 0 ? "φ" : "φ + φ₀")}</g>
     ${m.cranks.length > 1 && html`<g class="angle alpha" data-field="${FIELD.spacing}"><path class="arc"/><path class="head"/>${label([0, 0], "α")}</g>`}
     ${m.pairs.map((pair) => html`<g class="arrow force series-${((pair.satellite - 1) % STYLES) + 1}" data-pair="${pair.satellite}.${pair.pin}"><line class="shaft"/><path class="head"/></g>`)}
+    ${m.ring && ringMarks(m)}
     ${radius(centre, view.size(m.radius), betweenPins(m.pins), "R", { of: m.radius, field: FIELD.R, lead: half - MARGIN + 12 - view.size(m.radius), least: 84 })}`;
 }
 
@@ -75,6 +80,7 @@ function betweenPins(pins) {
 
 function detailStill(m, spot) {
   return html`
+    ${m.ring?.force && ringDetail(spot)}
     <g class="detail">
       ${line([spot.x - spot.half + 6, spot.y], [spot.x + spot.half - 6, spot.y], "centre")}
       ${line([spot.x, spot.y - spot.half + 30], [spot.x, spot.y + spot.half - 24], "centre")}
@@ -83,8 +89,8 @@ function detailStill(m, spot) {
       <g class="moving"></g>
       <g class="arrow force"><line class="shaft"/><path class="head"/></g>
       <circle class="contact" r="3"/>
-      <text class="words title" x="${spot.x - spot.half + 6}" y="${spot.y - spot.half + 18}"></text>
-    </g>`;
+    </g>
+    <text class="words title" x="${spot.x - spot.half + 6}" y="${spot.y - spot.half + 18}"></text>`;
 }
 
 function set(node, values) {
@@ -126,7 +132,7 @@ function placeMain(parts, { m, angle, directions, pins, driving, force }) {
     const [x, y] = view.at(pin);
     set(parts.numbers[n], { x, y: y + 4 });
   });
-  const reach = main.half * 0.3;
+  const reach = Math.min(main.half * 0.3, view.size(m.radius) * 0.55);
   parts.cranks.forEach(({ line: ray, dot, text }, j) => {
     const [x, y] = directions[j];
     set(ray, { x1: main.x, y1: main.y, x2: main.x + x * reach, y2: main.y - y * reach });
@@ -184,7 +190,7 @@ function placeDetail(parts, { m, directions, pins, driving, force, real }, i) {
     ${radius(centre, close.size(m.pinRadius), away + side * 125, "r_in", { of: m.pinRadius, field: FIELD.pin, lead: close.size(m.holeRadius + m.eccentricity - m.pinRadius) + 6 })}
     ${radius(hole, close.size(m.holeRadius), away + side * 55, "r_out", { of: m.holeRadius, field: FIELD.hole, lead: 10 })}`);
   const drives = real ? "drawing.carries" : "drawing.drives";
-  one.title.textContent = message(driving[i] ? drives : "drawing.idle", {
+  return message(driving[i] ? drives : "drawing.idle", {
     ...m.pairs[i], force: formatQuantity(value, "N", 4),
   });
 }
@@ -203,19 +209,23 @@ function partsOf(host, still) {
     numbers: all(".pin-number"),
     cranks: all(".crank").map((root) => ({ line: root.querySelector("line"), dot: root.querySelector("circle"), text: root.querySelector("text") })),
     arrows: all("svg > .force.arrow").map(arrowOf),
+    ring: ringParts(host),
+    title: host.querySelector(".title"),
     angles: { phi: host.querySelector(".phi"), alpha: host.querySelector(".alpha") },
     one: one && {
       root: one, hole: of(".hole"), pin: of(".pin"), inside: of(".inside"), velocity: of(".velocity"), gamma: of(".gamma"),
-      moving: of(".moving"), arrow: arrowOf(of(".arrow")), contact: of(".contact"), title: of(".title"),
+      moving: of(".moving"), arrow: arrowOf(of(".arrow")), contact: of(".contact"),
     },
   };
 }
 
 function caption(m) {
+  const ring = ringCaption(m);
+  if (ring) return `${message("drawing.toScale")} ${ring}`;
   const pitch = pitchRadii(m).satellite;
   const holes = m.radius + m.holeRadius;
   if (!m.eccentricity) return `${message("drawing.toScale")} ${message("drawing.noContact")}`;
-  if (pitch > holes) return message("drawing.toScale");
+  if (pitch > holes) return [message("drawing.toScale"), m.involute && message("drawing.pitchCircles")].filter(Boolean).join(" ");
   return `${message("drawing.toScale")} ${message("drawing.pitchInside", { pitch: mm(pitch), holes: mm(holes) })}`;
 }
 
@@ -229,17 +239,19 @@ export function createDrawing({ input, answer, curves, width, height }) {
   const { main, detail } = places(width, height);
   const pitch = pitchRadii(m);
   const holes = m.radius + m.holeRadius;
+  const real = Boolean(answer.load_sharing);
+  const { peak_force_N: peak, peak_pair: most, peak_crank_angle_deg: at } = answer.load_sharing ?? answer.contact_force ?? {};
+  const { ring } = m;
+  const largest = Math.max(peak ?? 0, (ring?.peak ?? 0) * (m.radius / (ring?.circle ?? Infinity)) * LESS);
+  const arrowScale = peak ? (ARROW * m.radius) / largest : 0; // mm a newton
   const reach = m.eccentricity
-    ? Math.max(holes + m.eccentricity, pitch.ring < 2 * holes ? pitch.ring * 1.05 : 0)
+    ? Math.max(holes + m.eccentricity, ring ? reachOf(ring, arrowScale) : pitch.ring < 2 * holes ? pitch.ring * 1.05 : 0)
     : m.radius * 1.2;
   const view = createView({ ...main, scale: (main.half - MARGIN) / reach });
   const room = LABEL_PX + CHARACTER_PX * Math.max(...[m.holeRadius, m.pinRadius].map((length) => sized("", length ?? 0).join("").length));
   const close = m.eccentricity
     ? createView({ ...detail, scale: Math.max(detail.half * 0.24, Math.min(detail.half * 0.62, detail.half - room)) / (m.holeRadius + m.eccentricity) })
     : null;
-  const real = Boolean(answer.load_sharing);
-  const { peak_force_N: peak, peak_pair: most, peak_crank_angle_deg: at } = answer.load_sharing ?? answer.contact_force ?? {};
-  const arrowScale = peak ? (ARROW * m.radius) / peak : 0; // mm a newton
   const round = peak && roundBelow(peak / 2, "N");
   const bar = roundBelow(m.radius, "mm");
   const names = m.pairs.map(({ satellite, pin }) => `${satellite}.${pin}`);
@@ -262,6 +274,7 @@ export function createDrawing({ input, answer, curves, width, height }) {
     }),
     caption: [caption(m), real && message("drawing.realForces")].filter(Boolean).join(" "),
     pairs: names,
+    ringPairs: ring?.force && close ? m.cranks.flatMap((_, j) => ring.pins.map((_pin, k) => `${j + 1}/${k + 1}`)) : [],
     end: m.end,
     attach(host) {
       const parts = partsOf(host, { view, close, main, detail, arrowScale });
@@ -281,7 +294,13 @@ export function createDrawing({ input, answer, curves, width, height }) {
             for (const part of host.querySelectorAll("[data-pair]")) part.classList.toggle("selected", part.dataset.pair === pair);
           }
           placeMain(parts, state);
-          if (close) placeDetail(parts, state, pair === null ? usual : names.indexOf(pair));
+          placeRing(parts, state);
+          if (!close) return;
+          const ofRing = isOfRing(pair);
+          parts.one.root.classList.toggle("none", ofRing);
+          parts.ring.one?.root.classList.toggle("none", !ofRing);
+          parts.title.textContent = ofRing ? placeRingDetail(parts, state, pair)
+            : placeDetail(parts, state, pair === null ? usual : names.indexOf(pair));
         },
       };
     },

@@ -13,7 +13,7 @@ import { figureText } from "../../service_texts.js";
 import { createDrawing } from "./drawing.js";
 import { askedOf, cranksOf, fitted, MOST_PAIRS, ratioOf, refuseMore } from "./mechanism.js";
 import { factorOf, sentences } from "./sentences.js";
-import { BESIDE, inputOf, MADE, partsOf, WANTED, wantedSections } from "./wanted.js";
+import { BESIDE, inputOf, MADE, partedDeviations, partsOf, WANTED, wantedSections } from "./wanted.js";
 
 const MOST_ROWS = 24;
 const DESIGN = [ // parts that are judged beside the contact
@@ -73,7 +73,8 @@ async function madeOf({ besides, ...given }, filled, get, sections = wantedSecti
   const { asked, bodyOf } = await import("./real.js");
   const made = await bodyOf(asked({ ...given, besides }, filled), { get });
   const parts = Object.fromEntries(["contact", ...MADE].filter((part) => made[part]).map((part) => [part, made[part]]));
-  return { ...input, ...parts };
+  const deviations = { ...input.deviations, ...made.deviations };
+  return { ...input, ...parts, ...(Object.keys(deviations).length > 0 && { deviations }) };
 }
 
 /** How much the hole is larger than pin and eccentricity need, or smaller. */
@@ -84,7 +85,7 @@ function clearanceOf({ contact }) {
 /** Whether the forces that are judged are solved: of the design as it is made, or of pins that bend. */
 function isSolved(input) {
   if (clearanceOf(input) > 1e-9 || input.contact?.hole_clearance_mm > 0 || input.contact?.fit) return true;
-  if (MADE.some((part) => input[part])) return true;
+  if (MADE.some((part) => (part === "deviations" ? partedDeviations(input.deviations)[1] : input[part]))) return true;
   return Boolean(input.pin) && !(input.contact?.distribution_factor > 1);
 }
 
@@ -238,7 +239,7 @@ export default {
     torque: { output: ["load.output_torque_Nm"], input: ["load.input_torque_Nm", "load.efficiency"] },
   },
   optional: ["mechanism.crank_spacing_deg", "contact.hole_clearance_mm", "contact.fit"],
-  catalogues: Object.fromEntries(["contact.pin_material", "contact.hole_material", "pin.material", "gear.pin_material"]
+  catalogues: Object.fromEntries(["contact.pin_material", "contact.hole_material", "pin.material", "gear.pin_material", "gear.ring_material"]
     .flatMap((path) => [[path, "materials"], [`${path}.name`, "materials"]])),
 
   /** What an empty name of a table means: that of another box. It is shown only where something else was typed or is asked for. */
@@ -297,7 +298,7 @@ export default {
         contact: input.contact,
         ...Object.fromEntries(DESIGN.filter((part) => input[part]).map((part) => [part, input[part]])),
       }),
-      include: [...sections, ...(sections.includes("contact_force") && (filled.mechanism.output ?? "pins") !== "pins" ? ["members"] : []), ...(solved ? [this.solved] : []), ...(solved && tables.has("cyclogram") ? ["real_cyclogram"] : []), "checks"],
+      include: [...sections, ...(sections.includes("contact_force") && (filled.mechanism.output ?? "pins") !== "pins" ? ["members"] : []), ...(solved ? [this.solved] : []), ...(solved && tables.has("cyclogram") ? ["real_cyclogram"] : []), ...(sections.includes("ring_mesh") ? ["ring_drawing"] : []), "checks"],
     }));
   },
 
@@ -326,7 +327,7 @@ export default {
 
   /** Values of the answer that figures, their tables or the checks show, or that only place the others. */
   elsewhere: [
-    "locus", "pairs", "driving_count", "dead_zones_deg", "curves", "pins", "crank_angle_deg", "source", "source_code", "life", "forces",
+    "locus", "pairs", "driving_count", "dead_zones_deg", "curves", "ring_drawing", "pins", "crank_angle_deg", "source", "source_code", "life", "forces",
     "angle_error_arcmin", "stiffness_error", "pair_error", "ripple_error_Nm",
   ],
 

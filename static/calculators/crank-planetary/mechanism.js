@@ -54,8 +54,33 @@ function insideOf({ rolling, rollers, strength, pin } = {}, assumed = []) {
   return strength?.on === "on" && strength.surface === "sleeved" ? pin?.diameter_mm / 2 : NaN;
 }
 
+/**
+ * The ring of pins and the discs in it: with their profile, forces and gaps where the answer has them, else the pins by
+ * their sizes alone; null where they are not given.
+ */
+function ringOf({ mechanism, besides: { bearings, gear = {} } = {} }, drawing) {
+  const { kind, ring_pin_circle_radius_mm: circle, ring_pin_radius_mm: radius, pin_support: support = "seat" } = gear;
+  const lobes = ratioOf(mechanism);
+  const [count, pairs] = [lobes + 1, (lobes + 1) * mechanism.satellites];
+  if (bearings?.on !== "on" || kind !== "cycloid" || !(circle > 0 && radius > 0) || !Number.isInteger(count) || pairs > MOST_PAIRS.drawn) return null;
+  const own = { circle, radius, lobes, seated: support === "seat", peak: 0, widest: 0 };
+  if (drawing) {
+    const { lobe_mm: lobe, turn_deg: turns, ring_pins: pins, crank_angle_deg: x, force_N: force, gap_mm: gap } = drawing;
+    return {
+      ...own, lobe, turns, x, force: force.flat(), gap: gap.flat(),
+      pins: pins.map(({ centre_mm: centre, radius_mm: size }) => ({ centre, radius: size })),
+      peak: Math.max(...force.flat(2)), widest: Math.max(...gap.flat(2)),
+    };
+  }
+  const pins = Array.from({ length: count }, (_, k) => {
+    const turned = ((360 * k) / count - (mechanism.initial_crank_angle_deg ?? 0)) * RADIAN;
+    return { centre: [-circle * Math.sin(turned), circle * Math.cos(turned)], radius };
+  });
+  return { ...own, pins };
+}
+
 /** What of the inputs and their answer the drawing needs; sizes that make no mechanism are left out. */
-export function mechanismOf({ mechanism, load = {}, contact = {}, besides }, { cyclogram, assumed }) {
+export function mechanismOf({ mechanism, load = {}, contact = {}, besides }, { cyclogram, assumed, ring_drawing: drawing }) {
   const inside = insideOf(besides, assumed);
   const { pin_radius_mm: pinRadius, hole_radius_mm: holeRadius } = contact;
   const eccentricity = eccentricityOf(contact);
@@ -68,6 +93,8 @@ export function mechanismOf({ mechanism, load = {}, contact = {}, besides }, { c
     ...(holeRadius > pinRadius && eccentricity > 0 && { pinRadius, holeRadius, eccentricity, ...(inside < pinRadius && { inside }) }),
     end: cyclogram.driving_count.at(-1).to_deg,
     period: cyclogram.period_deg,
+    ring: ringOf({ mechanism, besides }, drawing),
+    involute: besides?.bearings?.on === "on" && besides.gear?.kind === "involute",
     dead: cyclogram.dead_centres_deg ?? [],
     pairs: cyclogram.pairs,
   };
@@ -151,4 +178,10 @@ export function forcesAt(mechanism, curves, angle, driving = null) {
     const curve = (driving?.[i] ?? true) && named.get(`${satellite}.${pin}`);
     return curve ? valueAt(curve, at) : 0;
   });
+}
+
+/** Forces, N, and gaps, mm, of the ring's pins at a crank angle, satellite by satellite: a turn of the crank brings all back. */
+export function ringAt({ ring: { x, force, gap } }, angle) {
+  const at = modulo(angle, 360);
+  return { force: force.map((y) => valueAt({ x, y }, at)), gap: gap.map((y) => valueAt({ x, y }, at)) };
 }

@@ -2,10 +2,11 @@
  * The mechanism as it is made, with clearance, errors and elasticity: what is asked of the service and what its answer
  * says. No DOM.
  */
+import { inTwoLines } from "../../lib/chart.js";
 import { formatAngle, formatNumber, formatQuantity, quantityParts, tidy } from "../../lib/format.js";
 import { message, quantityWords } from "../../messages/index.js";
 import { askedOf, eccentricityOf, fitted, MOST_PAIRS, refuseMore } from "./mechanism.js";
-import { partsOf } from "./wanted.js";
+import { columnsOf, partsOf } from "./wanted.js";
 
 /** What is left between pin and hole by their sizes, without the noise of binary differences. */
 function playOf({ hole_radius_mm: hole, pin_radius_mm: pin, eccentricity_mm: eccentricity }) {
@@ -35,20 +36,13 @@ export function designOf({
   };
 }
 
-const given = (rows, name) => rows?.some((row) => row[name] !== undefined) ?? false;
-
 function chunks(list, size) {
   return Array.from({ length: Math.ceil(list.length / size) }, (_, i) => list.slice(i * size, (i + 1) * size));
 }
 
-/** The tables of a measured part as the lists of a body; what is left empty there is 0, a column left empty is not said. */
+/** The tables of a measured part as the lists of a body. */
 export function deviationsOf({ pins, holes, cranks } = {}, { pins: count }) {
-  const lists = [pins, holes, cranks].flatMap((rows) => [...new Set((rows ?? []).flatMap(Object.keys))]
-    .filter((name) => given(rows, name))
-    .map((name) => {
-      const values = rows.map((row) => row[name] ?? 0);
-      return [name, rows === holes ? chunks(values, count) : values];
-    }));
+  const lists = [...columnsOf(pins), ...columnsOf(holes, (values) => chunks(values, count)), ...columnsOf(cranks)];
   return lists.length > 0 ? Object.fromEntries(lists) : null;
 }
 
@@ -82,13 +76,6 @@ export function range(from, to, unit, digits = 4) {
 }
 
 const DOMAINS = { yaxis2: [0.66, 1], yaxis3: [0.38, 0.58], yaxis4: [0, 0.25] };
-const LONG_TITLE = 18;
-
-/** A title in two lines where it is longer than its axis. */
-function broken(text) {
-  const place = text.lastIndexOf(" ", text.length * 0.6);
-  return text.length > LONG_TITLE && place > 0 ? `${text.slice(0, place)}<br>${text.slice(place + 1)}` : text;
-}
 
 /** The service's figure without its forces, which have a figure of their own. */
 function shape({ data, layout: { yaxis, ...layout } }) {
@@ -97,7 +84,7 @@ function shape({ data, layout: { yaxis, ...layout } }) {
     layout: {
       ...layout,
       ...Object.fromEntries(Object.entries(DOMAINS).map(([axis, domain]) => [axis, {
-        ...layout[axis], domain, title: { ...layout[axis].title, text: broken(layout[axis].title.text) },
+        ...inTwoLines(layout[axis]), domain,
       }])),
     },
   };

@@ -149,15 +149,32 @@ const BEARINGS = {
 };
 
 const ofPins = { when: ["gear.kind", "cycloid"] };
+const ofTeeth = { when: ["gear.kind", "involute"] };
+const ofBoth = { when: ["gear.kind", "cycloid", "involute"] };
 const held = { ...rare, when: ["gear.pin_support", "supported", "fixed"], required: true };
 const TEETH = {
+  "gear.satellite_profile_shift": ofTeeth,
+  "gear.ring_profile_shift": ofTeeth,
+  "gear.satellite_addendum": ofTeeth,
+  "gear.ring_addendum": ofTeeth,
+  "gear.ring_material": ofTeeth,
   "gear.pin_material": ofPins,
-  "gear.friction_coefficient": ofPins,
+  "gear.friction_coefficient": ofBoth,
   "gear.modification.rotation_arcmin": { ...rare, ...discs },
-  "gear.contact_length_mm": { ...rare, ...ofPins },
+  "gear.contact_length_mm": { ...rare, ...ofBoth },
+  "gear.root_strength_MPa": ofTeeth,
+  "gear.cutter_teeth": ofTeeth,
+  ...Object.fromEntries(["satellite_tip_radius_mm", "ring_tip_radius_mm", "dedendum", "rack_tip_radius", "cutter_profile_shift",
+    "cutter_addendum", "face_load_factor", "pair_stiffness_N_per_mm"].map((name) => [`gear.${name}`, { ...rare, ...ofTeeth }])),
   "gear.seat_stiffness_N_per_mm": { ...rare, ...ofPins },
   "gear.sleeve_bore_radius_mm": { ...rare, ...ofPins },
   "gear.rolling": { ...rare, ...ofPins },
+  "deviations.ring_pins": {
+    ...ofPins,
+    words: ["ring_pins", "teeth"],
+    columns: deviated("ring_pin"),
+    rows: ({ mechanism }) => counted(mechanism.ring_teeth ?? ratioOf(mechanism) + 1, (n) => message("real.pin", { pin: n + 1 })),
+  },
   "gear.pin_support": { ...rare, ...ofPins, default: "seat" },
   "gear.span_mm": held,
   "gear.satellite_positions_mm": held,
@@ -216,6 +233,24 @@ function ringOf({ mechanism, load, contact: { eccentricity_mm: e, pin_radius_mm:
     "gear.teeth_difference": difference,
     "gear.ring_pin_circle_radius_mm": circle,
     "gear.ring_pin_radius_mm": Math.floor(20 * circle * half) / 20,
+  };
+}
+
+/** Whether involute teeth are given with their profile shifts. */
+const shifted = (gear) => gear?.satellite_profile_shift !== undefined && gear.ring_profile_shift !== undefined;
+
+/** Involute teeth to start from: usual low ones, the ring's spaces a trifle wider than they fill at the eccentricity. */
+function teethTo({ contact: { eccentricity_mm: e } = {}, besides: { gear } }, { "gear.teeth_difference": difference }) {
+  const { module_mm: module, teeth_difference: given = difference, reference_pressure_angle_deg: degrees = 20 } = gear;
+  const alpha = (degrees * Math.PI) / 180;
+  const inv = (angle) => Math.tan(angle) - angle;
+  const working = Math.acos((module * given * Math.cos(alpha)) / (2 * e));
+  const wider = (given * (inv(working) - inv(alpha))) / (2 * Math.tan(alpha));
+  return {
+    "gear.satellite_profile_shift": 0,
+    "gear.ring_profile_shift": Number.isFinite(wider) ? tidy(Math.ceil(200 * wider + 0.5) / 200) : undefined,
+    "gear.satellite_addendum": 0.8,
+    "gear.ring_addendum": 0.8,
   };
 }
 
@@ -311,11 +346,15 @@ export const WANTED = [
     id: "teeth",
     section: "ring_mesh",
     needs: "bearings",
-    applies: ({ besides }) => Boolean(besides?.gear?.modification), // which stands with the ring
+    applies: ({ besides }) => Boolean(besides?.gear?.modification) || shifted(besides?.gear),
     paths: WHOLE,
     fields: TEETH,
     judged: true,
-    starts: (input) => ({ ...ringOf(input), "gear.kind": "cycloid", "gear.modification.equidistant_mm": 0.02, "load.input_speed_rpm": USUAL_RPM }),
+    starts(input) {
+      const found = ringOf(input);
+      if (input.besides?.gear?.kind === "involute" && input.besides.gear.module_mm) return teethTo(input, found);
+      return { ...found, "gear.kind": "cycloid", "gear.modification.equidistant_mm": 0.02, "load.input_speed_rpm": USUAL_RPM };
+    },
     load: () => Promise.all([import("./teeth.js"), import("../../views/part.js")]),
   },
   {
@@ -355,6 +394,27 @@ export const wantedSections = (input) => WANTED
 /** Whether sleeves are on the pins. */
 export const sleeved = (input) => isOn(input, "strength") && input.besides.strength.surface === "sleeved";
 
+/**
+ * Columns of a table of measured parts as the lists of a body, each made of its values by `shaped`; what is left empty there
+ * is 0, a column left empty is not said.
+ */
+export function columnsOf(rows = [], shaped = (values) => values) {
+  const names = [...new Set(rows.flatMap(Object.keys))];
+  return names.map((name) => [name, shaped(rows.map((row) => row[name] ?? 0))]);
+}
+
+/** The same of the pins of the ring, where any is said: no lists of it are not known. */
+function ofRingPins({ ring_pins: rows } = {}) {
+  const lists = columnsOf(rows);
+  return lists.length > 0 ? { deviations: Object.fromEntries(lists) } : {};
+}
+
+/** Lists of deviations in two: those of the pins of the ring, and those of the other parts, null where there are none. */
+export function partedDeviations(lists = {}) {
+  const [ring, others] = [true, false].map((own) => Object.entries(lists).filter(([name]) => name.startsWith("ring_pin_") === own));
+  return [ring, others].map((some) => (some.length > 0 ? Object.fromEntries(some) : null));
+}
+
 /** The parts of the document that the groups which are on say, for these sections of the answer. */
 export function partsOf(input, sections) {
   const on = (id) => isOn(input, id) && sections.includes(WANTED.find((group) => group.id === id).section);
@@ -364,14 +424,18 @@ export function partsOf(input, sections) {
     ...(on("rolling") && { rollers }),
     ...(on("losses") && !on("rolling") && { friction: { ...friction, sleeve: on("strength") && sleeved(input) } }),
     ...(on("bearings") && { gear: { ...(kind !== "ratio" && { kind }), ...gear }, bearing }),
+    ...(on("teeth") && ofRingPins(input.besides.deviations)),
     ...(on("crank") && { crankshaft }),
     ...(requirements && { requirements: { ...input.requirements, ...requirements } }),
   };
 }
 
 /** What the form shows of a design document: the groups are on whose parts it has; a pin of one material has it in one field. */
-export function inputOf({ pin: given, fatigue = {}, rollers, friction, gear, bearing, crankshaft, ...own }) {
+export function inputOf({ pin: given, fatigue = {}, rollers, friction, gear, bearing, crankshaft, deviations, ...own }) {
   const { requirements, contact } = own;
+  const [ring, others] = partedDeviations(deviations);
+  const count = Math.max(0, ...Object.values(ring ?? {}).map(({ length }) => length));
+  const rows = Array.from({ length: count }, (_, k) => Object.fromEntries(Object.entries(ring).map(([name, values]) => [name, values[k]])));
   const { material, ...bare } = given ?? {};
   const pin = given && JSON.stringify(material) === JSON.stringify(contact?.pin_material) ? bare : given;
   const ways = { notch_factor: "fatigue_notch_factor", notch: "notch", endurance_limit: "endurance_limit_MPa" };
@@ -379,12 +443,14 @@ export function inputOf({ pin: given, fatigue = {}, rollers, friction, gear, bea
   const on = { on: "on" };
   return {
     ...own,
+    ...(others && { deviations: others }),
     besides: {
+      ...(ring && { deviations: { ring_pins: rows } }),
       ...(pin && { strength: { ...on, surface: friction?.sleeve ? "sleeved" : "bare", fatigue: way }, pin, fatigue }),
       ...(rollers && { rolling: on, rollers }),
       ...(friction && { losses: on, friction }),
-      ...((bearing || crankshaft || gear?.modification) && { bearings: on, gear: { kind: "ratio", ...gear }, bearing }),
-      ...(gear?.modification && { teeth: on }),
+      ...((bearing || crankshaft || gear?.modification || shifted(gear)) && { bearings: on, gear: { kind: "ratio", ...gear }, bearing }),
+      ...((gear?.modification || shifted(gear)) && { teeth: on }),
       ...(crankshaft && { crank: on, crankshaft }),
       ...(requirements && { requirements }),
     },
@@ -405,7 +471,8 @@ export function figureBody(...own) {
       mechanism,
       load,
       ...(answer?.load_sharing && { contact_law: {} }),
-      ...Object.fromEntries(["contact", "pin", "rollers", ...MADE, ...own].filter((part) => parts[part]).map((part) => [part, parts[part]])),
+      ...Object.fromEntries(["contact", "pin", "rollers", ...MADE, ...own].map((part) => [part, part === "deviations" ? partedDeviations(parts[part])[1] : parts[part]])
+        .filter(([, said]) => said)),
     };
   };
 }

@@ -1,0 +1,89 @@
+"""Forces, lags and gaps of a cycloid mesh over the turn of the crank, as they are drawn."""
+
+import math
+
+import numpy as np
+
+from core.arrays import FloatArray
+from core.derived import derived
+from core.ring.sharing import CycloidMesh, MeshTurn, mesh_gaps, mesh_position
+
+
+class MeshCurves:
+    """A cycloid mesh under a torque at even crank angles, each looked for when it is asked for.
+
+    Parameters
+    ----------
+    turn : MeshTurn
+        The mesh over the turn.
+    angles : int
+        Crank angles over a turn at least, besides the whole turn.
+
+    Examples
+    --------
+    >>> from core.output.contact_law import LinearLaw
+    >>> from core.ring.profile import CycloidDisc, Modification
+    >>> from core.ring.sharing import mesh_over_turn
+    >>> disc = CycloidDisc(satellite_teeth=11, eccentricity=2.5e-3,
+    ...                    ring_pin_circle_radius=0.05, ring_pin_radius=0.005,
+    ...                    modification=Modification(equidistant=2e-5))
+    >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01,
+    ...                    law=LinearLaw(1e8))
+    >>> turn = mesh_over_turn(mesh=mesh, output_torque=100.0)
+    >>> found = MeshCurves(turn, 20)
+    >>> found.force.shape, found.gap.shape, len(found.crank_angle)
+    ((1, 12, 25), (1, 12, 25), 25)
+    >>> bool(found.force.max() <= turn.peak_force)
+    True
+    """
+
+    def __init__(self, turn: MeshTurn, angles: int) -> None:
+        self.turn = turn
+        self.mesh: CycloidMesh = turn.mesh
+        repeats = turn.turn.repeats
+        self._own = -(-angles // repeats)
+        self.crank_angle = np.linspace(0.0, 2 * math.pi, self._own * repeats + 1)
+        """rad, shape (M,), the first 0 and the last a whole turn."""
+
+    @derived
+    def _period(self) -> tuple[FloatArray, FloatArray]:
+        """Forces and lags until all repeats with the next pin."""
+        turn, mesh = self.turn.turn, self.mesh
+        waves = [mesh.wave(float(each)) for each in self.crank_angle[: self._own]]
+        rows = turn.poses(waves)
+        return (
+            rows["forces"].T.reshape(len(mesh.crank_angles), mesh.disc.pins, -1),
+            math.copysign(1.0, turn.torque) * rows["lag"],
+        )
+
+    def _over_turn(self, values: FloatArray) -> FloatArray:
+        """Values of all pairs over the turn: a period later a pin feels what the next one did."""
+        repeats = self.turn.turn.repeats
+        turned = [np.roll(values, -each, axis=1) for each in range(repeats)]
+        return np.concatenate([*turned, values[..., :1]], axis=2)
+
+    @property
+    def force(self) -> FloatArray:
+        """Of each pin of the ring on each disc, N, shape (K, z_p, M)."""
+        return self._over_turn(self._period[0])
+
+    @property
+    def rotation(self) -> FloatArray:
+        """Lag of the output, rad, negative in reverse, shape (M,)."""
+        _, lags = self._period
+        return np.append(np.tile(lags, self.turn.turn.repeats), lags[0])
+
+    @derived
+    def gap(self) -> FloatArray:
+        """What is left between disc and pin under the torque, m, shape (K, z_p, M): 0 where they
+        press.
+        """
+        mesh, torque, (_, lags) = self.mesh, self.turn.turn.torque, self._period
+        rows = []
+        for angle, lag in zip(self.crank_angle[: self._own].tolist(), lags.tolist(), strict=True):
+            own: tuple[float, ...] = (lag,) * len(mesh.crank_angles)
+            if mesh.support is not None:  # each disc has a lag of its own
+                found = mesh_position(mesh=mesh, crank_angle=angle, output_torque=torque)
+                own = found.rotation
+            rows.append(mesh_gaps(mesh=mesh, crank_angle=angle, rotation=own))
+        return self._over_turn(np.maximum(np.moveaxis(np.array(rows), 0, -1), 0.0))
