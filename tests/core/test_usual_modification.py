@@ -122,6 +122,12 @@ def test_both_directions_count(few: UsualModification) -> None:
     assert each[0] != each[1] and both.max_pressure.median > max(each)
 
 
+def test_a_share_that_is_stated_is_on_the_torque() -> None:
+    two = having(FEW, satellites=2)
+    stated = usual(having(two, distribution_factor=1.3))
+    assert stated.peak_force == pytest.approx(usual(having(two, output_torque=130.0)).peak_force)
+
+
 def test_how_rings_are_made() -> None:
     """Ground, at least 5 um; machined and printed ones by the sizes of guides; soft discs are
     printed, unless it is said otherwise.
