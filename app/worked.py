@@ -16,18 +16,22 @@ QUANTITIES: dict[str, str] = {
     "half_width hole_circle_radius hole_radius hole_wear length mating_radius max_shear_depth "
     "module overhang peak_moment_position peak_stress_position pin_circle_radius pin_radius "
     "pin_wear position position_tolerance radius reduced_radius reference_z "
-    "ring_pin_circle_radius roller_circle_radius roller_radius satellite_position scale "
+    "ring_pin_circle_radius ring_pin_radius equidistant pin_circle tool_circle_radius tool_radius "
+    "min_path_radius tip_radius root_radius min_concave_radius path_radius base_radius "
+    "satellite_tip_radius ring_tip_radius eccentricity_without_backlash normal_backlash "
+    "roller_circle_radius roller_radius satellite_position scale "
     "simplified_deflection_B simplified_deflection_C span sphere_diameter sphere_width "
     "total_length unit_moment z z_max z_min",
     "deg": "angle conformal_half_angle conformal_half_angle_hole conformal_half_angle_pin "
     "crank_angle direction full_turn half_turn hole_rotation initial_crank_angle nutation_angle "
     "operating_pressure_angle pattern_period peak_crank_angle period phi_max phi_min polar_angle "
-    "position_angle pressure_angle reference_pressure_angle right_angle working_phase",
+    "pin_angle position_angle pressure_angle reference_pressure_angle right_angle working_phase",
+    "arcmin": "backlash rotation",
     "N": "across_force approximate_peak balance_force centre_force centrifugal_force "
     "dynamic_rating dynamic_rating_as_roller equal_sharing_peak equivalent equivalent_load force "
-    "max_force mean_force min_load peak peak_force peak_load peak_ring_force peak_shear_force "
-    "pin_force pins_force reaction_B reaction_C reaction_part reference_force static_rating "
-    "static_rating_as_roller",
+    "max_force mean_force mean_sum_force min_load peak peak_force peak_load peak_ring_force "
+    "peak_shear_force pin_force pins_force reaction_B reaction_C reaction_part reference_force "
+    "ring_pin_force static_rating static_rating_as_roller",
     "Nm": "bending_moment bending_moment_B bending_moment_clamp couple crank_torque input_torque "
     "moment output_torque peak_moment pin_torque ring_torque satellite_torque torque",
     "MPa": "amplitude bending_stress conformal_pressure edge_tension endurance_limit "
@@ -49,7 +53,11 @@ QUANTITIES: dict[str, str] = {
     "MPa_m_per_s": "mean_pv peak_pv",
     "mm3_per_Nm": "wear_rate",
     "mm_per_s": "grade",
-    "": "approximate_peak_error coefficient cycles decades_left distribution_factor dynamic_factor "
+    "": "shortening_coefficient undercut_margin tool_shortening path_slope contact_ratio "
+    "start_roll_satellite end_roll_satellite satellite_profile_shift ring_profile_shift "
+    "satellite_addendum ring_addendum loss_per_friction loss_ratio "
+    "approximate_peak_error coefficient cycles decades_left distribution_factor "
+    "dynamic_factor "
     "efficiency exponent factor fatigue_safety_factor fit_exponent fit_scale force_exponent "
     "friction_coefficient friction_couple half_turns half_width_ratio life_cycles life_factor "
     "line_load_factor load_nonuniformity load_parameter load_parameter_again loaded_rollers loads "

@@ -133,6 +133,7 @@ from core.worked.mechanism import clearance_steps, cyclogram_steps, force_steps
 from core.worked.members import member_steps
 from core.worked.pin_rollers import roller_steps
 from core.worked.pins import strength_steps
+from core.worked.ring import ring_steps
 from core.worked.step import Step
 
 Section = Literal[
@@ -675,6 +676,7 @@ WORKED: dict[Section, Callable[[CrankPlanetaryRequest], list[Step]]] = {
     "contact_force": CrankPlanetaryRequest.force_steps,
     "hertz": CrankPlanetaryRequest.hertz_steps,
     "geometry": CrankPlanetaryRequest.clearance_steps,
+    "ring_mesh": lambda body: ring_steps(body.results),
     **{each: partial(CrankPlanetaryRequest.strength_steps, section=each) for each in STRENGTH},
 }
 """What works the sections of the answer; the others are solved over the turn."""

@@ -50,6 +50,7 @@ from app.settings import Settings
 from app.sources import ISO_6336, JOHNSON_1985
 from app.theme import Figure, Theme
 from app.units import to_si
+from app.worked import worked
 from core.design.sections import Ring
 from core.errors import InvalidInput
 from core.output.contact_law import HertzLaw
@@ -66,10 +67,17 @@ from core.ring.sharing import (
     mesh_over_turn,
     mesh_position,
 )
+from core.worked.ring import (
+    disc_steps,
+    ideal_ring_steps,
+    involute_steps,
+    pressure_steps,
+    ring_loss_steps,
+)
 
-OfCycloids = Literal["positions", "over_turn", "profile", "stiffness_curve", "ideal"]
+OfCycloids = Literal["positions", "over_turn", "profile", "stiffness_curve", "ideal", "worked"]
 
-OfInvolutes = Literal["stresses", "shared_pairs"]
+OfInvolutes = Literal["stresses", "shared_pairs", "worked"]
 
 Section = Literal[OfCycloids, OfInvolutes]
 
@@ -166,9 +174,10 @@ class RingMeshRequest(RequestModel, group="positions"):
     """Crank angles of the positions; the curve of the lag is taken at the first."""
     include: Maybe[list[Section]] = Field(
         min_length=1,
-        max_length=5,
-        description="Results: what is not named is not computed. The geometry is always answered. "
-        "Where nothing is named, positions of cycloid discs, stresses of involute teeth.",
+        max_length=6,
+        description="Results: what is not named is not computed. The geometry is always answered; "
+        "`worked` says how its numbers, and those of the results that are named, were got. Where "
+        "nothing is named, positions of cycloid discs, stresses of involute teeth.",
     )
 
     @model_validator(mode="after")
@@ -355,6 +364,38 @@ class RingMeshRequest(RequestModel, group="positions"):
             solved.take(self.disc.accuracy)
         return solved
 
+    def solve_steps(self) -> list[Values]:
+        """Steps of the sections that are asked for."""
+        if isinstance(self.gear, InvoluteRingFields):
+            return worked(geometry=involute_steps(self.pair))
+        asked, disc, torque = {*self.asked}, self.disc, self.load.output_torque_Nm
+        steps = {"geometry": disc_steps(disc)}
+        if "ideal" in asked:
+            own = self.mechanism.satellites
+            steps["ideal"] = ideal_ring_steps(disc=disc, output_torque=torque, satellites=own)
+        at: dict[str, Any] = {"mesh": self.mesh, "output_torque": self.torque}
+        if "positions" in asked:
+            first = mesh_position(**at, crank_angle=self.angles[0])
+            steps["positions"] = pressure_steps(
+                **at, crank_angle=self.angles[0], pressure=first.max_pressure
+            )
+        if "over_turn" in asked:
+            turn = mesh_over_turn(**at)
+            steps["over_turn"] = pressure_steps(
+                **at, crank_angle=turn.hardest_place[1], pressure=turn.max_pressure
+            )
+            friction = self.cycloid.friction_coefficient
+            if friction is not None:
+                loss = ring_loss(turn=turn, friction=self.friction, input_speed=self.input_speed)
+                steps["efficiency"] = ring_loss_steps(
+                    loss=loss,
+                    coefficient=friction,
+                    torque=torque,
+                    teeth=disc.satellite_teeth,
+                    input_speed=self.input_speed,
+                )
+        return worked(**steps)
+
     def _solve_pair(self) -> Solved:
         pair = self.pair
         return solved_pair(
@@ -397,6 +438,11 @@ class RingMeshRequest(RequestModel, group="positions"):
         return ShownMesh.of(turn, crank_angle=self.angles[0])
 
 
+def work(body: RingMeshRequest) -> list[Values]:
+    """Worked steps of the geometry, and of what is asked for."""
+    return run(body, body.solve_steps)[0]
+
+
 def solve(body: RingMeshRequest) -> Values:
     """Geometry, forces, lag, play and stiffness of cycloid discs on the pins of their ring, with
     modification, deviations and elasticity, at crank angles and over the turn; or the path of
@@ -429,6 +475,7 @@ CALCULATION = Calculation(
     request=RingMeshRequest,
     answer=RingMeshResponse,
     solve=solve,
+    worked=work,
     figure=figure,
     sources=(JOHNSON_1985, ISO_6336),
     neglects=(

@@ -12,9 +12,11 @@ from app.model import (
     AssumedOut,
     Maybe,
     ResponseModel,
+    StepOut,
     WarningOut,
     assumptions,
     result,
+    worked_steps,
 )
 from app.units import from_si, rounded
 from core.crank.ring_mesh import cycloid_mesh
@@ -326,5 +328,6 @@ class RingMeshResponse(ResponseModel):
     efficiency: Maybe[RingEfficiencyOut] = None
     stiffness_curve: Maybe[StiffnessCurveOut] = None
     profile: Maybe[ProfileOut] = None
+    worked: Maybe[list[StepOut]] = worked_steps()
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None

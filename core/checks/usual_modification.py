@@ -186,7 +186,7 @@ def usual_modification(design: Design) -> UsualModification | None:
     -------
     UsualModification or None
         None where both are known, the teeth are left out, or the mesh of its ring cannot be
-        solved: see `Results.ring_mesh`, and of given shares, which would take minutes.
+        solved: see `Results.ring_mesh`.
     """
     gear, made = design.gear, design.deviations or Deviations()
     placed = bool(made.ring_pin_radial or made.ring_pin_tangential)
@@ -203,7 +203,7 @@ def usual_modification(design: Design) -> UsualModification | None:
         mesh = Results(design).ring_mesh
     except UNKNOWN:
         return None
-    if not design.load or mesh.support is not None:
+    if not design.load:
         return None
     mesh = mesh if mesh.valley_gap <= LOST else replace(mesh, exact=False)
     places = [] if placed else ring_places(pins=design.ring_pins, radius=zone, samples=SAMPLES)

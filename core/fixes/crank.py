@@ -218,7 +218,10 @@ def _shifted(results: Results, code: str, variable: str, current: Verdict) -> Fi
                 break
             step = short
         else:
-            looks.append((after, math.log(_met(seen))))
+            met = _met(seen)
+            if not met > 0:
+                return None
+            looks.append((after, math.log(met)))
             if 0 <= looks[-1][1] <= CLOSE:
                 break
             if len(looks) == 1:

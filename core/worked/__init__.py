@@ -18,5 +18,6 @@ losses              friction and wear of the pins
 crank               bearings of the satellites, crankshaft, balance
 pin_rollers         rolling bearings as rollers on the pins
 precession          the precessional gear and its shaft
+ring                satellites in their ring: cycloid discs on pins, involute teeth
 rollers             swinging rollers
 """

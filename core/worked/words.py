@@ -42,6 +42,21 @@ VALUES = {
     "mismatch_beta": "Dundurs' β",
     "shortening": "Shortening of the cycloid",
     "reaction_part": "Part of the reaction",
+    "tool_circle_radius": "Radius of the tool's circle",
+    "tool_radius": "Radius of the tool",
+    "tool_shortening": "Shortening coefficient of the tool's path",
+    "pin_angle": "Angle from the crank to the pin",
+    "path_slope": "Slope of the path over its circle",
+    "path_radius": "Radius of curvature of the path",
+    "ring_pin_force": "Force on the pin of the ring",
+    "base_radius": "Base radius of the satellite",
+    "eccentricity_without_backlash": "Eccentricity without backlash",
+    "normal_backlash": "Backlash along the normal",
+    "contact_ratio": "Contact ratio",
+    "start_roll_satellite": "Tangent of the satellite's pressure angle at the start of the path",
+    "satellite_tip_radius": "Tip radius of the satellite",
+    "ring_tip_radius": "Tip radius of the ring",
+    "end_roll_satellite": "Tangent of the satellite's pressure angle at the end of the path",
 }
 """Values on the way to a result, by the code of their step."""
 
@@ -159,6 +174,9 @@ NOTES = {
     "of_distances": "By the distances of pins and holes, searched over the turn.",
     "simulated": "Counted over random pieces.",
     "root": "Found by narrowing a range until the result is what is wanted.",
+    "sharpest": "Of flanks or tip, by how much the path is shortened.",
+    "many_ring_pins": "Of perfect parts on many pins, contacts linear.",
+    "hardest_pin": "Satellite {satellite}, pin {pin}, where the pressure is largest.",
     "felt": "Less than decimals lose: taken as none.",
 }
 """What is to be known of a step, and how a number was got in the place of a formula."""

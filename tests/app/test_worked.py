@@ -258,10 +258,8 @@ def test_what_is_solved_says_how(calculation: str) -> None:
 
 
 def test_every_calculation_is_worked() -> None:
-    """But the studies of methods, which are about the numbers of the others, and the mesh of the
-    ring, of which no steps are written yet.
-    """
-    without = {"work-precision", "ring-mesh"}
+    """But the studies of methods, which are about the numbers of the others."""
+    without = {"work-precision"}
     for name, calculation in CALCULATIONS.items():
         fields = getattr(calculation.request, "model_fields", {})
         assert ("worked" in str(fields.get("include"))) == (name not in without), name

@@ -238,7 +238,55 @@ def _single(design: dict[str, Any], *parts: str, **more: Any) -> dict[str, Any]:
     return {name: design[name] for name in ("mechanism", "load", "contact", *parts)} | more
 
 
+DISCS: dict[str, Any] = {
+    "mechanism": {"satellite_teeth": 11, "ring_teeth": 12, "satellites": 2},
+    "load": {"output_torque_Nm": 100.0, "input_speed_rpm": 1500.0},
+    "contact": {"eccentricity_mm": 2.5},
+    "gear": {
+        "kind": "cycloid",
+        "ring_pin_circle_radius_mm": 50.0,
+        "ring_pin_radius_mm": 5.0,
+        "contact_length_mm": 12.0,
+        "modification": {"equidistant_mm": 0.02, "pin_circle_mm": -0.01},
+        "friction_coefficient": 0.06,
+    },
+    "crank_angle_deg": [17.0],
+    "include": ["positions", "over_turn", "ideal"],
+}
+"""Cycloid discs on the pins of their ring."""
+
+TOUCHING_TWICE = DISCS | {
+    "contact": {"eccentricity_mm": 1.0},
+    "gear": DISCS["gear"] | {"modification": {"equidistant_mm": 0.02, "pin_circle_mm": 0.0197}},
+    "deviations": {"ring_pin_radius_mm": [0.001, -0.001, 0.002] * 4},
+    "include": ["positions", "ideal"],
+}
+"""Of which two pins touch at once, and flanks bend most at the tip."""
+
+INVOLUTE: dict[str, Any] = {
+    "mechanism": {"satellite_teeth": 40, "ring_teeth": 42, "satellites": 2},
+    "load": {"output_torque_Nm": 400.0},
+    "contact": {"eccentricity_mm": 3.68},
+    "gear": {
+        "kind": "involute",
+        "module_mm": 3.0,
+        "satellite_profile_shift": 0.1,
+        "ring_profile_shift": 0.46,
+        "satellite_addendum": 0.8,
+        "ring_addendum": 0.8,
+        "contact_length_mm": 20.0,
+    },
+}
+"""Involute teeth with a little backlash."""
+
 REQUESTS: dict[str, tuple[str, dict[str, Any]]] = {
+    "discs": ("ring-mesh", DISCS),
+    "discs that touch twice": ("ring-mesh", TOUCHING_TWICE),
+    "involutes": ("ring-mesh", INVOLUTE),
+    "involutes without backlash": (
+        "ring-mesh",
+        {name: part for name, part in INVOLUTE.items() if name != "contact"},
+    ),
     "teeth": ("crank-planetary", TEETH),
     "loose": ("crank-planetary", LOOSE),
     "equal": ("crank-planetary", EQUAL),

@@ -351,6 +351,9 @@ def test_a_ring_pin_that_turns_is_bent_both_ways() -> None:
     found = check_of("ring_pin_fatigue", turning).value or 0.0
     assert found == pytest.approx(400e6 / stress, rel=1e-6)
     assert found < 0.9 * (check_of("ring_pin_fatigue", still).value or 0.0)
+    factored, more = having(still, application_factor=1.2), having(still, output_torque=60.0)
+    fatigues = [check_of("ring_pin_fatigue", each).value for each in (factored, more)]
+    assert fatigues[0] == pytest.approx(fatigues[1], rel=1e-9)
 
 
 def test_ring_pins_last_by_the_turns_of_the_crank() -> None:

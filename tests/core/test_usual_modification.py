@@ -23,7 +23,6 @@ from core.design.results import Results
 from core.design.sections import Ring
 from core.materials import ContactLimit, ElasticMaterial
 from core.output.real_mechanism import Deviations
-from core.output.satellite_support import Shares
 from core.ring.profile import Modification
 from core.ring.sharing import RingDeviations, mesh_over_turn
 from tests.inputs.checks import design_of, having
@@ -123,6 +122,12 @@ def test_both_directions_count(few: UsualModification) -> None:
     assert each[0] != each[1] and both.max_pressure.median > max(each)
 
 
+def test_a_share_that_is_stated_is_on_the_torque() -> None:
+    two = having(FEW, satellites=2)
+    stated = usual(having(two, distribution_factor=1.3))
+    assert stated.peak_force == pytest.approx(usual(having(two, output_torque=130.0)).peak_force)
+
+
 def test_how_rings_are_made() -> None:
     """Ground, at least 5 um; machined and printed ones by the sizes of guides; soft discs are
     printed, unless it is said otherwise.
@@ -136,7 +141,7 @@ def test_how_rings_are_made() -> None:
 
 
 def test_what_is_known_stays() -> None:
-    """A modification, or places of the pins; of both nothing is drawn, nor of given shares."""
+    """A modification, or places of the pins; of both nothing is drawn."""
     stated = usual(ringed(modification=Modification()))
     assert (stated.equidistant, stated.pin_zone_diameter) == (0.0, pytest.approx(U))
     assert stated.cannot_assemble == 1.0 and stated.verdict.verdict == "fail"
@@ -146,7 +151,6 @@ def test_what_is_known_stays() -> None:
     assert placed.results.design.deviations == off
     modified = ringed(modification=Modification(equidistant=U))
     assert usual_modification(having(modified, deviations=off)) is None
-    assert usual_modification(having(FEW, satellite_coupling=Shares((1.0,)))) is None
     assert usual_modification(ringed(ring_pin_radius=None)) is None
     assert usual_modification(having(FEW, scope=("contact",))) is None
     assert usual_modification(having(FEW, gear=Ring(kind="none"))) is None
