@@ -145,8 +145,18 @@ _UNKNOWN = {
     "thin_wall": "It is thinner than usual",
     "near_undercut": "It is close to where the pins of the ring cut off a part of the flanks: "
     "errors of the parts may take what is left",
+    "less_than_usual": "It is less than usual: errors of the parts may take what is left",
     "unusual_teeth": "Only unusual teeth mesh, if any: very low ones, with large profile shifts, "
     "or with hardly any room between the tips",
+    "internal_root": "The roots of the ring's teeth are not calculated",
+    "no_crossing": "The circles of the tips do not cross",
+    "ring_flank_unknown": "It holds of the satellite's flanks; those of the ring hang on its "
+    "cutter, which is not given",
+    "root_strength_unknown": "No strength of the roots is given",
+    "teeth_given": "The teeth are given, and judged themselves",
+    "tips_overlap": "The tips overlap all round: no tooth can pass another",
+    "tooth_errors_unknown": "Involute teeth without errors turn evenly, and of these no errors are "
+    "known",
     "wider_than_satellite": "The bearing is wider than the satellite",
     "without_sleeve": "The pins have no sleeves",
     "nothing_judged": "Nothing of it is judged",

@@ -11,14 +11,12 @@ from app.calculations.real_design import RealDesignFields
 from app.calculations.real_mechanism import DeviationsFields, SatelliteCouplingFields
 from app.calculations.ring import RING_PIN_LISTS as OF_RING
 from app.calculations.ring import RingPinDeviationsFields
-from app.calculations.ring_parts import CycloidRingFields, MeshLawFields
+from app.calculations.ring_parts import CycloidRingFields
 from app.model import Kinds, Maybe, ResponseModel, Values, field_error, quantity, result
 from app.problems import refusal
 from app.settings import Settings
 from app.units import from_si, to_si
-from core.design.sections import Ring
 from core.errors import InvalidInput
-from core.output.contact_law import HertzLaw
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.ring.series import MeshesInSeries, SeriesPosition
 from core.ring.sharing import CycloidMesh, RingDeviations
@@ -35,16 +33,6 @@ def _no_involute(given: Any) -> Any:
     if isinstance(given, dict) and given.get("kind") == "involute":
         raise field_error("kind", "outside_method")
     return given
-
-
-class SeriesRingFields(CycloidRingFields, group="gear"):
-    """Cycloid discs and the pins of their ring, and how these give."""
-
-    contact_law: Maybe[MeshLawFields] = None
-
-    def ring(self, **more: Any) -> Ring:
-        """The ring without its law of contact, which is that of the mesh."""
-        return super(SeriesRingFields, self.model_copy(update={"contact_law": None})).ring(**more)
 
 
 class SeriesDeviationsFields(DeviationsFields, RingPinDeviationsFields, group="deviations"):
@@ -88,7 +76,7 @@ class SeriesFields(RealDesignFields):
     of the discs with their ring.
     """
 
-    gear: Annotated[Maybe[SeriesRingFields], BeforeValidator(_no_involute)] = Field(
+    gear: Annotated[Maybe[CycloidRingFields], BeforeValidator(_no_involute)] = Field(
         default=None, description="Ring and discs, where both meshes are in series."
     )
     deviations: Maybe[SeriesDeviationsFields] = None
@@ -219,7 +207,7 @@ class SeriesFields(RealDesignFields):
     def _ring(self) -> CycloidMesh:
         gear, own, errors = self.gear, self.mechanism, self.deviations
         assert gear is not None and own.satellite_teeth is not None
-        ring, law = gear.ring(), None if gear.contact_law is None else gear.contact_law.named()
+        ring = gear.ring()
         return ring.cycloid_mesh(
             disc=ring.disc(
                 satellite_teeth=own.satellite_teeth,
@@ -228,7 +216,7 @@ class SeriesFields(RealDesignFields):
             crank_angles=self.built.crank_angles,
             contact_length=ring.contact_length,
             disc_material=ring.disc_material,
-            law=law or HertzLaw(),
+            law=ring.law,
             deviations=RingDeviations() if errors is None else errors.of_ring(),
             exact=self.geometry == "exact",
         )

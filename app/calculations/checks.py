@@ -240,8 +240,8 @@ class FixOut(ResponseModel):
     to: float | str = Field(
         description="Its value with the fix, rounded to the safe side; a name where one is chosen."
     )
-    exact: Maybe[float] = Field(description="The value before rounding; of a number.")
-    change: Maybe[float] = Field(description="Relative change; of a number.")
+    exact: Maybe[float] = Field(description="The value before rounding; of one that is solved.")
+    change: Maybe[float] = Field(description="Relative change; of a value that is solved.")
     standard: Maybe[str] = Field(description="Standard that has a part of this size.")
     sets: dict[str, float | str] = Field(description="All that it sets, by JSON pointer.")
     status: FixStatus = Field(description="Whether it cures the check.")
@@ -416,7 +416,8 @@ def _of_size(fix: Fix, body: RequestModel) -> tuple[tuple[str | int, ...], Value
         path_of(body, each)
         for each in ("contact.hole_radius", "contact.hole_clearance", "pin.diameter")
     )
-    if fix.variable == "contact.pin_radius" and hole is not None and _value(body, hole) is not None:
+    follows = fix.variable in ("contact.pin_radius", "contact.eccentricity")
+    if follows and hole is not None and _value(body, hole) is not None:
         sets[pointer(hole)] = _short(_value(body, hole) + to - before)
     inside = _value(body, pin) if pin is not None else None
     no_sleeve = inside is not None and math.isclose(float(inside), 2 * before, rel_tol=1e-12)
@@ -427,6 +428,10 @@ def _of_size(fix: Fix, body: RequestModel) -> tuple[tuple[str | int, ...], Value
         sets[pointer(clearance)] = _short(loose + to - before)
         if _value(body, path) is None:  # the hole follows the clearance
             del sets[pointer(path)]
+    for name, value in fix.beside.items():
+        place = path_of(body, name)
+        assert place is not None  # of the same section
+        sets[pointer(place)] = _short(from_si(str(place[-1]), value))
     return path, {"from": before, "to": to, "exact": exact, "sets": sets}
 
 

@@ -42,6 +42,7 @@ from app.calculations.fatigue import PinFatigueFields
 from app.calculations.fit_answer import FitOut
 from app.calculations.geometry_answer import GeometryOut
 from app.calculations.hertz import entry_of
+from app.calculations.involute_mesh import solved_pair
 from app.calculations.load_sharing_answer import RealCyclogramOut
 from app.calculations.mechanism import MAX_PAIRS
 from app.calculations.members_answer import MembersOut, at_output
@@ -178,6 +179,13 @@ _NEEDS: dict[Section, tuple[str, ...]] = {
 }
 """Which parts of the request each section of the answer needs, and which of their fields."""
 
+INVOLUTE_NEEDS = (
+    "load",
+    "contact/eccentricity_mm",
+    *(f"gear/{body}_profile_shift" for body in ("satellite", "ring")),
+)
+"""The same of the mesh of involute teeth."""
+
 DRAWN_SAMPLES = 361
 """Crank angles of the figure's real forces."""
 
@@ -256,10 +264,15 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     @model_validator(mode="after")
     def _parts_for_sections(self) -> Self:
         for section in self.include or ():
-            for part in _NEEDS[section]:
+            for part in self._needs(section):
                 if not self._has(part):
                     raise field_error(part, "needed_for", section=section)
         return self
+
+    def _needs(self, section: Section) -> tuple[str, ...]:
+        """What a section of the answer needs; of involute teeth their shifts."""
+        involute = self.gear is not None and self.gear.kind == "involute"
+        return INVOLUTE_NEEDS if section == "ring_mesh" and involute else _NEEDS[section]
 
     def _has(self, part: str) -> bool:
         """Whether a part of the request, or a field of one, is given; rollers have friction."""
@@ -346,8 +359,10 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     @property
     def _draws_ring(self) -> bool:
         """Whether the mesh of the ring is answered where it is not named: it can be solved."""
-        given = all(map(self._has, _NEEDS["ring_mesh"]))
-        return given and if_known(lambda: self.results.ring_working) is not None
+        given, found = all(map(self._has, self._needs("ring_mesh"))), self.results
+        if self.gear is not None and self.gear.kind == "involute":
+            return given and if_known(lambda: found.involute_load(1.0)) is not None
+        return given and if_known(lambda: found.ring_working) is not None
 
     def _unfit(self, section: Section) -> bool:
         """Whether a section rests on forces of parts that cannot be put together."""
@@ -518,8 +533,31 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         values = LoadSharingOut.values(sharing, run_us, judged_force_N=force_N, curves=drawn)
         return at_output(values, self.design.members)
 
+    def solve_pair(self) -> Solved:
+        """The mesh of involute teeth, of the satellite with the largest torque."""
+        results, design = self.results, self.design
+        factor = design.load_factor
+        pair, loaded = results.involute_pair, results.loaded_teeth(factor)
+        _ = results.involute_load(factor)  # which needs materials
+        asked = {"stresses"} | ({"shared_pairs"} if pair.on_involutes else set())
+        solved = solved_pair(
+            ring=design.gear,
+            pair=pair,
+            loaded=loaded,
+            output_torque=design.pin_torque,
+            input_speed=design.turning_speed,
+            asked=asked,
+        )
+        values = solved.values
+        del values["kind"]  # which the design says
+        values["satellite_torque_Nm"] = loaded["torque"]
+        values["geometry"] = at_output(values["geometry"], design.members)
+        return solved
+
     def solve_ring(self) -> Solved:
         """The mesh of the ring under the torque, in the direction of the larger pressure."""
+        if self.design.gear.kind == "involute":
+            return self.solve_pair()
         assert self.load is not None
         turn, solved = self.results.ring_working[0], Solved()
         mesh, members = turn.mesh, self.design.members

@@ -18,7 +18,7 @@ from app.calculations.members_answer import MembersOut
 from app.calculations.output_efficiency import OutputEfficiencyResponse
 from app.calculations.pin_rollers_answer import RollersOut
 from app.calculations.pin_strength import PinStrengthResponse
-from app.calculations.ring_mesh_answer import DesignMeshOut, RingDrawingOut
+from app.calculations.ring_mesh_answer import DesignMeshOut, DesignPairOut, RingDrawingOut
 from app.calculations.satellite_bearing import SatelliteBearingResponse
 from app.calculations.shares_answer import SharesOut
 from app.calculations.usual_fit_answer import UsualFitOut
@@ -113,8 +113,9 @@ class CrankPlanetaryResponse(JudgedResponse):
     output_efficiency: Maybe[OutputEfficiencyResponse] = result(
         "As `/output-efficiency` answers, under the torque without its factor."
     )
-    ring_mesh: Maybe[DesignMeshOut] = result(
-        "As `/ring-mesh` answers of cycloid discs, under the torque without its factor."
+    ring_mesh: Maybe[DesignMeshOut | DesignPairOut] = result(
+        "As `/ring-mesh` answers: of cycloid discs under the torque without its factor; of "
+        "involute teeth stresses under the dynamic load."
     )
     ring_drawing: Maybe[RingDrawingOut] = result(
         "Discs and ring of `ring_mesh` as they are drawn, in its direction of the torque; absent "

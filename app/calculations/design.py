@@ -16,6 +16,7 @@ from app.calculations.contact_force import (
     force_of_one,
     peak_torque,
 )
+from app.calculations.contact_law import ContactLawFields
 from app.calculations.hertz import MaterialFields
 from app.calculations.mechanism import MechanismFields
 from app.calculations.pin import PinBoltFields, pin_places, strengths_of
@@ -23,7 +24,6 @@ from app.calculations.pin_contact import PinContactFields
 from app.calculations.pin_rollers import RollersFields
 from app.calculations.real_mechanism import (
     BentPinFields,
-    ContactLawFields,
     DeviationsFields,
     GivingFields,
     assumed_pin,

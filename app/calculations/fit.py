@@ -7,6 +7,7 @@ import numpy as np
 from pydantic import Field
 
 from app.calculations.contact_force import pin_circle_radius
+from app.calculations.contact_law import law_by_materials
 from app.calculations.fit_answer import (
     DiscOut,
     ElasticOut,
@@ -21,7 +22,6 @@ from app.calculations.real_mechanism import (
     CrankSupportFields,
     DeviationsFields,
     RealContactFields,
-    law_by_materials,
 )
 from app.model import (
     Angle,

@@ -2,26 +2,29 @@
 of it.
 """
 
-from typing import ClassVar, Literal
+from typing import Any, ClassVar, Literal
 
 import numpy as np
 
-from app.calculations.hertz import Material, contact_length, material_of
+from app.calculations.hertz import Material, contact_length
 from app.calculations.involute_teeth import (
+    RING_MATERIAL,
     InvoluteGeometryOut,
     InvoluteStressesOut,
     InvoluteTeethFields,
     RootStressOut,
+    ring_shift,
+    satellite_shift,
 )
-from app.calculations.ring_mesh_answer import SharedPairsOut
+from app.calculations.ring_mesh_answer import RingEfficiencyOut, SharedPairsOut
 from app.calculations.ring_mesh_figure import DrawnPath
 from app.calculations.solved import Solved
-from app.model import Maybe, Size, Values, quantity
-from app.units import to_si
+from app.model import Forms, Maybe, Size, Values, quantity
+from core.design.sections import Ring
 from core.errors import NotKnown
 from core.results import Notice
 from core.ring.involute import InvolutePair
-from core.ring.involute_load import involute_load, mean_loss_ratio, pressure_along, root_stress
+from core.ring.involute_load import involute_load, involute_loss, pressure_along, root_stress
 from core.ring.shared_pairs import pairs_that_carry
 
 DRAWN_PLACES = 201
@@ -34,24 +37,28 @@ LEAST_DRAWN = 0.02
 class InvoluteRingFields(InvoluteTeethFields, group="gear"):
     """Involute teeth of satellite and ring, and what their stresses need."""
 
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
+        (("satellite_addendum",), ("satellite_tip_radius_mm",)),
+        (("ring_addendum",), ("ring_tip_radius_mm",)),
+    )
+
     ASSUMED: ClassVar[tuple[str, ...]] = ("satellite_material", "ring_material")
 
     kind: Literal["involute"] = quantity("Ring")
     """Involute teeth."""
+    module_mm: Size = quantity("Module", "m", step=0.5)
+    """Of the teeth."""
+    reference_pressure_angle_deg: float = quantity(
+        "Reference pressure angle", "α", default=20.0, step=0.5, ge=14.5, le=30
+    )
+    """Of the teeth."""
+    satellite_profile_shift: float = satellite_shift()
+    ring_profile_shift: float = ring_shift()
     contact_length_mm: Size = contact_length()
-    satellite_material: Material = quantity("Satellite material", default="steel_structural")
+    satellite_material: Material = quantity("Satellite material", default=RING_MATERIAL)
     """A name of the table of materials, or values."""
-    ring_material: Material = quantity("Ring material", default="steel_structural")
+    ring_material: Material = quantity("Ring material", default=RING_MATERIAL)
     """A name of the table of materials, or values."""
-    face_load_factor: float = quantity(
-        "Face load factor", "K_Hβ", default=1.0, step=0.05, advanced=True, ge=1, le=10
-    )
-    """Factor on the force for stresses, as it is not the same along the width."""
-    pair_stiffness_N_per_mm: Maybe[Size] = quantity(
-        "Stiffness of a pair", "k", step=10_000, advanced=True
-    )
-    """Along the line of action, for the pairs that carry; 14 N/(mm·µm) of the width where not
-    given."""
     friction_coefficient: Maybe[float] = quantity(
         "Friction coefficient", "μ", step=0.01, ge=0, le=1
     )
@@ -60,29 +67,33 @@ class InvoluteRingFields(InvoluteTeethFields, group="gear"):
 
 def solved_pair(
     *,
-    gear: InvoluteRingFields,
+    ring: Ring,
     pair: InvolutePair,
-    torque: float,
-    application_factor: float,
-    power: float | None,
+    loaded: dict[str, Any],
+    output_torque: float,
+    input_speed: float | None,
     asked: set[str],
+    notices: tuple[Notice, ...] = (),
 ) -> Solved:
     """Geometry of a pair, and the sections that are asked for.
 
     Parameters
     ----------
-    gear : InvoluteRingFields
-        Width, materials, friction.
+    ring : Ring
+        What is given of friction and stiffness.
     pair : InvolutePair
         The teeth.
-    torque : float
-        Torque of a satellite, N*m.
-    application_factor : float
-        Factor K_A of the stresses.
-    power : float or None
-        Power of the output, W.
+    loaded : dict
+        Torque of a satellite, width, materials and factor of the stresses, as arguments of
+        `core.ring.involute_load.involute_load`.
+    output_torque : float
+        Torque of all satellites, N*m.
+    input_speed : float or None
+        Of the crank against the ring, rad/s.
     asked : set of str
         Sections.
+    notices : tuple of Notice
+        Of the pair.
 
     Returns
     -------
@@ -90,36 +101,34 @@ def solved_pair(
     """
     values: Values = {"kind": "involute", "geometry": InvoluteGeometryOut.values(pair)}
     solved = Solved(values)
-    solved.take(pair.accuracy, _notices(pair))
-    loaded = {"torque": torque, "contact_length": to_si("length_mm", gear.contact_length_mm)}
-    factor = application_factor * gear.face_load_factor
+    solved.take(pair.accuracy, notices)
+    forces = {name: loaded[name] for name in ("torque", "contact_length")}
     if "stresses" in asked:
-        load = involute_load(
-            pair=pair,
-            satellite_material=material_of(gear.satellite_material),
-            ring_material=material_of(gear.ring_material),
-            load_factor=factor,
-            **loaded,
-        )
+        load = involute_load(pair=pair, **loaded)
         root, unknown = None, tuple[Notice, ...]()
         try:
-            found = root_stress(pair=pair, load_factor=factor, **loaded)
+            found = root_stress(pair=pair, load_factor=loaded["load_factor"], **forces)
             root = RootStressOut.values(found)
         except NotKnown as why:
             unknown = (Notice(why.code),)
         values["stresses"] = InvoluteStressesOut.values(load, root=root)
         solved.take(load.accuracy, unknown)
-        if gear.friction_coefficient is not None:
-            values["efficiency"] = _efficiency(pair, gear.friction_coefficient, power)
+        if ring.friction_coefficient is not None:
+            loss = involute_loss(
+                pair=pair,
+                friction=ring.friction_coefficient,
+                output_torque=output_torque,
+                input_speed=input_speed,
+            )
+            values["efficiency"] = RingEfficiencyOut.values(loss)
     if "shared_pairs" in asked:
-        stiffness = to_si("stiffness_N_per_mm", gear.pair_stiffness_N_per_mm)
-        carried = pairs_that_carry(pair=pair, stiffness=stiffness, **loaded)
+        carried = pairs_that_carry(pair=pair, stiffness=ring.pair_stiffness, **forces)
         values["shared_pairs"] = SharedPairsOut.values(carried)
         solved.take(carried.accuracy)
     return solved
 
 
-def _notices(pair: InvolutePair) -> tuple[Notice, ...]:
+def pair_notices(pair: InvolutePair) -> tuple[Notice, ...]:
     """What of the teeth does not mesh."""
     found = []
     if not pair.contact_ratio >= 1:
@@ -131,33 +140,15 @@ def _notices(pair: InvolutePair) -> tuple[Notice, ...]:
     return tuple(found)
 
 
-def _efficiency(pair: InvolutePair, friction: float, power: float | None) -> Values:
-    """What the flanks lose, one pair carrying, mean over the path."""
-    each = mean_loss_ratio(pair=pair, friction=1.0)
-    lost = friction * each
-    return {
-        "loss_per_friction": each,
-        "loss_ratio": lost,
-        "efficiency": 1 / (1 + lost),
-        "loss_error": float(pair.accuracy.relative_error),
-    } | ({} if power is None else {"mean_loss_W": lost * power})
-
-
-def drawn_path(
-    *, gear: InvoluteRingFields, pair: InvolutePair, torque: float, application_factor: float
-) -> DrawnPath:
+def drawn_path(*, pair: InvolutePair, loaded: dict[str, Any]) -> DrawnPath:
     """The pressure of one pair along its path of contact.
 
     Parameters
     ----------
-    gear : InvoluteRingFields
-        Width and materials.
     pair : InvolutePair
         The teeth.
-    torque : float
-        Torque of a satellite, N*m.
-    application_factor : float
-        Factor K_A of the pressure.
+    loaded : dict
+        As for `solved_pair`.
 
     Returns
     -------
@@ -173,15 +164,7 @@ def drawn_path(
     path = np.linspace(max(pair.start_roll, least), max(pair.end_roll, least), DRAWN_PLACES)
     points = {name: roll for name, roll in rolls.items() if roll >= least}
     pressures = [
-        pressure_along(
-            pair=pair,
-            torque=torque,
-            contact_length=to_si("length_mm", gear.contact_length_mm),
-            satellite_material=material_of(gear.satellite_material),
-            ring_material=material_of(gear.ring_material),
-            load_factor=application_factor * gear.face_load_factor,
-            roll=roll,
-        )
+        pressure_along(pair=pair, **loaded, roll=roll)
         for roll in (line, path, np.array([*points.values()]))
     ]
     base = pair.line.satellite_base

@@ -1,10 +1,10 @@
 """Involute teeth of satellite and ring: tooth data of a request, sizes and stresses answered."""
 
-import math
-from typing import Any, ClassVar
+from functools import partial
+from typing import Any
 
+from app.calculations.hertz import Material
 from app.model import (
-    Forms,
     Maybe,
     RequestModel,
     ResponseModel,
@@ -14,37 +14,43 @@ from app.model import (
     quantity,
     result,
 )
-from app.units import from_si, to_si
-from core.errors import InvalidInput
-from core.precision import SAME
-from core.ring.involute import Cutter, InvolutePair, InvoluteTeeth, Rack
+from app.units import from_si
+from core.ring.involute import HEIGHTS, InvolutePair
 from core.ring.involute_load import InvoluteLoad, RootStress
 
-HEIGHTS = (0.3, 1.2)
-"""Least and largest addendum, in modules."""
+RING_MATERIAL = "steel_structural"
+"""Of the ring, where it is not given."""
+
+
+satellite_shift = partial(
+    quantity,
+    "Profile shift of the satellite",
+    "x_s",
+    step=0.05,
+    ge=-2,
+    le=3,
+    help="In modules, outwards.",
+)
+ring_shift = partial(
+    quantity,
+    "Profile shift of the ring",
+    "x_r",
+    step=0.05,
+    ge=-2,
+    le=3,
+    help="In modules, outwards: a positive one makes its spaces wider, its tip and root circles "
+    "larger. Where the ring's teeth are counted below 0 it has the other sign.",
+)
+"""Fields that may be left out in some requests, and not in others."""
 
 
 class InvoluteTeethFields(RequestModel, group="gear"):
-    """Involute teeth as they are made: the satellite by a hob, the ring by a shaper cutter."""
+    """Involute teeth as they are made, the satellite by a hob, the ring by a shaper cutter, and
+    what their stresses need, as far as they are given.
+    """
 
-    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
-        (("satellite_addendum",), ("satellite_tip_radius_mm",)),
-        (("ring_addendum",), ("ring_tip_radius_mm",)),
-    )
-
-    module_mm: Size = quantity("Module", "m", step=0.5)
-    """Of the teeth."""
-    reference_pressure_angle_deg: float = quantity(
-        "Reference pressure angle", "α", default=20.0, step=0.5, ge=14.5, le=30
-    )
-    """Of the teeth."""
-    satellite_profile_shift: float = quantity(
-        "Profile shift of the satellite", "x_s", step=0.05, ge=-2, le=3
-    )
-    """In modules, outwards."""
-    ring_profile_shift: float = quantity("Profile shift of the ring", "x_r", step=0.05, ge=-2, le=3)
-    """In modules, outwards: a positive one makes its spaces wider, its tip and root circles larger.
-    Where the ring's teeth are counted below 0 it has the other sign."""
+    satellite_profile_shift: Maybe[float] = satellite_shift()
+    ring_profile_shift: Maybe[float] = ring_shift()
     satellite_addendum: Maybe[float] = quantity(
         "Addendum of the satellite", "h_as", step=0.05, ge=HEIGHTS[0], le=HEIGHTS[1]
     )
@@ -53,14 +59,16 @@ class InvoluteTeethFields(RequestModel, group="gear"):
         "Addendum of the ring", "h_ar", step=0.05, ge=HEIGHTS[0], le=HEIGHTS[1]
     )
     """In modules, inside its shifted reference circle."""
-    satellite_tip_radius_mm: Maybe[Size] = quantity("Tip radius of the satellite", "r_as", step=0.5)
-    """In place of its addendum."""
-    ring_tip_radius_mm: Maybe[Size] = quantity("Tip radius of the ring", "r_ar", step=0.5)
-    """In place of its addendum."""
-    dedendum: float = quantity(
-        "Dedendum", "h_f", default=1.25, step=0.05, ge=0.8, le=1.6, advanced=True
+    satellite_tip_radius_mm: Maybe[Size] = quantity(
+        "Tip radius of the satellite", "r_as", step=0.5, advanced=True
     )
-    """Of the hob that makes the satellite, in modules."""
+    """In place of its addendum."""
+    ring_tip_radius_mm: Maybe[Size] = quantity(
+        "Tip radius of the ring", "r_ar", step=0.5, advanced=True
+    )
+    """In place of its addendum."""
+    dedendum: Maybe[float] = quantity("Dedendum", "h_f", step=0.05, ge=0.8, le=1.6, advanced=True)
+    """Of the hob that makes the satellite, in modules; 1.25 where not given."""
     rack_tip_radius: Maybe[float] = quantity(
         "Tip radius of the hob", "ρ_f", step=0.02, ge=0, le=0.6, advanced=True
     )
@@ -68,69 +76,28 @@ class InvoluteTeethFields(RequestModel, group="gear"):
     cutter_teeth: Maybe[Whole] = quantity("Teeth of the cutter", "z₀", ge=6, le=1000)
     """Of the shaper cutter that makes the ring; without it the ring's root is assumed, and its
     flanks are not checked."""
-    cutter_profile_shift: float = quantity(
-        "Profile shift of the cutter", "x₀", default=0.0, step=0.05, ge=-1, le=1, advanced=True
+    cutter_profile_shift: Maybe[float] = quantity(
+        "Profile shift of the cutter", "x₀", step=0.05, ge=-1, le=1, advanced=True
     )
-    """In modules."""
-    cutter_addendum: float = quantity(
-        "Addendum of the cutter", "h_a0", default=1.25, step=0.05, ge=0.8, le=1.6, advanced=True
+    """In modules; 0 where not given."""
+    cutter_addendum: Maybe[float] = quantity(
+        "Addendum of the cutter", "h_a0", step=0.05, ge=0.8, le=1.6, advanced=True
     )
-    """In modules."""
-
-    def teeth(self, *, satellite_teeth: int, ring_teeth: int) -> InvoluteTeeth:
-        """The teeth in SI units, with the numbers of teeth of the mechanism."""
-        angle, module = (
-            to_si(name, getattr(self, name))
-            for name in ("reference_pressure_angle_deg", "module_mm")
-        )
-        rack = Rack(angle, self.dedendum)
-        if not rack.most_round >= 0:
-            most = math.pi / 4 / math.tan(angle)
-            raise InvalidInput("dedendum", self.dedendum, "less_than_equal", limit=most)
-        given = self.rack_tip_radius
-        rounded = min(rack.tip_radius, rack.most_round) if given is None else given
-        satellite, ring = self.satellite_addendum, self.ring_addendum
-        if satellite is None:
-            own = satellite_teeth / 2 + self.satellite_profile_shift
-            base = satellite_teeth * math.cos(angle) / 2
-            satellite = self._height("satellite_tip_radius", own, base, module) - own
-        if ring is None:
-            own, base = ring_teeth / 2 + self.ring_profile_shift, ring_teeth * math.cos(angle) / 2
-            ring = own - self._height("ring_tip_radius", own, base, module)
-        cutter = None
-        if self.cutter_teeth is not None:
-            cutter = Cutter(self.cutter_teeth, self.cutter_profile_shift, self.cutter_addendum)
-        return InvoluteTeeth(
-            satellite_teeth=satellite_teeth,
-            ring_teeth=ring_teeth,
-            module=module,
-            satellite_profile_shift=self.satellite_profile_shift,
-            ring_profile_shift=self.ring_profile_shift,
-            satellite_addendum=satellite,
-            ring_addendum=ring,
-            rack=Rack(angle, self.dedendum, rounded),
-            cutter=cutter,
-        )
-
-    def _height(self, name: str, own: float, base: float, module: float) -> float:
-        """Radius of a tip circle in modules, by that of its shifted reference circle and its base
-        circle.
-
-        Raises
-        ------
-        InvalidInput
-            If it lies within the base circle, or the addendum is none of `HEIGHTS`.
-        """
-        outwards = 1 if name == "satellite_tip_radius" else -1
-        tip: float = to_si(f"{name}_mm", getattr(self, f"{name}_mm"))
-        low, high = sorted(module * (own + outwards * each) for each in HEIGHTS)
-        if not tip > module * base:
-            raise InvalidInput(name, tip, "greater_than", limit=module * base)
-        if not tip >= low * (1 - SAME):
-            raise InvalidInput(name, tip, "greater_than_equal", limit=low)
-        if not tip <= high * (1 + SAME):
-            raise InvalidInput(name, tip, "less_than_equal", limit=high)
-        return tip / module
+    """In modules; 1.25 where not given."""
+    satellite_material: Maybe[Material] = quantity("Satellite material")
+    """A name of the table of materials, or values; that of the holes where these have one."""
+    ring_material: Maybe[Material] = quantity("Ring material")
+    """A name of the table of materials, or values; structural steel where not given."""
+    face_load_factor: Maybe[float] = quantity(
+        "Face load factor", "K_Hβ", step=0.05, advanced=True, ge=1, le=10
+    )
+    """Factor on the force for stresses, as it is not the same along the width; 1 where not
+    given."""
+    pair_stiffness_N_per_mm: Maybe[Size] = quantity(
+        "Stiffness of a pair", "k", step=10_000, advanced=True
+    )
+    """Along the line of action, for the pairs that carry; 14 N/(mm·µm) of the width where not
+    given."""
 
 
 class InvoluteGeometryOut(ResponseModel):

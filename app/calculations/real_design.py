@@ -6,11 +6,11 @@ from typing import Any, Literal, Self
 
 from pydantic import Field, model_validator
 
+from app.calculations.contact_law import ContactLawFields
 from app.calculations.mechanism import MechanismFields
 from app.calculations.pin_rollers import RollersFields
 from app.calculations.real_mechanism import (
     BentPinFields,
-    ContactLawFields,
     GivingFields,
     RealContactFields,
     RealLoadFields,

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator
 from functools import cached_property, partial
-from typing import Annotated, Any, ClassVar, Literal, Self, get_args
+from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import Field, field_validator, model_validator
 
@@ -26,18 +26,7 @@ from app.model import (
 from app.problems import invalid_input, refusal, wrong
 from app.units import to_si
 from core.materials import ElasticMaterial
-from core.output.contact_law import (
-    MAX_EXPONENT,
-    MIN_EXPONENT,
-    ConformalLaw,
-    ContactLaw,
-    HertzLaw,
-    LinearLaw,
-    PalmgrenLaw,
-    PinSupport,
-    PowerLaw,
-    usual_law,
-)
+from core.output.contact_law import PinSupport
 from core.output.real_mechanism import Deviations
 from core.output.sampled_turn import Direction
 from core.output.satellite_support import (
@@ -47,8 +36,6 @@ from core.output.satellite_support import (
     Shares,
 )
 from core.precision import SAME
-
-Kind = Literal["hertz", "conformal", "palmgren", "linear", "power"]
 
 Phase = Annotated[float, Field(ge=-360, le=360)]
 
@@ -102,60 +89,6 @@ class RealContactFields(PinContactFields, group="contact"):
             "pin_material": material_of(self.pin_material),
             "hole_material": material_of(self.hole_material),
         }
-
-
-class ContactLawFields(RequestModel, group="contact_law"):
-    """How a pair gives under a force."""
-
-    KINDS: ClassVar[Kinds] = {
-        None: ((), ("reference_depth_mm",)),
-        "hertz": ((), ("reference_depth_mm",)),
-        "conformal": ((), ()),
-        "palmgren": ((), ()),
-        "linear": (("stiffness_N_per_mm",), ()),
-        "power": (("exponent", "reference_force_N", "reference_approach_mm"), ()),
-    }
-
-    kind: Maybe[Kind] = quantity("Law of contact")
-    """Hertz: line contact with its logarithm; conformal: the hole wraps around the pin, its
-    approach counted to three hole radii; Palmgren: rollers of steel; linear; power. Where not
-    given, conformal with a body below 20 GPa, else Hertz."""
-    reference_depth_mm: Maybe[Size] = quantity("Reference depth", "t", step=1, advanced=True)
-    """Depth to which Hertz counts the approach of the hole; the hole's radius where not given."""
-    stiffness_N_per_mm: Maybe[Size] = quantity("Contact stiffness", "k", step=1000)
-    """Stiffness of a pair, for the linear law."""
-    exponent: Maybe[float] = quantity("Exponent", "n", step=0.1, ge=MIN_EXPONENT, le=MAX_EXPONENT)
-    """Force ∝ approachⁿ, for the power law."""
-    reference_force_N: Maybe[Size] = quantity("Reference force", "F_ref", step=100)
-    """A force whose approach is known, for the power law."""
-    reference_approach_mm: Maybe[Size] = quantity("Reference approach", "δ_ref", step=0.001)
-    """The approach under the reference force."""
-
-    def section(self, body: Any) -> ContactLaw:
-        """The law in SI units, where none is named that of the materials in the body's contact."""
-        return self.named() or law_by_materials(body.contact)
-
-    def named(self) -> ContactLaw | None:
-        """The law in SI units, where one is named."""
-        own = self.to_core()
-        if not own:
-            return None
-        kinds = {
-            "hertz": HertzLaw,
-            "conformal": ConformalLaw,
-            "palmgren": PalmgrenLaw,
-            "linear": LinearLaw,
-            "power": PowerLaw,
-        }
-        return kinds[own.pop("kind", "hertz")](**own)  # type: ignore[no-any-return]
-
-
-def law_by_materials(contact: PinContactFields | None) -> ContactLaw:
-    """The law of contact where none is named; without a contact, which is refused, any."""
-    if contact is None:
-        return usual_law(pin=None, hole=None)
-    pin, hole = material_of(contact.pin_material), material_of(contact.hole_material)
-    return usual_law(pin=pin, hole=hole)
 
 
 class BentPinFields(HeldPinFields, group="pin"):
@@ -385,6 +318,3 @@ class DeviationsFields(RequestModel, group="deviations"):
             yield name, satellites, len(value)
             for index, row in enumerate(value):
                 yield f"{name}/{index}", pins, len(row)
-
-
-assert {*get_args(Kind), None} == {*ContactLawFields.KINDS}

@@ -8,7 +8,9 @@ from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import Field, field_validator, model_validator
 
+from app.calculations.contact_law import MeshLawFields
 from app.calculations.hertz import Material, contact_length, material_of
+from app.calculations.involute_teeth import RING_MATERIAL, InvoluteTeethFields
 from app.calculations.mechanism import MAX_SATELLITES
 from app.model import (
     NO_DUST,
@@ -103,6 +105,7 @@ class RingPinsFields(RequestModel, group="gear"):
     ring_pin_radius_mm: Maybe[Size] = ring_pin_radius()
     contact_length_mm: Maybe[Size] = contact_length()
     modification: Maybe[ModificationFields] = None
+    contact_law: Maybe[MeshLawFields] = None
     pin_material: Maybe[Material] = quantity("Material of the ring's pins")
     """A name of the table of materials, or values; bearing steel where not given."""
     disc_material: Maybe[Material] = quantity("Disc material")
@@ -127,7 +130,7 @@ class RingPinsFields(RequestModel, group="gear"):
     friction_coefficient: Maybe[float] = quantity(
         "Friction coefficient", "μ", step=0.01, ge=0, le=1
     )
-    """Of what slides on the ring's pins; without it no loss is answered."""
+    """Of what slides on the ring's pins, or of flanks of teeth; without it no loss is answered."""
     sleeve_bore_radius_mm: Maybe[Size] = quantity("Bore of the sleeves", "r_i", step=0.5)
     """Radius of the bore of sleeves on the ring's pins, in which these slide."""
     rolling: Maybe[bool] = quantity("Rolling elements", advanced=True)
@@ -146,15 +149,22 @@ class RingPinsFields(RequestModel, group="gear"):
 
     def ring(self, **more: Any) -> Ring:
         """The ring in SI units, with what else is known of it."""
-        own = self.to_core() | more
         if self.modification is not None:
-            own["modification"] = self.modification.section()
-        for name in ("pin_material", "disc_material"):
-            if name in own:
-                own[name] = material_of(own[name])
-        if "satellite_positions" in own:
-            own["satellite_positions"] = tuple(own["satellite_positions"])
-        return Ring(**own)
+            more["modification"] = self.modification.section()
+        if self.contact_law is not None:
+            more["contact_law"] = self.contact_law.named()
+        if self.satellite_positions_mm is not None:
+            more["satellite_positions"] = tuple(to_si("positions_mm", self.satellite_positions_mm))
+        return ring_of(self, **more)
+
+
+def ring_of(fields: RequestModel, **more: Any) -> Ring:
+    """The ring of a request in SI units, with what else is known of it."""
+    own = fields.to_core() | more
+    for name in ("pin_material", "disc_material", "satellite_material", "ring_material"):
+        if name in own:
+            own[name] = material_of(own[name])
+    return Ring(**own)
 
 
 class RingPinDeviationsFields(RequestModel, group="deviations"):
@@ -202,14 +212,29 @@ TOOTH_DATA = tuple(
 )
 """What the mesh of cycloid discs is judged by, besides the sizes of the ring."""
 
+INVOLUTE_DATA = (
+    *InvoluteTeethFields.model_fields,
+    "contact_length_mm",
+    "friction_coefficient",
+    "root_strength_MPa",
+)
+"""What the mesh of involute teeth is judged by, besides module and pressure angle."""
 
-class RingFields(RingPinsFields, group="gear"):
+
+class RingFields(RingPinsFields, InvoluteTeethFields, group="gear"):
     """Teeth or pins of the ring, or the ratio of its forces itself."""
 
-    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("kind",), ("radial_force_ratio",)),)
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
+        (("kind",), ("radial_force_ratio",)),
+        (("satellite_addendum",), ("satellite_tip_radius_mm",), ()),
+        (("ring_addendum",), ("ring_tip_radius_mm",), ()),
+    )
 
     KINDS: ClassVar[Kinds] = {
-        "involute": (("module_mm",), ("teeth_difference", "reference_pressure_angle_deg")),
+        "involute": (
+            ("module_mm",),
+            ("teeth_difference", "reference_pressure_angle_deg", *INVOLUTE_DATA),
+        ),
         "cycloid": (("ring_pin_circle_radius_mm",), ("ring_pin_radius_mm", *TOOTH_DATA)),
         "none": ((), ()),
         None: ((), ()),
@@ -226,6 +251,9 @@ class RingFields(RingPinsFields, group="gear"):
         "Reference pressure angle", "α", step=0.5, ge=1, le=60
     )
     """Of the teeth; 20° where not given."""
+    root_strength_MPa: Maybe[Size] = quantity("Strength of the tooth root", "σ_FG", step=10)
+    """Stress that the root of a satellite's tooth bears over the life, in the direction of the
+    torque or in both; the safety in fatigue is on it."""
     radial_force_ratio: Maybe[float] = quantity(
         "Ratio of the ring's forces", "ρ", step=0.05, ge=-100, le=100
     )
@@ -233,10 +261,17 @@ class RingFields(RingPinsFields, group="gear"):
     involute teeth, negative outwards, as with a ring of pins."""
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
-        """Also the material of the ring's pins, where their mesh is judged."""
+        """Also the material of the ring, where its mesh is judged."""
         yield from super().assumed()
         if self.modification is not None and self.pin_material is None:
             yield ("pin_material",), PIN_MATERIAL
+        if self.toothed and self.ring_material is None:
+            yield ("ring_material",), RING_MATERIAL
+
+    @property
+    def toothed(self) -> bool:
+        """Whether involute teeth are given with their profile shifts."""
+        return self.satellite_profile_shift is not None and self.ring_profile_shift is not None
 
     def refuse_other_teeth(self, difference: int | None) -> None:
         """Refuse involute teeth without a difference, or with another than the mechanism's.
@@ -268,9 +303,10 @@ class RingFields(RingPinsFields, group="gear"):
         PydanticCustomError
             If it is.
         """
-        own = self.disc_material
-        if own is not None and material_of(own) != material_of(material):
-            raise field_error("gear/disc_material", "discs_disagree", field="hole_material")
+        for name in ("disc_material", "satellite_material"):
+            own = getattr(self, name)
+            if own is not None and material_of(own) != material_of(material):
+                raise field_error(f"gear/{name}", "discs_disagree", field="hole_material")
 
     def section(self, whole: Any) -> Ring:
         """The ring in SI units, with the difference of the mechanism's teeth where it has them."""
@@ -282,4 +318,6 @@ class RingFields(RingPinsFields, group="gear"):
             more["reference_pressure_angle"] = to_si("angle_deg", REFERENCE_ANGLE_DEG)
         if self.kind == "cycloid" and self.pin_material is None:
             more["pin_material"] = PIN_MATERIAL
+        if self.toothed and self.ring_material is None:
+            more["ring_material"] = RING_MATERIAL
         return self.ring(**more)

@@ -5,8 +5,15 @@ from typing import Annotated, Any, ClassVar, Literal, Self, get_args
 
 from pydantic import BeforeValidator, Field, model_validator
 
-from app.calculations.involute_mesh import InvoluteRingFields, drawn_path, solved_pair
+from app.calculations.contact_law import MeshLawFields
+from app.calculations.involute_mesh import (
+    InvoluteRingFields,
+    drawn_path,
+    pair_notices,
+    solved_pair,
+)
 from app.calculations.load_sharing_answer import StiffnessCurveOut
+from app.calculations.ring import ring_of
 from app.calculations.ring_mesh_answer import (
     MeshPositionOut,
     MeshTurnOut,
@@ -20,7 +27,6 @@ from app.calculations.ring_mesh_figure import DrawnPath, ShownMesh, path_figure,
 from app.calculations.ring_parts import (
     CycloidRingFields,
     MeshCouplingFields,
-    MeshLawFields,
     RingCrankFields,
     RingDeviationsFields,
     RingLoadFields,
@@ -44,6 +50,7 @@ from app.settings import Settings
 from app.sources import ISO_6336, JOHNSON_1985
 from app.theme import Figure, Theme
 from app.units import to_si
+from core.design.sections import Ring
 from core.errors import InvalidInput
 from core.output.contact_law import HertzLaw
 from core.output.real_curves import stiffness_curve
@@ -244,15 +251,29 @@ class RingMeshRequest(RequestModel, group="positions"):
     @property
     def pair(self) -> InvolutePair:
         """A satellite of involute teeth in its ring, in SI units."""
-        assert isinstance(self.gear, InvoluteRingFields)
         own = self.mechanism
-        teeth = self.gear.teeth(satellite_teeth=own.satellite_teeth, ring_teeth=own.ring_teeth)
+        teeth = self.involute.involute_teeth(
+            satellite_teeth=own.satellite_teeth, ring_teeth=own.ring_teeth
+        )
         return involute_pair(teeth=teeth, eccentricity=self.eccentricity)
 
+    @cached_property
+    def involute(self) -> Ring:
+        """The ring of involute teeth, in SI units."""
+        assert isinstance(self.gear, InvoluteRingFields)
+        return ring_of(self.gear)
+
     @property
-    def satellite_torque(self) -> float:
-        """Torque of each satellite of involute teeth, N*m."""
-        return self.load.output_torque_Nm / self.mechanism.satellites
+    def loaded_teeth(self) -> dict[str, Any]:
+        """What the stresses of involute teeth follow from, as arguments."""
+        factor = self.load.application_factor or 1.0
+        return {
+            "torque": self.load.output_torque_Nm / self.mechanism.satellites,
+            "contact_length": self.involute.contact_length,
+            "satellite_material": self.involute.satellite_material,
+            "ring_material": self.involute.ring_material,
+            "load_factor": factor * self.involute.face_load_factor,
+        }
 
     @property
     def support(self) -> Shares | None:
@@ -286,7 +307,7 @@ class RingMeshRequest(RequestModel, group="positions"):
             contact_length=ring.contact_length,
             disc_material=ring.disc_material,
             crank_angles=self.mechanism.crank_angles,
-            law=self.contact_law.named() or HertzLaw(),
+            law=ring.contact_law or self.contact_law.named() or HertzLaw(),
             deviations=(RingDeviations() if self.deviations is None else self.deviations.section()),
             exact=self.geometry == "exact",
             support=self.support,
@@ -306,8 +327,8 @@ class RingMeshRequest(RequestModel, group="positions"):
 
     def solve_all(self) -> Solved:
         """What is asked for."""
-        if isinstance(self.gear, InvoluteRingFields):
-            return self._solve_pair(self.gear)
+        if self.gear.kind == "involute":
+            return self._solve_pair()
         solved, asked = Solved(), {*self.asked}
         mesh = self.mesh
         solved.values |= {"kind": "cycloid", "geometry": RingGeometryOut.values(self.disc)}
@@ -340,18 +361,16 @@ class RingMeshRequest(RequestModel, group="positions"):
             solved.take(self.disc.accuracy)
         return solved
 
-    def _solve_pair(self, gear: InvoluteRingFields) -> Solved:
-        speed, own = self.input_speed, self.mechanism
-        turning = None
-        if speed is not None:
-            turning = speed * (own.ring_teeth - own.satellite_teeth) / own.satellite_teeth
+    def _solve_pair(self) -> Solved:
+        pair = self.pair
         return solved_pair(
-            gear=gear,
-            pair=self.pair,
-            torque=self.satellite_torque,
-            application_factor=self.load.application_factor or 1.0,
-            power=None if turning is None else turning * self.load.output_torque_Nm,
+            ring=self.involute,
+            pair=pair,
+            loaded=self.loaded_teeth,
+            output_torque=self.load.output_torque_Nm,
+            input_speed=self.input_speed,
             asked={*self.asked},
+            notices=pair_notices(pair),
         )
 
     @property
@@ -376,14 +395,7 @@ class RingMeshRequest(RequestModel, group="positions"):
 
     def solve_path(self) -> DrawnPath:
         """The pressure along the path of contact."""
-        assert isinstance(self.gear, InvoluteRingFields)
-        factor = self.load.application_factor or 1.0
-        return drawn_path(
-            gear=self.gear,
-            pair=self.pair,
-            torque=self.satellite_torque,
-            application_factor=factor,
-        )
+        return drawn_path(pair=self.pair, loaded=self.loaded_teeth)
 
     def solve_for_drawing(self) -> ShownMesh:
         """All that the figure shows."""
@@ -405,7 +417,7 @@ def figure(body: RingMeshRequest, theme: Theme = "light") -> Figure:
     turn, and the disc on its pins; or the pressure along the path of contact of involute teeth, for
     Plotly.js.
     """
-    if isinstance(body.gear, InvoluteRingFields):
+    if body.gear.kind == "involute":
         path, _ = run(body, body.solve_path)
         return path_figure(path, theme)
     own = body.mechanism

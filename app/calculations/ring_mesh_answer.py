@@ -297,6 +297,21 @@ class DesignMeshOut(ResponseModel):
     warnings: Maybe[list[WarningOut]] = None
 
 
+class DesignPairOut(ResponseModel):
+    """The mesh of involute teeth in a whole design, of the satellite with the largest torque."""
+
+    satellite_torque_Nm: float = result(
+        "Largest torque of a satellite over the turn, under the dynamic load over its factor.",
+        symbol="T_j",
+    )
+    geometry: InvoluteGeometryOut
+    stresses: InvoluteStressesOut
+    shared_pairs: Maybe[SharedPairsOut] = result("Pairs that carry, where teeth do not interfere.")
+    efficiency: Maybe[RingEfficiencyOut] = None
+    accuracy: AccuracyOut
+    warnings: Maybe[list[WarningOut]] = None
+
+
 class RingMeshResponse(ResponseModel):
     """The sections that were asked for."""
 

@@ -9,7 +9,6 @@ from app.calculations.design import input_speed
 from app.calculations.hertz import Material, contact_length, eccentricity
 from app.calculations.mechanism import MAX_SATELLITES
 from app.calculations.real_mechanism import (
-    ContactLawFields,
     PerSatellite,
     PhasePerSatellite,
     SatelliteCouplingFields,
@@ -184,15 +183,3 @@ class MeshCouplingFields(SatelliteCouplingFields, group="satellite_coupling"):
 
     kind: Literal["rigid", "shares"] = quantity("Coupling of the satellites", default="rigid")
     """Rigid: all have one lag; shares: each carries a given share."""
-
-
-class MeshLawFields(ContactLawFields, group="contact_law"):
-    """How a pair gives under a force: the teeth do not wrap around the pins."""
-
-    KINDS: ClassVar[Kinds] = {
-        kind: rules for kind, rules in ContactLawFields.KINDS.items() if kind != "conformal"
-    }
-
-    kind: Maybe[Literal["hertz", "palmgren", "linear", "power"]] = quantity("Law of contact")
-    """Hertz: line contact with its logarithm; Palmgren: rollers of steel; linear; power. Where not
-    given, Hertz."""

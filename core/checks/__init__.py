@@ -20,7 +20,8 @@ fit                 room of the pins in their holes, clearance
 space               walls between holes, to rim and bore; space between pins, for satellites
 crank               ring, bearings of the satellites, crankshaft
 ring_pins           cycloid discs on the pins of a ring: what geometry alone says
-ring_load           cycloid discs on these pins under load: pressure, play, bending
+involute_mesh       involute teeth: path of contact, tips, undercut, roots
+ring_load           satellites in their ring under load: pressure, play, bending
 bearings            bearings as they are bought: ratings that can be, room, speed, least load
 pin_rollers         bearings as rollers on the pins: life, load, speed, room, tilt
 balance             what turns with the crankshaft and is not balanced

@@ -89,6 +89,8 @@ def mesh_possible(design: Design, results: Results) -> Check:
     if gear.kind != "involute":
         return Check(mesh_possible, "not_applicable", reason="no_involute")
     eccentricity, _ = design.known_eccentricity, results.ring_force  # which refuses base circles
+    if not gear.unknown_teeth:
+        return Check(mesh_possible, "not_applicable", reason="teeth_given")
     assert gear.module is not None and gear.teeth_difference is not None
     assert gear.reference_pressure_angle is not None
     low, high = STANDARD_ANGLES

@@ -11,6 +11,7 @@ from core.checks.crank import CRANK
 from core.checks.cranks import CRANKS
 from core.checks.fit import FIT
 from core.checks.friction import FRICTION
+from core.checks.involute_mesh import INVOLUTE_MESH
 from core.checks.part import PARTS, Part, PartVerdict
 from core.checks.pin_contact import CONTACT, life_considered
 from core.checks.pin_rollers import PIN_ROLLERS
@@ -36,6 +37,7 @@ CRANK_CHECKS = {
         *PINS,
         *FRICTION,
         *CRANK,
+        *INVOLUTE_MESH,
         *RING_PINS,
         *RING_LOAD,
         *BEARINGS,
@@ -187,16 +189,23 @@ def _lacks(design: Design, part: Part, own: list[Check]) -> Iterator[NotKnown]:
     )
     if absent:
         yield NotKnown("section_missing", *absent)
-    if part.by_forces and design.clearance_unknown:
+    gear = design.gear
+    by_forces = part.by_forces
+    if part.code == "teeth" and gear and gear.kind == "involute" and not gear.unknown_teeth:
+        by_forces = design.mechanism.satellites > 1  # which share by their pins
+    if by_forces and design.clearance_unknown:
         known = design.contact.eccentricity is not None
         missing = "contact.hole_clearance" if known else "contact.eccentricity"
         yield NotKnown("clearance_unknown", missing)
     if part.code == "teeth":
-        if design.gear and design.gear.kind != "cycloid":
+        if gear and gear.kind == "cycloid":
+            if gear.modification is None:
+                yield NotKnown("modification_unknown", "gear.modification")
+        elif gear and gear.kind != "involute":
             yield NotKnown("teeth_not_judged")
-        elif design.gear and design.gear.modification is None:
-            yield NotKnown("modification_unknown", "gear.modification")
-    elif "gear" in part.sections and design.gear and design.gear.kind == "none":
+        elif gear and gear.unknown_teeth:
+            yield NotKnown("teeth_not_judged", *gear.unknown_teeth)
+    elif "gear" in part.sections and gear and gear.kind == "none":
         yield NotKnown("no_ring_force", "gear.kind")
     for check in own:
         if check.opens:

@@ -100,6 +100,7 @@ RING_GIVES = (
     *RING_GAPS,
     "gear.ring_pin_radius",
     "gear.contact_length",
+    "gear.contact_law",
     "gear.pin_material",
     "gear.disc_material",
     "gear.pin_support",
@@ -127,6 +128,83 @@ RING_LOADED = (
 )
 """The same, with the factors on pressures."""
 
+INVOLUTE_GEARS = (
+    "gear.kind",
+    "gear.module",
+    "gear.teeth_difference",
+    "gear.reference_pressure_angle",
+    "mechanism.ratio",
+    "contact.eccentricity",
+)
+"""Of involute teeth, whatever their heights and shifts."""
+
+SATELLITE_TIPS = (
+    "gear.satellite_profile_shift",
+    "gear.satellite_addendum",
+    "gear.satellite_tip_radius",
+)
+"""Of where the tips of the satellite are."""
+
+RING_TIPS = ("gear.ring_profile_shift", "gear.ring_addendum", "gear.ring_tip_radius")
+"""Of where those of the ring are."""
+
+INVOLUTE_TEETH = (*INVOLUTE_GEARS, *SATELLITE_TIPS, *RING_TIPS)
+"""Of involute teeth and where they touch."""
+
+INVOLUTE_RACK = ("gear.dedendum", "gear.rack_tip_radius")
+"""Of the hob that makes the satellite."""
+
+INVOLUTE_CUTTER = ("gear.cutter_teeth", "gear.cutter_profile_shift", "gear.cutter_addendum")
+"""Of the cutter that makes the ring."""
+
+INVOLUTE_GIVES = tuple(
+    dict.fromkeys(
+        (
+            *INVOLUTE_GEARS,
+            "gear.contact_length",
+            "gear.face_load_factor",
+            *(each for each in FORCES if each not in ("load.output_torque", "load.force_exponent")),
+            "contact.distribution_of",
+        )
+    )
+)
+"""Of how a torque is on them: satellites carry what their pins do."""
+
+ON_STRESSES = ("load.output_torque", "contact.dynamic_factor", "load.application_factor")
+"""Of the torque itself, with the factor on stresses and pressures."""
+
+INVOLUTE_LOADED = (*INVOLUTE_GIVES, *ON_STRESSES)
+"""Of the forces on them."""
+
+TEETH_GAPS = tuple(
+    dict.fromkeys(
+        (
+            *RING_GAPS,
+            *INVOLUTE_GEARS,
+            "gear.satellite_profile_shift",
+            "gear.ring_profile_shift",
+        )
+    )
+)
+"""Of the gaps between satellites and ring, of whatever kind."""
+
+TEETH_GIVE = tuple(
+    dict.fromkeys(
+        (
+            *RING_GIVES,
+            *UNEVEN,
+            *INVOLUTE_GIVES,
+            *RING_TIPS,
+            "gear.ring_material",
+            "gear.satellite_material",
+        )
+    )
+)
+"""Of how a torque is on satellites and ring, of whatever kind."""
+
+TEETH_LOADED = (*TEETH_GIVE, *ON_STRESSES)
+"""Of the pressure between them."""
+
 OF_DISCS = (*FORCES, "contact.distribution_of", *RING)
 """Of the loads of satellites on the crank."""
 
@@ -143,6 +221,8 @@ ROOTS = (
     "gear.ring_pin_radius",
     "gear.modification.equidistant",
     "gear.modification.pin_circle",
+    "gear.satellite_profile_shift",
+    "gear.dedendum",
     "mechanism.ratio",
     "contact.eccentricity",
 )

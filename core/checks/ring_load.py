@@ -1,5 +1,5 @@
-"""Checks of cycloid discs on the pins of their ring under load: what presses without it, pressure,
-play, transmission error, bending of the pins, pv.
+"""Checks of satellites in their ring under load: what presses without it, pressure, play; of
+cycloid discs on its pins also transmission error, bending of the pins, pv.
 """
 
 from functools import partial
@@ -8,20 +8,21 @@ from typing import Any, get_args
 from core.checks.check import Check, Kind, Measure, design_check, judged
 from core.checks.inputs import (
     LIFE,
-    RING_GAPS,
-    RING_GIVES,
     RING_LOADED,
     RING_SHARING,
     SPEEDS,
-    UNEVEN,
+    TEETH_GAPS,
+    TEETH_GIVE,
+    TEETH_LOADED,
 )
+from core.checks.involute_mesh import Pressed, involute_pressed, refused
 from core.checks.pin_contact import whence
 from core.checks.ring_pins import no_ring_pins
 from core.design.document import Design
 from core.design.results import Results
 from core.design.sections import RingBody
 from core.errors import NotKnown
-from core.materials import ElasticMaterial
+from core.precision import AS_TYPED
 from core.ring.sharing import MeshTurn
 
 FIRST_ORDER = 0.02
@@ -37,42 +38,71 @@ def _error(turn: MeshTurn) -> float:
     return float(turn.accuracy.relative_error) + (0.0 if turn.mesh.exact else FIRST_ORDER)
 
 
+def _no_mesh(results: Results, kind: Kind) -> Check | None:
+    """A check of a ring without pins or teeth; None where it has these, and they can be."""
+    gear = results.design.gear
+    if gear.kind == "involute":
+        return None
+    return no_ring_pins(results=results, kind=kind)
+
+
 @_check(
     "ring_pressed",
     title="Interference of the teeth without load",
     unit="mm",
     formula="δ ≤ 0",
-    why="With it discs and pins of the ring go together by force only.",
-    inputs=RING_GAPS,
-    fixes=("gear.modification.equidistant",),
+    why="With it satellites and ring press without load, and go together by force only.",
+    inputs=TEETH_GAPS,
+    fixes=("gear.modification.equidistant", "gear.satellite_profile_shift"),
     source="ring_mesh",
 )
 def ring_pressed(design: Design, results: Results) -> Check:
-    if other := no_ring_pins(results=results, kind=ring_pressed):
+    if other := _no_mesh(results, ring_pressed):
         return other
+    if design.gear.kind == "involute":
+        if narrow := refused(results=results, kind=ring_pressed, names=("ring_profile_shift",)):
+            return narrow  # spaces that have room for the teeth at no eccentricity
+        pair = results.involute_pair
+        over = -pair.normal_backlash
+        felt = over > AS_TYPED * pair.teeth.module
+        return judged(ring_pressed, over if felt else 0.0, 0.0)
     return judged(ring_pressed, max(turn.interference for turn in results.ring_working[:1]), 0.0)
 
 
-NAMES: dict[RingBody, str] = {"pin": "pins of the ring", "disc": "discs on the ring"}
+NAMES: dict[RingBody, str] = {
+    "pin": "pins or teeth of the ring",
+    "disc": "satellites' teeth",
+}
 
-MATERIALS: dict[RingBody, str] = {"pin": "gear.pin_material", "disc": "contact.hole_material"}
+
+def _material(design: Design, body: RingBody) -> str:
+    """Path of a material."""
+    if body == "disc":
+        return "contact.hole_material"
+    return "gear.ring_material" if design.gear.kind == "involute" else "gear.pin_material"
 
 
-def _pressed(turn: MeshTurn, body: RingBody) -> tuple[float, dict[str, Any]]:
-    """Largest pressure over the turn, Pa, and where it is reached."""
+def _pressed(results: Results, body: RingBody, *, static: bool) -> Pressed:
+    """Largest pressure over the turn, under the dynamic load, or at the peak torque."""
+    design = results.design
+    if design.gear.kind == "involute":
+        factor = design.static_torque / design.pin_torque if static else design.load_factor
+        return involute_pressed(results=results, factor=factor)
+    turn = results.ring_static[0] if static else results.ring_loading
     value = turn.max_pressure
     if value is None:
-        raise NotKnown("limit_unknown", MATERIALS[body])
+        raise NotKnown("limit_unknown", _material(design, body))
     pair, angle = turn.hardest_place
-    return value, {"satellite": pair.satellite, "pin": pair.pin, "crank_angle": angle}
+    at = {"satellite": pair.satellite, "pin": pair.pin, "crank_angle": angle}
+    return Pressed(value, _error(turn), True, at)
 
 
-def _no_limit(
-    kind: Kind, body: RingBody, material: ElasticMaterial, value: float, at: dict[str, Any]
-) -> Check:
+def _no_limit(kind: Kind, design: Design, body: RingBody, found: Pressed) -> Check:
     """A check of a pressure of which the material has no limit."""
+    material = design.lasting_teeth[body]
     unknown = "limit_unknown" if material.plastic is None else "plastic_limit_unknown"
-    missing = (f"{MATERIALS[body]}.allowable_pressure",)
+    missing = (f"{_material(design, body)}.allowable_pressure",)
+    value, at = found.value, found.at
     return Check(kind, "not_checked", value=value, reason=unknown, at=at, missing=missing)
 
 
@@ -93,27 +123,24 @@ def _pressure(body: RingBody) -> Kind:
         title=f"Contact pressure of the {NAMES[body]}",
         formula="p ≤ p_all·Z_NT/S",
         why=f"Above it the surface of the {NAMES[body]} pits within the life.",
-        inputs=(*RING_LOADED, *LIFE, "requirements.pitting_safety"),
+        inputs=(*TEETH_LOADED, *LIFE, "requirements.pitting_safety"),
         fixes=("gear.contact_length", "load.output_torque"),
         source="ring_mesh",
         known=limits,
     )
     def pressure(design: Design, results: Results) -> Check:
-        if other := no_ring_pins(results=results, kind=pressure):
+        if other := _no_mesh(results, pressure):
             return other
-        turn, material = results.ring_loading, design.lasting_teeth[body]
-        value, at = _pressed(turn, body)
+        pressed = _pressed(results, body, static=False)
+        material = design.lasting_teeth[body]
         if material.limit is None:
-            return _no_limit(pressure, body, material, value, at)
+            return _no_limit(pressure, design, body, pressed)
         known = limits(design, results)
         found = judged(
             pressure,
-            value,
+            **pressed._asdict(),
             **known,
-            reserve=(known["limit"] / value) ** 2,
-            error=_error(turn),
-            rough=True,
-            at=at,
+            reserve=(known["limit"] / pressed.value) ** 2,
         )
         reason, lacks = "life_of_teeth", tuple[str, ...]()
         if material.limit.curve is None:
@@ -132,34 +159,26 @@ def _static(body: RingBody) -> Kind:
         title=f"Contact pressure of the {NAMES[body]} at the peak torque",
         formula="p(T_max) ≤ p_static",
         why=f"Above it the surface of the {NAMES[body]} is dented at once.",
-        inputs=(*RING_GIVES, *UNEVEN, "load.peak_torque"),
+        inputs=(*TEETH_GIVE, "load.peak_torque"),
         fixes=("gear.contact_length", "load.peak_torque"),
         source="static_pressure",
     )
     def static(design: Design, results: Results) -> Check:
-        if other := no_ring_pins(results=results, kind=static):
+        if other := _no_mesh(results, static):
             return other
         if design.load.peak_torque is None:
             missing = ("load.peak_torque",)
             return Check(static, "not_asked", reason="no_peak_torque", missing=missing)
-        turn, material = results.ring_static[0], design.lasting_teeth[body]
-        value, at = _pressed(turn, body)
-        limit, source = material.static_pressure, dict[str, str]()
+        pressed = _pressed(results, body, static=True)
+        material, value = design.lasting_teeth[body], pressed.value
+        limit, source = material.static_pressure, dict[str, Any]()
         if limit is None:  # what it bears for ever it bears once; beyond that nothing is known
             lasting = material.limit
             if lasting is None or value > lasting.pressure:
-                return _no_limit(static, body, material, value, at)
+                return _no_limit(static, design, body, pressed)
             limit, source = float(lasting.pressure), whence(lasting)
-        return judged(
-            static,
-            value,
-            limit,
-            reserve=(limit / value) ** 2,
-            error=_error(turn),
-            rough=True,
-            at=at,
-            **source,
-        )
+        reserve = (limit / value) ** 2
+        return judged(static, **pressed._asdict(), limit=limit, reserve=reserve, **source)
 
     return static
 
@@ -170,15 +189,17 @@ def _static(body: RingBody) -> Kind:
     unit="arcmin",
     formula="max(θ₊ − θ₋) ≤ Δφ",
     why="Otherwise the unloaded output turns by more than is asked.",
-    inputs=(*RING_GAPS, "requirements.max_ring_backlash"),
-    fixes=("gear.modification.equidistant",),
+    inputs=(*TEETH_GAPS, "requirements.max_ring_backlash"),
+    fixes=("gear.modification.equidistant", "gear.satellite_profile_shift"),
     source="ring_mesh",
     asks="max_ring_backlash",
 )
 def ring_backlash(design: Design, results: Results) -> Check | Measure:
-    """Not looked for where nobody asks."""
-    if other := no_ring_pins(results=results, kind=ring_backlash):
+    """Not looked for where nobody asks; of involute teeth it is known at once."""
+    if other := _no_mesh(results, ring_backlash):
         return other
+    if design.gear.kind == "involute":
+        return Measure(design.members.angle_at_output(max(results.involute_pair.backlash, 0.0)))
     if design.requirements.max_ring_backlash is None:
         raise NotKnown("no_limit")
     play = results.ring_working[0].backlash_max
@@ -198,8 +219,10 @@ def ring_backlash(design: Design, results: Results) -> Check | Measure:
 )
 def ring_transmission_error(design: Design, results: Results) -> Check | Measure:
     """Under the torque itself; not looked for where nobody asks."""
-    if other := no_ring_pins(results=results, kind=ring_transmission_error):
+    if other := _no_mesh(results, ring_transmission_error):
         return other
+    if design.gear.kind == "involute":
+        raise NotKnown("tooth_errors_unknown")
     if design.requirements.max_transmission_error is None:
         raise NotKnown("no_limit")
     worst = max(turn.transmission_error for turn in results.ring_working)

@@ -33,7 +33,9 @@ CHECK_SOURCES = {
     "geometry": "geometry",
     "guide": "guide value: walls of 0.03 of the ring's pin circle diameter (Wang, Luo, Su 2016), "
     "1.2 tooth heights below involute roots, sleeves of 0.1 of their pin, 0.1 of their diameter "
-    "between the pins of a ring, bends of their path of 1.1 of their radius; nobody asked for it",
+    "between the pins of a ring, bends of their path of 1.1 of their radius, of involute teeth "
+    "contact ratios of 1.05, tips that pass by 0.05 of G, are 0.15 modules off the roots and 0.25 "
+    "modules thick; nobody asked for it",
     "envelope": "derived: rolling elements that fill the gap, by the formulas of ISO 281 and "
     "ISO 76",
     "hertz": "Johnson, Contact Mechanics, 4.2: Hertz asks for a narrow contact",
@@ -44,6 +46,10 @@ CHECK_SOURCES = {
     "sources, or the one that was given",
     "heat_deflection": "heat deflection temperature under 1.8 MPa of the material's sources, or "
     "where it softens by these",
+    "involute_mesh": "geometry of the line of action; interference of the tips as in SDP/SI, "
+    "Elements of Gear Technology, 5-6 and 5-7",
+    "iso_6336_root": "method B of ISO 6336-3 as it is commonly printed, the force at the tip, with "
+    "the strength that was given",
     "johnson_yield": "Johnson, Contact Mechanics, 4.2, 7.1 and 9.1; recomputed (Mises) for "
     "Poisson's ratio and friction: p = 1.79*Re for 0.3 and 0",
     "johnson_shakedown": "Melan's theorem, as in Johnson, Contact Mechanics, 9.2; recomputed: "

@@ -293,21 +293,21 @@ class Design:
 
     @property
     def disc_material(self) -> ElasticMaterial | None:
-        """Material of the discs: that of their holes."""
+        """Material of discs, or of satellites with involute teeth: that of their holes."""
         of_holes = self.contact.hole_material if self.contact else None
-        return self.gear.disc_material or of_holes
+        return self.gear.disc_material or self.gear.satellite_material or of_holes
 
     @cached_property
     def lasting_teeth(self) -> dict[RingBody, ElasticMaterial]:
-        """Materials of the pins of the ring and of the discs, their limits wanted for the loads
-        over the life, as far as they are given: once a turn of the crank against the ring on a pin,
-        and against the disc on a lobe.
+        """Materials of the pins or teeth of the ring and of the satellites' teeth, their limits
+        wanted for the loads over the life, as far as they are given: once a turn of the crank
+        against the ring, and against the satellite.
         """
         life, speed = self.requirements.life, self.turning_speed
         known = speed is not None and math.isfinite(life)
         of_pins = speed * life / (2 * math.pi) if known and speed is not None else None
         loads: dict[RingBody, tuple[ElasticMaterial | None, float | None]] = {
-            "pin": (self.gear.pin_material, of_pins),
+            "pin": (self.gear.pin_material or self.gear.ring_material, of_pins),
             "disc": (self.disc_material, self.loads_over(life)),
         }
         return {

@@ -28,7 +28,7 @@ from core.first_yield import first_yield
 from core.hertz import HertzContact, force_factor, hertz
 from core.materials import Body
 from core.output.contact_force import ContactForce, contact_force
-from core.output.contact_law import ContactLaw, HertzLaw, contact_compliance, usual_law
+from core.output.contact_law import ContactLaw, contact_compliance, usual_law
 from core.output.edge_load import EdgeLoad, SlopingContacts
 from core.output.fit import Fit
 from core.output.losses import PinLosses, pin_losses
@@ -43,6 +43,9 @@ from core.output.satellite_support import Shares
 from core.output.turn import Turn
 from core.results import Notice
 from core.ring.bent_pins import BentRingPins, bent_ring_pins
+from core.ring.involute import MOST_DIFFERENCE, STANDARD_ANGLES, InvolutePair, involute_pair
+from core.ring.involute_load import InvoluteLoad, RootStress, involute_load, involute_loss
+from core.ring.involute_load import root_stress as tooth_root
 from core.ring.loss import RingLoss, ring_loss
 from core.ring.sharing import CycloidMesh, MeshTurn, mesh_over_turn
 
@@ -714,7 +717,7 @@ class Results:
     @derived
     def ring_mesh(self) -> CycloidMesh:
         """Cycloid discs on the pins of their ring as they are made, where their modification is
-        known, by Hertz' law: in exact geometry where flanks are not turned. All discs have one lag,
+        known: in exact geometry where flanks are not turned. All discs have one lag,
         or given shares of the torque.
         """
         design, gear = self.design, self.design.gear
@@ -742,12 +745,81 @@ class Results:
                 crank_angles=design.mechanism.built.crank_angles,
                 contact_length=length,
                 disc_material=design.disc_material,
-                law=HertzLaw(),
+                law=gear.law,
                 deviations=design.ring_deviations,
                 exact=change.rotation == 0,
                 support=shares,
             )
         )
+
+    @derived
+    def involute_pair(self) -> InvolutePair:
+        """A satellite of involute teeth in its ring, where its shifts and heights are known."""
+        design, gear = self.design, self.design.gear
+        if not gear:
+            raise NotKnown("section_missing", "gear")
+        if gear.kind != "involute":
+            raise NotKnown("no_involute")
+        if gear.unknown_teeth:
+            raise NotKnown("teeth_not_judged", *gear.unknown_teeth)
+        eccentricity, _ = design.known_eccentricity, self.ring_force  # which refuses base circles
+        assert gear.teeth_difference is not None and gear.reference_pressure_angle is not None
+        low, high = STANDARD_ANGLES
+        usual = low <= gear.reference_pressure_angle <= high
+        if gear.teeth_difference > MOST_DIFFERENCE or not usual:
+            raise NotKnown("outside_method")
+        satellite, ring = design.lobes, design.ring_pins
+        return self._of_ring(
+            lambda: involute_pair(
+                teeth=gear.involute_teeth(satellite_teeth=satellite, ring_teeth=ring),
+                eccentricity=eccentricity,
+            )
+        )
+
+    def satellite_torque(self, factor: float) -> float:
+        """Largest torque of a satellite over the turn under so many times the torque, over that
+        factor, N*m: its couple with the pins is that with an involute ring.
+        """
+        design = self.design
+        if self.made is None:
+            return design.pin_torque * design.disc_factor / design.mechanism.satellites
+        torque = design.pin_torque * factor
+        ways = WAYS[design.load.torque_direction]
+        return max(float(abs(self.made(way * torque).couple).max()) for way in ways) / factor
+
+    def satellite_torque_error(self, factor: float) -> float:
+        """Estimate of the relative error of that torque."""
+        if self.made is None:
+            return 0.0
+        torque = self.design.pin_torque * factor
+        ways = WAYS[self.design.load.torque_direction]
+        return max(self.made(way * torque).error for way in ways)
+
+    def loaded_teeth(self, factor: float) -> dict[str, Any]:
+        """What involute teeth carry under so many times the torque, as arguments."""
+        design, gear = self.design, self.design.gear
+        return {
+            "torque": self.satellite_torque(factor),
+            "contact_length": design.ring_length,
+            "satellite_material": design.disc_material,
+            "ring_material": gear.ring_material,
+            "load_factor": factor * gear.face_load_factor,
+        }
+
+    def involute_load(self, factor: float) -> InvoluteLoad:
+        """Forces and pressures of involute teeth under so many times the torque."""
+        pair, loaded = self.involute_pair, self.loaded_teeth(factor)
+        for body in ("satellite", "ring"):
+            if loaded[f"{body}_material"] is None:
+                raise NotKnown("limit_unknown", f"gear.{body}_material")
+        return self._of_ring(lambda: involute_load(pair=pair, **loaded))
+
+    @derived
+    def root_stress(self) -> RootStress:
+        """Bending of the roots of satellites' involute teeth under the dynamic load."""
+        pair, loaded = self.involute_pair, self.loaded_teeth(self.design.load_factor)
+        forces = {name: loaded[name] for name in ("torque", "contact_length", "load_factor")}
+        return self._of_ring(lambda: tooth_root(pair=pair, **forces))
 
     def _of_ring(self, calculation: Callable[[], Calculated]) -> Calculated:
         """A result about the ring; what it refuses is not known of the design."""
@@ -801,11 +873,18 @@ class Results:
 
     @derived
     def ring_loss(self) -> RingLoss:
-        """Friction on the pins of the ring under the torque, in the direction that loses more."""
+        """Friction in the ring under the torque: on its pins in the direction that loses more."""
         gear = self.design.gear
         friction = gear.friction if gear else None
         if friction is None:
             raise NotKnown("ring_friction_unknown", "gear.friction_coefficient")
+        if gear.kind == "involute":
+            return involute_loss(
+                pair=self.involute_pair,
+                friction=friction.coefficient,
+                output_torque=self.design.pin_torque,
+                input_speed=self.design.turning_speed,
+            )
         found = [
             self._of_ring(
                 lambda turn=turn: ring_loss(  # type: ignore[misc]

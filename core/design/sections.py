@@ -27,7 +27,7 @@ from core.fatigue import (
     surface_factor,
 )
 from core.materials import ElasticMaterial
-from core.output.contact_law import PinSupport
+from core.output.contact_law import ContactLaw, HertzLaw, PinSupport
 from core.output.mechanism import Mechanism
 from core.output.members import Members, Output
 from core.output.pin_bolt import PinBolt
@@ -36,6 +36,7 @@ from core.output.pin_geometry import felt
 from core.output.sampled_turn import Direction
 from core.precision import SAME
 from core.results import Notice
+from core.ring.involute import HEIGHTS, Cutter, InvoluteTeeth, addendum_of, rack_of
 from core.ring.loss import RingFriction
 from core.ring.profile import CycloidDisc, Modification
 from core.ring.sharing import CycloidMesh
@@ -576,6 +577,8 @@ class Ring:
         Force along the crank over that across it.
     modification : Modification or None
         Of the discs; None where nothing is known of it.
+    contact_law : ContactLaw or None
+        How a pin and a disc give; by Hertz where that is not stated.
     contact_length : float or None
         Of a disc on a pin, m.
     pin_material, disc_material : ElasticMaterial or None
@@ -594,6 +597,26 @@ class Ring:
         Of sleeves on the pins, m.
     rolling : bool
         Whether rolling elements carry them.
+    satellite_profile_shift, ring_profile_shift : float or None
+        Of involute teeth, outwards, in modules.
+    satellite_addendum, ring_addendum : float or None
+        Their addenda, in modules.
+    satellite_tip_radius, ring_tip_radius : float or None
+        Radii of their tips in place of these, m.
+    dedendum, rack_tip_radius : float, float or None
+        Of the hob that makes the satellite, in modules.
+    cutter_teeth : int or None
+        Of the shaper cutter that makes the ring; None where nothing is known of it.
+    cutter_profile_shift, cutter_addendum : float
+        Of that cutter, in modules.
+    satellite_material, ring_material : ElasticMaterial or None
+        Of involute teeth.
+    face_load_factor : float
+        Factor on the force for stresses along the width.
+    pair_stiffness : float or None
+        Of a pair of teeth along the line of action, N/m.
+    root_strength : float or None
+        Stress that the root of a satellite's tooth bears over the life, Pa.
     """
 
     kind: RingKind | None = None
@@ -604,6 +627,7 @@ class Ring:
     ring_pin_radius: float | None = None
     radial_force_ratio: float | None = None
     modification: Modification | None = None
+    contact_law: ContactLaw | None = None
     contact_length: float | None = None
     pin_material: ElasticMaterial | None = None
     disc_material: ElasticMaterial | None = None
@@ -614,11 +638,43 @@ class Ring:
     friction_coefficient: float | None = None
     sleeve_bore_radius: float | None = None
     rolling: bool = False
+    satellite_profile_shift: float | None = None
+    ring_profile_shift: float | None = None
+    satellite_addendum: float | None = None
+    ring_addendum: float | None = None
+    satellite_tip_radius: float | None = None
+    ring_tip_radius: float | None = None
+    dedendum: float = DEDENDUM
+    rack_tip_radius: float | None = None
+    cutter_teeth: int | None = None
+    cutter_profile_shift: float = 0.0
+    cutter_addendum: float = DEDENDUM
+    satellite_material: ElasticMaterial | None = None
+    ring_material: ElasticMaterial | None = None
+    face_load_factor: float = 1.0
+    pair_stiffness: float | None = None
+    root_strength: float | None = None
+
+    @property
+    def unknown_teeth(self) -> tuple[str, ...]:
+        """What is not given of involute teeth, of which how they mesh hangs: paths of a design."""
+        heights = {
+            "gear.satellite_profile_shift": self.satellite_profile_shift,
+            "gear.ring_profile_shift": self.ring_profile_shift,
+            "gear.satellite_addendum": self.satellite_addendum or self.satellite_tip_radius,
+            "gear.ring_addendum": self.ring_addendum or self.ring_tip_radius,
+        }
+        return tuple(name for name, value in heights.items() if value is None)
 
     @property
     def changed(self) -> Modification:
         """The modification; none where nothing is known of it."""
         return self.modification or Modification()
+
+    @property
+    def law(self) -> ContactLaw:
+        """The law of contact of the teeth: Hertz's where none is stated."""
+        return self.contact_law or HertzLaw()
 
     @property
     def bent_pin(self) -> PinSupport | None:
@@ -674,6 +730,66 @@ class Ring:
             modification=self.changed,
         )
 
+    def involute_teeth(self, *, satellite_teeth: int, ring_teeth: int) -> InvoluteTeeth:
+        """Involute teeth of which all is given.
+
+        Parameters
+        ----------
+        satellite_teeth, ring_teeth : int
+            Their numbers.
+
+        Returns
+        -------
+        InvoluteTeeth
+
+        Raises
+        ------
+        InvalidInput
+            If there is no such rack, or an addendum is none of `core.ring.involute.HEIGHTS`.
+        """
+        module, angle = self.module, self.reference_pressure_angle
+        shifts = self.satellite_profile_shift, self.ring_profile_shift
+        assert module is not None and angle is not None
+        assert shifts[0] is not None and shifts[1] is not None
+        rack = rack_of(
+            pressure_angle=angle, dedendum=self.dedendum, tip_radius=self.rack_tip_radius
+        )
+        addenda = {}
+        for body, teeth, shift in zip(
+            ("satellite", "ring"), (satellite_teeth, ring_teeth), shifts, strict=True
+        ):
+            given = addenda[body] = getattr(self, f"{body}_addendum")
+            low, high = HEIGHTS
+            if given is not None and not low <= given <= high:
+                code, limit = (
+                    ("less_than_equal", high) if given > high else ("greater_than_equal", low)
+                )
+                raise InvalidInput(f"{body}_addendum", given, code, limit=limit)
+            if given is None:
+                name = f"{body}_tip_radius"
+                addenda[body] = addendum_of(
+                    name=name,
+                    tip_radius=getattr(self, name),
+                    teeth=teeth,
+                    shift=shift or 0.0,
+                    module=module,
+                    pressure_angle=angle,
+                )
+        cutter = None
+        if self.cutter_teeth is not None:
+            cutter = Cutter(self.cutter_teeth, self.cutter_profile_shift, self.cutter_addendum)
+        return InvoluteTeeth(
+            satellite_teeth=satellite_teeth,
+            ring_teeth=ring_teeth,
+            module=module,
+            satellite_profile_shift=shifts[0],
+            ring_profile_shift=shifts[1],
+            satellite_addendum=addenda["satellite"],
+            ring_addendum=addenda["ring"],
+            rack=rack,
+            cutter=cutter,
+        )
+
     def cycloid_mesh(self, *, disc: CycloidDisc, **made: Any) -> CycloidMesh:
         """Such discs on the pins.
 
@@ -705,9 +821,10 @@ class Ring:
     def roots(self, *, ratio: float, eccentricity: float | None) -> tuple[float, float]:
         """Between which radii the roots of a satellite's teeth lie.
 
-        Of involute teeth ``m*(z2/2 - 1.25 + x)``, with a profile shift x that is taken to be from 0
-        to 1.25; of a cycloid disc ``R_m - e - r_m``, what its tool sweeps, that of the ring's pins
-        where no modification is known, or within ``R_m - e`` where their radius is not.
+        Of involute teeth ``m*(z2/2 - h_f + x)``, with a profile shift x that is taken to be from 0
+        to h_f where it is not known; of a cycloid disc ``R_m - e - r_m``, what its tool sweeps,
+        that of the ring's pins where no modification is known, or within ``R_m - e`` where their
+        radius is not.
 
         Parameters
         ----------
@@ -730,7 +847,11 @@ class Ring:
         if self.kind == "involute":
             assert self.module is not None and self.teeth_difference is not None
             reference = self.module * self.teeth_difference * ratio / 2
-            return reference - DEDENDUM * self.module, reference
+            least = reference - self.dedendum * self.module
+            if self.satellite_profile_shift is None:
+                return least, reference
+            root = least + self.satellite_profile_shift * self.module
+            return root, root
         if self.kind != "cycloid":
             return 0.0, math.inf
         assert self.ring_pin_circle_radius is not None

@@ -9,5 +9,6 @@ Modules, in reading order (each may use those above it)
 fix                 one input solved, rounded, with its side effects
 plain               designs whose inputs do not hang on each other
 changes             a crank-planetary reducer with another value of an input
+shifts              profile shifts of involute teeth, chosen together
 crank               fixes of a crank-planetary reducer
 """

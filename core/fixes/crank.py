@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable, Iterable
 from dataclasses import replace
+from functools import cache
 
 from core.checks.check import Check, Verdict
 from core.checks.crank_planetary import crank_check
@@ -14,6 +15,7 @@ from core.design.results import Results
 from core.errors import CalculationError
 from core.fixes.changes import count_may_change, value_of, vary
 from core.fixes.fix import PIN_SIZES, RANGE, WHOLE, Cure, Fix, aim, fix_of, in_order
+from core.fixes.shifts import SHIFT, shift_fixes, shifted
 from core.numerics.inverse import Solution
 from core.precision import SEARCHED
 
@@ -43,10 +45,14 @@ def crank_fixes(*, results: Results, codes: Iterable[str], current: Verdict) -> 
     -------
     list of Fix
     """
-    fixes = []
+    fixes: list[Fix] = []
+    chosen = cache(lambda: shifted(results))
     for code in codes:
         for variable in current[code].kind.fixes:
             if variable in CHOICES:
+                continue
+            if variable == SHIFT:
+                fixes += shift_fixes(designs=chosen(), code=code, current=current)
                 continue
             try:
                 fix = _fix(results, code, variable, current)

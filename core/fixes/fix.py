@@ -1,8 +1,8 @@
 """A fix of a check by one input: solved, rounded to the safe side, with what else it changes."""
 
 import math
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
 from typing import Literal
 
 from core.checks.check import MARGIN, Check, Verdict
@@ -77,6 +77,8 @@ class Fix:
         Of the whole design with the fix.
     side_effects : tuple of SideEffect
         Other checks that change.
+    beside : mapping
+        Other inputs that are chosen with it, SI, by their paths.
     """
 
     code: str
@@ -88,11 +90,12 @@ class Fix:
     status: FixStatus
     verdict: str
     side_effects: tuple[SideEffect, ...]
+    beside: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def change(self) -> float | None:
         """Relative change of the input; None of what is chosen."""
-        if isinstance(self.after, str) or isinstance(self.before, str):
+        if isinstance(self.after, str) or isinstance(self.before, str) or self.exact is None:
             return None
         return self.after / self.before - 1 if self.before else math.inf
 

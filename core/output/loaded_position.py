@@ -12,7 +12,7 @@ from core.output.contact_law import HertzLaw
 from core.output.fit import Fit
 from core.output.real_mechanism import RealMechanism
 from core.output.satellite_support import ElasticMesh, Shares
-from core.output.sharing_kernel import at, interference
+from core.output.sharing_kernel import at, pressing
 from core.results import Accuracy, Notice, poorly_known
 
 LARGE_ROTATION = 0.1
@@ -115,7 +115,7 @@ def loaded_position(
     ]
     own_lags = None
     if isinstance(real.support, (ElasticMesh, Shares)):
-        own_lags = tuple(direction * lag for lag in room.own_lag[: setup.satellites])
+        own_lags = tuple(direction * lag for lag in room.own_lag)
     accuracy = Accuracy("newton_bracket", found.force_error / largest, found.steps)
     return LoadedPosition(
         crank_angle=crank_angle,
@@ -159,11 +159,9 @@ def least_interference(*, real: RealMechanism, psi: float) -> float:
         least, _ = Fit(real).rooms.rooms(np.array([psi]))
         return -float(least[0])
     setup, room = real.setup(1.0), real.room()
-    if real.shared is not None:
-        return real.shared.interference(psi, setup, real.pairs, room)
     at(psi, setup, real.pairs, room)
     far = real.eccentricity / real.pin_circle_radius
-    return interference(-far, far, setup, real.pairs, room)
+    return pressing(-far, far, setup, real.pairs, room)
 
 
 def notices(

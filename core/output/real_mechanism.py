@@ -17,7 +17,7 @@ from core.arrays import Number, check_finite, check_positive, check_single
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.hertz import HertzContact, hertz
 from core.materials import ElasticMaterial
-from core.output.compiled import PLAIN, at_hand, in_place_of
+from core.output.compiled import PLAIN, at_hand
 from core.output.conformal_law import NO_WRAP, conformal_wrap
 from core.output.contact_law import (
     ContactLaw,
@@ -35,7 +35,6 @@ from core.output.satellite_support import (
     CrankSupport,
     ElasticMesh,
     SatelliteSupport,
-    SharedTorque,
     Shares,
     check_support,
 )
@@ -43,6 +42,7 @@ from core.output.sharing_kernel import (
     CRANK,
     MESH,
     RIGID,
+    SHARES,
     TIED,
     Errors,
     Law,
@@ -53,7 +53,7 @@ from core.output.sharing_kernel import (
     Wrap,
     prepare,
 )
-from core.output.stage import Stage, in_floats
+from core.output.stage import Stage, blank_rows, in_floats
 
 
 @dataclass(frozen=True, slots=True)
@@ -249,6 +249,8 @@ class RealMechanism(Stage):
             gives = 1 / self.support.stiffness
             loose += self.support.radial_clearance / 2
             support = CRANK if gives > 0 else RIGID
+        if isinstance(self.support, Shares):
+            support = SHARES
         if self.tied_pin is not None:
             support = TIED
         return in_floats(
@@ -373,36 +375,21 @@ class RealMechanism(Stage):
         -------
         Pairs or Room
         """
-        count = self.mechanism.pins * self.mechanism.satellites
-        square = count * count if self.tied_pin is not None else 0
+        pins, satellites = self.mechanism.pins, self.mechanism.satellites
+        square = (pins * satellites) ** 2 if self.tied_pin is not None else 0
         sizes = {"give": square, "system": 2 * square}
-        return kind(*[[0.0] * sizes.get(name, count) for name in kind._fields])
+        shares = self.support.shares if isinstance(self.support, Shares) else ()
+        return blank_rows(kind, pins=pins, satellites=satellites, shares=shares, **sizes)
 
-    @cached_property
-    def shared(self) -> SharedTorque | None:
-        """The satellites of given shares of the torque, where there are any."""
-        shares = self.support
-        return SharedTorque(shares.shares, PLAIN) if isinstance(shares, Shares) else None
-
-    @cached_property
+    @property
     def loops(self) -> Any:
-        """The functions of `core.output.sharing_kernel`, interpreted; of given shares with what
-        differs.
-        """
-        shared = self.shared
-        if shared is None:
-            return PLAIN
-        return in_place_of(
-            solve=shared.solve,
-            played=shared.played,
-            wave_torque=shared.wave_torque,
-            clear=lambda *_: 0.0,  # satellites have no common lag
-        )
+        """The functions of `core.output.sharing_kernel`, interpreted."""
+        return PLAIN
 
     @property
     def loops_of_turns(self) -> Any:
         """The same, compiled where they can be."""
-        return at_hand() if self.shared is None else self.loops
+        return at_hand()
 
     def contact(self, pair: int, force: float) -> HertzContact | None:
         """Hertz contact of a pair, where the materials are known.

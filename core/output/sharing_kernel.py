@@ -19,9 +19,10 @@ Row = MutableSequence[float]
 R = TypeVar("R")
 
 LINEAR, POWER, HERTZ, CONFORMAL = 0, 1, 2, 3
-RIGID, CRANK, MESH, TIED = 0, 1, 2, 3
+RIGID, CRANK, MESH, TIED, SHARES = 0, 1, 2, 3, 4
 """What of the satellites gives: nothing, the bearings on their cranks, their mesh with the ring. Or
-that a tie ring joins the pins, each of which then gives under the forces on all."""
+that a tie ring joins the pins, each of which then gives under the forces on all; or that each
+satellite turns for itself until it has its given share of the torque."""
 
 SOLVED, NOT_SOLVED, NO_DRIVE, NOT_STABLE, TOO_WIDE, TOO_FAR = range(6)
 FORCE, PRESSURE, LAG, STIFFNESS, PLAY_END, BACKLASH, LOST_MOTION, INPUT_TORQUE = range(8)
@@ -65,6 +66,9 @@ miss by no more than the eccentricity times (pi/720)^2/2, 1e-5 of it."""
 
 RADIAN = 1.0
 """Lag beyond which first order says nothing; by exact geometry pins would be in the next holes."""
+
+CLOSE = 1e-8
+"""Last step of Newton, over the lag, that studies take along the tangents."""
 
 JUST = 1e-9
 """Part of the eccentricity by which parts that just fit may press: their sizes are rounded."""
@@ -113,7 +117,7 @@ class Setup(NamedTuple):
     exponent: float
     curve: Curve  # CONFORMAL
     wrap: Wrap
-    support: int  # RIGID, CRANK, MESH, TIED
+    support: int  # RIGID, CRANK, MESH, TIED, SHARES
     gives: float  # compliance of that, m/N or rad/(N*m)
     loose: float  # what the clearance of bearings, on cranks or pins, adds to every gap
 
@@ -146,10 +150,13 @@ class Errors(NamedTuple, Generic[R]):
 
 
 class Pairs(NamedTuple):
-    """What of the pairs does not change over the turn, [K*N]; [K] where said."""
+    """What of the pairs does not change over the turn, [K*N]; [K] where said, by which it is known
+    how many satellites there are.
+    """
 
     arm: Row  # [K] -2*eccentricity of the satellite's own crank; 1 in first order
     phase: Row  # [K] crank angles with their errors
+    share: Row  # [K] of the torque: SHARES
     x: Row  # factors of the crank's direction in u and v
     y: Row
     ex: Row  # and in q
@@ -181,7 +188,7 @@ class Room(NamedTuple):
     stiffness: Row  # of the contact
     own_lag: Row  # [K] of the satellites, where they give; their unknown while it is sought
     own_moves: Row  # [K] their unknown by the lag of the output, see `Disc`, and its error
-    own_error: Row
+    own_error: Row  # [K]
     approach: Row  # of pins that a tie ring joins: while it is sought, its last one, and its step
     before: Row
     moved: Row
@@ -329,8 +336,8 @@ def at(psi: float, setup: Setup, pairs: Pairs, room: Room) -> None:
     px, py, ex, ey = pairs.x, pairs.y, pairs.ex, pairs.ey
     k0, k1, k2, q, u, v = pairs.k0, pairs.k1, pairs.k2, room.q, room.u, room.v
     way, exact, pins = setup.direction, setup.exact, setup.pins
-    for j in range(setup.satellites):
-        angle = psi + pairs.phase[j]
+    for j, phase in enumerate(pairs.phase):
+        angle = psi + phase
         wx, wy = pairs.arm[j] * math.sin(angle), pairs.arm[j] * math.cos(angle)
         for i in range(j * pins, (j + 1) * pins):
             x, y = px[i], py[i]
@@ -348,7 +355,7 @@ def play(setup: Setup, pairs: Pairs, room: Room) -> tuple[float, float, int, int
     """
     low, high, behind, onset = -math.inf, math.inf, -1, -1
     far = 2 * (setup.eccentricity + abs(setup.clearance)) / setup.radius
-    for i in range(setup.pins * setup.satellites):
+    for i in range(len(room.q)):
         q, v = room.q[i], room.v[i]
         if setup.exact:  # tangents of half the lags
             a = max(q - 2 * room.u[i], TINY)
@@ -381,7 +388,21 @@ def play(setup: Setup, pairs: Pairs, room: Room) -> tuple[float, float, int, int
 def played(psi: float, setup: Setup, pairs: Pairs, room: Room) -> tuple[float, float]:
     """Limits of the play at a wave angle; the first is larger where pairs press."""
     at(psi, setup, pairs, room)
+    if setup.support == SHARES:
+        return mean_play(setup, pairs, room)
     low, high, _, _ = play(setup, pairs, room)
+    return low, high
+
+
+def mean_play(setup: Setup, pairs: Pairs, room: Room) -> tuple[float, float]:
+    """The same of satellites that turn for themselves, weighted by their shares of the torque."""
+    low = high = 0.0
+    for j, share in enumerate(pairs.share):
+        own_pairs, own = part(j, pairs, room)
+        least, most, _, _ = play(setup, own_pairs, own)
+        if least > most:
+            return math.inf, -math.inf
+        low, high = low + share * least, high + share * most
     return low, high
 
 
@@ -409,7 +430,7 @@ def shift(lag: float, onset: int, setup: Setup, pairs: Pairs, room: Room) -> Non
     """
     sine, half = math.sin(lag), math.sin(lag / 2)
     less = -2 * half * half
-    for i in range(setup.pins * setup.satellites):
+    for i in range(len(room.q)):
         q, v = room.q[i], room.v[i]
         if setup.exact:
             u = room.u[i]
@@ -566,7 +587,7 @@ def balance(lag: float, setup: Setup, pairs: Pairs, room: Room) -> tuple[float, 
 def start(torque: float, setup: Setup, pairs: Pairs, room: Room) -> float:
     """Lag at which the best placed pair alone would carry the torque, in first order."""
     best = math.inf
-    for i in range(setup.pins * setup.satellites):
+    for i in range(len(room.v)):
         v = room.v[i]
         twice = 2 * pairs.distance[i] if setup.exact else 1.0
         lever = v / twice
@@ -593,50 +614,69 @@ class Position(NamedTuple):
 
 def solve(psi: float, torque: float, setup: Setup, pairs: Pairs, room: Room) -> Position:
     """Equilibrium of a position under a torque > 0; forces and levers are left in the room."""
+    if setup.support == SHARES:
+        return shares(psi, torque, setup, pairs, room)
+    return together(psi, torque, setup, pairs, room)
+
+
+class Freed(NamedTuple):
+    """A position without load, and where its lag under load is looked for."""
+
+    low: float  # play
+    high: float
+    error: float  # of its ends
+    pressed: bool
+    zero: float  # from where the lag is counted
+    lag: float  # to begin with; infinite where no pair can drive
+
+
+def freed(psi: float, torque: float, setup: Setup, pairs: Pairs, room: Room) -> Freed:
+    """Play of a position, from whose end the room counts the lag afterwards."""
     at(psi, setup, pairs, room)
-    play_low, play_high, behind, onset = play(setup, pairs, room)
-    play_error = max(
-        touch_error(play_low, behind, psi, setup, pairs, room),
-        touch_error(play_high, onset, psi, setup, pairs, room),
+    low, high, behind, onset = play(setup, pairs, room)
+    error = max(
+        touch_error(low, behind, psi, setup, pairs, room),
+        touch_error(high, onset, psi, setup, pairs, room),
     )
     # Parts that just fit press by rounding only.
-    pressed = play_low > play_high + play_error
-    zero = 0.0 if pressed else play_high
-    lag = math.inf
+    pressed = low > high + error
+    zero, lag = 0.0 if pressed else high, math.inf
     if zero < math.inf:
         shift(zero, -1 if pressed else onset, setup, pairs, room)
         lag = start(torque, setup, pairs, room)
-    if lag == math.inf:
-        return Position(0.0, 0.0, play_low, play_high, play_error, 0.0, 0.0, NO_DRIVE, 0)
-    if pressed:
+    if pressed and lag < math.inf:
         lag = 0.0
-    for i in range(setup.pins * setup.satellites):
+    for i in range(len(room.force)):
         room.force[i] = 0.0
+    return Freed(low, high, error, pressed, zero, lag)
+
+
+class Carried(NamedTuple):
+    """What the pairs carry at a lag, as `carry` left the room."""
+
+    lag: float
+    torque: float
+    slope: float
+    gross: float
+    change: float  # next step of Newton
+    status: int
+    steps: int
+
+
+def carry(
+    torque: float, close: float, free: Freed, setup: Setup, pairs: Pairs, room: Room
+) -> Carried:
+    """Lag at which the pairs carry a torque, from a position without load: but for a last step of
+    Newton that is `close` of the lag or less.
+
+    Newton on torque^(1/exponent), which is convex and nearly straight for pure powers; pairs that
+    press without load have other laws of growth.
+    """
+    lag, pressed = free.lag, free.pressed
     low, high = -math.inf if pressed else 0.0, math.inf
-    if setup.support in (CRANK, MESH):
-        lag, status, step = give(torque, lag, low, high, pressed, setup, pairs, room)
-        slope, lag_error, force_error = given_errors(psi, torque, lag, setup, pairs, room)
-        if slope <= 0:
-            return Position(0.0, 0.0, play_low, play_high, play_error, 0.0, 0.0, NOT_SOLVED, step)
-        for j in range(setup.satellites):
-            room.own_lag[j] = zero + (lag if setup.support == CRANK else room.own_lag[j])
-        lag_error += (0.0 if pressed else play_error) + EPS * abs(lag)
-        return Position(
-            zero + lag,
-            slope,
-            play_low,
-            play_high,
-            play_error,
-            lag_error,
-            force_error,
-            status,
-            step,
-        )
-    # Newton on torque^(1/exponent), which is convex and nearly straight for pure powers; pairs
-    # that press without load have other laws of growth.
     power = 1.0 if pressed else 1 / setup.exponent
     step, status, far = 0, NOT_SOLVED, setup.eccentricity / setup.radius
-    carried = slope = gross = 0.0
+    carried = slope = gross = change = 0.0
     for step in range(1, STEPS):
         carried, slope, gross = balance(lag, setup, pairs, room)
         if carried > torque:
@@ -649,61 +689,167 @@ def solve(psi: float, torque: float, setup: Setup, pairs: Pairs, room: Room) -> 
             change = (torque - carried) / slope
         elif slope > 0 and ratio > 0:
             change = torque * (ratio ** (1 - power) - ratio) / (power * slope)
-        if abs(carried - torque) <= EPS * gross or abs(change) <= EPS * abs(lag):
+        if abs(carried - torque) <= EPS * gross or abs(change) <= close * abs(lag):
             status = SOLVED
             break
         if pressed:  # at its dead angle a pair hardly holds: no step beyond what is sought
             change = min(max(change, -far), far)
         following = within(lag, change, low, high, step)
         if following in (low, high):
-            status = SOLVED
+            status, change = SOLVED, 0.0
             break
         lag = following
-    if slope <= 0:
+    return Carried(lag, carried, slope, gross, change, status, step)
+
+
+def together(psi: float, torque: float, setup: Setup, pairs: Pairs, room: Room) -> Position:
+    """Equilibrium of satellites that share a torque by one lag."""
+    free = freed(psi, torque, setup, pairs, room)
+    low, high, play_error, zero = free.low, free.high, free.error, free.zero
+    if free.lag == math.inf:
+        return Position(0.0, 0.0, low, high, play_error, 0.0, 0.0, NO_DRIVE, 0)
+    by_play = 0.0 if free.pressed else play_error
+    if setup.support in (CRANK, MESH):
+        lag, status, step = give(torque, free, setup, pairs, room)
+        slope, lag_error, force_error = given_errors(psi, torque, lag, setup, pairs, room)
+        if slope <= 0:
+            return Position(0.0, 0.0, low, high, play_error, 0.0, 0.0, NOT_SOLVED, step)
+        for j in range(len(room.own_lag)):
+            room.own_lag[j] = zero + (lag if setup.support == CRANK else room.own_lag[j])
+        lag_error += by_play + EPS * abs(lag)
         return Position(
-            zero + lag, slope, play_low, play_high, play_error, 0.0, 0.0, NOT_STABLE, step
+            zero + lag, slope, low, high, play_error, lag_error, force_error, status, step
         )
+    found = carry(torque, EPS, free, setup, pairs, room)
+    lag, slope, status, step = found.lag, found.slope, found.status, found.steps
+    if slope <= 0:
+        return Position(zero + lag, slope, low, high, play_error, 0.0, 0.0, NOT_STABLE, step)
     if setup.support == TIED:  # from where each pair would be with a pin of its own
         lag, status, more = tie(torque, lag, setup, pairs, room)
         slope, lag_error, force_error = tied_errors(psi, torque, lag, setup, pairs, room)
-        return Position(
-            zero + lag,
-            slope,
-            play_low,
-            play_high,
-            play_error,
-            lag_error + (0.0 if pressed else play_error) + EPS * abs(lag),
-            force_error,
-            status if slope > 0 else NOT_SOLVED,
-            step + more,
-        )
-    # What the torque may be off, and with it the lag: by the balance, by rounding of its terms,
-    # and by rounding of each lever and approach, which that of the wave angle moves.
-    off = abs(carried - torque) + 4 * EPS * (gross + torque)
+        step, status = step + more, status if slope > 0 else NOT_SOLVED
+    else:
+        lag_error, force_error = carried_errors(psi, torque, found, setup, pairs, room)
+    lag_error += by_play + EPS * abs(lag)
+    return Position(zero + lag, slope, low, high, play_error, lag_error, force_error, status, step)
+
+
+def close_by(psi: float, torque: float, setup: Setup, pairs: Pairs, room: Room) -> Position:
+    """What `solve` finds, without bounds of its errors: of rigid satellites the last step of Newton
+    is taken along the tangents. What that leaves is `CLOSE` squared of forces and lag, and `CLOSE`
+    of the stiffness; where contacts begin steeply, below the exponent 1, it is not done.
+    """
+    if setup.support != RIGID:
+        return solve(psi, torque, setup, pairs, room)
+    free = freed(psi, torque, setup, pairs, room)
+    low, high, play_error = free.low, free.high, free.error
+    if free.lag == math.inf:
+        return Position(0.0, 0.0, low, high, play_error, 0.0, 0.0, NO_DRIVE, 0)
+    close = CLOSE if setup.exponent >= 1 else EPS
+    found = carry(torque, close, free, setup, pairs, room)
+    slope, steps, status = found.slope, found.steps, found.status
+    if slope <= 0:
+        return Position(found.lag, slope, low, high, play_error, 0.0, 0.0, NOT_STABLE, steps)
+    if close > EPS:
+        for i, lever in enumerate(room.lever):
+            room.force[i] = max(room.force[i] + room.stiffness[i] * lever * found.change, 0.0)
+    lag = free.zero + found.lag + found.change
+    unsure = 0.0 * slope  # not a number where that is none
+    return Position(lag, slope, low, high, play_error, unsure, unsure, status, steps)
+
+
+def carried_errors(
+    psi: float, torque: float, found: Carried, setup: Setup, pairs: Pairs, room: Room
+) -> tuple[float, float]:
+    """Bounds of the errors of lag and forces as `carry` left the room.
+
+    What the torque may be off, and with it the lag: by the balance, by rounding of its terms, and
+    by rounding of each lever and approach, which that of the wave angle moves.
+    """
+    off = abs(found.torque - torque) + 4 * EPS * (found.gross + torque)
     rounding = EPS * (4 + 2 * abs(psi))
     for force in room.force:
         off += rounding * force * setup.radius
-    for i in range(setup.pins * setup.satellites):
+    for i in range(len(room.unsure)):
         twice = 2 * pairs.distance[i] if setup.exact else 1.0
-        near = rounding * (room.unsure[i] / twice + abs(lag) * setup.radius)
+        near = rounding * (room.unsure[i] / twice + abs(found.lag) * setup.radius)
         room.unsure[i] = near
         off += room.stiffness[i] * abs(room.lever[i]) * near
-    lag_error = off / slope
+    lag_error = off / found.slope
     force_error = 0.0
-    for i in range(setup.pins * setup.satellites):
+    for i in range(len(room.unsure)):
         near = abs(room.lever[i]) * lag_error + room.unsure[i]
         force_error = max(force_error, room.stiffness[i] * near + 8 * EPS * room.force[i])
-    return Position(
-        zero + lag,
-        slope,
-        play_low,
-        play_high,
-        play_error,
-        lag_error + (0.0 if pressed else play_error) + EPS * abs(lag),
-        force_error,
-        status,
-        step,
+    return lag_error, force_error
+
+
+def part(j: int, pairs: Pairs, room: Room) -> tuple[Pairs, Room]:
+    """Satellite j by itself, in the same rows."""
+    pins = len(room.force) // len(pairs.phase)
+    a, b, c, d = j * pins, (j + 1) * pins, j, j + 1
+    return (
+        Pairs(
+            pairs.arm[c:d],
+            pairs.phase[c:d],
+            pairs.share[c:d],
+            pairs.x[a:b],
+            pairs.y[a:b],
+            pairs.ex[a:b],
+            pairs.ey[a:b],
+            pairs.k0[a:b],
+            pairs.k1[a:b],
+            pairs.k2[a:b],
+            pairs.distance[a:b],
+            pairs.size[a:b],
+            pairs.a[a:b],
+            pairs.b[a:b],
+            pairs.limit[a:b],
+            pairs.curved[a:b],
+            pairs.give,
+            pairs.ends,
+        ),
+        Room(
+            room.q[a:b],
+            room.u[a:b],
+            room.v[a:b],
+            room.unsure[a:b],
+            room.force[a:b],
+            room.lever[a:b],
+            room.stiffness[a:b],
+            room.own_lag[c:d],
+            room.own_moves[c:d],
+            room.own_error[c:d],
+            room.approach,
+            room.before,
+            room.moved,
+            room.system,
+        ),
     )
+
+
+def shares(psi: float, torque: float, setup: Setup, pairs: Pairs, room: Room) -> Position:
+    """Every satellite under its share of a torque. Lag, stiffness and play of the position are
+    those of a linkage that shares it so: the mean lag of the satellites, weighted by the shares.
+    """
+    lag = low = high = play_error = lag_error = force_error = gives = most = 0.0
+    status, steps, pressed = SOLVED, 0, False
+    for j, share in enumerate(pairs.share):
+        own_pairs, own = part(j, pairs, room)
+        found = together(psi, share * torque, setup, own_pairs, own)
+        room.own_lag[j] = found.lag
+        most = max(most, abs(found.lag))
+        lag, play_error = lag + share * found.lag, play_error + share * found.play_error
+        low, high = low + share * found.low, high + share * found.high
+        lag_error += share * found.lag_error
+        force_error = max(force_error, found.force_error)
+        pressed = pressed or found.low > found.high + found.play_error
+        gives += share * (share / found.stiffness) if found.stiffness > 0 else math.inf
+        status = found.status if status == SOLVED else status
+        steps += found.steps
+    if pressed:
+        low, high = math.inf, -math.inf
+    lag_error += EPS * (1 + len(pairs.share)) * most
+    return Position(lag, 1 / gives, low, high, play_error, lag_error, force_error, status, steps)
 
 
 def within(x: float, change: float, low: float, high: float, step: int) -> float:
@@ -819,20 +965,15 @@ def felt(i: int, j: int, setup: Setup, room: Room) -> tuple[float, float]:
 
 
 def give(
-    torque: float,
-    lag: float,
-    low: float,
-    high: float,
-    pressed: bool,
-    setup: Setup,
-    pairs: Pairs,
-    room: Room,
+    torque: float, free: Freed, setup: Setup, pairs: Pairs, room: Room
 ) -> tuple[float, int, int]:
     """Lag at which satellites that give carry a torque; status and steps.
 
     Newton on all equations at once, from outside. Where it takes long, the equations of the discs
     are solved at every lag, and only then the bracket of the lag is known.
     """
+    lag, pressed = free.lag, free.pressed
+    low, high = -math.inf if pressed else 0.0, math.inf
     crank, far = setup.support == CRANK, setup.eccentricity / setup.radius
     power = 1.0 if pressed else 1 / setup.exponent
     outer, solved = 0, False
@@ -1153,10 +1294,10 @@ def wave_torque(psi: float, lag: float, setup: Setup, pairs: Pairs, room: Room) 
     """
     way, sine, half = setup.direction, math.sin(lag), math.sin(lag / 2)
     less, total = -2 * half * half, 0.0
-    for j in range(setup.satellites):
-        angle, arm = psi + pairs.phase[j], pairs.arm[j]
+    for j, arm in enumerate(pairs.arm):
+        angle = psi + pairs.phase[j]
         wx, wy = arm * math.sin(angle), arm * math.cos(angle)
-        turned = room.own_lag[j] if setup.support == MESH else lag
+        turned = room.own_lag[j] if setup.support in (MESH, SHARES) else lag
         for i in range(j * setup.pins, (j + 1) * setup.pins):
             if room.force[i] == 0:
                 continue
@@ -1176,8 +1317,8 @@ def wave_torque(psi: float, lag: float, setup: Setup, pairs: Pairs, room: Room) 
 def ring_torque(psi: float, setup: Setup, pairs: Pairs, room: Room) -> float:
     """What the wave takes back as it makes a tie ring turn more easily, or less."""
     now = beside = 0.0
-    for j in range(setup.satellites):
-        angle = psi + pairs.phase[j]
+    for j, phase in enumerate(pairs.phase):
+        angle = psi + phase
         wx, wy = math.sin(angle), math.cos(angle)
         for i in range(j * setup.pins, (j + 1) * setup.pins):
             felt = room.force[i] * pairs.ends[i]
@@ -1246,7 +1387,7 @@ def interference(low: float, high: float, setup: Setup, pairs: Pairs, room: Room
         sine, half = math.sin(lag), math.sin(lag / 2)
         less = -2 * half * half
         worst, slope = -math.inf, 0.0
-        for i in range(setup.pins * setup.satellites):
+        for i in range(len(room.q)):
             q, u, v = room.q[i], room.u[i], room.v[i]
             if setup.exact:
                 c = pairs.distance[i]
@@ -1266,11 +1407,22 @@ def interference(low: float, high: float, setup: Setup, pairs: Pairs, room: Room
     return worst
 
 
+def pressing(low: float, high: float, setup: Setup, pairs: Pairs, room: Room) -> float:
+    """The same of satellites that turn for themselves where their shares are given."""
+    if setup.support != SHARES:
+        return interference(low, high, setup, pairs, room)
+    worst = -math.inf
+    for j in range(len(pairs.share)):
+        own_pairs, own = part(j, pairs, room)
+        worst = max(worst, interference(low, high, setup, own_pairs, own))
+    return worst
+
+
 def poses(
     places: Row, torque: float, setup: Setup, pairs: Pairs, room: Room, results: Poses
 ) -> int:
     """Positions at wave angles; the first one that cannot be, or -1."""
-    count = setup.pins * setup.satellites
+    count = len(room.force)
     for k, psi in enumerate(places):
         found = solve(psi, torque, setup, pairs, room)
         if judged(found, setup, pairs, room) != SOLVED:
@@ -1384,7 +1536,7 @@ def clear(psi: float, lag: float, setup: Setup, pairs: Pairs, room: Room) -> flo
     less, far = -2 * half * half, 2 * math.pi
     if not setup.exact:
         sine = lag
-    for j in range(setup.satellites):
+    for j in range(len(pairs.arm)):
         arm = abs(pairs.arm[j])
         for i in range(j * setup.pins, (j + 1) * setup.pins):
             x, y, own = pairs.x[i], pairs.y[i], setup.direction * sine
@@ -1403,6 +1555,21 @@ def clear(psi: float, lag: float, setup: Setup, pairs: Pairs, room: Room) -> flo
     return far
 
 
+def ahead(psi: float, low: float, high: float, setup: Setup, pairs: Pairs, room: Room) -> float:
+    """The same at the middle of the play, of given shares of each satellite's own."""
+    if setup.support != SHARES:
+        return clear(psi, (low + high) / 2, setup, pairs, room) if high - low < math.inf else 0.0
+    far = 2 * math.pi
+    for j in range(len(pairs.share)):
+        own_pairs, own = part(j, pairs, room)
+        least, most, _, _ = play(setup, own_pairs, own)
+        if most - least < math.inf:
+            far = min(far, clear(psi, (least + most) / 2, setup, own_pairs, own))
+        else:
+            far = 0.0
+    return far
+
+
 def fitting(setup: Setup, pairs: Pairs, room: Room) -> int:
     """Whether a piece goes together without load: FITS, BINDS or NOWHERE. Positions up to which no
     pair can touch at the middle of the play are not looked at.
@@ -1415,8 +1582,7 @@ def fitting(setup: Setup, pairs: Pairs, room: Room) -> int:
         low, high = played(psi, setup, pairs, room)
         if low <= high + JUST * setup.eccentricity / setup.radius:
             free = True
-            if math.isfinite(low) and math.isfinite(high):
-                k += int(clear(psi, (low + high) / 2, setup, pairs, room) / step)
+            k += int(ahead(psi, low, high, setup, pairs, room) / step)
         else:
             blocked = True
         k += 1
@@ -1446,7 +1612,7 @@ def piece(
     for k in range(positions):
         psi = 2 * math.pi * k / positions
         if under_load:
-            found = solve(psi, load.torque, load.setup, pairs, room)
+            found = close_by(psi, load.torque, load.setup, pairs, room)
             if judged(found, load.setup, pairs, room) != SOLVED:
                 return False
             peak = max(peak, largest(room))

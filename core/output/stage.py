@@ -1,7 +1,8 @@
 """What pairs of pins and discs share a torque by one lag: what the loops over pairs solve."""
 
 import math
-from collections.abc import Sequence
+from array import array
+from collections.abc import Iterable, Sequence
 from typing import Any, TypeVar
 
 from core.errors import ImpossibleMechanism
@@ -47,6 +48,54 @@ def in_floats(setup: Sizes) -> Sizes:
     sizes = (name for name, kind in kinds.items() if kind is float)
     found: Sizes = own._replace(**{name: float(getattr(setup, name)) for name in sizes})
     return found
+
+
+OF_SATELLITES = {"arm", "phase", "share", "own", "off", "eta", "own_lag", "own_moves", "own_error"}
+"""Rows of pairs and rooms with one number for each satellite."""
+
+
+def blank_rows(
+    kind: Any, *, pins: int, satellites: int, shares: Sequence[float] = (), **sizes: int
+) -> Any:
+    """Rows of zeros as the loops take them.
+
+    Parameters
+    ----------
+    kind : type
+        Named tuple of rows.
+    pins, satellites : int
+        Numbers N and K.
+    shares : sequence of float
+        Of the torque, where they are given: then parts of rows are rows too.
+    **sizes : int
+        Lengths of rows that have neither K nor K*N numbers.
+
+    Returns
+    -------
+    named tuple
+    """
+    own = dict.fromkeys(kind._fields, pins * satellites) | dict.fromkeys(OF_SATELLITES, satellites)
+    rows = {name: [0.0] * sizes.get(name, own[name]) for name in kind._fields}
+    if not shares:
+        return kind(**rows)
+    if "share" in rows:
+        rows["share"] = [*shares]
+    return kind(**{name: divisible(row) for name, row in rows.items()})
+
+
+def divisible(row: Iterable[float]) -> memoryview:
+    """A row of which parts are rows too.
+
+    Parameters
+    ----------
+    row : iterable of float
+        Its numbers.
+
+    Returns
+    -------
+    memoryview
+    """
+    return memoryview(array("d", row))
 
 
 class Stage:

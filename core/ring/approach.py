@@ -86,8 +86,9 @@ class MeshPairs(NamedTuple):
     """
 
     phase: Row  # [K]
+    share: Row  # [K] of the torque, where it is given
     own: Row  # [K] eccentricity of the satellite's own crank, and its error
-    off: Row
+    off: Row  # [K]
     eta: Row  # [K] by how much its holes are ahead of its teeth
     cosine: Row  # of the pin's place
     sine: Row
@@ -115,9 +116,9 @@ class MeshRoom(NamedTuple):
     force: Row
     lever: Row
     stiffness: Row
-    own_lag: Row
-    own_moves: Row
-    own_error: Row
+    own_lag: Row  # [K]
+    own_moves: Row  # [K]
+    own_error: Row  # [K]
     cosine: Row  # of the angle from the crank to the pin
     sine: Row
     sharp: Row  # curvature of the path, and of the pin's circle
@@ -182,8 +183,8 @@ def at(psi: float, setup: MeshSetup, pairs: MeshPairs, room: MeshRoom) -> None:
     k1, k = e * setup.pins / radius, e * setup.pins / setup.tool_circle
     longest = e * (setup.pins - 1)
     i = 0
-    for j in range(setup.satellites):
-        angle = psi + pairs.phase[j]
+    for phase, eta, off in zip(pairs.phase, pairs.eta, pairs.off):  # noqa: B905 - not compiled
+        angle = psi + phase
         c, s = math.cos(angle), math.sin(angle)
         for _ in range(setup.pins):
             ca = c * pairs.cosine[i] - s * pairs.sine[i]
@@ -192,9 +193,9 @@ def at(psi: float, setup: MeshSetup, pairs: MeshPairs, room: MeshRoom) -> None:
             room.cosine[i], room.sine[i] = ca, sa
             slope = math.sqrt((1 - k1) * (1 - k1) + 2 * k1 * less)
             lever = -longest * sa / slope
-            gap = setup.equidistant - pairs.larger[i] - pairs.eta[j] * lever
+            gap = setup.equidistant - pairs.larger[i] - eta * lever
             gap += (pairs.radial[i] - setup.pin_circle) * (1 - k1 + k1 * less) / slope
-            gap += (pairs.tangential[i] * k1 * sa + pairs.off[j] * (k1 - 1 + less)) / slope
+            gap += (pairs.tangential[i] * k1 * sa + off * (k1 - 1 + less)) / slope
             room.q[i], room.v[i] = -gap - setup.rotation * abs(lever), way * lever
             room.foot[i] = room.u[i] = 0.0
             slope = math.sqrt((1 - k) * (1 - k) + 2 * k * less)
@@ -276,7 +277,7 @@ def play(setup: MeshSetup, pairs: MeshPairs, room: MeshRoom) -> tuple[float, flo
     """
     low, high, behind, onset = -math.inf, math.inf, -1, -1
     dead = NO_TURN * setup.eccentricity * (setup.pins - 1)
-    for i in range(setup.pins * setup.satellites):
+    for i in range(len(room.force)):
         q, v = room.q[i], room.v[i]
         if v >= dead and -q / v < high:
             high, onset = -q / v, i
@@ -299,7 +300,7 @@ def touched(
     dead = NO_TURN * setup.eccentricity * (setup.pins - 1)
     for _ in range(12):
         best, first = math.inf, onset
-        for i in range(setup.pins * setup.satellites):
+        for i in range(len(room.force)):
             v = room.v[i]
             if side * v < dead or room.q[i] + lag * v < reach(
                 i, pairs.moved[i] + abs(lag) * setup.radius, setup, room
@@ -323,7 +324,7 @@ def shift(lag: float, onset: int, setup: MeshSetup, pairs: MeshPairs, room: Mesh
     not, but those at their dead angles.
     """
     dead = NO_TURN * setup.eccentricity * (setup.pins - 1)
-    for i in range(setup.pins * setup.satellites):
+    for i in range(len(room.force)):
         room.unsure[i] = pairs.size[i] + abs(lag) * setup.radius
         approach = room.q[i] + lag * room.v[i]
         free = onset >= 0 and abs(room.v[i]) >= dead
@@ -346,9 +347,9 @@ def balance(
     force, levers, contact = room.force, room.lever, room.stiffness
     torque = slope = gross = 0.0
     whole = room.zero[0] + lag
-    for j in range(setup.satellites):
+    for j in range(len(room.own_lag)):
         room.own_lag[j] = whole
-    for i in range(setup.pins * setup.satellites):
+    for i in range(len(room.force)):
         lever, bend = room.v[i], 0.0
         approach = room.q[i] + lag * lever
         moved = abs(lag) * setup.radius
@@ -375,6 +376,53 @@ def balance(
         gross += f * abs(lever)
         slope += stiffness * lever * lever + f * bend
     return torque, slope, gross
+
+
+def part(j: int, pairs: MeshPairs, room: MeshRoom) -> tuple[MeshPairs, MeshRoom]:
+    """Disc j by itself, in the same rows."""
+    pins = len(room.force) // len(pairs.phase)
+    a, b, c, d = j * pins, (j + 1) * pins, j, j + 1
+    return (
+        MeshPairs(
+            pairs.phase[c:d],
+            pairs.share[c:d],
+            pairs.own[c:d],
+            pairs.off[c:d],
+            pairs.eta[c:d],
+            pairs.cosine[a:b],
+            pairs.sine[a:b],
+            pairs.radial[a:b],
+            pairs.tangential[a:b],
+            pairs.larger[a:b],
+            pairs.moved[a:b],
+            pairs.base[a:b],
+            pairs.most[a:b],
+            pairs.a[a:b],
+            pairs.b[a:b],
+            pairs.limit[a:b],
+            pairs.curved[a:b],
+            pairs.distance[a:b],
+            pairs.size[a:b],
+        ),
+        MeshRoom(
+            room.q[a:b],
+            room.u[a:b],
+            room.v[a:b],
+            room.unsure[a:b],
+            room.force[a:b],
+            room.lever[a:b],
+            room.stiffness[a:b],
+            room.own_lag[c:d],
+            room.own_moves[c:d],
+            room.own_error[c:d],
+            room.cosine[a:b],
+            room.sine[a:b],
+            room.sharp[a:b],
+            room.foot[a:b],
+            room.fixed[a:b],
+            room.zero[a:b],
+        ),
+    )
 
 
 def tie(
@@ -418,7 +466,7 @@ def wave_torque(
     """
     e, total = setup.eccentricity, 0.0
     k, longest = e * setup.pins / setup.radius, e * (setup.pins - 1)
-    for i in range(setup.pins * setup.satellites):
+    for i in range(len(room.force)):
         force = room.force[i]
         if force == 0:
             continue
@@ -460,7 +508,7 @@ def interference(
         for _ in range(STEPS):
             lag = (low + high) / 2
             worst, slope = -math.inf, 0.0
-            for i in range(setup.pins * setup.satellites):
+            for i in range(len(room.force)):
                 approach, lever = room.q[i] + lag * room.v[i], room.v[i]
                 if exact and approach >= worst + reach(
                     i, pairs.moved[i] + abs(lag) * setup.radius, setup, room
@@ -497,7 +545,7 @@ def sliding(i: int, setup: MeshSetup, room: MeshRoom) -> float:
 def along(most: bool, setup: MeshSetup, pairs: MeshPairs, room: MeshRoom) -> float:
     """Largest, or least, force of a disc along its crank."""
     best = -math.inf if most else math.inf
-    for j in range(setup.satellites):
+    for j in range(len(pairs.phase)):
         own = 0.0
         for i in range(j * setup.pins, (j + 1) * setup.pins):
             if room.force[i] > 0:
@@ -514,7 +562,7 @@ def other(kind: int, psi: float, lag: float, load: Load, pairs: MeshPairs, room:
     if kind in (ALONG_MOST, ALONG_LEAST):
         return along(kind == ALONG_MOST, setup, pairs, room)
     most = 0.0
-    for i in range(setup.pins * setup.satellites):
+    for i in range(len(room.force)):
         far, force = sliding(i, setup, room), room.force[i]
         pressing = force if kind == RUB else math.sqrt(force * pairs.curved[i])
         most = max(most, far * pressing)

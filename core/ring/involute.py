@@ -23,6 +23,9 @@ STANDARD_ANGLES = (math.radians(14.5) * (1 - SAME), math.radians(30) * (1 + SAME
 TIPS_APART = 0.05
 """Interference G of the tips that is left as a margin."""
 
+HEIGHTS = (0.3, 1.2)
+"""Least and largest addendum of which anything is said, in modules."""
+
 
 @dataclass(frozen=True, slots=True)
 class Rack:
@@ -178,6 +181,76 @@ class InvoluteTeeth:
         inside = self.ring_teeth * (0.5 - cosine) + self.ring_profile_shift
         if not self.ring_addendum < inside:
             raise InvalidInput("ring_addendum", self.ring_addendum, "less_than", limit=inside)
+
+
+def rack_of(*, pressure_angle: float, dedendum: float, tip_radius: float | None) -> Rack:
+    """A rack whose tip is as round as that of `usual_rack` where its radius is not given.
+
+    Parameters
+    ----------
+    pressure_angle : float
+        Pressure angle alpha, rad.
+    dedendum : float
+        h_f, in modules.
+    tip_radius : float or None
+        rho_f, in modules.
+
+    Returns
+    -------
+    Rack
+
+    Raises
+    ------
+    InvalidInput
+        If its flanks meet above its tip.
+    """
+    rack = Rack(pressure_angle, dedendum)
+    if not rack.most_round >= 0:
+        most = math.pi / 4 / math.tan(pressure_angle)
+        raise InvalidInput("dedendum", dedendum, "less_than_equal", limit=most)
+    usual = min(rack.tip_radius, rack.most_round)
+    return replace(rack, tip_radius=usual if tip_radius is None else tip_radius)
+
+
+def addendum_of(
+    *, name: str, tip_radius: float, teeth: int, shift: float, module: float, pressure_angle: float
+) -> float:
+    """Addendum of a satellite or of a ring by the radius of its tips, in modules.
+
+    Parameters
+    ----------
+    name : {"satellite_tip_radius", "ring_tip_radius"}
+        Whose.
+    tip_radius : float
+        r_as or r_ar, m.
+    teeth : int
+        Its teeth.
+    shift : float
+        Its profile shift.
+    module : float
+        Module m, m.
+    pressure_angle : float
+        Reference pressure angle alpha, rad.
+
+    Returns
+    -------
+    float
+
+    Raises
+    ------
+    InvalidInput
+        If the tips lie within the base circle, or the addendum is none of `HEIGHTS`.
+    """
+    outwards = 1 if name == "satellite_tip_radius" else -1
+    own, base = teeth / 2 + shift, module * (teeth * math.cos(pressure_angle) / 2)
+    low, high = sorted(module * (own + outwards * each) for each in HEIGHTS)
+    if not tip_radius > base:
+        raise InvalidInput(name, tip_radius, "greater_than", limit=base)
+    if not tip_radius >= low * (1 - SAME):
+        raise InvalidInput(name, tip_radius, "greater_than_equal", limit=low)
+    if not tip_radius <= high * (1 + SAME):
+        raise InvalidInput(name, tip_radius, "less_than_equal", limit=high)
+    return outwards * (tip_radius / module - own)
 
 
 @dataclass(frozen=True)

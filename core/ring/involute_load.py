@@ -15,6 +15,7 @@ from core.materials import ElasticMaterial, effective_modulus
 from core.precision import ROUNDING
 from core.results import Accuracy
 from core.ring.involute import InvolutePair
+from core.ring.loss import RingLoss
 
 ROOT_ANGLE = math.pi / 3
 """Angle of the tangent at the root's critical section to the tooth's middle line, less a right one:
@@ -295,6 +296,46 @@ def mean_loss_ratio(*, pair: InvolutePair, friction: float) -> float:
     if not end > start:
         return friction * abs(start)
     return friction * (end * abs(end) - start * abs(start)) / (2 * (end - start))
+
+
+def involute_loss(
+    *,
+    pair: InvolutePair,
+    friction: float,
+    output_torque: float,
+    input_speed: float | None = None,
+) -> RingLoss:
+    """Friction of the flanks of all satellites, mean over the path, one pair of each carrying.
+
+    Parameters
+    ----------
+    pair : InvolutePair
+        The teeth.
+    friction : float
+        Coefficient mu of friction.
+    output_torque : float
+        Torque of all satellites, N*m.
+    input_speed : float, optional
+        Of the crank against the ring, rad/s.
+
+    Returns
+    -------
+    RingLoss
+    """
+    each = mean_loss_ratio(pair=pair, friction=1.0)
+    lost, teeth = friction * each, pair.teeth
+    turning = None
+    if input_speed is not None:
+        turning = input_speed * teeth.difference / teeth.satellite_teeth
+    return RingLoss(
+        loss_per_friction=each,
+        loss_ratio=lost,
+        efficiency=1 / (1 + lost),
+        loss_error=float(pair.accuracy.relative_error),
+        mean_loss=None if turning is None else lost * (turning * output_torque),
+        peak_pv=None,
+        ideal_loss_ratio=None,
+    )
 
 
 def _tangent(factor: float, offset: float) -> float:

@@ -6,7 +6,6 @@ counted once, in the teeth.
 """
 
 import math
-from array import array
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -17,12 +16,12 @@ import numpy as np
 
 from core.arrays import check_finite, check_single
 from core.errors import InvalidInput
-from core.output.compiled import at_hand, in_place_of
+from core.output.compiled import at_hand, plain
 from core.output.loaded_position import bent_together, notices
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.sharing_kernel import too_wide
-from core.output.stage import Stage
+from core.output.stage import Stage, divisible
 from core.precision import SAME
 from core.results import Accuracy, Notice, poorly_known
 from core.ring import series_kernel
@@ -35,9 +34,7 @@ HALVINGS = 60
 
 def _joined(discs: tuple[Any, ...]) -> Any:
     """Rows of all discs, of which parts are rows too."""
-    return type(discs[0])(
-        *[memoryview(array("d", chain(*rows))) for rows in zip(*discs, strict=True)]
-    )
+    return type(discs[0])(*[divisible(chain(*rows)) for rows in zip(*discs, strict=True)])
 
 
 @dataclass(frozen=True)
@@ -181,7 +178,7 @@ class MeshesInSeries(Stage):
     @cached_property
     def loops(self) -> Any:
         """The functions of `core.output.sharing_kernel` over `core.ring.series_kernel`."""
-        return in_place_of(series_kernel)
+        return plain(series_kernel)
 
     def forces(self, room: SeriesRoom) -> list[float]:
         """Forces of the pins of the output, N.

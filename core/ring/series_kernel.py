@@ -34,6 +34,7 @@ from core.output.sharing_kernel import (
     Setup,
     at,
     balance,
+    part,
     play,
     start,
     too_wide,
@@ -44,10 +45,10 @@ from core.output.sharing_kernel import (
 from core.output.sharing_kernel import hardest as hardest_of
 from core.output.sharing_kernel import largest as largest_of
 from core.output.sharing_kernel import loaded as loaded_of
-from core.ring.approach import MeshPairs, MeshRoom
 from core.ring.approach import at as mesh_at
 from core.ring.approach import balance as mesh_balance
 from core.ring.approach import on_crank as mesh_on_crank
+from core.ring.approach import part as mesh_part
 from core.ring.approach import play as mesh_play
 from core.ring.approach import shift as mesh_shift
 from core.ring.approach import wave_torque as mesh_wave_torque
@@ -60,10 +61,12 @@ over reduced radius.
 MIDDLES = 12
 """Steps to where a disc that carries nothing comes to either end of its freedom."""
 
-LOOSE, NEARLY = 0.1, 1e-5
+LOOSE = 0.1
 """How far discs are settled while the lag of the output is still sought, as a part of their own
-lag; and the part of it by which that moves at last, from where on all is settled to rounding.
-"""
+lag."""
+
+CLOSE = 1e-12
+"""Steps of Newton, as parts of the lag, after which the next ones would be rounding."""
 
 JUST = 1e-9
 """Least step in which the lag is sought beyond the play, rad."""
@@ -108,6 +111,9 @@ class SeriesRoom(NamedTuple):
     slack_low: Row  # play on the pins, as far as the output lags behind; likewise
     slack_high: Row
     held: Row  # whether the pins press into a disc without load
+    turned: Row  # [1] torque that was solved last, negative in reverse; 0 where it was not
+    last: Row  # [1] lag of the output then
+    wound: Row  # [1] and by how much it was beyond the play
     pressed: Row  # [1] whether pins press without load in either stage by itself
 
 
@@ -168,86 +174,11 @@ class Linked(NamedTuple):
     share: float  # 1 over the slope of the balance
 
 
-def between(j: int, setup: SeriesSetup, pairs: SeriesPairs, room: SeriesRoom) -> Between:
+def between(j: int, pairs: SeriesPairs, room: SeriesRoom) -> Between:
     """Disc j by itself, in the same rows."""
-    a, c = j * setup.mesh.pins, j * setup.pins
-    b, d = a + setup.mesh.pins, c + setup.pins
-    teeth, mesh, holes, pins = pairs.teeth, room.teeth, pairs.holes, room.holes
-    return Between(
-        MeshPairs(
-            teeth.phase[a:b],
-            teeth.own[a:b],
-            teeth.off[a:b],
-            teeth.eta[a:b],
-            teeth.cosine[a:b],
-            teeth.sine[a:b],
-            teeth.radial[a:b],
-            teeth.tangential[a:b],
-            teeth.larger[a:b],
-            teeth.moved[a:b],
-            teeth.base[a:b],
-            teeth.most[a:b],
-            teeth.a[a:b],
-            teeth.b[a:b],
-            teeth.limit[a:b],
-            teeth.curved[a:b],
-            teeth.distance[a:b],
-            teeth.size[a:b],
-        ),
-        MeshRoom(
-            mesh.q[a:b],
-            mesh.u[a:b],
-            mesh.v[a:b],
-            mesh.unsure[a:b],
-            mesh.force[a:b],
-            mesh.lever[a:b],
-            mesh.stiffness[a:b],
-            mesh.own_lag[a:b],
-            mesh.own_moves[a:b],
-            mesh.own_error[a:b],
-            mesh.cosine[a:b],
-            mesh.sine[a:b],
-            mesh.sharp[a:b],
-            mesh.foot[a:b],
-            mesh.fixed[a:b],
-            mesh.zero[a:b],
-        ),
-        Pairs(
-            holes.arm[c:d],
-            holes.phase[c:d],
-            holes.x[c:d],
-            holes.y[c:d],
-            holes.ex[c:d],
-            holes.ey[c:d],
-            holes.k0[c:d],
-            holes.k1[c:d],
-            holes.k2[c:d],
-            holes.distance[c:d],
-            holes.size[c:d],
-            holes.a[c:d],
-            holes.b[c:d],
-            holes.limit[c:d],
-            holes.curved[c:d],
-            holes.give,
-            holes.ends[c:d],
-        ),
-        Room(
-            pins.q[c:d],
-            pins.u[c:d],
-            pins.v[c:d],
-            pins.unsure[c:d],
-            pins.force[c:d],
-            pins.lever[c:d],
-            pins.stiffness[c:d],
-            pins.own_lag[c:d],
-            pins.own_moves[c:d],
-            pins.own_error[c:d],
-            pins.approach[c:d],
-            pins.before[c:d],
-            pins.moved[c:d],
-            pins.system,
-        ),
-    )
+    teeth, mesh = mesh_part(j, pairs.teeth, room.teeth)
+    holes, pins = part(j, pairs.holes, room.holes)
+    return Between(teeth, mesh, holes, pins)
 
 
 def wave(angle: float, setup: SeriesSetup) -> float:
@@ -371,7 +302,7 @@ def placed(
     psi, low, high, error, pressed = wave(angle, setup), -math.inf, math.inf, 0.0, False
     one = setup.mesh
     for j in range(setup.satellites):
-        disc = between(j, setup, pairs, room)
+        disc = between(j, pairs, room)
         teeth, found = disc.teeth, disc.mesh
         for i in range(one.pins):
             found.force[i] = 0.0
@@ -431,8 +362,9 @@ def settled(
     most = max(room.high[j], lag - room.slack_high[j])
     wider = (most - least) / 2 + JUST
     least, most = least - wider, most + wider
-    one, done = linked(psi, lag, own, setup, disc), False
+    done = False
     for step in range(1, STEPS):
+        one = linked(psi, lag, own, setup, disc)
         if one.value == 0 and one.share == 0:  # free
             if room.held[j] < PRESSED:
                 own = middle(psi, lag, room.low[j], room.high[j], setup, disc)
@@ -453,9 +385,26 @@ def settled(
             done = True
             break
         own = following
-        one = linked(psi, lag, own, setup, disc)
     room.lag[j], room.moves[j], room.torque[j] = own, one.moves, one.of_ring
     return one, done
+
+
+def begun(
+    over: float, torque: float, setup: SeriesSetup, pairs: SeriesPairs, room: SeriesRoom
+) -> float:
+    """Lag of the output at which the best placed pairs of one disc alone would carry the torque;
+    the discs are put between.
+    """
+    lag = math.inf
+    for j in range(setup.satellites):
+        disc = between(j, pairs, room)
+        pins_at(over, room.high[j], setup, disc)
+        own = max(start(torque, setup.mesh, disc.teeth, disc.mesh), room.high[j])
+        own += max(start(torque, setup.output, disc.holes, disc.pins), room.slack_high[j])
+        lag = min(lag, own)
+    for j in range(setup.satellites):
+        room.lag[j] = room.high[j] + max(lag - room.high[j] - room.slack_high[j], 0.0) / 2
+    return lag
 
 
 def solve(
@@ -465,22 +414,22 @@ def solve(
     left in the room. Play and lag are those of the output.
     """
     low, high, play_error, pressed = placed(psi, setup, pairs, room)
-    over, lag = wave(psi, setup), math.inf
+    over = wave(psi, setup)
     zero = (low + high) / 2 if low > high else high
-    for j in range(setup.satellites):
-        disc = between(j, setup, pairs, room)
-        for i in range(setup.pins):
-            disc.pins.force[i] = 0.0
-        for i in range(setup.mesh.pins):
-            disc.mesh.force[i] = 0.0
-        pins_at(over, room.high[j], setup, disc)
-        alone = max(start(torque, setup.mesh, disc.teeth, disc.mesh), room.high[j])
-        alone += max(start(torque, setup.output, disc.holes, disc.pins), room.slack_high[j])
-        lag = min(lag, alone)
+    for i in range(setup.pins * setup.satellites):
+        room.holes.force[i] = 0.0
+    for i in range(setup.mesh.pins * setup.satellites):
+        room.teeth.force[i] = 0.0
+    if room.turned[0] == setup.direction * torque and math.isfinite(zero):
+        # As far beyond the play as where it was solved last, which mostly is nearby.
+        lag = zero + room.wound[0]
+        for j in range(setup.satellites):
+            room.lag[j] += lag - room.last[0]
+    else:
+        lag = begun(over, torque, setup, pairs, room)
+    room.turned[0] = 0.0
     if lag == math.inf or zero == math.inf:
         return Position(0.0, 0.0, low, high, play_error, 0.0, 0.0, NO_DRIVE, 0)
-    for j in range(setup.satellites):
-        room.lag[j] = room.high[j] + max(lag - room.high[j] - room.slack_high[j], 0.0) / 2
     pressed = pressed or low > high
     first, last = -math.inf if pressed else zero, math.inf
     power = 1.0 if pressed else 1 / max(setup.mesh.exponent, setup.output.exponent)
@@ -489,11 +438,12 @@ def solve(
     loose, reach = True, max(lag - zero, abs(zero), JUST)
     for step in range(1, STEPS):
         carried = size = slope = 0.0
-        balanced = True
+        balanced = close = True
         for j in range(setup.satellites):
-            disc = between(j, setup, pairs, room)
+            disc = between(j, pairs, room)
             one, done = settled(j, over, lag, LOOSE if loose else EPS, setup, disc, room)
             balanced = balanced and done
+            close = close and abs(one.change) <= CLOSE * abs(lag)
             carried += one.torque - one.moves * one.value
             size += one.gross + abs(one.moves) * one.size
             slope += one.slope
@@ -510,7 +460,9 @@ def solve(
         following = lag + change
         if loose:  # nothing is known of the sign
             inside = first < following < last
-            loose = inside and abs(change) > NEARLY * abs(lag) and step < LOOSELY
+            if inside and close and abs(change) <= CLOSE * abs(lag):
+                status = SOLVED if balanced else NOT_SOLVED
+            loose = inside and status != SOLVED and step < LOOSELY
             if not inside:
                 continue
         else:
@@ -528,9 +480,13 @@ def solve(
         for j in range(setup.satellites):
             room.lag[j] += room.moves[j] * (following - lag)
         lag = following
+        if status == SOLVED:
+            break
     if slope <= 0:
         return Position(lag, slope, low, high, play_error, 0.0, 0.0, NOT_STABLE, step)
-    lag_error, force_error = series_errors(psi, torque, lag, value, setup, pairs, room)
+    lag_error, force_error, slope = series_errors(psi, torque, lag, setup, pairs, room)
+    if status == SOLVED:
+        room.turned[0], room.last[0], room.wound[0] = setup.direction * torque, lag, lag - zero
     lag_error += (0.0 if pressed else play_error) + EPS * abs(lag)
     return Position(lag, slope, low, high, play_error, lag_error, force_error, status, step)
 
@@ -539,52 +495,51 @@ def series_errors(
     angle: float,
     torque: float,
     lag: float,
-    value: float,
     setup: SeriesSetup,
     pairs: SeriesPairs,
     room: SeriesRoom,
-) -> tuple[float, float]:
-    """Bounds of the errors of the lag of the output and of all forces, as `solve` left the room: by
-    what the balances are off, and by rounding of their terms, of levers and of approaches.
+) -> tuple[float, float, float]:
+    """Bounds of the errors of the lag of the output and of all forces at the lags in the room: by
+    what the balances are off there, and by rounding of their terms, of levers and of approaches.
+    And the stiffness there.
     """
     psi = wave(angle, setup)
     in_ring, on_pins = EPS * (4 + 2 * abs(angle)), EPS * (4 + 2 * abs(psi))
-    mesh, output = setup.mesh, setup.output
-    off, slope, force_error = abs(value) + 4 * EPS * torque, 0.0, 0.0
+    mesh, output, teeth, holes = setup.mesh, setup.output, room.teeth, room.holes
+    off, slope, force_error, carried = 4 * EPS * torque, 0.0, 0.0, 0.0
     for j in range(setup.satellites):
-        own, disc = room.lag[j], between(j, setup, pairs, room)
+        own, disc = room.lag[j], between(j, pairs, room)
         one = linked(psi, lag, own, setup, disc)
         slope += one.slope
-        teeth, holes = disc.mesh, disc.pins
         rough, unsure = 4 * EPS * one.size + abs(one.value), 0.0
-        for i in range(mesh.pins):
-            near = in_ring * (disc.teeth.size[i] + abs(own) * mesh.radius)
+        for i in range(j * mesh.pins, (j + 1) * mesh.pins):
+            near = in_ring * (pairs.teeth.size[i] + abs(own) * mesh.radius)
             teeth.unsure[i] = near
             rough += in_ring * teeth.force[i] * mesh.radius
             rough += teeth.stiffness[i] * abs(teeth.lever[i]) * near
-        for i in range(output.pins):
-            twice = 2 * disc.holes.distance[i] if output.exact else 1.0
-            near = on_pins * (disc.holes.size[i] / twice + abs(lag - own) * output.radius)
+        for i in range(j * output.pins, (j + 1) * output.pins):
+            twice = 2 * pairs.holes.distance[i] if output.exact else 1.0
+            near = on_pins * (pairs.holes.size[i] / twice + abs(lag - own) * output.radius)
             holes.unsure[i] = near
             unsure += on_pins * holes.force[i] * output.radius
             unsure += holes.stiffness[i] * abs(holes.lever[i]) * near
         room.error[j] = (rough + unsure) * one.share
+        carried += one.torque - one.moves * one.value
         off += unsure + 4 * EPS * one.gross + abs(one.moves) * (rough + unsure)
-        room.moves[j] = one.moves
+        room.moves[j], room.torque[j] = one.moves, one.of_ring
+    off += abs(carried - torque)
     lag_error = off / slope if slope > 0 else math.inf
     for j in range(setup.satellites):
-        disc = between(j, setup, pairs, room)
-        teeth, holes = disc.mesh, disc.pins
         room.error[j] += abs(room.moves[j]) * lag_error
-        for i in range(mesh.pins):
+        for i in range(j * mesh.pins, (j + 1) * mesh.pins):
             near = abs(teeth.lever[i]) * room.error[j] + teeth.unsure[i]
             near = teeth.stiffness[i] * near + 8 * EPS * teeth.force[i]
             force_error = max(force_error, near)
-        for i in range(output.pins):
+        for i in range(j * output.pins, (j + 1) * output.pins):
             near = abs(holes.lever[i]) * (lag_error + room.error[j]) + holes.unsure[i]
             near = holes.stiffness[i] * near + 8 * EPS * holes.force[i]
             force_error = max(force_error, near)
-    return lag_error, force_error
+    return lag_error, force_error, slope
 
 
 def played(
@@ -623,7 +578,7 @@ def input_torque(
     """
     over, total = wave(psi, setup), setup.direction * torque / setup.ratio
     for j in range(setup.satellites):
-        own, disc = room.lag[j], between(j, setup, pairs, room)
+        own, disc = room.lag[j], between(j, pairs, room)
         turned = over - (setup.direction * own if setup.output.exact else 0.0)
         total += mesh_wave_torque(psi, own, setup.mesh, disc.teeth, disc.mesh)
         on_pins = wave_torque(turned, lag - own, setup.output, disc.holes, disc.pins)
@@ -639,7 +594,7 @@ def on_crank(
     """
     along = across = pins_along = pins_across = 0.0
     mesh, output, own = setup.mesh, setup.output, room.lag[j]
-    disc = between(j, setup, pairs, room)
+    disc = between(j, pairs, room)
     for i in range(mesh.pins):
         force = disc.mesh.force[i]
         if force > 0:

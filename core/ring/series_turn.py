@@ -1,7 +1,9 @@
 """Ring mesh and output mechanism in series, over the turns of the crank after which all repeats.
 
 The ring's forces repeat with the crank, those of the output with the wave, which makes ``z + 1``
-turns where the crank makes z: together with z turns of the crank, one of the output.
+turns where the crank makes z: together with z turns of the crank, one of the output. Where pins are
+alike they repeat before, with other pins in their places: the ring's with each of its ``z + 1``
+pitches, the output's with each of its N.
 """
 
 import math
@@ -33,14 +35,19 @@ OF_A_PITCH = 4
 MOST = 2000
 """Positions of all turns above which a pitch has fewer."""
 
+LEAST = 240
+"""Positions of a shorter period at least."""
 
-def positions_in_series(*, lobes: int) -> int:
-    """Positions of the even grid over all turns: as many in each pitch of the ring's pins.
+
+def positions_in_series(*, lobes: int, pitches: int | None = None) -> int:
+    """Positions of the even grid over a period: as many in each pitch of the ring's pins.
 
     Parameters
     ----------
     lobes : int
         Of a disc; as many turns of the crank, with one pin of the ring more.
+    pitches : int, optional
+        Of the period; those of all turns where not given.
 
     Returns
     -------
@@ -50,10 +57,12 @@ def positions_in_series(*, lobes: int) -> int:
     --------
     >>> positions_in_series(lobes=20), positions_in_series(lobes=59)
     (1680, 3540)
+    >>> positions_in_series(lobes=20, pitches=5)
+    240
     """
-    pitches = lobes * (lobes + 1)
+    pitches = lobes * (lobes + 1) if pitches is None else pitches
     least = math.ceil(max(LEAST_A_TURN, POSITIONS / lobes) / (lobes + 1))
-    return pitches * max(least, min(OF_A_PITCH, MOST // pitches))
+    return pitches * max(least, min(OF_A_PITCH, MOST // pitches), math.ceil(LEAST / pitches))
 
 
 class SeriesTurn(Turn):
@@ -73,14 +82,33 @@ class SeriesTurn(Turn):
 
     def __init__(self, real: MeshesInSeries, torque: float, share: float = 0.03) -> None:
         super().__init__(real, torque, share)
-        self.repeats, self.first = 1, 0.0
-        self.period = 2 * math.pi * real.mechanism.ratio
+        lobes, pins = real.ring.disc.satellite_teeth, real.mechanism.pins
+        self.first = 0.0
+        self.repeats = math.gcd(lobes, pins) if real.output.pins_alike else 1
+        whole = lobes if real.ring.pins_alike else lobes * (lobes + 1)
+        self.pitches = whole // self.repeats
+        """Of the ring, in a period."""
+        self.period = 2 * math.pi * self.pitches / (lobes + 1)
+
+    @property
+    def step(self) -> int:
+        """By how many pins the forces of the output have moved on after a period."""
+        lobes, pins = self.real.ring.disc.satellite_teeth, self.real.mechanism.pins
+        waves = 1 if self.real.ring.pins_alike else lobes + 1
+        step: int = waves * pins // self.repeats % pins
+        return step
+
+    def of_pairs(self, largest: FloatArray) -> FloatArray:
+        """Largest values of all pairs, by those over a period."""
+        own = largest.reshape(self.load.setup.satellites, self.repeats, -1)
+        return np.broadcast_to(own.max(axis=1, keepdims=True), own.shape).ravel()
 
     def positions(self) -> tuple[list[float], list[float]]:
         """Crank angles of an even grid; none is near where a pair takes up or leaves more than
         elsewhere.
         """
-        count = positions_in_series(lobes=self.real.ring.disc.satellite_teeth)
+        lobes = self.real.ring.disc.satellite_teeth
+        count = positions_in_series(lobes=lobes, pitches=self.pitches)
         return [self.period * k / count for k in range(count)], []
 
     @property
@@ -125,14 +153,17 @@ class SeriesOverTurn(OverTurn):
         place = min(each % turn.period for each in top.alike)
         there = turn.poses([place])["forces"]
         coarse, fine, again = (each["forces"] for each in (turn.coarse, turn.fine, turn.again))
-        most = np.max([fine.max(axis=0), again.max(axis=0), there[0]], axis=0)
+        most, roughly = (
+            turn.of_pairs(np.max(each, axis=0))
+            for each in ([fine.max(axis=0), again.max(axis=0), there[0]], coarse)
+        )
         unsure = float(turn.fine["force_error"].max())
         return Peak(
             force=top.height,
             crank_angle=place,
             pair=int(there[0].argmax()),
             pair_force=most.tolist(),
-            pair_error=float((most - coarse.max(axis=0)).max()) / top.height,
+            pair_error=float((most - roughly).max()) / top.height,
             relative_error=(missed + top.error + unsure) / top.height,
             evaluations=len(fine) + len(again) + turn.evaluations - before,
         )

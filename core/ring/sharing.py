@@ -15,7 +15,7 @@ from core.arrays import check_finite, check_positive, check_single
 from core.derived import derived
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.materials import ElasticMaterial, effective_modulus
-from core.output.compiled import at_hand, in_place_of
+from core.output.compiled import at_hand, plain
 from core.output.conformal_law import NO_CURVE, NO_WRAP
 from core.output.contact_force import PairNumber
 from core.output.contact_law import (
@@ -29,9 +29,9 @@ from core.output.contact_law import (
 )
 from core.output.mechanism import Mechanism
 from core.output.over_turn import Extreme, OverTurn
-from core.output.satellite_support import SharedTorque, Shares, check_shares
-from core.output.sharing_kernel import PRESSURE, RIGID
-from core.output.stage import Stage, in_floats
+from core.output.satellite_support import Shares, check_shares
+from core.output.sharing_kernel import PRESSURE, RIGID, SHARES
+from core.output.stage import Stage, blank_rows, in_floats
 from core.output.summits import Summit, summits
 from core.output.turn import Turn
 from core.precision import ROUNDING
@@ -206,7 +206,7 @@ class CycloidMesh(Stage):
                 exponent=exponent,
                 curve=NO_CURVE,
                 wrap=NO_WRAP,
-                support=RIGID,
+                support=RIGID if self.support is None else SHARES,
                 gives=0.0,
                 loose=0.0,
                 foot=self.exact,
@@ -238,8 +238,8 @@ class CycloidMesh(Stage):
     @cached_property
     def pairs(self) -> MeshPairs:
         """Constants of the pairs."""
-        disc, satellites = self.disc, len(self.crank_angles)
-        pairs = MeshPairs(*[[0.0] * (disc.pins * satellites) for _ in MeshPairs._fields])
+        disc = self.disc
+        pairs: MeshPairs = self._blank(MeshPairs)
         law = law_constants(
             law=self.law,
             contact_length=self.contact_length,
@@ -272,28 +272,24 @@ class CycloidMesh(Stage):
 
     def room(self) -> MeshRoom:
         """Room for the results of one position."""
-        count = self.disc.pins * len(self.crank_angles)
-        return MeshRoom(*[[0.0] * count for _ in MeshRoom._fields])
+        room: MeshRoom = self._blank(MeshRoom)
+        return room
 
-    @cached_property
-    def shared(self) -> SharedTorque | None:
-        """The discs of given shares of the torque, where there are any."""
-        if self.support is None:
-            return None
-        return SharedTorque(self.support.shares, in_place_of(approach))
+    def _blank(self, kind: Any) -> Any:
+        shares = () if self.support is None else self.support.shares
+        return blank_rows(
+            kind, pins=self.disc.pins, satellites=len(self.crank_angles), shares=shares
+        )
 
-    @cached_property
+    @property
     def loops(self) -> Any:
         """The functions of `core.output.sharing_kernel` over `core.ring.approach`, interpreted."""
-        shared = self.shared
-        if shared is None:
-            return in_place_of(approach)
-        return in_place_of(approach, solve=shared.solve, played=shared.played)
+        return plain(approach)
 
     @property
     def loops_of_turns(self) -> Any:
         """The same, compiled where they can be."""
-        return at_hand(approach) if self.shared is None else self.loops
+        return at_hand(approach)
 
     def pressure(self, force_over_radius: float) -> float | None:
         """Largest Hertz pressure by a force over the reduced radius, where the materials are known.
@@ -427,7 +423,7 @@ def mesh_position(*, mesh: CycloidMesh, crank_angle: float, output_torque: float
     accuracy = Accuracy("newton_bracket", found.force_error / float(force.max()), found.steps)
     return MeshPosition(
         crank_angle=crank_angle,
-        rotation=tuple(direction * lag for lag in room.own_lag[: setup.satellites]),
+        rotation=tuple(direction * lag for lag in room.own_lag),
         force=mesh.rows(room.force),
         disc_torque=tuple(torques.tolist()),
         crank_across=tuple(across.tolist()),
@@ -462,11 +458,8 @@ def _interference(mesh: CycloidMesh, setup: MeshSetup, free: bool, angle: float)
     ]
     if not dead and free:
         return None
-    if mesh.shared is not None:
-        loops = mesh.shared
-        return float(loops.interference(angle, setup, pairs, room))
     far = setup.eccentricity / setup.radius
-    return float(loops.interference(-far, far, setup, pairs, room))
+    return float(loops.pressing(-far, far, setup, pairs, room))
 
 
 def mesh_gaps(

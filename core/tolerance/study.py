@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from core.arrays import BoolArray, FloatArray
-from core.errors import ImpossibleMechanism, InvalidInput
-from core.output.compiled import PLAIN, at_hand
+from core.errors import InvalidInput
+from core.output.compiled import at_hand
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.sharing_kernel import (
     BINDS,
@@ -219,7 +219,7 @@ class Study:
         iterator of Pieces
             Their results, in their order.
         """
-        with ThreadPoolExecutor(self.threads or self._kernel.threads) as threads:
+        with ThreadPoolExecutor(self.threads or at_hand().threads) as threads:
             yield from threads.map(block, blocks)
 
     def _columns(self, found: Sequence[Pieces]) -> tuple[FloatArray, FloatArray]:
@@ -261,14 +261,9 @@ class Study:
         """
         return self._block(pieces.rows())
 
-    @property
-    def _kernel(self) -> Any:
-        """The loops at hand; of given shares those that differ are interpreted."""
-        return at_hand() if self.real.shared is None else PLAIN
-
     def _block(self, pieces: Errors[FloatArray]) -> Pieces:
         real, asked = self.real, self.asked
-        kernel = self._kernel
+        kernel = at_hand()
         direction = math.copysign(1.0, asked.output_torque)
         sizes = real.setup(direction), real.setup(-direction)
 
@@ -280,31 +275,19 @@ class Study:
         load = Load(abs(asked.output_torque), asked.lost_motion_share, *sizes)
         lost = "lost_motion" in asked.quantities
         under_load = bool({*asked.quantities} - {"backlash_max", "lost_motion"})
-        if real.shared is None:
-            kernel.pieces(
-                Errors(*map(kernel.table, pieces)),
-                asked.positions,
-                under_load,
-                lost,
-                real.law_constants,
-                load,
-                kernel.row(real.mechanism.crank_angles),
-                kernel.row(real.compliance),
-                rows(real.blank(Pairs)),
-                rows(real.blank(Room)),
-                results,
-            )
-            return results
-        for i in range(len(pieces.pin_radial)):
-            own = self._piece(pieces, i)
-            try:
-                pairs, loops = own.pairs, own.loops
-            except ImpossibleMechanism:
-                kernel.none(i, results)
-                continue
-            wanted = i, asked.positions, under_load, lost
-            if not loops.piece(*wanted, load, pairs, own.room(), results):
-                kernel.none(i, results)
+        kernel.pieces(
+            Errors(*map(kernel.table, pieces)),
+            asked.positions,
+            under_load,
+            lost,
+            real.law_constants,
+            load,
+            kernel.row(real.mechanism.crank_angles),
+            kernel.row(real.compliance),
+            rows(real.blank(Pairs)),
+            rows(real.blank(Room)),
+            results,
+        )
         return results
 
     def piece(self, pieces: Drawn, index: int) -> RealMechanism:

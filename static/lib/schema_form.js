@@ -242,7 +242,7 @@ function wantedGroup(openapi, { id, paths, fields, needs, judged = false }, word
     const choice = raw && namedOrOwn(resolve(raw), at, false, resolve);
     if (!choice) return { ...made(at, own), wanted: id };
     return { ...choice, options: choice.options.map((option) => ({
-      ...option, fields: option.fields.filter(({ name }) => !without.includes(name)).map((field) => ({ ...field, wanted: id })),
+      ...option, fields: option.fields.filter(({ name }) => !without.includes(name)).map((field) => ({ ...field, ...(own.when && { when: own.when }), wanted: id })),
     })) };
   };
   const items = Object.entries({ [`${id}.on`]: { kind: "switch", words: ["on", id] }, ...fields }).map(([at, { columns, ...own }]) => ({

@@ -169,7 +169,7 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
       return;
     }
     const view = createChoice(choiceAbout(item), { on: { chosen: (option) => on.chosen(item.id, option) } });
-    choices.set(item.id, view);
+    choices.set(item.id, { ...view, parts: item.options.flatMap((option) => option.fields) });
     for (const option of item.options) {
       for (const field of option.fields) addField(field, view.part(option.id));
     }
@@ -220,6 +220,9 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
     const shown = new Set(shownFields(model, state.typed));
     for (const add of wanted) add(state);
     for (const [id, view] of choices) view.setChosen(chosen[id]);
+    for (const { root: place, parts } of choices.values()) {
+      if (parts.some(({ when }) => when)) place.hidden = !parts.some((field) => shown.has(field));
+    }
     for (const id of Object.keys(calculator.alike ?? {})) {
       const { root: place } = choices.get(id) ?? {};
       if (chosen[id] !== "named" || texts[id]) apart.add(id);

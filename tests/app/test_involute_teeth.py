@@ -3,12 +3,13 @@
 import pytest
 from pydantic import ValidationError
 
+from app.calculations.involute_mesh import InvoluteRingFields
 from app.calculations.involute_teeth import (
     InvoluteGeometryOut,
     InvoluteStressesOut,
-    InvoluteTeethFields,
     RootStressOut,
 )
+from app.calculations.ring import ring_of
 from core.materials import ElasticMaterial
 from core.ring.involute import involute_pair
 from core.ring.involute_load import involute_load, root_stress
@@ -19,17 +20,13 @@ STEEL = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3)
 
 def gear_of(case):
     """Tooth data of a case."""
-    return {
-        name: value
-        for name, value in case["body"]["gear"].items()
-        if name not in ("kind", "contact_length_mm")
-    }
+    return dict(case["body"]["gear"])
 
 
 def teeth_of(gear, case):
     mechanism = case["body"]["mechanism"]
     numbers = {name: mechanism[name] for name in ("satellite_teeth", "ring_teeth")}
-    return InvoluteTeethFields.model_validate(gear).teeth(**numbers)
+    return ring_of(InvoluteRingFields.model_validate(gear)).involute_teeth(**numbers)
 
 
 def pair_of(case):
@@ -95,4 +92,4 @@ def test_a_hob_that_is_not_given_is_as_round_as_there_is_room_for():
 )
 def test_what_is_beyond_the_limits_is_refused(name, value):
     with pytest.raises(ValidationError):
-        InvoluteTeethFields.model_validate(gear_of(CASES[0]) | {name: value})
+        InvoluteRingFields.model_validate(gear_of(CASES[0]) | {name: value})

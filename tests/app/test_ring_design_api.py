@@ -142,6 +142,19 @@ async def test_the_mesh_is_what_its_endpoint_answers(api):
     ]
 
 
+async def test_the_law_of_the_teeth_is_their_own(api):
+    """Of the design, of the ring alone by either of its fields, of which the ring's counts."""
+    law, other = ({"kind": "linear", "stiffness_N_per_mm": k} for k in (1e5, 2e5))
+    alone = {**ALONE, "deviations": None, "include": ["over_turn"]}
+    del alone["deviations"]
+    stated = {**alone, "gear": {**alone["gear"], "contact_law": law}, "contact_law": other}
+    bodies = (stated, {**alone, "contact_law": law}, alone)
+    own, same, usual = [(await api.post("ring-mesh", json=body)).json() for body in bodies]
+    body = changed(include=["ring_mesh"], gear={"contact_law": law})
+    design = (await api.post(PATH, json=body)).json()["ring_mesh"]
+    assert design["over_turn"] == own["over_turn"] == same["over_turn"] != usual["over_turn"]
+
+
 OFF = {
     "ring_pin_radial_mm": [0.004, -0.003, 0.002, 0.0] * 5,
     "ring_pin_tangential_mm": [0.005, 0.0, -0.002, 0.003] * 5,

@@ -42,8 +42,26 @@ ENVELOPE = {
     "width": 0.0199,
     "limiting_speed": 400.0,
 }
+LASTING = ElasticMaterial(
+    210e9, 0.3, ContactLimit("given", 2e9, curve="hardened"), yield_strength=900e6
+)
+INVOLUTE = replace(
+    WHOLE.gear,  # type: ignore[type-var]
+    satellite_profile_shift=0.05,
+    ring_profile_shift=0.3,
+    satellite_addendum=0.6,
+    ring_addendum=0.55,
+    rack_tip_radius=0.3,
+    contact_length=0.018,
+    ring_material=LASTING,
+    root_strength=800e6,
+    face_load_factor=1.1,
+)
+"""Teeth whose shifts and heights are known."""
 ALL = having(
     WHOLE,
+    gear=INVOLUTE,
+    max_ring_backlash=1.0,
     outer_radius=0.08,
     root_radius=0.072,
     bore_radius=0.02,
@@ -182,7 +200,10 @@ DESIGNS = {
         hole_material=STEEL,
         friction=replace(ALL.friction, life=None),  # type: ignore[type-var]
     ),
-    "roots by the module": having(ALL, root_radius=None, outer_radius=None),
+    "roots by the module": having(ALL, root_radius=None, outer_radius=None, gear=WHOLE.gear),
+    "roots by the shift": having(
+        ALL, root_radius=None, outer_radius=None, scope=("body",), pin=None
+    ),
     "rim within the roots": having(ALL, root_radius=None, outer_radius=0.02),
     "the ring as output": having(ALL, output="ring", hole_radius=0.01002),
     "both as output, by the ring": having(
@@ -275,9 +296,6 @@ DESIGNS |= {
     ),
 }
 
-LASTING = ElasticMaterial(
-    210e9, 0.3, ContactLimit("given", 2e9, curve="hardened"), yield_strength=900e6
-)
 TOOTHED = design_of(
     pins=6,
     satellites=2,
@@ -362,6 +380,38 @@ DESIGNS |= {
     ),
 }
 
+TIPS = having(ALL, pin=None, fatigue=None, peak_torque=900.0, scope=("teeth",))
+"""Involute teeth under ideal forces."""
+DESIGNS |= {
+    "involute teeth of given tips": having(
+        TIPS,
+        gear=replace(
+            INVOLUTE,
+            satellite_addendum=None,
+            ring_addendum=None,
+            satellite_tip_radius=0.0370125,
+            ring_tip_radius=0.036575,
+        ),
+    ),
+    "involute teeth, those of the ring higher": having(
+        TIPS, gear=replace(INVOLUTE, satellite_addendum=0.5, ring_addendum=0.6)
+    ),
+    "involute teeth of a ratio that stays whole where it grows by a fiftieth": having(
+        TIPS,
+        ratio=50.0,
+        eccentricity=0.0016,
+        hole_radius=0.0096,
+        gear=replace(
+            INVOLUTE,
+            module=0.001,
+            ring_profile_shift=0.9,
+            satellite_material=LASTING,
+            cutter_teeth=18,
+            cutter_profile_shift=0.05,
+        ),
+    ),
+}
+
 INPUTS = {"pin.tensile_strength": "pin.material"}
 """Inputs by the paths of a design that have other names."""
 
@@ -371,6 +421,8 @@ MATERIALS_OF = (
     "pin.material",
     "gear.pin_material",
     "gear.disc_material",
+    "gear.satellite_material",
+    "gear.ring_material",
 )
 """Inputs that are materials, each with values of its own."""
 

@@ -326,7 +326,7 @@ def test_a_backlash_alone_is_not_solved_for_forces(monkeypatch: pytest.MonkeyPat
     def none(*_: Any) -> None:
         raise AssertionError
 
-    monkeypatch.setattr("core.tolerance.study.at_hand", lambda: in_place_of(solve=none))
+    monkeypatch.setattr("core.tolerance.study.at_hand", lambda: in_place_of(freed=none))
     study = Study(design(), LOOSE, replace(ASKED, quantities=("backlash_max",)), samples=2)
     assert np.isfinite(study.values(study.pieces())[0]).all()
     with pytest.raises(AssertionError):

@@ -239,7 +239,7 @@ export default {
     torque: { output: ["load.output_torque_Nm"], input: ["load.input_torque_Nm", "load.efficiency"] },
   },
   optional: ["mechanism.crank_spacing_deg", "contact.hole_clearance_mm", "contact.fit"],
-  catalogues: Object.fromEntries(["contact.pin_material", "contact.hole_material", "pin.material", "gear.pin_material"]
+  catalogues: Object.fromEntries(["contact.pin_material", "contact.hole_material", "pin.material", "gear.pin_material", "gear.ring_material"]
     .flatMap((path) => [[path, "materials"], [`${path}.name`, "materials"]])),
 
   /** What an empty name of a table means: that of another box. It is shown only where something else was typed or is asked for. */

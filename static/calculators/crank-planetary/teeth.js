@@ -1,4 +1,4 @@
-/** Teeth of cycloid discs on the pins of their ring: what is said of the service's answer. No DOM. */
+/** Teeth of satellites and ring, cycloid discs on pins or involute ones: what is said of the service's answer. No DOM. */
 import { inTwoLines } from "../../lib/chart.js";
 import { formatNumber, formatQuantity } from "../../lib/format.js";
 import { message } from "../../messages/index.js";
@@ -16,8 +16,32 @@ export const figure = {
 
 const arcmin = (value) => formatQuantity(value, "′", 4);
 
-export function cells({ over_turn: turn, ideal, efficiency }) {
-  const title = (name) => message(`quantity.${name}`).title;
+const title = (name) => message(`quantity.${name}`).title;
+
+const lost = (efficiency) => (efficiency === undefined ? message("teeth.noFriction")
+  : message("teeth.efficiency", { efficiency: formatNumber(efficiency.efficiency, 4) }));
+
+/** How the tips of involute teeth pass each other. */
+function tipsOf({ tips_overlap_all_round: overlap, tip_interference_G: room }) {
+  if (overlap) return message("teeth.overlap");
+  return room === undefined ? message("teeth.apart") : message("teeth.tips", { room: formatNumber(room, 3) });
+}
+
+function involuteCells({ geometry, stresses, efficiency }) {
+  const { pressure_one_pair_start_MPa: pressure, normal_force_N: force } = stresses;
+  return [
+    {
+      label: title("pressure_one_pair_start_MPa"),
+      value: pressure === undefined ? "–" : formatQuantity(pressure, "MPa", 4),
+      note: message("teeth.start", { force: formatQuantity(force, "N", 4) }),
+    },
+    { label: title("contact_ratio"), value: formatNumber(geometry.contact_ratio, 3), note: tipsOf(geometry) },
+    { label: title("geometry_backlash_arcmin"), value: arcmin(geometry.backlash_arcmin), note: lost(efficiency) },
+  ];
+}
+
+export function cells({ over_turn: turn, ideal, efficiency, ...involute }) {
+  if (turn === undefined) return involuteCells({ ...involute, efficiency });
   const { satellite, pin } = turn.peak_pair;
   return [
     {
@@ -33,7 +57,7 @@ export function cells({ over_turn: turn, ideal, efficiency }) {
     {
       label: title("transmission_error_arcmin"),
       value: arcmin(turn.transmission_error_arcmin),
-      note: efficiency === undefined ? message("teeth.noFriction") : message("teeth.efficiency", { efficiency: formatNumber(efficiency.efficiency, 4) }),
+      note: lost(efficiency),
     },
   ];
 }

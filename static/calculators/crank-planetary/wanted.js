@@ -148,12 +148,23 @@ const BEARINGS = {
 };
 
 const ofPins = { when: ["gear.kind", "cycloid"] };
+const ofTeeth = { when: ["gear.kind", "involute"] };
+const ofBoth = { when: ["gear.kind", "cycloid", "involute"] };
 const held = { ...rare, when: ["gear.pin_support", "supported", "fixed"], required: true };
 const TEETH = {
+  "gear.satellite_profile_shift": ofTeeth,
+  "gear.ring_profile_shift": ofTeeth,
+  "gear.satellite_addendum": ofTeeth,
+  "gear.ring_addendum": ofTeeth,
+  "gear.ring_material": ofTeeth,
   "gear.pin_material": ofPins,
-  "gear.friction_coefficient": ofPins,
+  "gear.friction_coefficient": ofBoth,
   "gear.modification.rotation_arcmin": { ...rare, ...discs },
-  "gear.contact_length_mm": { ...rare, ...ofPins },
+  "gear.contact_length_mm": { ...rare, ...ofBoth },
+  "gear.root_strength_MPa": ofTeeth,
+  "gear.cutter_teeth": ofTeeth,
+  ...Object.fromEntries(["satellite_tip_radius_mm", "ring_tip_radius_mm", "dedendum", "rack_tip_radius", "cutter_profile_shift",
+    "cutter_addendum", "face_load_factor", "pair_stiffness_N_per_mm"].map((name) => [`gear.${name}`, { ...rare, ...ofTeeth }])),
   "gear.seat_stiffness_N_per_mm": { ...rare, ...ofPins },
   "gear.sleeve_bore_radius_mm": { ...rare, ...ofPins },
   "gear.rolling": { ...rare, ...ofPins },
@@ -218,6 +229,24 @@ function ringOf({ mechanism, load, contact: { eccentricity_mm: e, pin_radius_mm:
     "gear.teeth_difference": difference,
     "gear.ring_pin_circle_radius_mm": circle,
     "gear.ring_pin_radius_mm": Math.floor(20 * circle * half) / 20,
+  };
+}
+
+/** Whether involute teeth are given with their profile shifts. */
+const shifted = (gear) => gear?.satellite_profile_shift !== undefined && gear.ring_profile_shift !== undefined;
+
+/** Involute teeth to start from: usual low ones, the ring's spaces a trifle wider than they fill at the eccentricity. */
+function teethTo({ contact: { eccentricity_mm: e } = {}, besides: { gear } }, { "gear.teeth_difference": difference }) {
+  const { module_mm: module, teeth_difference: given = difference, reference_pressure_angle_deg: degrees = 20 } = gear;
+  const alpha = (degrees * Math.PI) / 180;
+  const inv = (angle) => Math.tan(angle) - angle;
+  const working = Math.acos((module * given * Math.cos(alpha)) / (2 * e));
+  const wider = (given * (inv(working) - inv(alpha))) / (2 * Math.tan(alpha));
+  return {
+    "gear.satellite_profile_shift": 0,
+    "gear.ring_profile_shift": Number.isFinite(wider) ? tidy(Math.ceil(200 * wider + 0.5) / 200) : undefined,
+    "gear.satellite_addendum": 0.8,
+    "gear.ring_addendum": 0.8,
   };
 }
 
@@ -313,11 +342,15 @@ export const WANTED = [
     id: "teeth",
     section: "ring_mesh",
     needs: "bearings",
-    applies: ({ besides }) => Boolean(besides?.gear?.modification), // which stands with the ring
+    applies: ({ besides }) => Boolean(besides?.gear?.modification) || shifted(besides?.gear),
     paths: WHOLE,
     fields: TEETH,
     judged: true,
-    starts: (input) => ({ ...ringOf(input), "gear.kind": "cycloid", "gear.modification.equidistant_mm": 0.02, "load.input_speed_rpm": USUAL_RPM }),
+    starts(input) {
+      const found = ringOf(input);
+      if (input.besides?.gear?.kind === "involute" && input.besides.gear.module_mm) return teethTo(input, found);
+      return { ...found, "gear.kind": "cycloid", "gear.modification.equidistant_mm": 0.02, "load.input_speed_rpm": USUAL_RPM };
+    },
     load: () => Promise.all([import("./teeth.js"), import("../../views/part.js")]),
   },
   {
@@ -412,8 +445,8 @@ export function inputOf({ pin: given, fatigue = {}, rollers, friction, gear, bea
       ...(pin && { strength: { ...on, surface: friction?.sleeve ? "sleeved" : "bare", fatigue: way }, pin, fatigue }),
       ...(rollers && { rolling: on, rollers }),
       ...(friction && { losses: on, friction }),
-      ...((bearing || crankshaft || gear?.modification) && { bearings: on, gear: { kind: "ratio", ...gear }, bearing }),
-      ...(gear?.modification && { teeth: on }),
+      ...((bearing || crankshaft || gear?.modification || shifted(gear)) && { bearings: on, gear: { kind: "ratio", ...gear }, bearing }),
+      ...((gear?.modification || shifted(gear)) && { teeth: on }),
       ...(crankshaft && { crank: on, crankshaft }),
       ...(requirements && { requirements }),
     },

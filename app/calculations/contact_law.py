@@ -1,0 +1,88 @@
+"""Laws of contact as a request gives them: of pins in holes, and of the teeth of discs."""
+
+from typing import Any, ClassVar, Literal, get_args
+
+from app.calculations.hertz import material_of
+from app.model import Kinds, Maybe, RequestModel, Size, quantity
+from core.output.contact_law import (
+    MAX_EXPONENT,
+    MIN_EXPONENT,
+    ConformalLaw,
+    ContactLaw,
+    HertzLaw,
+    LinearLaw,
+    PalmgrenLaw,
+    PowerLaw,
+    usual_law,
+)
+
+Kind = Literal["hertz", "conformal", "palmgren", "linear", "power"]
+
+
+class ContactLawFields(RequestModel, group="contact_law"):
+    """How a pair gives under a force."""
+
+    KINDS: ClassVar[Kinds] = {
+        None: ((), ("reference_depth_mm",)),
+        "hertz": ((), ("reference_depth_mm",)),
+        "conformal": ((), ()),
+        "palmgren": ((), ()),
+        "linear": (("stiffness_N_per_mm",), ()),
+        "power": (("exponent", "reference_force_N", "reference_approach_mm"), ()),
+    }
+
+    kind: Maybe[Kind] = quantity("Law of contact")
+    """Hertz: line contact with its logarithm; conformal: the hole wraps around the pin, its
+    approach counted to three hole radii; Palmgren: rollers of steel; linear; power. Where not
+    given, conformal with a body below 20 GPa, else Hertz."""
+    reference_depth_mm: Maybe[Size] = quantity("Reference depth", "t", step=1, advanced=True)
+    """Depth to which Hertz counts the approach of the hole; the hole's radius where not given."""
+    stiffness_N_per_mm: Maybe[Size] = quantity("Contact stiffness", "k", step=1000)
+    """Stiffness of a pair, for the linear law."""
+    exponent: Maybe[float] = quantity("Exponent", "n", step=0.1, ge=MIN_EXPONENT, le=MAX_EXPONENT)
+    """Force ∝ approachⁿ, for the power law."""
+    reference_force_N: Maybe[Size] = quantity("Reference force", "F_ref", step=100)
+    """A force whose approach is known, for the power law."""
+    reference_approach_mm: Maybe[Size] = quantity("Reference approach", "δ_ref", step=0.001)
+    """The approach under the reference force."""
+
+    def section(self, body: Any) -> ContactLaw:
+        """The law in SI units, where none is named that of the materials in the body's contact."""
+        return self.named() or law_by_materials(body.contact)
+
+    def named(self) -> ContactLaw | None:
+        """The law in SI units, where one is named."""
+        own = self.to_core()
+        if not own:
+            return None
+        kinds = {
+            "hertz": HertzLaw,
+            "conformal": ConformalLaw,
+            "palmgren": PalmgrenLaw,
+            "linear": LinearLaw,
+            "power": PowerLaw,
+        }
+        return kinds[own.pop("kind", "hertz")](**own)  # type: ignore[no-any-return]
+
+
+def law_by_materials(contact: Any) -> ContactLaw:
+    """The law of contact where none is named; without a contact, which is refused, any."""
+    if contact is None:
+        return usual_law(pin=None, hole=None)
+    pin, hole = material_of(contact.pin_material), material_of(contact.hole_material)
+    return usual_law(pin=pin, hole=hole)
+
+
+class MeshLawFields(ContactLawFields, group="contact_law"):
+    """How a pair gives under a force: the teeth do not wrap around the pins."""
+
+    KINDS: ClassVar[Kinds] = {
+        kind: rules for kind, rules in ContactLawFields.KINDS.items() if kind != "conformal"
+    }
+
+    kind: Maybe[Literal["hertz", "palmgren", "linear", "power"]] = quantity("Law of contact")
+    """Hertz: line contact with its logarithm; Palmgren: rollers of steel; linear; power. Where not
+    given, Hertz."""
+
+
+assert {*get_args(Kind), None} == {*ContactLawFields.KINDS}

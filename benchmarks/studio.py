@@ -1,0 +1,109 @@
+"""Studies beside those of cycloidal-studio, on one core in one run: samples a second as ratios.
+
+Its `physics.js` (SHKinsem/cycloidal-studio, MIT) runs under node, from the folder that
+`CYCLOIDAL_STUDIO` names. It makes forces alone, by bisection, of linear contacts in first order: at
+60 positions of each sample, of eight pins with a clearance of their own. Ours are the same sizes
+with all tolerances drawn; times are the processor's, the rounds alternate.
+"""
+
+import os
+import shutil
+import subprocess
+import time
+from pathlib import Path
+
+import numpy as np
+
+from benchmarks.options import options
+from benchmarks.sharing import STEEL, TOLERANCES
+from core.output import compiled
+from core.output.contact_law import ContactLaw, HertzLaw, LinearLaw, PinSupport, PowerLaw
+from core.output.mechanism import Mechanism
+from core.output.real_mechanism import RealMechanism
+from core.tolerance.study import Evaluation, Study
+
+BENT = PinSupport("cantilever", 0.006, (0.008,), STEEL)
+CASES: dict[str, tuple[ContactLaw, PinSupport | None, bool, str, float]] = {
+    "linear, first order": (LinearLaw(5e7), None, False, "peak_force", 3.0),
+    "linear": (LinearLaw(5e7), None, True, "peak_force", 3.0),
+    "10/9": (PowerLaw(10 / 9, 1000.0, 1e-5), None, True, "peak_force", 2.0),
+    "Hertz, bent pins": (HertzLaw(), BENT, True, "peak_force", 1.2),
+    "backlash alone": (LinearLaw(5e7), None, True, "backlash_max", 1.0),
+}
+"""Law, pins, exact geometry, what is asked, and how many times the other's rate is wanted."""
+
+OTHER = """
+import {{ windup }} from '{folder}/physics.js';
+function sample(random) {{
+  const own = Array.from({{ length: 8 }}, () => 0.02 + 0.02 * (random() - 0.5));
+  let most = 0;
+  for (let i = 0; i < 60; i++) {{
+    const phi = 2 * Math.PI * i / 60, arms = new Array(8);
+    for (let j = 0; j < 8; j++) arms[j] = 20 * Math.sin(phi - 2 * Math.PI * j / 8);
+    for (const force of windup(own, arms, 30).F) if (force > most) most = force;
+  }}
+  return most;
+}}
+let sum = 0;
+for (let i = 0; i < {samples} / 4; i++) sum += sample(Math.random);
+const begun = process.cpuUsage();
+for (let i = 0; i < {samples}; i++) sum += sample(Math.random);
+const used = process.cpuUsage(begun);
+console.log({samples} / (used.user + used.system) * 1e6);
+"""
+
+
+def _other(folder: Path, samples: int) -> float:
+    """Samples that the other makes in a second of the processor."""
+    script = OTHER.format(folder=folder.resolve(), samples=samples)
+    command = ["node", "--input-type=module", "-e", script]
+    return float(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
+
+
+def study(case: str, samples: int) -> Study:
+    """The same sizes with all tolerances."""
+    law, pin, exact, quantity, _ = CASES[case]
+    real = RealMechanism(
+        mechanism=Mechanism.evenly_spaced(pins=8, satellites=1, ratio=18.0),
+        pin_circle_radius=0.020, pin_radius=0.003, eccentricity=0.0015, contact_length=0.010,
+        clearance=2e-5, law=law, exact=exact, pin=pin, pin_material=STEEL, hole_material=STEEL,
+    )  # fmt: skip
+    asked = Evaluation((quantity,), 30.0)
+    return Study(real, TOLERANCES, asked, samples=samples, seed=7, threads=1)
+
+
+def _ours(case: str, samples: int) -> float:
+    """Samples that this project makes in a second of the processor."""
+    made = study(case, samples)
+    pieces = made.pieces()
+    begun = time.process_time()
+    made.values(pieces)
+    return samples / (time.process_time() - begun)
+
+
+def main(smallest: bool) -> None:
+    """Print the table."""
+    samples, rounds = (64, 1) if smallest else (4096, 9)
+    compiled.load()
+    named = os.environ.get("CYCLOIDAL_STUDIO", "")
+    there = bool(named) and (Path(named) / "physics.js").is_file() and shutil.which("node")
+    if not there:
+        print("cycloidal-studio is absent: CYCLOIDAL_STUDIO names no folder of it, or no node")
+    for case in CASES:
+        _ours(case, 64)
+    rates: dict[str, list[float]] = {case: [] for case in CASES}
+    others = []
+    for _ in range(rounds):
+        others.append(_other(Path(named), samples) if there else np.nan)
+        for case, found in rates.items():
+            found.append(_ours(case, samples))
+    print(f"{'one core, 60 positions a sample':32s} {'times its rate':>14s} {'wanted':>7s}")
+    for case, found in rates.items():
+        ratio = float(np.median(np.array(found) / np.array(others)))
+        print(f"{case:32s} {ratio:14.2f} {CASES[case][4]:7.1f}")
+    ours = ", ".join(f"{case} {np.median(found):.0f}" for case, found in rates.items())
+    print(f"samples a second: its {np.median(others):.0f}; ours {ours}")
+
+
+if __name__ == "__main__":
+    main(options(__doc__).smallest)

@@ -1,0 +1,326 @@
+"""Checks of involute teeth of satellite and ring: path of contact, tips, undercut, clearances and
+roots; their pressure, for the checks of a ring's load.
+"""
+
+from functools import partial
+from typing import Any, NamedTuple
+
+from core.checks.check import Check, Kind, design_check, judged
+from core.checks.inputs import (
+    INVOLUTE_CUTTER,
+    INVOLUTE_LOADED,
+    INVOLUTE_RACK,
+    INVOLUTE_TEETH,
+    SATELLITE_TIPS,
+)
+from core.design.document import Design
+from core.design.results import Results
+from core.errors import NotKnown
+from core.precision import AS_TYPED
+from core.ring.involute import TIPS_APART
+
+LEAST_RATIO = 1.05
+"""Least contact ratio of which errors leave enough; 1.1 few pairs of one tooth of difference have.
+"""
+
+LEAST_CLEARANCE = 0.15
+"""Least usual clearance of a tip, in modules."""
+
+LEAST_TIP = 0.25
+"""Least usual thickness of a tip, in modules; hardened through it would break."""
+
+HEIGHTS = tuple(
+    f"{body}_{height}" for body in ("satellite", "ring") for height in ("addendum", "tip_radius")
+)
+"""Inputs that say where tips are."""
+
+_mesh = partial(design_check, group="gear", part="teeth", needs=("contact", "gear"), keep="above")
+
+
+class Pressed(NamedTuple):
+    """Contact pressure of a mesh."""
+
+    value: float  # largest, Pa
+    error: float  # relative, of number and model
+    rough: bool  # whether forces are shared otherwise under other torques
+    at: dict[str, Any]  # where it is reached
+
+
+def involute_pressed(*, results: Results, factor: float) -> Pressed:
+    """Largest pressure of involute teeth, at the start of the path.
+
+    Parameters
+    ----------
+    results : Results
+        Results of a design.
+    factor : float
+        Factor on the torque.
+
+    Returns
+    -------
+    Pressed
+
+    Raises
+    ------
+    NotKnown
+        If the path starts where the satellite has no involute, or what it hangs on is not known.
+    """
+    load = results.involute_load(factor)
+    if load.pressure_start is None:
+        raise NotKnown("off_involutes")
+    error = float(load.accuracy.relative_error) + results.satellite_torque_error(factor)
+    return Pressed(load.pressure_start, error, results.made is not None, {})
+
+
+def no_involute(*, results: Results, kind: Kind) -> Check | None:
+    """A check of a ring without involute teeth.
+
+    Parameters
+    ----------
+    results : Results
+        Results of a design.
+    kind : Kind
+        Which check.
+
+    Returns
+    -------
+    Check or None
+        None where it has these.
+    """
+    if results.design.gear.kind == "involute":
+        return None
+    return Check(kind, "not_applicable", reason="no_involute")
+
+
+def refused(*, results: Results, kind: Kind, names: tuple[str, ...]) -> Check | None:
+    """A check that fails, as no such teeth can be by one of some inputs of the ring.
+
+    Parameters
+    ----------
+    results : Results
+        Results of a design.
+    kind : Kind
+        Which check.
+    names : tuple of str
+        Inputs that are refused beyond a limit.
+
+    Returns
+    -------
+    Check or None
+        None where they are not.
+    """
+    try:
+        _ = results.involute_pair
+    except NotKnown as why:
+        refusal = why.refusal
+        if refusal is None or refusal.code not in ("less_than", "greater_than"):
+            return None
+        if refusal.parameter not in {f"gear.{name}" for name in names}:
+            return None
+        return Check(kind, "fail", impossible=True, reason=why.code, refusal=refusal)
+    return None
+
+
+def _usual(
+    kind: Kind, value: float, *, least: float, guide: float, impossible: bool = False
+) -> Check:
+    """A value that has to be there, and is marginal below a guide."""
+    if value < least - AS_TYPED:
+        return judged(kind, value, guide)._replace(impossible=impossible)
+    found = judged(kind, value, guide, warning="less_than_usual")
+    return found._replace(limit_source="guide")
+
+
+@_mesh(
+    "mesh_contact_ratio",
+    title="Contact ratio of the teeth",
+    formula="ε_α ≥ 1.05",
+    why="Below 1 no pair is in contact at times, and the motion is not handed on. Slightly above, "
+    "errors do so.",
+    inputs=INVOLUTE_TEETH,
+    fixes=("gear.satellite_profile_shift", "gear.satellite_addendum", "gear.ring_addendum"),
+    source="involute_mesh",
+)
+def mesh_contact_ratio(design: Design, results: Results) -> Check:
+    if other := no_involute(results=results, kind=mesh_contact_ratio):
+        return other
+    ratio = results.involute_pair.contact_ratio
+    return _usual(mesh_contact_ratio, ratio, least=1.0, guide=LEAST_RATIO)
+
+
+@_mesh(
+    "mesh_tips",
+    title="Tips that pass each other",
+    formula="G ≥ 0.05",
+    why="Below 0 the tips run into each other beside the path of contact: the teeth cannot turn. "
+    "Slightly above, errors do so.",
+    inputs=INVOLUTE_TEETH,
+    fixes=("gear.satellite_profile_shift", "gear.satellite_addendum", "gear.ring_addendum"),
+    source="involute_mesh",
+)
+def mesh_tips(design: Design, results: Results) -> Check:
+    """Where the tips overlap all round nothing is measured: no tooth can pass."""
+    if other := no_involute(results=results, kind=mesh_tips):
+        return other
+    pair = results.involute_pair
+    if pair.tips_overlap_all_round:
+        return Check(mesh_tips, "fail", limit=TIPS_APART, impossible=True, reason="tips_overlap")
+    if pair.tip_interference is None:
+        return Check(mesh_tips, "not_applicable", reason="no_crossing")
+    return _usual(mesh_tips, pair.tip_interference, least=0.0, guide=TIPS_APART, impossible=True)
+
+
+@_mesh(
+    "mesh_involute",
+    title="Contact on involutes only",
+    formula="tan α₁ ≥ tan α_F",
+    why="Otherwise a tip of one runs into the fillet of the other.",
+    inputs=(*INVOLUTE_TEETH, *INVOLUTE_RACK, *INVOLUTE_CUTTER),
+    fixes=("gear.satellite_profile_shift", "gear.satellite_addendum", "gear.ring_addendum"),
+    source="involute_mesh",
+)
+def mesh_involute(design: Design, results: Results) -> Check:
+    """Of the satellite's flanks, and of the ring's where its cutter is known."""
+    if other := no_involute(results=results, kind=mesh_involute):
+        return other
+    if within := refused(results=results, kind=mesh_involute, names=HEIGHTS):
+        return within  # a tip that lies within its base circle
+    pair = results.involute_pair
+    left = [pair.start_roll - pair.form_roll_satellite]
+    if pair.form_roll_ring is not None:
+        left.append(pair.form_roll_ring - pair.end_roll_ring)
+    value = min(left)
+    found = judged(mesh_involute, 0.0 if abs(value) <= AS_TYPED else value, 0.0)
+    if pair.form_roll_ring is not None or found.status == "fail":
+        return found
+    return found._replace(reason="ring_flank_unknown", missing=("gear.cutter_teeth",))
+
+
+@_mesh(
+    "mesh_undercut",
+    title="Roots that the hob leaves",
+    formula="tan α_F ≥ 0",
+    why="Otherwise the hob cuts away a part of the satellite's flanks.",
+    inputs=(
+        "gear.kind",
+        "gear.teeth_difference",
+        "gear.reference_pressure_angle",
+        "gear.satellite_profile_shift",
+        "mechanism.ratio",
+        *INVOLUTE_RACK,
+    ),
+    fixes=("gear.satellite_profile_shift",),
+    source="involute_mesh",
+)
+def mesh_undercut(design: Design, results: Results) -> Check:
+    if other := no_involute(results=results, kind=mesh_undercut):
+        return other
+    value = results.involute_pair.form_roll_satellite
+    return judged(mesh_undercut, 0.0 if abs(value) <= AS_TYPED else value, 0.0)
+
+
+@_mesh(
+    "mesh_tip_clearance",
+    title="Clearance of the tips",
+    formula="c/m ≥ 0.15",
+    why="Below 0 tips run into the roots of the others. Slightly above, errors do so.",
+    inputs=(*INVOLUTE_TEETH, "gear.dedendum", *INVOLUTE_CUTTER),
+    fixes=("gear.satellite_profile_shift", "gear.satellite_addendum", "gear.ring_addendum"),
+    source="involute_mesh",
+)
+def mesh_tip_clearance(design: Design, results: Results) -> Check:
+    if other := no_involute(results=results, kind=mesh_tip_clearance):
+        return other
+    pair = results.involute_pair
+    least = min(pair.tip_clearance_satellite, pair.tip_clearance_ring) / pair.teeth.module
+    return _usual(mesh_tip_clearance, least, least=0.0, guide=LEAST_CLEARANCE, impossible=True)
+
+
+@_mesh(
+    "mesh_tip_thickness",
+    title="Thickness of the tips",
+    formula="s_a/m ≥ 0.25",
+    why="Below 0 the teeth are pointed and shorter than they are meant to be. Slightly above, the "
+    "tips break.",
+    inputs=tuple(each for each in INVOLUTE_TEETH if each != "contact.eccentricity"),
+    fixes=("gear.satellite_profile_shift", "gear.satellite_addendum", "gear.ring_addendum"),
+    source="involute_mesh",
+)
+def mesh_tip_thickness(design: Design, results: Results) -> Check:
+    if other := no_involute(results=results, kind=mesh_tip_thickness):
+        return other
+    pair = results.involute_pair
+    thin = min(pair.satellite_tip_thickness, pair.ring_tip_thickness) / pair.teeth.module
+    return _usual(mesh_tip_thickness, thin, least=0.0, guide=LEAST_TIP, impossible=True)
+
+
+@_mesh(
+    "mesh_root_stress",
+    title="Bending of the satellite's tooth roots",
+    unit="MPa",
+    formula="K·σ_F ≤ σ_FG/S_D",
+    why="Above it teeth of the satellites break at their roots within the life.",
+    inputs=(
+        *INVOLUTE_LOADED,
+        *SATELLITE_TIPS,
+        *INVOLUTE_RACK,
+        "gear.root_strength",
+        "requirements.fatigue_safety",
+    ),
+    fixes=("gear.contact_length", "load.output_torque"),
+    source="iso_6336_root",
+    keep="below",
+    needs=("load", "contact", "gear"),
+    needed=False,
+)
+def mesh_root_stress(design: Design, results: Results) -> Check:
+    """The whole force at the tip of one tooth."""
+    if other := no_involute(results=results, kind=mesh_root_stress):
+        return other
+    stress, strength = results.root_stress.stress, design.gear.root_strength
+    if strength is None:
+        missing = ("gear.root_strength",)
+        reason = "root_strength_unknown"
+        return Check(mesh_root_stress, "not_checked", value=stress, reason=reason, missing=missing)
+    limit = strength / design.requirements.fatigue_safety
+    factor = design.load_factor
+    return judged(
+        mesh_root_stress,
+        stress,
+        limit,
+        reserve=limit / stress,
+        error=results.involute_pair.accuracy.relative_error
+        + results.satellite_torque_error(factor),
+        rough=results.made is not None,
+        limit_source="user",
+    )
+
+
+@_mesh(
+    "mesh_ring_root",
+    title="Bending of the ring's tooth roots",
+    formula="σ_F ≤ σ_FG/S_D",
+    why="Above it teeth of the ring break at their roots within the life.",
+    inputs=("gear.kind",),
+    fixes=(),
+    source="no_source",
+    keep="below",
+    needed=False,
+)
+def mesh_ring_root(design: Design, results: Results) -> Check:
+    """Not known: a shaper's fillet, and the section where it breaks, are not calculated."""
+    if other := no_involute(results=results, kind=mesh_ring_root):
+        return other
+    return Check(mesh_ring_root, "not_checked", reason="internal_root")
+
+
+INVOLUTE_MESH = (
+    mesh_contact_ratio,
+    mesh_tips,
+    mesh_involute,
+    mesh_undercut,
+    mesh_tip_clearance,
+    mesh_tip_thickness,
+    mesh_root_stress,
+    mesh_ring_root,
+)

@@ -1,0 +1,160 @@
+"""Fixes of involute teeth by their profile shifts: those that are best at the eccentricity, with
+other heights where these leave none, and the nearest eccentricity that leaves tips apart.
+"""
+
+import math
+from collections.abc import Iterable, Iterator
+from typing import Any, NamedTuple
+
+from core.checks.check import Verdict
+from core.checks.largest_torque import crank_verdict
+from core.design.document import changed, value_at
+from core.design.results import Results
+from core.errors import CalculationError
+from core.fixes.changes import vary
+from core.fixes.fix import Fix, side_effects
+from core.ring.involute import HEIGHTS, TIPS_APART, InvoluteTeeth
+from core.ring.possible_teeth import possible_teeth
+from core.ring.shift_choice import nearest_ring, shifts_at
+
+SHIFT = "gear.satellite_profile_shift"
+"""The input that names such a fix."""
+
+ECCENTRICITY = "contact.eccentricity"
+
+DIGITS = 4
+"""Decimals of shifts and heights, in modules."""
+
+MICRON = 1e-6
+"""Step of an eccentricity, m."""
+
+SPARE = 1e-3
+"""Room of the tips besides that which a check asks, for rounding."""
+
+LOWER = 0.01
+"""By how much teeth are lower than those with the largest contact ratio, whose path ends just where
+their flanks do, in modules."""
+
+
+class Shifted(NamedTuple):
+    """A design with other profile shifts."""
+
+    variable: str  # by which it is named
+    before: float  # its value without, SI
+    after: float  # its value with it, SI
+    beside: dict[str, float]  # what else is set
+    verdict: Verdict
+
+
+def shifted(results: Results) -> list[Shifted]:
+    """A design with profile shifts that are chosen for it, and what else has to change with them.
+
+    Parameters
+    ----------
+    results : Results
+        Results of the design.
+
+    Returns
+    -------
+    list of Shifted
+        Empty where its teeth are not known, or make no design.
+    """
+    try:
+        teeth = results.involute_pair.teeth
+    except CalculationError:  # nothing is known of the shifts
+        return []
+    made, design = [], results.design
+    for variable, values in _choices(results, teeth):
+        before, after = float(value_at(design, variable)), values.pop(variable)
+        other = vary(design=design, variable=variable, value=after)
+        try:
+            verdict = crank_verdict(Results(changed(other, values)))
+        except CalculationError:  # an eccentricity that makes no design
+            continue
+        made.append(Shifted(variable, before, after, values, verdict))
+    return made
+
+
+def shift_fixes(*, designs: Iterable[Shifted], code: str, current: Verdict) -> list[Fix]:
+    """Fixes of a check by profile shifts.
+
+    Parameters
+    ----------
+    designs : iterable of Shifted
+        With others.
+    code : str
+        The check to be cured.
+    current : Verdict
+        The checks of the design.
+
+    Returns
+    -------
+    list of Fix
+        Those with which the check passes, of each input that they are named by the first.
+    """
+    fixes: dict[str, Fix] = {}
+    for each in designs:
+        if each.verdict[code].status == "pass" and each.variable not in fixes:
+            fixes[each.variable] = Fix(
+                code=code,
+                variable=each.variable,
+                before=each.before,
+                after=each.after,
+                exact=None,
+                standard=False,
+                status="solved",
+                verdict=each.verdict.verdict,
+                side_effects=side_effects(code=code, current=current, found=each.verdict),
+                beside=each.beside,
+            )
+    return [*fixes.values()]
+
+
+def _choices(results: Results, teeth: InvoluteTeeth) -> Iterator[tuple[str, dict[str, Any]]]:
+    """The input that a choice is named by, and all that it sets."""
+    line = results.involute_pair.line
+    room = TIPS_APART + SPARE
+    best = shifts_at(teeth=teeth, eccentricity=line.eccentricity, room=room)
+    if best is not None:
+        yield SHIFT, _values(results, best)
+    possible = possible_teeth(
+        satellite_teeth=teeth.satellite_teeth,
+        ring_teeth=teeth.ring_teeth,
+        module=teeth.module,
+        pressure_angle=teeth.rack.pressure_angle,
+        eccentricity=line.eccentricity,
+        rack=teeth.rack,
+    )
+    if possible.teeth is not None:
+        yield SHIFT, _values(results, possible.teeth, lower=LOWER)
+    nearest = nearest_ring(teeth=teeth, room=room)
+    if nearest is not None:
+        values = _values(results, nearest.teeth)
+        del values[SHIFT]
+        step = math.floor(nearest.line.eccentricity / MICRON) * MICRON
+        yield ECCENTRICITY, {ECCENTRICITY: round(step, 9)} | values
+
+
+def _values(
+    results: Results, teeth: InvoluteTeeth, *, lower: float | None = None
+) -> dict[str, Any]:
+    """Shifts of teeth and, so much lower, their heights; of tips that are given by their radii
+    these.
+    """
+    gear, scale = results.design.gear, 10**DIGITS
+    # a ring a trifle larger leaves backlash, and tips apart
+    ring = math.ceil(teeth.ring_profile_shift * scale - 1e-6) / scale
+    values = {SHIFT: round(teeth.satellite_profile_shift, DIGITS), "gear.ring_profile_shift": ring}
+    own = {"satellite": teeth.satellite_addendum, "ring": teeth.ring_addendum}
+    numbers = {"satellite": teeth.satellite_teeth, "ring": teeth.ring_teeth}
+    for body, addendum in own.items():
+        height = math.floor((addendum - (lower or 0.0)) * scale + 1e-6) / scale
+        height = min(max(height, HEIGHTS[0]), HEIGHTS[1])
+        if getattr(gear, f"{body}_addendum") is None:
+            outwards = 1 if body == "satellite" else -1
+            shift = values[SHIFT] if body == "satellite" else ring
+            tip = numbers[body] / 2 + shift + outwards * height
+            values[f"gear.{body}_tip_radius"] = gear.module * tip
+        elif lower is not None:
+            values[f"gear.{body}_addendum"] = height
+    return values
