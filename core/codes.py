@@ -86,6 +86,7 @@ _INVALID = {
     "only_one": "excludes {field}: give one of them",
     "other_branch": "must lie on the same side of the pole, a multiple of half a turn less "
     "{other}, as {field}: the line is infinitely long there",
+    "odd_ring_pins": "is of an even number of pins, and the ring has {pins:d}",
     "other_pitch": "must be {limit:.9g} from the place of the first satellite, as on the pins",
     "right_angle": "must be smaller than a right angle",
     "roller_without_arm": "puts roller {roller} at a multiple of half a turn: there its "
@@ -215,7 +216,11 @@ _UNKNOWN = {
     "plastic_first": "The first turns yield; the contact settles after that",
     "pressure_error": "The limit lies within the error of the value",
     "pins_in_seats": "The pins of the ring lie in half bores, where they do not bend",
-    "ring_fatigue_unknown": "The fatigue strength of the pins of the ring is not calculated",
+    "pins_bend": "The pins of the ring are held at both ends, and bend",
+    "no_tool": "No tool of the discs is given",
+    "no_valley": "The discs are nowhere concave",
+    "every_second_pin": "The forces of a ring of which every second pin is left out are not "
+    "calculated",
     "ring_friction_unknown": "The friction on the pins of the ring is not given",
     "rating_unknown": "No load rating of the bearing is given",
     "roots_unknown": "The roots of the satellite's teeth are not known: enter their radius, or the "
@@ -599,6 +604,15 @@ _LIMITS = {
         tests="Whether gaps are small beside the radius of the pins' path in the valleys.",
         why="From half that radius on, the nearest point of the path is hardly the only one.",
         mend="Make the modification smaller, or the shortening coefficient.",
+    ),
+    "unusual_shortening": _limit(
+        "The shortening coefficient of the discs is {shortening:.3g}: most drives have 0.35 to "
+        "0.9.",
+        title="Unusual shortening coefficient",
+        tests="Whether the shortening coefficient K1 = e·z_p/R_p lies from 0.35 to 0.9.",
+        why="Below, the teeth are low and their forces large; above, flanks bend sharply and the "
+        "pins press along the crank.",
+        mend="Change the eccentricity, or the circle of the ring's pins.",
     ),
     "ring_deviations_unknown": _limit(
         "Nothing is said of where the ring's pins really stand: a few hundredths of a millimetre "

@@ -2,7 +2,7 @@
 import { newestOnly, Problem } from "./lib/api.js";
 import { readState, stateFromInput } from "./lib/form_state.js";
 import { judgedOf } from "./lib/checks.js";
-import { answered, asked, compared, failed, mended } from "./store.js";
+import { answered, asked, compared, failed, mended, withUsual } from "./store.js";
 
 const DEBOUNCE_MS = 50;
 const AGAIN_MS = [1000, 2000, 4000, 8000]; // after a failure of the service; the last from then on
@@ -44,6 +44,7 @@ export function createAsking({ store, client, designs }) {
   const { model, calculator } = store.state.about;
   const newest = newestOnly();
   const fixing = newestOnly();
+  const usually = newestOnly();
   const answers = new Map(); // of the designs that are kept, by their inputs
   let timer = 0;
   let failures = 0;
@@ -78,16 +79,24 @@ export function createAsking({ store, client, designs }) {
     clearTimeout(timer);
     newest.cancel();
     fixing.cancel();
+    usually.cancel();
   }
 
   /** What would mend the design that is shown, asked for after its answer. */
   async function mend(shown) {
     const failing = ["fail", "marginal"].includes(judgedOf(calculator, shown.answer)?.verdict);
-    const usual = calculator.withoutClearance?.(shown.answer) ?? false;
-    if (!calculator.mend || !(failing || usual)) return;
-    const { answer, problem } = await fixing.ask((signal) => calculator.mend({ post: postingOnce(client, signal), get: client.get, failing, usual, ...shown }));
-    if (answer) store.apply(mended, shown, [answer.combined ?? [], judgedOf(calculator, answer)?.fixes ?? []].flat(), false, answer.usual_fit ?? null);
+    if (!calculator.mend || !failing) return;
+    const { answer, problem } = await fixing.ask((signal) => calculator.mend({ post: postingOnce(client, signal), get: client.get, ...shown }));
+    if (answer) store.apply(mended, shown, [answer.combined ?? [], judgedOf(calculator, answer)?.fixes ?? []].flat());
     if (problem?.kind === "too-long") store.apply(mended, shown, [], true);
+  }
+
+  /** What becomes of it with what is usual of what is not known, asked for beside that. */
+  async function compareUsual(shown) {
+    const include = calculator.usual?.(shown.answer) ?? [];
+    if (include.length === 0) return;
+    const { answer } = await usually.ask((signal) => calculator.mend({ post: postingOnce(client, signal), get: client.get, include, ...shown }));
+    if (answer) store.apply(withUsual, shown, answer);
   }
 
   async function now() {
@@ -109,7 +118,10 @@ export function createAsking({ store, client, designs }) {
     }
     failures = 0;
     store.apply(answered, answer);
-    if (answer.answer) mend(store.state.shown);
+    if (answer.answer) {
+      mend(store.state.shown);
+      compareUsual(store.state.shown);
+    }
     const { shown, kept } = store.state;
     if (shown && (!kept || kept.some((design) => design.answer === undefined))) compare();
   }

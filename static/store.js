@@ -10,6 +10,7 @@
  * `refusal`  what the service refused: `{ at: {path: { words, place?, ask?, code? }}, text }`, or null
  * `shown`    the results on the screen: `{ typed, input, filled, answer, requests, cells }`, or null
  * `fixes`    what mends the design on the screen, `{ of: shown, list, long }`, of several inputs together first, `long` where it took too long to find; or null
+ * `usual`    what becomes of it with a usual clearance, a usual ring: `{ of: shown, fit?, ring? }` as the service answers, or null
  * `curves`   the curves of a figure that the drawing needs: `{ of: shown, data }`
  * `kept`     the designs that are kept, each with its answer; null until these are known
  * `tables`   ids of the figures shown as tables; `theme`, in which figures are drawn
@@ -65,7 +66,7 @@ function read(state, history) {
 export function opened(about, design, theme, claim = {}, history = null) {
   const typed = withLinks(about.model, design);
   const state = read({
-    about, theme, touched: new Set(), insisted: false, address: null, refusal: null, shown: null, fixes: null, curves: null,
+    about, theme, touched: new Set(), insisted: false, address: null, refusal: null, shown: null, fixes: null, usual: null, curves: null,
     kept: null, besides: {}, tables: new Set(), turn: { angle: 0, pair: null, own: false }, line: ["", ""], said: "",
     claim: { ...claim, typed },
   }, history ? recorded(history, typed) : begun(typed));
@@ -238,7 +239,10 @@ function announced(shown, { calculator, titles }) {
 }
 
 /** What would mend the design that is shown; of another one it is passed over. */
-export const mended = (state, of, list, long = false, usual = null) => (state.shown === of ? { ...state, fixes: { of, list, long, usual } } : state);
+export const mended = (state, of, list, long = false) => (state.shown === of ? { ...state, fixes: { of, list, long } } : state);
+
+/** What becomes of that design with what is usual of what is not known of it. */
+export const withUsual = (state, of, { usual_fit: fit, usual_modification: ring }) => (state.shown === of ? { ...state, usual: { of, fit, ring } } : state);
 
 /** Values put in by JSON pointer: a fix, a size that was looked for. */
 export function applied(state, sets, time) {

@@ -74,6 +74,14 @@ class RequirementsFields(RequestModel, group="requirements"):
     min_efficiency: Maybe[float] = quantity("Least efficiency", "η_min", step=0.01, ge=1e-3, lt=1)
     """Least mean efficiency of the output mechanism, with the ring where friction on its pins is
     given."""
+    min_ring_efficiency: Maybe[float] = quantity(
+        "Least efficiency of the teeth", "η_min", step=0.01, ge=1e-3, lt=1
+    )
+    """Least mean efficiency of the teeth alone."""
+    max_seat_pressure_MPa: Maybe[Size] = quantity(
+        "Largest pressure of the ring's seats", "p_all", step=10
+    )
+    """Largest pressure of the ring's pins in half bores, on the area that they cover."""
     max_wear_mm: Maybe[Size] = quantity("Largest wear", "h_max", step=0.01)
     """Largest depth of wear of pin or hole at the end of the life."""
     max_pv_MPa_m_per_s: Maybe[Size] = quantity("Largest pv", "(pv)_all", step=0.1)

@@ -71,7 +71,7 @@ from app.calculations.satellite_bearing import (
 )
 from app.calculations.shares_answer import SharesOut, shares_warnings
 from app.calculations.solved import Solved
-from app.calculations.usual_fit_answer import UsualFitOut
+from app.calculations.usual_fit_answer import UsualFitOut, UsualModificationOut
 from app.model import (
     Angle,
     Calculation,
@@ -105,7 +105,11 @@ from core.checks.check import Verdict
 from core.checks.cold_yield import ColdYield, cold_yield
 from core.checks.largest_torque import crank_verdict
 from core.checks.shares import disc_shares
-from core.checks.usual_fit import usual_fit
+from core.checks.usual_modification import (
+    UsualModification,
+    usual_clearance_too,
+    usual_modification,
+)
 from core.derived import if_known
 from core.design.drawings import drawn_mesh
 from core.design.real_forces import RealForces
@@ -149,6 +153,7 @@ Section = Literal[
     "rollers",
     "geometry",
     "usual_fit",
+    "usual_modification",
     "checks",
     "fixes",
     "combined",
@@ -177,6 +182,7 @@ _NEEDS: dict[Section, tuple[str, ...]] = {
     "rollers": (*_TOUCHING, "contact/eccentricity_mm", "rollers"),
     "geometry": _TOUCHING,
     "usual_fit": (*_TOUCHING, "contact/eccentricity_mm"),
+    "usual_modification": ("load", "contact/eccentricity_mm", "gear"),
     "checks": (),
     "fixes": (),
     "combined": (),
@@ -190,6 +196,9 @@ INVOLUTE_NEEDS = (
     *(f"gear/{body}_profile_shift" for body in ("satellite", "ring")),
 )
 """The same of the mesh of involute teeth."""
+
+SEARCHED = frozenset(("fixes", "combined", "usual_fit", "usual_modification"))
+"""Sections for which designs are tried."""
 
 DRAWN_SAMPLES = 361
 """Crank angles of the figure's real forces."""
@@ -255,9 +264,10 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         min_length=1,
         max_length=len(_NEEDS),
         description="Sections of the answer: what is not named is not computed. Where it is "
-        "absent: all but real_cyclogram, geometry, usual_fit, checks, fixes and combined, as far "
-        "as their input is given; members where others than the pins are the output; load_sharing "
-        "where clearance, deviations, a contact law, satellites that give or pins that bend are. "
+        "absent: all but real_cyclogram, geometry, usual_fit, usual_modification, checks, fixes "
+        "and combined, as far as their input is given; members where others than the pins are the "
+        "output; load_sharing where clearance, deviations, a contact law, satellites that give or "
+        "pins that bend are. "
         "load_sharing and hertz with these are left out then where the forces cannot be solved. "
         "What rests on the forces of parts that cannot be put together is always: the check "
         "interference says why.",
@@ -327,7 +337,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         lost_motion = self.requirements.max_lost_motion_arcmin is not None
         solves = self.as_made or "load_sharing" in include or lost_motion
         loaded = self.load is not None and self.contact is not None
-        if {"fixes", "combined", "usual_fit"} & {*include} or (loaded and (searches or solves)):
+        if SEARCHED & {*include} or (loaded and (searches or solves)):
             return math.inf
         if self.load is None:
             return self.mechanism.cost()
@@ -480,11 +490,16 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
 
     def solve_usual_fit(self) -> Values | None:
         """The design with a usual clearance, where none is known or 0 is stated."""
-        found = usual_fit(self.design)
+        found = usual_clearance_too(design=self.design, ring=self.usual_ring)
         if found is None:
             return None
         name, results, judged = found
         return UsualFitOut.of(name, results, judged)
+
+    @cached_property
+    def usual_ring(self) -> UsualModification | None:
+        """The design with a usual ring of pins."""
+        return usual_modification(self.design)
 
     def strength(self, section: Section) -> Any:
         """Result of a section of strength and life."""
@@ -689,6 +704,10 @@ def solve(body: CrankPlanetaryRequest) -> Values:
         usual, _ = run(body, body.solve_usual_fit)
         if usual is not None:
             sections["usual_fit"] = usual
+    if "usual_modification" in asked:
+        ring_made, _ = run(body, lambda: body.usual_ring)
+        if ring_made is not None:
+            sections["usual_modification"] = UsualModificationOut.of(ring_made)
     sizes, _ = run(body, body.solve_fit)
     fit, _ = run(body, lambda: if_known(lambda: body.results.fit))
     if fit is not None:

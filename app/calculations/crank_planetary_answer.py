@@ -21,7 +21,7 @@ from app.calculations.pin_strength import PinStrengthResponse
 from app.calculations.ring_mesh_answer import DesignMeshOut, DesignPairOut, RingDrawingOut
 from app.calculations.satellite_bearing import SatelliteBearingResponse
 from app.calculations.shares_answer import SharesOut
-from app.calculations.usual_fit_answer import UsualFitOut
+from app.calculations.usual_fit_answer import UsualFitOut, UsualModificationOut
 from app.model import AccuracyOut, Maybe, ResponseModel, Values, WarningOut, result
 from core.checks.records import CHECKS
 from core.design.real_forces import RealForces
@@ -142,6 +142,10 @@ class CrankPlanetaryResponse(JudgedResponse):
     )
     usual_fit: Maybe[UsualFitOut] = result(
         "The design with a usual clearance, where it is not known, or 0, and sizes have such a fit."
+    )
+    usual_modification: Maybe[UsualModificationOut] = result(
+        "The design with a usual ring of pins, where nothing is known of the modification of its "
+        "discs, or of the places of its pins."
     )
     warnings: Maybe[list[WarningOut]] = Field(
         description="How pins and holes fit, whichever sections are asked: `interference`, "

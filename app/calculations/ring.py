@@ -12,6 +12,7 @@ from app.calculations.contact_law import MeshLawFields
 from app.calculations.hertz import Material, contact_length, material_of
 from app.calculations.involute_teeth import RING_MATERIAL, InvoluteTeethFields
 from app.calculations.mechanism import MAX_SATELLITES
+from app.calculations.pin import strengths_of
 from app.model import (
     NO_DUST,
     Forms,
@@ -26,7 +27,7 @@ from app.model import (
 )
 from app.problems import invalid_input, wrong
 from app.units import to_si
-from core.design.sections import Ring, RingPinSupport
+from core.design.sections import Ring, RingClass, RingPinSupport
 from core.design.sections import RingKind as Kind
 from core.ring.profile import Modification
 
@@ -161,7 +162,11 @@ class RingPinsFields(RequestModel, group="gear"):
 def ring_of(fields: RequestModel, **more: Any) -> Ring:
     """The ring of a request in SI units, with what else is known of it."""
     own = fields.to_core() | more
-    for name in ("pin_material", "disc_material", "satellite_material", "ring_material"):
+    if "pin_material" in own:
+        held = strengths_of(own.pop("pin_material"))
+        own["pin_material"] = held.pop("material")
+        own |= {f"pin_{name}": value for name, value in held.items()}
+    for name in ("disc_material", "satellite_material", "ring_material"):
         if name in own:
             own[name] = material_of(own[name])
     return Ring(**own)
@@ -235,7 +240,17 @@ class RingFields(RingPinsFields, InvoluteTeethFields, group="gear"):
             ("module_mm",),
             ("teeth_difference", "reference_pressure_angle_deg", *INVOLUTE_DATA),
         ),
-        "cycloid": (("ring_pin_circle_radius_mm",), ("ring_pin_radius_mm", *TOOTH_DATA)),
+        "cycloid": (
+            ("ring_pin_circle_radius_mm",),
+            (
+                "ring_pin_radius_mm",
+                *TOOTH_DATA,
+                "rotates",
+                "tool_radius_mm",
+                "every_second_pin",
+                "ring_class",
+            ),
+        ),
         "none": ((), ()),
         None: ((), ()),
     }
@@ -259,6 +274,20 @@ class RingFields(RingPinsFields, InvoluteTeethFields, group="gear"):
     )
     """Force along the crank over that across it: positive towards the reducer's axis, as with
     involute teeth, negative outwards, as with a ring of pins."""
+
+    rotates: Maybe[bool] = quantity("Ring pins rotate", advanced=True)
+    """Whether the pins turn in their supports: then their bending is fully reversed."""
+    tool_radius_mm: Maybe[Size] = quantity("Radius of the tool", "r_t", step=1, advanced=True)
+    """Of the wheel or cutter that makes the flanks of the discs, which has to reach into their
+    valleys."""
+    every_second_pin: Maybe[bool] = quantity("Every second pin", advanced=True)
+    """Whether every second pin of the ring is left out, of an even number: the forces of such a
+    ring are not calculated."""
+
+    ring_class: Maybe[RingClass] = quantity("How the ring is made", advanced=True)
+    """Ground, machined or printed, discs and ring: what is usual of their modification and of the
+    places of the ring's pins, where these are not known; printed where discs are softer than
+    20 GPa, else ground, where not given."""
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """Also the material of the ring, where its mesh is judged."""

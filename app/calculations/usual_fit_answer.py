@@ -1,4 +1,4 @@
-"""Answer of a design with a usual clearance."""
+"""Answers of a design with what is usual of what is not known: its clearance, its ring."""
 
 from pydantic import Field
 
@@ -6,9 +6,11 @@ from app.model import Maybe, ResponseModel, Values, result
 from app.units import from_si
 from core.checks.check import Verdict
 from core.checks.part import Outcome
+from core.checks.usual_modification import UsualModification
 from core.derived import if_known
 from core.design.real_forces import RealForces
 from core.design.results import Results
+from core.design.sections import RingClass
 
 
 class UsualFitOut(ResponseModel):
@@ -28,13 +30,76 @@ class UsualFitOut(ResponseModel):
     def of(cls, name: str, results: Results, judged: Verdict) -> Values:
         """Values of the design with a fit."""
         forces = if_known(lambda: results.judged_forces)
-        torque = results.design.load.output_torque
-        known = judged.largest_torque_known and judged.torque_reserve is not None
         values: Values = {
             "class": name,
             "hole_clearance_mm": from_si("clearance_mm", results.design.contact.clearance),
             "peak_force_N": forces.turn.peak_force if isinstance(forces, RealForces) else None,
-            "largest_torque_Nm": abs(torque) * (judged.torque_reserve or 0.0) if known else None,
+            "largest_torque_Nm": _largest_torque(results, judged),
             "verdict": judged.verdict,
         }
         return {name: value for name, value in values.items() if value is not None}
+
+
+def _largest_torque(results: Results, judged: Verdict) -> float | None:
+    """Torque at which the first check fails, N*m, as far as it is known."""
+    if not judged.largest_torque_known or judged.torque_reserve is None:
+        return None
+    return abs(results.design.load.output_torque) * judged.torque_reserve
+
+
+class SpreadOut(ResponseModel):
+    """What pieces have that are drawn."""
+
+    median: float = result("Half of them have no more.")
+    percent_90: float = result("Nine tenths of them have no more.")
+
+
+class UsualModificationOut(ResponseModel):
+    """The design with a ring as such parts usually have: discs with a modification, where none is
+    known, and pins that stand anywhere in round zones. An upper estimate of forces, as only the
+    contacts give.
+    """
+
+    BESIDE = ("peak_force_N", "max_pressure_MPa", "backlash_arcmin", "largest_torque_Nm", "verdict")
+
+    ring_class: RingClass = Field(alias="class", description="How discs and ring are made.")
+    equidistant_mm: float = result("Equidistant modification of the discs.", symbol="Δ_e")
+    pin_zone_diameter_mm: float = result(
+        "Diameter of the zone of each pin of the ring; 0 where their places are given."
+    )
+    samples: int = result("Pieces.")
+    crank_angles: int = result("Crank angles at which each is looked at.")
+    peak_force_N: SpreadOut = Field(
+        description="Largest force of all pairs over the turn, under the torque times its factor."
+    )
+    max_pressure_MPa: SpreadOut = Field(description="Largest pressure, likewise.")
+    backlash_arcmin: SpreadOut = Field(
+        description="Largest play of the output by the teeth alone over the turn."
+    )
+    cannot_assemble: float = result("Share of the pieces that press without load.")
+    largest_torque_Nm: Maybe[float] = result(
+        "Torque at which the first check fails, as far as it is known, of the piece with the "
+        "pressure of nine tenths."
+    )
+    verdict: Outcome = Field(
+        description="Of the design with that piece; with a usual clearance where none is known."
+    )
+
+    @classmethod
+    def of(cls, found: UsualModification) -> Values:
+        """Values of the design with such a ring."""
+        at_output = found.results.design.members.angle_at_output
+
+        def spread(name: str, median: float, percent_90: float) -> Values:
+            return {"median": from_si(name, median), "percent_90": from_si(name, percent_90)}
+
+        torque = _largest_torque(found.results, found.verdict)
+        values = cls.values(
+            found,
+            peak_force_N=spread("force_N", *found.peak_force),
+            max_pressure_MPa=spread("pressure_MPa", *found.max_pressure),
+            backlash_arcmin=spread("angle_arcmin", *map(at_output, found.backlash)),
+            verdict=found.verdict.verdict,
+            **({} if torque is None else {"largest_torque_Nm": torque}),
+        )
+        return {"class": values.pop("ring_class"), **values}

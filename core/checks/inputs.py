@@ -96,6 +96,9 @@ the lag at each.
 RING_GAPS = (*RING_PINS, "gear.modification.rotation")
 """Of these gaps."""
 
+OF_BENT_PINS = ("gear.span", "gear.satellite_positions", "gear.sleeve_bore_radius")
+"""Of how pins of the ring bend."""
+
 RING_GIVES = (
     *RING_GAPS,
     "gear.ring_pin_radius",
@@ -104,10 +107,8 @@ RING_GIVES = (
     "gear.pin_material",
     "gear.disc_material",
     "gear.pin_support",
-    "gear.span",
-    "gear.satellite_positions",
+    *OF_BENT_PINS,
     "gear.seat_stiffness",
-    "gear.sleeve_bore_radius",  # of pins that bend
     "contact.contact_length",
     "contact.hole_material",
     "satellite_coupling",

@@ -1,12 +1,16 @@
 """Checks of the pins as beams: static strength, fatigue, deflection, slope."""
 
+from collections.abc import Mapping
 from functools import partial
+from typing import Any
 
 from core.checks.check import Check, Kind, Measure, design_check, judged, necessary, wall
 from core.checks.inputs import FATIGUE, LIFE, LOADED
 from core.design.document import Design
 from core.design.results import Results
+from core.design.sections import DesignPin
 from core.output.pin_bolt import SLIP_SAFETY
+from core.output.pin_strength import PinStrength
 from core.output.tied_pin import section_of
 
 HARDENED = 1400e6
@@ -24,23 +28,126 @@ _check = partial(
 )
 
 
-def _of_size(results: Results, check: Check) -> Check:
+def _of_size(pin: DesignPin, check: Check) -> Check:
     """A check by the strengths of the material: of thicker pins these are less than known, so that
     only what fails is certain, but not by how much.
     """
-    if not results.size_notices:
+    thick = pin.thick
+    if thick is None:
         return check
-    (thick,) = results.size_notices
     if check.status == "fail":
         return check._replace(torque_reserve=None)
-    missing = ("pin.material",)
     return check._replace(
         status="not_checked",
         torque_reserve=None,
         reason=thick.code,
         params=thick.params,
-        missing=missing,
+        missing=(pin.material_path,),
     )
+
+
+def static_strength(
+    kind: Kind,
+    *,
+    found: PinStrength,
+    pin: DesignPin,
+    safety: float,
+    at: Mapping[str, Any],
+    error: float = 0.0,
+    rough: bool = True,
+) -> Check:
+    """The static strength of pins; of a plastic pin across its layers, unless they are said to lie
+    otherwise: necessary only.
+
+    Parameters
+    ----------
+    kind : Kind
+        Which check.
+    found : PinStrength
+        What they bear.
+    pin : DesignPin
+        One of them.
+    safety : float
+        That is required.
+    at : mapping
+        Where they bear most.
+    error : float
+        Relative error of the forces besides.
+    rough : bool
+        Whether the forces do not grow with the torque.
+
+    Returns
+    -------
+    Check
+    """
+    stress, material = found.static_stress, pin.material
+    strength, tensile = material.loaded_strength("pin"), pin.tensile_strength
+    if strength is None and tensile is not None and tensile > HARDENED:
+        strength = tensile
+    if strength is None:
+        reason, lacks = "yield_unknown", f"{pin.material_path}.yield_strength"
+        if material.yield_strength is not None:
+            reason, lacks = "direction_unknown", f"{pin.material_path}.layers"
+        return Check(kind, "not_checked", value=stress, reason=reason, missing=(lacks,))
+    limit = strength / safety
+    check = judged(
+        kind,
+        stress,
+        limit,
+        reserve=limit / stress,
+        error=4 * found.accuracy.relative_error + error,
+        rough=rough,
+        at=at,
+    )
+    return necessary(check) if material.plastic is not None else _of_size(pin, check)
+
+
+def fatigue_safety(
+    kind: Kind,
+    *,
+    found: PinStrength,
+    pin: DesignPin,
+    safety: float,
+    at: Mapping[str, Any],
+    error: float = 0.0,
+    rough: bool = True,
+) -> Check:
+    """The fatigue of pins, of which there is a cycle.
+
+    Parameters
+    ----------
+    kind : Kind
+        Which check.
+    found : PinStrength
+        What they bear.
+    pin : DesignPin
+        One of them.
+    safety : float
+        That is required.
+    at : mapping
+        Where it is least.
+    error : float
+        Relative error of the forces besides.
+    rough : bool
+        Whether the forces do not grow with the torque.
+
+    Returns
+    -------
+    Check
+    """
+    assert found.fatigue is not None
+    reached = found.fatigue.safety_factor
+    check = judged(
+        kind,
+        reached,
+        safety,
+        reserve=reached / safety,
+        error=4 * found.accuracy.relative_error + error,
+        rough=rough,
+        at=at,
+    )
+    lasts = found.fatigue.finite_strength is not None and not check.reason
+    return _of_size(pin, check._replace(reason="finite_life") if lasts else check)
 
 
 @_check(
@@ -54,32 +161,15 @@ def _of_size(results: Results, check: Check) -> Check:
     source="pin_beam",
 )
 def pin_static(design: Design, results: Results) -> Check:
-    """Of a plastic pin across its layers, unless they are said to lie otherwise: necessary only."""
-    found, material = results.pin_strength, design.pin.material
-    stress, tensile = found.static_stress, design.pin.tensile_strength
-    strength = material.loaded_strength("pin")
-    if strength is None and tensile is not None and tensile > HARDENED:
-        strength = tensile
-    if strength is None:
-        reason, lacks = "yield_unknown", "pin.material.yield_strength"
-        if material.yield_strength is not None:
-            reason, lacks = "direction_unknown", "pin.material.layers"
-        return Check(pin_static, "not_checked", value=stress, reason=reason, missing=(lacks,))
-    limit = strength / design.requirements.bending_safety
-    error = 4 * found.accuracy.relative_error
-    reserve = limit / stress
-    check = judged(
+    found = results.pin_strength
+    return static_strength(
         pin_static,
-        stress,
-        limit,
-        reserve=reserve,
-        error=error,
-        rough=results.solved,
+        found=found,
+        pin=design.pin,
+        safety=design.requirements.bending_safety,
         at=_section(design, found.peak_moment_position),
+        rough=results.solved,
     )
-    if material.plastic is not None:
-        return necessary(check)
-    return _of_size(results, check)
 
 
 def _section(design: Design, position: float) -> dict[str, str]:
@@ -146,20 +236,14 @@ def pin_slope(design: Design, results: Results) -> Measure:
 def pin_fatigue(design: Design, results: Results) -> Check:
     found, strength = results.pin_strength, results.fatigue_strength  # which is known, or raises
     assert found.fatigue is not None, strength
-    safety, limit = found.fatigue.safety_factor, design.requirements.fatigue_safety
-    error = 4 * found.accuracy.relative_error
-    reserve = safety / limit
-    check = judged(
+    return fatigue_safety(
         pin_fatigue,
-        safety,
-        limit,
-        reserve=reserve,
-        error=error,
-        rough=results.solved,
+        found=found,
+        pin=design.pin,
+        safety=design.requirements.fatigue_safety,
         at=_section(design, found.fatigue.position),
+        rough=results.solved,
     )
-    lasts = found.fatigue.finite_strength is not None and not check.reason
-    return _of_size(results, check._replace(reason="finite_life") if lasts else check)
 
 
 @_check(
@@ -185,7 +269,7 @@ def pin_wall(design: Design, results: Results) -> Check:
     found = judged(
         pin_wall, stress, limit, reserve=limit / stress, error=error, rough=results.solved
     )
-    return _of_size(results, found)
+    return _of_size(pin, found)
 
 
 SLEEVE = 0.1

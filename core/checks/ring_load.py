@@ -1,5 +1,6 @@
 """Checks of satellites in their ring under load: what presses without it, pressure, play; of
-cycloid discs on its pins also transmission error, bending of the pins, pv.
+cycloid discs on its pins also transmission error, strength of the pins, pressure in their seats,
+efficiency, pv.
 """
 
 from functools import partial
@@ -7,7 +8,9 @@ from typing import Any, get_args
 
 from core.checks.check import Check, Kind, Measure, design_check, judged
 from core.checks.inputs import (
+    FATIGUE,
     LIFE,
+    OF_BENT_PINS,
     RING_LOADED,
     RING_SHARING,
     SPEEDS,
@@ -17,6 +20,7 @@ from core.checks.inputs import (
 )
 from core.checks.involute_mesh import Pressed, involute_pressed, refused
 from core.checks.pin_contact import whence
+from core.checks.pins import fatigue_safety, static_strength
 from core.checks.ring_pins import no_ring_pins
 from core.design.document import Design
 from core.design.results import Results
@@ -31,6 +35,19 @@ FIRST_ORDER = 0.02
 BODIES: tuple[RingBody, ...] = get_args(RingBody)
 
 _check = partial(design_check, group="gear", part="teeth", needs=("load", "contact", "gear"))
+
+MODIFICATION = ("gear.modification.equidistant", "gear.modification.pin_circle")
+
+_FIXES = (
+    *MODIFICATION,
+    "gear.contact_length",
+    "gear.ring_pin_radius",
+    "contact.eccentricity",
+)
+"""What may lower the pressure of the teeth, besides the torque."""
+
+_THICKER = ("gear.ring_pin_radius", "gear.sleeve_bore_radius", "gear.span", "load.output_torque")
+"""What may cure pins that bend."""
 
 
 def _error(turn: MeshTurn) -> float:
@@ -53,7 +70,7 @@ def _no_mesh(results: Results, kind: Kind) -> Check | None:
     formula="δ ≤ 0",
     why="With it satellites and ring press without load, and go together by force only.",
     inputs=TEETH_GAPS,
-    fixes=("gear.modification.equidistant", "gear.satellite_profile_shift"),
+    fixes=(*MODIFICATION, "gear.satellite_profile_shift"),
     source="ring_mesh",
 )
 def ring_pressed(design: Design, results: Results) -> Check:
@@ -124,7 +141,7 @@ def _pressure(body: RingBody) -> Kind:
         formula="p ≤ p_all·Z_NT/S",
         why=f"Above it the surface of the {NAMES[body]} pits within the life.",
         inputs=(*TEETH_LOADED, *LIFE, "requirements.pitting_safety"),
-        fixes=("gear.contact_length", "load.output_torque"),
+        fixes=(*_FIXES, "load.output_torque"),
         source="ring_mesh",
         known=limits,
     )
@@ -160,7 +177,7 @@ def _static(body: RingBody) -> Kind:
         formula="p(T_max) ≤ p_static",
         why=f"Above it the surface of the {NAMES[body]} is dented at once.",
         inputs=(*TEETH_GIVE, "load.peak_torque"),
-        fixes=("gear.contact_length", "load.peak_torque"),
+        fixes=(*_FIXES, "load.peak_torque"),
         source="static_pressure",
     )
     def static(design: Design, results: Results) -> Check:
@@ -190,7 +207,7 @@ def _static(body: RingBody) -> Kind:
     formula="max(θ₊ − θ₋) ≤ Δφ",
     why="Otherwise the unloaded output turns by more than is asked.",
     inputs=(*TEETH_GAPS, "requirements.max_ring_backlash"),
-    fixes=("gear.modification.equidistant", "gear.satellite_profile_shift"),
+    fixes=(*MODIFICATION, "gear.satellite_profile_shift"),
     source="ring_mesh",
     asks="max_ring_backlash",
 )
@@ -213,7 +230,7 @@ def ring_backlash(design: Design, results: Results) -> Check | Measure:
     formula="max θ − min θ ≤ TE",
     why="Otherwise the output turns less evenly than is asked.",
     inputs=(*RING_SHARING, "requirements.max_transmission_error"),
-    fixes=(),
+    fixes=MODIFICATION,
     source="ring_mesh",
     asks="max_transmission_error",
 )
@@ -238,6 +255,11 @@ def _bends(results: Results, kind: Kind) -> Check | None:
     return None
 
 
+def _more_error(results: Results) -> float:
+    """Relative error of the forces on pins that bend, besides that of the numbers."""
+    return 0.0 if results.ring_mesh.exact else FIRST_ORDER
+
+
 @_check(
     "ring_pin_stress",
     title="Static strength of the pins of the ring",
@@ -245,32 +267,20 @@ def _bends(results: Results, kind: Kind) -> Check | None:
     formula="σ_v ≤ R_e/S_F",
     why="Above it the pins of the ring bend for good.",
     inputs=(*RING_LOADED, "load.peak_torque", "requirements.bending_safety"),
-    fixes=("load.output_torque",),
+    fixes=_THICKER,
     source="pin_beam",
 )
 def ring_pin_stress(design: Design, results: Results) -> Check:
     if other := _bends(results, ring_pin_stress):
         return other
-    found, material = results.ring_pins, design.gear.pin_material
-    strength = None if material is None else material.loaded_strength("pin")
-    if strength is None:
-        missing = ("gear.pin_material.yield_strength",)
-        return Check(
-            ring_pin_stress,
-            "not_checked",
-            value=found.stress,
-            reason="yield_unknown",
-            missing=missing,
-        )
-    limit = strength / design.requirements.bending_safety
-    return judged(
+    found = results.ring_pin_strength
+    return static_strength(
         ring_pin_stress,
-        found.stress,
-        limit,
-        reserve=limit / found.stress,
-        error=found.relative_error + _error(results.ring_loading),
-        rough=True,
+        found=found,
+        pin=results.bent_ring_pin,
+        safety=design.requirements.bending_safety,
         at={"pin": found.pin},
+        error=_more_error(results),
     )
 
 
@@ -279,16 +289,24 @@ def ring_pin_stress(design: Design, results: Results) -> Check:
     title="Fatigue of the pins of the ring",
     formula="n ≥ S_D",
     why="Below it the pins of the ring break after some time where they bend most.",
-    inputs=("gear.kind", "gear.pin_support"),
-    fixes=(),
-    source="no_source",
+    inputs=(*RING_LOADED, "gear.rotates", *FATIGUE, *LIFE, "requirements.fatigue_safety"),
+    fixes=_THICKER,
+    source="shigley",
     keep="above",
 )
 def ring_pin_fatigue(design: Design, results: Results) -> Check:
-    """Not known: notch and endurance of these pins are not asked for."""
+    """By what the fatigue of the pins of the output is judged by."""
     if other := _bends(results, ring_pin_fatigue):
         return other
-    return Check(ring_pin_fatigue, "not_checked", reason="ring_fatigue_unknown")
+    _, found = results.ring_pin_fatigue_strength, results.ring_pin_strength  # known, or raises
+    return fatigue_safety(
+        ring_pin_fatigue,
+        found=found,
+        pin=results.bent_ring_pin,
+        safety=design.requirements.fatigue_safety,
+        at={"pin": found.pin},
+        error=_more_error(results),
+    )
 
 
 @_check(
@@ -297,17 +315,88 @@ def ring_pin_fatigue(design: Design, results: Results) -> Check:
     unit="mrad",
     formula="θ ≤ θ_max",
     why="Above it the teeth carry on their edges.",
-    inputs=(*RING_LOADED, "load.peak_torque", "requirements.max_slope"),
-    fixes=("load.output_torque",),
+    inputs=(*RING_LOADED, "requirements.max_slope"),
+    fixes=tuple(name for name in _THICKER if name != "gear.span"),
     source="beam",
     asks="max_slope",
 )
 def ring_pin_slope(design: Design, results: Results) -> Check | Measure:
     if other := _bends(results, ring_pin_slope):
         return other
-    found = results.ring_pins
+    found = results.ring_pin_strength
+    assert found.deflection is not None
     return Measure(
-        found.slope, error=found.relative_error, reserve=lambda growth: growth, rough=True
+        found.deflection.slope,
+        error=4 * found.accuracy.relative_error + _more_error(results),
+        at={"satellite": found.deflection.slope_satellite},
+        reserve=lambda growth: growth,
+        rough=True,
+    )
+
+
+@_check(
+    "ring_seat_pressure",
+    title="Pressure of the ring's pins in their seats",
+    unit="MPa",
+    formula="F/(2·r_p·b) ≤ p_all",
+    why="Above it the bores that hold the pins of the ring wear out.",
+    inputs=(
+        *(name for name in RING_LOADED if name not in OF_BENT_PINS),
+        "requirements.max_seat_pressure",
+    ),
+    fixes=("gear.ring_pin_radius", "gear.contact_length", "load.output_torque"),
+    source="user",
+    asks="max_seat_pressure",
+    needed=False,
+)
+def ring_seat_pressure(design: Design, results: Results) -> Check | Measure:
+    """Of the force on the area that the pin covers; not looked for where nobody asks."""
+    if other := no_ring_pins(results=results, kind=ring_seat_pressure):
+        return other
+    if design.gear.pin_support != "seat":
+        return Check(ring_seat_pressure, "not_applicable", reason="pins_bend")
+    if design.requirements.max_seat_pressure is None:
+        raise NotKnown("no_limit")
+    turn = results.ring_loading
+    area = 2 * turn.mesh.disc.ring_pin_radius * turn.mesh.contact_length
+    pair = turn.peak_pair
+    return Measure(
+        turn.peak_force / area,
+        error=_error(turn),
+        at={"satellite": pair.satellite, "pin": pair.pin, "crank_angle": turn.peak_crank_angle},
+        reserve=lambda growth: growth,
+        rough=True,
+    )
+
+
+@_check(
+    "ring_efficiency",
+    title="Efficiency of the teeth",
+    formula="η ≥ η_min",
+    why="Below it more is lost in the teeth than is asked.",
+    inputs=(
+        *RING_SHARING,
+        "gear.friction_coefficient",
+        "gear.rolling",
+        "requirements.min_ring_efficiency",
+    ),
+    fixes=("gear.friction_coefficient",),
+    source="user",
+    keep="above",
+    asks="min_ring_efficiency",
+)
+def ring_efficiency(design: Design, results: Results) -> Check | Measure:
+    """Its limit is used by the losses; not looked for where nobody asks."""
+    if other := no_ring_pins(results=results, kind=ring_efficiency):
+        return other
+    if design.requirements.min_ring_efficiency is None:
+        raise NotKnown("no_limit")
+    loss, (turn, *_) = results.ring_loss, results.ring_working
+    unsure = loss.loss_error + (0.0 if turn.mesh.exact else FIRST_ORDER)
+    return Measure(
+        loss.efficiency,
+        error=loss.loss_ratio * loss.efficiency * unsure,
+        used=lambda limit: (1 - loss.efficiency) / (1 - limit),
     )
 
 
@@ -350,5 +439,7 @@ RING_LOAD = (
     ring_pin_stress,
     ring_pin_fatigue,
     ring_pin_slope,
+    ring_seat_pressure,
+    ring_efficiency,
     ring_pv,
 )

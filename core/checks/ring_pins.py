@@ -9,6 +9,7 @@ from core.design.refusals import named
 from core.design.results import Results
 from core.errors import NotKnown
 from core.precision import AS_TYPED
+from core.ring.profile import CycloidDisc
 
 NEAR_UNDERCUT = 1.1
 """Least bend of the pins' path over their radius for which errors leave a part of the flank."""
@@ -64,6 +65,15 @@ def _pin_radius(design: Design) -> float:
     return radius
 
 
+def _disc(design: Design) -> CycloidDisc:
+    """A disc; of a larger difference the flanks near the tips are cut off, and nothing is known."""
+    lobes, difference = design.lobes, design.gear.teeth_difference or 1
+    if difference > 1:
+        raise NotKnown("cycloid_difference", difference=difference)
+    made = partial(design.gear.disc, satellite_teeth=lobes, eccentricity=design.known_eccentricity)
+    return named(design, "gear", made)
+
+
 @_ring(
     "ring_undercut",
     title="Flanks that the ring's pins leave",
@@ -77,13 +87,9 @@ def _pin_radius(design: Design) -> float:
 def ring_undercut(design: Design, results: Results) -> Check:
     if other := no_ring_pins(results=results, kind=ring_undercut):
         return other
-    lobes, difference = design.lobes, design.gear.teeth_difference or 1
-    if difference > 1:  # the flanks near the tips are cut off
-        raise NotKnown("cycloid_difference", difference=difference)
-    if lobes < 2:
+    if design.lobes < 2:
         return Check(ring_undercut, "not_applicable", reason="one_only")
-    made = partial(design.gear.disc, satellite_teeth=lobes, eccentricity=design.known_eccentricity)
-    margin = named(design, "gear", made).undercut_margin
+    margin = _disc(design).undercut_margin
     if not margin > 1 + AS_TYPED:
         return judged(ring_undercut, margin, NEAR_UNDERCUT)._replace(impossible=True)
     found = judged(ring_undercut, margin, NEAR_UNDERCUT, warning="near_undercut")
@@ -91,16 +97,41 @@ def ring_undercut(design: Design, results: Results) -> Check:
 
 
 @_ring(
+    "ring_valley_tool",
+    title="Tool in the valleys of the discs",
+    unit="mm",
+    formula="ρ_v ≥ r_t",
+    why="A larger wheel or cutter does not reach the bottom of the valleys.",
+    inputs=(*_PATH, "gear.ring_pin_radius", "gear.teeth_difference", "gear.tool_radius"),
+    fixes=("gear.tool_radius", "gear.ring_pin_radius"),
+    keep="above",
+    needed=False,
+)
+def ring_valley_tool(design: Design, results: Results) -> Check:
+    """Not asked where no tool is given, nor of discs that are nowhere concave."""
+    if other := no_ring_pins(results=results, kind=ring_valley_tool):
+        return other
+    tool = design.gear.tool_radius
+    if tool is None:
+        return Check(ring_valley_tool, "not_asked", reason="no_tool", missing=("gear.tool_radius",))
+    concave = _disc(design).min_concave_radius
+    if concave is None:
+        return Check(ring_valley_tool, "not_applicable", reason="no_valley")
+    return judged(ring_valley_tool, concave, tool)
+
+
+@_ring(
     "ring_pin_room",
     title="Space between the ring's pins",
     unit="mm",
-    formula="2·R_p·sin(π/z_p) − 2·r_p ≥ 0.2·r_p",
+    formula="2·R_p·sin(π/n) − 2·r_p ≥ 0.2·r_p",
     why="Otherwise the pins of the ring overlap, or hardly any of it is left between them.",
     inputs=(
         "gear.kind",
         "gear.ring_pin_circle_radius",
         "gear.ring_pin_radius",
         "gear.teeth_difference",
+        "gear.every_second_pin",
         "mechanism.ratio",
     ),
     fixes=("gear.ring_pin_radius", "gear.ring_pin_circle_radius"),
@@ -110,9 +141,10 @@ def ring_undercut(design: Design, results: Results) -> Check:
 def ring_pin_room(design: Design, results: Results) -> Check:
     if design.gear.kind != "cycloid":
         return Check(ring_pin_room, "not_applicable", reason="no_ring_pins")
-    pins, size = design.ring_pins, _pin_radius(design)
+    pins = design.ring_pins // (2 if design.gear.every_second_pin else 1)
+    size = _pin_radius(design)
     width = 2 * _circle(design) * math.sin(math.pi / pins) - 2 * size
     return wall(ring_pin_room, width=width, size=size, guide=2 * BETWEEN_PINS * size)
 
 
-RING_PINS = (ring_undercut, ring_pin_room)
+RING_PINS = (ring_undercut, ring_valley_tool, ring_pin_room)

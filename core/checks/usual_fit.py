@@ -64,21 +64,44 @@ def usual_fit(design: Design) -> tuple[str, Results, Verdict] | None:
         The fit, the results with it and the verdict; None where the design has a clearance, or is
         beyond the sizes of the fit.
     """
-    contact = design.contact
-    if contact.clearance != 0:
+    if design.contact.clearance != 0:
         return None
     try:
         name, clearance = usual_clearance(design)
     except InvalidInput:
         return None
-    results = Results(
-        changed(
-            design,
-            {
-                "contact.hole_radius": contact.pair.hole_radius + clearance,
-                "contact.clearance_stated": True,
-                "contact.distribution_factor": 1.0,
-            },
-        )
-    )
+    results = Results(_cleared(design, clearance))
     return name, results, crank_verdict(results)
+
+
+def with_usual_clearance(design: Design) -> Design:
+    """The design with a usual clearance where none is known.
+
+    Parameters
+    ----------
+    design : Design
+        The design.
+
+    Returns
+    -------
+    Design
+        As it is where it has a clearance, or none that is usual is known.
+    """
+    if not design.clearance_unknown or design.contact.eccentricity is None:
+        return design
+    try:
+        return _cleared(design, usual_clearance(design)[1])
+    except InvalidInput:
+        return design
+
+
+def _cleared(design: Design, clearance: float) -> Design:
+    """The design with holes that are larger by a clearance, m."""
+    return changed(
+        design,
+        {
+            "contact.hole_radius": design.contact.pair.hole_radius + clearance,
+            "contact.clearance_stated": True,
+            "contact.distribution_factor": 1.0,
+        },
+    )

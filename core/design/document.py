@@ -178,6 +178,9 @@ class Design:
             raise InvalidInput("gear.satellite_positions", places, "different_length", **counts)
         if (width := if_known(lambda: self.ring_length)) is not None:
             check_apart(name="gear.satellite_positions", positions=places, width=width)
+        pins = if_known(lambda: self.ring_pins) if ring.every_second_pin else None
+        if pins is not None and pins % 2:
+            raise InvalidInput("gear.every_second_pin", True, "odd_ring_pins", pins=pins)
         bore, radius = ring.sleeve_bore_radius, ring.ring_pin_radius
         if bore is not None and radius is not None and not bore < radius:
             than = {"field": "ring_pin_radius", "limit": radius}
@@ -303,11 +306,9 @@ class Design:
         wanted for the loads over the life, as far as they are given: once a turn of the crank
         against the ring, and against the satellite.
         """
-        life, speed = self.requirements.life, self.turning_speed
-        known = speed is not None and math.isfinite(life)
-        of_pins = speed * life / (2 * math.pi) if known and speed is not None else None
+        life = self.requirements.life
         loads: dict[RingBody, tuple[ElasticMaterial | None, float | None]] = {
-            "pin": (self.gear.pin_material or self.gear.ring_material, of_pins),
+            "pin": (self.gear.pin_material or self.gear.ring_material, self.turns_over(life)),
             "disc": (self.disc_material, self.loads_over(life)),
         }
         return {
@@ -502,6 +503,13 @@ class Design:
         if way > 0:
             return built
         return replace(built, initial_crank_angle=built.initial_crank_angle + math.pi)
+
+    def turns_over(self, life: float) -> float | None:
+        """How often a pin of the ring is loaded over a life, s, once a turn of the crank against
+        the ring; None without a speed, or without an end.
+        """
+        speed = self.turning_speed
+        return None if speed is None or math.isinf(life) else speed * life / (2 * math.pi)
 
     def loads_over(self, life: float) -> float | None:
         """How often a place of pin or hole is loaded over a life, s, once a turn of the satellite

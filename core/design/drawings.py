@@ -186,7 +186,8 @@ def drawn_ring_pins(*, design: Design) -> DrawnRingPins:
         If no disc rolls on them.
     """
     disc, start = drawn_disc(design=design), design.mechanism.built.initial_crank_angle
-    around = 2 * math.pi * np.arange(disc.pins) / disc.pins - start
+    step = 2 if design.gear.every_second_pin else 1
+    around = 2 * math.pi * np.arange(0, disc.pins, step) / disc.pins - start
     return DrawnRingPins(
         circle_radius=disc.ring_pin_circle_radius,
         centres=_plane(1j * disc.ring_pin_circle_radius * np.exp(1j * around)),

@@ -42,7 +42,7 @@ from core.output.sampled_turn import WAYS, Made, SampledTurn
 from core.output.satellite_support import Shares
 from core.output.turn import Turn
 from core.results import Notice
-from core.ring.bent_pins import BentRingPins, bent_ring_pins
+from core.ring.bent_pins import forces_on_ring
 from core.ring.involute import MOST_DIFFERENCE, STANDARD_ANGLES, InvolutePair, involute_pair
 from core.ring.involute_load import InvoluteLoad, RootStress, involute_load, involute_loss
 from core.ring.involute_load import root_stress as tooth_root
@@ -325,14 +325,20 @@ class Results:
     @derived
     def fatigue_strength(self) -> FatigueStrength:
         """What the fatigue of the pins is judged by."""
-        design, pin, basis = self.design, self.bent_pin, self.design.fatigue
+        return self._fatigue_of(self.bent_pin, self.design.loads_over)
+
+    def _fatigue_of(
+        self, pin: DesignPin, loads: Callable[[float], float | None]
+    ) -> FatigueStrength:
+        """The same of a pin that is loaded so often over a life, s."""
+        design, basis = self.design, self.design.fatigue
         if basis.criterion == "soderberg" and pin.material.yield_strength is None:
-            raise NotKnown("yield_unknown", "pin.material.yield_strength")
+            raise NotKnown("yield_unknown", f"{pin.material_path}.yield_strength")
         found = named(design, "fatigue", lambda: basis.strength(pin))
         if not pin.steel or pin.rotates:  # then no cycles are counted
             return found
         life = design.requirements.life if basis.life is None else basis.life
-        return replace(found, cycles=design.loads_over(life))
+        return replace(found, cycles=loads(life))
 
     @property
     def loaded_pins(self) -> dict[str, Any]:
@@ -429,11 +435,8 @@ class Results:
     @property
     def size_notices(self) -> tuple[Notice, ...]:
         """Whether the pin is thicker than its material's strengths hold for."""
-        pin = self.design.pin
-        valid = pin.valid_diameter if pin else None
-        if valid is None or pin.diameter <= valid:
-            return ()
-        return (Notice("beyond_size", {"limit": valid * 1e3}),)
+        thick = self.design.pin.thick if self.design.pin else None
+        return () if thick is None else (thick,)
 
     @derived
     def hertz(self) -> HertzContact:
@@ -730,6 +733,8 @@ class Results:
             raise NotKnown("modification_unknown", "gear.modification")
         if (difference := gear.teeth_difference or 1) > 1:
             raise NotKnown("cycloid_difference", difference=difference)
+        if gear.every_second_pin:
+            raise NotKnown("every_second_pin")
         length = design.ring_length
         shares = design.support if isinstance(design.support, Shares) else None
         most = MOST_RING_PAIRS // (1 if shares is None else SHARES_AS_LONG)
@@ -863,13 +868,50 @@ class Results:
         """
         return self.ring_turns(self.design.static_torque * self.design.ring_factor)
 
+    @property
+    def bent_ring_pin(self) -> DesignPin:
+        """A pin of the ring that bends."""
+        pin = self.design.gear.bent_pin
+        if pin is None:
+            raise NotKnown("pins_in_seats")
+        return pin
+
     @derived
-    def ring_pins(self) -> BentRingPins:
-        """Pins of the ring that bend, under the torque of static strength: the direction that bends
-        them more.
-        """
-        bent = (bent_ring_pins(turn=turn) for turn in self.ring_static)
-        return max(bent, key=lambda each: each.stress)
+    def ring_pin_stresses(self) -> PinStresses:
+        """Stresses of the pins of the ring that bend, under the dynamic load."""
+        design, mesh, pin = self.design, self.ring_mesh, self.bent_ring_pin
+        made = cache(lambda torque: forces_on_ring(self.ring_turn(torque)))
+        return self._of_ring(
+            lambda: pin_stresses(
+                mechanism=mesh.mechanism,
+                output_torque=design.pin_torque * design.ring_factor,
+                application_factor=design.load_factor,
+                peak_torque=design.static_torque * design.ring_factor,
+                torque_direction=design.load.torque_direction,
+                pin_circle_radius=mesh.disc.ring_pin_circle_radius,
+                contact_length=mesh.contact_length,
+                diameter=pin.diameter,
+                satellite_positions=pin.satellite_positions,
+                material=pin.material,
+                support=pin.support,
+                span=pin.span,
+                made=made,
+            )
+        )
+
+    @derived
+    def ring_pin_fatigue_strength(self) -> FatigueStrength:
+        """What their fatigue is judged by."""
+        return self._fatigue_of(self.bent_ring_pin, self.design.turns_over)
+
+    @derived
+    def ring_pin_strength(self) -> PinStrength:
+        """Their strength, with the fatigue where it is known."""
+        return self.ring_pin_stresses.strength(
+            rotates=self.design.gear.rotates,
+            fatigue=if_known(lambda: self.ring_pin_fatigue_strength),
+            deflection=True,
+        )
 
     @derived
     def ring_loss(self) -> RingLoss:

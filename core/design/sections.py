@@ -47,6 +47,8 @@ RingPinSupport = Literal["seat", "supported", "fixed"]
 
 RingBody = Literal["pin", "disc"]
 
+RingClass = Literal["ground", "machined", "printed"]
+
 SharedBy = Literal["discs", "pins"]
 """Whose uneven share a distribution factor states: of satellites, or of the pairs of one."""
 
@@ -226,8 +228,10 @@ class Requirements:
         not given.
     life : float
         Required life, s; infinite where none is asked.
-    min_efficiency : float or None
-        Least efficiency of the output mechanism.
+    min_efficiency, min_ring_efficiency : float or None
+        Least efficiency of the output mechanism, and of the teeth alone.
+    max_seat_pressure : float or None
+        Largest pressure of the ring's pins in their seats, on the area that they cover, Pa.
     max_unbalance, max_unbalance_couple : float or None
         Largest force, N, and couple, N*m, of what turns with the crankshaft.
     max_unbalance_share : float or None
@@ -250,6 +254,8 @@ class Requirements:
     max_deflection: float | None = None  # of the pins, m
     max_slope: float | None = None  # of the pins, rad
     min_efficiency: float | None = None
+    min_ring_efficiency: float | None = None
+    max_seat_pressure: float | None = None
     max_wear: float | None = None  # depth, m
     max_pv: float | None = None  # pressure times speed, Pa*m/s
     max_sliding_speed: float | None = None  # m/s
@@ -293,6 +299,8 @@ class DesignPin(PinSupport):
         Largest diameter that these strengths hold for, m.
     bolt : PinBolt or None
         The bolt through the pin, which is its spacer then.
+    material_path : str
+        Where its material stands in the design.
     """
 
     contact_length: float | None = None
@@ -301,6 +309,15 @@ class DesignPin(PinSupport):
     steel: bool = False
     valid_diameter: float | None = None
     bolt: PinBolt | None = None
+    material_path: str = "pin.material"
+
+    @property
+    def thick(self) -> Notice | None:
+        """That it is thicker than its material's strengths hold for, where it is."""
+        valid = self.valid_diameter
+        if valid is None or self.diameter <= valid:
+            return None
+        return Notice("beyond_size", {"limit": valid * 1e3})
 
     def bolt_alone(self, bolt: PinBolt) -> "DesignPin":
         """The bolt as the pin: the spacer is only what touches the hole."""
@@ -368,6 +385,7 @@ class FatigueBasis:
             tensile_strength=pin.tensile_strength,
             yield_strength=pin.material.yield_strength,
             steel=pin.steel,
+            material_path=pin.material_path,
         )
 
     def of(
@@ -377,6 +395,7 @@ class FatigueBasis:
         tensile_strength: float | None,
         yield_strength: float | None,
         steel: bool,
+        material_path: str = "pin.material",
     ) -> FatigueStrength:
         """What the fatigue of a round part is judged by.
 
@@ -388,6 +407,8 @@ class FatigueBasis:
             Of its material, Pa.
         steel : bool
             Whether that is a steel.
+        material_path : str
+            Where it stands in the design.
 
         Returns
         -------
@@ -402,7 +423,7 @@ class FatigueBasis:
         """
         tensile, yields = tensile_strength, yield_strength
         if tensile is None:
-            raise NotKnown("endurance_unknown", "pin.material.tensile_strength")
+            raise NotKnown("endurance_unknown", f"{material_path}.tensile_strength")
         if self.endurance_limit is None and not steel:
             raise NotKnown("endurance_unknown", "fatigue.endurance_limit")
         if self.criterion == "soderberg" and yields is None:
@@ -589,6 +610,10 @@ class Ring:
         Distance of the two supports, m.
     satellite_positions : tuple of float
         Middle plane of each satellite from one of them, m.
+    rotates : bool
+        Whether the pins turn in them.
+    pin_tensile_strength, pin_steel, pin_valid_diameter
+        Of the material of the pins, as `DesignPin` has them.
     seat_stiffness : float
         Of a pin in its bore and of what holds that, N/m.
     friction_coefficient : float or None
@@ -617,6 +642,12 @@ class Ring:
         Of a pair of teeth along the line of action, N/m.
     root_strength : float or None
         Stress that the root of a satellite's tooth bears over the life, Pa.
+    tool_radius : float or None
+        Of what grinds or cuts the flanks of the discs, m.
+    every_second_pin : bool
+        Whether every second pin is left out.
+    ring_class : {"ground", "machined", "printed"} or None
+        How discs and ring are made, by which what is not known of them is usual.
     """
 
     kind: RingKind | None = None
@@ -634,10 +665,17 @@ class Ring:
     pin_support: RingPinSupport = "seat"
     span: float | None = None
     satellite_positions: tuple[float, ...] = ()
+    rotates: bool = False
+    pin_tensile_strength: float | None = None
+    pin_steel: bool = False
+    pin_valid_diameter: float | None = None
     seat_stiffness: float = math.inf
     friction_coefficient: float | None = None
     sleeve_bore_radius: float | None = None
     rolling: bool = False
+    tool_radius: float | None = None
+    every_second_pin: bool = False
+    ring_class: RingClass | None = None
     satellite_profile_shift: float | None = None
     ring_profile_shift: float | None = None
     satellite_addendum: float | None = None
@@ -677,18 +715,23 @@ class Ring:
         return self.contact_law or HertzLaw()
 
     @property
-    def bent_pin(self) -> PinSupport | None:
-        """How the pins bend, inside their sleeves; not at all in seats."""
+    def bent_pin(self) -> DesignPin | None:
+        """The pins as they bend, inside their sleeves; not at all in seats."""
         if self.pin_support == "seat":
             return None
         inner = self.sleeve_bore_radius or self.ring_pin_radius
         assert inner is not None and self.pin_material is not None
-        return PinSupport(
+        return DesignPin(
             support=self.pin_support,
             diameter=2 * inner,
             satellite_positions=self.satellite_positions,
             material=self.pin_material,
             span=self.span,
+            rotates=self.rotates,
+            tensile_strength=self.pin_tensile_strength,
+            steel=self.pin_steel,
+            valid_diameter=self.pin_valid_diameter,
+            material_path="gear.pin_material",
         )
 
     @property

@@ -10,11 +10,22 @@ from core.checks.crank_planetary import crank_check
 from core.checks.largest_torque import crank_verdict, two_ways, under
 from core.checks.usual_fit import usual_clearance
 from core.derived import if_known
-from core.design.document import Design
+from core.design.document import Design, value_at
 from core.design.results import Results
 from core.errors import CalculationError
 from core.fixes.changes import count_may_change, value_of, vary
-from core.fixes.fix import PIN_SIZES, RANGE, WHOLE, Cure, Fix, aim, fix_of, in_order
+from core.fixes.fix import (
+    PIN_SIZES,
+    RANGE,
+    WHOLE,
+    Cure,
+    Fix,
+    FixStatus,
+    aim,
+    fix_of,
+    in_order,
+    side_effects,
+)
 from core.fixes.shifts import SHIFT, shift_fixes, shifted
 from core.numerics.inverse import Solution
 from core.precision import SEARCHED
@@ -24,6 +35,15 @@ LOOKS, NUDGE = 9, 0.02
 
 CHOICES = ("contact.pin_material", "contact.hole_material", "contact.fit")
 """What a request chooses by name: such fixes are found where names are known."""
+
+SHIFTED = ("gear.modification.equidistant", "gear.modification.pin_circle")
+"""Inputs that may be 0 and of either sign."""
+
+FIRST_SHIFT, MOST_SHIFT, SHIFT_STEP = 1e-6, 0.5e-3, 1e-7
+"""By what they are changed first, to what at most, and in what steps, m."""
+
+CLOSE = 0.02
+"""How far beyond its aim a check may be by them, as a logarithm: they have few steps."""
 
 STRENGTH = ("pin", "pin_rollers", "friction", "bearing", "crankshaft")
 """Groups of checks that are about powers of their inputs."""
@@ -71,6 +91,8 @@ def _fix(results: Results, code: str, variable: str, current: Verdict) -> Fix | 
         return _fitting(results, code, current)
     if group == "play":
         return _less_clearance(results, code, current)
+    if variable in SHIFTED:
+        return _shifted(results, code, variable, current)
     cure = _cure(design, code, variable, current)
     if cure is None or (variable == "mechanism.satellites" and not count_may_change(design)):
         return None
@@ -78,7 +100,7 @@ def _fix(results: Results, code: str, variable: str, current: Verdict) -> Fix | 
     def change(value: float) -> Check:
         return aimed(design=vary(design=design, variable=variable, value=value), check=check)
 
-    estimated = group in ("contact", "gear") and check.rough
+    estimated = group in ("contact", "gear") and (check.rough or code == "ring_efficiency")
     solved = group in STRENGTH or estimated or (group == "contact" and results.solved)
     if solved and variable not in WHOLE:
         exact = _secant(lambda value: _met(change(value)), cure.before)
@@ -168,6 +190,57 @@ def _secant(met: Callable[[float], float], before: float) -> float | None:
         if not before / RANGE <= value <= before * RANGE:
             return None
     return value
+
+
+def _shifted(results: Results, code: str, variable: str, current: Verdict) -> Fix | None:
+    """Fix by a modification of the discs, of which gaps are straight functions: what presses by
+    what is too much, the others by secants.
+    """
+    design, check = results.design, current[code]
+    before = value_of(design=design, variable=variable)
+    if before is None or check.value is None or check.limit is None:
+        return None
+    looks = list[tuple[float, float]]()
+    (other,) = (abs(value_at(design, each)) for each in SHIFTED if each != variable)
+    larger = 1.0 if variable == "gear.modification.equidistant" else -1.0  # makes gaps larger
+    after, way = before, larger if code == "ring_pressed" else -larger
+
+    def found(value: float) -> Check:
+        return aimed(design=vary(design=design, variable=variable, value=value), check=check)
+
+    for _ in range(LOOKS):
+        seen = found(after)
+        if seen.value is None:
+            return None
+        if code == "ring_pressed":
+            short = seen.value
+            if not short > 0:
+                break
+            step = short
+        else:
+            looks.append((after, math.log(_met(seen))))
+            if 0 <= looks[-1][1] <= CLOSE:
+                break
+            if len(looks) == 1:
+                step = FIRST_SHIFT
+            else:
+                (x, one), (y, two) = looks[-2:]
+                slope = (two - one) / (y - x) if y != x else 0.0
+                if slope * way <= 0:
+                    return None
+                step = (CLOSE / 2 - two) / slope * way
+                near = max(abs(after), other, 2 * FIRST_SHIFT) / 2  # the smaller, the steeper
+                step = min(step, near)
+        steps = math.ceil if step > 0 else math.floor
+        after = SHIFT_STEP * round(after / SHIFT_STEP + way * steps(step / SHIFT_STEP))
+        if abs(after) > MOST_SHIFT:
+            return None
+    else:
+        return None
+    made = crank_verdict(Results(vary(design=design, variable=variable, value=after)))
+    effects = side_effects(code=code, current=current, found=made)
+    status: FixStatus = "solved" if made[code].status == "pass" else "not_enough"
+    return Fix(code, variable, before, after, after, False, status, made.verdict, effects)
 
 
 def _less_clearance(results: Results, code: str, current: Verdict) -> Fix | None:

@@ -94,14 +94,16 @@ class Fix:
 
     @property
     def change(self) -> float | None:
-        """Relative change of the input; None of what is chosen."""
+        """Relative change of the input; None of what is chosen, or was 0, or changes its sign."""
         if isinstance(self.after, str) or isinstance(self.before, str) or self.exact is None:
             return None
-        return self.after / self.before - 1 if self.before else math.inf
+        return self.after / self.before - 1 if self.after * self.before > 0 else None
 
     @property
     def extent(self) -> float:
-        """How much it changes, as the logarithm of the ratio; 0 of what is chosen."""
+        """How much it changes, as the logarithm of the ratio; 0 of what is chosen, or of no such
+        ratio.
+        """
         return 0.0 if self.change is None else abs(math.log1p(self.change))
 
 

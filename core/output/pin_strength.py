@@ -26,7 +26,7 @@ from core.output.pin_fatigue import FatigueStrength, PinFatigue, judged
 from core.output.pin_search import SETTLED, first_of
 from core.output.pin_section import check_bore
 from core.output.pin_turn import PinTurn, combine, pin_turn
-from core.output.sampled_turn import WAYS, Direction, Made, PinSamples, SampledTurn
+from core.output.sampled_turn import WAYS, Direction, PinForces, PinSamples, PinsMade
 from core.output.tie_ring import RingJoint, TieRing
 from core.output.tied_pin import TiedPin, TieRingLoad, ideal_samples
 from core.precision import ROUNDING
@@ -197,7 +197,7 @@ def pin_stresses(
     application_factor: float = 1.0,
     peak_torque: float | None = None,
     torque_direction: Direction = "driving",
-    made: Made | None = None,
+    made: PinsMade | None = None,
 ) -> PinStresses:
     """Stresses of the pins over the turn.
 
@@ -239,7 +239,8 @@ def pin_stresses(
     torque_direction : {"driving", "reverse", "alternating"}
         Of a torque that alternates each cycle has both directions.
     made : callable, optional
-        Forces of the mechanism as it is made, see `core.output.real_turn.sampled`.
+        Forces on the pins of the mechanism as it is made, see `core.output.real_turn.sampled`; or
+        on other pins that discs load.
 
     Returns
     -------
@@ -391,7 +392,7 @@ def pin_strength(
     )
 
 
-def _made_cases(turns: list[SampledTurn]) -> list[PinLoads]:
+def _made_cases(turns: list[PinForces]) -> list[PinLoads]:
     """Each pin under all directions."""
     wave = np.concatenate([turn.wave for turn in turns])
     return [

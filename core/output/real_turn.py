@@ -5,6 +5,7 @@ deviations and lag turn out of the crank's direction; in first order it keeps th
 """
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -21,8 +22,18 @@ HALVINGS = 16
 """How often the samples beside a kink are halved."""
 
 
+class CloseSamples(NamedTuple):
+    """Forces of all pairs under one torque, over a whole turn."""
+
+    wave: FloatArray  # wave angles, rad, ascending, shape (n,)
+    force: FloatArray  # N, shape (K*N, n)
+    lag: FloatArray  # of the output behind its ideal angle, rad, negative in reverse, shape (n,)
+    error: float  # as `core.output.sampled_turn.PinForces.error`
+    evaluations: int  # positions that were solved
+
+
 def sampled(turn: Turn) -> SampledTurn:
-    """Forces under one torque, sampled as closely as they need.
+    """Forces under one torque, sampled as closely as they need, with their directions.
 
     Parameters
     ----------
@@ -50,6 +61,21 @@ def sampled(turn: Turn) -> SampledTurn:
     >>> round(float(abs(found.on_pins).max()), 1), bool(np.allclose(found.couple, 30.0))
     (957.1, True)
     """
+    return _directed(turn.real, close_samples(turn))
+
+
+def close_samples(turn: Turn) -> CloseSamples:
+    """Forces under one torque, sampled as closely as they need.
+
+    Parameters
+    ----------
+    turn : Turn
+        A mechanism under the torque.
+
+    Returns
+    -------
+    CloseSamples
+    """
     rows = turn.fine
     for _ in range(HALVINGS):
         wave = rows["wave"]
@@ -67,7 +93,7 @@ def sampled(turn: Turn) -> SampledTurn:
     each = force.reshape(len(force), -1, pins)
     whole = np.concatenate([np.roll(each, -k, axis=2) for k in periods]).reshape(len(wave), -1)
     lag = math.copysign(1.0, turn.torque) * np.tile(rows["lag"], turn.repeats)
-    return _directed(turn.real, wave, whole.T, lag, error, len(force))
+    return CloseSamples(wave, whole.T, lag, error, len(force))
 
 
 def _off(turn: Turn, rows: Rows) -> FloatArray:
@@ -84,15 +110,9 @@ def _off(turn: Turn, rows: Rows) -> FloatArray:
     return off
 
 
-def _directed(
-    real: RealMechanism,
-    wave: FloatArray,
-    force: FloatArray,
-    lag: FloatArray,
-    error: float,
-    evaluations: int,
-) -> SampledTurn:
-    """Forces, shape (K*N, n), with their directions."""
+def _directed(real: RealMechanism, samples: CloseSamples) -> SampledTurn:
+    """Forces with their directions."""
+    wave, force, lag, error, evaluations = samples
     pins, satellites = real.mechanism.pins, real.mechanism.satellites
     errors = real.deviations.rows(pins, satellites)
     cranks = np.array(real.mechanism.crank_angles) + np.array(errors.crank_phase)

@@ -23,14 +23,25 @@ WAYS: dict[Direction, tuple[float, ...]] = {
 """Signs of the torque in each direction."""
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class SampledTurn:
-    """Forces on pins and satellites under one torque."""
+@dataclass(frozen=True, eq=False, slots=True, kw_only=True)
+class PinForces:
+    """Forces on pins under one torque."""
 
     wave: FloatArray  # wave angles, rad, ascending within a turn, shape (n,)
-    # Force of each satellite on each pin, N, shape (K, N, n): tangential + i*radial, in the
-    # carrier's frame.
+    # Force of each satellite on each pin, N, shape (K, N, n): tangential + i*radial, in the frame
+    # of what holds the pins.
     on_pins: ComplexArray
+    # Estimate of the relative error of the forces, over the largest: how far samples lie off the
+    # straight line between their neighbours, and that of the positions. Honest, no proof.
+    error: float
+    evaluations: int  # positions that were solved
+    pins_alike: bool = False  # whether all pins feel the same, one after the other
+
+
+@dataclass(frozen=True, eq=False, slots=True, kw_only=True)
+class SampledTurn(PinForces):
+    """Forces on pins and satellites under one torque."""
+
     # Resultant of the pins on each satellite, N, shape (K, n): along its crank towards the axis,
     # and i times that across, back against the crank's rotation under a driving torque.
     on_satellites: ComplexArray
@@ -39,11 +50,6 @@ class SampledTurn:
     # output link.
     couple: FloatArray
     crank_angles: tuple[float, ...]  # of each crank with its deviation, rad
-    # Estimate of the relative error of the forces, over the largest: how far samples lie off the
-    # straight line between their neighbours, and that of the positions. Honest, no proof.
-    error: float
-    evaluations: int  # positions that were solved
-    pins_alike: bool = False  # whether all pins feel the same, one after the other
 
     def mean(self, values: FloatArray) -> FloatArray:
         """Mean of values over the turn.
@@ -101,6 +107,9 @@ class PinSamples:
 
     forces: ComplexArray  # at samples, shape (K, n)
 
+
+PinsMade = Callable[[float], PinForces]
+"""Forces on pins under a torque, N*m, negative in reverse."""
 
 Made = Callable[[float], SampledTurn]
 """The forces of a mechanism under a torque, N*m, negative in reverse; see

@@ -10,7 +10,7 @@ from core.arrays import ComplexArray, FloatArray
 from core.output.loaded_pin import LoadedPin
 from core.output.mechanism import Mechanism
 from core.output.pin_forces import force_ratios
-from core.output.sampled_turn import Made, SampledTurn, off_straight
+from core.output.sampled_turn import PinForces, PinsMade, SampledTurn, off_straight
 from core.output.tie_ring import RingForces, TieRing, ring_forces
 
 SAMPLES, PER_PAIR = 1440, 24
@@ -65,16 +65,16 @@ class TiedPin(LoadedPin):
         rings = [self.ring] * forces.shape[1]
         return ring_forces(rings=rings, positions=self.positions.tolist(), forces=forces)
 
-    def held(self, turn: SampledTurn) -> SampledTurn:
+    def held(self, turn: PinForces) -> PinForces:
         """Forces over a turn with those of the ring as the last of each pin."""
         by_ring = self.ring_forces(turn.on_pins).forces
         return replace(turn, on_pins=np.concatenate((turn.on_pins, by_ring[None])))
 
-    def holding(self, made: Made) -> Made:
+    def holding(self, made: PinsMade) -> PinsMade:
         """The same of the forces under each torque."""
         return lambda torque: self.held(made(torque))
 
-    def ring_load(self, turns: list[SampledTurn], pin_circle_radius: float) -> TieRingLoad:
+    def ring_load(self, turns: list[PinForces], pin_circle_radius: float) -> TieRingLoad:
         """What the ring bears over turns that it holds, with the radius of the pin circle, m."""
         forces = np.concatenate([turn.on_pins for turn in turns], axis=2)
         moved = self.ring_forces(forces[:-1])

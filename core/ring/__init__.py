@@ -10,7 +10,7 @@ series              both meshes in series: forces, lags, play and stiffness at a
 series_turn         the same over the turns after which all repeats
 mesh_curves         forces, lags and gaps of a mesh by itself over the turn, as they are drawn
 loss                sliding on the pins: loss, efficiency, pv
-bent_pins           pins that are held at both ends: stress and slope
+bent_pins           forces on the pins, by which those bend that are held at both ends
 line_of_action      where involute teeth touch, their path, tips that pass each other
 involute            an involute satellite in its ring: sizes, backlash, interferences
 possible_teeth      whether any teeth mesh, by module, teeth and eccentricity alone

@@ -52,6 +52,9 @@ from core.ring.profile import CycloidDisc, Modification
 DEPTHS = 0.5, 2.0
 """Reference depths over the pin's radius within which a half-space stands for a disc."""
 
+USUAL_SHORTENING = 0.35, 0.9
+"""Shortening coefficients of most drives."""
+
 VALLEY, LOST = 0.5, 1.0
 """Gap of a pin in a valley over the radius of the path there: above the first one the nearest point
 of the path is hardly the only one, above the second it is not."""
@@ -322,6 +325,10 @@ class CycloidMesh(Stage):
         tuple of Notice
         """
         found = [Notice("pressed_without_load")] if pressed else []
+        low, high = USUAL_SHORTENING
+        if not low <= self.disc.shortening_coefficient <= high:
+            share = {"shortening": self.disc.shortening_coefficient}
+            found.append(Notice("unusual_shortening", share))
         if self.pin is None and not math.isfinite(self.seat_stiffness):
             found.append(Notice("seat_rigid"))
         if self.exact and self.valley_gap > VALLEY:

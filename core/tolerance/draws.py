@@ -25,6 +25,9 @@ KINDS = {
 }
 """Streams of each source; of a zone one for the radius and one for the angle."""
 
+RING_PIN_PLACE = 9, 10
+"""Streams of the zone of a ring's pins."""
+
 OTHER = 1000
 """Added to the kinds for a second, independent sample of the same seed."""
 

@@ -41,12 +41,18 @@ function governingMarkup(judged, titles) {
     <p class="note">${value && limit ? html`<b>${value}</b> (${limit})` : reason || value}</p>`;
 }
 
-/** What becomes of the design with a usual clearance. */
-function usualMarkup({ class: fit, hole_clearance_mm: clearance, largest_torque_Nm: torque, verdict }) {
-  return html`<p class="note">${message("checks.usual", {
-    fit: fit === "printed" ? message("checks.printed") : fit, clearance: formatQuantity(clearance, "mm", 3),
-    result: [torque !== undefined && formatQuantity(torque, "N·m", 3), wordText({ verdict, parts: [] })].filter(Boolean).join(", "),
-  })}</p>`;
+/** Largest torque and verdict of the design with what is usual. */
+const becomes = ({ largest_torque_Nm: torque, verdict }) =>
+  [torque !== undefined && formatQuantity(torque, "N·m", 3), wordText({ verdict, parts: [] })].filter(Boolean).join(", ");
+
+/** What becomes of the design with a usual clearance, and with a usual ring of pins. */
+function usualMarkup({ fit, ring }) {
+  return html`${fit && html`<p class="note">${message("checks.usual", {
+    fit: fit.class === "printed" ? message("checks.printed") : fit.class, clearance: formatQuantity(fit.hole_clearance_mm, "mm", 3), result: becomes(fit),
+  })}</p>`}${ring && html`<p class="note usual-ring">${message("checks.usualRing", {
+    made: message(`checks.rings.${ring.class}`), modification: formatQuantity(ring.equidistant_mm, "mm", 3), zone: formatQuantity(ring.pin_zone_diameter_mm, "mm", 3),
+    pressure: formatQuantity(ring.max_pressure_MPa.percent_90, "MPa", 4), result: becomes(ring),
+  })}</p>`}`;
 }
 
 function torqueMarkup({ numbers }, judged, usual) {
@@ -107,12 +113,12 @@ export function createVerdict({ calculator, titles, scope: all = [], on }) {
   });
   return {
     root,
-    update: following(({ shown, typed, phase, fixes }) => [shown, typed, phase, fixes], (state) => {
+    update: following(({ shown, typed, phase, usual }) => [shown, typed, phase, usual], (state) => {
       const judged = judgedOf(calculator, state.shown?.answer);
       const stands = standing(state);
       fill(part("judged"), wordMarkup(stands, judged));
       fill(part("governing"), governingMarkup(judged, titles));
-      fill(part("torque"), torqueMarkup(stands, judged, state.fixes?.of === state.shown && stands.numbers === "fresh" && state.fixes?.usual));
+      fill(part("torque"), torqueMarkup(stands, judged, state.usual?.of === state.shown && stands.numbers === "fresh" && state.usual));
       judgedNow = judged;
       if (all.length === 0) return;
       const parts = stands.numbers !== "part" && judged?.parts;

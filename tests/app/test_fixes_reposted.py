@@ -5,6 +5,7 @@ from typing import Any
 
 import pytest
 
+from app.examples import EXAMPLES
 from tests.inputs.failing import failing
 from tests.oracles.seeds import TIMES
 
@@ -155,3 +156,66 @@ async def test_the_largest_torque_is_that_of_which_a_repost_is_at_its_limit(api:
             after = await answered(api, there | {"include": ["checks"]})
             assert (after["counts"]["fail"] > 0) == fails
     assert known >= len(DESIGNS) // 2
+
+
+RING = next(each["input"] for each in EXAMPLES if each["id"] == "cycloid")
+RINGS: dict[str, tuple[dict[str, Any], set[str]]] = {
+    "presses": (
+        {"gear": {"modification": {"equidistant_mm": -0.004}}},
+        {"/gear/modification/equidistant_mm", "/gear/modification/pin_circle_mm"},
+    ),
+    "is loose": (
+        {
+            "gear": {
+                "modification": {"equidistant_mm": 0.08},
+                "contact_length_mm": 19.0,
+                "tool_radius_mm": 6.0,
+            },
+            "load": {"output_torque_Nm": 380.0},
+            "requirements": {"min_ring_efficiency": 0.95, "max_seat_pressure_MPa": 5.0},
+        },
+        {
+            "/gear/modification/equidistant_mm",
+            "/gear/modification/pin_circle_mm",
+            "/gear/contact_length_mm",
+            "/gear/ring_pin_radius_mm",
+            "/gear/tool_radius_mm",
+            "/gear/friction_coefficient",
+        },
+    ),
+    "bends": (
+        {
+            "gear": {
+                "pin_support": "supported",
+                "span_mm": 60.0,
+                "satellite_positions_mm": [15.0, 39.0],
+                "pin_material": {
+                    "name": "steel_case_hardened",
+                    "tensile_strength_MPa": 500.0,
+                    "yield_strength_MPa": 200.0,
+                },
+            },
+        },
+        {"/gear/ring_pin_radius_mm", "/gear/span_mm"},
+    ),
+}
+"""What else the ring of a design has, and what of it cures its teeth."""
+
+
+@pytest.mark.parametrize("name", RINGS)
+async def test_what_cures_the_teeth_of_a_ring_does_so(api: Any, name: str) -> None:
+    sections, cures = RINGS[name]
+    body = deepcopy(RING)
+    for section, values in sections.items():
+        body[section] |= values
+    body["requirements"]["scope"] = ["teeth"]
+    asked = {"include": ["checks", "fixes"], "fixes_for": "failed"}
+    answer = await answered(api, body | asked)
+    assert answer["verdict"] == "fail"
+    solved = [each for each in answer["fixes"] if each["status"] == "solved"]
+    assert cures <= {each["pointer"] for each in solved}
+    for fix in answer["fixes"]:
+        after = await answered(api, applied(body, fix["sets"]) | {"include": ["checks"]})
+        check = next(each for each in after["checks"] if each["code"] == fix["code"])
+        assert after["verdict"] == fix["verdict"], fix
+        assert fix["status"] != "solved" or check["status"] == "pass", fix

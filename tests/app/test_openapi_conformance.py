@@ -98,6 +98,7 @@ BETWEEN_FIELDS = {
     "needed_to_draw",
     "no_such_part",
     "no_tooth_form",
+    "odd_ring_pins",
     "of_other_output",
 }
 """Codes of rules between fields, which stand in their validators only."""

@@ -6,6 +6,8 @@ from copy import deepcopy
 
 import pytest
 
+from core.design.sections import PART_NAMES
+
 pytestmark = pytest.mark.anyio
 
 PATH = "crank-planetary"
@@ -100,7 +102,9 @@ async def test_a_fit_is_a_clearance(api):
     assert fitted["model"] == "real" and parts["pins"]["status"] == "pass"
     assert fitted["verdict"] == "incomplete"  # of teeth, crankshaft, demands on the losses
     assert checks["clearance"]["value"] == pytest.approx(0.025 / 2.75)
-    usual, *_ = await asked(api, WINCH | {"include": ["usual_fit"]})
+    without = [part for part in PART_NAMES if part != "teeth"]  # whose modification is not known
+    asking = {"include": ["usual_fit"], "requirements": {"life_h": 6300, "scope": without}}
+    usual, *_ = await asked(api, WINCH | asking)
     beside = usual["usual_fit"]
     assert (beside["class"], beside["verdict"]) == ("H7/f7", "incomplete")
     assert beside["hole_clearance_mm"] == pytest.approx(0.025)

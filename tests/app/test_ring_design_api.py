@@ -2,6 +2,7 @@
 `/ring-mesh` answers.
 """
 
+import math
 from copy import deepcopy
 
 import numpy as np
@@ -11,6 +12,7 @@ import pytest
 from app.calculations import crank_planetary
 from app.calculations.crank_planetary import CrankPlanetaryRequest, solve
 from app.examples import REQUESTS
+from core.checks.usual_modification import usual_modification
 from core.ring.sharing import mesh_position
 
 pytestmark = pytest.mark.anyio
@@ -291,3 +293,39 @@ async def test_teeth_are_cured_by_what_they_are_judged_by(api):
     body["gear"]["contact_length_mm"] = fix["to"]
     cured = (await api.post(PATH, json=body)).json()
     assert cured["verdict"] == "pass" and cured["governing"] == "ring_pressure_disc"
+
+
+async def test_a_usual_ring_is_answered_where_it_is_asked(api):
+    """In the units of the answer; of the ring as output with its angles; not where all is known."""
+    body = changed(include=["usual_modification"], requirements={"scope": ["teeth"]})
+    body["gear"].pop("modification")
+    body["gear"] |= {"ring_class": "machined"}
+    body["load"]["output_torque_Nm"] = 10.0
+    body.pop("deviations", None)
+    found = (await api.post(PATH, json=body)).json()["usual_modification"]
+    request = CrankPlanetaryRequest.model_validate(body)
+    usual = usual_modification(request.design)
+    assert (found["class"], found["samples"], found["crank_angles"]) == ("machined", 64, 720)
+    sizes = [found["equidistant_mm"], found["pin_zone_diameter_mm"]]
+    assert sizes == pytest.approx([0.03, 0.05])
+    for name, spread, unit in (
+        ("peak_force_N", usual.peak_force, 1),
+        ("max_pressure_MPa", usual.max_pressure, 1e-6),
+        ("backlash_arcmin", usual.backlash, 60 * 180 / math.pi),
+    ):
+        assert [found[name][key] for key in ("median", "percent_90")] == pytest.approx(
+            [each * unit for each in spread], rel=1e-12
+        )
+    assert found["cannot_assemble"] == 0
+    assert found["verdict"] == usual.verdict.verdict
+    torque = body["load"]["output_torque_Nm"] * usual.verdict.torque_reserve
+    assert found["largest_torque_Nm"] == pytest.approx(torque, rel=1e-12)
+    ring = deepcopy(body)
+    ring["mechanism"]["output"] = "ring"
+    ring["load"]["output_torque_Nm"] *= 20 / 19
+    turned = (await api.post(PATH, json=ring)).json()["usual_modification"]
+    parts = [each["backlash_arcmin"]["median"] for each in (turned, found)]
+    assert parts[0] / parts[1] == pytest.approx(19 / 20, rel=1e-9)
+    body["gear"]["modification"] = {"equidistant_mm": 0.03}
+    body["deviations"] = {"ring_pin_radial_mm": [0.0] * 20}
+    assert "usual_modification" not in (await api.post(PATH, json=body)).json()

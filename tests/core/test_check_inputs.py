@@ -319,6 +319,8 @@ TOOTHED = design_of(
     max_pv=1e9,
     max_slope=1.0,
     min_efficiency=0.5,
+    min_ring_efficiency=0.5,
+    fatigue=TIRED,
     scope=("teeth", "body", "losses"),
     gear=Ring(
         kind="cycloid",
@@ -332,6 +334,9 @@ TOOTHED = design_of(
         seat_stiffness=5e8,
         sleeve_bore_radius=0.003,
         friction_coefficient=0.06,
+        tool_radius=0.003,
+        pin_tensile_strength=1500e6,
+        pin_steel=True,
     ),
 )
 """Teeth on the pins of a ring, which bend in their sleeves."""
@@ -343,6 +348,7 @@ MANY = having(
     eccentricity=0.0006,
     hole_radius=0.0046,
     peak_torque=200.0,
+    life=3e4,
     gear=replace(
         TOOTHED.gear,  # type: ignore[type-var]
         ring_pin_radius=0.0015,
@@ -352,7 +358,7 @@ MANY = having(
 )
 TOOTH = having(TOOTHED, scope=("teeth",), satellite_body=None, friction=None)
 DESIGNS |= {
-    "teeth": TOOTHED,
+    "teeth": having(TOOTHED, fatigue=None),
     "teeth under a factor": having(TOOTH, application_factor=1.2),
     "teeth under a stated sharing": having(TOOTH, distribution_factor=1.2, peak_torque=200.0),
     "teeth that press": having(
@@ -367,6 +373,20 @@ DESIGNS |= {
             disc_material=LASTING,
         ),
     ),
+    "teeth in seats": having(
+        TOOTH,
+        fatigue=None,
+        max_slope=None,
+        distribution_factor=1.2,
+        max_seat_pressure=1e9,
+        gear=replace(
+            TOOTHED.gear,  # type: ignore[type-var]
+            modification=Modification(equidistant=-5e-6, pin_circle=-1e-6, rotation=1e-4),
+            pin_support="seat",
+            span=None,
+            satellite_positions=(),
+        ),
+    ),
     "teeth of a ratio that stays whole where it grows by a fiftieth": MANY,
     "such teeth that press": having(
         MANY,
@@ -376,6 +396,7 @@ DESIGNS |= {
             ring_pin_radius=0.0015,
             modification=Modification(equidistant=-1e-5, pin_circle=-5e-6),
             pin_material=LASTING,
+            friction_coefficient=0.06,
         ),
     ),
 }
@@ -412,7 +433,10 @@ DESIGNS |= {
     ),
 }
 
-INPUTS = {"pin.tensile_strength": "pin.material"}
+INPUTS = {
+    "pin.tensile_strength": "pin.material",
+    "gear.pin_tensile_strength": "gear.pin_material",
+}
 """Inputs by the paths of a design that have other names."""
 
 MATERIALS_OF = (

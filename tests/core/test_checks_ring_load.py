@@ -14,11 +14,11 @@ from core.checks.largest_torque import crank_verdict
 from core.contact_life import life_factor
 from core.design.document import Design
 from core.design.results import MOST_RING_PAIRS, Results
-from core.design.sections import Friction, Ring
+from core.design.sections import FatigueBasis, Friction, Ring
+from core.errors import InvalidInput
 from core.materials import ContactLimit, ElasticMaterial
 from core.output.real_mechanism import Deviations
 from core.output.satellite_support import Shares
-from core.ring.bent_pins import bent_ring_pins
 from core.ring.profile import Modification
 from core.ring.sharing import mesh_position
 from tests.inputs.checks import check_of, design_of, having
@@ -269,10 +269,9 @@ def test_a_pin_of_the_ring_is_a_beam() -> None:
     assert slope == pytest.approx(tilt, rel=3e-3)
     sleeved = Results(geared(BENT, sleeve_bore_radius=0.004)).ring_mesh.pin
     assert sleeved is not None and sleeved.diameter == 0.008
-    peak = having(BENT, peak_torque=800.0)
+    peak = having(BENT, peak_torque=800.0, max_slope=1.0)
     assert (check_of("ring_pin_stress", peak).value or 0) > 1.9 * bending
-    fatigue = check_of("ring_pin_fatigue", BENT)
-    assert (fatigue.status, fatigue.reason) == ("not_checked", "ring_fatigue_unknown")
+    assert check_of("ring_pin_slope", peak).value == slope
 
 
 def moment(x: float, z: float, width: float) -> float:
@@ -291,12 +290,12 @@ def test_discs_bend_a_pin_together() -> None:
         satellite_positions=places,
         modification=Modification(),
     )
-    turn = Results(design).ring_loading
+    mesh = Results(design).ring_mesh
     sections = np.linspace(0, SPAN, 121)
     arms = np.array([[moment(float(x), z, width) for x in sections] for z in places])
     most, k1 = 0.0, 0.0015 * 40 / 0.082
     for angle in np.linspace(0, 2 * math.pi / 40, 41):
-        found = mesh_position(mesh=turn.mesh, crank_angle=float(angle), output_torque=400.0)
+        found = mesh_position(mesh=mesh, crank_angle=float(angle), output_torque=400.0)
         for k in range(40):
             bent = np.zeros((2, 121))
             for j, arm in enumerate(arms):
@@ -305,8 +304,122 @@ def test_discs_bend_a_pin_together() -> None:
                 normal = np.array([1 - k1 * math.cos(a), k1 * math.sin(a)]) / s
                 bent += found.force[j][k] * normal[:, None] * arm
             most = max(most, float(np.hypot(*bent).max()))
-    stress = bent_ring_pins(turn=turn).stress
+    stress = check_of("ring_pin_stress", design).value
     assert stress == pytest.approx(most / (math.pi * 0.01**3 / 32), rel=2e-3)
+
+
+BASIS = FatigueBasis(endurance_limit=400e6)
+STRONG = replace(HARD, yield_strength=1200e6)
+
+
+def tired(design: Design, **ring: Any) -> Design:
+    """A design whose ring pins may break after some time."""
+    own = geared(design, pin_material=STRONG, pin_tensile_strength=1500e6, **ring)
+    return having(own, fatigue=BASIS, output_torque=50.0)
+
+
+def goodman(largest: float, least: float) -> float:
+    """Safety of a cycle by its line, Re beside it as Rm."""
+    amplitude, mean = (largest - least) / 2, (largest + least) / 2
+    return 1 / (amplitude / 400e6 + max(mean, 0.0) / 1500e6)
+
+
+@pytest.mark.parametrize("direction", ["driving", "alternating"])
+def test_the_cycle_of_a_ring_pin_is_the_worst_around_it(direction: str) -> None:
+    """The force on a pin turns as a disc passes: stress by stress around the section under it."""
+    design = having(tired(BENT), torque_direction=direction)
+    mesh, k1 = Results(design).ring_mesh, 0.0015 * 40 / 0.082
+    forces = []
+    for way in (1, -1) if direction == "alternating" else (1,):
+        for angle in np.linspace(0, 2 * math.pi / 40, 41):
+            found = mesh_position(mesh=mesh, crank_angle=angle, output_torque=50.0 * way)
+            a = angle + 2 * math.pi * np.arange(40) / 40
+            normal = (1 - k1 * np.exp(-1j * a)) / np.abs(1 - k1 * np.exp(-1j * a))
+            forces += [*(np.array(found.force[0]) * normal)]
+    arm = PLACE * (SPAN - PLACE) / SPAN / (math.pi * 0.01**3 / 32)
+    around = np.exp(-1j * np.radians(np.arange(0, 360, 1)))[:, None]
+    stress = arm * (np.array(forces) * around).real
+    worst = min(goodman(*each) for each in zip(stress.max(1), stress.min(1), strict=True))
+    check = check_of("ring_pin_fatigue", design)
+    assert check.value == pytest.approx(worst, rel=4e-3)
+    assert check.limit == 1.5 and check.rough
+
+
+def test_a_ring_pin_that_turns_is_bent_both_ways() -> None:
+    still, turning = tired(BENT), tired(BENT, rotates=True)
+    stress = check_of("ring_pin_stress", still).value or 0.0
+    found = check_of("ring_pin_fatigue", turning).value or 0.0
+    assert found == pytest.approx(400e6 / stress, rel=1e-6)
+    assert found < 0.9 * (check_of("ring_pin_fatigue", still).value or 0.0)
+
+
+def test_ring_pins_last_by_the_turns_of_the_crank() -> None:
+    """Of a steel, once a turn of the crank; by what is given of the fatigue of pins, or why not."""
+    basis = FatigueBasis(surface="ground", fatigue_notch_factor=1.5)
+    steel = having(
+        tired(BENT, pin_steel=True), fatigue=basis, input_speed=100.0, output_torque=150.0
+    )
+    turns = [1e5, 1e9]
+    few, many = (
+        check_of("ring_pin_fatigue", having(steel, life=2 * math.pi * each / 100.0))
+        for each in turns
+    )
+    assert few.reason == "finite_life" and not many.reason
+    strength = Results(having(steel, life=2 * math.pi * 1e5 / 100.0)).ring_pin_fatigue_strength
+    assert strength.cycles == pytest.approx(1e5)
+    assert few.value is not None and many.value is not None and few.value > 1.1 * many.value
+    without = having(steel, fatigue=FatigueBasis(surface="ground"))
+    for design, reason, missing in (
+        (without, "notch_unknown", "fatigue.fatigue_notch_factor"),
+        (
+            geared(steel, pin_tensile_strength=None),
+            "endurance_unknown",
+            "gear.pin_material.tensile_strength",
+        ),
+        (having(steel, fatigue=None), "section_missing", "fatigue"),
+    ):
+        check = check_of("ring_pin_fatigue", design)
+        assert (check.status, check.reason, check.missing) == ("not_checked", reason, (missing,))
+
+
+def test_seats_are_pressed_by_the_largest_force() -> None:
+    design = having(A7, max_seat_pressure=1e9, application_factor=1.2)
+    check, turn = check_of("ring_seat_pressure", design), Results(design).ring_loading
+    assert check.value == pytest.approx(turn.peak_force / (2 * 0.005 * 0.015), rel=1e-12)
+    there = mesh_position(
+        mesh=turn.mesh, crank_angle=check.at["crank_angle"], output_torque=400.0 * 1.2
+    )
+    assert there.force[0][check.at["pin"] - 1] == pytest.approx(turn.peak_force, rel=1e-9)
+    assert check_of("ring_seat_pressure", A7).status == "not_asked"
+    bent = having(BENT, max_seat_pressure=1e9)
+    assert check_of("ring_seat_pressure", bent).reason == "pins_bend"
+
+
+def test_the_efficiency_of_the_teeth_is_theirs_alone() -> None:
+    asked = having(geared(friction_coefficient=0.06), min_ring_efficiency=0.9)
+    check, turn = check_of("ring_efficiency", asked), Results(asked).ring_working[0]
+    assert check.value == pytest.approx(1 / (1 + 0.06 * turn.sliding_loss), rel=1e-12)
+    assert check.utilisation == pytest.approx((1 - (check.value or 0)) / 0.1, rel=1e-9)
+    assert check_of("ring_efficiency", geared(friction_coefficient=0.06)).status == "not_asked"
+    unknown = geared(asked, friction_coefficient=None)
+    assert check_of("ring_efficiency", unknown).reason == "ring_friction_unknown"
+
+
+def test_a_ring_of_every_second_pin_is_not_solved() -> None:
+    half = geared(every_second_pin=True)
+    assert teeth_of(half) == ("open", "every_second_pin")
+    with pytest.raises(InvalidInput) as refusal:
+        having(half, ratio=40.0)
+    assert refusal.value.code == "odd_ring_pins"
+
+
+@pytest.mark.parametrize(("eccentricity", "told"), [(0.6, True), (0.75, False), (1.9, True)])
+def test_an_unusual_shortening_is_told(eccentricity: float, told: bool) -> None:
+    """K1 = e*41/82: 0.3, 0.375, 0.95."""
+    plain = geared(modification=Modification(), ring_pin_radius=0.001)
+    design = having(plain, eccentricity=eccentricity * 1e-3, ratio=40.0)
+    codes = [notice.code for notice in Results(design).ring_working[0].notices]
+    assert ("unusual_shortening" in codes) is told
 
 
 def test_what_slides_on_the_ring_lowers_the_efficiency() -> None:

@@ -11,6 +11,7 @@ import pytest
 from core.checks.check import Check
 from core.checks.crank_planetary import crank_checks
 from core.design.document import Design
+from core.design.drawings import drawn_ring_pins
 from core.design.results import Results
 from core.design.sections import Ring
 from core.errors import InvalidInput
@@ -181,3 +182,35 @@ def test_roots_and_undercut_are_those_of_the_tool() -> None:
         ring_pins=30, circle_radius=CIRCLE - 2e-4, eccentricity=eccentricity, pin_radius=2.3e-3
     )
     assert check_of("ring_undercut", cut).value == pytest.approx(margin, rel=3e-4)
+
+
+def test_the_tool_reaches_the_bottom_of_the_valleys() -> None:
+    """The circle through three points of the path there, and the pin's radius."""
+    design = on_pins(lobes=11, shortening=0.6)
+    t, e = np.array([-1e-4, 0.0, 1e-4]), 0.6 * CIRCLE / 12
+    a, b, c = CIRCLE * np.exp(-1j * t) - e * np.exp(-12j * t)
+    area = ((b - a) * np.conj(c - a)).imag / 2
+    bottom = abs((b - a) * (c - b) * (a - c) / (4 * area)) + 0.005
+    for part, status in ((0.999, "pass"), (1.001, "fail")):
+        tool = having(design, gear=replace(design.gear, tool_radius=part * bottom))
+        found = check_of("ring_valley_tool", tool)
+        assert (found.value, found.status) == (pytest.approx(bottom, rel=1e-5), status)
+    assert judged("ring_valley_tool", design) == ("not_asked", "no_tool")
+    flat = on_pins(lobes=11, shortening=0.08)
+    flat = having(flat, gear=replace(flat.gear, tool_radius=0.01))
+    assert judged("ring_valley_tool", flat) == ("not_applicable", "no_valley")
+
+
+def test_of_every_second_pin_the_others_have_the_room() -> None:
+    design = on_pins(lobes=11, shortening=0.6, radius=0.0225)
+    assert judged("ring_pin_room", design)[0] == "fail"
+    places = CIRCLE * np.exp(2j * np.pi * np.arange(0, 12, 2) / 12)
+    half = having(design, gear=replace(design.gear, every_second_pin=True))
+    found = check_of("ring_pin_room", half)
+    assert found.value == pytest.approx(abs(places[1] - places[0]) - 0.045, rel=1e-12)
+    assert found.status == "pass"
+    made = replace(half.gear, ring_pin_radius=0.005, modification=Modification())
+    drawn = drawn_ring_pins(design=having(half, gear=made))
+    centres = drawn.centres @ [1, 1j]
+    assert len(centres) == 6
+    assert np.allclose(np.abs(centres - np.roll(centres, 1)), abs(places[1] - places[0]))

@@ -116,7 +116,25 @@ test("fixes that take too long to find leave the answer as it is, and that is sa
     await asking.now();
     await tick();
     assert.equal(store.state.phase, "fresh");
-    assert.deepEqual(store.state.fixes, { of: store.state.shown, list: slow ? [] : [combined, ...fixes], long: slow, usual: null });
+    assert.deepEqual(store.state.fixes, { of: store.state.shown, list: slow ? [] : [combined, ...fixes], long: slow });
+  }
+});
+
+test("what is usual is asked for apart from what mends the design, and where something is not known", async () => {
+  const found = { usual_fit: { class: "H7/f7" }, usual_modification: { class: "ground" } };
+  const own = { usual: ({ open }) => open, mend: ({ post, include }) => post("/job", { include }) };
+  for (const open of [["usual_fit"], []]) {
+    const asked = [];
+    const { store, asking } = working((body) => {
+      if (!body.include) return { ...answerTo(body), open };
+      asked.push(body.include);
+      return found;
+    }, [], {}, own);
+    await asking.now();
+    await tick();
+    assert.deepEqual(asked, open.length > 0 ? [open] : []);
+    assert.deepEqual(store.state.usual, open.length > 0 ? { of: store.state.shown, fit: found.usual_fit, ring: found.usual_modification } : null);
+    assert.equal(store.state.fixes, null);
   }
 });
 

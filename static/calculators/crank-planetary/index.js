@@ -302,14 +302,13 @@ export default {
     }));
   },
 
-  mend: async ({ post, get, input, filled, failing, usual }) => post("/crank-planetary", {
-    ...await madeOf(input, filled, get),
-    include: [...(failing ? ["fixes", "combined"] : []), ...(usual ? ["usual_fit"] : [])],
-  }),
+  mend: async ({ post, get, input, filled, include = ["fixes", "combined"] }) => post("/crank-planetary", { ...await madeOf(input, filled, get), include }),
 
-  /** Whether nothing is known of the clearance, or none is stated. */
-  withoutClearance: ({ parts = [], warnings = [] }) =>
-    parts.some(({ reason }) => reason === "clearance_unknown") || warnings.some(({ code }) => code === "perfect_parts"),
+  /** What is usual of what is not known: the clearance, or that none is stated; modification and pins of a ring of pins. */
+  usual: ({ parts = [], warnings = [] }) => {
+    const said = (...codes) => parts.some(({ reason }) => codes.includes(reason)) || warnings.some(({ code }) => codes.includes(code));
+    return [said("clearance_unknown", "perfect_parts") && "usual_fit", said("modification_unknown", "ring_deviations_unknown") && "usual_modification"].filter(Boolean);
+  },
 
   /** Which way results are better. */
   better: { peak_force_N: -1, governing_pressure_MPa: -1, safety_factor: 1 },

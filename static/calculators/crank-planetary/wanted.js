@@ -132,6 +132,7 @@ const BEARINGS = {
   "gear.ring_pin_radius_mm": { when: ["gear.kind", "cycloid"] },
   "gear.modification.equidistant_mm": discs,
   "gear.modification.pin_circle_mm": discs,
+  "gear.ring_class": { ...rare, when: ["gear.kind", "cycloid"] },
   "gear.radial_force_ratio": ring("ratio"),
   "bearing.name": {},
   "bearing.kind": { default: "roller", when: ["bearing.name", undefined, ""] },
@@ -177,7 +178,10 @@ const TEETH = {
   "gear.pin_support": { ...rare, ...ofPins, default: "seat" },
   "gear.span_mm": held,
   "gear.satellite_positions_mm": held,
-  ...asked("max_ring_backlash_arcmin", "max_transmission_error_arcmin"),
+  "gear.rotates": { ...held, required: false },
+  "gear.tool_radius_mm": { ...rare, ...ofPins },
+  "gear.every_second_pin": { ...rare, ...ofPins },
+  ...asked("max_ring_backlash_arcmin", "max_transmission_error_arcmin", "min_ring_efficiency", "max_seat_pressure_MPa"),
 };
 
 const shaftBearing = (index, letter) => ({

@@ -1,0 +1,268 @@
+"""A design of cycloid discs of which the modification, or the places of the ring's pins, are not
+known, with those that such parts usually have.
+
+Pieces are drawn: every pin of the ring somewhere in a round zone. An upper estimate, as only the
+contacts give in the mesh.
+"""
+
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+import numpy as np
+
+from core.checks.check import Verdict
+from core.checks.largest_torque import crank_verdict
+from core.checks.usual_fit import SOFT, usual_clearance, usual_fit, with_usual_clearance
+from core.derived import UNKNOWN
+from core.design.document import Design, changed
+from core.design.results import Results
+from core.design.sections import RingClass
+from core.errors import ImpossibleMechanism
+from core.output.real_mechanism import Deviations
+from core.output.sampled_turn import WAYS
+from core.output.turn import Turn
+from core.ring.profile import Modification
+from core.ring.sharing import LOST, CycloidMesh
+from core.tolerance.draws import RING_PIN_PLACE, uniforms, zone_places
+
+SAMPLES, SEED = 64, 0
+"""Pieces that are drawn, and of which seed."""
+
+POSITIONS = 720
+"""Crank angles at which each is looked at, evenly over the turn."""
+
+MEDIAN, OF_90 = 32, 58
+"""Which of them, in ascending order, are taken for the median and for 90 %."""
+
+GROUND_LEAST, GROUND_SHARE = 5e-6, 1e-4
+"""Equidistant modification of ground discs: so much, m, or so much of the circle's radius."""
+
+MADE: dict[RingClass, tuple[float, float]] = {
+    "machined": (0.03e-3, 0.025e-3),
+    "printed": (0.22e-3, 0.15e-3),
+}
+"""Equidistant modification, and radius of the zone of the pins, m: guides of a public tool."""
+
+
+class Spread(NamedTuple):
+    """What half of the pieces keep, and nine tenths."""
+
+    median: float  # x_(32) of 64
+    percent_90: float  # x_(58)
+
+    @classmethod
+    def of(cls, values: list[float]) -> "Spread":
+        """Of values of the pieces."""
+        ascending, count = sorted(values), len(values)
+        ranks = (-(-count * each // SAMPLES) - 1 for each in (MEDIAN, OF_90))
+        return cls(*(ascending[rank] for rank in ranks))
+
+
+@dataclass(frozen=True, slots=True)
+class UsualModification:
+    """The design with such parts."""
+
+    ring_class: RingClass
+    equidistant: float  # Delta_e of its discs, m
+    pin_zone_diameter: float  # m; 0 where the places of the pins are given
+    samples: int  # pieces that are drawn
+    crank_angles: int  # at which each is looked at
+    peak_force: Spread  # over the turn, N, under the dynamic load
+    max_pressure: Spread  # likewise, Pa
+    backlash: Spread  # of the discs, rad
+    cannot_assemble: float  # share of the pieces that press without load, or cannot be
+    results: Results  # of the piece with the pressure of 90 %
+    verdict: Verdict  # of the design with it, and with a usual clearance where none is known
+
+
+def ring_class_of(design: Design) -> RingClass:
+    """How discs and ring are made: as it is said, or printed where the discs are soft.
+
+    Parameters
+    ----------
+    design : Design
+        The design, with a ring.
+
+    Returns
+    -------
+    {"ground", "machined", "printed"}
+    """
+    said, material = design.gear.ring_class, design.disc_material
+    if said is not None:
+        return said
+    return "printed" if material is not None and material.youngs_modulus < SOFT else "ground"
+
+
+def usual_sizes(*, ring_class: RingClass, circle_radius: float) -> tuple[float, float]:
+    """Modification and zone of such rings.
+
+    Parameters
+    ----------
+    ring_class : {"ground", "machined", "printed"}
+        How they are made.
+    circle_radius : float
+        Radius of the circle of the ring's pins, m.
+
+    Returns
+    -------
+    tuple of float
+        Equidistant modification and radius of the zone of each pin, m.
+
+    Examples
+    --------
+    >>> usual_sizes(ring_class="ground", circle_radius=0.08)
+    (8e-06, 4e-06)
+    """
+    if ring_class == "ground":
+        equidistant = max(GROUND_LEAST, GROUND_SHARE * circle_radius)
+        return equidistant, equidistant / 2
+    return MADE[ring_class]
+
+
+def ring_places(*, pins: int, radius: float, samples: int) -> list[tuple[tuple[float, ...], ...]]:
+    """Places of the pins of rings that are drawn, evenly over round zones.
+
+    Parameters
+    ----------
+    pins : int
+        Pins of a ring.
+    radius : float
+        Of the zones, m.
+    samples : int
+        Rings.
+
+    Returns
+    -------
+    list of tuple
+        Outward and along the circle, m, of each.
+    """
+    drawn = [
+        [uniforms(seed=SEED, kind=kind, index=k, samples=samples) for k in range(pins)]
+        for kind in RING_PIN_PLACE
+    ]
+    of_radius, of_angle = (np.array(each).T for each in drawn)
+    places = zone_places(diameter=2 * radius, radius_uniform=of_radius, angle_uniform=of_angle)
+    return [tuple(tuple(row.tolist()) for row in rows) for rows in zip(*places, strict=True)]
+
+
+@dataclass(frozen=True, slots=True)
+class _Piece:
+    """What is seen of a piece."""
+
+    peak_force: float  # N
+    max_pressure: float  # Pa
+    backlash: float  # rad
+    presses: bool  # whether pairs do without load
+
+
+def _looked_at(mesh: CycloidMesh, torques: list[float]) -> _Piece | None:
+    """A piece under torques, N*m; None of one that cannot be."""
+    places = np.linspace(0.0, 2 * np.pi, POSITIONS, endpoint=False).tolist()
+    try:
+        rows = [Turn(mesh, torque).poses(places) for torque in torques]
+    except ImpossibleMechanism:
+        return None
+    play = rows[0]["high"] - rows[0]["low"]
+    pressure = mesh.pressure(max(float(each["pressure"].max()) for each in rows))
+    assert pressure is not None  # of known materials, by whose law they give
+    return _Piece(
+        peak_force=max(float(each["force"].max()) for each in rows),
+        max_pressure=pressure,
+        backlash=max(float(play.max()), 0.0),
+        presses=bool((play < -rows[0]["play_error"]).any()),
+    )
+
+
+def usual_modification(design: Design) -> UsualModification | None:
+    """The design with a usual modification where none is known, and with pins of the ring that
+    stand as they usually do where nothing is known of their places.
+
+    Parameters
+    ----------
+    design : Design
+        The design.
+
+    Returns
+    -------
+    UsualModification or None
+        None where both are known, the teeth are left out, or the mesh of its ring cannot be
+        solved: see `Results.ring_mesh`, and of given shares, which would take minutes.
+    """
+    gear, made = design.gear, design.deviations or Deviations()
+    placed = bool(made.ring_pin_radial or made.ring_pin_tangential)
+    if not gear or gear.kind != "cycloid" or "teeth" not in design.scope:
+        return None
+    if gear.modification is not None and placed:
+        return None
+    circle, ring_class = gear.ring_pin_circle_radius, ring_class_of(design)
+    assert circle is not None
+    equidistant, zone = usual_sizes(ring_class=ring_class, circle_radius=circle)
+    if gear.modification is None:
+        design = changed(design, {"gear.modification": Modification(equidistant=equidistant)})
+    try:
+        mesh = Results(design).ring_mesh
+    except UNKNOWN:
+        return None
+    if not design.load or mesh.support is not None:
+        return None
+    mesh = mesh if mesh.valley_gap <= LOST else replace(mesh, exact=False)
+    places = [] if placed else ring_places(pins=design.ring_pins, radius=zone, samples=SAMPLES)
+    pieces = [
+        replace(made, ring_pin_radial=outward, ring_pin_tangential=along)
+        for outward, along in places
+    ] or [made]
+    factor = design.load_factor * design.ring_factor
+    torques = [way * design.pin_torque * factor for way in WAYS[design.load.torque_direction]]
+    found = [
+        _looked_at(
+            replace(mesh, deviations=changed(design, {"deviations": piece}).ring_deviations),
+            torques,
+        )
+        for piece in pieces
+    ]
+    works = [(each, piece) for each, piece in zip(found, pieces, strict=True) if each is not None]
+    if not works:
+        return None
+    pressed = len(found) - sum(not each.presses for each, _ in works)
+    works.sort(key=lambda each: (each[0].presses, each[0].max_pressure))
+    rank = min(-(-len(found) * OF_90 // SAMPLES), len(works)) - 1
+    results = Results(changed(with_usual_clearance(design), {"deviations": works[rank][1]}))
+    return UsualModification(
+        ring_class=ring_class,
+        equidistant=mesh.disc.modification.equidistant,
+        pin_zone_diameter=0.0 if placed else 2 * zone,
+        samples=len(found),
+        crank_angles=POSITIONS,
+        peak_force=Spread.of([each.peak_force for each, _ in works]),
+        max_pressure=Spread.of([each.max_pressure for each, _ in works]),
+        backlash=Spread.of([each.backlash for each, _ in works]),
+        cannot_assemble=pressed / len(found),
+        results=results,
+        verdict=crank_verdict(results),
+    )
+
+
+def usual_clearance_too(
+    *, design: Design, ring: UsualModification | None
+) -> tuple[str, Results, Verdict] | None:
+    """The design with a usual clearance, and with a usual modification where none is known.
+
+    Parameters
+    ----------
+    design : Design
+        The design, with load, contact and eccentricity.
+    ring : UsualModification or None
+        The design with such a ring.
+
+    Returns
+    -------
+    tuple of str, Results and Verdict, or None
+        As `core.checks.usual_fit.usual_fit`.
+    """
+    if ring is None or design.gear.modification is not None:
+        return usual_fit(design)
+    if design.clearance_unknown and ring.results.design.contact.clearance:
+        return usual_clearance(design)[0], ring.results, ring.verdict
+    made = ring.results.design
+    own = {"gear.modification": made.gear.modification, "deviations": made.deviations}
+    return usual_fit(changed(design, own))
