@@ -622,6 +622,12 @@ class Ring:
         Of sleeves on the pins, m.
     rolling : bool
         Whether rolling elements carry them.
+    tool_radius : float or None
+        Of what grinds or cuts the flanks of the discs, m.
+    every_second_pin : bool
+        Whether every second pin is left out.
+    ring_class : {"ground", "machined", "printed"} or None
+        How discs and ring are made, by which what is not known of them is usual.
     satellite_profile_shift, ring_profile_shift : float or None
         Of involute teeth, outwards, in modules.
     satellite_addendum, ring_addendum : float or None
@@ -642,12 +648,6 @@ class Ring:
         Of a pair of teeth along the line of action, N/m.
     root_strength : float or None
         Stress that the root of a satellite's tooth bears over the life, Pa.
-    tool_radius : float or None
-        Of what grinds or cuts the flanks of the discs, m.
-    every_second_pin : bool
-        Whether every second pin is left out.
-    ring_class : {"ground", "machined", "printed"} or None
-        How discs and ring are made, by which what is not known of them is usual.
     """
 
     kind: RingKind | None = None
