@@ -364,6 +364,7 @@ def marker(name: str, x: float, y: float, theme: Theme, hovered: str, **more: An
         "name": name,
         "x": [x],
         "y": [y],
+        "cliponaxis": False,  # whole at the ends of the axes too
         "marker": {
             "symbol": "diamond-open",
             "size": 12,

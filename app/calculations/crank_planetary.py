@@ -43,7 +43,7 @@ from app.calculations.fatigue import PinFatigueFields
 from app.calculations.fit_answer import FitOut
 from app.calculations.geometry_answer import GeometryOut
 from app.calculations.hertz import entry_of
-from app.calculations.involute_mesh import solved_pair
+from app.calculations.involute_mesh import drawn_path, solved_pair
 from app.calculations.load_sharing_answer import RealCyclogramOut
 from app.calculations.mechanism import MAX_PAIRS
 from app.calculations.members_answer import MembersOut, at_output
@@ -59,7 +59,12 @@ from app.calculations.ring_mesh_answer import (
     RingGeometryOut,
     RingIdealOut,
 )
-from app.calculations.ring_mesh_figure import ShownMesh, ring_mesh_figure
+from app.calculations.ring_mesh_figure import (
+    DrawnPath,
+    ShownMesh,
+    path_figure,
+    ring_mesh_figure,
+)
 from app.calculations.satellite_bearing import (
     BearingFields,
     CrankshaftFields,
@@ -643,6 +648,12 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         drawn = drawn_mesh(design=self.design, mesh=turn.mesh, chord_error=DRAWN_ERROR)
         return RingDrawingOut.of(drawn, MeshCurves(turn, DRAWN_RING))
 
+    def solve_path(self) -> DrawnPath:
+        """The pressure along the path of contact of involute teeth, as `solve_pair` has it."""
+        results, factor = self.results, self.design.load_factor
+        _ = results.involute_load(factor)  # which needs materials
+        return drawn_path(pair=results.involute_pair, loaded=results.loaded_teeth(factor))
+
     def solve_ring_figure(self) -> ShownMesh:
         """What the figure of the mesh shows."""
         turn, own = self.drawn_ring, self.mechanism
@@ -813,9 +824,11 @@ def figure(body: CrankPlanetaryRequest, theme: Theme = "light") -> Figure:
     """Cyclogram and, where a load is given, forces over one angle axis, as a Plotly figure: by the
     model of the answer, and the ideal one thin beside the real one. Where `include` names one of
     the sections `cyclogram` and `contact_force`, that alone; where it names `ring_mesh` alone, the
-    mesh of the ring at its peak and over the turn.
+    mesh of the ring at its peak and over the turn, or the path of contact of involute teeth.
     """
     if body.include == ["ring_mesh"]:
+        if body.design.gear.kind == "involute":
+            return path_figure(run(body, body.solve_path)[0], theme)
         return ring_mesh_figure(run(body, body.solve_ring_figure)[0], theme)
     run(body, body.mechanism.refuse_undrawable)
     named = {"cyclogram", "contact_force"} & {*(body.include or ())}

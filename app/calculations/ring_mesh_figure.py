@@ -22,6 +22,13 @@ ANGLES = 360
 CHORD_ERROR = 1e-5
 """Of the outline, m."""
 
+SYMBOLS = {
+    "path_start": "triangle-right-open",
+    "path_end": "triangle-left-open",
+    "pitch_point": "circle-open",
+}
+"""Of the points of the path of contact."""
+
 PANELS = (0.74, 1.0), (0.5, 0.68), (0.22, 0.4), (0.0, 0.18)
 """Where forces and gaps over the pins, peak and lag over the turn stand, of their height."""
 
@@ -247,7 +254,9 @@ def path_figure(shown: DrawnPath, theme: Theme) -> Figure:
         name = text(code)
         hovered = text("at_place", name=name, value=Amount("%{y:.5g}", "MPa"), place=place)
         x, y = float(from_si("place_mm", at)), float(from_si("pressure_MPa", pressure))
-        data.append(marker(name, x, y, theme, hovered))
+        placed = marker(name, x, y, theme, hovered)
+        placed["marker"]["symbol"] = SYMBOLS[code]
+        data.append(placed)
     return {
         "data": data,
         "layout": layout(

@@ -88,7 +88,8 @@ const amount = (value, unit) => (value === undefined ? "" : formatQuantity(value
  */
 export function checkRow(check, titles) {
   const { code, status, needed = true, value, limit, unit, keep, utilisation, source, source_code: sourceCode, criterion, life_factor: life, at, reason, missing = [] } = check;
-  const none = limit === 0 && keep !== "above"; // of what is counted, or overlaps
+  const noneAllowed = limit === 0 && keep !== "above"; // of what is counted, or overlaps
+  const none = noneAllowed && value === 0;
   return {
     code,
     status,
@@ -96,8 +97,8 @@ export function checkRow(check, titles) {
     level: needed || status !== "not_checked" ? LEVELS[status] : undefined,
     title: titleOf(check),
     why: said("checks", code)?.why ?? check.why ?? "",
-    value: none && value === 0 ? message("checks.none") : amount(value, unit),
-    limit: limit === undefined ? "" : none ? message("checks.noneAllowed") : `${keep === "above" ? "≥" : "≤"}\u00a0${amount(limit, unit)}`,
+    value: none ? message("checks.none") : amount(value, unit),
+    limit: limit === undefined || none ? "" : noneAllowed ? message("checks.noneAllowed") : `${keep === "above" ? "≥" : "≤"}\u00a0${amount(limit, unit)}`,
     used: utilisation,
     formula: (check.formula ?? "").replace(/\d+\.\d+/g, (number) => formatNumber(Number(number), 15)),
     source: [

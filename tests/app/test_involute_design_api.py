@@ -67,6 +67,8 @@ async def test_the_mesh_is_what_its_endpoint_answers(api: Any) -> None:
         assert mesh[name] == own[name], name
     assert mesh["accuracy"]["relative_error"] == own["accuracy"]["relative_error"]
     assert mesh["satellite_torque_Nm"] == 200.0 and "warnings" not in mesh
+    drawn = await api.post(f"{PATH}/chart", json=changed(gear=gear, include=["ring_mesh"]))
+    assert drawn.json() == (await api.post("ring-mesh/chart", json=alone)).json()
     assert checks["ring_pressure_pin"]["value"] == own["stresses"]["pressure_one_pair_start_MPa"]
     root = own["stresses"]["root"]["root_stress_one_pair_MPa"]
     assert checks["mesh_root_stress"]["value"] == root

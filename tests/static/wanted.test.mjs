@@ -305,6 +305,11 @@ test("measured pins of the ring are of the teeth alone: beside those of the outp
   assert.deepEqual(both[0].body.deviations, { ...ring, pin_radial_mm: [0.01, 0, 0] });
   assert.ok(both[0].body.include.includes("load_sharing"));
   assert.equal((await asked({ teeth: {} }))[0].body.deviations, undefined);
+  const [{ body: half }] = await asked({ gear: { ...gear, every_second_pin: true } });
+  assert.ok(half.gear.every_second_pin && !half.include.includes("ring_mesh"), "no method knows its forces: the check says so");
+  const involute = { kind: "involute", module_mm: 3, teeth_difference: 2, satellite_profile_shift: 0, ring_profile_shift: 0.4 };
+  const [{ body: { include } }] = await asked({ gear: involute });
+  assert.ok(include.includes("ring_mesh") && !include.includes("ring_drawing"), "their outline is not known");
   const { figure } = await import("../../static/calculators/crank-planetary/bearings.js");
   assert.deepEqual(figure.body({}, {}, both).deviations, { pin_radial_mm: [0.01, 0, 0] });
   assert.ok(!("deviations" in figure.body({}, {}, [alone])));

@@ -298,7 +298,7 @@ export default {
         contact: input.contact,
         ...Object.fromEntries(DESIGN.filter((part) => input[part]).map((part) => [part, input[part]])),
       }),
-      include: [...sections, ...(sections.includes("contact_force") && (filled.mechanism.output ?? "pins") !== "pins" ? ["members"] : []), ...(solved ? [this.solved] : []), ...(solved && tables.has("cyclogram") ? ["real_cyclogram"] : []), ...(sections.includes("ring_mesh") ? ["ring_drawing"] : []), "checks"],
+      include: [...sections, ...(sections.includes("contact_force") && (filled.mechanism.output ?? "pins") !== "pins" ? ["members"] : []), ...(solved ? [this.solved] : []), ...(solved && tables.has("cyclogram") ? ["real_cyclogram"] : []), ...(sections.includes("ring_mesh") && input.gear?.modification ? ["ring_drawing"] : []), "checks"],
     }));
   },
 

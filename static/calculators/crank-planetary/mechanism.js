@@ -72,8 +72,9 @@ function ringOf({ mechanism, besides: { bearings, gear = {} } = {} }, drawing) {
       peak: Math.max(...force.flat(2)), widest: Math.max(...gap.flat(2)),
     };
   }
-  const pins = Array.from({ length: count }, (_, k) => {
-    const turned = ((360 * k) / count - (mechanism.initial_crank_angle_deg ?? 0)) * RADIAN;
+  const step = gear.every_second_pin && count % 2 === 0 ? 2 : 1;
+  const pins = Array.from({ length: count / step }, (_, k) => {
+    const turned = ((360 * k * step) / count - (mechanism.initial_crank_angle_deg ?? 0)) * RADIAN;
     return { centre: [-circle * Math.sin(turned), circle * Math.cos(turned)], radius };
   });
   return { ...own, pins };

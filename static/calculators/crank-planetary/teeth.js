@@ -3,14 +3,17 @@ import { inTwoLines } from "../../lib/chart.js";
 import { formatNumber, formatQuantity } from "../../lib/format.js";
 import { message } from "../../messages/index.js";
 
-/** The service's figure, its titles no longer than its panels are high. */
-const shape = ({ data, layout }) => ({
+/** The service's figure, its titles no longer than its panels are high, where there are several. */
+const shape = ({ data, layout }) => (!layout.yaxis4 ? { data, layout } : {
   data,
   layout: { ...layout, ...Object.fromEntries(["yaxis", "yaxis2", "yaxis3", "yaxis4"].map((axis) => [axis, inTwoLines(layout[axis])])) },
 });
 
+const [PATH, PANELS] = [420, 760]; // heights of the figures of involute teeth, and of discs on pins
+
 export const figure = {
-  id: "teeth", section: "ring_mesh", path: "/crank-planetary/chart", height: 760, shape,
+  id: "teeth", section: "ring_mesh", path: "/crank-planetary/chart", shape,
+  height: ({ besides } = {}) => (besides?.gear?.kind === "cycloid" ? PANELS : PATH),
   body: (input, answer, [{ body }]) => ({ ...body, include: ["ring_mesh"] }),
 };
 

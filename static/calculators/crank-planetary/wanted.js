@@ -346,7 +346,7 @@ export const WANTED = [
     id: "teeth",
     section: "ring_mesh",
     needs: "bearings",
-    applies: ({ besides }) => Boolean(besides?.gear?.modification) || shifted(besides?.gear),
+    applies: ({ besides: { gear } = {} }) => Boolean(gear?.modification && !gear.every_second_pin) || shifted(gear),
     paths: WHOLE,
     fields: TEETH,
     judged: true,
