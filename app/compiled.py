@@ -19,7 +19,12 @@ ONCE = "compiling the load sharing, once an installation: about a minute"
 CORE = Path(__file__).parent.parent / "core"
 
 SOURCES = (
+    CORE / "output" / "loop_rows.py",
+    CORE / "output" / "contact_kernel.py",
+    CORE / "output" / "giving_kernel.py",
+    CORE / "output" / "tied_kernel.py",
     CORE / "output" / "sharing_kernel.py",
+    CORE / "output" / "turn_kernel.py",
     CORE / "ring" / "approach.py",
     CORE / "ring" / "series_kernel.py",
 )
@@ -85,9 +90,9 @@ def _meshes() -> None:
 def _series() -> None:
     """All that is called of both meshes in series."""
     from core.output.contact_law import LinearLaw
+    from core.output.loop_rows import LOST_MOTION
     from core.output.mechanism import Mechanism
     from core.output.real_mechanism import RealMechanism
-    from core.output.sharing_kernel import LOST_MOTION
     from core.ring.profile import CycloidDisc
     from core.ring.series import MeshesInSeries
     from core.ring.series_turn import SeriesTurn

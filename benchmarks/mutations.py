@@ -39,7 +39,7 @@ ELSEWHERE = ("architecture", "benchmarks", "browser", "service")
 ASKS_OTHERS = "tests/app/"
 """Tests of what no test reaches in its own process: another one may, for it."""
 
-COMPILED, ITS_DOOR = "sharing_kernel.py", "return _at_hand"
+COMPILED, ITS_DOOR = "_kernel.py", "return _at_hand"
 """What is compiled notes nothing: its tests are those that fetch it by this line."""
 
 OTHER: dict[type, type] = {

@@ -18,12 +18,12 @@ import httpx
 import numpy as np
 
 from app.cluster import on_cluster
+from benchmarks.load import service
 from benchmarks.options import options
 from benchmarks.sharing import study_of
 from core.output import compiled
 from core.tolerance.study import Study
-from tests.running_cluster import Cluster
-from tests.running_service import running_service
+from tests.inputs.cluster import Cluster
 
 POSITIONS = 60
 BODY = {
@@ -120,8 +120,8 @@ def _cluster(samples: int) -> None:
 def _beside(samples: int, seconds: float) -> None:
     """A small request and `/livez`, alone and beside two studies that the service calculates."""
     body = BODY | {"samples": samples}
-    with running_service(processes=2) as service:
-        url, done = service.url, threading.Event()
+    with service("app.serve") as running:
+        url, done = f"http://127.0.0.1:{running.port}", threading.Event()
 
         def study() -> None:
             with httpx.Client(trust_env=False, timeout=600) as client:

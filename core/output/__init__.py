@@ -26,7 +26,12 @@ loaded_pin          a pin under the forces of a turn: its largest stresses, its 
 tied_pin            the same of pins that a tie ring joins
 edge_load           line load at the ends of contacts whose pins slope
 pin_strength        bending, shear, static safety, fatigue and deflection of the pins
-sharing_kernel      loops over pairs with gaps: one position, a turn, pieces of a study
+loop_rows           what the loops over pairs with gaps take and leave; their rules
+contact_kernel      loops: laws of contact of one pair
+giving_kernel       loops: satellites that give on their cranks or in their mesh
+tied_kernel         loops: pins that a tie ring joins
+sharing_kernel      loops: one position
+turn_kernel         loops: a turn, pieces of a study
 compiled            the same loops compiled, for turns and studies
 satellite_support   satellites that give: crank bearings, mesh; given shares of the torque
 conformal_law       the law of contact of a pin that wraps, as one curve

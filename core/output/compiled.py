@@ -14,7 +14,17 @@ from typing import Any
 
 import numpy as np
 
-from core.output import sharing_kernel as source
+from core.output import (
+    contact_kernel,
+    giving_kernel,
+    loop_rows,
+    sharing_kernel,
+    tied_kernel,
+    turn_kernel,
+)
+
+SOURCES = (loop_rows, contact_kernel, giving_kernel, tied_kernel, sharing_kernel, turn_kernel)
+"""The loops, each of which uses those before it."""
 
 INLINED = {
     *("at", "play", "played", "touch_error", "shift", "start", "balance", "freed", "carry"),
@@ -27,10 +37,10 @@ INLINED = {
 def _copies(
     made: Callable[[Any], Any], others: dict[str, Any], over: types.ModuleType | None
 ) -> dict[str, Any]:
-    """The source's functions, and over them those of another module, made anew: they see each other
+    """The sources' functions, and over them those of another module, made anew: they see each other
     and the others, not the plain ones.
     """
-    sources = [source] if over is None else [source, over]
+    sources = [*SOURCES] if over is None else [*SOURCES, over]
     names = {name: each for one in sources for name, each in vars(one).items()} | others
     read = [*sources, *(sys.modules[each.__module__] for _, each in _borrowed(over))]
     names["SOURCES"] = tuple(dict.fromkeys([__file__, *(one.__file__ for one in read)]))
@@ -80,7 +90,7 @@ _at_hand: types.SimpleNamespace = PLAIN
 
 
 def at_hand(over: types.ModuleType | None = None) -> Any:
-    """The functions of `core.output.sharing_kernel`: compiled once `load` was called, else as they
+    """The functions of all `SOURCES`: compiled once `load` was called, else as they
     are.
 
     Parameters
@@ -144,7 +154,7 @@ def _compiled(over: types.ModuleType | None) -> types.SimpleNamespace:
 
 def _of(module: str) -> types.SimpleNamespace:
     """The compiled functions of a module."""
-    return _compiled(None if module == source.__name__ else sys.modules[module])
+    return _compiled(None if sys.modules[module] in SOURCES else sys.modules[module])
 
 
 class Place:

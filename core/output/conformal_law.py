@@ -11,7 +11,8 @@ from core.conformal import ConformalContact, conformal_contact, local_approach, 
 from core.hertz import HERTZ_TOLERANCE
 from core.materials import ElasticMaterial, effective_modulus, mismatch
 from core.numerics.inverse import edge
-from core.output.sharing_kernel import BEND, Curve, Wrap, excess
+from core.output.contact_kernel import excess
+from core.output.loop_rows import BEND, Curve, Wrap
 
 FAR = 3.0
 """Radius of the circle in the satellite, over the hole's, against whose mean displacement the

@@ -9,18 +9,10 @@ from core.errors import InvalidInput
 from core.material_record import SOFT
 from core.materials import ElasticMaterial, effective_modulus
 from core.output.conformal_law import NO_CURVE, approach_over_load, conformal_curve, end
+from core.output.contact_kernel import pair_law
+from core.output.loop_rows import CONFORMAL, HERTZ, HERTZ_END, LINEAR, POWER, Curve, Law
 from core.output.pin_beam import PinBeam, Support
 from core.output.pin_section import PinSection, check_bore
-from core.output.sharing_kernel import (
-    CONFORMAL,
-    HERTZ,
-    HERTZ_END,
-    LINEAR,
-    POWER,
-    Curve,
-    Law,
-    pair_law,
-)
 from core.output.tie_ring import RingJoint, TieRing
 
 MIN_EXPONENT, MAX_EXPONENT = 0.5, 3.0
@@ -368,7 +360,7 @@ def law_constants(
     pin: ElasticMaterial | None,
     hole: ElasticMaterial | None,
 ) -> Law:
-    """Constants of a law, of which `core.output.sharing_kernel.pair_law` makes those of each pair.
+    """Constants of a law, of which `core.output.contact_kernel.pair_law` makes those of each pair.
 
     Parameters
     ----------

@@ -8,10 +8,10 @@ from typing import Literal
 
 from core.errors import ImpossibleMechanism
 from core.hertz import HertzContact, force_factor
+from core.output.contact_kernel import alone
 from core.output.real_mechanism import RealMechanism
 from core.output.room import Binding, Rooms, State, TurnRoom
 from core.output.satellite_support import CrankSupport, Shares
-from core.output.sharing_kernel import alone
 from core.precision import AS_TYPED
 
 Misfit = Literal[

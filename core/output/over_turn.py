@@ -20,8 +20,7 @@ from core.hertz import HertzContact
 from core.numerics.extremes import second_look
 from core.output.contact_force import PairNumber
 from core.output.loaded_position import notices
-from core.output.real_mechanism import RealMechanism
-from core.output.sharing_kernel import (
+from core.output.loop_rows import (
     BACKLASH,
     FORCE,
     INPUT_TORQUE,
@@ -31,6 +30,7 @@ from core.output.sharing_kernel import (
     PRESSURE,
     STIFFNESS,
 )
+from core.output.real_mechanism import RealMechanism
 from core.output.summits import Grid, Summit, all_summits, highest, summits
 from core.output.turn import Rows, Turn
 from core.precision import AS_TYPED, ROUNDING, SAME

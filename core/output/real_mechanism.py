@@ -29,16 +29,7 @@ from core.output.contact_law import (
     pin_compliance,
     tied_compliance,
 )
-from core.output.mechanism import Mechanism
-from core.output.pin_beam import check_apart
-from core.output.satellite_support import (
-    CrankSupport,
-    ElasticMesh,
-    SatelliteSupport,
-    Shares,
-    check_support,
-)
-from core.output.sharing_kernel import (
+from core.output.loop_rows import (
     CRANK,
     MESH,
     RIGID,
@@ -51,8 +42,17 @@ from core.output.sharing_kernel import (
     Row,
     Setup,
     Wrap,
-    prepare,
 )
+from core.output.mechanism import Mechanism
+from core.output.pin_beam import check_apart
+from core.output.satellite_support import (
+    CrankSupport,
+    ElasticMesh,
+    SatelliteSupport,
+    Shares,
+    check_support,
+)
+from core.output.sharing_kernel import prepare
 from core.output.stage import Stage, blank_rows, in_floats
 
 

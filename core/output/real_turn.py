@@ -77,10 +77,10 @@ def close_samples(turn: Turn) -> CloseSamples:
     -------
     CloseSamples
     """
-    return over_all(turn, refined(turn))
+    return over_all(turn=turn, rows=refined(turn=turn))
 
 
-def over_all(turn: Turn, rows: Rows) -> CloseSamples:
+def over_all(*, turn: Turn, rows: Rows) -> CloseSamples:
     """Samples of a period as those of all of them.
 
     Parameters
@@ -95,14 +95,14 @@ def over_all(turn: Turn, rows: Rows) -> CloseSamples:
     CloseSamples
     """
     force = rows["forces"]
-    error = float((off(turn, rows).max() + rows["force_error"].max()) / force.max())
+    error = float((off(turn=turn, rows=rows).max() + rows["force_error"].max()) / force.max())
     periods = np.arange(turn.repeats)
     wave = (rows["wave"] + turn.period * periods[:, None]).ravel()
     lag = math.copysign(1.0, turn.torque) * np.tile(rows["lag"], turn.repeats)
-    return CloseSamples(wave, over_periods(turn, force).T, lag, error, len(force))
+    return CloseSamples(wave, over_periods(turn=turn, force=force).T, lag, error, len(force))
 
 
-def over_periods(turn: Turn, force: FloatArray) -> FloatArray:
+def over_periods(*, turn: Turn, force: FloatArray) -> FloatArray:
     """Forces of the samples of a period over all of them, [n*repeats, K*N].
 
     Parameters
@@ -122,7 +122,7 @@ def over_periods(turn: Turn, force: FloatArray) -> FloatArray:
 
 
 def refined(
-    turn: Turn, near: float = JUDGED, besides: Callable[[Rows], FloatArray] | None = None
+    *, turn: Turn, near: float = JUDGED, besides: Callable[[Rows], FloatArray] | None = None
 ) -> Rows:
     """Positions of a period, as closely as the forces need.
 
@@ -143,7 +143,7 @@ def refined(
     for _ in range(HALVINGS):
         wave = rows["wave"]
         felt = np.maximum(near * rows["forces"].max(), FELT * rows["force_error"])
-        rough = off(turn, rows) > felt
+        rough = off(turn=turn, rows=rows) > felt
         if besides is not None:
             rough |= besides(rows) > near
         gaps = np.diff(wave, append=wave[0] + turn.period)
@@ -154,7 +154,7 @@ def refined(
     return rows
 
 
-def off(turn: Turn, rows: Rows) -> FloatArray:
+def off(*, turn: Turn, rows: Rows) -> FloatArray:
     """How far the largest of the forces' samples lies off the line between its neighbours.
 
     Parameters

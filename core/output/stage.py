@@ -6,16 +6,9 @@ from collections.abc import Iterable, Sequence
 from typing import Any, TypeVar
 
 from core.errors import ImpossibleMechanism
+from core.output.loop_rows import NO_DRIVE, NOT_SOLVED, NOT_STABLE, TOO_FAR, TOO_WIDE, Position
 from core.output.mechanism import Mechanism
-from core.output.sharing_kernel import (
-    NO_DRIVE,
-    NOT_SOLVED,
-    NOT_STABLE,
-    TOO_FAR,
-    TOO_WIDE,
-    Position,
-    too_wide,
-)
+from core.output.sharing_kernel import too_wide
 
 REFUSALS = {
     NO_DRIVE: "dead_centre",

@@ -14,13 +14,7 @@ import numpy as np
 from core.arrays import FloatArray
 from core.derived import derived
 from core.numerics.extremes import Narrow, other_places
-from core.output.sharing_kernel import (
-    BACKLASH,
-    LOST_MOTION,
-    PLAY_END,
-    Load,
-    Poses,
-)
+from core.output.loop_rows import BACKLASH, LOST_MOTION, PLAY_END, Load, Poses
 from core.output.stage import Stage
 from core.output.summits import Grid
 
@@ -43,7 +37,7 @@ SOLVES = {PLAY_END: 0, BACKLASH: 0, LOST_MOTION: 2}
 """Positions that are solved for a value; 1 for all others."""
 
 Rows = dict[str, FloatArray]
-"""Quantities at positions by the names of `core.output.sharing_kernel.Poses`, each shape (n,); the
+"""Quantities at positions by the names of `core.output.loop_rows.Poses`, each shape (n,); the
 forces of all pairs, shape (n, K*N); and `wave`, the wave angles, rad."""
 
 
@@ -72,7 +66,7 @@ class Turn:
             abs(float(torque)), float(share), real.setup(direction), real.setup(-direction)
         )
         self.pairs, self.room = (
-            as_rows(each, self.kernel.row) for each in (real.pairs, real.room())
+            as_rows(values=each, row=self.kernel.row) for each in (real.pairs, real.room())
         )
         self.evaluations = 0
         self.repeats = real.mechanism.pins if real.pins_alike else 1
@@ -202,7 +196,7 @@ class Turn:
         return grid, near
 
 
-def as_rows(values: Any, row: Callable[[Any], Any]) -> Any:
+def as_rows(*, values: Any, row: Callable[[Any], Any]) -> Any:
     """Rows as loops take them, of which parts are rows too.
 
     Parameters
@@ -217,7 +211,7 @@ def as_rows(values: Any, row: Callable[[Any], Any]) -> Any:
     named tuple
     """
     if isinstance(values, tuple):
-        return type(values)(*[as_rows(each, row) for each in values])
+        return type(values)(*[as_rows(values=each, row=row) for each in values])
     if isinstance(values, memoryview) and row is list:
         return values
     return row(values)

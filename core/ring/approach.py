@@ -17,7 +17,8 @@ import math
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from core.output.sharing_kernel import (
+from core.output.contact_kernel import law, line_law, pair_law
+from core.output.loop_rows import (
     EPS,
     HERTZ,
     INPUT_TORQUE,
@@ -29,9 +30,6 @@ from core.output.sharing_kernel import (
     Load,
     Row,
     Wrap,
-    law,
-    line_law,
-    pair_law,
 )
 
 ALONG_MOST, ALONG_LEAST, RUB, RUB_AND_PRESS = range(8, 12)

@@ -15,7 +15,8 @@ their wave angle is the crank angle.
 import math
 from typing import Any, NamedTuple
 
-from core.output.sharing_kernel import (
+from core.output.contact_kernel import law, within
+from core.output.loop_rows import (
     EPS,
     INPUT_TORQUE,
     NO_DRIVE,
@@ -33,20 +34,12 @@ from core.output.sharing_kernel import (
     Room,
     Row,
     Setup,
-    at,
-    balance,
-    law,
-    part,
-    play,
-    start,
-    too_wide,
-    touch_error,
-    wave_torque,
-    within,
 )
-from core.output.sharing_kernel import hardest as hardest_of
-from core.output.sharing_kernel import largest as largest_of
-from core.output.sharing_kernel import loaded as loaded_of
+from core.output.sharing_kernel import at, balance, part, play, start, too_wide, touch_error
+from core.output.turn_kernel import hardest as hardest_of
+from core.output.turn_kernel import largest as largest_of
+from core.output.turn_kernel import loaded as loaded_of
+from core.output.turn_kernel import wave_torque
 from core.ring.approach import ALONG_LEAST, ALONG_MOST, RUB, RUB_AND_PRESS, sliding
 from core.ring.approach import at as mesh_at
 from core.ring.approach import balance as mesh_balance
@@ -124,7 +117,7 @@ class SeriesRoom(NamedTuple):
 
 
 class SeriesPoses(NamedTuple):
-    """Positions under load as `core.output.sharing_kernel.Poses`, and what the ring does there."""
+    """Positions under load as `core.output.loop_rows.Poses`, and what the ring does there."""
 
     forces: Row
     lag: Row

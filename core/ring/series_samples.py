@@ -61,7 +61,7 @@ def sampled_in_series(turn: SeriesTurn) -> SampledTurn:
     """
     output = turn.real.output
     rows = _rows(turn)
-    samples, way = over_all(turn, rows), math.copysign(1.0, turn.torque)
+    samples, way = over_all(turn=turn, rows=rows), math.copysign(1.0, turn.torque)
     waves = samples.wave * output.mechanism.waves_per_turn
     found = directed(
         real=output,
@@ -105,7 +105,7 @@ def teeth_samples(turn: SeriesTurn) -> CloseSamples:
 
 def _rows(turn: SeriesTurn) -> Rows:
     near = NEAR * max(1.0, turn.pitches / turn.real.ring.disc.satellite_teeth)
-    return refined(turn, near, partial(_ring_off, turn))
+    return refined(turn=turn, near=near, besides=partial(_ring_off, turn))
 
 
 def _of_ring(rows: Rows) -> ComplexArray:

@@ -17,8 +17,8 @@ from core.errors import InvalidInput
 from core.numerics.extremes import LOOKED, zoom
 from core.output.contact_force import PairNumber
 from core.output.loaded_position import notices
+from core.output.loop_rows import FORCE, PRESSURE, STIFFNESS
 from core.output.over_turn import Extreme, OverTurn, Peak
-from core.output.sharing_kernel import FORCE, PRESSURE, STIFFNESS
 from core.output.summits import Summit
 from core.output.turn import LOOKED_AGAIN, POSITIONS, Rows, Turn
 from core.precision import SAME

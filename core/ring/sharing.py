@@ -27,11 +27,11 @@ from core.output.contact_law import (
     law_kind,
     pin_compliance,
 )
+from core.output.loop_rows import PRESSURE, RIGID, SHARES
 from core.output.mechanism import Mechanism
 from core.output.over_turn import Extreme, OverTurn
 from core.output.real_turn import CloseSamples, close_samples
 from core.output.satellite_support import Shares, check_shares
-from core.output.sharing_kernel import PRESSURE, RIGID, SHARES
 from core.output.stage import Stage, blank_rows, in_floats
 from core.output.summits import Summit, summits
 from core.output.turn import Turn

@@ -10,18 +10,8 @@ import numpy as np
 from core.arrays import BoolArray, FloatArray
 from core.errors import InvalidInput
 from core.output.compiled import at_hand
+from core.output.loop_rows import BINDS, FITS, FORCE, LOST_MOTION, Errors, Load, Pairs, Pieces, Room
 from core.output.real_mechanism import Deviations, RealMechanism
-from core.output.sharing_kernel import (
-    BINDS,
-    FITS,
-    FORCE,
-    LOST_MOTION,
-    Errors,
-    Load,
-    Pairs,
-    Pieces,
-    Room,
-)
 from core.output.summits import summits
 from core.output.turn import Turn, as_rows
 from core.tolerance.quantiles import Estimate, percentile, share
@@ -214,7 +204,7 @@ class Study:
         values : array, shape (pieces, quantities)
             SI units; NaN where a piece does not fit or cannot work.
         fits : array, shape (pieces,)
-            FITS, BINDS or NOWHERE of `core.output.sharing_kernel`.
+            FITS, BINDS or NOWHERE of `core.output.loop_rows`.
         """
         size = self.block(len(pieces))
         blocks = [pieces.part(first, first + size) for first in range(0, len(pieces), size)]
@@ -291,7 +281,7 @@ class Study:
         sizes = real.setup(direction), real.setup(-direction)
 
         none = [0.0] * len(pieces.pin_radial)
-        results: Pieces = as_rows(Pieces(*[none] * len(Pieces._fields)), kernel.row)
+        results: Pieces = as_rows(values=Pieces(*[none] * len(Pieces._fields)), row=kernel.row)
         load = Load(abs(asked.output_torque), asked.lost_motion_share, *sizes)
         lost = "lost_motion" in asked.quantities
         under_load = bool({*asked.quantities} - {"backlash_max", "lost_motion"})
@@ -304,8 +294,8 @@ class Study:
             load,
             kernel.row(real.mechanism.crank_angles),
             kernel.row(real.compliance),
-            as_rows(real.blank(Pairs), kernel.row),
-            as_rows(real.blank(Room), kernel.row),
+            as_rows(values=real.blank(Pairs), row=kernel.row),
+            as_rows(values=real.blank(Room), row=kernel.row),
             results,
         )
         return results

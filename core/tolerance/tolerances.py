@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from core.arrays import FloatArray, check_positive
+from core.output.loop_rows import Errors
 from core.output.real_mechanism import Deviations
-from core.output.sharing_kernel import Errors
 from core.tolerance.draws import KINDS, OTHER, Spread, uniforms, zone_places
 
 

@@ -94,7 +94,7 @@ print([name for name in sys.modules if name.partition(".")[0] in ("core", "numpy
 """
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
-    sources = sharing_kernel, approach, series_kernel
+    sources = *loops.SOURCES, approach, series_kernel
     assert tuple(Path(each.__file__) for each in sources) == compiled.SOURCES
     kernel = loops.in_place_of(series_kernel)
     assert kernel.values.__qualname__ == compiled.LAST
@@ -122,9 +122,9 @@ def elsewhere(monkeypatch, tmp_path):
 
 def test_a_cache_is_one_that_was_made_after_its_source(elsewhere):
     assert not compiled.cached()
-    made = elsewhere / "output_0" / f"sharing_kernel.{compiled.LAST}-1.py311.nbi"
+    made = elsewhere / "output_0" / f"turn_kernel.{compiled.LAST}-1.py311.nbi"
     made.parent.mkdir()
-    (made.parent / "sharing_kernel.poses-1.py311.nbi").touch()
+    (made.parent / "turn_kernel.poses-1.py311.nbi").touch()
     assert not compiled.cached()
     made.touch()
     assert compiled.cached()
@@ -141,7 +141,7 @@ def test_a_broken_cache_is_made_anew(elsewhere, monkeypatch):
         if runs[-1]:
             raise EOFError
 
-    (elsewhere / "sharing_kernel.pieces-1.py311.1.nbc").write_bytes(b"broken")
+    (elsewhere / "turn_kernel.pieces-1.py311.1.nbc").write_bytes(b"broken")
     monkeypatch.setattr(compiled, "run_once", run_once)
     compiled.load()
     assert [*map(bool, runs)] == [True, False]
@@ -168,7 +168,7 @@ def test_a_service_without_a_cache_makes_one_first(elsewhere, monkeypatch, caplo
         assert named == [["turns"], ["meshes"], ["series"]]
         assert ended == [*["waited"] * 2, *["killed"] * 2, "waited", "killed"]
         assert "once an installation" in caplog.text
-        (elsewhere / f"sharing_kernel.{compiled.LAST}-1.py311.nbi").touch()
+        (elsewhere / f"turn_kernel.{compiled.LAST}-1.py311.nbi").touch()
         compiled.make_cache()
     assert len(run) == 3 and len(caplog.records) == 1
 

@@ -12,8 +12,8 @@ import pytest
 
 from app.calculations.load_sharing import LoadSharingRequest
 from app.examples import REQUESTS
+from core.output.loop_rows import FORCE, LOST_MOTION
 from core.output.over_turn import over_turn
-from core.output.sharing_kernel import FORCE, LOST_MOTION
 from core.output.turn import Turn
 from tests.oracles.held import close
 

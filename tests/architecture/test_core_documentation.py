@@ -13,6 +13,7 @@ from types import FunctionType, ModuleType
 import pytest
 
 import core
+from core.output.compiled import SOURCES
 
 ROOT = Path(__file__).parent.parent.parent
 MODULES = [
@@ -64,7 +65,11 @@ ORDERED = {
 """Functions whose arguments have an order of their own: a polynomial's coefficients, the ends of a
 stretch, what NumPy's `where` takes, a check's value and limit."""
 
-KERNELS = {"core.output.sharing_kernel", "core.ring.approach", "core.ring.series_kernel"}
+KERNELS = {
+    *(each.__name__ for each in SOURCES),
+    "core.ring.approach",
+    "core.ring.series_kernel",
+}
 """Loops that are compiled as well, which knows no arguments by keyword; not for other packages."""
 
 CLASSES = [cls for module in MODULES for cls in own(module, type)]

@@ -30,6 +30,7 @@ SAYS = {
     "sharing": "compiling is not timed",
     "soak": "most processes",
     "speed": "contact line",
+    "studies": "beside two studies",
     "studio": "times its rate",
     "stability": "right to their stated error",
     "turns": "\n0 missed",

@@ -12,11 +12,11 @@ from core.derived import derived
 from core.errors import ImpossibleMechanism
 from core.output import compiled
 from core.output.contact_law import PinSupport
+from core.output.loop_rows import FORCE
 from core.output.mechanism import Mechanism
 from core.output.over_turn import OverTurn, over_turn
 from core.output.real_mechanism import RealMechanism
 from core.output.satellite_support import CrankSupport, ElasticMesh, Shares
-from core.output.sharing_kernel import FORCE
 from core.output.turn import Turn
 from core.tolerance.draws import Spread
 from core.tolerance.study import QUANTITIES, Evaluation, Study

@@ -10,6 +10,7 @@ from core.conformal import conformal_contact, local_approach
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.materials import ElasticMaterial, effective_modulus, mismatch
 from core.output.conformal_law import approach_over_load, conformal_curve, end, far_approach
+from core.output.contact_kernel import alone, given_over, law
 from core.output.contact_law import (
     ConformalLaw,
     HertzLaw,
@@ -18,9 +19,9 @@ from core.output.contact_law import (
     usual_law,
 )
 from core.output.loaded_position import loaded_position
+from core.output.loop_rows import CONFORMAL, Curve
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import RealMechanism
-from core.output.sharing_kernel import CONFORMAL, Curve, alone, given_over, law
 
 STEEL, PLA = ElasticMaterial(207e9, 0.3), ElasticMaterial(3.5e9, 0.36)
 NEAR_LIMIT = ElasticMaterial(20e9, 0.3)

@@ -20,12 +20,12 @@ from core.output.contact_law import (
     pin_compliance,
 )
 from core.output.loaded_position import LoadedPosition
+from core.output.loop_rows import FORCE
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_curves import RealCurves, real_curves
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.real_turn import sampled
-from core.output.sharing_kernel import FORCE
 from core.output.summits import summits
 from core.output.turn import Turn
 from tests.inputs.real_mechanisms import (

@@ -10,10 +10,10 @@ import pytest
 from core.errors import InvalidInput
 from core.output import compiled
 from core.output.contact_law import LinearLaw
+from core.output.loop_rows import LOST_MOTION
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_mechanism import Deviations, RealMechanism
-from core.output.sharing_kernel import LOST_MOTION
 from core.ring.profile import CycloidDisc, Modification
 from core.ring.series import MeshesInSeries
 from core.ring.series_turn import SeriesTurn, series_over_turn

@@ -15,10 +15,10 @@ from core.errors import InvalidInput
 from core.output.compiled import PLAIN, in_place_of
 from core.output.contact_law import ContactLaw, HertzLaw, LinearLaw, PowerLaw
 from core.output.fit import Fit
+from core.output.loop_rows import BINDS, FITS, JUST, NOWHERE, Pairs, Room, Setup
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import Deviations
 from core.output.satellite_support import Shares
-from core.output.sharing_kernel import BINDS, FITS, JUST, NOWHERE, Pairs, Room, Setup
 from core.tolerance.contributions import contributions
 from core.tolerance.draws import Spread, uniforms, zone_places
 from core.tolerance.iso286 import GRADES, NEAREST, SIZES, class_limits

@@ -11,12 +11,12 @@ from core.hertz import HertzContact, hertz
 from core.materials import ElasticMaterial
 from core.output.alternating import WorseTurn
 from core.output.conformal_law import PRESSURE_ERROR, conformal_wrap
+from core.output.contact_kernel import excess
 from core.output.contact_law import ConformalLaw, HertzLaw, LinearLaw
 from core.output.loaded_position import loaded_position
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_mechanism import Deviations, RealMechanism
-from core.output.sharing_kernel import excess
 from core.tolerance.study import Evaluation, Study
 from core.tolerance.tolerances import Tolerances
 

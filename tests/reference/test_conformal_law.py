@@ -23,11 +23,11 @@ from core.output.conformal_law import (
     end,
     far_approach,
 )
+from core.output.contact_kernel import excess
 from core.output.contact_law import ConformalLaw, PinSupport, contact_compliance
 from core.output.loaded_position import loaded_position
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import Deviations, RealMechanism
-from core.output.sharing_kernel import excess
 from tests.oracles import dissimilar, rims
 from tests.oracles.load_sharing import exact_position
 from tests.oracles.seeds import seeds

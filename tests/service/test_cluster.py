@@ -16,7 +16,7 @@ from core.output.mechanism import Mechanism
 from core.output.real_mechanism import RealMechanism
 from core.tolerance.study import Evaluation, Study
 from core.tolerance.tolerances import Tolerances
-from tests.running_cluster import Cluster
+from tests.inputs.cluster import Cluster
 from tests.running_service import eventually, running_service
 
 pytestmark = pytest.mark.slow

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from core.output.contact_law import LinearLaw
+from core.output.loop_rows import FORCE, LAG
 from core.output.mechanism import Mechanism
 from core.output.pin_forces import reference_force
 from core.output.real_mechanism import RealMechanism
-from core.output.sharing_kernel import FORCE, LAG
 from core.output.turn import Turn
 from core.tolerance.draws import Spread, uniforms
 from core.tolerance.study import Evaluation, Study, ToleranceStudy, tolerance_study
