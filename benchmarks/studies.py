@@ -37,10 +37,7 @@ BODY = {
     },
     "tolerances": {"pin_position_mm": 0.01, "hole_position_mm": 0.02},
 }
-SMALL = {
-    "mechanism": {"pins": 6, "satellites": 2, "ratio": 20},
-    "load": {"output_torque_Nm": 200, "pin_circle_radius_mm": 40},
-}
+SMALL = {"pins": 6, "ratio": 20, "output_torque_Nm": 200, "pin_circle_radius_mm": 40}
 
 
 def _study(samples: int, threads: int = 1) -> Study:

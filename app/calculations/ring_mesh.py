@@ -377,12 +377,19 @@ class RingMeshRequest(RequestModel, group="positions"):
         if "positions" in asked:
             first = mesh_position(**at, crank_angle=self.angles[0])
             steps["positions"] = pressure_steps(
-                **at, crank_angle=self.angles[0], pressure=first.max_pressure
+                mesh=self.mesh,
+                crank_angle=self.angles[0],
+                force=first.force,
+                pressure=first.max_pressure,
             )
         if "over_turn" in asked:
             turn = mesh_over_turn(**at)
+            place = turn.hardest_place[1]
             steps["over_turn"] = pressure_steps(
-                **at, crank_angle=turn.hardest_place[1], pressure=turn.max_pressure
+                mesh=self.mesh,
+                crank_angle=place,
+                force=turn.forces_at(place),
+                pressure=turn.max_pressure,
             )
             friction = self.cycloid.friction_coefficient
             if friction is not None:

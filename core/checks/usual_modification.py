@@ -110,8 +110,8 @@ def usual_sizes(*, ring_class: RingClass, circle_radius: float) -> tuple[float, 
 
     Examples
     --------
-    >>> usual_sizes(ring_class="ground", circle_radius=0.08)
-    (8e-06, 4e-06)
+    >>> usual_sizes(ring_class="machined", circle_radius=0.08)
+    (3e-05, 2.5e-05)
     """
     if ring_class == "ground":
         equidistant = max(GROUND_LEAST, GROUND_SHARE * circle_radius)

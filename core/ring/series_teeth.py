@@ -94,6 +94,22 @@ class TeethInSeries(MeshTurn):
         satellite, pin = divmod(int(pressed.argmax()), self.mesh.disc.pins)
         return PairNumber(satellite + 1, pin + 1), top.place % turn.period
 
+    def forces_at(self, crank_angle: float) -> FloatArray:
+        """Forces of all pairs at a crank angle, counted over all turns after which both meshes
+        repeat, N.
+
+        Parameters
+        ----------
+        crank_angle : float
+            The angle, rad.
+
+        Returns
+        -------
+        array, shape (K, z_p)
+        """
+        forces: FloatArray = self.series.turn.poses([crank_angle])["teeth"]
+        return forces.reshape(-1, self.mesh.disc.pins)
+
     @derived
     def _along(self) -> tuple[Extreme, Extreme]:
         series = self.series

@@ -557,6 +557,21 @@ class MeshTurn(OverTurn):
         satellite, pin = divmod(int(pressed.argmax()), self.mesh.disc.pins)
         return PairNumber(satellite + 1, pin + 1), place % (2 * math.pi)
 
+    def forces_at(self, crank_angle: float) -> FloatArray:
+        """Forces of all pairs at a crank angle, N.
+
+        Parameters
+        ----------
+        crank_angle : float
+            The angle, rad.
+
+        Returns
+        -------
+        array, shape (K, z_p)
+        """
+        forces: FloatArray = self.turn.poses([crank_angle])["forces"]
+        return forces.reshape(-1, self.mesh.disc.pins)
+
     @derived
     def interference(self) -> float:
         """Smallest possible worst approach without load, m, where the lags that both flanks leave

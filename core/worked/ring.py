@@ -3,6 +3,7 @@
 import math
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from core.derived import if_known
 from core.design.results import Results
@@ -10,7 +11,7 @@ from core.materials import effective_modulus
 from core.ring.involute import InvolutePair
 from core.ring.loss import RingLoss
 from core.ring.profile import CycloidDisc
-from core.ring.sharing import CycloidMesh, ideal_mesh, mesh_position
+from core.ring.sharing import CycloidMesh, ideal_mesh
 from core.worked.step import Sheet, Step
 
 FELT = 1e-6
@@ -101,7 +102,7 @@ def ideal_ring_steps(*, disc: CycloidDisc, output_torque: float, satellites: int
 
 
 def pressure_steps(
-    *, mesh: CycloidMesh, crank_angle: float, output_torque: float, pressure: float | None
+    *, mesh: CycloidMesh, crank_angle: float, force: ArrayLike, pressure: float | None
 ) -> list[Step]:
     """Steps of the largest pressure of a mesh at a crank angle.
 
@@ -111,8 +112,8 @@ def pressure_steps(
         The mesh.
     crank_angle : float
         Crank angle, rad.
-    output_torque : float
-        Torque of all discs, N*m, negative in reverse.
+    force : array, K x z_p
+        Forces of all pairs there, N.
     pressure : float or None
         The pressure, Pa.
 
@@ -125,7 +126,6 @@ def pressure_steps(
     if pressure is None or first is None or second is None:
         return []
     sheet, disc = Sheet(), mesh.disc
-    found = mesh_position(mesh=mesh, crank_angle=crank_angle, output_torque=output_torque)
     _disc(sheet, disc)
     _tool(sheet, disc)
     k, pins = disc.shortening, np.arange(disc.pins)
@@ -136,8 +136,8 @@ def pressure_steps(
     path = disc.tool_circle_radius * slope**3 / bend
     size = disc.ring_pin_radius + np.array(mesh.pairs.larger).reshape(angle.shape)
     reduced = 1 / (1 / size + 1 / (path - disc.tool_radius))
-    force = np.array(found.force)
-    at = np.unravel_index(int((force / reduced).argmax()), force.shape)
+    carried = np.array(force)
+    at = np.unravel_index(int((carried / reduced).argmax()), carried.shape)
     satellite, pin = (int(each) for each in at)
     where = {"params": {"satellite": satellite + 1, "pin": pin + 1}}
     sheet.take("phi", "crank_angle", crank_angle)
@@ -158,7 +158,7 @@ def pressure_steps(
     modulus = effective_modulus(first=first, second=second)
     sheet.work("effective_modulus", "E_m", modulus, "1/((1-nu_1^2)/E_1+(1-nu_2^2)/E_2)")
     sheet.take("b", "contact_length", mesh.contact_length)
-    sheet.state("ring_pin_force", "F", force[at], "solved")
+    sheet.state("ring_pin_force", "F", carried[at], "solved")
     sheet.work("max_pressure", "p_0", pressure, "sqrt(F*E_m/(pi*b*rho))", source="johnson")
     return sheet.steps
 
@@ -265,7 +265,7 @@ def ring_steps(results: Results) -> list[Step]:
     pressed = pressure_steps(
         mesh=turn.mesh,
         crank_angle=turn.hardest_place[1],
-        output_torque=turn.turn.torque,
+        force=turn.forces_at(turn.hardest_place[1]),
         pressure=turn.max_pressure,
     )
     steps += [each for each in pressed if each not in steps]

@@ -607,6 +607,7 @@ export default {
     loss_per_friction: { title: "Loss over output for a friction of 1" },
     loss_ratio: { title: "Loss over output" },
     ideal_loss_ratio: { title: "Loss over output, perfect parts" },
+    peak_error: { title: "Relative error of the largest force" },
     loss_error: { title: "Relative error of the loss" },
     ratio_error: { title: "Error of the ratios" },
     working_phase_deg: { title: "Working phase of a pair" },

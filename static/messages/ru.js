@@ -600,6 +600,7 @@ export default {
     loss_per_friction: { title: "Потери к выходу при трении 1" },
     loss_ratio: { title: "Потери к выходу" },
     ideal_loss_ratio: { title: "Потери к выходу, идеальные детали" },
+    peak_error: { title: "Относительная погрешность наибольшей силы" },
     loss_error: { title: "Относительная погрешность потерь" },
     ratio_error: { title: "Погрешность отношений" },
     working_phase_deg: { title: "Фазовый угол работы пары" },

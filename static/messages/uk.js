@@ -600,6 +600,7 @@ export default {
     loss_per_friction: { title: "Втрати до виходу за тертя 1" },
     loss_ratio: { title: "Втрати до виходу" },
     ideal_loss_ratio: { title: "Втрати до виходу, ідеальні деталі" },
+    peak_error: { title: "Відносна похибка найбільшої сили" },
     loss_error: { title: "Відносна похибка втрат" },
     ratio_error: { title: "Похибка відношень" },
     working_phase_deg: { title: "Фазовий кут роботи пари" },

@@ -197,7 +197,7 @@ async def test_what_cannot_be_is_refused_by_name(api, body, pointer, code):
 @pytest.mark.parametrize(
     ("include", "pins", "more", "limit"),
     [
-        (["over_turn"], 13, {"satellite_coupling": SHARES, **FIRST}, 12),
+        (["over_turn"], 126, {"satellite_coupling": SHARES, **FIRST}, 125),
         (["over_turn"], 501, {}, 500),
         (["positions"], 5001, {}, 5000),
         (["positions"], 501, {"crank_angle_deg": [0.0] * 100}, 500),

@@ -97,7 +97,7 @@ def distance(points, polygon):
             "/gear",
             "needed_beside",
         ),
-        ({"gear": {"kind": "none"}}, "/gear/contact_length_mm", "of_another_kind"),
+        ({"gear": {"kind": "none"}}, "/gear/ring_pin_circle_radius_mm", "of_another_kind"),
     ],
 )
 async def test_what_does_not_fit_together_is_refused(api, sections, pointer, code):

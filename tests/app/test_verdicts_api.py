@@ -494,6 +494,7 @@ EXAMPLE_VERDICTS = {
     "clearance": ("incomplete", "pass"),
     "whole": ("incomplete", "pass"),  # as the tutorial's, with materials of the table
     "cycloid": ("pass", "pass"),  # all of its parts
+    "involute": ("pass", "pass"),  # likewise
     "ring-output": ("incomplete", "pass"),  # the same at 21/20 of the torque
     "printed-15-to-1": ("incomplete", "open"),  # no limit of a plastic
     "aluminium-joint": ("incomplete", "open"),  # nor of aluminium that lasts

@@ -25,6 +25,7 @@ from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import pin_strength
 from core.output.real_curves import real_curves
 from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_turn import refined
 from core.output.satellite_support import CrankSupport
 from tests.inputs.real_mechanisms import UNLIKE, design, made, real_turn, reals
 
@@ -86,7 +87,7 @@ def test_the_crank_carries_what_pins_and_ring_press(real: RealMechanism, torque:
     arms = np.array(own)[:, None] + real.eccentricity
     some = slice(None, None, len(turn.wave) // 7)
     parts = made_parts(turn=turn, arm=1.0, radial_force_ratio=0.0)
-    across = turn.on_satellites.imag + parts.ring / (arms * ratio)
+    across = turn.on_satellites.imag + parts.ring.imag / (arms * ratio)
     angles = (turn.wave - real.mechanism.initial_crank_angle) / (1 + 1 / ratio)
     curves = real_curves(real=real, crank_angle=angles[some], output_torque=torque)
     on_crank = (arms * across).sum(axis=0)[some]
@@ -130,7 +131,7 @@ def test_the_stated_error_is_that_of_closer_samples(monkeypatch: pytest.MonkeyPa
         (lambda of: crankshaft(**shaft, made=of), ("peak_reaction", "equivalent_reaction")),
     )
     found = [call(rough) for call, _ in calls]
-    monkeypatch.setattr("core.output.real_turn.JUDGED", 1e-6)
+    monkeypatch.setitem(refined.__kwdefaults__, "near", 1e-6)
     close = made(UNLIKE)
     assert len(close(500.0).wave) > 2 * len(rough(500.0).wave)
     for one, (call, names) in zip(found, calls, strict=True):
