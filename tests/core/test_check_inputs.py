@@ -172,6 +172,7 @@ DESIGNS = {
         crankshaft=replace(ALL.crankshaft, eccentric_diameter=0.024),  # type: ignore[type-var]
     ),
     "peak torque": having(ALL, peak_torque=2000.0),
+    "peak torque, ideal forces": having(ALL, pin=None, fatigue=None, peak_torque=900.0),
     "peak torque, uneven cranks": having(
         ALL, peak_torque=700.0, crank_spacing=2.0, hole_radius=0.01002
     ),
@@ -442,6 +443,7 @@ DESIGNS |= {
         SERIES,
         crank_spacing=2.0,
         application_factor=1.2,
+        peak_torque=None,
         max_unbalance_share=1e-4,
         gear=replace(RINGED, modification=Modification(3e-5, -4e-5, 1e-4), contact_law=None),
     ),
@@ -585,8 +587,21 @@ def test_what_moves_a_check_is_named(seen: dict[tuple[str, str], bool]) -> None:
 
 
 def test_what_a_check_names_moves_it(seen: dict[tuple[str, str], bool]) -> None:
-    idle = {pair for pair, moves_it in seen.items() if named(*pair) and not moves_it}
+    """Of both meshes in series forces are one solution: an input of the ring moves the checks of
+    the pins through these alone, and the other way round, so that one check has to show it.
+    """
+    felt = {(of_ring(code), name) for (code, name), moves_it in seen.items() if moves_it}
+    idle = {
+        (code, name)
+        for (code, name), moves_it in seen.items()
+        if named(code, name) and not moves_it
+        if of_ring(code) == name.startswith("gear.") or (of_ring(code), name) not in felt
+    }
     assert idle - JUMPS == set()
+
+
+def of_ring(code: str) -> bool:
+    return code.startswith("ring_")
 
 
 FOLLOWS = {
