@@ -14,7 +14,7 @@ from pathlib import Path
 
 LOG = logging.getLogger("khv.compiled")
 
-ONCE = "compiling the load sharing, once an installation: about a minute"
+ONCE = "compiling the load sharing, once an installation: a minute or two"
 
 CORE = Path(__file__).parent.parent / "core"
 

@@ -1,6 +1,6 @@
 """Satellites that give: elastic crank bearings, an elastic mesh, or given shares of the torque.
 
-First order only. What bearings and meshes give is solved in `core.output.sharing_kernel`; with
+First order only. What bearings and meshes give is solved in `core.output.giving_kernel`; with
 given shares every satellite is solved for itself.
 """
 
