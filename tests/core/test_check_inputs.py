@@ -172,6 +172,11 @@ DESIGNS = {
         crankshaft=replace(ALL.crankshaft, eccentric_diameter=0.024),  # type: ignore[type-var]
     ),
     "peak torque": having(ALL, peak_torque=2000.0),
+    "a factor, bearings of a small static rating": having(
+        ALL,
+        application_factor=1.5,
+        bearing=replace(ALL.bearing, static_rating=5e3),  # type: ignore[type-var]
+    ),
     "peak torque, ideal forces": having(ALL, pin=None, fatigue=None, peak_torque=900.0),
     "peak torque, uneven cranks": having(
         ALL, peak_torque=700.0, crank_spacing=2.0, hole_radius=0.01002
