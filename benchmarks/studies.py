@@ -157,7 +157,7 @@ def main(smallest: bool) -> None:
     _study(64).values(_study(64).pieces())
     _cores(256 if smallest else 65_536, 1 if smallest else 5)
     _cluster(4096 if smallest else 166_667)
-    _beside(300 if smallest else 50_000, 0.3 if smallest else 15.0)
+    _beside(300 if smallest else 6_900, 0.3 if smallest else 15.0)
 
 
 if __name__ == "__main__":
