@@ -101,8 +101,9 @@ export function isOn(model, id, texts) {
 export function shownFields(model, state, on = isOn) {
   return model.groups.flatMap((group) => group.items).flatMap((item) => (item.path
     ? [item]
-    : item.options.find((option) => option.id === state.chosen[item.id]).fields)).filter(({ wanted, kind, when }) =>
-    !wanted || kind === "switch" || (on(model, wanted, state.texts) && (!when || when.slice(1).includes(state.texts[when[0]]))));
+    : item.options.find((option) => option.id === state.chosen[item.id]).fields)).filter(({ wanted, kind, when, needs }) =>
+    !wanted || kind === "switch" || ([wanted, needs].every((group) => !group || on(model, group, state.texts))
+      && (!when || when.slice(1).includes(state.texts[when[0]]))));
 }
 
 /** The fields that a link says: those too that come back with a group which is off. */
