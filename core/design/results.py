@@ -778,8 +778,6 @@ class Results:
         or given shares of the torque.
         """
         design, gear = self.design, self.design.gear
-        if not gear:
-            raise NotKnown("section_missing", "gear")
         if gear.kind != "cycloid":
             raise NotKnown("no_ring_pins")
         change = gear.modification
@@ -814,8 +812,6 @@ class Results:
     def involute_pair(self) -> InvolutePair:
         """A satellite of involute teeth in its ring, where its shifts and heights are known."""
         design, gear = self.design, self.design.gear
-        if not gear:
-            raise NotKnown("section_missing", "gear")
         if gear.kind != "involute":
             raise NotKnown("no_involute")
         if gear.unknown_teeth:
@@ -925,11 +921,9 @@ class Results:
         return self.ring_turns(self.design.pin_torque * factor)[0]
 
     @derived
-    def ring_static(self) -> list[MeshTurn]:
-        """The same under the torque of static strength, in each direction, that of the larger
-        pressure first.
-        """
-        return self.ring_turns(self.design.static_torque * self.design.ring_factor)
+    def ring_static(self) -> MeshTurn:
+        """The same under the torque of static strength."""
+        return self.ring_turns(self.design.static_torque * self.design.ring_factor)[0]
 
     @property
     def bent_ring_pin(self) -> DesignPin:
