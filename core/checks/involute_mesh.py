@@ -212,11 +212,15 @@ def mesh_undercut(design: Design, results: Results) -> Check:
     inputs=(*INVOLUTE_TEETH, "gear.dedendum", *INVOLUTE_CUTTER),
 )
 def mesh_tip_clearance(design: Design, results: Results) -> Check:
+    """Of a ring whose cutter is not known with the root that the hob's dedendum gives it."""
     if other := other_ring(results=results, kind=mesh_tip_clearance, of=INVOLUTE):
         return other
     pair = results.involute_pair
     least = min(pair.tip_clearance_satellite, pair.tip_clearance_ring) / pair.teeth.module
-    return _usual(mesh_tip_clearance, least, least=0.0, guide=LEAST_CLEARANCE, impossible=True)
+    found = _usual(mesh_tip_clearance, least, least=0.0, guide=LEAST_CLEARANCE, impossible=True)
+    if pair.teeth.cutter is not None or found.reason or found.status == "fail":
+        return found
+    return found._replace(reason="ring_root_assumed", missing=("gear.cutter_teeth",))
 
 
 @_mesh(

@@ -301,7 +301,8 @@ def ring_pin_fatigue(design: Design, results: Results) -> Check:
 def ring_pin_slope(design: Design, results: Results) -> Check | Measure:
     if other := _bends(results, ring_pin_slope):
         return other
-    return _pins(results).bent("slope", "slope_satellite")
+    made = results if design.requirements.max_slope is None else results.softest
+    return _pins(made).bent("slope", "slope_satellite")
 
 
 @_check(
@@ -380,6 +381,7 @@ def ring_efficiency(design: Design, results: Results) -> Check | Measure:
     inputs=(
         *RING_FORCES,
         *SPEEDS,
+        "contact.distribution_of",
         "gear.rolling",
         "requirements.max_pv",
     ),
@@ -396,7 +398,7 @@ def ring_pv(design: Design, results: Results) -> Check | Measure:
     if design.requirements.max_pv is None:
         raise NotKnown("no_limit")
     _ = design.known_speed
-    value = results.ring_loss.peak_pv
+    value = results.ring_pv
     assert value is not None  # of sleeves at a speed
     return Measure(value, error=_error(results.ring_working[0]), rough=True)
 
