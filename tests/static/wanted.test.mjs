@@ -150,6 +150,17 @@ test("a group goes off with the one that it needs, and comes back with it where 
   assert.deepEqual(turned(again, "real", true).reading.input, both.reading.input);
 });
 
+test("what belongs to a box that goes goes with it, and comes back as it was typed", () => {
+  const fields = { ...GROUP.fields, tolerance: { when: ["stiffness_N_per_mm", "7000"], required: true } };
+  const model = formModel(SERVICE, { path: "/api/v1/job", groups: ["mechanism", "contact"], hidden: ["mechanism.include"], wanted: [{ ...GROUP, fields }], words: ownWords });
+  const said = (law) => {
+    const texts = { "real.on": "on", law, stiffness_N_per_mm: "7000", tolerance: "0.25" };
+    const { input: { besides }, wrong } = readState(model, { texts: { ...stateFromInput(model, INPUT).texts, ...texts }, chosen: stateFromInput(model, INPUT).chosen });
+    return [besides.stiffness_N_per_mm, besides.tolerance, wrong.length];
+  };
+  assert.deepEqual(["linear", "hertz", "linear"].map(said), [[7000, 0.25, 0], [undefined, undefined, 0], [7000, 0.25, 0]]);
+});
+
 test("what cannot be read in it keeps nobody else from an answer, and says where it is", () => {
   const wanted = next.switched(opened(), "real", true, 0);
   const state = next.typedIn(wanted, "parts.table", "0,01; | x; ", 0);
