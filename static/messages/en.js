@@ -8,6 +8,8 @@ export default {
     "study.hole_class": { title: "Hole diameter, class", help: "ISO 286 class of the diameter of the holes." },
     "real.pins": { title: "Measured pins", help: "Deviations of a measured part, of each pin: outward, in the driving sense, of its radius." },
     "teeth.ring_pins": { title: "Measured pins of the ring", help: "Deviations of a measured ring, of each of its pins: outward, as the output turns, of its radius. The first faces the crank at φ = 0, the others follow against the clock; zeros say that there are none." },
+    "teeth.contact_law": { title: "Law of contact of the teeth", help: "How a pin of the ring and a disc give under a force. Hertz: line contact with its logarithm; Palmgren: rollers of steel; linear; power. Where not given, Hertz." },
+    "teeth.reference_depth": { title: "Reference depth", help: "Depth to which Hertz counts the approach of pin and disc; the pin's radius where not given." },
     "real.holes": { title: "Measured holes", help: "Deviations of each hole, satellite by satellite: outward, in the driving sense, of its radius." },
     "real.cranks": { title: "Measured cranks and discs", help: "Deviations of each eccentricity, crank angle, and of the angle of a disc's holes against its teeth." },
     "study.on": { title: "Tolerances", help: "What tolerances do to the pieces: many are drawn at random and calculated, when asked." },
