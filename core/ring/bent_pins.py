@@ -52,5 +52,5 @@ def forces_on_ring(turn: MeshTurn) -> PinForces:
         on_pins=1j * force * outward / np.abs(outward),
         error=samples.error,
         evaluations=samples.evaluations,
-        pins_alike=mesh.pins_alike,
+        unlike=1 if mesh.pins_alike else pins,
     )

@@ -70,7 +70,7 @@ def sampled_in_series(turn: SeriesTurn) -> SampledTurn:
     )
     return replace(
         found,
-        pins_alike=turn.repeats == output.mechanism.pins,
+        unlike=math.gcd(turn.step, output.mechanism.pins),
         waves=turn.waves,
         of_ring=np.tile(_of_ring(rows), (turn.repeats, 1)).T,
     )
