@@ -115,7 +115,7 @@ def whence(limit: ContactLimit) -> dict[str, str]:
     }
 
 
-def over_life(found: Check, limit: ContactLimit) -> Check:
+def over_life(*, found: Check, limit: ContactLimit) -> Check:
     """A pressure against a limit, with how much of the life that has in it, where nothing else is
     said.
 
@@ -139,7 +139,9 @@ def over_life(found: Check, limit: ContactLimit) -> Check:
     return found._replace(reason="life_of_teeth")
 
 
-def static_limit(material: ElasticMaterial, pressure: float) -> tuple[float, dict[str, Any]] | None:
+def static_limit(
+    *, material: ElasticMaterial, pressure: float
+) -> tuple[float, dict[str, Any]] | None:
     """What a surface bears once: what it bears for ever it bears once too.
 
     Parameters
@@ -198,7 +200,7 @@ def _pressure(body: Body) -> Kind:
                 at=if_known(lambda: results.peak) or {},
                 missing=(f"contact.{body}_material.allowable_pressure",),
             )
-        return over_life(_against_limit(pressure, results), limit)
+        return over_life(found=_against_limit(pressure, results), limit=limit)
 
     return pressure
 
@@ -286,7 +288,7 @@ def _static(body: Body) -> Kind:
         pressure = contact.governing_pressure
         if pressure is None:
             raise NotKnown("contact_wraps")
-        known = static_limit(material, pressure)
+        known = static_limit(material=material, pressure=pressure)
         if known is None:
             return Check(
                 static,

@@ -157,7 +157,7 @@ def _pressure(body: RingBody) -> Kind:
             **known,
             reserve=(known["limit"] / pressed.value) ** 2,
         )
-        return over_life(found, material.limit)
+        return over_life(found=found, limit=material.limit)
 
     return pressure
 
@@ -180,7 +180,7 @@ def _static(body: RingBody) -> Kind:
             missing = ("load.peak_torque",)
             return Check(static, "not_asked", reason="no_peak_torque", missing=missing)
         pressed = _pressed(results, body, static=True)
-        known = static_limit(design.lasting_teeth[body], pressed.value)
+        known = static_limit(material=design.lasting_teeth[body], pressure=pressed.value)
         if known is None:
             return _no_limit(static, design, body, pressed)
         limit, source = known

@@ -552,7 +552,8 @@ class MeshTurn(OverTurn):
     def hardest_place(self) -> tuple[PairNumber, float]:
         """The pair with that pressure, and the crank angle at which it has it, rad."""
         place, pairs = self._hardest.place, self.mesh.pairs
-        approach.at(place, self.turn.load.setup, pairs, self.mesh.room())  # curvatures there
+        own = self.mesh.setup(math.copysign(1.0, self.turn.torque))
+        approach.at(place, own, pairs, self.mesh.room())  # curvatures there
         pressed = self.forces_at(place).ravel() * np.array(pairs.curved)
         satellite, pin = divmod(int(pressed.argmax()), self.mesh.disc.pins)
         return PairNumber(satellite + 1, pin + 1), place % self._period
