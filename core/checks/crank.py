@@ -16,7 +16,8 @@ from core.crank.satellite_bearing import SatelliteBearings
 from core.derived import if_known
 from core.design.document import Design
 from core.design.results import Results
-from core.design.sections import RingKind, RollingBearing
+from core.design.ring import RingKind
+from core.design.sections import RollingBearing
 from core.errors import NotKnown
 from core.ring.involute import MOST_DIFFERENCE, STANDARD_ANGLES
 from core.ring.possible_teeth import possible_teeth

@@ -16,7 +16,7 @@ from core.checks.inputs import (
 )
 from core.design.document import Design
 from core.design.results import Results
-from core.design.sections import RingKind
+from core.design.ring import RingKind
 from core.errors import NotKnown
 from core.precision import AS_TYPED
 from core.ring.involute import TIPS_APART

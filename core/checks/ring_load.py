@@ -27,7 +27,7 @@ from core.checks.pins import BentPins
 from core.checks.ring_pins import CYCLOID
 from core.design.document import Design
 from core.design.results import Results
-from core.design.sections import RingBody, RingKind
+from core.design.ring import RingBody, RingKind
 from core.errors import NotKnown
 from core.precision import AS_TYPED
 from core.ring.sharing import MeshTurn

@@ -8,7 +8,7 @@ from core.checks.crank import other_ring
 from core.design.document import Design
 from core.design.refusals import named
 from core.design.results import Results
-from core.design.sections import RingKind
+from core.design.ring import RingKind
 from core.errors import NotKnown
 from core.precision import AS_TYPED
 from core.ring.profile import CycloidDisc

@@ -18,11 +18,11 @@ from core.checks.crank_planetary import crank_checks
 from core.checks.records import CHECKS
 from core.design.document import Design
 from core.design.results import Results
+from core.design.ring import Ring
 from core.design.sections import (
     FatigueBasis,
     Friction,
     Requirements,
-    Ring,
     Rollers,
     RollingBearing,
     SatelliteBody,

@@ -13,7 +13,8 @@ from core.checks.crank_planetary import crank_checks
 from core.contact_life import life_factor
 from core.design.document import Design
 from core.design.results import Results
-from core.design.sections import Friction, Ring
+from core.design.ring import Ring
+from core.design.sections import Friction
 from core.materials import ContactLimit, ElasticMaterial
 from core.output.real_mechanism import Deviations
 from core.output.satellite_support import Shares

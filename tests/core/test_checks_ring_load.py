@@ -15,7 +15,8 @@ from core.checks.largest_torque import crank_verdict
 from core.contact_life import life_factor
 from core.design.document import Design
 from core.design.results import MOST_RING_PAIRS, Results
-from core.design.sections import FatigueBasis, Friction, Ring
+from core.design.ring import Ring
+from core.design.sections import FatigueBasis, Friction
 from core.errors import InvalidInput
 from core.materials import ContactLimit, ElasticMaterial
 from core.output.real_mechanism import Deviations
