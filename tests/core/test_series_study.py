@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from core.errors import ImpossibleMechanism, InvalidInput
+from core.output.compiled import in_place_of
 from core.output.contact_law import PinSupport
 from core.output.real_mechanism import Deviations
 from core.ring.profile import Modification
@@ -160,12 +161,12 @@ def test_pieces_are_those_of_their_streams_solved_one_by_one(seed: int, exact: b
 
 def test_a_piece_hangs_on_no_other_and_on_no_other_tolerance() -> None:
     """To the bit, also where the one before left the room."""
-    series, torque = bare(3)
-    asked = Evaluation(("peak_force", "ring_peak_force"), torque, 3)
-    study = SeriesStudy(series, WIDE, asked, samples=4, seed=SEED)
+    series, torque = bare(6, exact=False)
+    asked = Evaluation(("peak_force", "transmission_error"), torque, 3)
+    study = SeriesStudy(series, WIDE, asked, samples=10, seed=SEED)
     whole, _ = study.values(study.pieces())
-    part, _ = study.values(study.pieces().part(2, 4))
-    assert part.tobytes() == whole[2:].tobytes()
+    part, _ = study.values(study.pieces().part(5, 10))
+    assert part.tobytes() == whole[5:].tobytes()
     alone = Tolerances(ring_pin_position=WIDE.ring_pin_position)
     for one in (alone, WIDE):
         rows = replace(study.pieces(tolerances=one), samples=range(2, 3)).ring_rows()
@@ -244,9 +245,37 @@ def test_limits_beyond_the_method_are_refused() -> None:
                 continue
             with pytest.raises(ImpossibleMechanism, match="valley"):
                 SeriesStudy(series, far, asked)
+    other = 1.01 * (2 * disc.valley_radius - room)
+    with pytest.raises(ImpossibleMechanism, match="valley"):
+        SeriesStudy(series, Tolerances(ring_pin_radius=Spread(0.0, other)), asked)
     SeriesStudy(series, Tolerances(ring_pin_position=1.99 * room), asked)
     with pytest.raises(ImpossibleMechanism, match="valley"):
         SeriesStudy(series, Tolerances(ring_pin_position=2.01 * room), asked)
     sharp = disc.min_path_radius
     with pytest.raises(InvalidInput, match="ring_pin_radius"):
         SeriesStudy(series, Tolerances(equidistant=Spread(0.0, sharp)), asked)
+
+
+def test_pieces_without_a_size_are_none_and_what_is_not_asked_is_not_solved(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def none(*given: Any) -> None:
+        raise AssertionError(given)
+
+    series, torque = bare(8, exact=False)
+    asked = Evaluation(("backlash_max",), torque, 2)
+    monkeypatch.setattr(
+        "core.ring.series_study.at_hand", lambda over: in_place_of(over, solve_in_series=none)
+    )
+    play = Tolerances(ring_pin_position=1e-6)
+    study = SeriesStudy(series, play, asked, samples=2)
+    assert np.isfinite(study.values(study.pieces())[0]).all()
+    for part, radius in (
+        ("ring_pin_radius", series.ring.disc.ring_pin_radius),
+        ("pin_radius", series.output.pin_radius),
+    ):
+        gone = Tolerances(**{part: Spread(-1.01 * radius, -radius)})  # type: ignore[arg-type]
+        values, fits = replace(study, tolerances=gone).values(study.pieces(tolerances=gone))
+        assert np.isnan(values).all() and not fits.any()
+    with pytest.raises(AssertionError):
+        replace(study, asked=replace(asked, quantities=("ring_peak_force",))).values(study.pieces())
