@@ -548,7 +548,7 @@ def tolerance_study(r: Draw) -> Body:
     kept = {name: each for name, each in tolerances.items() if r.chance(0.5)}
     samples = r.count(30)
     body |= {"tolerances": kept, "samples": samples, "crank_angles": 12, "seed": r.count(10**6)}
-    names = list(MODELS["LimitsFields"]["properties"])
+    names = [each for each in MODELS["LimitsFields"]["properties"] if "ring" not in each]
     body["quantities"] = r.sample(names, r.randint(1, 3))
     body["percentiles"] = [50.0] if samples >= 6 else []
     if r.chance(0.3):
@@ -558,6 +558,37 @@ def tolerance_study(r: Draw) -> Body:
         body["include"] = ["histogram"]
     if r.chance(0.02) and kept:
         body |= {"samples": 4, "include": ["contributions"], "percentiles": []}
+    return in_ring(r, body, size) if r.chance(0.2) else body
+
+
+def in_ring(r: Draw, body: Body, size: float) -> Body:
+    """The same with discs in a ring of pins, which is made to tolerances too."""
+    number, lobes = r.number, 1 + r.count(24)
+    own = {"satellite_teeth": lobes, "ring_teeth": lobes + 1}
+    for name, each in body["mechanism"].items():
+        if "teeth" not in name and "ratio" not in name:
+            own[name] = each
+    circle = body["contact"]["eccentricity_mm"] * (lobes + 1) / r.uniform(0.3, 1.02)
+    body |= {
+        "mechanism": own,
+        "satellite_coupling": {"kind": "ring"},
+        "gear": {
+            "kind": "cycloid",
+            "ring_pin_circle_radius_mm": circle,
+            "ring_pin_radius_mm": circle * r.uniform(0.1, 2) / (lobes + 1),
+            "contact_length_mm": number("CycloidRingFields", "contact_length_mm", (1, 40)),
+            "modification": {"equidistant_mm": r.choice((0.0, 2 * size, -size / 2))},
+        },
+    }
+    body.pop("crank_support", None)
+    tolerances: Body = {
+        "ring_pin_position_mm": size,
+        "ring_pin_diameter": r.choice(({"class": "h6"}, {"lower_mm": -size, "upper_mm": 0.0})),
+        "equidistant_mm": {"lower_mm": -size, "upper_mm": size, "distribution": "uniform"},
+        "modification_pin_circle_mm": size,
+    }
+    body["tolerances"] |= {name: each for name, each in tolerances.items() if r.chance(0.7)}
+    body["quantities"] += r.sample(("ring_peak_force_N", "ring_max_pressure_MPa"), r.randint(0, 2))
     return body
 
 
