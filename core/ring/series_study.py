@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -40,7 +40,7 @@ TRIED = 24
 """Ways of going through the turns that are tried, of which one comes everywhere on the wave."""
 
 
-@cache
+@lru_cache(maxsize=16)
 def crank_places(*, lobes: int, count: int) -> tuple[float, ...]:
     """Crank angles evenly over a turn, each in another of the turns after which all repeats, so
     that the wave angles of the output are nearly even too.
