@@ -216,6 +216,8 @@ _UNKNOWN = {
     "plastic_first": "The first turns yield; the contact settles after that",
     "pressure_error": "The limit lies within the error of the value",
     "pins_in_seats": "The pins of the ring lie in half bores, where they do not bend",
+    "ring_alone": "Of each disc by itself in its ring: in series with the pins discs find places "
+    "of their own",
     "pins_bend": "The pins of the ring are held at both ends, and bend",
     "no_tool": "No tool of the discs is given",
     "no_valley": "The discs are nowhere concave",

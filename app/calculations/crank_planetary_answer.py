@@ -114,8 +114,9 @@ class CrankPlanetaryResponse(JudgedResponse):
         "As `/output-efficiency` answers, under the torque without its factor."
     )
     ring_mesh: Maybe[DesignMeshOut | DesignPairOut] = result(
-        "As `/ring-mesh` answers: of cycloid discs under the torque without its factor; of "
-        "involute teeth stresses under the dynamic load."
+        "As `/ring-mesh` answers: of cycloid discs under the torque without its factor, where both "
+        "meshes are in series as they work there; of involute teeth stresses under the dynamic "
+        "load."
     )
     ring_drawing: Maybe[RingDrawingOut] = result(
         "Discs and ring of `ring_mesh` as they are drawn, in its direction of the torque; absent "

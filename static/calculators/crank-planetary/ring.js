@@ -119,7 +119,7 @@ export function placeRing(parts, { m, angle, directions }) {
       const { normal, touch } = contactOf(m, direction, pin);
       const tail = touch.map((part, axis) => part + normal[axis] * force[i] * arrowScale);
       setArrow(own.arrows[i], view.at(tail), view.at(touch), force[i] > 0);
-      own.gaps[i].classList.toggle("none", !(gap[i] > 0));
+      own.gaps[i].classList.toggle("none", force[i] > 0 || !(gap[i] > 0)); // both between a point with either
       const far = Math.hypot(...pin.centre);
       const out = pin.centre.map((part) => part / far);
       const [from, to] = [outside, outside + gap[i] * times].map((length) => view.at(out.map((part) => part * length)));
@@ -165,7 +165,7 @@ export function placeRingDetail(parts, { m, angle, directions }, name) {
 /** What is said of the ring under the drawing; nothing where there is none. */
 export function ringCaption({ ring }) {
   if (!ring) return "";
-  if (!ring.force) return message("drawing.ringPins");
+  if (!ring.force) return message(ring.turns ? "drawing.manyTurns" : "drawing.ringPins");
   const times = timesOf(ring);
   return [
     message("drawing.ring"), times > 0 && message("drawing.gaps", { times: String(times) }), !ring.lobe && message("drawing.noProfile"),
