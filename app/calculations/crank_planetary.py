@@ -113,7 +113,7 @@ from core.checks.usual_modification import (
     usual_modification,
 )
 from core.derived import if_known
-from core.design.drawings import drawn_mesh
+from core.design.drawings import drawn_mesh, drawn_teeth
 from core.design.real_forces import RealForces
 from core.design.results import MOST_BEARING_PAIRS, MOST_PIN_PAIRS, Results
 from core.errors import CalculationError
@@ -314,7 +314,8 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     def _needs(self, section: Section) -> tuple[str, ...]:
         """What a section of the answer needs; of involute teeth their shifts."""
         involute = self.gear is not None and self.gear.kind == "involute"
-        return INVOLUTE_NEEDS if section == "ring_mesh" and involute else _NEEDS[section]
+        teeth = section in ("ring_mesh", "ring_drawing") and involute
+        return INVOLUTE_NEEDS if teeth else _NEEDS[section]
 
     def _has(self, part: str) -> bool:
         """Whether a part of the request, or a field of one, is given; rollers have friction."""
@@ -637,7 +638,10 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         return solved
 
     def solve_ring_drawing(self) -> Values | None:
-        """Discs and ring as they are drawn, and what they do under the same torque."""
+        """Satellites and ring as they are drawn, and what discs on pins do under the torque."""
+        if self.design.gear.kind == "involute":
+            teeth = if_known(partial(drawn_teeth, design=self.design, chord_error=DRAWN_ERROR))
+            return None if teeth is None else RingDrawingOut.of_teeth(teeth)
         turn = self.results.ring_working[0]
         pairs = turn.mesh.disc.pins * self.mechanism.satellites
         if pairs > MAX_DRAWN_PAIRS:

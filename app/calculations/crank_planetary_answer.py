@@ -119,8 +119,8 @@ class CrankPlanetaryResponse(JudgedResponse):
         "load."
     )
     ring_drawing: Maybe[RingDrawingOut] = result(
-        "Discs and ring of `ring_mesh` as they are drawn, in its direction of the torque; absent "
-        "of more than 240 pairs."
+        "Satellites and ring of `ring_mesh` as they are drawn, in its direction of the torque; "
+        "absent of more than 240 pairs of a ring of pins, and of involute teeth without an outline."
     )
     satellite_bearing: Maybe[SatelliteBearingResponse] = result(
         "As `/satellite-bearing` answers, under the torque without its factor, the static safety "

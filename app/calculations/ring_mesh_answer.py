@@ -20,7 +20,7 @@ from app.model import (
 )
 from app.units import from_si, rounded
 from core.crank.ring_mesh import cycloid_mesh
-from core.design.drawings import DrawnMesh
+from core.design.drawings import DrawnMesh, DrawnTeeth
 from core.ring.mesh_curves import MeshCurves, SeriesCurves
 from core.ring.profile import CycloidDisc, OutlinePoints
 from core.ring.sharing import ideal_mesh
@@ -227,21 +227,27 @@ class RingPinOut(ResponseModel):
 
 
 class RingDrawingOut(ResponseModel):
-    """Discs and ring as they are drawn (Y up through pin 1 of the output at crank angle 0, X
+    """Satellites and ring as they are drawn (Y up through pin 1 of the output at crank angle 0, X
     right): the outline of a disc, where it stands, and what its pins do over the turn of the crank.
     """
 
     lobe_mm: Maybe[list[list[float]]] = result(
         "Points x, y of one lobe about a disc's centre, from a valley, that is up, clockwise; the "
-        "next begins where it ends, and all are the same. Absent where flanks are turned: no "
-        "outline is known."
+        "next begins where it ends, and all are the same. Of involute teeth from the middle of a "
+        "space to the next. Absent where flanks are turned: no outline is known."
+    )
+    ring_lobe_mm: Maybe[list[list[float]]] = result(
+        "The same of an involute ring, about the axis: without a cutter flanks go on to its roots."
+    )
+    ring_turn_deg: Maybe[float] = result(
+        "Angle of that ring from where a space is up, anticlockwise.", equation="−φ₀"
     )
     turn_deg: list[float] = result(
         "Angle of each disc at the crank angle 0, anticlockwise; over the turn it grows by that of "
-        "the crank over z₂.",
-        equation="α_j/z₂ − φ₀",
+        "the crank over the ratio.",
+        equation="α_j/u − φ₀; of involute teeth π/z₂ more",
     )
-    ring_pins: list[RingPinOut] = result("Pins of the ring.")
+    ring_pins: Maybe[list[RingPinOut]] = result("Pins of a ring of pins.")
     crank_angle_deg: Maybe[list[float]] = result(
         "Crank angles of forces and gaps, until all repeats; these are left out where that takes "
         "too many.",
@@ -259,6 +265,19 @@ class RingDrawingOut(ResponseModel):
     gap_mm: Maybe[list[list[list[float]]]] = result(
         "What is left between disc and pin under the torque, 0 where they press."
     )
+
+    @classmethod
+    def of_teeth(cls, drawn: DrawnTeeth) -> dict[str, object]:
+        """The values of involute satellites and their ring."""
+        return {
+            name: rounded(from_si(name, np.array(value)), DRAWN_DIGITS).tolist()
+            for name, value in {
+                "lobe_mm": drawn.lobe,
+                "turn_deg": drawn.turns,
+                "ring_lobe_mm": drawn.ring_lobe,
+                "ring_turn_deg": drawn.ring_turn,
+            }.items()
+        }
 
     @classmethod
     def of(cls, drawn: DrawnMesh, curves: MeshCurves | SeriesCurves | None) -> dict[str, object]:

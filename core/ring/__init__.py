@@ -15,6 +15,7 @@ loss                sliding on the pins: loss, efficiency, pv
 bent_pins           forces on the pins, by which those bend that are held at both ends
 line_of_action      where involute teeth touch, their path, tips that pass each other
 involute            an involute satellite in its ring: sizes, backlash, interferences
+tooth_outline       outlines of both, with the roots that hob and cutter leave
 possible_teeth      whether any teeth mesh, by module, teeth and eccentricity alone
 shift_choice        profile shifts that keep the tips apart, with the most contact
 involute_load       what a torque does to these teeth: force, pressure, root, friction

@@ -54,11 +54,22 @@ function insideOf({ rolling, rollers, strength, pin } = {}, assumed = []) {
   return strength?.on === "on" && strength.surface === "sleeved" ? pin?.diameter_mm / 2 : NaN;
 }
 
+/** Involute teeth of satellites and ring, as the answer draws them. */
+function involuteOf(mechanism, { teeth_difference: difference = 1 }, { lobe_mm: lobe, turn_deg: turns, ring_lobe_mm: ringLobe, ring_turn_deg: ringTurn }) {
+  const lobes = Math.round(ratioOf(mechanism) * difference);
+  const circle = Math.max(...ringLobe.map((point) => Math.hypot(...point)));
+  return { circle, radius: 0, lobe, lobes, turns, ringLobe, ringTurn, ringTeeth: lobes + difference, pins: [], peak: 0, widest: 0 };
+}
+
 /**
  * The ring of pins and the discs in it: with their profile, forces and gaps where the answer has them, else the pins by
- * their sizes alone; null where they are not given.
+ * their sizes alone; or involute teeth, once their outlines are known; null where they are not given.
  */
 function ringOf({ mechanism, besides: { bearings, gear = {} } = {} }, drawing) {
+  if (bearings?.on === "on" && gear.kind === "involute") {
+    const { satellite_teeth: z2, ring_teeth: z3 } = mechanism;
+    return drawing ? involuteOf(mechanism, z2 && z3 ? { teeth_difference: z3 - z2 } : gear, drawing) : null;
+  }
   const { kind, ring_pin_circle_radius_mm: circle, ring_pin_radius_mm: radius, pin_support: support = "seat" } = gear;
   const lobes = ratioOf(mechanism);
   const [count, pairs] = [lobes + 1, (lobes + 1) * mechanism.satellites];
