@@ -578,6 +578,11 @@ class MeshTurn(OverTurn):
         forces: FloatArray = self.turn.poses([crank_angle])["forces"]
         return forces.reshape(-1, self.mesh.disc.pins)
 
+    @property
+    def play_in_ring(self) -> float:
+        """Largest play of the unloaded discs in the ring, rad."""
+        return self.backlash_max
+
     @derived
     def interference(self) -> float:
         """Smallest possible worst approach without load, m, where the lags that both flanks leave
