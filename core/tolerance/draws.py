@@ -22,11 +22,15 @@ KINDS = {
     "eccentricity": (6,),
     "crank_phase": (7,),
     "disc_phase": (8,),
+    "ring_pin_position": (9, 10),
+    "ring_pin_radius": (11,),
+    "equidistant": (12,),
+    "modification_pin_circle": (13,),
 }
 """Streams of each source; of a zone one for the radius and one for the angle."""
 
-RING_PIN_PLACE = 9, 10
-"""Streams of the zone of a ring's pins."""
+OF_RING = ("ring_pin_position", "ring_pin_radius", "equidistant", "modification_pin_circle")
+"""Sources of a ring of pins, and of the cycloid discs on them."""
 
 OTHER = 1000
 """Added to the kinds for a second, independent sample of the same seed."""
