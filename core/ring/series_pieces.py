@@ -30,7 +30,7 @@ class MeshErrors(NamedTuple, Generic[R]):
     tangential: R
     radius: R
     disc_phase: R  # of each disc's holes against its teeth
-    tool: R  # [5] of `MeshSetup`: tool_circle, tool, equidistant, pin_circle, valley
+    tool: R  # [4] of `MeshSetup`: tool_circle, tool, equidistant, pin_circle
 
 
 class SeriesPieces(NamedTuple):
@@ -73,7 +73,7 @@ def cut(setup: Any, tool: Row) -> SeriesSetup:
         tool[2],
         tool[3],
         own.rotation,
-        tool[4],
+        own.valley,
     )
     return SeriesSetup(
         setup.pins,

@@ -290,13 +290,5 @@ def _tools(disc: CycloidDisc, rows: RingRows) -> FloatArray:
     for equidistant, pin_circle in changes.tolist():
         one = _cut(disc, equidistant, pin_circle)
         own = one.modification
-        found.append(
-            (
-                one.tool_circle_radius,
-                one.tool_radius,
-                own.equidistant,
-                own.pin_circle,
-                one.valley_radius,
-            )
-        )
+        found.append((one.tool_circle_radius, one.tool_radius, own.equidistant, own.pin_circle))
     return np.array(found * (len(rows.equidistant) // len(found)))

@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 
 from core.errors import ImpossibleMechanism, InvalidInput
+from core.output.compiled import in_place_of
+from core.output.contact_law import PinSupport
 from core.output.real_mechanism import Deviations
 from core.ring.profile import Modification
 from core.ring.series import MeshesInSeries, series_position
@@ -18,6 +20,7 @@ from core.tolerance.contributions import contributions
 from core.tolerance.draws import Spread
 from core.tolerance.study import Evaluation, tolerance_study
 from core.tolerance.tolerances import Tolerances
+from tests.inputs.real_mechanisms import STEEL
 from tests.inputs.series import drawn
 
 SEED, POSITIONS = 11, 5
@@ -44,7 +47,10 @@ def bare(seed: int, **changes: Any) -> tuple[MeshesInSeries, float]:
     output = replace(series.output, deviations=Deviations(), clearance=2e-5)
     change = Modification(2e-5, -5e-6)
     disc = replace(series.ring.disc, modification=change)
-    return MeshesInSeries(replace(series.ring, disc=disc, **none), output), torque
+    places = tuple(0.01 + 0.013 * j for j in range(series.mechanism.satellites))
+    pin = PinSupport("fixed", 0.006, places, STEEL, 0.06)
+    ring = replace(series.ring, disc=disc, pin=pin, seat_stiffness=4e8, **none)
+    return MeshesInSeries(ring, output), torque
 
 
 def word(kind: int, index: int, sample: int) -> float:
@@ -155,12 +161,12 @@ def test_pieces_are_those_of_their_streams_solved_one_by_one(seed: int, exact: b
 
 def test_a_piece_hangs_on_no_other_and_on_no_other_tolerance() -> None:
     """To the bit, also where the one before left the room."""
-    series, torque = bare(8, exact=False)
-    asked = Evaluation(("peak_force", "ring_peak_force"), torque, 4)
-    study = SeriesStudy(series, WIDE, asked, samples=4, seed=SEED)
+    series, torque = bare(6, exact=False)
+    asked = Evaluation(("peak_force", "transmission_error"), torque, 3)
+    study = SeriesStudy(series, WIDE, asked, samples=10, seed=SEED)
     whole, _ = study.values(study.pieces())
-    part, _ = study.values(study.pieces().part(2, 4))
-    assert part.tobytes() == whole[2:].tobytes()
+    part, _ = study.values(study.pieces().part(5, 10))
+    assert part.tobytes() == whole[5:].tobytes()
     alone = Tolerances(ring_pin_position=WIDE.ring_pin_position)
     for one in (alone, WIDE):
         rows = replace(study.pieces(tolerances=one), samples=range(2, 3)).ring_rows()
@@ -191,6 +197,9 @@ def test_pieces_that_bind_in_either_mesh_are_seen() -> None:
     pressed = replace(disc, modification=Modification(-2e-5, 0.0))
     jammed = replace(study, real=replace_ring(series, disc=pressed))
     assert jammed.values(jammed.pieces().part(0, 2))[1].tolist() == [0, 0]
+    crossed = Tolerances(disc_phase=Spread(-5e-3, 5e-3))  # discs that disagree, none is pressed
+    apart = replace(study, real=series, tolerances=crossed)
+    assert apart.values(apart.pieces().part(0, 1))[1].tolist() == [0]
     tight_pins = replace(series, output=replace(series.output, clearance=-2e-5))
     assert replace(study, real=tight_pins).values(study.pieces().part(0, 2))[1].tolist() == [0, 0]
 
@@ -236,9 +245,37 @@ def test_limits_beyond_the_method_are_refused() -> None:
                 continue
             with pytest.raises(ImpossibleMechanism, match="valley"):
                 SeriesStudy(series, far, asked)
+    other = 1.01 * (2 * disc.valley_radius - room)
+    with pytest.raises(ImpossibleMechanism, match="valley"):
+        SeriesStudy(series, Tolerances(ring_pin_radius=Spread(0.0, other)), asked)
     SeriesStudy(series, Tolerances(ring_pin_position=1.99 * room), asked)
     with pytest.raises(ImpossibleMechanism, match="valley"):
         SeriesStudy(series, Tolerances(ring_pin_position=2.01 * room), asked)
     sharp = disc.min_path_radius
     with pytest.raises(InvalidInput, match="ring_pin_radius"):
         SeriesStudy(series, Tolerances(equidistant=Spread(0.0, sharp)), asked)
+
+
+def test_pieces_without_a_size_are_none_and_what_is_not_asked_is_not_solved(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def none(*given: Any) -> None:
+        raise AssertionError(given)
+
+    series, torque = bare(8, exact=False)
+    asked = Evaluation(("backlash_max",), torque, 2)
+    monkeypatch.setattr(
+        "core.ring.series_study.at_hand", lambda over: in_place_of(over, solve_in_series=none)
+    )
+    play = Tolerances(ring_pin_position=1e-6)
+    study = SeriesStudy(series, play, asked, samples=2)
+    assert np.isfinite(study.values(study.pieces())[0]).all()
+    for part, radius in (
+        ("ring_pin_radius", series.ring.disc.ring_pin_radius),
+        ("pin_radius", series.output.pin_radius),
+    ):
+        gone = Tolerances(**{part: Spread(-1.01 * radius, -radius)})  # type: ignore[arg-type]
+        values, fits = replace(study, tolerances=gone).values(study.pieces(tolerances=gone))
+        assert np.isnan(values).all() and not fits.any()
+    with pytest.raises(AssertionError):
+        replace(study, asked=replace(asked, quantities=("ring_peak_force",))).values(study.pieces())

@@ -435,6 +435,22 @@ test("the histogram has room for all marks", () => {
   assert.deepEqual(marks.map(({ value }) => value), ["100\u00a0N", "120\u00a0N", "200\u00a0N"]);
 });
 
+test("a ring with tolerances is in series, by whole teeth; without them it is not asked for", () => {
+  const gear = { kind: "cycloid", ring_pin_circle_radius_mm: 60, ring_pin_radius_mm: 4, tool_radius_mm: 3, modification: { equidistant_mm: 0.02 } };
+  const body = (tolerances, besides = {}) => study.asked({ ...DESIGN, besides: {
+    bearings: { on: "on" }, gear, tolerances, quantities: ["peak_force_N", "ring_peak_force_N"], ...besides,
+  } });
+  const found = body({ equidistant_mm: 0.003, ring_pin_diameter: { class: "h6" } });
+  assert.deepEqual(found.mechanism, { pins: 3, satellites: 2, satellite_teeth: 20, ring_teeth: 21 });
+  const { tool_radius_mm, ...asked } = gear;
+  assert.deepEqual(found.gear, { contact_length_mm: 10, ...asked });
+  assert.deepEqual([found.satellite_coupling, found.quantities.length], [{ kind: "ring" }, 2]);
+  assert.deepEqual(found.tolerances, { equidistant_mm: 0.003, ring_pin_diameter: { class: "h6" } });
+  assert.equal(body({ ring_pin_position_mm: 0.01 }, { satellite_coupling: { shares: [0.4, 0.6] } }).satellite_coupling.kind, "shares"); // which the service refuses
+  const without = body({ ring_pin_diameter: {} });
+  assert.deepEqual([without.gear, without.satellite_coupling, without.quantities], [undefined, undefined, ["peak_force_N"]]);
+});
+
 test("a study without a number of samples leaves it to the service", () => {
   const body = study.asked({ ...DESIGN, besides: { study: { ranked: "ranked" }, tolerances: { pin_diameter: { class: "h6" }, hole_diameter: {} } } });
   assert.deepEqual(body.tolerances, { pin_diameter: { class: "h6" } });
