@@ -28,7 +28,7 @@ from core.checks.ring_pins import CYCLOID
 from core.design.document import Design
 from core.design.results import Results
 from core.design.ring import RingBody, RingKind
-from core.errors import NotKnown
+from core.errors import ImpossibleMechanism, NotKnown
 from core.precision import AS_TYPED
 from core.ring.sharing import MeshTurn
 
@@ -86,7 +86,17 @@ def ring_pressed(design: Design, results: Results) -> Check:
         over = -pair.normal_backlash
         felt = over > AS_TYPED * pair.teeth.module
         return judged(ring_pressed, over if felt else 0.0, 0.0)
-    over = results.ring_working[0].interference
+    try:
+        over = results.ring_working[0].interference
+    except ImpossibleMechanism as why:  # of the forces, which this asks for no more
+        if (angle := why.where.get("crank_angle")) is None:
+            raise
+        own = results.series.discs if results.in_series else ((results.ring_mesh, None),)
+        over = max(teeth.pressing_at(teeth.wave(angle)) for teeth, _ in own)
+        if not over > 0:
+            raise
+        place: dict[str, Any] = why.where | why.params
+        return judged(ring_pressed, over, 0.0, reason=why.code, params=place, at=why.where)
     return judged(ring_pressed, over, 0.0, reason=ring_alone(results) or "")
 
 
