@@ -8,7 +8,7 @@ import numpy as np
 from core.arrays import FloatArray, check_positive
 from core.output.loop_rows import Errors
 from core.output.real_mechanism import Deviations
-from core.tolerance.draws import KINDS, OTHER, Spread, uniforms, zone_places
+from core.tolerance.draws import KINDS, OTHER, Spread, normals, uniforms, zone_places
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,33 +117,47 @@ class Drawn:
         Errors
             A table of each deviation, C-contiguous: a row for each piece.
         """
-
-        def stream(source: str, part: int, count: int, common: bool) -> FloatArray:
-            kind = KINDS[source][part] + (OTHER if source in self.other else 0)
-            first, samples = self.samples.start, len(self)
-            columns = [
-                uniforms(seed=self.seed, kind=kind, index=index, samples=samples, first=first)
-                for index in range(1 if common else count)
-            ]
-            return np.stack(columns * (count if common else 1), axis=1)
-
         counts = {"pin": self.pins, "hole": self.pins * self.satellites}
-        rows = {
+        tables = {
             name: np.zeros((len(self), counts.get(name.split("_")[0], self.satellites)))
             for name in Errors._fields
         }
+        numbers = self._numbers(counts)
         for source in self.tolerances.sources:
             of, given = source.split("_")[0], getattr(self.tolerances, source)
-            count = counts.get(of, self.satellites)
             if isinstance(given, Spread):
-                rows[source] = given.values(stream(source, 0, count, given.common))
+                tables[source][:] = given.spread(numbers[source][0]).T
                 continue
-            rows[f"{of}_radial"], rows[f"{of}_tangential"] = zone_places(
-                diameter=given,
-                radius_uniform=stream(source, 0, count, False),
-                angle_uniform=stream(source, 1, count, False),
+            of_radius, of_angle = numbers[source]
+            radial, tangential = zone_places(
+                diameter=given, radius_uniform=of_radius, angle_uniform=of_angle
             )
-        return Errors(**{name: np.ascontiguousarray(row) for name, row in rows.items()})
+            tables[f"{of}_radial"][:], tables[f"{of}_tangential"][:] = radial.T, tangential.T
+        return Errors(**tables)
+
+    def _numbers(self, counts: Mapping[str, int]) -> dict[str, list[FloatArray]]:
+        """Numbers of the streams of each source, those of normal ones as such; all in one pass."""
+
+        def normal(source: str) -> bool:
+            given = getattr(self.tolerances, source)
+            return isinstance(given, Spread) and given.distribution == "normal"
+
+        streams: list[tuple[int, int]] = []
+        parts: dict[str, list[slice]] = {}
+        normal_ones = 0
+        for source in sorted(self.tolerances.sources, key=normal, reverse=True):
+            common = getattr(getattr(self.tolerances, source), "common", False)
+            count = 1 if common else counts.get(source.split("_")[0], self.satellites)
+            other = OTHER if source in self.other else 0
+            for kind in KINDS[source]:
+                parts.setdefault(source, []).append(slice(len(streams), len(streams) + count))
+                streams += [(kind + other, index) for index in range(count)]
+            normal_ones = len(streams) if normal(source) else normal_ones
+        numbers = uniforms(
+            seed=self.seed, streams=streams, samples=len(self), first=self.samples.start
+        )
+        numbers[:normal_ones] = normals(numbers[:normal_ones])
+        return {source: [numbers[part] for part in own] for source, own in parts.items()}
 
 
 def deviations(*, rows: Mapping[str, FloatArray], pins: int) -> Deviations:

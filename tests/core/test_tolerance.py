@@ -67,17 +67,17 @@ def test_what_the_tables_have_not_is_refused(size: float, name: str) -> None:
 
 
 def test_a_sample_hangs_on_nothing_but_its_number() -> None:
-    whole = uniforms(seed=3, kind=5, index=2, samples=50)
+    whole = uniforms(seed=3, streams=[(4, 2), (5, 2)], samples=50)[1]
     for first in (0, 1, 4, 7, 30):
-        part = uniforms(seed=3, kind=5, index=2, samples=11, first=first)
+        part = uniforms(seed=3, streams=[(5, 2)], samples=11, first=first)[0]
         assert part.tolist() == whole[first : first + 11].tolist()
-    for other in ({"seed": 4}, {"kind": 4}, {"index": 1}):
-        stream = {"seed": 3, "kind": 5, "index": 2} | other
-        assert abs(np.corrcoef(uniforms(**stream, samples=50), whole)[0, 1]) < 0.5
+    for other in ({"seed": 4}, {"streams": [(4, 2)]}, {"streams": [(5, 1)]}):
+        stream = {"seed": 3, "streams": [(5, 2)]} | other
+        assert abs(np.corrcoef(uniforms(**stream, samples=50)[0], whole)[0, 1]) < 0.5
 
 
 def test_distributions_keep_their_limits_and_their_width() -> None:
-    numbers = uniforms(seed=1, kind=2, index=0, samples=20_000)
+    numbers = uniforms(seed=1, streams=[(2, 0)], samples=20_000)[0]
     for distribution, sigma in (("normal", 0.986578 / 3), ("uniform", 1 / math.sqrt(3))):
         values = Spread(1.0, 3.0, distribution).values(numbers)
         assert values.min() >= 1 and values.max() <= 3
@@ -86,14 +86,14 @@ def test_distributions_keep_their_limits_and_their_width() -> None:
     radial, tangential = zone_places(
         diameter=2.0,
         radius_uniform=numbers,
-        angle_uniform=uniforms(seed=1, kind=3, index=0, samples=20_000),
+        angle_uniform=uniforms(seed=1, streams=[(3, 0)], samples=20_000)[0],
     )
     radius = np.hypot(radial, tangential)
     assert radius.max() <= 1 and (radius < 0.5).mean() == pytest.approx(0.25, abs=0.01)
 
 
 def test_normal_deviations_are_those_of_the_normal_distribution() -> None:
-    numbers = uniforms(seed=1, kind=2, index=0, samples=2000)
+    numbers = uniforms(seed=1, streams=[(2, 0)], samples=2000)[0]
     tail = NormalDist().cdf(-3)
     expected = [NormalDist().inv_cdf(tail + u * (1 - 2 * tail)) for u in numbers]
     assert Spread(-3.0, 3.0).values(numbers) == pytest.approx(expected, rel=1e-14, abs=1e-15)
