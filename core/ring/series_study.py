@@ -33,6 +33,9 @@ FINER = 8
 LOOKED = 16
 """Crank angles in each pitch of the ring's pins at which is looked whether a piece fits."""
 
+NAMES = {"equidistant": "equidistant", "pin_circle": "modification_pin_circle"}
+"""Tolerances of a modification, by its own names."""
+
 TRIED = 24
 """Ways of going through the turns that are tried, of which one comes everywhere on the wave."""
 
@@ -81,8 +84,16 @@ class SeriesStudy(Study):
     real: MeshesInSeries  # type: ignore[assignment] # the nominal design, without deviations
 
     def __post_init__(self) -> None:
-        for disc in self._extreme_discs():
-            disc.refuse_undercut()
+        own = self.real.ring.disc.modification
+        try:
+            for disc in self._extreme_discs():
+                disc.refuse_undercut()
+        except InvalidInput as error:
+            if (name := NAMES.get(error.parameter)) is None:
+                raise
+            off = error.value - getattr(own, error.parameter)
+            params = error.params | {"limit": error.params["limit"] - (error.value - off)}
+            raise InvalidInput(f"tolerances.{name}", off, error.code, **params) from error
         ring = self.real.ring
         if ring.exact and self._valley_gap > LOST:
             radius = ring.disc.valley_radius

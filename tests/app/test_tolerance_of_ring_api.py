@@ -150,6 +150,8 @@ async def test_what_the_ring_adds_is_ranked_and_kept(api):
          "/tolerances/equidistant_mm/common", "extra_forbidden"),
         (changed(tolerances={"equidistant_mm": {"lower_mm": 0.02, "upper_mm": 0.01}}),
          "/tolerances/equidistant_mm/lower_mm", "at_most"),
+        (changed(tolerances={"equidistant_mm": {"lower_mm": -5, "upper_mm": 0}}),
+         "/tolerances/equidistant_mm", "greater_than"),
         (changed(tolerances={"equidistant_mm": {"lower_mm": 0, "upper_mm": 40}}),
          "/gear/ring_pin_radius_mm", "undercut"),
     ],

@@ -161,6 +161,15 @@ test("what belongs to a box that goes goes with it, and comes back as it was typ
   assert.deepEqual(["linear", "hertz", "linear"].map(said), [[7000, 0.25, 0], [undefined, undefined, 0], [7000, 0.25, 0]]);
 });
 
+test("a field that needs another group goes with that, too", () => {
+  const fields = { ...GROUP.fields, tolerance: { when: ["law", "linear"], needs: "bearings" } };
+  const wanted = [{ ...GROUP, fields }, { id: "bearings", paths: GROUP.paths, fields: {} }];
+  const model = formModel(SERVICE, { path: "/api/v1/job", groups: ["mechanism", "contact"], hidden: ["mechanism.include"], wanted, words: ownWords });
+  const { texts, chosen } = stateFromInput(model, INPUT);
+  const shown = (on) => shownFields(model, { texts: { ...texts, "real.on": "on", law: "linear", "bearings.on": on }, chosen }).map(({ path }) => path);
+  assert.deepEqual(["on", "off"].map((on) => shown(on).includes("tolerance")), [true, false]);
+});
+
 test("what cannot be read in it keeps nobody else from an answer, and says where it is", () => {
   const wanted = next.switched(opened(), "real", true, 0);
   const state = next.typedIn(wanted, "parts.table", "0,01; | x; ", 0);
