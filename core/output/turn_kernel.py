@@ -306,7 +306,7 @@ def widest(setup: Setup, pairs: Pairs, around: Around, room: Room) -> float:
 
 
 def at_most(setup: Setup, pairs: Pairs, around: Around) -> None:
-    """Bounds of the play at even positions of the wave, in the row `width`.
+    """Bounds of the play, where there is any, at even positions of the wave: in the row `width`.
 
     A pair does not touch where ``a*t^2 + 2*v*t + q <= 0``, t the tangent of half the lag; lags are
     no further apart than twice their t. With a lever v above 0 that ends at ``t = -q/(v + s)``,
