@@ -135,6 +135,7 @@ TEXTS = {
     "room": "Room",
     "run_time": "Run time",
     "satellite": "Satellite {satellite}",
+    "satellite_lag": "Lag of satellite {satellite}",
     "pair": "S{satellite} P{pin}",
     "pairs_of": "Satellite S, pin P",
     "share_alone": "Alone, S₁",

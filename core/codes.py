@@ -78,7 +78,8 @@ _INVALID = {
     "there is no such cycloid",
     "no_mesh": "must be at least {limit:.9g}: teeth of this {field} do not mesh any nearer",
     "no_sleeve": "must be smaller than twice {field}, {limit:.9g}: there is no room for a sleeve",
-    "no_tooth_form": "must be cycloid: of other teeth no form is known here, and none is drawn",
+    "no_tooth_form": "must be cycloid or involute: of other teeth no form is known here, and none "
+    "is drawn",
     "not_in_table": "must be one of {values}",
     "not_sourced": "is needed beside the name: no source has that of {material}",
     "not_single": "must be one number, not an array",
@@ -128,6 +129,10 @@ _IMPOSSIBLE = {
     "more in the ring and a reference pressure angle of 14.5 to 30 degrees, of both meshes in "
     "series cycloid discs on ring pins",
     "overflow": "The numbers given leave the range of numbers: {names} would not be finite",
+    "ring_jams": "Pin {pin} of the ring stands {depth:.3g} mm within satellite {satellite}, "
+    "whichever way that turns: the ring does not let it in",
+    "teeth_not_whole": "Flanks are cut away at their roots, or teeth or spaces are pointed: there "
+    "is no outline to draw",
     "teeth_interfere": "The teeth run into each other, or touch where they are no involutes",
     "unloaded": "The loads cancel: nothing presses the bearings",
     "valley_lost": "In a valley of the satellite's teeth a pin of the ring is {share:.3g} times as "
@@ -218,6 +223,8 @@ _UNKNOWN = {
     "plastic_first": "The first turns yield; the contact settles after that",
     "pressure_error": "The limit lies within the error of the value",
     "pins_in_seats": "The pins of the ring lie in half bores, where they do not bend",
+    "ring_alone": "Of each disc by itself in its ring: in series with the pins discs find places "
+    "of their own",
     "pins_bend": "The pins of the ring are held at both ends, and bend",
     "no_tool": "No tool of the discs is given",
     "no_valley": "The discs are nowhere concave",

@@ -66,7 +66,9 @@ class RequirementsFields(RequestModel, group="requirements"):
     max_transmission_error_arcmin: Maybe[Size] = quantity(
         "Largest transmission error of the teeth", "TE_max", step=0.1
     )
-    """Largest less least lag of the output over the turn under the torque, by the teeth alone."""
+    """Largest less least lag of the output over the turn under the torque, by the teeth alone; of
+    both meshes where they are in series.
+    """
     max_deflection_mm: Maybe[Size] = quantity("Largest deflection", "Δ_max", step=0.01)
     """Largest deflection of the shaft at its bearings, or of the pins in the satellites."""
     max_slope_mrad: Maybe[Size] = quantity("Largest slope", "θ_max", step=0.1)

@@ -58,6 +58,7 @@ from app.calculations.ring_mesh_answer import (
     RingEfficiencyOut,
     RingGeometryOut,
     RingIdealOut,
+    TeethTurnOut,
 )
 from app.calculations.ring_mesh_figure import (
     DrawnPath,
@@ -112,7 +113,7 @@ from core.checks.usual_modification import (
     usual_modification,
 )
 from core.derived import if_known
-from core.design.drawings import drawn_mesh
+from core.design.drawings import drawn_mesh, drawn_teeth
 from core.design.real_forces import RealForces
 from core.design.results import MOST_BEARING_PAIRS, MOST_PIN_PAIRS, Results
 from core.errors import CalculationError
@@ -128,9 +129,9 @@ from core.output.real_cyclogram import RealCyclogram, carried_forces, real_cyclo
 from core.output.satellite_support import RingInSeries
 from core.output.turn import Turn
 from core.results import Notice
-from core.ring.mesh_curves import MeshCurves
+from core.ring.mesh_curves import MeshCurves, SeriesCurves
+from core.ring.series_teeth import TeethInSeries
 from core.ring.series_turn import SeriesOverTurn
-from core.ring.sharing import MeshTurn
 from core.worked.crank import bearing_steps, shaft_steps
 from core.worked.hertz import judged_steps
 from core.worked.losses import loss_steps
@@ -313,7 +314,8 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     def _needs(self, section: Section) -> tuple[str, ...]:
         """What a section of the answer needs; of involute teeth their shifts."""
         involute = self.gear is not None and self.gear.kind == "involute"
-        return INVOLUTE_NEEDS if section == "ring_mesh" and involute else _NEEDS[section]
+        teeth = section in ("ring_mesh", "ring_drawing") and involute
+        return INVOLUTE_NEEDS if teeth else _NEEDS[section]
 
     def _has(self, part: str) -> bool:
         """Whether a part of the request, or a field of one, is given; rollers have friction."""
@@ -619,6 +621,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
             return self.solve_pair()
         assert self.load is not None
         turn, solved = self.results.ring_working[0], Solved()
+        shown = TeethTurnOut if isinstance(turn, TeethInSeries) else MeshTurnOut
         mesh, members = turn.mesh, self.design.members
         each = self.design.pin_torque / self.mechanism.satellites
         solved.values |= {
@@ -626,7 +629,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
             "method": "exact" if mesh.exact else "first_order",
             "torque_direction": "driving" if turn.turn.torque > 0 else "reverse",
             "ideal": at_output(RingIdealOut.of(mesh.disc, each), members),
-            "over_turn": at_output(MeshTurnOut.values(turn), members),
+            "over_turn": at_output(shown.values(turn), members),
         }
         loss = if_known(lambda: self.results.ring_loss)
         if loss is not None:
@@ -634,19 +637,21 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         solved.take(turn.accuracy, turn.notices)
         return solved
 
-    @property
-    def drawn_ring(self) -> MeshTurn:
-        """The mesh of the ring by itself, which drawing and figure show."""
-        turn = self.results.ring_working[0]
-        return MeshTurn(turn.turn) if self.results.in_series else turn
-
     def solve_ring_drawing(self) -> Values | None:
-        """Discs and ring as they are drawn, and what they do under the same torque."""
-        turn = self.drawn_ring
-        if turn.mesh.disc.pins * self.mechanism.satellites > MAX_DRAWN_PAIRS:
+        """Satellites and ring as they are drawn, and what discs on pins do under the torque."""
+        if self.design.gear.kind == "involute":
+            teeth = if_known(partial(drawn_teeth, design=self.design, chord_error=DRAWN_ERROR))
+            return None if teeth is None else RingDrawingOut.of_teeth(teeth)
+        turn = self.results.ring_working[0]
+        pairs = turn.mesh.disc.pins * self.mechanism.satellites
+        if pairs > MAX_DRAWN_PAIRS:
             return None
         drawn = drawn_mesh(design=self.design, mesh=turn.mesh, chord_error=DRAWN_ERROR)
-        return RingDrawingOut.of(drawn, MeshCurves(turn, DRAWN_RING))
+        if not isinstance(turn, TeethInSeries):
+            return RingDrawingOut.of(drawn, MeshCurves(turn, DRAWN_RING))
+        curves = SeriesCurves(turn, angles=DRAWN_RING)
+        many = pairs * len(curves.crank_angle) > MAX_DRAWN_PAIRS * (DRAWN_RING + 1)
+        return RingDrawingOut.of(drawn, None if many else curves)
 
     def solve_path(self) -> DrawnPath:
         """The pressure along the path of contact of involute teeth, as `solve_pair` has it."""
@@ -656,7 +661,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
 
     def solve_ring_figure(self) -> ShownMesh:
         """What the figure of the mesh shows."""
-        turn, own = self.drawn_ring, self.mechanism
+        turn, own = self.results.ring_working[0], self.mechanism
         if turn.mesh.disc.pins * own.satellites > MAX_DRAWN_PAIRS:
             name = "ratio" if own.ring_teeth is None else "ring_teeth"
             limit = {"limit": MAX_DRAWN_PAIRS // own.satellites, "satellites": own.satellites}

@@ -114,12 +114,13 @@ class CrankPlanetaryResponse(JudgedResponse):
         "As `/output-efficiency` answers, under the torque without its factor."
     )
     ring_mesh: Maybe[DesignMeshOut | DesignPairOut] = result(
-        "As `/ring-mesh` answers: of cycloid discs under the torque without its factor; of "
-        "involute teeth stresses under the dynamic load."
+        "As `/ring-mesh` answers: of cycloid discs under the torque without its factor, where both "
+        "meshes are in series as they work there; of involute teeth stresses under the dynamic "
+        "load."
     )
     ring_drawing: Maybe[RingDrawingOut] = result(
-        "Discs and ring of `ring_mesh` as they are drawn, in its direction of the torque; absent "
-        "of more than 240 pairs."
+        "Satellites and ring of `ring_mesh` as they are drawn, in its direction of the torque; "
+        "absent of more than 240 pairs of a ring of pins, and of involute teeth without an outline."
     )
     satellite_bearing: Maybe[SatelliteBearingResponse] = result(
         "As `/satellite-bearing` answers, under the torque without its factor, the static safety "

@@ -20,8 +20,8 @@ from app.model import (
 )
 from app.units import from_si, rounded
 from core.crank.ring_mesh import cycloid_mesh
-from core.design.drawings import DrawnMesh
-from core.ring.mesh_curves import MeshCurves
+from core.design.drawings import DrawnMesh, DrawnTeeth
+from core.ring.mesh_curves import MeshCurves, SeriesCurves
 from core.ring.profile import CycloidDisc, OutlinePoints
 from core.ring.sharing import ideal_mesh
 
@@ -125,15 +125,38 @@ class MeshPositionOut(ResponseModel):
     force_error_N: float = result("Bound of the error of each force.")
 
 
-class MeshTurnOut(ResponseModel):
-    """Extremes over the turn of the crank; the accuracy of the answer is that of the peak force."""
+class TeethTurnOut(ResponseModel):
+    """The teeth over the turn, where both meshes are in series: forces, pressures and lags of the
+    discs in that one solution. Play, stiffness and transmission error are of both, and stand in
+    `load_sharing`. The accuracy is that of the largest pressure.
+    """
 
     peak_force_N: float = result("Largest force of all pairs over the turn.", symbol="F_max")
     peak_force_ratio: float = result("The same over that of perfect parts.")
     peak_crank_angle_deg: float = result("First crank angle at which it occurs.", symbol="φ")
     peak_pair: PairOut = result("The satellite, and the pin of the ring that carries it there.")
-    lag_min_arcmin: float = result("Least lag under load; negative in reverse.", symbol="θ")
-    lag_max_arcmin: float = result("Largest lag under load.", symbol="θ")
+    lag_min_arcmin: float = result(
+        "Least lag of a disc under load; negative in reverse.", symbol="θ"
+    )
+    lag_max_arcmin: float = result("Largest lag of a disc under load.", symbol="θ")
+    loaded_pairs_min: int = result("Least number of pairs with a force.")
+    loaded_pairs_max: int = result("Largest number of pairs with a force.")
+    max_pressure_MPa: float = result(
+        "Largest Hertz pressure.", symbol="p_0", equation="Johnson 4.2"
+    )
+    radial_force_ratio_min: float = result(
+        "Least force of the ring along a crank, over that across the crank of a disc that carries "
+        "its part of the torque; negative outwards."
+    )
+    radial_force_ratio_max: float = result("Largest of the same.")
+    pressed_without_load: bool = result("Whether pairs press without load anywhere.")
+    angle_error_arcmin: float = result("Estimate of the error of the angles.")
+    ratio_error: float = result("Estimate of the error of the ratios of the forces.")
+
+
+class MeshTurnOut(TeethTurnOut):
+    """Extremes over the turn of the crank; the accuracy of the answer is that of the peak force."""
+
     backlash_max_arcmin: float = result(
         "Largest play of the unloaded discs, 0 where pairs press.", symbol="θ₊ − θ₋"
     )
@@ -148,27 +171,12 @@ class MeshTurnOut(ResponseModel):
     )
     stiffness_min_Nm_per_arcmin: float = result("Least stiffness.", symbol="dT/dθ")
     stiffness_max_Nm_per_arcmin: float = result("Largest stiffness.", symbol="dT/dθ")
-    loaded_pairs_min: int = result("Least number of pairs with a force.")
-    loaded_pairs_max: int = result("Largest number of pairs with a force.")
-    max_pressure_MPa: float = result(
-        "Largest Hertz pressure.", symbol="p_0", equation="Johnson 4.2"
-    )
-    radial_force_ratio_min: float = result(
-        "Least force of the ring along a crank, over that across the crank of a disc that carries "
-        "its part of the torque; negative outwards."
-    )
-    radial_force_ratio_max: float = result("Largest of the same.")
     input_torque_ripple_Nm: float = result(
         "Largest less least torque that turns the crank, without friction.",
         equation="T/u + ΣF·∂δ/∂φ",
     )
-    pressed_without_load: bool = result("Whether pairs press without load anywhere.")
-    angle_error_arcmin: float = result(
-        "Estimate of the error of backlash, lost motion and transmission errors."
-    )
     stiffness_error: float = result("Estimate of the relative error of the stiffnesses.")
     ripple_error_Nm: float = result("Estimate of the error of the ripple.")
-    ratio_error: float = result("Estimate of the error of the ratios of the forces.")
 
 
 class RingEfficiencyOut(ResponseModel):
@@ -219,50 +227,85 @@ class RingPinOut(ResponseModel):
 
 
 class RingDrawingOut(ResponseModel):
-    """Discs and ring as they are drawn (Y up through pin 1 of the output at crank angle 0, X
+    """Satellites and ring as they are drawn (Y up through pin 1 of the output at crank angle 0, X
     right): the outline of a disc, where it stands, and what its pins do over the turn of the crank.
     """
 
     lobe_mm: Maybe[list[list[float]]] = result(
         "Points x, y of one lobe about a disc's centre, from a valley, that is up, clockwise; the "
-        "next begins where it ends, and all are the same. Absent where flanks are turned: no "
-        "outline is known."
+        "next begins where it ends, and all are the same. Of involute teeth from the middle of a "
+        "space to the next. Absent where flanks are turned: no outline is known."
+    )
+    ring_lobe_mm: Maybe[list[list[float]]] = result(
+        "The same of an involute ring, about the axis: without a cutter flanks go on to its roots."
+    )
+    ring_turn_deg: Maybe[float] = result(
+        "Angle of that ring from where a space is up, anticlockwise.", equation="−φ₀"
     )
     turn_deg: list[float] = result(
         "Angle of each disc at the crank angle 0, anticlockwise; over the turn it grows by that of "
-        "the crank over z₂.",
-        equation="α_j/z₂ − φ₀",
+        "the crank over the ratio.",
+        equation="α_j/u − φ₀; of involute teeth π/z₂ more",
     )
-    ring_pins: list[RingPinOut] = result("Pins of the ring.")
-    crank_angle_deg: list[float] = result("Crank angles of forces and gaps.", symbol="φ")
-    force_N: list[list[list[float]]] = result(
+    ring_pins: Maybe[list[RingPinOut]] = result("Pins of a ring of pins.")
+    crank_angle_deg: Maybe[list[float]] = result(
+        "Crank angles of forces and gaps, until all repeats; these are left out where that takes "
+        "too many.",
+        symbol="φ",
+    )
+    repeats_after_deg: Maybe[float] = result(
+        "After how much of the crank's turning all repeats, with pins further on."
+    )
+    pins_further: Maybe[int] = result(
+        "By how many pins: so much later a pin of the ring feels what that one does."
+    )
+    force_N: Maybe[list[list[list[float]]]] = result(
         "Force of each pin of the ring at these, satellite by satellite.", symbol="F_jk"
     )
-    gap_mm: list[list[list[float]]] = result(
+    gap_mm: Maybe[list[list[list[float]]]] = result(
         "What is left between disc and pin under the torque, 0 where they press."
     )
 
     @classmethod
-    def of(cls, drawn: DrawnMesh, curves: MeshCurves) -> dict[str, object]:
+    def of_teeth(cls, drawn: DrawnTeeth) -> dict[str, object]:
+        """The values of involute satellites and their ring."""
+        return {
+            name: rounded(from_si(name, np.array(value)), DRAWN_DIGITS).tolist()
+            for name, value in {
+                "lobe_mm": drawn.lobe,
+                "turn_deg": drawn.turns,
+                "ring_lobe_mm": drawn.ring_lobe,
+                "ring_turn_deg": drawn.ring_turn,
+            }.items()
+        }
+
+    @classmethod
+    def of(cls, drawn: DrawnMesh, curves: MeshCurves | SeriesCurves | None) -> dict[str, object]:
         """The values of discs and ring, and of what they do."""
         own = {
             "turn_deg": drawn.turns,
             "centre_mm": drawn.pin_centres,
             "radius_mm": drawn.pin_radii,
-            "crank_angle_deg": curves.crank_angle,
-            "force_N": curves.force,
-            "gap_mm": curves.gap,
         } | ({} if drawn.lobe is None else {"lobe_mm": drawn.lobe})
+        if curves is not None:
+            own |= {
+                "crank_angle_deg": curves.crank_angle,
+                "force_N": curves.force,
+                "gap_mm": curves.gap,
+            }
         values = {
             name: rounded(from_si(name, np.array(value)), DRAWN_DIGITS).tolist()
             for name, value in own.items()
         }
         sizes = zip(values.pop("centre_mm"), values.pop("radius_mm"), strict=True)
-        pins = [
+        values["ring_pins"] = [
             {"pin": k + 1, "centre_mm": centre, "radius_mm": radius}
             for k, (centre, radius) in enumerate(sizes)
         ]
-        return values | {"ring_pins": pins}
+        if curves is not None:
+            values["repeats_after_deg"] = float(from_si("repeats_after_deg", curves.period))
+            values["pins_further"] = curves.further
+        return values
 
 
 class SharedPairsOut(ResponseModel):
@@ -293,7 +336,7 @@ class DesignMeshOut(ResponseModel):
         "Direction of the torque: of both the one with the larger pressure."
     )
     ideal: RingIdealOut
-    over_turn: MeshTurnOut
+    over_turn: MeshTurnOut | TeethTurnOut
     efficiency: Maybe[RingEfficiencyOut] = None
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None

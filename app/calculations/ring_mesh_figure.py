@@ -10,9 +10,10 @@ from app.theme import INK, Amount, Figure, Theme, axis, curve, layout, marker, t
 from app.units import from_si
 from core.arrays import FloatArray
 from core.output.members import Members
-from core.ring.mesh_curves import MeshCurves
+from core.ring.mesh_curves import MeshCurves, SeriesCurves
 from core.ring.profile import outline_points
-from core.ring.sharing import CycloidMesh, MeshPosition, MeshTurn, mesh_gaps, mesh_position
+from core.ring.series_teeth import TeethInSeries
+from core.ring.sharing import CycloidMesh, MeshTurn, mesh_gaps, mesh_position
 
 Rows = tuple[tuple[float, ...], ...]
 
@@ -38,14 +39,17 @@ class ShownMesh:
     """What the figure shows, in SI units."""
 
     mesh: CycloidMesh
-    position: MeshPosition  # at its crank angle
-    ideal: Rows  # forces of perfect parts there
-    gaps: Rows  # gaps that are left there under the torque
+    at: float  # crank angle of forces and gaps
+    force: FloatArray  # of all pairs there, shape (K, z_p)
+    ideal: Rows  # of perfect parts there
+    gap: FloatArray  # that are left there under the torque
     crank_angle: FloatArray  # of the curves
     largest: FloatArray  # force at these
     lag: FloatArray  # of the output at these
+    own_lag: FloatArray | None  # of each disc, where these have others
     peak: tuple[float, float] | None  # crank angle and largest force over the turn, where known
-    outline: FloatArray | None = None  # points of a disc, shape (n, 2), where it is drawn
+    # Lag of the first disc, and points of a disc, shape (n, 2), where it is drawn.
+    outline: tuple[float, FloatArray] | None = None
 
     @classmethod
     def of(
@@ -56,7 +60,7 @@ class ShownMesh:
         Parameters
         ----------
         turn : MeshTurn
-            The mesh over the turn.
+            The mesh over the turn, by itself or in series.
         crank_angle : float, optional
             rad.
         members : Members, optional
@@ -66,26 +70,39 @@ class ShownMesh:
         -------
         ShownMesh
         """
-        mesh, torque, outline, peak = turn.mesh, turn.turn.torque, None, None
+        mesh, torque, outline, peak, own = turn.mesh, turn.turn.torque, None, None, None
+        angle = turn.peak_crank_angle if crank_angle is None else crank_angle
         if crank_angle is None:
-            angle = turn.peak_crank_angle
             peak = angle, turn.peak_force
+        curves: MeshCurves | SeriesCurves
+        if isinstance(turn, TeethInSeries):  # the turn of the crank in which that is
+            first = 2 * math.pi * (angle // (2 * math.pi))
+            around = np.linspace(first, first + 2 * math.pi, ANGLES + 1)
+            there, curves = SeriesCurves(turn, np.array([angle])), SeriesCurves(turn, around)
+            force, gap, own = there.force[..., 0], there.gap[..., 0], curves.own_rotation
         else:
-            angle = crank_angle
-            outline = outline_points(disc=mesh.disc, chord_error=CHORD_ERROR).points
-        position = mesh_position(mesh=mesh, crank_angle=angle, output_torque=torque)
+            found = mesh_position(mesh=mesh, crank_angle=angle, output_torque=torque)
+            gaps = mesh_gaps(mesh=mesh, crank_angle=angle, rotation=found.rotation)
+            force, gap = np.array(found.force), np.maximum(gaps, 0.0)
+            curves = MeshCurves(turn, ANGLES)
+            if crank_angle is not None:
+                points = outline_points(disc=mesh.disc, chord_error=CHORD_ERROR).points
+                outline = found.rotation[0], points
         perfect = mesh_position(mesh=mesh.perfect, crank_angle=angle, output_torque=torque)
-        gaps = mesh_gaps(mesh=mesh, crank_angle=angle, rotation=position.rotation)
-        curves = MeshCurves(turn, ANGLES)
-        lag = curves.rotation
+
+        def at_output(lags: FloatArray) -> FloatArray:
+            return lags if members is None else members.angle_at_output(lags)
+
         return cls(
             mesh=mesh,
-            position=position,
+            at=angle,
+            force=force,
             ideal=perfect.force,
-            gaps=tuple(tuple(max(gap, 0.0) for gap in row) for row in gaps),
+            gap=gap,
             crank_angle=curves.crank_angle,
             largest=curves.force.max(axis=(0, 1)),
-            lag=lag if members is None else members.angle_at_output(lag),
+            lag=at_output(curves.rotation),
+            own_lag=None if own is None else at_output(own),
             peak=peak,
             outline=outline,
         )
@@ -93,7 +110,8 @@ class ShownMesh:
 
 def ring_mesh_figure(shown: ShownMesh, theme: Theme) -> Figure:
     """Force and gap over the ring's pins at a crank angle, with the forces of perfect parts thin
-    behind; the largest force and the lag over the turn; the first disc on its pins.
+    behind; the largest force and the lag over a turn of the crank, where both meshes are in series
+    with the lag of each disc; the first disc on its pins.
 
     Parameters
     ----------
@@ -107,13 +125,13 @@ def ring_mesh_figure(shown: ShownMesh, theme: Theme) -> Figure:
     dict
         ``{data, layout}``.
     """
-    angle = Amount(float(from_si("angle_deg", shown.position.crank_angle)), "°", 4)
+    angle = Amount(float(from_si("angle_deg", shown.at)), "°", 4)
     pins = np.arange(1, shown.mesh.disc.pins + 1).tolist()
     data = []
     for words, rows, unit, place, look in (
         ("ideal_ring_pin", shown.ideal, "N", "y", {"showlegend": False, "opacity": 0.4}),
-        ("ring_pin_force", shown.position.force, "N", "y", {"mode": "lines+markers"}),
-        ("ring_pin_gap", shown.gaps, "µm", "y2", {"mode": "lines+markers", "showlegend": False}),
+        ("ring_pin_force", shown.force, "N", "y", {"mode": "lines+markers"}),
+        ("ring_pin_gap", shown.gap, "µm", "y2", {"mode": "lines+markers", "showlegend": False}),
     ):
         for j, row in enumerate(rows):
             hovered = text(words, satellite=j + 1, pin="%{x}", value=Amount("%{y:.5g}", unit))
@@ -135,15 +153,19 @@ def ring_mesh_figure(shown: ShownMesh, theme: Theme) -> Figure:
     if shown.peak is not None:
         there, most = float(from_si("angle_deg", shown.peak[0])), shown.peak[1]
         data.append(marker(name, there, most, theme, hovered) | own | {"yaxis": "y3"})
-    name = text("lag")
-    hovered = text("at_angle", name=name, value=Amount("%{y:.5g}", "′"), angle=at)
-    lags = from_si("lag_arcmin", shown.lag)
-    data.append(curve(name, angles, lags, 0, theme, hovered, colour=1) | own | {"yaxis": "y4"})
+    lags = [(text("lag"), shown.lag, 1)]
+    for j, row in enumerate(() if shown.own_lag is None else shown.own_lag):
+        lags.append((text("satellite_lag", satellite=j + 1), row, j))
+    for index, (name, lag, colour) in enumerate(lags):
+        hovered = text("at_angle", name=name, value=Amount("%{y:.5g}", "′"), angle=at)
+        row = from_si("lag_arcmin", lag)
+        drawn = curve(name, angles, row, index, theme, hovered, colour=colour)
+        data.append(drawn | own | {"yaxis": "y4"})
     force_at, gap_at, peak_at, lag_at = PANELS
     more: Figure = {"height": 760}
     below = 0.0
     if shown.outline is not None:
-        data += _drawing(shown, shown.outline, theme)
+        data += _drawing(shown, *shown.outline, theme)
         below = 0.4
         more = {
             "height": 1180,
@@ -165,7 +187,10 @@ def ring_mesh_figure(shown: ShownMesh, theme: Theme) -> Figure:
             xaxis=axis(
                 theme, text("ring_pin", angle=angle), anchor="y2", range=[0.5, len(pins) + 0.5]
             ),
-            xaxis2=axis(theme, text("crank_angle"), "°", range=[0, 360], anchor="y4"),
+            xaxis2=axis(
+                theme, text("crank_angle"), "°", range=[float(angles[0]), float(angles[-1])],
+                anchor="y4",
+            ),
             yaxis=axis(
                 theme, text("contact_force"), "N", domain=domain(force_at), rangemode="tozero"
             ),
@@ -180,12 +205,11 @@ def ring_mesh_figure(shown: ShownMesh, theme: Theme) -> Figure:
     }  # fmt: skip
 
 
-def _drawing(shown: ShownMesh, points: FloatArray, theme: Theme) -> list[Figure]:
+def _drawing(shown: ShownMesh, lag: float, points: FloatArray, theme: Theme) -> list[Figure]:
     """The first disc: outline and pitch point."""
-    mesh, phi = shown.mesh, shown.position.crank_angle + shown.mesh.crank_angles[0]
+    mesh, phi = shown.mesh, shown.at + shown.mesh.crank_angles[0]
     disc, own = mesh.disc, {"xaxis": "x3", "yaxis": "y5", "showlegend": False}
     crank = 1j * disc.eccentricity * np.exp(-1j * phi)
-    lag = shown.position.rotation[0]
     turned = np.exp(1j * (phi / disc.satellite_teeth - lag))
     outline = points @ np.array([1, 1j]) * turned + crank
     closed = np.append(outline, outline[:1])
@@ -203,7 +227,7 @@ def _pins(shown: ShownMesh, theme: Theme) -> list[Figure]:
     """The pins of the ring, those that carry the first disc in the colour of alerts."""
     disc, found = shown.mesh.disc, []
     radius = float(from_si("radius_mm", disc.ring_pin_radius))
-    for k, force in enumerate(shown.position.force[0]):
+    for k, force in enumerate(shown.force[0]):
         centre = disc.ring_pin_circle_radius * 1j * np.exp(2j * math.pi * k / disc.pins)
         x, y = (float(from_si("point_mm", part)) for part in (centre.real, centre.imag))
         ends = {"x0": x - radius, "x1": x + radius, "y0": y - radius, "y1": y + radius}

@@ -245,8 +245,8 @@ class ShaftDeflectionStudy(Study):
 
 
 class LoadSharingStudy(Study):
-    """Peak force with clearance and errors, or from where to where pairs carry; of a torque that
-    alternates its driving direction.
+    """Peak force with clearance and errors, or from where to where pairs carry, by the output alone
+    or in series with the ring; of a torque that alternates its driving direction.
     """
 
     calculation: Literal["load-sharing"] = compared()
@@ -257,16 +257,11 @@ class LoadSharingStudy(Study):
         "to which pairs carry.",
     )
 
-    @model_validator(mode="after")
-    def _of_the_output(self) -> Self:
-        if self.input.in_series:
-            raise field_error("input/satellite_coupling", "of_another_kind", kind=self.quantity)
-        return self
-
     def solve(self) -> WorkPrecision:
         """The study."""
         study = real_peak_study if self.quantity == "peak_force" else carried_ends_study
-        return study(real=self.input.real(), output_torque=self.input.torque)
+        stage = self.input.stage(self.input.real())
+        return study(real=stage, output_torque=self.input.torque)
 
 
 class ComparedMeshRequest(RingMeshRequest):

@@ -1,4 +1,4 @@
-"""Satellites and the pins of their ring as DXF files, for drawing and cutting."""
+"""Satellites and their ring, its pins or its teeth, as DXF files, for drawing and cutting."""
 
 import io
 import re
@@ -20,9 +20,11 @@ from app.units import from_si, to_si
 from core.arrays import FloatArray
 from core.design.document import Design
 from core.design.drawings import (
+    DrawnRing,
     DrawnRingPins,
     DrawnSatellite,
     drawn_disc,
+    drawn_ring,
     drawn_ring_pins,
     drawn_satellites,
 )
@@ -33,9 +35,9 @@ if TYPE_CHECKING:
 
 DXF, ZIP = "image/vnd.dxf", "application/zip"
 
-RING_PINS = "ring_pins"
+RING, RING_PINS = "ring", "ring_pins"
 
-PART = r"satellite_([1-9]\d{0,2})|ring_pins"
+PART = r"satellite_([1-9]\d{0,2})|ring_pins|ring"
 """Names of parts."""
 
 MOST_CIRCLES = 1000
@@ -73,14 +75,14 @@ class DxfRequest(RequestModel, group="drawing"):
 
     design: CrankPlanetaryRequest = Field(
         description="The request of /crank-planetary, with a ring of pins whose modification is "
-        "given: what is not known is not drawn. Its deviations are not drawn, and what it asks for "
-        "is not answered."
+        "given, or with involute teeth whose profile shifts and heights are: what is not known is "
+        "not drawn. Its deviations are not drawn, and what it asks for is not answered."
     )
     parts: list[str] = Field(
         min_length=1,
         max_length=MAX_SATELLITES + 1,
-        description="Parts: satellite_1 to the number of satellites, and ring_pins; one answers a "
-        "DXF file, several a ZIP of one each.",
+        description="Parts: satellite_1 to the number of satellites, and ring_pins, of involute "
+        "teeth ring; one answers a DXF file, several a ZIP of one each.",
         json_schema_extra={"items": {"type": "string", "pattern": f"^({PART})$"}},
     )
     chord_error_mm: float = quantity("Chord error", "ε", default=0.001, step=0.001, ge=1e-6, le=1)
@@ -89,11 +91,12 @@ class DxfRequest(RequestModel, group="drawing"):
     @model_validator(mode="after")
     def _has_the_parts(self) -> Self:
         satellites = self.design.mechanism.satellites
+        ring, other = (RING, RING_PINS) if self.involute else (RING_PINS, RING)
         for index, name in enumerate(self.parts):
             found = re.fullmatch(PART, name)
-            if not found or int(found[1] or 1) > satellites:
+            if not found or int(found[1] or 1) > satellites or name == other:
                 own = "satellite_1" if satellites == 1 else f"satellite_1 … satellite_{satellites}"
-                raise field_error(f"parts/{index}", "no_such_part", parts=f"{own}, {RING_PINS}")
+                raise field_error(f"parts/{index}", "no_such_part", parts=f"{own}, {ring}")
         return self
 
     @model_validator(mode="after")
@@ -117,6 +120,11 @@ class DxfRequest(RequestModel, group="drawing"):
             raise InvalidInput("pins", own.pins, "too_many_pairs", **own.most_pins(MOST_CIRCLES))
 
     @property
+    def involute(self) -> bool:
+        """Whether satellites and ring have involute teeth."""
+        return self.design.gear is not None and self.design.gear.kind == "involute"
+
+    @property
     def satellites(self) -> tuple[int, ...]:
         """Numbers of the satellites that are asked for, each once."""
         found = (re.fullmatch(PART, name) for name in dict.fromkeys(self.parts))
@@ -125,11 +133,15 @@ class DxfRequest(RequestModel, group="drawing"):
     def drawn(self) -> list["_Part"]:
         """The parts in the order in which they are asked for, each once."""
         design, error = self.design.design, to_si("chord_error_mm", self.chord_error_mm)
-        pins = drawn_ring_pins(design=design)
-        if (count := len(pins.centres)) > MOST_CIRCLES:
-            limit = MOST_CIRCLES
-            raise InvalidInput("mechanism.ring_teeth", count, "less_than_equal", limit=limit)
-        parts = {RING_PINS: _ring_pins(pins)}
+        parts = {}
+        if not self.involute:
+            pins = drawn_ring_pins(design=design)
+            if (count := len(pins.centres)) > MOST_CIRCLES:
+                limit = MOST_CIRCLES
+                raise InvalidInput("mechanism.ring_teeth", count, "less_than_equal", limit=limit)
+            parts = {RING_PINS: _ring_pins(pins)}
+        elif RING in self.parts:
+            parts = {RING: _ring(drawn_ring(design=design, chord_error=error), design)}
         if numbers := self.satellites:
             some = drawn_satellites(design=design, numbers=numbers, chord_error=error)
             parts |= {f"satellite_{each.number}": _satellite(each, design) for each in some}
@@ -164,8 +176,15 @@ def _satellite(drawn: DrawnSatellite, design: Design) -> _Part:
     )
     bore = None if drawn.bore_radius is None else from_si("radius_mm", drawn.bore_radius)
     x, y = (round(from_si("centre_mm", each), DIGITS) + 0.0 for each in drawn.centre)
-    own, disc = design.gear.changed, drawn_disc(design=design)
-    tool, circle = (from_si("length_mm", each) for each in (own.equidistant, own.pin_circle))
+    if design.gear.kind == "involute":
+        form = _teeth(design, design.lobes, design.gear.satellite_profile_shift)
+    else:
+        own, disc = design.gear.changed, drawn_disc(design=design)
+        tool, circle = (from_si("length_mm", each) for each in (own.equidistant, own.pin_circle))
+        form = (
+            f"{disc.satellite_teeth} lobes",
+            f"Equidistant modification {tool:+.6g} mm, of the circle {circle:+.6g} mm",
+        )
     return _Part(
         reach=float(np.hypot(*outline.T).max()),
         outline=outline,
@@ -178,13 +197,46 @@ def _satellite(drawn: DrawnSatellite, design: Design) -> _Part:
             "centre_y_mm": repr(y),
         },
         title=[
-            f"Satellite {drawn.number} of {design.mechanism.satellites}, "
-            f"{disc.satellite_teeth} lobes",
+            f"Satellite {drawn.number} of {design.mechanism.satellites}, {form[0]}",
             f"Closed polyline of {len(outline)} points, {error:.4g} mm from the outline at most",
-            f"Equidistant modification {tool:+.6g} mm, of the circle {circle:+.6g} mm",
+            form[1],
             f"{len(holes)} holes of diameter {2 * radius:.9g} mm, "
             + ("bore not given" if bore is None else f"bore {2 * bore:.9g} mm"),
             f"At the crank angle 0 this centre is at X {x:.6f}, Y {y:.6f} mm",
+        ],
+    )
+
+
+def _teeth(design: Design, teeth: int, shift: float | None) -> tuple[str, str]:
+    """What is said of involute teeth."""
+    own = design.gear
+    module = from_si("module_mm", own.module or 0.0)
+    angle = from_si("angle_deg", own.reference_pressure_angle or 0.0)
+    return (
+        f"{teeth} involute teeth of module {module:.9g} mm",
+        f"Pressure angle {angle:.9g} deg, profile shift {shift or 0.0:+.6g}",
+    )
+
+
+def _ring(drawn: DrawnRing, design: Design) -> _Part:
+    outline, error = from_si("points_mm", drawn.outline), from_si("length_mm", drawn.chord_error)
+    count, rack = _teeth(design, drawn.teeth, design.gear.ring_profile_shift)
+    return _Part(
+        reach=float(np.hypot(*outline.T).max()),
+        outline=outline,
+        circles=_Circles(
+            "CENTRE", from_si("length_mm", drawn.reference_radius), np.empty((0, 2)), 1.0
+        ),
+        bore=None,
+        said={"part": RING, "chord_error_mm": repr(error)},
+        title=[
+            f"Ring, {count}",
+            f"Closed polyline of {len(outline)} points, {error:.4g} mm from the outline at most",
+            rack,
+            "No cutter given: flanks go on to the roots, whose circle is assumed"
+            if drawn.root_assumed
+            else "Roots as the cutter leaves them",
+            "A crank of the angle 0 faces a space at the crank angle 0",
         ],
     )
 
@@ -206,9 +258,9 @@ def _ring_pins(drawn: DrawnRingPins) -> _Part:
 
 
 def write(body: DxfRequest) -> File:
-    """Satellites and the pins of their ring as DXF files, in millimetres, by their nominal sizes:
-    the outline of a cycloid disc as a closed polyline with its chord error measured, holes, bore
-    and pins as circles.
+    """Satellites and the pins or the teeth of their ring as DXF files, in millimetres, by their
+    nominal sizes: the outline of a cycloid disc or of involute teeth as a closed polyline with its
+    chord error measured, holes, bore and pins as circles.
 
     One part is a DXF file, several are a ZIP. All stand as at the crank angle 0, satellites about
     their own centres.
@@ -288,7 +340,7 @@ def _draw(part: _Part, space: "Modelspace") -> float:
 
 EXPORT = Export(
     name="export/dxf",
-    title="Satellites and the pins of their ring as DXF files",
+    title="Satellites and their ring as DXF files",
     request=DxfRequest,
     write=write,
     media_types=(DXF, ZIP),

@@ -15,7 +15,6 @@ from core.checks.inputs import (
     OF_BENT_PINS,
     RING_FORCES,
     RING_LOADED,
-    RING_SHARING,
     SPEEDS,
     TEETH_GAPS,
     TEETH_GIVE,
@@ -24,11 +23,12 @@ from core.checks.inputs import (
 from core.checks.involute_mesh import Pressed, involute_pressed, refused
 from core.checks.pin_contact import over_life, static_limit, whence
 from core.checks.pins import BentPins
+from core.checks.play import of_both
 from core.checks.ring_pins import CYCLOID
 from core.design.document import Design
 from core.design.results import Results
 from core.design.ring import RingBody, RingKind
-from core.errors import NotKnown
+from core.errors import ImpossibleMechanism, NotKnown
 from core.precision import AS_TYPED
 from core.ring.sharing import MeshTurn
 
@@ -61,6 +61,11 @@ def _error(turn: MeshTurn) -> float:
     return float(turn.accuracy.relative_error) + (0.0 if turn.mesh.exact else FIRST_ORDER)
 
 
+def ring_alone(results: Results) -> str | None:
+    """Why a value is of each disc by itself in its ring, where both meshes are in series."""
+    return "ring_alone" if results.in_series else None
+
+
 @_check(
     "ring_pressed",
     title="Interference of the teeth without load",
@@ -81,7 +86,18 @@ def ring_pressed(design: Design, results: Results) -> Check:
         over = -pair.normal_backlash
         felt = over > AS_TYPED * pair.teeth.module
         return judged(ring_pressed, over if felt else 0.0, 0.0)
-    return judged(ring_pressed, results.ring_working[0].interference, 0.0)
+    try:
+        over = results.ring_working[0].interference
+    except ImpossibleMechanism as why:  # of the forces, which this asks for no more
+        if (angle := why.where.get("crank_angle")) is None:
+            raise
+        own = results.series.discs if results.in_series else ((results.ring_mesh, None),)
+        over = max(teeth.pressing_at(teeth.wave(angle)) for teeth, _ in own)
+        if not over > 0:
+            raise
+        place: dict[str, Any] = why.where | why.params
+        return judged(ring_pressed, over, 0.0, reason=why.code, params=place, at=why.where)
+    return judged(ring_pressed, over, 0.0, reason=ring_alone(results) or "")
 
 
 NAMES: dict[RingBody, str] = {
@@ -196,21 +212,25 @@ def _static(body: RingBody) -> Kind:
     unit="arcmin",
     formula="max(θ₊ − θ₋) ≤ Δφ",
     why="Otherwise the unloaded output turns by more than is asked.",
-    inputs=(*TEETH_GAPS, "requirements.max_ring_backlash"),
+    inputs=(
+        *TEETH_GAPS,
+        "contact.distribution_factor",  # which no meshes in series have
+        "requirements.max_ring_backlash",
+    ),
     fixes=(*MODIFICATION, "gear.satellite_profile_shift"),
     source="ring_mesh",
     asks="max_ring_backlash",
 )
 def ring_backlash(design: Design, results: Results) -> Check | Measure:
-    """Not looked for where nobody asks; of involute teeth it is known at once."""
+    """Of the ring alone; not looked for where nobody asks. Of involute teeth known at once."""
     if other := other_ring(results=results, kind=ring_backlash, of=TEETH):
         return other
     if design.gear.kind == "involute":
         return Measure(design.members.angle_at_output(max(results.involute_pair.backlash, 0.0)))
     if design.requirements.max_ring_backlash is None:
         raise NotKnown("no_limit")
-    play = results.ring_working[0].backlash_max
-    return Measure(design.members.angle_at_output(play))
+    play = results.ring_working[0].play_in_ring
+    return Measure(design.members.angle_at_output(play), reason=ring_alone(results))
 
 
 @_check(
@@ -219,13 +239,15 @@ def ring_backlash(design: Design, results: Results) -> Check | Measure:
     unit="arcmin",
     formula="max θ − min θ ≤ TE",
     why="Otherwise the output turns less evenly than is asked.",
-    inputs=(*RING_SHARING, "requirements.max_transmission_error"),
+    inputs=(*RING_FORCES, "requirements.max_transmission_error"),
     fixes=MODIFICATION,
     source="ring_mesh",
     asks="max_transmission_error",
 )
 def ring_transmission_error(design: Design, results: Results) -> Check | Measure:
-    """Under the torque itself; not looked for where nobody asks."""
+    """Under the torque itself, of both meshes where they are in series; not looked for where nobody
+    asks.
+    """
     if other := other_ring(results=results, kind=ring_transmission_error, of=TEETH):
         return other
     if design.gear.kind == "involute":
@@ -233,7 +255,7 @@ def ring_transmission_error(design: Design, results: Results) -> Check | Measure
     if design.requirements.max_transmission_error is None:
         raise NotKnown("no_limit")
     worst = max(turn.transmission_error for turn in results.ring_working)
-    return Measure(design.members.angle_at_output(worst))
+    return Measure(design.members.angle_at_output(worst), reason=of_both(results))
 
 
 def _bends(results: Results, kind: Kind) -> Check | None:

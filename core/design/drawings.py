@@ -1,4 +1,4 @@
-"""Parts of a design as they are drawn: the satellites and the pins of their ring.
+"""Parts of a design as they are drawn: the satellites, the pins of their ring or its teeth.
 
 All stand as they do at the crank angle 0, by their nominal sizes, X to the right, Y up through the
 first pin of the output, as `core.output.pin_geometry` has them. The crank of satellite j points to
@@ -9,7 +9,10 @@ angle 0 does, phi_0. A disc of z lobes has rolled anticlockwise by ``alpha_j/z``
     P_k = i*R_p*exp(i*(2*pi*k/z_p - phi_0)),   M_n = i*R*exp(2*pi*i*n/N),
 
 with C of `core.ring.profile`, about the disc's centre O_j. About that all holes have their centres
-at M_n: what differs is how the teeth are turned against them, by the assembly angle.
+at M_n: what differs is how the teeth are turned against them, by the assembly angle. Of involute
+teeth a space of the ring stands where the first pin does, and at the crank angle of a satellite one
+of its teeth in the middle of one: it has rolled by ``alpha_j/u``, from a space that is up by half a
+pitch more.
 """
 
 import math
@@ -20,19 +23,22 @@ import numpy as np
 from core.arrays import ComplexArray, FloatArray
 from core.design.document import Design
 from core.design.refusals import named
-from core.errors import InvalidInput, NotKnown
+from core.design.results import Results
+from core.errors import ImpossibleMechanism, InvalidInput, NotKnown
 from core.output.pin_geometry import pin_geometry
+from core.ring.involute import InvolutePair
 from core.ring.profile import MOST_POINTS, CycloidDisc, outline_points
 from core.ring.sharing import CycloidMesh
+from core.ring.tooth_outline import ring_outline, satellite_outline
 
 
 @dataclass(frozen=True, slots=True)
 class DrawnSatellite:
-    """A cycloid disc with its holes, about its own centre; lengths in m."""
+    """A satellite with its holes, about its own centre; lengths in m."""
 
     number: int  # j, from 1
     centre: tuple[float, float]  # O_j, of the disc about the axis of the reducer
-    turn: float  # of its teeth from where a valley is up, anticlockwise, rad
+    turn: float  # of its teeth from where a valley, or a space, is up, anticlockwise, rad
     outline: FloatArray  # closed polygon of its points, clockwise, shape (n, 2)
     chord_error: float  # how far the outline is from that at most
     hole_circle_radius: float  # R of the holes' centres
@@ -48,6 +54,31 @@ class DrawnRingPins:
     circle_radius: float  # R_p of their centres
     centres: FloatArray  # P_k, anticlockwise from the first one, shape (z_p, 2)
     radius: float  # r_p
+
+
+@dataclass(frozen=True, slots=True)
+class DrawnRing:
+    """An involute ring about the axis of the reducer; lengths in m."""
+
+    teeth: int  # z_r
+    outline: FloatArray  # closed polygon of its points, clockwise, shape (n, 2)
+    chord_error: float  # how far the outline is from that at most
+    reference_radius: float  # of its reference circle
+    root_assumed: bool  # whether flanks go on to a root circle that no cutter says
+
+
+@dataclass(frozen=True, slots=True)
+class DrawnTeeth:
+    """Involute satellites and their ring, about the axes of satellites and reducer; lengths in m.
+
+    A pitch reaches from the middle of a space to the next but its end, clockwise: all others are
+    the same.
+    """
+
+    lobe: FloatArray  # a pitch of a satellite, shape (n, 2)
+    turns: tuple[float, ...]  # of each satellite from where a space is up, anticlockwise, rad
+    ring_lobe: FloatArray  # a pitch of the ring, shape (n, 2)
+    ring_turn: float  # of the ring likewise
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,6 +132,37 @@ def drawn_disc(*, design: Design) -> CycloidDisc:
     )
 
 
+def drawn_pair(*, design: Design) -> InvolutePair:
+    """The involute teeth of a design.
+
+    Parameters
+    ----------
+    design : Design
+        The design, with involute teeth.
+
+    Returns
+    -------
+    InvolutePair
+
+    Raises
+    ------
+    NotKnown
+        If a size, profile shifts or heights are not known.
+    InvalidInput
+        If there are no such teeth.
+    ImpossibleMechanism
+        If nothing is known of such teeth.
+    """
+    try:
+        return Results(design).involute_pair
+    except NotKnown as why:
+        if why.refusal is not None:
+            raise why.refusal from why
+        if not why.missing:
+            raise ImpossibleMechanism(why.code, parameter="gear.kind") from why
+        raise
+
+
 def drawn_satellites(
     *, design: Design, numbers: tuple[int, ...], chord_error: float
 ) -> tuple[DrawnSatellite, ...]:
@@ -109,7 +171,7 @@ def drawn_satellites(
     Parameters
     ----------
     design : Design
-        The design, with a ring of pins, pins of the output and their holes.
+        The design, with a ring of pins or involute teeth, pins of the output and their holes.
     numbers : tuple of int
         Which, from 1.
     chord_error : float
@@ -126,8 +188,17 @@ def drawn_satellites(
     InvalidInput
         If there is no such disc, it is undercut, or all would take more points than
         `core.ring.profile.MOST_POINTS`.
+    ImpossibleMechanism
+        See `core.ring.tooth_outline.satellite_outline`.
     """
-    disc, built, pair = drawn_disc(design=design), design.mechanism.built, design.pair
+    built, pair, involute = design.mechanism.built, design.pair, design.gear.kind == "involute"
+    most = MOST_POINTS // len(numbers)
+    if involute:
+        teeth = drawn_pair(design=design)
+        eccentricity = teeth.line.eccentricity
+    else:
+        disc = drawn_disc(design=design)
+        eccentricity = disc.eccentricity
     _ = design.known_clearance  # of a hole that is not made for perfect parts alone
     circle, start = design.load.pin_circle_radius, built.initial_crank_angle
     geometry = pin_geometry(
@@ -136,27 +207,34 @@ def drawn_satellites(
         pin_circle_radius=circle,
         pin_radius=pair.pin_radius,
         hole_radius=pair.hole_radius,
-        eccentricity=disc.eccentricity,
+        eccentricity=eccentricity,
     )
-    most = MOST_POINTS // len(numbers)
-    own = named(
-        design,
-        "gear",
-        lambda: outline_points(disc=disc, chord_error=chord_error, most=most),
-    )
-    points = own.points @ np.array([1, 1j])
+    if involute:
+        tooth = named(
+            design,
+            "gear",
+            lambda: satellite_outline(pair=teeth, chord_error=chord_error, most=most),
+        )
+        points, error = tooth.whole, tooth.chord_error
+    else:
+        own = named(
+            design,
+            "gear",
+            lambda: outline_points(disc=disc, chord_error=chord_error, most=most),
+        )
+        points, error = own.points @ np.array([1, 1j]), own.chord_error
     found = []
     for number in numbers:
         crank = built.crank_angles[number - 1]
         turn = _turn(design, crank)
-        (centre,) = _plane(1j * disc.eccentricity * np.exp(-1j * np.array([start + crank])))
+        (centre,) = _plane(1j * eccentricity * np.exp(-1j * np.array([start + crank])))
         found.append(
             DrawnSatellite(
                 number=number,
                 centre=(float(centre[0]), float(centre[1])),
                 turn=turn,
                 outline=_plane(points * np.exp(1j * turn)),
-                chord_error=own.chord_error,
+                chord_error=error,
                 hole_circle_radius=circle,
                 hole_centres=geometry.pin_centres,
                 hole_radius=pair.hole_radius,
@@ -195,6 +273,68 @@ def drawn_ring_pins(*, design: Design) -> DrawnRingPins:
     )
 
 
+def drawn_ring(*, design: Design, chord_error: float) -> DrawnRing:
+    """The involute ring of a design as it is drawn.
+
+    Parameters
+    ----------
+    design : Design
+        The design, with involute teeth.
+    chord_error : float
+        How far the outline may be from the polygon of its points, m.
+
+    Returns
+    -------
+    DrawnRing
+
+    Raises
+    ------
+    NotKnown
+        If a size, profile shifts or heights are not known.
+    InvalidInput
+        If there are no such teeth, or they would take too many points.
+    ImpossibleMechanism
+        See `core.ring.tooth_outline.ring_outline`.
+    """
+    pair, start = drawn_pair(design=design), design.mechanism.built.initial_crank_angle
+    pitch = named(design, "gear", lambda: ring_outline(pair=pair, chord_error=chord_error))
+    return DrawnRing(
+        teeth=pitch.teeth,
+        outline=_plane(pitch.whole * np.exp(-1j * start)),
+        chord_error=pitch.chord_error,
+        reference_radius=pair.teeth.module * pitch.teeth / 2,
+        root_assumed=pair.teeth.cutter is None,
+    )
+
+
+def drawn_teeth(*, design: Design, chord_error: float) -> DrawnTeeth:
+    """A pitch of the involute satellites of a design and one of their ring, and how these stand.
+
+    Parameters
+    ----------
+    design : Design
+        The design, with involute teeth.
+    chord_error : float
+        How far an outline may be from the polygon of its points, m.
+
+    Returns
+    -------
+    DrawnTeeth
+
+    Raises
+    ------
+    CalculationError
+        As `drawn_ring` and `drawn_satellites`.
+    """
+    pair, built = drawn_pair(design=design), design.mechanism.built
+    return DrawnTeeth(
+        lobe=satellite_outline(pair=pair, chord_error=chord_error).points,
+        turns=tuple(_turn(design, crank) for crank in built.crank_angles),
+        ring_lobe=ring_outline(pair=pair, chord_error=chord_error).points,
+        ring_turn=-built.initial_crank_angle,
+    )
+
+
 def drawn_mesh(*, design: Design, mesh: CycloidMesh, chord_error: float) -> DrawnMesh:
     """The discs of a design on the pins of their ring.
 
@@ -228,8 +368,11 @@ def drawn_mesh(*, design: Design, mesh: CycloidMesh, chord_error: float) -> Draw
 
 
 def _turn(design: Design, crank: float) -> float:
-    """Of the teeth of a disc at the crank angle 0, by the angle of its crank, rad."""
-    return crank / design.lobes - design.mechanism.built.initial_crank_angle
+    """Of the teeth of a satellite at the crank angle 0, by the angle of its crank, rad: of a valley
+    that faced the crank at first, or of a tooth that did.
+    """
+    half = math.pi / design.lobes if design.gear.kind == "involute" else 0.0
+    return crank / design.mechanism.ratio + half - design.mechanism.built.initial_crank_angle
 
 
 def _plane(points: ComplexArray) -> FloatArray:

@@ -51,7 +51,7 @@ from core.ring.involute_load import root_stress as tooth_root
 from core.ring.loss import RingFriction, RingLoss, ring_loss
 from core.ring.series import MeshesInSeries, series_position
 from core.ring.series_samples import sampled_in_series
-from core.ring.series_teeth import teeth_in_series
+from core.ring.series_teeth import TeethInSeries
 from core.ring.series_turn import SeriesOverTurn, SeriesTurn, positions_in_series
 from core.ring.sharing import CycloidMesh, MeshTurn, mesh_over_turn
 
@@ -889,7 +889,7 @@ class Results:
     @cached_property
     def ring_turn(self) -> Callable[[float], MeshTurn]:
         """These over the turn, of a torque on the pins, N*m, negative in reverse; where both meshes
-        are in series, the forces of that.
+        are in series, as they work in that.
         """
 
         def turn(torque: float) -> MeshTurn:
@@ -903,7 +903,7 @@ class Results:
         over = self.over_turn(torque)
         assert isinstance(over, SeriesOverTurn)
         assert over.turn.coarse  # refuses what cannot be
-        return teeth_in_series(series=over)
+        return TeethInSeries(over)
 
     def ring_turns(self, torque: float) -> list[MeshTurn]:
         """The same in each direction of the torque, N*m, that of the larger pressure first."""

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from core.arrays import BoolArray, ComplexArray, FloatArray
+from core.derived import derived
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_search import (
     NARROWER,
@@ -134,6 +135,12 @@ class StressCycles:
         found: FloatArray = self.strength.utilisation((top - bottom) / 2, (top + bottom) / 2)
         return found
 
+    @derived
+    def _parts(self) -> FloatArray:
+        """Forces of the satellites at the samples, along both axes, [2*K, m]."""
+        samples = self.turn.forces.reshape(len(self.turn.forces), -1)
+        return np.concatenate((samples.real, samples.imag))
+
     def _ends(
         self, arms: FloatArray, direction: FloatArray, rounds: int | None = None
     ) -> tuple[FloatArray, FloatArray]:
@@ -142,11 +149,11 @@ class StressCycles:
         weights = np.concatenate((arms * cosine, arms * sine), axis=1)
         if self.closed is not None:
             return self.closed.extremes(weights)
-        if rounds == 0:
-            samples = self.turn.forces.reshape(arms.shape[1], -1)
-            parts = np.concatenate((samples.real, samples.imag))
-            stress = combine(arms=weights, forces=parts)
-            turn = self.turn
+        turn = self.turn
+        if rounds == 0 or isinstance(turn, PinSamples):
+            stress = combine(arms=weights, forces=self._parts)
+            if isinstance(turn, PinSamples):  # nothing lies between
+                return stress.max(axis=1), stress.min(axis=1)
             return sampled(turn=turn, values=stress), -sampled(turn=turn, values=-stress)
         both = (np.concatenate((each, -each)) for each in (arms * cosine, arms * sine))
         found = largest(turn=self.turn, arms=tuple(both), measure=_ahead, rounds=rounds)

@@ -1,4 +1,6 @@
-"""Forces, lags and gaps of a cycloid mesh over the turn of the crank, as they are drawn."""
+"""Forces, lags and gaps of cycloid discs and the pins of their ring, as they are drawn: of the ring
+alone over the turn of the crank, of both meshes in series at angles.
+"""
 
 import math
 
@@ -6,6 +8,9 @@ import numpy as np
 
 from core.arrays import FloatArray
 from core.derived import derived
+from core.output.turn import Rows
+from core.ring.series_teeth import TeethInSeries
+from core.ring.series_turn import SeriesTurn
 from core.ring.sharing import CycloidMesh, MeshTurn, mesh_gaps, mesh_position
 
 
@@ -67,6 +72,12 @@ class MeshCurves:
         """Of each pin of the ring on each disc, N, shape (K, z_p, M)."""
         return self._over_turn(self._period[0])
 
+    period = 2 * math.pi
+    """After how much of the crank's turning, rad, all repeats, with `further`."""
+
+    further = 0
+    """By how many pins further that is."""
+
     @property
     def rotation(self) -> FloatArray:
         """Lag of the output, rad, negative in reverse, shape (M,)."""
@@ -87,3 +98,73 @@ class MeshCurves:
                 own = found.rotation
             rows.append(mesh_gaps(mesh=mesh, crank_angle=angle, rotation=own))
         return self._over_turn(np.maximum(np.moveaxis(np.array(rows), 0, -1), 0.0))
+
+
+class SeriesCurves:
+    """The teeth of both meshes in series at crank angles, each looked for when it is asked for.
+
+    Parameters
+    ----------
+    teeth : TeethInSeries
+        The teeth under a torque.
+    crank_angle : array, shape (M,), optional
+        The angles, rad; where they are not given, those from 0 until all repeats.
+    angles : int
+        How many these are, at least, and over a turn.
+    """
+
+    def __init__(
+        self, teeth: TeethInSeries, crank_angle: FloatArray | None = None, *, angles: int = 0
+    ) -> None:
+        turn = teeth.series.turn
+        assert isinstance(turn, SeriesTurn)
+        self.turn, self.mesh = turn, teeth.mesh
+        self.period: float = turn.period
+        """After how much of the crank's turning, rad, all repeats, with `further`."""
+        self.further = turn.pitches % self.mesh.disc.pins
+        """By how many pins further: a period later a pin feels what that one does."""
+        if crank_angle is None:
+            steps = math.ceil(angles * max(1.0, turn.period / (2 * math.pi)))
+            crank_angle = np.linspace(0.0, turn.period, steps + 1)
+        self.crank_angle = crank_angle
+
+    @derived
+    def _rows(self) -> Rows:
+        return self.turn.poses([self.turn.real.wave(float(each)) for each in self.crank_angle])
+
+    @property
+    def _way(self) -> float:
+        return math.copysign(1.0, self.turn.torque)
+
+    @property
+    def force(self) -> FloatArray:
+        """Of each pin of the ring on each disc, N, shape (K, z_p, M)."""
+        pins, many = self.mesh.disc.pins, len(self.crank_angle)
+        found: FloatArray = self._rows["teeth"].T.reshape(-1, pins, many)
+        return found
+
+    @property
+    def rotation(self) -> FloatArray:
+        """Lag of the output, rad, negative in reverse, shape (M,)."""
+        found: FloatArray = self._way * self._rows["lag"]
+        return found
+
+    @property
+    def own_rotation(self) -> FloatArray:
+        """Lag of the holes of each disc, rad, negative in reverse, shape (K, M)."""
+        found: FloatArray = self._way * self._rows["own"].T
+        return found
+
+    @derived
+    def gap(self) -> FloatArray:
+        """What is left between disc and pin under the torque, m, shape (K, z_p, M): 0 where they
+        press.
+        """
+        rows = [
+            mesh_gaps(mesh=self.mesh, crank_angle=angle, rotation=tuple(lags))
+            for angle, lags in zip(
+                self.crank_angle.tolist(), self.own_rotation.T.tolist(), strict=True
+            )
+        ]
+        gaps: FloatArray = np.maximum(np.moveaxis(np.array(rows), 0, -1), 0.0)
+        return gaps

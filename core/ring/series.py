@@ -15,9 +15,10 @@ from typing import Any
 import numpy as np
 
 from core.arrays import check_finite, check_single
-from core.errors import InvalidInput
+from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.compiled import at_hand, plain
 from core.output.loaded_position import bent_together, notices
+from core.output.loop_rows import Position
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.sharing_kernel import too_wide
@@ -26,7 +27,7 @@ from core.precision import SAME
 from core.results import Accuracy, Notice, poorly_known
 from core.ring import series_kernel
 from core.ring.series_kernel import SeriesPairs, SeriesRoom, SeriesSetup
-from core.ring.sharing import CycloidMesh
+from core.ring.sharing import JAMMED, CycloidMesh
 
 HALVINGS = 60
 """How often the interference of parts that press is halved."""
@@ -228,6 +229,41 @@ class MeshesInSeries(Stage):
         j, n = next(divmod(pair, pins) for pair, pins in found if pair >= 0)
         return {"satellite": j + 1, "pin": n + 1}
 
+    def solved(self, psi: float, torque: float, setup: Any, room: Any) -> Position:
+        """As `core.output.stage.Stage.solved`; what the ring does not let in is said.
+
+        Parameters
+        ----------
+        psi : float
+            Crank angle, rad.
+        torque : float
+            Size of the torque, N*m, > 0.
+        setup : SeriesSetup
+            The design, with the torque's direction.
+        room : SeriesRoom
+            Takes forces and lags.
+
+        Returns
+        -------
+        Position
+
+        Raises
+        ------
+        ImpossibleMechanism
+            Likewise.
+        """
+        try:
+            return super().solved(psi, torque, setup, room)
+        except ImpossibleMechanism as why:
+            each, found = torque / self.mechanism.satellites, []
+            for j, (teeth, _) in enumerate(self.discs if why.code in JAMMED else ()):
+                jams = teeth.jams(teeth.wave(psi), each)
+                found += [jams | {"satellite": j + 1}] if jams else []
+            if found:
+                deepest = max(found, key=lambda jams: float(jams["depth"]))
+                raise ImpossibleMechanism("ring_jams", why.where, **deepest) from why
+            raise
+
     def less(self, closer: float) -> "MeshesInSeries":
         """The same with all pins so much thinner, in the play alone.
 
@@ -240,11 +276,9 @@ class MeshesInSeries(Stage):
         -------
         MeshesInSeries
         """
-        own, pins = self.ring.deviations, self.ring.disc.pins
-        thinner = tuple(each - closer for each in own.pin_radius or (0.0,) * pins)
         return replace(
             self,
-            ring=replace(self.ring, deviations=replace(own, pin_radius=thinner)),
+            ring=self.ring.less(closer),
             output=replace(self.output, clearance=self.output.clearance + closer),
         )
 

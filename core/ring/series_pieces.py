@@ -93,12 +93,14 @@ def prepare_both(
     mesh: MeshErrors[Row],
     phase: Row,
     compliance: tuple[Row, Row],
+    outward: Row,
     pairs: SeriesPairs,
     room: SeriesRoom,
 ) -> bool:
     """Constants of the pairs of one piece, disc by disc; whether all have a size. Laws and
-    compliances are those of the ring, and of the pins of the output. Of these a disc has the phase
-    that its lag has not: a crank ahead turns it there.
+    compliances are those of the ring, and of the pins of the output, outward the directions of
+    these from the middle. Of the errors a disc has the phase that its lag has not: a crank ahead
+    turns it there.
     """
     can = True
     for j in range(setup.satellites):
@@ -128,7 +130,7 @@ def prepare_both(
         teeth, pins = compliance[0][j : j + 1], compliance[1][j : j + 1]
         if prepare_mesh(setup.mesh, laws[0], on_teeth, at, teeth, disc.teeth) >= 0:
             can = False
-        if prepare_holes(setup.output, laws[1], on_pins, at, pins, disc.holes) >= 0:
+        if prepare_holes(setup.output, laws[1], on_pins, at, pins, outward, disc.holes) >= 0:
             can = False
     return can
 
@@ -218,6 +220,7 @@ def pieces(
     load: Load,
     phase: Row,
     compliance: tuple[Row, Row],
+    outward: Row,
     pairs: SeriesPairs,
     room: SeriesRoom,
     results: SeriesPieces,
@@ -246,7 +249,7 @@ def pieces(
         setup: Any = cut(load.setup, teeth.tool)
         back_setup: Any = cut(load.back, teeth.tool)
         made = Load(load.torque, load.share, setup, back_setup)
-        can = prepare_both(setup, laws, own, teeth, phase, compliance, pairs, room)
+        can = prepare_both(setup, laws, own, teeth, phase, compliance, outward, pairs, room)
         if not (
             can
             and piece_of_both(sample, places, looked, under_load, back, made, pairs, room, results)

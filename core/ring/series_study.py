@@ -199,6 +199,7 @@ class SeriesStudy(Study):
             load,
             row(series.mechanism.crank_angles),
             (row(ring.compliance), row(output.compliance)),
+            row(output.outward),
             as_rows(values=fresh.pairs, row=row),
             as_rows(values=fresh.room(), row=row),
             results,

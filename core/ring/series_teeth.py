@@ -14,24 +14,28 @@ from core.ring.approach import ALONG_LEAST, ALONG_MOST, RUB, RUB_AND_PRESS
 from core.ring.series_kernel import MESH_PRESSURE
 from core.ring.series_samples import teeth_samples
 from core.ring.series_turn import SeriesOverTurn, SeriesTurn
-from core.ring.sharing import MeshTurn
+from core.ring.sharing import CycloidMesh, MeshTurn
 
 
 class TeethInSeries(MeshTurn):
-    """Forces, pressures and sliding of the teeth as the discs find their place between ring and
-    pins. Play, lags, stiffness and ripple stay those of the ring alone, with a rigid output.
+    """The teeth as the discs find their place between ring and pins. Forces, pressures, sliding and
+    lags are those of the discs in that one solution; the transmission error is that of the output,
+    as are play, stiffness and ripple.
 
     Parameters
     ----------
-    turn : Turn
-        The ring by itself under the torque.
     series : SeriesOverTurn
-        Both meshes under it.
+        Both meshes under the torque.
     """
 
-    def __init__(self, turn: Turn, series: SeriesOverTurn) -> None:
-        super().__init__(turn)
+    def __init__(self, series: SeriesOverTurn) -> None:
+        super().__init__(series.turn)
         self.series = series
+
+    @property
+    def mesh(self) -> CycloidMesh:
+        """The mesh."""
+        return self.series.series.ring
 
     @property
     def samples(self) -> tuple[FloatArray, FloatArray]:
@@ -89,6 +93,11 @@ class TeethInSeries(MeshTurn):
         """That after which both meshes repeat, rad."""
         return self.series.turn.period
 
+    @property
+    def pressed_without_load(self) -> bool:
+        """Whether pairs press so anywhere, in either mesh."""
+        return self.series.pressed_without_load
+
     def forces_at(self, crank_angle: float) -> FloatArray:
         """Forces of all pairs at a crank angle, counted over all turns after which both meshes
         repeat, N.
@@ -104,6 +113,48 @@ class TeethInSeries(MeshTurn):
         """
         forces: FloatArray = self.series.turn.poses([crank_angle])["teeth"]
         return forces.reshape(-1, self.mesh.disc.pins)
+
+    @derived
+    def lags(self) -> tuple[Extreme, Extreme]:
+        """Largest and least lag of the holes of a disc, counted as the torque turns, at the
+        positions that were solved; by how much it is beyond half of them is the error.
+        """
+        turn, found = self.series.turn, []
+        rough = float(turn.fine["lag_error"].max())
+        for best in (np.max, np.min):
+            fine, again, coarse = (
+                float(best(each["own"])) for each in (turn.fine, turn.again, turn.coarse)
+            )
+            top = float(best([fine, again]))
+            found.append(Extreme(top, abs(top - coarse) + rough))
+        return found[0], found[1]
+
+    @property
+    def _lag(self) -> Extreme:
+        """Largest less least lag of the output."""
+        return self.series._lag
+
+    @property
+    def angle_error(self) -> float:
+        """Estimate of the error of the lags, rad."""
+        return max(each.error for each in self.lags)
+
+    @derived
+    def discs(self) -> tuple[MeshTurn, ...]:
+        """Each disc by itself in the ring, those that are alike there once."""
+        one, torque = self.series.series, self.turn.torque / len(self.mesh.crank_angles)
+        alike = {teeth.deviations.eccentricity: teeth for teeth, _ in one.discs}
+        return tuple(MeshTurn(Turn(teeth, torque)) for teeth in alike.values())
+
+    @property
+    def play_in_ring(self) -> float:
+        """Largest play of an unloaded disc by itself in the ring, rad."""
+        return max(each.play_in_ring for each in self.discs)
+
+    @property
+    def interference(self) -> float:
+        """Smallest possible worst approach without load of a disc by itself in the ring, m."""
+        return max(each.interference for each in self.discs)
 
     @derived
     def _along(self) -> tuple[Extreme, Extreme]:
@@ -129,18 +180,3 @@ class TeethInSeries(MeshTurn):
         unsure = float(rows["force_error"].max() / rows["mesh_force"].max())
         error = (missed + top.error) / top.height + unsure
         return Accuracy("sampling_zoomed", error, self.series.turn.evaluations)
-
-
-def teeth_in_series(*, series: SeriesOverTurn) -> TeethInSeries:
-    """The teeth of both meshes in series.
-
-    Parameters
-    ----------
-    series : SeriesOverTurn
-        Both meshes under a torque.
-
-    Returns
-    -------
-    TeethInSeries
-    """
-    return TeethInSeries(Turn(series.series.ring, series.turn.torque), series)

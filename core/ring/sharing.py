@@ -27,7 +27,7 @@ from core.output.contact_law import (
     law_kind,
     pin_compliance,
 )
-from core.output.loop_rows import PRESSURE, RIGID, SHARES, Law
+from core.output.loop_rows import PRESSURE, RIGID, SHARES, Law, Position
 from core.output.mechanism import Mechanism
 from core.output.over_turn import Extreme, OverTurn
 from core.output.real_turn import CloseSamples, close_samples
@@ -55,6 +55,9 @@ DEPTHS = 0.5, 2.0
 
 USUAL_SHORTENING = 0.35, 0.9
 """Shortening coefficients of most drives."""
+
+JAMMED = {"dead_centre", "beyond_first_order", "not_stable", "not_balanced"}
+"""What a position is refused as where a pin does not let a disc into its ring."""
 
 VALLEY, LOST = 0.5, 1.0
 """Gap of a pin in a valley over the radius of the path there: above the first one the nearest point
@@ -278,6 +281,86 @@ class CycloidMesh(Stage):
             for off in eccentricity
         ]
         return max(map(abs, gaps)) / self.disc.valley_radius
+
+    def solved(self, psi: float, torque: float, setup: Any, room: Any) -> Position:
+        """As `core.output.stage.Stage.solved`; where it is a pin that does not let a disc into the
+        ring for which that cannot be, that is said.
+
+        Parameters
+        ----------
+        psi : float
+            Wave angle, rad.
+        torque : float
+            Size of the torque, N*m, > 0.
+        setup : MeshSetup
+            The design, with the torque's direction.
+        room : MeshRoom
+            Takes forces and levers.
+
+        Returns
+        -------
+        Position
+
+        Raises
+        ------
+        ImpossibleMechanism
+            Likewise.
+        """
+        try:
+            return super().solved(psi, torque, setup, room)
+        except ImpossibleMechanism as why:
+            if why.code in JAMMED and (jams := self.jams(psi, torque)) is not None:
+                raise ImpossibleMechanism("ring_jams", why.where, **jams) from why
+            raise
+
+    def pressing_at(self, psi: float) -> float:
+        """Smallest possible worst approach without load, m; below 0 where pairs are free.
+
+        Parameters
+        ----------
+        psi : float
+            Wave angle, rad.
+        """
+        return _interference(self, self.setup(1.0), False, psi) or 0.0
+
+    def jams(self, psi: float, torque: float) -> dict[str, Any] | None:
+        """The pin that does not let a disc into the ring, the disc, and by how much, mm; None where
+        it would not be solved with pins that are as much thinner either.
+
+        Parameters
+        ----------
+        psi : float
+            Wave angle, rad.
+        torque : float
+            Size of the torque, N*m.
+        """
+        depth, room = self.pressing_at(psi), self.room()
+        if not depth > 0:
+            return None
+        approach.at(psi, self.setup(1.0), self.pairs, room)
+        satellite, pin = divmod(int(np.argmax(room.q)), self.disc.pins)
+        free = self.less(depth)
+        try:
+            super(CycloidMesh, free).solved(psi, torque, free.setup(1.0), free.room())
+        except ImpossibleMechanism:
+            return None
+        return {"satellite": satellite + 1, "pin": pin + 1, "depth": 1e3 * depth}
+
+    def less(self, closer: float) -> "CycloidMesh":
+        """The same with all pins so much thinner.
+
+        Parameters
+        ----------
+        closer : float
+            By how much, m.
+
+        Returns
+        -------
+        CycloidMesh
+        """
+        own = self.deviations
+        thinner = tuple(each - closer for each in own.pin_radius or (0.0,) * self.disc.pins)
+        return replace(self, deviations=replace(own, pin_radius=thinner))
 
     def room(self) -> MeshRoom:
         """Room for the results of one position."""
@@ -582,6 +665,11 @@ class MeshTurn(OverTurn):
         """
         forces: FloatArray = self.turn.poses([crank_angle])["forces"]
         return forces.reshape(-1, self.mesh.disc.pins)
+
+    @property
+    def play_in_ring(self) -> float:
+        """Largest play of the unloaded discs in the ring, rad."""
+        return self.backlash_max
 
     @derived
     def interference(self) -> float:

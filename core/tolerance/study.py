@@ -10,8 +10,20 @@ import numpy as np
 from core.arrays import BoolArray, FloatArray
 from core.errors import InvalidInput
 from core.output.compiled import at_hand
-from core.output.loop_rows import BINDS, FITS, FORCE, LOST_MOTION, Errors, Load, Pairs, Pieces, Room
+from core.output.loop_rows import (
+    BINDS,
+    FITS,
+    FORCE,
+    LOST_MOTION,
+    Around,
+    Errors,
+    Load,
+    Pairs,
+    Pieces,
+    Room,
+)
 from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.stage import blank_rows
 from core.output.summits import summits
 from core.output.turn import Turn, as_rows
 from core.tolerance.quantiles import Estimate, percentile, share
@@ -54,6 +66,14 @@ class Evaluation:
     output_torque: float  # T on the output link, N*m, not 0; negative in reverse
     positions: int = 60  # of the wave, evenly spaced
     lost_motion_share: float = 0.03  # of the torque under which the lost motion is taken
+
+    @property
+    def around(self) -> Around:
+        """The positions as the loops take them."""
+        rows: Around = blank_rows(Around, pins=self.positions, satellites=1)
+        for k, psi in enumerate(_places(self.positions)):
+            rows.sine[k], rows.cosine[k] = math.sin(psi), math.cos(psi)
+        return rows
 
 
 @dataclass(frozen=True, slots=True)
@@ -307,14 +327,15 @@ class Study:
         under_load = bool({*asked.quantities} - {"backlash_max", "lost_motion"})
         kernel.pieces(
             Errors(*map(kernel.table, pieces)),
-            asked.positions,
             under_load,
             lost,
             real.law_constants,
             load,
             kernel.row(real.mechanism.crank_angles),
             kernel.row(real.compliance),
+            kernel.row(real.outward),
             as_rows(values=real.blank(Pairs), row=kernel.row),
+            as_rows(values=asked.around, row=kernel.row),
             as_rows(values=real.blank(Room), row=kernel.row),
             results,
         )

@@ -9,7 +9,15 @@ import numpy as np
 from core.arrays import FloatArray, check_positive
 from core.output.loop_rows import Errors
 from core.output.real_mechanism import Deviations
-from core.tolerance.draws import KINDS, OF_RING, OTHER, Spread, uniforms, zone_places
+from core.tolerance.draws import (
+    KINDS,
+    OF_RING,
+    OTHER,
+    Spread,
+    normals,
+    uniforms,
+    zone_places,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,15 +134,14 @@ class Drawn:
             A table of each deviation, C-contiguous: a row for each piece.
         """
         counts = {"pin": self.pins, "hole": self.pins * self.satellites}
-        rows = {
-            name: np.zeros((len(self), counts.get(name.split("_")[0], self.satellites)))
-            for name in Errors._fields
-        }
-        for source in self.tolerances.sources:
-            if source not in OF_RING:
-                of = source.split("_")[0]
-                rows |= self._drawn(source, of, counts.get(of, self.satellites))
-        return Errors(**{name: np.ascontiguousarray(row) for name, row in rows.items()})
+
+        def many(name: str) -> int:
+            return counts.get(name.split("_")[0], self.satellites)
+
+        tables = {name: np.zeros((len(self), many(name))) for name in Errors._fields}
+        own = [source for source in self.tolerances.sources if source not in OF_RING]
+        self._fill(tables, {source: (source.split("_")[0], many(source)) for source in own})
+        return Errors(**tables)
 
     def ring_rows(self) -> RingRows:
         """The same of the ring's pins, and of the tools.
@@ -143,33 +150,56 @@ class Drawn:
         -------
         RingRows
         """
-        counts = {name: self.ring_pins for name in RingRows._fields if name.startswith("ring_pin")}
-        rows = {name: np.zeros((len(self), counts.get(name, 1))) for name in RingRows._fields}
-        for source in self.tolerances.of_ring:
-            rows |= self._drawn(source, "ring_pin", self.ring_pins if "ring_pin" in source else 1)
-        return RingRows(**rows)
 
-    def _drawn(self, source: str, of: str, count: int) -> dict[str, FloatArray]:
-        """Rows of a source by their names, of so many parts."""
-        given = getattr(self.tolerances, source)
-        if isinstance(given, Spread):
-            return {source: given.values(self._stream(source, 0, count, given.common))}
-        places = zone_places(
-            diameter=given,
-            radius_uniform=self._stream(source, 0, count, False),
-            angle_uniform=self._stream(source, 1, count, False),
+        def many(name: str) -> int:
+            return self.ring_pins if name.startswith("ring_pin") else 1
+
+        tables = {name: np.zeros((len(self), many(name))) for name in RingRows._fields}
+        own = self.tolerances.of_ring
+        self._fill(tables, {source: ("ring_pin", many(source)) for source in own})
+        return RingRows(**tables)
+
+    def _fill(
+        self, tables: Mapping[str, FloatArray], sources: Mapping[str, tuple[str, int]]
+    ) -> None:
+        """Draw sources, each of what and of how many parts, into the tables of their names."""
+        numbers = self._numbers({source: count for source, (_, count) in sources.items()})
+        for source, (of, _) in sources.items():
+            given = getattr(self.tolerances, source)
+            if isinstance(given, Spread):
+                tables[source][:] = given.spread(numbers[source][0]).T
+                continue
+            of_radius, of_angle = numbers[source]
+            radial, tangential = zone_places(
+                diameter=given, radius_uniform=of_radius, angle_uniform=of_angle
+            )
+            tables[f"{of}_radial"][:], tables[f"{of}_tangential"][:] = radial.T, tangential.T
+
+    def _numbers(self, counts: Mapping[str, int]) -> dict[str, list[FloatArray]]:
+        """Numbers of the streams of sources of so many parts, those of normal ones as such; all in
+        one pass.
+        """
+
+        def normal(source: str) -> bool:
+            given = getattr(self.tolerances, source)
+            return isinstance(given, Spread) and given.distribution == "normal"
+
+        streams: list[tuple[int, int]] = []
+        parts: dict[str, list[slice]] = {}
+        normal_ones = 0
+        for source in sorted(counts, key=normal, reverse=True):
+            common = getattr(getattr(self.tolerances, source), "common", False)
+            count = 1 if common else counts[source]
+            other = OTHER if source in self.other else 0
+            for kind in KINDS[source]:
+                parts.setdefault(source, []).append(slice(len(streams), len(streams) + count))
+                streams += [(kind + other, index) for index in range(count)]
+            normal_ones = len(streams) if normal(source) else normal_ones
+        numbers = uniforms(
+            seed=self.seed, streams=streams, samples=len(self), first=self.samples.start
         )
-        return dict(zip((f"{of}_radial", f"{of}_tangential"), places, strict=True))
-
-    def _stream(self, source: str, part: int, count: int, common: bool) -> FloatArray:
-        """Numbers of a source between 0 and 1, a column for each of so many parts."""
-        kind = KINDS[source][part] + (OTHER if source in self.other else 0)
-        first, samples = self.samples.start, len(self)
-        columns = [
-            uniforms(seed=self.seed, kind=kind, index=index, samples=samples, first=first)
-            for index in range(1 if common else count)
-        ]
-        return np.stack(columns * (count if common else 1), axis=1)
+        numbers[:normal_ones] = normals(numbers[:normal_ones])
+        return {source: [numbers[part] for part in own] for source, own in parts.items()}
 
 
 def deviations(*, rows: Mapping[str, FloatArray], pins: int) -> Deviations:

@@ -19,6 +19,8 @@ from core.output.pin_turn import PinTurn, all_pairs, pin_turn
 from core.output.stage import Stage
 from core.output.summits import Grid, all_summits, summits
 from core.output.turn import Turn
+from core.ring.series import MeshesInSeries
+from core.ring.series_turn import SeriesOverTurn, SeriesTurn
 from core.work_precision.exact import pair_forces, pair_phases
 from core.work_precision.study import (
     DEFAULT,
@@ -49,6 +51,9 @@ POLISHED = (16, 64, 256)
 
 MAX_SAMPLED = 2_000_000
 """Most forces that are sampled at once."""
+
+MAX_SERIES_PAIRS = 60
+"""The same of both meshes in series, of both together."""
 
 POSITIONS = (24, 60, 120, 360, 720, 1440, 2880)
 ZOOMED = (24, 60, 120, 360, 720)
@@ -408,10 +413,43 @@ def _forget() -> None:
     all_pairs.cache_clear()
 
 
+def real_turn(*, real: Stage, output_torque: float, pins: str = "pins") -> Turn:
+    """The turn that a study looks at, of no more pairs than its reference can.
+
+    Parameters
+    ----------
+    real : Stage
+        Pins in holes or a ring on teeth, of at most `MAX_REAL_PAIRS` pairs, or
+        `MAX_COMPLIANT_PAIRS` where satellites give or have given shares; both in series, of at most
+        `MAX_SERIES_PAIRS`.
+    output_torque : float
+        Torque T on the output link, N*m, not 0; negative in reverse.
+    pins : str
+        What the number of its pins is called.
+
+    Returns
+    -------
+    Turn
+
+    Raises
+    ------
+    InvalidInput
+        If there are too many pairs.
+    """
+    if isinstance(real, MeshesInSeries):
+        left = MAX_SERIES_PAIRS - real.mechanism.pins * real.mechanism.satellites
+        refuse_many_pairs(mechanism=real.ring.mechanism, limit=left, pins="ring_teeth")
+        return SeriesTurn(real, output_torque)
+    limit = MAX_REAL_PAIRS if real.support is None else MAX_COMPLIANT_PAIRS
+    refuse_many_pairs(mechanism=real.mechanism, limit=limit, pins=pins)
+    return Turn(real, output_torque)
+
+
 def real_peak_study(
     *, real: Stage, output_torque: float, over: type[OverTurn] = OverTurn, pins: str = "pins"
 ) -> WorkPrecision:
-    """Error against run time of the peak force over the turn, with clearance and errors.
+    """Error against run time of the peak force over the turn, with clearance and errors; of both
+    meshes in series on the pins of the output, over the period after which all repeats.
 
     Samples miss the peak, always downwards: a bias, not a scatter. One summit narrowed is a
     summit, and not always the highest.
@@ -419,8 +457,7 @@ def real_peak_study(
     Parameters
     ----------
     real : Stage
-        Pins in holes or a ring on teeth, of at most `MAX_REAL_PAIRS` pairs, or
-        `MAX_COMPLIANT_PAIRS` where satellites give or have given shares.
+        As `real_turn`.
     output_torque : float
         Torque T on the output link, N*m, not 0; negative in reverse.
     over : type
@@ -440,14 +477,14 @@ def real_peak_study(
     ImpossibleMechanism
         See `Stage.solved`.
     """
-    limit = MAX_REAL_PAIRS if real.support is None else MAX_COMPLIANT_PAIRS
-    refuse_many_pairs(mechanism=real.mechanism, limit=limit, pins=pins)
-    turn, start = Turn(real, output_torque), real.mechanism.initial_crank_angle
-    narrow = turn.narrow(FORCE)
+    turn = real_turn(real=real, output_torque=output_torque, pins=pins)
+    narrow, whole, extremes = turn.narrow(FORCE), 2 * math.pi, over
+    if isinstance(turn, SeriesTurn):
+        whole, extremes = turn.period, SeriesOverTurn
 
     def grid(count: int) -> Grid:
-        step = 2 * math.pi / count
-        return turn.values(FORCE, [start + step * i for i in range(count)])
+        step = whole / count
+        return turn.values(FORCE, [turn.first + step * i for i in range(count)], whole)
 
     def sampled(count: int) -> Outcome:
         return float(grid(count).heights.max()), count
@@ -456,7 +493,7 @@ def real_peak_study(
         return summits(grid=grid(count), narrow=narrow, most=1)[0].height, count
 
     def zoomed(_: float) -> Outcome:
-        found = over(Turn(real, output_torque))
+        found = extremes(type(turn)(real, output_torque))
         return found.peak_force, found.accuracy.evaluations
 
     def dense() -> float:

@@ -7,10 +7,9 @@ import numpy as np
 from core.arrays import FloatArray
 from core.numerics.extremes import zoom
 from core.output.real_cyclogram import HALVINGS, SAMPLES, carried_ends
-from core.output.real_mechanism import RealMechanism
 from core.output.room import POSITIONS, Rooms
-from core.output.turn import Turn
-from core.work_precision.peaks import MAX_COMPLIANT_PAIRS, MAX_REAL_PAIRS, REAL_DIGITS, SUMMITS
+from core.output.stage import Stage
+from core.work_precision.peaks import REAL_DIGITS, SUMMITS, real_turn
 from core.work_precision.study import (
     DEFAULT,
     Method,
@@ -79,14 +78,15 @@ def least_room_study(*, rooms: Rooms) -> WorkPrecision:
     )
 
 
-def carried_ends_study(*, real: RealMechanism, output_torque: float) -> WorkPrecision:
+def carried_ends_study(*, real: Stage, output_torque: float) -> WorkPrecision:
     """Error against run time of the crank angles from and to which pairs carry: of all of them
     together, and the turn.
 
     Parameters
     ----------
-    real : RealMechanism
-        The mechanism, of at most `MAX_REAL_PAIRS` pairs, or `MAX_COMPLIANT_PAIRS`.
+    real : Stage
+        The mechanism, by itself or in series with its ring, as
+        `core.work_precision.peaks.real_turn` takes it.
     output_torque : float
         Torque T on the output link, N*m, not 0; negative in reverse.
 
@@ -100,11 +100,9 @@ def carried_ends_study(*, real: RealMechanism, output_torque: float) -> WorkPrec
     InvalidInput
         If there are too many pairs.
     ImpossibleMechanism
-        See `RealMechanism.solved`.
+        See `Stage.solved`.
     """
-    limit = MAX_REAL_PAIRS if real.support is None else MAX_COMPLIANT_PAIRS
-    refuse_many_pairs(mechanism=real.mechanism, limit=limit)
-    turn = Turn(real, output_torque)
+    turn = real_turn(real=real, output_torque=output_torque)
     crank = real.mechanism.crank_angle_per_wave / (2 * math.pi)
 
     def ends(samples: int, halvings: int) -> FloatArray:

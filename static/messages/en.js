@@ -237,6 +237,9 @@ export default {
     many: "of many pins: {backlash}",
     efficiency: "efficiency of the teeth alone: {efficiency}",
     noFriction: "no friction of the teeth given",
+    lag: "Lag of the discs in the ring",
+    both: "the rest of the output’s lag is that of the pins; play, stiffness and transmission error are those of both meshes",
+    alone: "of the teeth alone",
   },
   crank: {
     title: "Crankshaft",
@@ -915,6 +918,8 @@ export default {
     ring: "Cycloid discs roll on the pins of their ring; arrows there are the forces of these on the discs.",
     gaps: "Bars outside the ring are the gaps that are left under the torque, {times} times as long.",
     noProfile: "The discs' profile is not known of flanks that are turned.",
+    teeth: "Involute teeth are drawn as hob and cutter leave them; without a cutter the ring’s flanks go on to their roots.",
+    manyTurns: "Forces of the ring’s pins repeat after so many turns of the crank that they are not drawn.",
     ringPins: "Of the ring its pins are drawn; the profile of the discs with their forces and gaps once their modification is stated.",
     pitchCircles: "Of involute teeth the pitch circles are drawn.",
     ringPair: "S{satellite} ring pin {pin}",

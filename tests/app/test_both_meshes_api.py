@@ -180,7 +180,15 @@ async def test_refusals(api, body, pointer, code):
     assert (pointer, code) in found
 
 
-async def test_work_and_precision_are_of_the_output_alone(api):
-    body = {"calculation": PATH, "input": BASE}
-    response = await api.post("work-precision", json=body)
-    assert response.json()["errors"][0]["pointer"] == "/input/satellite_coupling"
+@pytest.mark.parametrize("quantity", ["peak_force", "carried_ends"])
+async def test_work_and_precision_are_of_both(api, quantity):
+    """Samples miss less the more there are, and the calculator's search next to nothing."""
+    body = {"calculation": PATH, "input": BASE, "quantity": quantity}
+    answer = (await api.post("work-precision", json=body)).json()
+    sampling = [each for each in answer["points"] if each["method"] == "sampling"]
+    errors = [each["relative_error"] for each in sampling]
+    assert errors[0] > 5 * errors[-1] > 0
+    assert answer["chosen"]["relative_error"] < min(1e-6, errors[-1])
+    many = changed([["deviations"]], mechanism={"satellites": 4})
+    error = (await api.post("work-precision", json=body | {"input": many})).json()["errors"][0]
+    assert (error["pointer"], error["code"]) == ("/input/mechanism/ring_teeth", "too_many_pairs")

@@ -17,7 +17,7 @@ import pytest
 
 from app import VERSION
 from app.endpoint import read_body
-from app.examples import REQUESTS
+from app.examples import EXAMPLES, REQUESTS
 from app.exports.dxf import DXF, LAYERS, MOST_CIRCLES, ZIP, DxfRequest, write
 from app.problems import Problem
 from app.registry import EXPORTS
@@ -268,8 +268,6 @@ def refused(body):
         ("/design/gear/modification", None, None, "needed_to_draw"),
         ("/design/gear/ring_pin_radius_mm", None, None, "needed_to_draw"),
         ("/design/gear", None, None, "needed_to_draw"),
-        ("/design/gear", {"kind": "involute", "module_mm": 2.0}, "/design/gear/kind",
-         "no_tooth_form"),
         ("/design/gear", {"radial_force_ratio": 0.3}, "/design/gear/kind", "no_tooth_form"),
         ("/design/contact/fit", None, "/design/contact/hole_clearance_mm", "needed_to_draw"),
         ("/design/load", None, None, "needed_to_draw"),
@@ -278,6 +276,7 @@ def refused(body):
         ("/design/deviations/ring_pin_radial_mm", [0.01], None, "different_length"),
         ("/parts/1", "carrier", None, "no_such_part"),
         ("/parts/1", "satellite_4", None, "no_such_part"),
+        ("/parts/1", "ring", None, "no_such_part"),
         ("/parts/1", "satellite_01", None, "no_such_part"),
         ("/chord_error_mm", 0.0, None, "greater_than_equal"),
         ("/chord_error_mm", 1.5, None, "less_than_equal"),
@@ -288,6 +287,45 @@ def test_what_cannot_be_drawn_is_refused_by_its_field(path, value, pointer, code
     whole = path.startswith("/parts")
     error = refused(BODY | {"parts": ["ring_pins", value]} if whole else changed(BODY, path, value))
     assert (error.pointer, error.code) == (pointer or path, code)
+
+
+INVOLUTE = next(each["input"] for each in EXAMPLES if each["id"] == "involute")
+
+
+def test_involute_teeth_are_drawn_with_their_ring():
+    """Between roots and tips, as many as there are; that they mesh is the core's test."""
+    body, drawn = files(INVOLUTE, parts=["satellite_2", "ring"], chord_error_mm=0.002)
+    pair = body.design.results.involute_pair
+    for name, ends, teeth in (
+        ("satellite_2", (pair.teeth.satellite_root, pair.teeth.satellite_tip), 40),
+        ("ring", (pair.teeth.ring_tip, pair.ring_root), 42),
+    ):
+        points = outline(drawn[name])
+        assert (abs(points).min(), abs(points).max()) == pytest.approx([1e3 * e for e in ends])
+        pitch = len(points) // teeth
+        turned = np.exp(-2j * math.pi / teeth)
+        assert points[pitch : 2 * pitch] == pytest.approx(points[:pitch] * turned)
+        assert 0 < said(drawn[name], "chord_error_mm") <= 0.002
+    assert len(circles(drawn["satellite_2"], "HOLES")[1]) == 8
+    assert not circles(drawn["ring"], "HOLES")[1]
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "pointer", "code"),
+    [
+        ("/design/gear/ring_profile_shift", None, None, "needed_to_draw"),
+        ("/parts/0", "ring_pins", None, "no_such_part"),
+        ("/design/gear/reference_pressure_angle_deg", 31.0, "/design/gear/kind", "outside_method"),
+    ],
+)
+def test_involute_teeth_that_cannot_be_drawn_are_refused(path, value, pointer, code):
+    body = {"design": INVOLUTE, "parts": ["satellite_1", "ring"]}
+    if path == "/parts/0":
+        body["parts"] = [value]
+    else:
+        body = changed(body, path, value)
+    error = refused(body)
+    assert (error.pointer, error.code) == (path if pointer is None else pointer, code)
 
 
 def test_a_typed_ratio_is_drawn_where_it_is_whole():

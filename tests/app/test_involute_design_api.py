@@ -2,11 +2,13 @@
 refused, what was passed once and cannot mesh, and fixes by profile shifts.
 """
 
+import math
 from copy import deepcopy
 from typing import Any
 
 import pytest
 
+from app.calculations.crank_planetary import CrankPlanetaryRequest
 from app.examples import EXAMPLES
 
 pytestmark = pytest.mark.anyio
@@ -43,6 +45,25 @@ async def asked(api: Any, body: dict[str, Any]) -> tuple[dict[str, Any], dict[st
     assert response.status_code == 200, response.text
     answer = response.json()
     return answer, {each["code"]: each for each in answer.get("checks", ())}
+
+
+async def test_their_drawing_stands_as_their_files_do(api: Any) -> None:
+    """A pitch of each, turned so that a tooth of a satellite is where its crank points."""
+    body = changed(mechanism={"initial_crank_angle_deg": 30.0}, include=["ring_drawing"])
+    answer, _ = await asked(api, body)
+    drawn = answer["ring_drawing"]
+    pair = CrankPlanetaryRequest.model_validate(body).results.involute_pair
+    for name, ends in (
+        ("lobe_mm", (pair.teeth.satellite_root, pair.teeth.satellite_tip)),
+        ("ring_lobe_mm", (pair.teeth.ring_tip, pair.ring_root)),
+    ):
+        far = [math.hypot(*point) for point in drawn[name]]
+        assert (min(far), max(far)) == pytest.approx([1e3 * e for e in ends], rel=1e-5)
+        assert drawn[name][0][0] == pytest.approx(0, abs=1e-4)
+    assert drawn["ring_turn_deg"] == -30.0
+    assert drawn["turn_deg"] == pytest.approx([4.5 - 30.0, 4.5 + 180 / 20 - 30.0])
+    undercut = changed(gear={"satellite_profile_shift": -1.5}, include=["ring_drawing"])
+    assert "ring_drawing" not in (await asked(api, undercut))[0]
 
 
 async def test_the_mesh_is_what_its_endpoint_answers(api: Any) -> None:

@@ -180,6 +180,7 @@ def test_discs_stand_on_the_pins_as_they_are_drawn(monkeypatch, deviations, dire
         mechanism=UNEVEN,
         load={"torque_direction": direction},
         deviations=deviations,
+        satellite_coupling=RIGID,
         include=["ring_drawing"],
     )
     request = CrankPlanetaryRequest.model_validate(body)
@@ -257,8 +258,8 @@ async def test_the_figure_is_of_the_peak(api):
 
 async def test_angles_are_those_of_the_output(api):
     """The ring turns by u/(u + 1) of what the pins would, and carries as much more."""
-    pins = changed(include=["ring_mesh"])
-    ring = changed(include=["ring_mesh"], mechanism={"output": "ring"})
+    pins = changed(include=["ring_mesh"], satellite_coupling=RIGID)
+    ring = changed(include=["ring_mesh"], mechanism={"output": "ring"}, satellite_coupling=RIGID)
     ring["load"]["output_torque_Nm"] *= 20 / 19
     one, two = [(await api.post(PATH, json=body)).json()["ring_mesh"] for body in (pins, ring)]
     for name, part in (
@@ -327,6 +328,99 @@ async def test_both_meshes_are_in_series_where_both_are_known(api, off):
         sum(sum(each[f"crank_{way}_N"]) for each in discs) for way in ("along", "across")
     )
     assert bearing["radial_force_ratio"] == pytest.approx(along / across, abs=5e-3)
+
+
+async def test_the_ring_is_told_as_it_works_in_series(api, monkeypatch):
+    """Section, drawing, figure and checks by positions of `/load-sharing`: later turns too, gaps by
+    the outline that is drawn.
+    """
+    asked = {"max_ring_backlash_arcmin": 50.0, "max_transmission_error_arcmin": 50.0}
+    sections = ["load_sharing", "ring_mesh", "ring_drawing", "checks"]
+    body = changed(include=sections, requirements=asked)
+    monkeypatch.setattr(crank_planetary, "DRAWN_ERROR", 2e-8)
+    answer = solve(CrankPlanetaryRequest.model_validate(body))
+    drawn, turn = answer["ring_drawing"], answer["ring_mesh"]["over_turn"]
+    angles, period, further = (
+        drawn[name] for name in ("crank_angle_deg", "repeats_after_deg", "pins_further")
+    )
+    assert angles[-1] == pytest.approx(period) and 0 < further < 20
+    shown = (*range(0, len(angles), 17), 1, 2)
+    later = [4 * each % 9 for each in range(len(shown))]
+    at = [angles[i] + n * period for i, n in zip(shown, later, strict=True)]
+    alone = {name: deepcopy(body[name]) for name in ("mechanism", "load", "contact", "gear")}
+    for name in ("friction_coefficient", "disc_material"):
+        alone["gear"].pop(name, None)
+    alone["load"].pop("input_speed_rpm", None)
+    alone |= {"satellite_coupling": {"kind": "ring"}, "include": ["positions"]}
+
+    async def positions(crank_angles):
+        asked = {**alone, "crank_angle_deg": crank_angles}
+        got = await api.post("load-sharing", json=asked)
+        assert got.status_code == 200, got.text
+        return got.json()["positions"]
+
+    found = await positions(at)
+    lags = np.array([each["ring"]["rotation_arcmin"] for each in found])
+    forces, gaps = np.array(drawn["force_N"]), np.array(drawn["gap_mm"])
+    pins = np.array([each["centre_mm"] for each in drawn["ring_pins"]]) @ [1, 1j]
+    lobe = np.array(drawn["lobe_mm"]) @ [1, 1j]
+    outline = np.concatenate([lobe * np.exp(-2j * math.pi * each / 19) for each in range(19)])
+    for i, n, angle, there in zip(shown, later, at, found, strict=True):
+        force = np.array(there["ring"]["force_N"])
+        on = np.roll(forces[..., i], -n * further, axis=1)
+        assert on == pytest.approx(force, abs=1e-4 * force.max())
+        left = np.roll(gaps[..., i], -n * further, axis=1)
+        for j, lag in enumerate(there["ring"]["rotation_arcmin"]):
+            turned = np.radians(drawn["turn_deg"][j] + angle / 19 - lag / 60)
+            crank = np.radians(angle + 360 * j / len(force))
+            e = body["contact"]["eccentricity_mm"]
+            disc = outline * np.exp(1j * turned) + 1j * e * np.exp(-1j * crank)
+            far = distance(pins, disc) - body["gear"]["ring_pin_radius_mm"]
+            free = force[j] == 0
+            assert left[j, free] == pytest.approx(far[free], abs=3e-4)
+            assert not left[j, ~free].any() and free.any()
+    assert turn["lag_min_arcmin"] <= lags.min() + turn["angle_error_arcmin"]
+    assert lags.max() <= turn["lag_max_arcmin"] + turn["angle_error_arcmin"]
+    spread = turn["lag_max_arcmin"] - turn["lag_min_arcmin"]
+    assert lags.max() - lags.min() == pytest.approx(spread, rel=0.2)
+    whole = {"backlash_max_arcmin", "transmission_error_arcmin", "stiffness_min_Nm_per_arcmin"}
+    assert not whole & {*turn} and whole < {*answer["load_sharing"]}
+    checks = {each["code"]: each for each in answer["checks"]}
+    error, play = checks["ring_transmission_error"], checks["ring_backlash"]
+    both = answer["load_sharing"]["transmission_error_arcmin"]
+    assert error["value"] == pytest.approx(both, rel=1e-9)
+    most = max(high - low for each in found for low, high in each["ring"]["play_arcmin"])
+    assert most <= play["value"] <= most * 1.05
+    said = [each["reason"]["code"] for each in (error, play, checks["ring_pressed"])]
+    assert said == ["both_meshes", "ring_alone", "ring_alone"]
+    figure = (await api.post(f"{PATH}/chart", json={**body, "include": ["ring_mesh"]})).json()
+    go.Figure(data=figure["data"], layout=figure["layout"])
+    of = {}
+    for trace in figure["data"]:
+        of.setdefault(trace.get("yaxis"), []).append(trace)
+    x = of["y4"][0]["x"]
+    one, peak = await positions([x[100], turn["peak_crank_angle_deg"]])
+    assert [each["y"][100] for each in of["y4"]] == pytest.approx(
+        [one["rotation_arcmin"], *one["ring"]["rotation_arcmin"]], rel=1e-5
+    )
+    carried = [each for each in of["y"] if each["mode"] == "lines+markers"]
+    for row, trace in zip(peak["ring"]["force_N"], carried, strict=True):
+        assert trace["y"] == pytest.approx(row, rel=1e-5, abs=1e-2)
+
+
+async def test_discs_that_the_pins_let_turn_apart_do_not_press_in_their_ring(api):
+    """Each lies in the ring as its own phase has it: only discs that turn as one would press."""
+    apart = {"deviations": {"disc_phase_deg": [4 / 60, -4 / 60]}}
+    room = {"contact": {"hole_clearance_mm": 0.05}, "requirements": {"max_ring_backlash_arcmin": 9}}
+    found = {}
+    for name, coupling in (("series", {"kind": "ring"}), ("rigid", RIGID)):
+        body = changed(satellite_coupling=coupling, **room, **apart)
+        answer = (await api.post(PATH, json=body)).json()
+        checks = {each["code"]: each for each in answer["checks"]}
+        found[name] = [checks[code] for code in ("ring_pressed", "ring_backlash")]
+    assert [each["status"] for each in found["series"]] == ["pass", "pass"]
+    assert found["series"][1]["value"] > 1.0
+    assert (found["rigid"][0]["status"], found["rigid"][1]["value"]) == ("fail", 0.0)
 
 
 @pytest.mark.parametrize(

@@ -138,19 +138,21 @@ def matches(page: Page, angle: float, force: list[float]) -> None:
 def test_forces_and_gaps_of_the_ring_are_drawn_as_they_are(page: Page, service: str) -> None:
     opened(page, service)
     design = cycloid(service)
-    gear = {**design["gear"], "contact_length_mm": 20.0, "disc_material": "steel_case_hardened"}
-    angles = [0, 137.5]
+    angles = [0, 137.5, 350]
+    gear = {**design["gear"], "contact_length_mm": design["contact"]["contact_length_mm"]}
+    named = ("output_torque_Nm", "pin_circle_radius_mm")
     body = {
         "mechanism": design["mechanism"],
-        "load": {"output_torque_Nm": 200.0},
-        "contact": {"eccentricity_mm": 2.0},
-        "gear": gear,
+        "load": {name: design["load"][name] for name in named},
+        "contact": design["contact"],
+        "gear": {**gear, "disc_material": design["contact"]["hole_material"]},
+        "satellite_coupling": {"kind": "ring"},
         "crank_angle_deg": angles,
     }
-    answer: Any = ask(service, "/ring-mesh", body)
+    answer: Any = ask(service, "/load-sharing", body)
     force: list[float] = []
     for angle, position in zip(angles, answer["positions"], strict=True):
-        force = [value for row in position["force_N"] for value in row]
+        force = [value for row in position["ring"]["force_N"] for value in row]
         matches(page, angle, force)
     most = force.index(max(force))
     name = f"{most // 21 + 1}/{most % 21 + 1}"

@@ -66,8 +66,12 @@ def geared(design: Design, /, **changes: Any) -> Design:
     return having(design, gear=replace(design.gear, **changes))  # type: ignore[type-var]
 
 
+LOW = oracle.Pair(40, 42, 3.0, -0.95, -0.8694, 0.325, 0.325, e=3.2)
+"""Of an eccentricity at which no usual teeth mesh."""
+
 PAIRS = (
     FORTY,
+    LOW,
     replace(FORTY, cutter=20, h_as=0.75, x_s=0.1, x_r=0.48),
     replace(FORTY, h_ar=0.9, h_f=1.3, rho_f=0.3, e=3.62),
     oracle.Pair(40, 41, 2.5, 0.0, 0.6, 0.8, 0.75, e=2.003),
@@ -114,6 +118,17 @@ def found(code: str, pair: oracle.Pair) -> tuple[str, bool, str]:
 
 
 USUAL = ("marginal", False, "less_than_usual")
+
+
+def test_low_teeth_mesh_where_usual_ones_fail() -> None:
+    """With hardly any room at tips and roots, which a little more height of the ring takes."""
+    assert found("mesh_tips", LOW) == USUAL
+    for code in ("mesh_contact_ratio", "mesh_undercut", "mesh_involute"):
+        assert found(code, LOW)[0] == "pass"
+    higher = replace(LOW, h_ar=0.36)
+    for other in (higher, replace(LOW, x_s=0.0, x_r=0.0806, h_as=0.8, h_ar=0.8)):
+        assert found("mesh_tips", other) == ("fail", True, "")
+    assert found("mesh_involute", higher) == ("fail", False, "")
 
 
 def between(name: str, ends: tuple[float, float], code: str, wanted: float) -> float:

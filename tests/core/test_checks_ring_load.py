@@ -220,6 +220,22 @@ def test_what_presses_is_looked_for_over_the_turn() -> None:
     assert found == pytest.approx(max(each), rel=1e-3)
 
 
+def test_what_presses_fails_where_no_force_is_known() -> None:
+    off, reason = -1e-4, "ring_jams"
+    made = Deviations(ring_pin_radial=(off, *[0.0] * 39))
+    design = having(A7, satellites=2, deviations=made)
+    found = check_of("ring_pressed", design)
+    assert (found.status, found.reason) == ("fail", reason)
+    disc, deep = Results(design).ring_mesh.disc, []
+    for crank in (found.at["crank_angle"], found.at["crank_angle"] + math.pi):
+        turned = np.exp(1j * crank / 39) * disc.outline(np.linspace(0, 2 * math.pi, 400_001))
+        pin = 1j * (disc.ring_pin_circle_radius + off)
+        far = np.abs(turned + 1j * disc.eccentricity * np.exp(-1j * crank) - pin).min()
+        deep.append(disc.ring_pin_radius - far)
+    assert found.value == pytest.approx(max(deep), rel=2e-3)
+    assert check_of("ring_pressure_pin", design).reason == reason
+
+
 def test_backlash_is_that_of_the_published_disc() -> None:
     """Largest over the turn 2.56426736 arcmin, in first order; by the ring as output a part."""
     design = having(

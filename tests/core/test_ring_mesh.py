@@ -340,6 +340,26 @@ def test_gaps_as_wide_as_a_valley() -> None:
             assert codes - {"seat_rigid", "unusual_shortening"} == ({code} if code else set())
 
 
+def test_a_pin_that_does_not_let_a_disc_in_is_named() -> None:
+    """Where forces cannot be solved for it: as deep as it stands within the outline."""
+    disc = CycloidDisc(19, 2e-3, 0.06, 0.005, Modification(2e-5, -1e-5))
+    inward = RingDeviations(pin_radial=(-1e-4, *[0.0] * 19))
+    mesh, angle = mesh_of(disc=disc, deviations=inward), 0.0044
+    with pytest.raises(ImpossibleMechanism) as caught:
+        at(mesh, angle, 300.0)
+    assert caught.value.code == "ring_jams" and caught.value.where == {"crank_angle": angle}
+    found = caught.value.params
+    assert (found["satellite"], found["pin"]) == (2, 1)
+    crank = angle + math.pi
+    turned = np.exp(1j * crank / 19) * disc.outline(np.linspace(0, 2 * math.pi, 400_001))
+    far = np.abs(turned + 2e-3j * np.exp(-1j * crank) - 1j * (0.06 - 1e-4)).min()
+    assert found["depth"] == pytest.approx(1e3 * (0.005 - far), rel=1e-3)
+    soft = mesh_of(disc=disc, deviations=inward, law=LinearLaw(1e3))
+    with pytest.raises(ImpossibleMechanism) as caught:
+        at(soft, 0.3, 1e4)
+    assert caught.value.code != "ring_jams"
+
+
 def test_contacts_that_are_too_soft_hold_nothing() -> None:
     with pytest.raises(ImpossibleMechanism) as caught:
         at(mesh_of(law=LinearLaw(1e3)), 0.3, 1e4)

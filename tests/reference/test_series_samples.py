@@ -17,7 +17,7 @@ from core.output.real_mechanism import Deviations, RealMechanism
 from core.ring.profile import CycloidDisc, Modification
 from core.ring.series import MeshesInSeries, series_position
 from core.ring.series_samples import sampled_in_series
-from core.ring.series_teeth import teeth_in_series
+from core.ring.series_teeth import TeethInSeries
 from core.ring.series_turn import SeriesTurn, series_over_turn
 from core.ring.sharing import CycloidMesh, RingDeviations
 from tests.inputs.series import drawn
@@ -130,7 +130,7 @@ def test_over_a_period_crank_and_unlike_pins_have_all_that_there_is(
 def test_the_teeth_in_series_are_those_of_a_walk() -> None:
     series, torque = meshes(9, 6, "none"), 60.0
     over = series_over_turn(real=series, output_torque=torque)
-    teeth = teeth_in_series(series=over)
+    teeth = TeethInSeries(over)
     turn, disc = SeriesTurn(series, torque), series.ring.disc
     angles = (np.arange(2003) + 0.5) * (2 * math.pi * 9 / 2003)  # all turns, not a period alone
     rows = turn.poses(angles.tolist())

@@ -13,7 +13,7 @@ import { figureText } from "../../service_texts.js";
 import { createDrawing } from "./drawing.js";
 import { askedOf, cranksOf, fitted, MOST_PAIRS, ratioOf, refuseMore } from "./mechanism.js";
 import { factorOf, sentences } from "./sentences.js";
-import { BESIDE, inputOf, MADE, partedDeviations, partsOf, WANTED, wantedSections } from "./wanted.js";
+import { BESIDE, inputOf, MADE, partedDeviations, partsOf, shaped, WANTED, wantedSections } from "./wanted.js";
 
 const MOST_ROWS = 24;
 const DESIGN = [ // parts that are judged beside the contact
@@ -298,7 +298,7 @@ export default {
         contact: input.contact,
         ...Object.fromEntries(DESIGN.filter((part) => input[part]).map((part) => [part, input[part]])),
       }),
-      include: [...sections, ...(sections.includes("contact_force") && (filled.mechanism.output ?? "pins") !== "pins" ? ["members"] : []), ...(solved ? [this.solved] : []), ...(solved && tables.has("cyclogram") ? ["real_cyclogram"] : []), ...(sections.includes("ring_mesh") && input.gear?.modification ? ["ring_drawing"] : []), "checks"],
+      include: [...sections, ...(sections.includes("contact_force") && (filled.mechanism.output ?? "pins") !== "pins" ? ["members"] : []), ...(solved ? [this.solved] : []), ...(solved && tables.has("cyclogram") ? ["real_cyclogram"] : []), ...(sections.includes("ring_mesh") ? ["ring_drawing"] : []), "checks"],
     }));
   },
 
@@ -371,12 +371,13 @@ export default {
     { id: "workPeak", section: "contact_force", measures: "contact-force", body: forceBody, example: TRADE_OFF },
   ],
 
-  /** What the service draws of the design on the screen: cycloid discs whose modification is stated, and the pins of their ring. */
+  /** What the service draws of the design on the screen: cycloid discs whose modification is stated, and the pins of their ring; involute teeth of known heights. */
   files({ requests, filled }) {
     const { include, ...design } = requests.find(({ path }) => path.endsWith(this.path))?.body ?? {};
-    if (!design.gear?.modification || !design.gear.ring_pin_radius_mm) return [];
+    const ring = shaped(design.gear) ? "ring" : design.gear?.modification && design.gear.ring_pin_radius_mm && "ring_pins";
+    if (!ring) return [];
     const discs = cranksOf(filled.mechanism).map((_, j) => `satellite_${j + 1}`);
-    return [{ id: "dxf", path: "/export/dxf", body: { design, parts: [...discs, "ring_pins"] } }];
+    return [{ id: "dxf", path: "/export/dxf", body: { design, parts: [...discs, ring] } }];
   },
 
   wanted: WANTED,

@@ -54,11 +54,22 @@ function insideOf({ rolling, rollers, strength, pin } = {}, assumed = []) {
   return strength?.on === "on" && strength.surface === "sleeved" ? pin?.diameter_mm / 2 : NaN;
 }
 
+/** Involute teeth of satellites and ring, as the answer draws them. */
+function involuteOf(mechanism, { teeth_difference: difference = 1 }, { lobe_mm: lobe, turn_deg: turns, ring_lobe_mm: ringLobe, ring_turn_deg: ringTurn }) {
+  const lobes = Math.round(ratioOf(mechanism) * difference);
+  const circle = Math.max(...ringLobe.map((point) => Math.hypot(...point)));
+  return { circle, radius: 0, lobe, lobes, turns, ringLobe, ringTurn, ringTeeth: lobes + difference, pins: [], peak: 0, widest: 0 };
+}
+
 /**
  * The ring of pins and the discs in it: with their profile, forces and gaps where the answer has them, else the pins by
- * their sizes alone; null where they are not given.
+ * their sizes alone; or involute teeth, once their outlines are known; null where they are not given.
  */
 function ringOf({ mechanism, besides: { bearings, gear = {} } = {} }, drawing) {
+  if (bearings?.on === "on" && gear.kind === "involute") {
+    const { satellite_teeth: z2, ring_teeth: z3 } = mechanism;
+    return drawing ? involuteOf(mechanism, z2 && z3 ? { teeth_difference: z3 - z2 } : gear, drawing) : null;
+  }
   const { kind, ring_pin_circle_radius_mm: circle, ring_pin_radius_mm: radius, pin_support: support = "seat" } = gear;
   const lobes = ratioOf(mechanism);
   const [count, pairs] = [lobes + 1, (lobes + 1) * mechanism.satellites];
@@ -66,10 +77,10 @@ function ringOf({ mechanism, besides: { bearings, gear = {} } = {} }, drawing) {
   const own = { circle, radius, lobes, seated: support === "seat", peak: 0, widest: 0 };
   if (drawing) {
     const { lobe_mm: lobe, turn_deg: turns, ring_pins: pins, crank_angle_deg: x, force_N: force, gap_mm: gap } = drawing;
+    const { repeats_after_deg: period, pins_further: further } = drawing;
     return {
-      ...own, lobe, turns, x, force: force.flat(), gap: gap.flat(),
-      pins: pins.map(({ centre_mm: centre, radius_mm: size }) => ({ centre, radius: size })),
-      peak: Math.max(...force.flat(2)), widest: Math.max(...gap.flat(2)),
+      ...own, lobe, turns, pins: pins.map(({ centre_mm: centre, radius_mm: size }) => ({ centre, radius: size })),
+      ...(x && { x, period, further, force, gap, peak: Math.max(...force.flat(2)), widest: Math.max(...gap.flat(2)) }),
     };
   }
   const step = gear.every_second_pin && count % 2 === 0 ? 2 : 1;
@@ -181,8 +192,10 @@ export function forcesAt(mechanism, curves, angle, driving = null) {
   });
 }
 
-/** Forces, N, and gaps, mm, of the ring's pins at a crank angle, satellite by satellite: a turn of the crank brings all back. */
-export function ringAt({ ring: { x, force, gap } }, angle) {
-  const at = modulo(angle, 360);
-  return { force: force.map((y) => valueAt({ x, y }, at)), gap: gap.map((y) => valueAt({ x, y }, at)) };
+/** Forces, N, and gaps, mm, of the ring's pins at a crank angle, satellite by satellite: after a period a pin feels what the one so many further on felt. */
+export function ringAt({ ring: { x, period, further, force, gap } }, angle) {
+  const at = modulo(angle, period);
+  const on = further * Math.round((angle - at) / period);
+  const all = (values) => values.flatMap((rows) => rows.map((_, k) => valueAt({ x, y: rows[modulo(k + on, rows.length)] }, at)));
+  return { force: all(force), gap: all(gap) };
 }

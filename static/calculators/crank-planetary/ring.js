@@ -1,4 +1,4 @@
-/** Cycloid discs and the pins of their ring, to scale: what of the drawing of the mechanism is theirs. */
+/** Satellites and their ring, cycloid discs on pins or involute teeth, to scale: what of the drawing of the mechanism is theirs. */
 import { formatQuantity } from "../../lib/format.js";
 import { html } from "../../lib/html.js";
 import { circle, headPath, path, roundBelow } from "../../lib/svg.js";
@@ -13,11 +13,13 @@ const RADIAN = Math.PI / 180;
 const FIELD = {
   circle: "gear.ring_pin_circle_radius_mm",
   pin: "gear.ring_pin_radius_mm mechanism.ring_teeth",
-  profile: "mechanism.satellite_teeth gear.modification.equidistant_mm gear.modification.pin_circle_mm",
+  profile: "mechanism.satellite_teeth gear.modification.equidistant_mm gear.modification.pin_circle_mm gear.satellite_profile_shift gear.satellite_addendum",
+  teeth: "mechanism.ring_teeth gear.ring_profile_shift gear.ring_addendum gear.cutter_teeth",
 };
 
 /** Where the ring's body is: its bore, in whose halves pins are seated, and its outside. */
-export function bodyOf({ circle: own, radius, seated }) {
+export function bodyOf({ circle: own, radius, seated, ringLobe }) {
+  if (ringLobe) return { bore: own, outside: 1.05 * own };
   return { bore: own + (seated ? 0 : 1.1 * radius), outside: own + 2.6 * radius };
 }
 
@@ -35,20 +37,21 @@ function turned([x, y], angle) {
   return [c * x - s * y, s * x + c * y];
 }
 
-/** The outline of a disc about the axis at the crank angle 0. */
-function outline(view, { lobe, turns, lobes }, j) {
-  const points = Array.from({ length: lobes }, (_, i) => lobe.map((point) => view.at(turned(point, turns[j] - (360 * i) / lobes)))).flat();
-  return path(points, "profile", FIELD.profile);
-}
+/** Points of an outline of so many equal pitches, turned. */
+const around = (view, lobe, count, angle) => Array.from({ length: count }, (_, i) => lobe.map((point) => view.at(turned(point, angle - (360 * i) / count)))).flat();
 
-/** What of a satellite's group is the disc. */
-export const discStill = (view, { ring }, j) => ring?.lobe && outline(view, ring, j);
+/** What of a satellite's group is the disc, about the axis at the crank angle 0. */
+export const discStill = (view, { ring }, j) => ring?.lobe && path(around(view, ring.lobe, ring.lobes, ring.turns[j]), "profile", FIELD.profile);
 
 const numberAt = ([x, y], number) => html`<text class="number ring-number" text-anchor="middle" x="${x}" y="${y + 3}">${number}</text>`;
 
-/** The ring with its pins, which stand still. */
+/** The ring with its pins or its teeth, which stand still. */
 export function ringStill(view, centre, { ring }) {
   const { bore, outside } = bodyOf(ring);
+  if (ring.ringLobe) {
+    return html`${circle(centre, view.size(outside), "ring", FIELD.teeth)}
+      ${path(around(view, ring.ringLobe, ring.ringTeeth, ring.ringTurn), "bore ring-teeth", FIELD.teeth)}`;
+  }
   const size = view.size(ring.radius);
   return html`${circle(centre, view.size(outside), "ring", FIELD.circle)}${circle(centre, view.size(bore), "bore")}
     ${circle(centre, view.size(ring.circle), "centre", FIELD.circle)}
@@ -119,7 +122,7 @@ export function placeRing(parts, { m, angle, directions }) {
       const { normal, touch } = contactOf(m, direction, pin);
       const tail = touch.map((part, axis) => part + normal[axis] * force[i] * arrowScale);
       setArrow(own.arrows[i], view.at(tail), view.at(touch), force[i] > 0);
-      own.gaps[i].classList.toggle("none", !(gap[i] > 0));
+      own.gaps[i].classList.toggle("none", force[i] > 0 || !(gap[i] > 0)); // both between a point with either
       const far = Math.hypot(...pin.centre);
       const out = pin.centre.map((part) => part / far);
       const [from, to] = [outside, outside + gap[i] * times].map((length) => view.at(out.map((part) => part * length)));
@@ -165,7 +168,8 @@ export function placeRingDetail(parts, { m, angle, directions }, name) {
 /** What is said of the ring under the drawing; nothing where there is none. */
 export function ringCaption({ ring }) {
   if (!ring) return "";
-  if (!ring.force) return message("drawing.ringPins");
+  if (ring.ringLobe) return message("drawing.teeth");
+  if (!ring.force) return message(ring.turns ? "drawing.manyTurns" : "drawing.ringPins");
   const times = timesOf(ring);
   return [
     message("drawing.ring"), times > 0 && message("drawing.gaps", { times: String(times) }), !ring.lobe && message("drawing.noProfile"),

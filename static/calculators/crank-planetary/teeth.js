@@ -46,12 +46,21 @@ function involuteCells({ geometry, stresses, efficiency }) {
 export function cells({ over_turn: turn, ideal, efficiency, ...involute }) {
   if (turn === undefined) return involuteCells({ ...involute, efficiency });
   const { satellite, pin } = turn.peak_pair;
+  const pressure = {
+    label: title("max_pressure_MPa"),
+    value: formatQuantity(turn.max_pressure_MPa, "MPa", 4),
+    note: message("teeth.peak", { satellite, pin, force: formatQuantity(turn.peak_force_N, "N", 4), times: formatNumber(turn.peak_force_ratio, 3) }),
+  };
+  if (turn.backlash_max_arcmin === undefined) { // both meshes in series, whose play and stiffness are elsewhere
+    const lag = Math.max(turn.lag_max_arcmin, -turn.lag_min_arcmin);
+    return [
+      pressure,
+      { label: message("teeth.lag"), value: arcmin(lag), note: message("teeth.both") },
+      ...(efficiency === undefined ? [] : [{ label: title("efficiency"), value: formatNumber(efficiency.efficiency, 4), note: message("teeth.alone") }]),
+    ];
+  }
   return [
-    {
-      label: title("max_pressure_MPa"),
-      value: formatQuantity(turn.max_pressure_MPa, "MPa", 4),
-      note: message("teeth.peak", { satellite, pin, force: formatQuantity(turn.peak_force_N, "N", 4), times: formatNumber(turn.peak_force_ratio, 3) }),
-    },
+    pressure,
     {
       label: title("backlash_max_arcmin"),
       value: arcmin(turn.backlash_max_arcmin),

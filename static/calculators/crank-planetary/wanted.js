@@ -247,6 +247,9 @@ function ringOf({ mechanism, load, contact: { eccentricity_mm: e, pin_radius_mm:
 /** Whether involute teeth are given with their profile shifts. */
 const shifted = (gear) => gear?.satellite_profile_shift !== undefined && gear.ring_profile_shift !== undefined;
 
+/** Whether their heights are given too, so that they have an outline. */
+export const shaped = (gear) => shifted(gear) && ["satellite", "ring"].every((body) => gear[`${body}_addendum`] || gear[`${body}_tip_radius_mm`]);
+
 /** Involute teeth to start from: usual low ones, the ring's spaces a trifle wider than they fill at the eccentricity. */
 function teethTo({ contact: { eccentricity_mm: e } = {}, besides: { gear } }, { "gear.teeth_difference": difference }) {
   const { module_mm: module, teeth_difference: given = difference, reference_pressure_angle_deg: degrees = 20 } = gear;
