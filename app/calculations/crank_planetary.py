@@ -251,7 +251,7 @@ class _UsualCoupling:
 
     def section(self, _: Any = None) -> RingInSeries:
         """The coupling in SI units."""
-        return RingInSeries(stated=False)
+        return RingInSeries()
 
 
 class CrankPlanetaryRequest(DesignFields, group="mechanism"):

@@ -240,12 +240,6 @@ class Design:
         asked = isinstance(self.satellite_coupling, RingInSeries) and self.crank_support is None
         if not asked or not gear or gear.kind != "cycloid" or gear.modification is None:
             return False
-        made = self.deviations
-        deviates = made is not None and any(
-            map(any, (made.ring_pin_radial, made.ring_pin_tangential, made.ring_pin_radius))
-        )
-        if deviates and not self.satellite_coupling.stated:  # type: ignore[union-attr]
-            return False
         known = self.touching and contact.clearance is not None and not self.clearance_unknown
         return known and not self.tied and contact.distribution_factor == 1
 

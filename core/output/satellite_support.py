@@ -40,10 +40,6 @@ class RingInSeries:
     meshes give: it is no support of the one alone.
     """
 
-    # Whether somebody says so; else it is so where that is known and all repeats after one turn
-    # of the wave, as the ring's pins are alike.
-    stated: bool = True
-
 
 SatelliteSupport = CrankSupport | ElasticMesh | Shares
 

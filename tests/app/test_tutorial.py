@@ -37,6 +37,7 @@ OWN = {
 """Numbers of the text that stand in no block."""
 
 EXPECTED = {
+    "both_meshes",
     "perfect_parts",
     "uneven_sharing",
     "modification_unknown",
