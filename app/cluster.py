@@ -108,18 +108,23 @@ def on_cluster(address: str, instead: Mapped | None, lost: Callable[[], None]) -
     -------
     callable
     """
+    here: Mapped | None = None  # once the cluster is lost, which is not waited for again
 
     def mapped(block: Block, blocks: Sequence[Drawn]) -> Iterator[Pieces]:
+        nonlocal here
         done = 0
-        try:
-            for results in _there(address, block, blocks):
-                done += 1
-                yield results
-        except Lost as why:
-            LOG.warning("the cluster is lost: %s", why)
-            lost()
-            if instead is None:
-                raise
-            yield from instead(block, blocks[done:])
+        if here is None:
+            try:
+                for results in _there(address, block, blocks):
+                    done += 1
+                    yield results
+            except Lost as why:
+                LOG.warning("the cluster is lost: %s", why)
+                lost()
+                if instead is None:
+                    raise
+                here = instead
+        if here is not None:
+            yield from here(block, blocks[done:])
 
     return mapped

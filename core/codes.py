@@ -158,6 +158,8 @@ _UNKNOWN = {
     "no_crossing": "The circles of the tips do not cross",
     "ring_flank_unknown": "It holds of the satellite's flanks; those of the ring hang on its "
     "cutter, which is not given",
+    "ring_root_assumed": "It holds of a ring whose roots are as deep as the hob makes those of "
+    "the satellite: the ring's cutter is not given",
     "root_strength_unknown": "No strength of the roots is given",
     "teeth_given": "The teeth are given, and judged themselves",
     "tips_overlap": "The tips overlap all round: no tooth can pass another",

@@ -17,7 +17,7 @@ import { formModel } from "./lib/schema_form.js";
 import { lasting, parsed, session } from "./lib/storage.js";
 import { setDiameters, setUnits, SYSTEMS } from "./lib/units.js";
 import { decodeState } from "./lib/url_state.js";
-import { fieldWords, LANGUAGES, message, setEnglish, useLanguage } from "./messages/index.js";
+import { LANGUAGES, message, ownWords, setEnglish, useLanguage } from "./messages/index.js";
 import { englishOf, passingText } from "./service_texts.js";
 import { chosenTheme, createSettings, onSystemTheme, setTheme } from "./views/settings.js";
 import { createTabs } from "./views/tabs.js";
@@ -117,7 +117,7 @@ async function partsOf(id) {
   return {
     calculator,
     modelOf: () => formModel(openapi, {
-      ...calculator, path: client.base + calculator.path, words: fieldWords,
+      ...calculator, path: client.base + calculator.path, words: ownWords,
       wanted: calculator.wanted?.map((group) => ({ ...group, paths: group.paths.map((path) => client.base + path) })),
       diameters: lengths === "diameter" ? message("diameter") : null,
     }),

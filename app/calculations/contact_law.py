@@ -83,6 +83,9 @@ class MeshLawFields(ContactLawFields, group="contact_law"):
     kind: Maybe[Literal["hertz", "palmgren", "linear", "power"]] = quantity("Law of contact")
     """Hertz: line contact with its logarithm; Palmgren: rollers of steel; linear; power. Where not
     given, Hertz."""
+    reference_depth_mm: Maybe[Size] = quantity("Reference depth", "t", step=1, advanced=True)
+    """Depth to which Hertz counts the approach of pin and disc; the pin's radius where not
+    given."""
 
 
 assert {*get_args(Kind), None} == {*ContactLawFields.KINDS}

@@ -20,7 +20,7 @@ from app.calculations.ring_mesh_answer import RingEfficiencyOut, SharedPairsOut
 from app.calculations.ring_mesh_figure import DrawnPath
 from app.calculations.solved import Solved
 from app.model import Forms, Maybe, Size, Values, quantity
-from core.design.sections import Ring
+from core.design.ring import Ring
 from core.errors import NotKnown
 from core.results import Notice
 from core.ring.involute import InvolutePair

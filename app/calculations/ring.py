@@ -27,8 +27,8 @@ from app.model import (
 )
 from app.problems import invalid_input, wrong
 from app.units import to_si
-from core.design.sections import Ring, RingClass, RingPinSupport
-from core.design.sections import RingKind as Kind
+from core.design.ring import Ring, RingClass, RingPinSupport
+from core.design.ring import RingKind as Kind
 from core.ring.profile import Modification
 
 REFERENCE_ANGLE_DEG = 20.0

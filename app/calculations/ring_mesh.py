@@ -51,7 +51,7 @@ from app.sources import ISO_6336, JOHNSON_1985
 from app.theme import Figure, Theme
 from app.units import to_si
 from app.worked import worked
-from core.design.sections import Ring
+from core.design.ring import Ring
 from core.errors import InvalidInput
 from core.output.contact_law import HertzLaw
 from core.output.real_curves import stiffness_curve

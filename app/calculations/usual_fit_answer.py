@@ -10,7 +10,7 @@ from core.checks.usual_modification import UsualModification
 from core.derived import if_known
 from core.design.real_forces import RealForces
 from core.design.results import Results
-from core.design.sections import RingClass
+from core.design.ring import RingClass
 
 
 class UsualFitOut(ResponseModel):

@@ -7,7 +7,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from core.arrays import FloatArray
-from core.checks.check import Check, design_check, judged
+from core.checks.check import Check, Kind, design_check, judged
 from core.checks.inputs import BEARING_LOAD, LIFE, OF_DISCS, RING, ROOTS
 from core.checks.space import within_roots
 from core.crank.bearing_life import EXPONENTS, PEAK_SAFETY, STATIC_SAFETY
@@ -16,6 +16,7 @@ from core.crank.satellite_bearing import SatelliteBearings
 from core.derived import if_known
 from core.design.document import Design
 from core.design.results import Results
+from core.design.ring import RingKind
 from core.design.sections import RollingBearing
 from core.errors import NotKnown
 from core.ring.involute import MOST_DIFFERENCE, STANDARD_ANGLES
@@ -44,6 +45,34 @@ _shaft = partial(
     part="crank_bearings",
     needs=("touching", "load", "crankshaft"),
 )
+
+NOT_OF: dict[RingKind, str] = {"involute": "no_involute", "cycloid": "no_ring_pins"}
+"""Why a check is not one of a ring, by the kind that it is of."""
+
+
+def other_ring(*, results: Results, kind: Kind, of: tuple[RingKind, ...]) -> Check | None:
+    """A check of other rings than that of a design.
+
+    Parameters
+    ----------
+    results : Results
+        Results of a design.
+    kind : Kind
+        Which check.
+    of : tuple of {"involute", "cycloid"}
+        Kinds of ring that it is of, the one first that it says.
+
+    Returns
+    -------
+    Check or None
+        None where it is of this one, which can be.
+    """
+    own = results.design.gear.kind
+    if own not in of:
+        return Check(kind, "not_applicable", reason=NOT_OF[of[0]])
+    if own == "cycloid":
+        _ = results.ring_force  # which refuses a disc whose path crosses itself
+    return None
 
 
 @_gear(
@@ -86,8 +115,8 @@ def pressure_angle(design: Design, results: Results) -> Check:
 )
 def mesh_possible(design: Design, results: Results) -> Check:
     gear = design.gear
-    if gear.kind != "involute":
-        return Check(mesh_possible, "not_applicable", reason="no_involute")
+    if other := other_ring(results=results, kind=mesh_possible, of=("involute",)):
+        return other
     eccentricity, _ = design.known_eccentricity, results.ring_force  # which refuses base circles
     if not gear.unknown_teeth:
         return Check(mesh_possible, "not_applicable", reason="teeth_given")

@@ -6,6 +6,7 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from core.checks.check import Check, Kind, design_check, judged
+from core.checks.crank import other_ring
 from core.checks.inputs import (
     INVOLUTE_CUTTER,
     INVOLUTE_LOADED,
@@ -15,6 +16,7 @@ from core.checks.inputs import (
 )
 from core.design.document import Design
 from core.design.results import Results
+from core.design.ring import RingKind
 from core.errors import NotKnown
 from core.precision import AS_TYPED
 from core.ring.involute import TIPS_APART
@@ -34,7 +36,17 @@ HEIGHTS = tuple(
 )
 """Inputs that say where tips are."""
 
-_mesh = partial(design_check, group="gear", part="teeth", needs=("contact", "gear"), keep="above")
+INVOLUTE: tuple[RingKind, ...] = ("involute",)
+
+_mesh = partial(
+    design_check,
+    group="gear",
+    part="teeth",
+    fixes=("gear.satellite_profile_shift", "gear.satellite_addendum", "gear.ring_addendum"),
+    source="involute_mesh",
+    needs=("contact", "gear"),
+    keep="above",
+)
 
 
 class Pressed(NamedTuple):
@@ -70,26 +82,6 @@ def involute_pressed(*, results: Results, factor: float) -> Pressed:
         raise NotKnown("off_involutes")
     error = float(load.accuracy.relative_error) + results.satellite_torque_error(factor)
     return Pressed(load.pressure_start, error, results.made is not None, {})
-
-
-def no_involute(*, results: Results, kind: Kind) -> Check | None:
-    """A check of a ring without involute teeth.
-
-    Parameters
-    ----------
-    results : Results
-        Results of a design.
-    kind : Kind
-        Which check.
-
-    Returns
-    -------
-    Check or None
-        None where it has these.
-    """
-    if results.design.gear.kind == "involute":
-        return None
-    return Check(kind, "not_applicable", reason="no_involute")
 
 
 def refused(*, results: Results, kind: Kind, names: tuple[str, ...]) -> Check | None:
@@ -138,11 +130,9 @@ def _usual(
     why="Below 1 no pair is in contact at times, and the motion is not handed on. Slightly above, "
     "errors do so.",
     inputs=INVOLUTE_TEETH,
-    fixes=("gear.satellite_profile_shift", "gear.satellite_addendum", "gear.ring_addendum"),
-    source="involute_mesh",
 )
 def mesh_contact_ratio(design: Design, results: Results) -> Check:
-    if other := no_involute(results=results, kind=mesh_contact_ratio):
+    if other := other_ring(results=results, kind=mesh_contact_ratio, of=INVOLUTE):
         return other
     ratio = results.involute_pair.contact_ratio
     return _usual(mesh_contact_ratio, ratio, least=1.0, guide=LEAST_RATIO)
@@ -155,12 +145,10 @@ def mesh_contact_ratio(design: Design, results: Results) -> Check:
     why="Below 0 the tips run into each other beside the path of contact: the teeth cannot turn. "
     "Slightly above, errors do so.",
     inputs=INVOLUTE_TEETH,
-    fixes=("gear.satellite_profile_shift", "gear.satellite_addendum", "gear.ring_addendum"),
-    source="involute_mesh",
 )
 def mesh_tips(design: Design, results: Results) -> Check:
     """Where the tips overlap all round nothing is measured: no tooth can pass."""
-    if other := no_involute(results=results, kind=mesh_tips):
+    if other := other_ring(results=results, kind=mesh_tips, of=INVOLUTE):
         return other
     pair = results.involute_pair
     if pair.tips_overlap_all_round:
@@ -176,12 +164,10 @@ def mesh_tips(design: Design, results: Results) -> Check:
     formula="tan α₁ ≥ tan α_F",
     why="Otherwise a tip of one runs into the fillet of the other.",
     inputs=(*INVOLUTE_TEETH, *INVOLUTE_RACK, *INVOLUTE_CUTTER),
-    fixes=("gear.satellite_profile_shift", "gear.satellite_addendum", "gear.ring_addendum"),
-    source="involute_mesh",
 )
 def mesh_involute(design: Design, results: Results) -> Check:
     """Of the satellite's flanks, and of the ring's where its cutter is known."""
-    if other := no_involute(results=results, kind=mesh_involute):
+    if other := other_ring(results=results, kind=mesh_involute, of=INVOLUTE):
         return other
     if within := refused(results=results, kind=mesh_involute, names=HEIGHTS):
         return within  # a tip that lies within its base circle
@@ -210,10 +196,9 @@ def mesh_involute(design: Design, results: Results) -> Check:
         *INVOLUTE_RACK,
     ),
     fixes=("gear.satellite_profile_shift",),
-    source="involute_mesh",
 )
 def mesh_undercut(design: Design, results: Results) -> Check:
-    if other := no_involute(results=results, kind=mesh_undercut):
+    if other := other_ring(results=results, kind=mesh_undercut, of=INVOLUTE):
         return other
     value = results.involute_pair.form_roll_satellite
     return judged(mesh_undercut, 0.0 if abs(value) <= AS_TYPED else value, 0.0)
@@ -225,15 +210,17 @@ def mesh_undercut(design: Design, results: Results) -> Check:
     formula="c/m ≥ 0.15",
     why="Below 0 tips run into the roots of the others. Slightly above, errors do so.",
     inputs=(*INVOLUTE_TEETH, "gear.dedendum", *INVOLUTE_CUTTER),
-    fixes=("gear.satellite_profile_shift", "gear.satellite_addendum", "gear.ring_addendum"),
-    source="involute_mesh",
 )
 def mesh_tip_clearance(design: Design, results: Results) -> Check:
-    if other := no_involute(results=results, kind=mesh_tip_clearance):
+    """Of a ring whose cutter is not known with the root that the hob's dedendum gives it."""
+    if other := other_ring(results=results, kind=mesh_tip_clearance, of=INVOLUTE):
         return other
     pair = results.involute_pair
     least = min(pair.tip_clearance_satellite, pair.tip_clearance_ring) / pair.teeth.module
-    return _usual(mesh_tip_clearance, least, least=0.0, guide=LEAST_CLEARANCE, impossible=True)
+    found = _usual(mesh_tip_clearance, least, least=0.0, guide=LEAST_CLEARANCE, impossible=True)
+    if pair.teeth.cutter is not None or found.reason or found.status == "fail":
+        return found
+    return found._replace(reason="ring_root_assumed", missing=("gear.cutter_teeth",))
 
 
 @_mesh(
@@ -243,11 +230,9 @@ def mesh_tip_clearance(design: Design, results: Results) -> Check:
     why="Below 0 the teeth are pointed and shorter than they are meant to be. Slightly above, the "
     "tips break.",
     inputs=tuple(each for each in INVOLUTE_TEETH if each != "contact.eccentricity"),
-    fixes=("gear.satellite_profile_shift", "gear.satellite_addendum", "gear.ring_addendum"),
-    source="involute_mesh",
 )
 def mesh_tip_thickness(design: Design, results: Results) -> Check:
-    if other := no_involute(results=results, kind=mesh_tip_thickness):
+    if other := other_ring(results=results, kind=mesh_tip_thickness, of=INVOLUTE):
         return other
     pair = results.involute_pair
     thin = min(pair.satellite_tip_thickness, pair.ring_tip_thickness) / pair.teeth.module
@@ -275,7 +260,7 @@ def mesh_tip_thickness(design: Design, results: Results) -> Check:
 )
 def mesh_root_stress(design: Design, results: Results) -> Check:
     """The whole force at the tip of one tooth."""
-    if other := no_involute(results=results, kind=mesh_root_stress):
+    if other := other_ring(results=results, kind=mesh_root_stress, of=INVOLUTE):
         return other
     stress, strength = results.root_stress.stress, design.gear.root_strength
     if strength is None:
@@ -309,7 +294,7 @@ def mesh_root_stress(design: Design, results: Results) -> Check:
 )
 def mesh_ring_root(design: Design, results: Results) -> Check:
     """Not known: a shaper's fillet, and the section where it breaks, are not calculated."""
-    if other := no_involute(results=results, kind=mesh_ring_root):
+    if other := other_ring(results=results, kind=mesh_ring_root, of=INVOLUTE):
         return other
     return Check(mesh_ring_root, "not_checked", reason="internal_root")
 

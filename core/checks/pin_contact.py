@@ -13,7 +13,7 @@ from core.design.document import Design
 from core.design.results import Results
 from core.errors import NotKnown
 from core.hertz import HertzContact, force_factor
-from core.materials import Body, ContactLimit
+from core.materials import Body, ContactLimit, ElasticMaterial
 
 BODIES: tuple[Body, ...] = get_args(Body)
 
@@ -115,6 +115,55 @@ def whence(limit: ContactLimit) -> dict[str, str]:
     }
 
 
+def over_life(*, found: Check, limit: ContactLimit) -> Check:
+    """A pressure against a limit, with how much of the life that has in it, where nothing else is
+    said.
+
+    Parameters
+    ----------
+    found : Check
+        The pressure, judged.
+    limit : ContactLimit
+        The limit.
+
+    Returns
+    -------
+    Check
+    """
+    if found.reason:
+        return found
+    if limit.curve is None:
+        return found._replace(reason="no_life_curve")
+    if limit.loads is None:
+        return found._replace(reason="life_without_speed", missing=("load.input_speed",))
+    return found._replace(reason="life_of_teeth")
+
+
+def static_limit(
+    *, material: ElasticMaterial, pressure: float
+) -> tuple[float, dict[str, Any]] | None:
+    """What a surface bears once: what it bears for ever it bears once too.
+
+    Parameters
+    ----------
+    material : ElasticMaterial
+        Of the surface.
+    pressure : float
+        What it is to bear, Pa.
+
+    Returns
+    -------
+    tuple of float and dict, or None
+        The limit, Pa, and whence it is; None where that is not known, as beyond a lasting limit.
+    """
+    if material.static_pressure is not None:
+        return material.static_pressure, {}
+    lasting = material.limit
+    if lasting is None or pressure > lasting.pressure:
+        return None
+    return float(lasting.pressure), whence(lasting)
+
+
 def _pressure(body: Body) -> Kind:
     code = f"contact_pressure_{body}"
 
@@ -151,13 +200,7 @@ def _pressure(body: Body) -> Kind:
                 at=if_known(lambda: results.peak) or {},
                 missing=(f"contact.{body}_material.allowable_pressure",),
             )
-        reason, missing = "life_of_teeth", tuple[str, ...]()
-        if limit.curve is None:
-            reason = "no_life_curve"
-        elif limit.loads is None:
-            reason, missing = "life_without_speed", ("load.input_speed",)
-        found = _against_limit(pressure, results)
-        return found if found.reason else found._replace(reason=reason, missing=missing)
+        return over_life(found=_against_limit(pressure, results), limit=limit)
 
     return pressure
 
@@ -242,21 +285,19 @@ def _static(body: Body) -> Kind:
         if body in design.plastics and material.limit is None:
             return Check(static, "not_applicable", reason="plastic_rules")
         contact = results.static_contact
-        pressure, limit = contact.governing_pressure, material.static_pressure
+        pressure = contact.governing_pressure
         if pressure is None:
             raise NotKnown("contact_wraps")
-        source = dict[str, str]()
-        if limit is None:  # what it bears for ever it bears once; beyond that nothing is known
-            lasting = material.limit
-            if lasting is None or pressure > lasting.pressure:
-                return Check(
-                    static,
-                    "not_checked",
-                    value=pressure,
-                    reason="limit_unknown",
-                    missing=(f"contact.{body}_material.allowable_pressure",),
-                )
-            limit, source = float(lasting.pressure), whence(lasting)
+        known = static_limit(material=material, pressure=pressure)
+        if known is None:
+            return Check(
+                static,
+                "not_checked",
+                value=pressure,
+                reason="limit_unknown",
+                missing=(f"contact.{body}_material.allowable_pressure",),
+            )
+        limit, source = known
         return in_disc(
             kind=static,
             results=results,

@@ -1,6 +1,7 @@
 """Checks of the pins as beams: static strength, fatigue, deflection, slope."""
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -46,108 +47,64 @@ def _of_size(pin: DesignPin, check: Check) -> Check:
     )
 
 
-def static_strength(
-    kind: Kind,
-    *,
-    found: PinStrength,
-    pin: DesignPin,
-    safety: float,
-    at: Mapping[str, Any],
-    error: float = 0.0,
-    rough: bool = True,
-) -> Check:
-    """The static strength of pins; of a plastic pin across its layers, unless they are said to lie
-    otherwise: necessary only.
+@dataclass(frozen=True, slots=True)
+class BentPins:
+    """Pins that bend, of the output or of the ring, as they are judged."""
 
-    Parameters
-    ----------
-    kind : Kind
-        Which check.
-    found : PinStrength
-        What they bear.
-    pin : DesignPin
-        One of them.
-    safety : float
-        That is required.
-    at : mapping
-        Where they bear most.
-    error : float
-        Relative error of the forces besides.
-    rough : bool
-        Whether the forces do not grow with the torque.
+    found: PinStrength  # what they bear
+    pin: DesignPin  # one of them
+    rough: bool  # whether their forces do not grow with the torque
+    model_error: float = 0.0  # relative, of these forces, besides that of the numbers
 
-    Returns
-    -------
-    Check
-    """
-    stress, material = found.static_stress, pin.material
-    strength, tensile = material.loaded_strength("pin"), pin.tensile_strength
-    if strength is None and tensile is not None and tensile > HARDENED:
-        strength = tensile
-    if strength is None:
-        reason, lacks = "yield_unknown", f"{pin.material_path}.yield_strength"
-        if material.yield_strength is not None:
-            reason, lacks = "direction_unknown", f"{pin.material_path}.layers"
-        return Check(kind, "not_checked", value=stress, reason=reason, missing=(lacks,))
-    limit = strength / safety
-    check = judged(
-        kind,
-        stress,
-        limit,
-        reserve=limit / stress,
-        error=4 * found.accuracy.relative_error + error,
-        rough=rough,
-        at=at,
-    )
-    return necessary(check) if material.plastic is not None else _of_size(pin, check)
+    @property
+    def error(self) -> float:
+        """Relative error of stresses, deflection and slope."""
+        return 4 * float(self.found.accuracy.relative_error) + self.model_error
 
+    def judged(self, kind: Kind, value: float, limit: float, **more: Any) -> Check:
+        """A stress or a safety against its limit: the torque has the reserve that it has."""
+        reserve = limit / value if kind.keep == "below" else value / limit
+        return judged(
+            kind, value, limit, reserve=reserve, error=self.error, rough=self.rough, **more
+        )
 
-def fatigue_safety(
-    kind: Kind,
-    *,
-    found: PinStrength,
-    pin: DesignPin,
-    safety: float,
-    at: Mapping[str, Any],
-    error: float = 0.0,
-    rough: bool = True,
-) -> Check:
-    """The fatigue of pins, of which there is a cycle.
+    def static(self, kind: Kind, *, safety: float, at: Mapping[str, Any]) -> Check:
+        """Static strength, with a safety that is required, where they bear most; of a plastic pin
+        across its layers, unless they are said to lie otherwise: necessary only.
+        """
+        stress, pin, material = self.found.static_stress, self.pin, self.pin.material
+        strength, tensile = material.loaded_strength("pin"), pin.tensile_strength
+        if strength is None and tensile is not None and tensile > HARDENED:
+            strength = tensile
+        if strength is None:
+            reason, lacks = "yield_unknown", f"{pin.material_path}.yield_strength"
+            if material.yield_strength is not None:
+                reason, lacks = "direction_unknown", f"{pin.material_path}.layers"
+            return Check(kind, "not_checked", value=stress, reason=reason, missing=(lacks,))
+        check = self.judged(kind, stress, strength / safety, at=at)
+        return necessary(check) if material.plastic is not None else _of_size(pin, check)
 
-    Parameters
-    ----------
-    kind : Kind
-        Which check.
-    found : PinStrength
-        What they bear.
-    pin : DesignPin
-        One of them.
-    safety : float
-        That is required.
-    at : mapping
-        Where it is least.
-    error : float
-        Relative error of the forces besides.
-    rough : bool
-        Whether the forces do not grow with the torque.
+    def fatigue(self, kind: Kind, *, safety: float, at: Mapping[str, Any]) -> Check:
+        """Fatigue, of which there is a cycle, with a safety that is required, where it is least."""
+        cycle = self.found.fatigue
+        assert cycle is not None
+        check = self.judged(kind, cycle.safety_factor, safety, at=at)
+        lasts = cycle.finite_strength is not None and not check.reason
+        return _of_size(self.pin, check._replace(reason="finite_life") if lasts else check)
 
-    Returns
-    -------
-    Check
-    """
-    assert found.fatigue is not None
-    reached = found.fatigue.safety_factor
-    check = judged(
-        kind,
-        reached,
-        safety,
-        reserve=reached / safety,
-        error=4 * found.accuracy.relative_error + error,
-        rough=rough,
-        at=at,
-    )
-    lasts = found.fatigue.finite_strength is not None and not check.reason
-    return _of_size(pin, check._replace(reason="finite_life") if lasts else check)
+    def bent(self, name: str, at: str) -> Measure:
+        """The largest deflection or slope in a satellite, by the names of these and of where that
+        is.
+        """
+        deflection = self.found.deflection
+        assert deflection is not None
+        return Measure(
+            float(getattr(deflection, name)),
+            error=self.error,
+            at={"satellite": getattr(deflection, at)},
+            reserve=lambda growth: growth,
+            rough=self.rough,
+        )
 
 
 @_check(
@@ -161,14 +118,9 @@ def fatigue_safety(
     source="pin_beam",
 )
 def pin_static(design: Design, results: Results) -> Check:
-    found = results.pin_strength
-    return static_strength(
-        pin_static,
-        found=found,
-        pin=design.pin,
-        safety=design.requirements.bending_safety,
-        at=_section(design, found.peak_moment_position),
-        rough=results.solved,
+    pins, safety = _bent(results), design.requirements.bending_safety
+    return pins.static(
+        pin_static, safety=safety, at=_section(design, pins.found.peak_moment_position)
     )
 
 
@@ -180,20 +132,14 @@ def _section(design: Design, position: float) -> dict[str, str]:
     return {"section": end} if end else {}
 
 
-def _bent(results: Results, name: str, at: str, limit: float | None) -> Measure:
-    """The largest deflection or slope in a satellite; where a limit is asked, of the softest
-    material that sources allow.
-    """
-    made = results if limit is None else results.softest
-    found = made.pin_strength
-    assert found.deflection is not None
-    return Measure(
-        float(getattr(found.deflection, name)),
-        error=4 * found.accuracy.relative_error,
-        at={"satellite": getattr(found.deflection, at)},
-        reserve=lambda growth: growth,
-        rough=results.solved,
-    )
+def _bent(results: Results) -> BentPins:
+    """The pins of the output."""
+    return BentPins(results.pin_strength, results.design.pin, rough=results.solved)
+
+
+def _softest(results: Results, limit: float | None) -> BentPins:
+    """The same, where a limit is asked, of the softest material that sources allow."""
+    return _bent(results if limit is None else results.softest)
 
 
 @_check(
@@ -207,7 +153,7 @@ def _bent(results: Results, name: str, at: str, limit: float | None) -> Measure:
     asks="max_deflection",
 )
 def pin_deflection(design: Design, results: Results) -> Measure:
-    return _bent(results, "deflection", "satellite", design.requirements.max_deflection)
+    return _softest(results, design.requirements.max_deflection).bent("deflection", "satellite")
 
 
 @_check(
@@ -221,7 +167,7 @@ def pin_deflection(design: Design, results: Results) -> Measure:
     asks="max_slope",
 )
 def pin_slope(design: Design, results: Results) -> Measure:
-    return _bent(results, "slope", "slope_satellite", design.requirements.max_slope)
+    return _softest(results, design.requirements.max_slope).bent("slope", "slope_satellite")
 
 
 @_check(
@@ -234,16 +180,10 @@ def pin_slope(design: Design, results: Results) -> Measure:
     keep="above",
 )
 def pin_fatigue(design: Design, results: Results) -> Check:
-    found, strength = results.pin_strength, results.fatigue_strength  # which is known, or raises
-    assert found.fatigue is not None, strength
-    return fatigue_safety(
-        pin_fatigue,
-        found=found,
-        pin=design.pin,
-        safety=design.requirements.fatigue_safety,
-        at=_section(design, found.fatigue.position),
-        rough=results.solved,
-    )
+    pins, strength = _bent(results), results.fatigue_strength  # which is known, or raises
+    assert pins.found.fatigue is not None, strength
+    at = _section(design, pins.found.fatigue.position)
+    return pins.fatigue(pin_fatigue, safety=design.requirements.fatigue_safety, at=at)
 
 
 @_check(

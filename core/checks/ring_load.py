@@ -7,6 +7,7 @@ from functools import partial
 from typing import Any, get_args
 
 from core.checks.check import Check, Kind, Measure, design_check, judged
+from core.checks.crank import other_ring
 from core.checks.inputs import (
     FATIGUE,
     INVOLUTE_TEETH,
@@ -20,19 +21,22 @@ from core.checks.inputs import (
     TEETH_LOADED,
 )
 from core.checks.involute_mesh import Pressed, involute_pressed, refused
-from core.checks.pin_contact import whence
-from core.checks.pins import fatigue_safety, static_strength
+from core.checks.pin_contact import over_life, static_limit, whence
+from core.checks.pins import BentPins
 from core.checks.play import of_both
-from core.checks.ring_pins import no_ring_pins
+from core.checks.ring_pins import CYCLOID
 from core.design.document import Design
 from core.design.results import Results
-from core.design.sections import RingBody
+from core.design.ring import RingBody, RingKind
 from core.errors import ImpossibleMechanism, NotKnown
 from core.precision import AS_TYPED
 from core.ring.sharing import MeshTurn
 
 FIRST_ORDER = 0.02
 """Error of a pressure in first order, of the mesh: of the peak force up to 4 % were seen."""
+
+TEETH: tuple[RingKind, ...] = (*CYCLOID, "involute")
+"""Rings of which a mesh is known."""
 
 BODIES: tuple[RingBody, ...] = get_args(RingBody)
 
@@ -62,14 +66,6 @@ def ring_alone(results: Results) -> str | None:
     return "ring_alone" if results.in_series else None
 
 
-def _no_mesh(results: Results, kind: Kind) -> Check | None:
-    """A check of a ring without pins or teeth; None where it has these, and they can be."""
-    gear = results.design.gear
-    if gear.kind == "involute":
-        return None
-    return no_ring_pins(results=results, kind=kind)
-
-
 @_check(
     "ring_pressed",
     title="Interference of the teeth without load",
@@ -81,7 +77,7 @@ def _no_mesh(results: Results, kind: Kind) -> Check | None:
     source="ring_mesh",
 )
 def ring_pressed(design: Design, results: Results) -> Check:
-    if other := _no_mesh(results, ring_pressed):
+    if other := other_ring(results=results, kind=ring_pressed, of=TEETH):
         return other
     if design.gear.kind == "involute":
         if narrow := refused(results=results, kind=ring_pressed, names=("ring_profile_shift",)):
@@ -123,7 +119,7 @@ def _pressed(results: Results, body: RingBody, *, static: bool) -> Pressed:
     if design.gear.kind == "involute":
         factor = design.static_torque / design.pin_torque if static else design.load_factor
         return involute_pressed(results=results, factor=factor)
-    turn = results.ring_static[0] if static else results.ring_loading
+    turn = results.ring_static if static else results.ring_loading
     value = turn.max_pressure
     if value is None:
         raise NotKnown("limit_unknown", _material(design, body))
@@ -164,7 +160,7 @@ def _pressure(body: RingBody) -> Kind:
         known=limits,
     )
     def pressure(design: Design, results: Results) -> Check:
-        if other := _no_mesh(results, pressure):
+        if other := other_ring(results=results, kind=pressure, of=TEETH):
             return other
         pressed = _pressed(results, body, static=False)
         material = design.lasting_teeth[body]
@@ -177,12 +173,7 @@ def _pressure(body: RingBody) -> Kind:
             **known,
             reserve=(known["limit"] / pressed.value) ** 2,
         )
-        reason, lacks = "life_of_teeth", tuple[str, ...]()
-        if material.limit.curve is None:
-            reason = "no_life_curve"
-        elif material.limit.loads is None:
-            reason, lacks = "life_without_speed", ("load.input_speed",)
-        return found if found.reason else found._replace(reason=reason, missing=lacks)
+        return over_life(found=found, limit=material.limit)
 
     return pressure
 
@@ -199,20 +190,17 @@ def _static(body: RingBody) -> Kind:
         source="static_pressure",
     )
     def static(design: Design, results: Results) -> Check:
-        if other := _no_mesh(results, static):
+        if other := other_ring(results=results, kind=static, of=TEETH):
             return other
         if design.load.peak_torque is None:
             missing = ("load.peak_torque",)
             return Check(static, "not_asked", reason="no_peak_torque", missing=missing)
         pressed = _pressed(results, body, static=True)
-        material, value = design.lasting_teeth[body], pressed.value
-        limit, source = material.static_pressure, dict[str, Any]()
-        if limit is None:  # what it bears for ever it bears once; beyond that nothing is known
-            lasting = material.limit
-            if lasting is None or value > lasting.pressure:
-                return _no_limit(static, design, body, pressed)
-            limit, source = float(lasting.pressure), whence(lasting)
-        reserve = (limit / value) ** 2
+        known = static_limit(material=design.lasting_teeth[body], pressure=pressed.value)
+        if known is None:
+            return _no_limit(static, design, body, pressed)
+        limit, source = known
+        reserve = (limit / pressed.value) ** 2
         return judged(static, **pressed._asdict(), limit=limit, reserve=reserve, **source)
 
     return static
@@ -235,7 +223,7 @@ def _static(body: RingBody) -> Kind:
 )
 def ring_backlash(design: Design, results: Results) -> Check | Measure:
     """Of the ring alone; not looked for where nobody asks. Of involute teeth known at once."""
-    if other := _no_mesh(results, ring_backlash):
+    if other := other_ring(results=results, kind=ring_backlash, of=TEETH):
         return other
     if design.gear.kind == "involute":
         return Measure(design.members.angle_at_output(max(results.involute_pair.backlash, 0.0)))
@@ -260,7 +248,7 @@ def ring_transmission_error(design: Design, results: Results) -> Check | Measure
     """Under the torque itself, of both meshes where they are in series; not looked for where nobody
     asks.
     """
-    if other := _no_mesh(results, ring_transmission_error):
+    if other := other_ring(results=results, kind=ring_transmission_error, of=TEETH):
         return other
     if design.gear.kind == "involute":
         raise NotKnown("tooth_errors_unknown")
@@ -272,16 +260,17 @@ def ring_transmission_error(design: Design, results: Results) -> Check | Measure
 
 def _bends(results: Results, kind: Kind) -> Check | None:
     """A check of pins that do not bend; None where they do."""
-    if other := no_ring_pins(results=results, kind=kind):
+    if other := other_ring(results=results, kind=kind, of=CYCLOID):
         return other
     if results.design.gear.pin_support == "seat":
         return Check(kind, "not_applicable", reason="pins_in_seats")
     return None
 
 
-def _more_error(results: Results) -> float:
-    """Relative error of the forces on pins that bend, besides that of the numbers."""
-    return 0.0 if results.ring_mesh.exact else FIRST_ORDER
+def _pins(results: Results) -> BentPins:
+    """The pins of the ring, whose forces are solved."""
+    model_error = 0.0 if results.ring_mesh.exact else FIRST_ORDER
+    return BentPins(results.ring_pin_strength, results.bent_ring_pin, True, model_error)
 
 
 @_check(
@@ -297,15 +286,8 @@ def _more_error(results: Results) -> float:
 def ring_pin_stress(design: Design, results: Results) -> Check:
     if other := _bends(results, ring_pin_stress):
         return other
-    found = results.ring_pin_strength
-    return static_strength(
-        ring_pin_stress,
-        found=found,
-        pin=results.bent_ring_pin,
-        safety=design.requirements.bending_safety,
-        at={"pin": found.pin},
-        error=_more_error(results),
-    )
+    pins, safety = _pins(results), design.requirements.bending_safety
+    return pins.static(ring_pin_stress, safety=safety, at={"pin": pins.found.pin})
 
 
 @_check(
@@ -322,15 +304,9 @@ def ring_pin_fatigue(design: Design, results: Results) -> Check:
     """By what the fatigue of the pins of the output is judged by."""
     if other := _bends(results, ring_pin_fatigue):
         return other
-    _, found = results.ring_pin_fatigue_strength, results.ring_pin_strength  # known, or raises
-    return fatigue_safety(
-        ring_pin_fatigue,
-        found=found,
-        pin=results.bent_ring_pin,
-        safety=design.requirements.fatigue_safety,
-        at={"pin": found.pin},
-        error=_more_error(results),
-    )
+    _, pins = results.ring_pin_fatigue_strength, _pins(results)  # known, or raises
+    safety = design.requirements.fatigue_safety
+    return pins.fatigue(ring_pin_fatigue, safety=safety, at={"pin": pins.found.pin})
 
 
 @_check(
@@ -347,15 +323,8 @@ def ring_pin_fatigue(design: Design, results: Results) -> Check:
 def ring_pin_slope(design: Design, results: Results) -> Check | Measure:
     if other := _bends(results, ring_pin_slope):
         return other
-    found = results.ring_pin_strength
-    assert found.deflection is not None
-    return Measure(
-        found.deflection.slope,
-        error=4 * found.accuracy.relative_error + _more_error(results),
-        at={"satellite": found.deflection.slope_satellite},
-        reserve=lambda growth: growth,
-        rough=True,
-    )
+    made = results if design.requirements.max_slope is None else results.softest
+    return _pins(made).bent("slope", "slope_satellite")
 
 
 @_check(
@@ -375,7 +344,7 @@ def ring_pin_slope(design: Design, results: Results) -> Check | Measure:
 )
 def ring_seat_pressure(design: Design, results: Results) -> Check | Measure:
     """Of the force on the area that the pin covers; not looked for where nobody asks."""
-    if other := no_ring_pins(results=results, kind=ring_seat_pressure):
+    if other := other_ring(results=results, kind=ring_seat_pressure, of=CYCLOID):
         return other
     if design.gear.pin_support != "seat":
         return Check(ring_seat_pressure, "not_applicable", reason="pins_bend")
@@ -411,7 +380,7 @@ def ring_seat_pressure(design: Design, results: Results) -> Check | Measure:
 )
 def ring_efficiency(design: Design, results: Results) -> Check | Measure:
     """Its limit is used by the losses; not looked for where nobody asks."""
-    if other := _no_mesh(results, ring_efficiency):
+    if other := other_ring(results=results, kind=ring_efficiency, of=TEETH):
         return other
     if design.requirements.min_ring_efficiency is None:
         raise NotKnown("no_limit")
@@ -434,6 +403,7 @@ def ring_efficiency(design: Design, results: Results) -> Check | Measure:
     inputs=(
         *RING_FORCES,
         *SPEEDS,
+        "contact.distribution_of",
         "gear.rolling",
         "requirements.max_pv",
     ),
@@ -443,14 +413,14 @@ def ring_efficiency(design: Design, results: Results) -> Check | Measure:
     needed=False,
 )
 def ring_pv(design: Design, results: Results) -> Check | Measure:
-    if other := no_ring_pins(results=results, kind=ring_pv):
+    if other := other_ring(results=results, kind=ring_pv, of=CYCLOID):
         return other
     if design.gear.rolling or design.gear.sleeve_bore_radius is None:
         return Check(ring_pv, "not_applicable", reason="no_bush")
     if design.requirements.max_pv is None:
         raise NotKnown("no_limit")
     _ = design.known_speed
-    value = results.ring_loss.peak_pv
+    value = results.ring_pv
     assert value is not None  # of sleeves at a speed
     return Measure(value, error=_error(results.ring_working[0]), rough=True)
 

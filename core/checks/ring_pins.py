@@ -3,10 +3,12 @@
 import math
 from functools import partial
 
-from core.checks.check import Check, Kind, design_check, judged, wall
+from core.checks.check import Check, design_check, judged, wall
+from core.checks.crank import other_ring
 from core.design.document import Design
 from core.design.refusals import named
 from core.design.results import Results
+from core.design.ring import RingKind
 from core.errors import NotKnown
 from core.precision import AS_TYPED
 from core.ring.profile import CycloidDisc
@@ -16,6 +18,8 @@ NEAR_UNDERCUT = 1.1
 
 BETWEEN_PINS = 0.1
 """Least wall of the ring between its pins, over their diameter."""
+
+CYCLOID: tuple[RingKind, ...] = ("cycloid",)
 
 _ring = partial(design_check, group="gear", part="teeth", needs=("contact", "gear"))
 
@@ -27,27 +31,6 @@ _PATH = (
     "mechanism.ratio",
     "contact.eccentricity",
 )
-
-
-def no_ring_pins(*, results: Results, kind: Kind) -> Check | None:
-    """A check of another ring than one of pins.
-
-    Parameters
-    ----------
-    results : Results
-        Results of a design.
-    kind : Kind
-        Which check.
-
-    Returns
-    -------
-    Check or None
-        None where it is one, which can be.
-    """
-    if results.design.gear.kind != "cycloid":
-        return Check(kind, "not_applicable", reason="no_ring_pins")
-    _ = results.ring_force  # which refuses a disc whose path crosses itself
-    return None
 
 
 def _circle(design: Design) -> float:
@@ -85,7 +68,7 @@ def _disc(design: Design) -> CycloidDisc:
     keep="above",
 )
 def ring_undercut(design: Design, results: Results) -> Check:
-    if other := no_ring_pins(results=results, kind=ring_undercut):
+    if other := other_ring(results=results, kind=ring_undercut, of=CYCLOID):
         return other
     if design.lobes < 2:
         return Check(ring_undercut, "not_applicable", reason="one_only")
@@ -109,7 +92,7 @@ def ring_undercut(design: Design, results: Results) -> Check:
 )
 def ring_valley_tool(design: Design, results: Results) -> Check:
     """Not asked where no tool is given, nor of discs that are nowhere concave."""
-    if other := no_ring_pins(results=results, kind=ring_valley_tool):
+    if other := other_ring(results=results, kind=ring_valley_tool, of=CYCLOID):
         return other
     tool = design.gear.tool_radius
     if tool is None:

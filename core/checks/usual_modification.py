@@ -16,7 +16,7 @@ from core.checks.usual_fit import SOFT, usual_clearance, usual_fit, with_usual_c
 from core.derived import UNKNOWN
 from core.design.document import Design, changed
 from core.design.results import Results
-from core.design.sections import RingClass
+from core.design.ring import RingClass
 from core.errors import ImpossibleMechanism
 from core.output.real_mechanism import Deviations
 from core.output.sampled_turn import WAYS

@@ -6,6 +6,7 @@ it is asked for, once, or why it is not known.
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------
 sections            mechanism, load, contact, pin, ..., requirements: each as far as it is given
+ring                its teeth or pins
 document            the design of these, paths in it, and the design with other values
 refusals            refusals of calculations with the section of the field
 real_forces         forces with clearance, deviations and elasticity, in each direction

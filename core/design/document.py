@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import Any, TypeVar, cast
 
 from core.derived import if_known
+from core.design.ring import Ring, RingBody
 from core.design.sections import (
     Contact,
     DesignPin,
@@ -18,8 +19,6 @@ from core.design.sections import (
     MechanismSection,
     PairSizes,
     Requirements,
-    Ring,
-    RingBody,
     Rollers,
     RollingBearing,
     SatelliteBody,

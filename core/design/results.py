@@ -18,7 +18,7 @@ from core.crank.ring_mesh import RingMesh
 from core.crank.satellite_bearing import SatelliteBearings, satellite_bearings
 from core.derived import derived, if_known
 from core.design.contact import OVALS, disc_error, shakedown
-from core.design.document import Design, changed
+from core.design.document import Design, changed, value_at
 from core.design.losses import made_losses
 from core.design.real_forces import RealForces
 from core.design.refusals import named
@@ -48,7 +48,7 @@ from core.ring.bent_pins import forces_on_ring
 from core.ring.involute import MOST_DIFFERENCE, STANDARD_ANGLES, InvolutePair, involute_pair
 from core.ring.involute_load import InvoluteLoad, RootStress, involute_load, involute_loss
 from core.ring.involute_load import root_stress as tooth_root
-from core.ring.loss import RingLoss, ring_loss
+from core.ring.loss import RingFriction, RingLoss, ring_loss
 from core.ring.series import MeshesInSeries, series_position
 from core.ring.series_samples import sampled_in_series
 from core.ring.series_teeth import TeethInSeries
@@ -72,6 +72,15 @@ MOST_IN_SERIES = 250_000
 
 MOST_BEARING_PAIRS = 2000
 """Most pairs of which the forces on the satellites are integrated over the turn."""
+
+SOFTENED = (
+    "contact.pin_material",
+    "contact.hole_material",
+    "pin.material",
+    "gear.pin_material",
+    "gear.disc_material",
+)
+"""Materials by whose moduli parts give."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,18 +149,13 @@ class Results:
         """The same with the least moduli of the materials, where sources differ: by which
         deflections are judged.
         """
-        design = self.design
-        held = {
-            "contact.pin_material": design.contact.pin_material if design.contact else None,
-            "contact.hole_material": design.contact.hole_material if design.contact else None,
-            "pin.material": design.pin.material if design.pin else None,
-        }
+        held = {name: value_at(self.design, name) for name in SOFTENED}
         softer = {
             name: each.softest
             for name, each in held.items()
             if each is not None and each.least_modulus is not None
         }
-        return Results(changed(design, softer), equal=self.shared_equally) if softer else self
+        return Results(changed(self.design, softer), equal=self.shared_equally) if softer else self
 
     @derived
     def member_loads(self) -> MemberLoads:
@@ -778,8 +782,6 @@ class Results:
         or given shares of the torque.
         """
         design, gear = self.design, self.design.gear
-        if not gear:
-            raise NotKnown("section_missing", "gear")
         if gear.kind != "cycloid":
             raise NotKnown("no_ring_pins")
         change = gear.modification
@@ -814,8 +816,6 @@ class Results:
     def involute_pair(self) -> InvolutePair:
         """A satellite of involute teeth in its ring, where its shifts and heights are known."""
         design, gear = self.design, self.design.gear
-        if not gear:
-            raise NotKnown("section_missing", "gear")
         if gear.kind != "involute":
             raise NotKnown("no_involute")
         if gear.unknown_teeth:
@@ -925,11 +925,9 @@ class Results:
         return self.ring_turns(self.design.pin_torque * factor)[0]
 
     @derived
-    def ring_static(self) -> list[MeshTurn]:
-        """The same under the torque of static strength, in each direction, that of the larger
-        pressure first.
-        """
-        return self.ring_turns(self.design.static_torque * self.design.ring_factor)
+    def ring_static(self) -> MeshTurn:
+        """The same under the torque of static strength."""
+        return self.ring_turns(self.design.static_torque * self.design.ring_factor)[0]
 
     @property
     def bent_ring_pin(self) -> DesignPin:
@@ -976,29 +974,46 @@ class Results:
             deflection=True,
         )
 
-    @derived
-    def ring_loss(self) -> RingLoss:
-        """Friction in the ring under the torque: on its pins in the direction that loses more."""
+    @property
+    def _ring_friction(self) -> RingFriction:
+        """What slides on the ring."""
         gear = self.design.gear
         friction = gear.friction if gear else None
         if friction is None:
             raise NotKnown("ring_friction_unknown", "gear.friction_coefficient")
-        if gear.kind == "involute":
+        return friction
+
+    def _ring_losses(self, torque: float) -> list[RingLoss]:
+        """Friction of cycloid discs on the pins in each direction of a torque, N*m."""
+        friction, speed = self._ring_friction, self.design.turning_speed
+        return [
+            self._of_ring(
+                lambda turn=turn: ring_loss(turn=turn, friction=friction, input_speed=speed)  # type: ignore[misc]
+            )
+            for turn in self.ring_turns(torque)
+        ]
+
+    @derived
+    def ring_loss(self) -> RingLoss:
+        """Friction in the ring under the torque: on its pins in the direction that loses more."""
+        torque, friction = self.design.pin_torque, self._ring_friction
+        if self.design.gear.kind == "involute":
             return involute_loss(
                 pair=self.involute_pair,
                 friction=friction.coefficient,
-                output_torque=self.design.pin_torque,
+                output_torque=torque,
                 input_speed=self.design.turning_speed,
             )
-        found = [
-            self._of_ring(
-                lambda turn=turn: ring_loss(  # type: ignore[misc]
-                    turn=turn, friction=friction, input_speed=self.design.turning_speed
-                )
-            )
-            for turn in self.ring_working
-        ]
-        return max(found, key=lambda each: each.loss_ratio)
+        return max(self._ring_losses(torque), key=lambda each: each.loss_ratio)
+
+    @derived
+    def ring_pv(self) -> float | None:
+        """Largest product of pressure and sliding speed on the pins of the ring, Pa*m/s, of the
+        satellite with most of the torque where an uneven share is stated, in either direction; None
+        where no speed is known, or nothing slides.
+        """
+        found = self._ring_losses(self.design.pin_torque * self.design.ring_factor)
+        return max((each.peak_pv for each in found if each.peak_pv is not None), default=None)
 
     @derived
     def satellite_bearing(self) -> SatelliteBearings:

@@ -1,16 +1,15 @@
 """Sections of the design document in SI units: mechanism, load, contact, pin, fatigue, friction,
-ring, bearings, crankshaft, body of the satellite, requirements.
+bearings, crankshaft, body of the satellite, requirements.
 """
 
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
-from typing import Any, Literal, NamedTuple, get_args
+from typing import Literal, NamedTuple, get_args
 
 from core.crank.balance import Counterweight
 from core.crank.bearing_life import Bearing
 from core.crank.pin_rollers import FRICTION, Ratings, RollerKind
-from core.crank.ring_mesh import RingMesh, cycloid_mesh, involute_mesh
 from core.errors import InvalidInput, NotKnown
 from core.fatigue import (
     NOTCH_STRENGTHS,
@@ -27,7 +26,7 @@ from core.fatigue import (
     surface_factor,
 )
 from core.materials import ElasticMaterial
-from core.output.contact_law import ContactLaw, HertzLaw, PinSupport
+from core.output.contact_law import PinSupport
 from core.output.mechanism import Mechanism
 from core.output.members import Members, Output
 from core.output.pin_bolt import PinBolt
@@ -36,18 +35,6 @@ from core.output.pin_geometry import felt
 from core.output.sampled_turn import Direction
 from core.precision import SAME
 from core.results import Notice
-from core.ring.involute import HEIGHTS, Cutter, InvoluteTeeth, addendum_of, rack_of
-from core.ring.loss import RingFriction
-from core.ring.profile import CycloidDisc, Modification
-from core.ring.sharing import CycloidMesh
-
-RingKind = Literal["involute", "cycloid", "none"]
-
-RingPinSupport = Literal["seat", "supported", "fixed"]
-
-RingBody = Literal["pin", "disc"]
-
-RingClass = Literal["ground", "machined", "printed"]
 
 SharedBy = Literal["discs", "pins"]
 """Whose uneven share a distribution factor states: of satellites, or of the pairs of one."""
@@ -62,10 +49,6 @@ PartName = Literal[
 
 PART_NAMES: tuple[PartName, ...] = get_args(PartName)
 """Parts of a reducer: `core.checks.part`."""
-
-DEDENDUM = 1.25
-"""Depth of the roots of involute teeth within their reference circle without a profile shift, over
-the module: that of the basic rack of ISO 53, types A and B."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -574,375 +557,6 @@ class Rollers:
         if coefficient is None:
             coefficient = given.coefficient if given else FRICTION[self.kind]
         return Friction(coefficient=coefficient, sleeve=True)
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Ring:
-    """Teeth or pins of the ring, or the ratio of its forces itself.
-
-    Attributes
-    ----------
-    kind : {"involute", "cycloid", "none"} or None
-        Involute teeth, pins, or none: its force along the crank is left out.
-    module : float or None
-        Module of involute teeth, m.
-    teeth_difference : int or None
-        Teeth, or pins, of the ring less those of a satellite; of pins where it is known.
-    reference_pressure_angle : float or None
-        Of the teeth, rad.
-    ring_pin_circle_radius : float or None
-        Radius of the circle of the ring's pins, m.
-    ring_pin_radius : float or None
-        Radius of these pins, m.
-    radial_force_ratio : float or None
-        Force along the crank over that across it.
-    modification : Modification or None
-        Of the discs; None where nothing is known of it.
-    contact_law : ContactLaw or None
-        How a pin and a disc give; by Hertz where that is not stated.
-    contact_length : float or None
-        Of a disc on a pin, m.
-    pin_material, disc_material : ElasticMaterial or None
-        Of the ring's pins and of the discs.
-    pin_support : {"seat", "supported", "fixed"}
-        In half a bore, held at both ends free to tilt, or built in at both.
-    span : float or None
-        Distance of the two supports, m.
-    satellite_positions : tuple of float
-        Middle plane of each satellite from one of them, m.
-    rotates : bool
-        Whether the pins turn in them.
-    pin_tensile_strength, pin_steel, pin_valid_diameter
-        Of the material of the pins, as `DesignPin` has them.
-    seat_stiffness : float
-        Of a pin in its bore and of what holds that, N/m.
-    friction_coefficient : float or None
-        Of what slides on the pins.
-    sleeve_bore_radius : float or None
-        Of sleeves on the pins, m.
-    rolling : bool
-        Whether rolling elements carry them.
-    tool_radius : float or None
-        Of what grinds or cuts the flanks of the discs, m.
-    every_second_pin : bool
-        Whether every second pin is left out.
-    ring_class : {"ground", "machined", "printed"} or None
-        How discs and ring are made, by which what is not known of them is usual.
-    satellite_profile_shift, ring_profile_shift : float or None
-        Of involute teeth, outwards, in modules.
-    satellite_addendum, ring_addendum : float or None
-        Their addenda, in modules.
-    satellite_tip_radius, ring_tip_radius : float or None
-        Radii of their tips in place of these, m.
-    dedendum, rack_tip_radius : float, float or None
-        Of the hob that makes the satellite, in modules.
-    cutter_teeth : int or None
-        Of the shaper cutter that makes the ring; None where nothing is known of it.
-    cutter_profile_shift, cutter_addendum : float
-        Of that cutter, in modules.
-    satellite_material, ring_material : ElasticMaterial or None
-        Of involute teeth.
-    face_load_factor : float
-        Factor on the force for stresses along the width.
-    pair_stiffness : float or None
-        Of a pair of teeth along the line of action, N/m.
-    root_strength : float or None
-        Stress that the root of a satellite's tooth bears over the life, Pa.
-    """
-
-    kind: RingKind | None = None
-    module: float | None = None
-    teeth_difference: int | None = None
-    reference_pressure_angle: float | None = None
-    ring_pin_circle_radius: float | None = None
-    ring_pin_radius: float | None = None
-    radial_force_ratio: float | None = None
-    modification: Modification | None = None
-    contact_law: ContactLaw | None = None
-    contact_length: float | None = None
-    pin_material: ElasticMaterial | None = None
-    disc_material: ElasticMaterial | None = None
-    pin_support: RingPinSupport = "seat"
-    span: float | None = None
-    satellite_positions: tuple[float, ...] = ()
-    rotates: bool = False
-    pin_tensile_strength: float | None = None
-    pin_steel: bool = False
-    pin_valid_diameter: float | None = None
-    seat_stiffness: float = math.inf
-    friction_coefficient: float | None = None
-    sleeve_bore_radius: float | None = None
-    rolling: bool = False
-    tool_radius: float | None = None
-    every_second_pin: bool = False
-    ring_class: RingClass | None = None
-    satellite_profile_shift: float | None = None
-    ring_profile_shift: float | None = None
-    satellite_addendum: float | None = None
-    ring_addendum: float | None = None
-    satellite_tip_radius: float | None = None
-    ring_tip_radius: float | None = None
-    dedendum: float = DEDENDUM
-    rack_tip_radius: float | None = None
-    cutter_teeth: int | None = None
-    cutter_profile_shift: float = 0.0
-    cutter_addendum: float = DEDENDUM
-    satellite_material: ElasticMaterial | None = None
-    ring_material: ElasticMaterial | None = None
-    face_load_factor: float = 1.0
-    pair_stiffness: float | None = None
-    root_strength: float | None = None
-
-    @property
-    def unknown_teeth(self) -> tuple[str, ...]:
-        """What is not given of involute teeth, of which how they mesh hangs: paths of a design."""
-        heights = {
-            "gear.satellite_profile_shift": self.satellite_profile_shift,
-            "gear.ring_profile_shift": self.ring_profile_shift,
-            "gear.satellite_addendum": self.satellite_addendum or self.satellite_tip_radius,
-            "gear.ring_addendum": self.ring_addendum or self.ring_tip_radius,
-        }
-        return tuple(name for name, value in heights.items() if value is None)
-
-    @property
-    def changed(self) -> Modification:
-        """The modification; none where nothing is known of it."""
-        return self.modification or Modification()
-
-    @property
-    def law(self) -> ContactLaw:
-        """The law of contact of the teeth: Hertz's where none is stated."""
-        return self.contact_law or HertzLaw()
-
-    @property
-    def bent_pin(self) -> DesignPin | None:
-        """The pins as they bend, inside their sleeves; not at all in seats."""
-        if self.pin_support == "seat":
-            return None
-        inner = self.sleeve_bore_radius or self.ring_pin_radius
-        assert inner is not None and self.pin_material is not None
-        return DesignPin(
-            support=self.pin_support,
-            diameter=2 * inner,
-            satellite_positions=self.satellite_positions,
-            material=self.pin_material,
-            span=self.span,
-            rotates=self.rotates,
-            tensile_strength=self.pin_tensile_strength,
-            steel=self.pin_steel,
-            valid_diameter=self.pin_valid_diameter,
-            material_path="gear.pin_material",
-        )
-
-    @property
-    def friction(self) -> RingFriction | None:
-        """What slides on the pins; None where the coefficient is not known."""
-        if self.friction_coefficient is None:
-            return None
-        return RingFriction(self.friction_coefficient, self.sleeve_bore_radius, self.rolling)
-
-    def disc(self, *, satellite_teeth: int, eccentricity: float) -> CycloidDisc:
-        """A disc, as far as its modification is known.
-
-        Parameters
-        ----------
-        satellite_teeth : int
-            Its lobes.
-        eccentricity : float
-            Eccentricity of the cranks, m.
-
-        Returns
-        -------
-        CycloidDisc
-
-        Raises
-        ------
-        NotKnown
-            If the size of the pins is not given.
-        InvalidInput
-            If there is no such disc.
-        """
-        assert self.ring_pin_circle_radius is not None
-        if self.ring_pin_radius is None:
-            raise NotKnown("size_missing", "gear.ring_pin_radius")
-        return CycloidDisc(
-            satellite_teeth=satellite_teeth,
-            eccentricity=eccentricity,
-            ring_pin_circle_radius=self.ring_pin_circle_radius,
-            ring_pin_radius=self.ring_pin_radius,
-            modification=self.changed,
-        )
-
-    def involute_teeth(self, *, satellite_teeth: int, ring_teeth: int) -> InvoluteTeeth:
-        """Involute teeth of which all is given.
-
-        Parameters
-        ----------
-        satellite_teeth, ring_teeth : int
-            Their numbers.
-
-        Returns
-        -------
-        InvoluteTeeth
-
-        Raises
-        ------
-        InvalidInput
-            If there is no such rack, or an addendum is none of `core.ring.involute.HEIGHTS`.
-        """
-        module, angle = self.module, self.reference_pressure_angle
-        shifts = self.satellite_profile_shift, self.ring_profile_shift
-        assert module is not None and angle is not None
-        assert shifts[0] is not None and shifts[1] is not None
-        rack = rack_of(
-            pressure_angle=angle, dedendum=self.dedendum, tip_radius=self.rack_tip_radius
-        )
-        addenda = {}
-        for body, teeth, shift in zip(
-            ("satellite", "ring"), (satellite_teeth, ring_teeth), shifts, strict=True
-        ):
-            given = addenda[body] = getattr(self, f"{body}_addendum")
-            low, high = HEIGHTS
-            if given is not None and not low <= given <= high:
-                code, limit = (
-                    ("less_than_equal", high) if given > high else ("greater_than_equal", low)
-                )
-                raise InvalidInput(f"{body}_addendum", given, code, limit=limit)
-            if given is None:
-                name = f"{body}_tip_radius"
-                addenda[body] = addendum_of(
-                    name=name,
-                    tip_radius=getattr(self, name),
-                    teeth=teeth,
-                    shift=shift or 0.0,
-                    module=module,
-                    pressure_angle=angle,
-                )
-        cutter = None
-        if self.cutter_teeth is not None:
-            cutter = Cutter(self.cutter_teeth, self.cutter_profile_shift, self.cutter_addendum)
-        return InvoluteTeeth(
-            satellite_teeth=satellite_teeth,
-            ring_teeth=ring_teeth,
-            module=module,
-            satellite_profile_shift=shifts[0],
-            ring_profile_shift=shifts[1],
-            satellite_addendum=addenda["satellite"],
-            ring_addendum=addenda["ring"],
-            rack=rack,
-            cutter=cutter,
-        )
-
-    def cycloid_mesh(self, *, disc: CycloidDisc, **made: Any) -> CycloidMesh:
-        """Such discs on the pins.
-
-        Parameters
-        ----------
-        disc : CycloidDisc
-            All of them.
-        **made
-            Their cranks, width and material, law, deviations, geometry, shares: see
-            `core.ring.sharing.CycloidMesh`.
-
-        Returns
-        -------
-        CycloidMesh
-
-        Raises
-        ------
-        InvalidInput
-            If an input is out of range.
-        """
-        return CycloidMesh(
-            disc=disc,
-            pin_material=self.pin_material,
-            pin=self.bent_pin,
-            seat_stiffness=self.seat_stiffness,
-            **made,
-        )
-
-    def roots(self, *, ratio: float, eccentricity: float | None) -> tuple[float, float]:
-        """Between which radii the roots of a satellite's teeth lie.
-
-        Of involute teeth ``m*(z2/2 - h_f + x)``, with a profile shift x that is taken to be from 0
-        to h_f where it is not known; of a cycloid disc ``R_m - e - r_m``, what its tool sweeps,
-        that of the ring's pins where no modification is known, or within ``R_m - e`` where their
-        radius is not.
-
-        Parameters
-        ----------
-        ratio : float
-            Ratio u.
-        eccentricity : float or None
-            Eccentricity of the cranks, m.
-
-        Returns
-        -------
-        tuple of float
-            Least and largest radius, m; 0 and infinite where nothing is known.
-
-        Examples
-        --------
-        >>> ring = Ring(kind="involute", module=4e-3, teeth_difference=2)
-        >>> ring.roots(ratio=20.0, eccentricity=None)
-        (0.075, 0.08)
-        """
-        if self.kind == "involute":
-            assert self.module is not None and self.teeth_difference is not None
-            reference = self.module * self.teeth_difference * ratio / 2
-            least = reference - self.dedendum * self.module
-            if self.satellite_profile_shift is None:
-                return least, reference
-            root = least + self.satellite_profile_shift * self.module
-            return root, root
-        if self.kind != "cycloid":
-            return 0.0, math.inf
-        assert self.ring_pin_circle_radius is not None
-        swept = self.ring_pin_circle_radius + self.changed.pin_circle - (eccentricity or 0.0)
-        if self.ring_pin_radius is None or eccentricity is None:
-            return 0.0, swept
-        root = swept - self.ring_pin_radius - self.changed.equidistant
-        return root, root
-
-    def mesh(self, *, eccentricity: float, ratio: float) -> RingMesh:
-        """The ring's force on a satellite.
-
-        Parameters
-        ----------
-        eccentricity : float
-            Eccentricity of the cranks, m.
-        ratio : float
-            Ratio u.
-
-        Returns
-        -------
-        RingMesh
-
-        Raises
-        ------
-        InvalidInput
-            If there are no such teeth.
-        """
-        if self.radial_force_ratio is not None:
-            return RingMesh(self.radial_force_ratio)
-        if self.kind == "involute":
-            assert self.module is not None and self.teeth_difference is not None
-            assert self.reference_pressure_angle is not None
-            return involute_mesh(
-                module=self.module,
-                teeth_difference=self.teeth_difference,
-                pressure_angle=self.reference_pressure_angle,
-                eccentricity=eccentricity,
-            )
-        if self.kind == "cycloid":
-            assert self.ring_pin_circle_radius is not None
-            return cycloid_mesh(
-                eccentricity=eccentricity,
-                ratio=ratio,
-                ring_pin_circle_radius=self.ring_pin_circle_radius,
-                difference=self.teeth_difference,
-            )
-        return RingMesh(0.0, notices=(Notice("no_ring_force"),))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

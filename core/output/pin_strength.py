@@ -393,7 +393,7 @@ def pin_strength(
 
 
 def _made_cases(turns: list[PinForces]) -> list[PinLoads]:
-    """Each pin under all directions."""
+    """Each pin that differs from the others, under all directions."""
     wave = np.concatenate([turn.wave for turn in turns])
     return [
         PinLoads(
@@ -403,7 +403,7 @@ def _made_cases(turns: list[PinForces]) -> list[PinLoads]:
             error=max(turn.error for turn in turns),
             wave=wave,
         )
-        for n in range(1 if turns[0].pins_alike else turns[0].on_pins.shape[1])
+        for n in range(turns[0].unlike)
     ]
 
 

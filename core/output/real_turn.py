@@ -224,7 +224,7 @@ def directed(
         crank_angles=tuple(cranks.tolist()),
         error=error,
         evaluations=evaluations,
-        pins_alike=real.deviations == Deviations(),
+        unlike=1 if real.deviations == Deviations() else pins,
     )
 
 

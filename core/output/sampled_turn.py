@@ -36,7 +36,7 @@ class PinForces:
     # straight line between their neighbours, and that of the positions. Honest, no proof.
     error: float
     evaluations: int  # positions that were solved
-    pins_alike: bool = False  # whether all pins feel the same, one after the other
+    unlike: int  # how many pins, from the first, feel what no other of them does, sooner or later
 
 
 @dataclass(frozen=True, eq=False, slots=True, kw_only=True)

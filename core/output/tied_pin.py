@@ -145,7 +145,7 @@ def ideal_samples(
             crank_angles=mechanism.crank_angles,
             error=off / float(np.abs(acts).max()),
             evaluations=len(wave),
-            pins_alike=True,
+            unlike=1,
         )
 
     pairs = mechanism.pins * mechanism.satellites

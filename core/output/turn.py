@@ -167,10 +167,10 @@ class Turn:
 
     def _refuse(self, psi: float) -> None:
         """Say why a position cannot be."""
-        load, room = self.load, self.real.room()
-        self.real.solved(psi, load.torque, load.setup, room)
+        load, room, place = self.load, self.real.room(), float(psi)
+        self.real.solved(place, load.torque, load.setup, room)
         for setup in (load.setup, load.back):
-            self.real.solved(psi, load.share * load.torque, setup, room)
+            self.real.solved(place, load.share * load.torque, setup, room)
 
     def positions(self) -> tuple[list[float], list[float]]:
         """Wave angles of an even grid over a period, and those around dead angles."""

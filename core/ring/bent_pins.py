@@ -45,12 +45,13 @@ def forces_on_ring(turn: MeshTurn) -> PinForces:
     pins, satellites = mesh.disc.pins, len(mesh.crank_angles)
     phases = np.array(mesh.pairs.phase[:satellites])[:, None, None]
     ring = 2 * math.pi * np.arange(pins)[:, None] / pins
-    outward = 1 - mesh.disc.shortening_coefficient * np.exp(1j * (samples.wave + phases + ring))
+    turned = np.exp(1j * (phases + ring)) * np.exp(1j * samples.wave)
+    outward = 1 - mesh.disc.shortening_coefficient * turned
     force = samples.force.reshape(satellites, pins, -1)
     return PinForces(
         wave=samples.wave,
         on_pins=1j * force * outward / np.abs(outward),
         error=samples.error,
         evaluations=samples.evaluations,
-        pins_alike=mesh.pins_alike,
+        unlike=1 if mesh.pins_alike else pins,
     )

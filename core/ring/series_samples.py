@@ -2,20 +2,12 @@
 
 import math
 from dataclasses import replace
-from functools import partial
 
 import numpy as np
 
-from core.arrays import ComplexArray, FloatArray
-from core.output.real_turn import CloseSamples, directed, over_all, refined
+from core.output.real_turn import CloseSamples, directed, over_all
 from core.output.sampled_turn import SampledTurn, off_straight
-from core.output.turn import Rows
-from core.ring.series_turn import SeriesTurn
-
-NEAR = 5e-5
-"""How far forces may lie off the straight lines between samples, as a part of the largest, and of
-as many turns of the wave so many times as far.
-"""
+from core.ring.series_turn import SeriesTurn, of_ring
 
 
 def sampled_in_series(turn: SeriesTurn) -> SampledTurn:
@@ -60,7 +52,7 @@ def sampled_in_series(turn: SeriesTurn) -> SampledTurn:
     30.0
     """
     output = turn.real.output
-    rows = _rows(turn)
+    rows = turn.close
     samples, way = over_all(turn=turn, rows=rows), math.copysign(1.0, turn.torque)
     waves = samples.wave * output.mechanism.waves_per_turn
     found = directed(
@@ -70,9 +62,9 @@ def sampled_in_series(turn: SeriesTurn) -> SampledTurn:
     )
     return replace(
         found,
-        pins_alike=turn.repeats == output.mechanism.pins,
+        unlike=math.gcd(turn.step, output.mechanism.pins),
         waves=turn.waves,
-        of_ring=np.tile(_of_ring(rows), (turn.repeats, 1)).T,
+        of_ring=np.tile(of_ring(rows), (turn.repeats, 1)).T,
     )
 
 
@@ -90,7 +82,7 @@ def teeth_samples(turn: SeriesTurn) -> CloseSamples:
     CloseSamples
         With the lag of the output.
     """
-    rows, ring = _rows(turn), turn.real.ring
+    rows, ring = turn.close, turn.real.ring
     force, pins = rows["teeth"], ring.disc.pins
     each = force.reshape(len(force), -1, pins)
     periods = np.arange(pins if ring.pins_alike else 1)
@@ -101,23 +93,3 @@ def teeth_samples(turn: SeriesTurn) -> CloseSamples:
     inner = off_straight(wave=wave, values=flat).max() if len(wave) > 2 else 0.0
     error = float((inner + rows["force_error"].max()) / force.max())
     return CloseSamples(wave, flat, lag, error, len(force))
-
-
-def _rows(turn: SeriesTurn) -> Rows:
-    near = NEAR * max(1.0, turn.pitches / turn.real.ring.disc.satellite_teeth)
-    return refined(turn=turn, near=near, besides=partial(_ring_off, turn))
-
-
-def _of_ring(rows: Rows) -> ComplexArray:
-    """Force of the ring on each disc along its crank, and i times that across it, [n, K]."""
-    found: ComplexArray = rows["along"] + 1j * rows["across"]
-    return found
-
-
-def _ring_off(turn: SeriesTurn, rows: Rows) -> FloatArray:
-    """How far these lie off the line between their neighbours, as parts of the largest."""
-    parts, wave = _of_ring(rows), rows["wave"]
-    angles = np.concatenate(([wave[-1] - turn.period], wave, [wave[0] + turn.period]))
-    around = np.concatenate((parts[-1:], parts, parts[:1])).T
-    found: FloatArray = off_straight(wave=angles, values=around).max(axis=0) / np.abs(parts).max()
-    return found

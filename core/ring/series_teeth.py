@@ -7,6 +7,7 @@ from core.derived import derived
 from core.output.contact_force import PairNumber
 from core.output.over_turn import Extreme
 from core.output.real_turn import CloseSamples
+from core.output.summits import Summit
 from core.output.turn import Turn
 from core.results import Accuracy
 from core.ring.approach import ALONG_LEAST, ALONG_MOST, RUB, RUB_AND_PRESS
@@ -83,25 +84,19 @@ class TeethInSeries(MeshTurn):
         return self.series.ring.loaded_pairs_max
 
     @property
-    def max_pressure(self) -> float | None:
-        """Largest Hertz pressure over the turn, Pa, where the materials are known."""
-        return self.series.ring_pressure
+    def _hardest(self) -> Summit:
+        """The largest force over reduced radius over the turns."""
+        return self.series.top("mesh_pressure", MESH_PRESSURE)[0]
 
     @property
     def pressed_without_load(self) -> bool:
         """Whether pairs press so anywhere, in either mesh."""
         return self.series.pressed_without_load
 
-    @derived
-    def hardest_place(self) -> tuple[PairNumber, float]:
-        """The pair with that pressure, and the crank angle at which it has it, rad."""
-        turn, real = self.series.turn, self.series.series
-        top = self.series.top("mesh_pressure", MESH_PRESSURE)[0]
-        room = real.room()
-        real.solved(top.place, abs(turn.torque), turn.load.setup, room)
-        pressed = np.array(room.teeth.force) * np.array(real.pairs.teeth.curved)
-        satellite, pin = divmod(int(pressed.argmax()), self.mesh.disc.pins)
-        return PairNumber(satellite + 1, pin + 1), top.place % turn.period
+    @property
+    def _period(self) -> float:
+        """That after which both meshes repeat, rad."""
+        return self.series.turn.period
 
     def forces_at(self, crank_angle: float) -> FloatArray:
         """Forces of all pairs at a crank angle, counted over all turns after which both meshes

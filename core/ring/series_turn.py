@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.arrays import FloatArray, check_finite, check_single
+from core.arrays import ComplexArray, FloatArray, check_finite, check_single
 from core.derived import derived
 from core.errors import InvalidInput
 from core.numerics.extremes import LOOKED, zoom
@@ -19,6 +19,8 @@ from core.output.contact_force import PairNumber
 from core.output.loaded_position import notices
 from core.output.loop_rows import FORCE, PRESSURE, STIFFNESS
 from core.output.over_turn import Extreme, OverTurn, Peak
+from core.output.real_turn import refined
+from core.output.sampled_turn import off_straight
 from core.output.summits import Summit
 from core.output.turn import LOOKED_AGAIN, POSITIONS, Rows, Turn
 from core.precision import SAME
@@ -37,6 +39,11 @@ MOST = 2000
 
 LEAST = 120
 """Positions of a shorter period at least."""
+
+NEAR = 5e-5
+"""How far forces may lie off the straight lines between samples, as a part of the largest, and of
+as many turns of the wave so many times as far.
+"""
 
 
 def positions_in_series(*, lobes: int, pitches: int | None = None) -> int:
@@ -63,6 +70,23 @@ def positions_in_series(*, lobes: int, pitches: int | None = None) -> int:
     pitches = lobes * (lobes + 1) if pitches is None else pitches
     least = math.ceil(max(LEAST_A_TURN, POSITIONS / lobes) / (lobes + 1))
     return pitches * max(least, min(OF_A_PITCH, MOST // pitches), math.ceil(LEAST / pitches))
+
+
+def of_ring(rows: Rows) -> ComplexArray:
+    """Force of the ring on each disc along its crank, and i times that across it.
+
+    Parameters
+    ----------
+    rows : dict of array
+        Positions.
+
+    Returns
+    -------
+    array, shape (n, K)
+        N.
+    """
+    found: ComplexArray = rows["along"] + 1j * rows["across"]
+    return found
 
 
 class SeriesTurn(Turn):
@@ -116,6 +140,24 @@ class SeriesTurn(Turn):
         lobes = self.real.ring.disc.satellite_teeth
         count = positions_in_series(lobes=lobes, pitches=self.pitches)
         return [self.period * k / count for k in range(count)], []
+
+    @derived
+    def close(self) -> Rows:
+        """Positions of a period, as closely as the forces on the pins of the output and of the ring
+        on the discs need.
+        """
+        near = NEAR * max(1.0, self.pitches / self.real.ring.disc.satellite_teeth)
+        return refined(turn=self, near=near, besides=self._ring_off)
+
+    def _ring_off(self, rows: Rows) -> FloatArray:
+        """How far those of the ring lie off the line between their neighbours, as parts of the
+        largest.
+        """
+        parts, wave = of_ring(rows), rows["wave"]
+        angles = np.concatenate(([wave[-1] - self.period], wave, [wave[0] + self.period]))
+        around = np.concatenate((parts[-1:], parts, parts[:1])).T
+        off: FloatArray = off_straight(wave=angles, values=around).max(axis=0) / np.abs(parts).max()
+        return off
 
     @property
     def looked_again(self) -> int:

@@ -631,14 +631,20 @@ class MeshTurn(OverTurn):
             return None
         return self.mesh.pressure(self._hardest.height)
 
-    @property
+    @derived
     def hardest_place(self) -> tuple[PairNumber, float]:
         """The pair with that pressure, and the crank angle at which it has it, rad."""
-        load, room, place = self.turn.load, self.mesh.room(), self._hardest.place
-        self.mesh.solved(place, load.torque, load.setup, room)
-        pressed = np.array(room.force) * np.array(self.mesh.pairs.curved)
+        place, pairs = self._hardest.place, self.mesh.pairs
+        own = self.mesh.setup(math.copysign(1.0, self.turn.torque))
+        approach.at(place, own, pairs, self.mesh.room())  # curvatures there
+        pressed = self.forces_at(place).ravel() * np.array(pairs.curved)
         satellite, pin = divmod(int(pressed.argmax()), self.mesh.disc.pins)
-        return PairNumber(satellite + 1, pin + 1), place % (2 * math.pi)
+        return PairNumber(satellite + 1, pin + 1), place % self._period
+
+    @property
+    def _period(self) -> float:
+        """Of the crank angles that are answered, rad."""
+        return 2 * math.pi
 
     def forces_at(self, crank_angle: float) -> FloatArray:
         """Forces of all pairs at a crank angle, N.

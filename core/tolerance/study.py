@@ -243,6 +243,7 @@ class Study:
         if "max_pressure" in self.asked.quantities:
             columns["max_pressure"] = np.sqrt(self._square_pressure * columns["max_pressure"])
         values = np.stack([columns[name] for name in self.asked.quantities], axis=1)
+        values[np.isinf(values).any(axis=1)] = np.nan  # play without an end, at a dead centre
         return values, columns["fits"]
 
     def values_of(self, rows: Errors[FloatArray]) -> tuple[FloatArray, FloatArray]:

@@ -129,7 +129,7 @@ def pressure_steps(
     _disc(sheet, disc)
     _tool(sheet, disc)
     k, pins = disc.shortening, np.arange(disc.pins)
-    phases = np.array(mesh.pairs.phase[: len(mesh.crank_angles)])[:, None]
+    phases = np.array(mesh.pairs.phase)[:, None]
     angle = crank_angle + phases + 2 * math.pi * pins / disc.pins
     slope = np.sqrt(1 + k**2 - 2 * k * np.cos(angle))
     bend = 1 + disc.pins * k**2 - (disc.pins + 1) * k * np.cos(angle)

@@ -97,12 +97,17 @@ export function isOn(model, id, texts) {
   return isSwitchedOn(model, id, texts) && (!needs || isOn(model, needs, texts));
 }
 
+/** Whether a field is to be said beside what others say: its `when` has the word of another one that itself is. */
+function applies({ fields }, texts, { when: [path, ...words] = [] }) {
+  return !path || words.includes(applies({ fields }, texts, fields.get(path) ?? {}) ? texts[path] : undefined);
+}
+
 /** The fields on the screen: all outside choices, those of the chosen options, and of wanted groups those that are `on`. */
 export function shownFields(model, state, on = isOn) {
   return model.groups.flatMap((group) => group.items).flatMap((item) => (item.path
     ? [item]
-    : item.options.find((option) => option.id === state.chosen[item.id]).fields)).filter(({ wanted, kind, when }) =>
-    !wanted || kind === "switch" || (on(model, wanted, state.texts) && (!when || when.slice(1).includes(state.texts[when[0]]))));
+    : item.options.find((option) => option.id === state.chosen[item.id]).fields)).filter((field) =>
+    !field.wanted || field.kind === "switch" || (on(model, field.wanted, state.texts) && applies(model, state.texts, field)));
 }
 
 /** The fields that a link says: those too that come back with a group which is off. */

@@ -58,8 +58,18 @@ export function quantityWords(name, section) {
   return quantity[`${section}.${name}`] ?? message(`quantity.${name}`);
 }
 
-/** Title and help of a field by its name, or by group and name where groups differ; null for one that neither page nor service knows. */
-export function fieldWords(name, group) {
+/**
+ * Title and help of a field by its name, or by group and name where groups differ, in the language in use; null for one
+ * that has no words there: in English the schemas have them, each of its own request.
+ */
+export function ownWords(name, group) {
   const named = `${group}.${name}`;
-  return wordsOf("fields", named) ?? texts.own[named] ?? wordsOf("fields", name) ?? null;
+  const { fields = {} } = texts.service;
+  return fields[named] ?? texts.own[named] ?? fields[name] ?? null;
+}
+
+/** The same where no schema is at hand; null for a field that neither page nor service knows. */
+export function fieldWords(name, group) {
+  const { fields = {} } = english;
+  return ownWords(name, group) ?? fields[`${group}.${name}`] ?? fields[name] ?? null;
 }

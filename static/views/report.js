@@ -98,8 +98,8 @@ export function createReport({ calculator, model, catalogues, version, outputs, 
       <p class="made">${location.href}</p>`);
     fill(givens, html`<h2>${message("report.inputs")}</h2>
       <div class="givens">${inputsMarkup(listedInputs(model, now.typed), catalogues)}</div>`);
-    const closed = whole ? "details.fold:not([open], .accuracy-fold), .checks details.more:not([open])" : ".checks details.more:not([open])";
-    folds = [...outputs.querySelectorAll(closed)];
+    const closed = ":is(.checks details.more, .torque details):not([open])";
+    folds = [...outputs.querySelectorAll(whole ? `details.fold:not([open], .accuracy-fold), ${closed}` : closed)];
     for (const fold of folds) fold.open = true;
     if (whole) worked.unfold();
     for (const figure of figures) figure.toPaper(PAPER_WIDTH, (height) => (whole ? height : Math.max(PAPER_HEIGHT * height, Math.min(height, LEAST_HEIGHT))));

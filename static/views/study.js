@@ -2,6 +2,7 @@
 import { formatQuantity } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
+import { warningText } from "../service_texts.js";
 import { following, hinderedBesides } from "../store.js";
 import { sign } from "./parts.js";
 
@@ -40,7 +41,7 @@ function rankedMarkup(title, rows) {
       <td>${text}</td><td>${alone}</td><td>${without}</td></tr>`)}</tbody></table></div></section>`;
 }
 
-export function createView({ id, logic, asking, fold }) {
+export function createView({ id, logic, asking, fold, titles }) {
   const root = element(html`<div class="study"><p class="state">${message("study.idleYet")}</p><div class="outcome"></div></div>`);
   const controls = element(html`
     <div class="study-run"><div class="run">
@@ -68,7 +69,8 @@ export function createView({ id, logic, asking, fold }) {
     const names = body.quantities ?? Object.keys(answer.quantities);
     const [leading] = names;
     const of = answer.quantities[leading] ?? first[1];
-    const words = [...logic.advice(leading, of), ...logic.exactness(leading, of, answer, body)];
+    const words = [...logic.advice(leading, of), ...logic.exactness(leading, of, answer, body),
+      ...(answer.warnings ?? []).map((warning) => ["warning", warningText(warning, titles)])];
     fill(root.querySelector(".outcome"), html`
       <ul class="sentences">${words.map(([level, text]) => html`<li>${sign(level)}${text}</li>`)}</ul>
       <div class="studies">${Object.entries(answer.quantities).map(([name, one]) => quantityMarkup(logic.quantityOf(name, one), logic.barsOf))}</div>

@@ -47,12 +47,13 @@ const becomes = ({ largest_torque_Nm: torque, verdict }) =>
 
 /** What becomes of the design with a usual clearance, and with a usual ring of pins. */
 function usualMarkup({ fit, ring }) {
-  return html`${fit && html`<p class="note">${message("checks.usual", {
+  return html`${fit && html`<p class="note usual">${message("checks.usual", {
     fit: fit.class === "printed" ? message("checks.printed") : fit.class, clearance: formatQuantity(fit.hole_clearance_mm, "mm", 3), result: becomes(fit),
-  })}</p>`}${ring && html`<p class="note usual-ring">${message("checks.usualRing", {
-    made: message(`checks.rings.${ring.class}`), modification: formatQuantity(ring.equidistant_mm, "mm", 3), zone: formatQuantity(ring.pin_zone_diameter_mm, "mm", 3),
-    pressure: formatQuantity(ring.max_pressure_MPa.percent_90, "MPa", 4), result: becomes(ring),
-  })}</p>`}`;
+  })}</p>`}${ring && html`<details class="note usual"><summary>${message("checks.usualRing", { made: message(`checks.rings.${ring.class}`), result: becomes(ring) })}</summary>
+    ${message("checks.usualRingMade", {
+      modification: formatQuantity(ring.equidistant_mm, "mm", 3), zone: formatQuantity(ring.pin_zone_diameter_mm, "mm", 3),
+      pressure: formatQuantity(ring.max_pressure_MPa.percent_90, "MPa", 4),
+    })}</details>`}`;
 }
 
 function torqueMarkup({ numbers }, judged, usual) {

@@ -369,6 +369,13 @@ async def test_a_design_that_cannot_work_is_refused(api):
     assert await refused(api, body) == ("", "beyond_first_order")
 
 
+@pytest.mark.parametrize("quantity", ["backlash_max_arcmin", "peak_force_N"])
+async def test_at_a_dead_centre_there_is_no_end_of_play(api, quantity):
+    body = changed({"hole_diameter": {"class": "H7"}}, quantities=[quantity])
+    body["mechanism"] |= {"pins": 1, "satellites": 1}
+    assert await refused(api, body) == ("", "dead_centre")
+
+
 def refusal(body, seconds):
     read = ToleranceStudyRequest.model_validate(body)
     with pytest.raises(InvalidInput) as caught:

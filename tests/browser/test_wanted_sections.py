@@ -1,5 +1,6 @@
 """What is off until wanted: clearance and errors, tolerances, strength and life."""
 
+import json
 import zipfile
 from contextlib import suppress
 
@@ -144,6 +145,21 @@ def test_tolerances_may_be_those_of_how_the_parts_are_made(page: Page, service: 
     box(page, "study.sizes").select_option("class")
     expect(box(page, "tolerances.pin_position_mm")).to_be_visible()
     expect(box(page, "tolerances.process")).to_be_hidden()
+
+
+def test_what_a_study_warns_of_is_said(page: Page, service: str) -> None:
+    def lost(route: Route) -> None:
+        *progress, last = route.fetch().text().splitlines()
+        answer = json.loads(last)
+        answer["result"]["warnings"] = [{"code": "cluster_lost", "params": {}, "detail": ""}]
+        route.fulfill(
+            body="\n".join([*progress, json.dumps(answer)]), content_type="application/x-ndjson"
+        )
+
+    page.route("**/tolerance-study", lost)
+    show(page, service, "crank-planetary", **DESIGN, **STUDY)
+    page.locator('[data-group="study"] .study-run').get_by_role("button", name="Run").click()
+    expect(page.locator(".study .sentences")).to_contain_text("cluster was lost", timeout=60_000)
 
 
 def test_a_study_is_run_by_its_button_and_stopped(page: Page, service: str, watch: Watch) -> None:

@@ -166,6 +166,7 @@ def test_the_centrifugal_force_relieves_the_bearing_of_a_satellite() -> None:
         crank_angles=(0.0,),
         error=0.0,
         evaluations=12,
+        unlike=1,
     )
     pull = 1.5 * 2e-3 * (100 * math.pi) ** 2
     assert pull == pytest.approx(296.0881320326808, rel=1e-12)

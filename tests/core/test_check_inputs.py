@@ -18,11 +18,11 @@ from core.checks.crank_planetary import crank_checks
 from core.checks.records import CHECKS
 from core.design.document import Design
 from core.design.results import Results
+from core.design.ring import Ring
 from core.design.sections import (
     FatigueBasis,
     Friction,
     Requirements,
-    Ring,
     Rollers,
     RollingBearing,
     SatelliteBody,
@@ -430,6 +430,7 @@ RINGED = Ring(
 )
 SERIES = having(
     ALL,
+    pins=10,  # which repeat with the ring's lobes: a tenth of a turn is all
     hole_radius=0.01002,
     peak_torque=700.0,
     pin_material=LASTING,
@@ -454,6 +455,7 @@ DESIGNS |= {
     ),
     "both meshes, rollers": having(
         ROLLED,
+        pins=10,
         peak_torque=700.0,
         satellite_coupling=RingInSeries(),
         gear=RINGED,

@@ -11,7 +11,8 @@ from core.checks.crank_planetary import CRANK_CHECKS, crank_checks, crank_codes
 from core.checks.space import pins_apart
 from core.design.real_forces import RealForces
 from core.design.results import Results
-from core.design.sections import Ring, RollingBearing
+from core.design.ring import Ring
+from core.design.sections import RollingBearing
 from core.errors import NotKnown
 from core.output.contact_force import ContactForce
 from core.output.real_mechanism import Deviations

@@ -13,7 +13,8 @@ from core.checks.crank_planetary import crank_checks
 from core.contact_life import life_factor
 from core.design.document import Design
 from core.design.results import Results
-from core.design.sections import Friction, Ring
+from core.design.ring import Ring
+from core.design.sections import Friction
 from core.materials import ContactLimit, ElasticMaterial
 from core.output.real_mechanism import Deviations
 from core.output.satellite_support import Shares
@@ -158,8 +159,9 @@ def test_below_its_guide_a_value_is_marginal_and_below_what_must_be_it_fails(
     beyond: tuple[str, bool, str],
 ) -> None:
     at = {wanted: between(name, ends, code, wanted) for wanted in (guide, least)}
+    good = ("pass", False, "ring_root_assumed" if code == "mesh_tip_clearance" else "")
     step = 1e-6
-    for wanted, above, below in ((guide, ("pass", False, ""), USUAL), (least, USUAL, beyond)):
+    for wanted, above, below in ((guide, good, USUAL), (least, USUAL, beyond)):
         for away, expected in ((step, above), (-step, below)):
             pair = replace(FORTY, **{name: at[wanted] + away})
             check = check_of(code, of(pair))
@@ -212,6 +214,9 @@ def test_flanks_that_are_no_involutes_fail() -> None:
     assert check_of("mesh_involute", of(FORTY)).missing == ("gear.cutter_teeth",)
     sharp = replace(FORTY, cutter=20)
     assert found("mesh_involute", sharp) == ("pass", False, "")
+    assert found("mesh_tip_clearance", FORTY) == ("pass", False, "ring_root_assumed")
+    assert check_of("mesh_tip_clearance", of(FORTY)).missing == ("gear.cutter_teeth",)
+    assert found("mesh_tip_clearance", sharp) == ("pass", False, "")
     worn = geared(of(sharp), cutter_addendum=0.5)  # which does not reach so far
     assert check_of("mesh_involute", worn).status == "fail"
     few = oracle.Pair(12, 14, 3.0, 0.0, 0.365, 0.8, 0.35, e=3.68)

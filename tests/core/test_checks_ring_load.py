@@ -4,6 +4,7 @@ mesh that are looked at one by one, and statics by hand.
 
 import math
 from dataclasses import replace
+from random import Random
 from typing import Any
 
 import numpy as np
@@ -14,7 +15,8 @@ from core.checks.largest_torque import crank_verdict
 from core.contact_life import life_factor
 from core.design.document import Design
 from core.design.results import MOST_RING_PAIRS, Results
-from core.design.sections import FatigueBasis, Friction, Ring
+from core.design.ring import Ring
+from core.design.sections import FatigueBasis, Friction
 from core.errors import InvalidInput
 from core.materials import ContactLimit, ElasticMaterial
 from core.output.real_mechanism import Deviations
@@ -462,6 +464,40 @@ def test_pv_is_that_of_sleeves() -> None:
     assert check_of("ring_pv", geared(sleeved, rolling=True)).reason == "no_bush"
     unknown = geared(sleeved, friction_coefficient=None)
     assert check_of("ring_pv", unknown).reason == "ring_friction_unknown"
+    uneven = check_of("ring_pv", having(sleeved, satellites=2, distribution_factor=1.4))
+    more = check_of("ring_pv", having(sleeved, satellites=2, output_torque=1.4 * 400.0))
+    assert uneven.value == pytest.approx(more.value, rel=1e-9)
+
+
+def test_pv_is_that_of_the_harder_direction() -> None:
+    """Which need not be the one that loses more: sleeves of places that deviate."""
+    random = Random(8)
+    places = tuple(random.uniform(-2e-5, 2e-5) for _ in range(40))
+    design = having(
+        geared(friction_coefficient=0.06, sleeve_bore_radius=0.003),
+        input_speed=100.0,
+        max_pv=1e12,
+        deviations=Deviations(ring_pin_tangential=places),
+    )
+    each = [having(design, torque_direction=way) for way in ("driving", "reverse")]
+    both = having(design, torque_direction="alternating")
+    pv = [check_of("ring_pv", one).value or 0.0 for one in each]
+    lost = [Results(one).ring_loss.loss_ratio for one in each]
+    assert pv.index(max(pv)) != lost.index(max(lost))
+    assert check_of("ring_pv", both).value == pytest.approx(max(pv), rel=1e-12)
+
+
+def test_the_slope_is_that_of_the_softest_pins() -> None:
+    """Where it is asked, and sources differ, as that of the output's pins."""
+    soft = replace(HARD, youngs_modulus=100e9)
+    unsure = replace(HARD, least_modulus=100e9)
+    least, found, stiff = (
+        check_of("ring_pin_slope", having(geared(BENT, pin_material=each), max_slope=1.0)).value
+        for each in (soft, unsure, HARD)
+    )
+    assert found == least and least > 1.5 * stiff  # type: ignore[operator]
+    softest = Results(geared(disc_material=unsure)).softest.design.gear
+    assert softest.disc_material == soft
 
 
 def teeth_of(design: Design) -> tuple[str, str]:

@@ -13,7 +13,7 @@ from core.checks.crank_planetary import crank_checks
 from core.design.document import Design
 from core.design.drawings import drawn_ring_pins
 from core.design.results import Results
-from core.design.sections import Ring
+from core.design.ring import Ring
 from core.errors import InvalidInput
 from core.ring.profile import CycloidDisc, Modification
 from tests.inputs.checks import REF, check_of, having

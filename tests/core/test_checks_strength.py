@@ -17,7 +17,8 @@ from core.checks.largest_torque import crank_verdict
 from core.checks.ring_pins import RING_PINS
 from core.design.document import Design
 from core.design.results import Results
-from core.design.sections import Ring, RollingBearing, Shaft
+from core.design.ring import Ring
+from core.design.sections import RollingBearing, Shaft
 from core.errors import InvalidInput
 from core.fixes.changes import value_of, vary
 from core.material_table import MATERIALS

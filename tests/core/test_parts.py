@@ -12,7 +12,8 @@ from core.checks.part import PARTS, PartStatus, PartVerdict, whole
 from core.checks.usual_fit import usual_fit
 from core.design.document import Design
 from core.design.results import Results
-from core.design.sections import PART_NAMES, Ring, RollingBearing
+from core.design.ring import Ring
+from core.design.sections import PART_NAMES, RollingBearing
 from core.material_table import MATERIALS
 from core.materials import ContactLimit, ElasticMaterial
 from core.ring.profile import Modification

@@ -103,6 +103,7 @@ def loaded_one_by_one(forces: np.ndarray) -> SampledTurn:
         crank_angles=(0.0, np.pi),
         error=1e-13,
         evaluations=3,
+        unlike=1,
     )
 
 

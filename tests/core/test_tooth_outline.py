@@ -9,7 +9,7 @@ import pytest
 from core.arrays import ComplexArray, FloatArray
 from core.design.drawings import drawn_ring, drawn_satellites
 from core.design.results import Results
-from core.design.sections import Ring
+from core.design.ring import Ring
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.ring.involute import Cutter, InvolutePair, InvoluteTeeth, Rack, involute_pair
 from core.ring.tooth_outline import ring_outline, satellite_outline

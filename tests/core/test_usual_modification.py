@@ -20,7 +20,7 @@ from core.checks.usual_modification import (
 )
 from core.design.document import Design
 from core.design.results import Results
-from core.design.sections import Ring
+from core.design.ring import Ring
 from core.materials import ContactLimit, ElasticMaterial
 from core.output.real_mechanism import Deviations
 from core.ring.profile import Modification

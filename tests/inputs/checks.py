@@ -12,6 +12,7 @@ from core.checks.crank_planetary import crank_check
 from core.checks.largest_torque import crank_verdict
 from core.design.document import Design, changed
 from core.design.results import Results
+from core.design.ring import Ring
 from core.design.sections import (
     Contact,
     DesignPin,
@@ -20,7 +21,6 @@ from core.design.sections import (
     Load,
     MechanismSection,
     Requirements,
-    Ring,
     RollingBearing,
     SatelliteBody,
     Shaft,

@@ -88,7 +88,8 @@ def test_a_cluster_gives_the_same_bits_with_a_worker_killed_on_the_way(
     lost: list[None] = []
     other = on_cluster(cluster.address, STUDY.in_threads, lambda: lost.append(None))
     own = replace(STUDY, mapped=other)
-    assert bits(own.values(own.pieces())) == here and len(lost) == 1
+    for _ in range(2):  # once lost it is not asked again
+        assert bits(own.values(own.pieces())) == here and len(lost) == 1
 
 
 def last_line(url: str, body: dict[str, Any]) -> dict[str, Any]:

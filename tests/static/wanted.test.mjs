@@ -8,7 +8,7 @@ import { isOn, listedInputs, readState, shownFields, stateFromInput, withLinks }
 import { formModel } from "../../static/lib/schema_form.js";
 import { decodeState, encodeState } from "../../static/lib/url_state.js";
 import * as next from "../../static/store.js";
-import { fieldWords } from "../../static/messages/index.js";
+import { fieldWords, ownWords } from "../../static/messages/index.js";
 import calculator from "../../static/calculators/crank-planetary/index.js";
 import * as real from "../../static/calculators/crank-planetary/real.js";
 import * as study from "../../static/calculators/crank-planetary/study.js";
@@ -51,7 +51,7 @@ const GROUP = {
     "real.play": { options: ["radial", "fits"], default: "radial" },
   },
 };
-const MODEL = formModel(SERVICE, { path: "/api/v1/job", groups: ["mechanism", "contact"], hidden: ["mechanism.include"], wanted: [GROUP], words: fieldWords });
+const MODEL = formModel(SERVICE, { path: "/api/v1/job", groups: ["mechanism", "contact"], hidden: ["mechanism.include"], wanted: [GROUP], words: ownWords });
 
 function opened(typed = stateFromInput(MODEL, INPUT)) {
   const calculator = { id: "job", wanted: [GROUP], sections: [], seeds: {}, drawing: {}, figures: [], verdict: () => [] };
@@ -68,6 +68,15 @@ test("fields are made of the schema of an endpoint of its own, and of what is sa
   assert.deepEqual(field("parts.table").columns.map(({ name, kind, lowest }) => [name, kind, lowest]), [["pin_mm", "number", -10], ["hole_mm", "number", -10]]);
 });
 
+test("in English a box says what its own request does, whatever another one says of a field of this name", () => {
+  const [title, help] = ["Pins", "Of this job."];
+  assert.notEqual(fieldWords("pins").help, help);
+  const asked = structuredClone(OPENAPI);
+  Object.assign(asked.components.schemas.Mechanism.properties.pins, { title, description: help });
+  const made = formModel(asked, { path: "/api/v1/job", groups: ["mechanism"], words: ownWords }).fields.get("mechanism.pins");
+  assert.deepEqual([made.title, made.help], [title, help]);
+});
+
 test("what follows another box is said even where the service could do without", () => {
   const suggestions = { "contact.pin_radius_mm": { linked: true, needs: "mechanism.ratio", value: ({ mechanism }) => mechanism.ratio / 4 } };
   const made = formModel(OPENAPI, { path: "/api/v1/job", groups: ["mechanism", "contact"], hidden: ["mechanism.include"], suggestions });
@@ -77,7 +86,7 @@ test("what follows another box is said even where the service could do without",
 
 test("an empty list follows the other boxes, in the input too, until it is typed", () => {
   const group = { ...GROUP, fields: { "parts.pin_mm": { required: true, follows: ({ mechanism: { pins } }) => Array(pins).fill(1.5) } }, starts: () => ({}) };
-  const made = formModel(SERVICE, { path: "/api/v1/job", groups: ["mechanism", "contact"], hidden: ["mechanism.include"], wanted: [group], words: fieldWords });
+  const made = formModel(SERVICE, { path: "/api/v1/job", groups: ["mechanism", "contact"], hidden: ["mechanism.include"], wanted: [group], words: ownWords });
   const typed = stateFromInput(made, { ...INPUT, besides: { real: { on: "on" } } });
   const { input, besides } = readState(made, typed);
   assert.deepEqual([input.besides.parts.pin_mm, besides.real], [[1.5, 1.5, 1.5], []]);
@@ -121,7 +130,7 @@ test("switched on, it starts from values, goes apart into the input, and into li
 test("a group goes off with the one that it needs, and comes back with it where it was on", () => {
   const plain = { paths: GROUP.paths };
   const wanted = [{ ...plain, id: "real", fields: {} }, { ...plain, id: "crank", needs: "real", fields: { stiffness_N_per_mm: {} } }];
-  const model = formModel(SERVICE, { path: "/api/v1/job", groups: ["mechanism", "contact"], hidden: ["mechanism.include"], wanted, words: fieldWords });
+  const model = formModel(SERVICE, { path: "/api/v1/job", groups: ["mechanism", "contact"], hidden: ["mechanism.include"], wanted, words: ownWords });
   const about = { model, calculator: { wanted, drawing: {} } };
   const turned = (state, id, on) => next.switched(state, id, on, 0);
   const on = (state) => wanted.map(({ id }) => next.wants(state, id));
@@ -141,6 +150,17 @@ test("a group goes off with the one that it needs, and comes back with it where 
   assert.deepEqual(turned(again, "real", true).reading.input, both.reading.input);
 });
 
+test("what belongs to a box that goes goes with it, and comes back as it was typed", () => {
+  const fields = { ...GROUP.fields, tolerance: { when: ["stiffness_N_per_mm", "7000"], required: true } };
+  const model = formModel(SERVICE, { path: "/api/v1/job", groups: ["mechanism", "contact"], hidden: ["mechanism.include"], wanted: [{ ...GROUP, fields }], words: ownWords });
+  const said = (law) => {
+    const texts = { "real.on": "on", law, stiffness_N_per_mm: "7000", tolerance: "0.25" };
+    const { input: { besides }, wrong } = readState(model, { texts: { ...stateFromInput(model, INPUT).texts, ...texts }, chosen: stateFromInput(model, INPUT).chosen });
+    return [besides.stiffness_N_per_mm, besides.tolerance, wrong.length];
+  };
+  assert.deepEqual(["linear", "hertz", "linear"].map(said), [[7000, 0.25, 0], [undefined, undefined, 0], [7000, 0.25, 0]]);
+});
+
 test("what cannot be read in it keeps nobody else from an answer, and says where it is", () => {
   const wanted = next.switched(opened(), "real", true, 0);
   const state = next.typedIn(wanted, "parts.table", "0,01; | x; ", 0);
@@ -151,7 +171,7 @@ test("what cannot be read in it keeps nobody else from an answer, and says where
 
 test("where the verdict hangs on a group, what cannot be read in it waits for everything", () => {
   const judged = formModel(SERVICE, {
-    path: "/api/v1/job", groups: ["mechanism", "contact"], hidden: ["mechanism.include"], wanted: [{ ...GROUP, judged: true }], words: fieldWords,
+    path: "/api/v1/job", groups: ["mechanism", "contact"], hidden: ["mechanism.include"], wanted: [{ ...GROUP, judged: true }], words: ownWords,
   });
   const typed = stateFromInput(judged, { ...INPUT, besides: { real: { on: "on" } } });
   const { wrong, besides } = readState(judged, { ...typed, texts: { ...typed.texts, tolerance: "x" } });

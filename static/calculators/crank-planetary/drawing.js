@@ -14,6 +14,7 @@ const MARGIN = 26; // px
 
 const LABEL_PX = 70; // room for the dimensions about the pair, besides their values
 const CHARACTER_PX = 6.7;
+const LINE_PX = 15;
 const ROOMY = 160; // half the room of the pair from which its dimensions need no more to the right
 const FIELD = {
   R: "load.pin_circle_radius_mm",
@@ -90,7 +91,15 @@ function detailStill(m, spot) {
       <g class="arrow force"><line class="shaft"/><path class="head"/></g>
       <circle class="contact" r="3"/>
     </g>
-    <text class="words title" x="${spot.x - spot.half + 6}" y="${spot.y - spot.half + 18}"></text>`;
+    <text class="words title" y="${spot.y - spot.half + 18}"></text>`;
+}
+
+/** What is said of the pair: in two lines, upwards, where one would leave the paper. */
+function titleMarkup(text, { x, half }, width) {
+  const from = x - half + 6;
+  const place = text.length * CHARACTER_PX > width - from ? text.lastIndexOf(" ", text.length * 0.6) + 1 : 0;
+  const lines = [text.slice(0, place), text.slice(place)].filter(Boolean);
+  return html`${lines.map((line, i) => html`<tspan x="${from}" dy="${i ? LINE_PX : -LINE_PX * (lines.length - 1)}">${line}</tspan>`)}`;
 }
 
 function set(node, values) {
@@ -299,8 +308,8 @@ export function createDrawing({ input, answer, curves, width, height }) {
           const ofRing = isOfRing(pair);
           parts.one.root.classList.toggle("none", ofRing);
           parts.ring.one?.root.classList.toggle("none", !ofRing);
-          parts.title.textContent = ofRing ? placeRingDetail(parts, state, pair)
-            : placeDetail(parts, state, pair === null ? usual : names.indexOf(pair));
+          const said = ofRing ? placeRingDetail(parts, state, pair) : placeDetail(parts, state, pair === null ? usual : names.indexOf(pair));
+          fill(parts.title, titleMarkup(said, detail, width));
         },
       };
     },

@@ -14,18 +14,18 @@ const MOST_ROWS = 400; // of a table; more are for other programs
 
 const counted = (count, label) => Array.from({ length: Math.min(count, MOST_ROWS) || 0 }, (_, i) => label(i));
 const deviated = (part) => ["radial", "tangential", "radius"].map((way) => `deviations.${part}_${way}_mm`);
-const law = (...kinds) => ({ when: ["contact_law.kind", ...kinds], required: true });
 const rare = { advanced: true };
+/** What a law of contact of these sizes says, by its kinds. */
+const lawAt = (path, own = {}) => Object.fromEntries([
+  ["stiffness_N_per_mm", "linear"], ["exponent", "power"], ["reference_force_N", "power"], ["reference_approach_mm", "power"],
+].map(([name, kind]) => [`${path}.${name}`, { ...own, when: [`${path}.kind`, kind], required: true }]));
 const classOf = (part, letters) => ({ like: `tolerances.${part}_diameter.class`, words: [`${part}_class`, "study"], ...letters });
 const byOwn = { when: ["study.sizes", "class", "limits"] };
 const byLimits = (part, end) => ({ when: ["study.sizes", "limits"], words: [`${part}_${end}`, "study"] });
 
 const REAL = {
   "contact_law.kind": { options: [""] },
-  "contact_law.stiffness_N_per_mm": law("linear"),
-  "contact_law.exponent": law("power"),
-  "contact_law.reference_force_N": law("power"),
-  "contact_law.reference_approach_mm": law("power"),
+  ...lawAt("contact_law"),
   "deviations.pins": {
     words: ["pins", "real"],
     columns: deviated("pin"),
@@ -121,19 +121,21 @@ const LOSSES = {
   ...asked("min_efficiency", "max_wear_mm", "max_pv_MPa_m_per_s", "max_sliding_speed_m_per_s"),
 };
 
-const ring = (kind) => ({ when: ["gear.kind", kind], required: true });
-const discs = { when: ["gear.kind", "cycloid"], default: null }; // nothing is known of what is left empty
+const ofKind = (...kinds) => ({ when: ["gear.kind", ...kinds] });
+const [ofPins, ofTeeth, ofBoth] = [ofKind("cycloid"), ofKind("involute"), ofKind("cycloid", "involute")];
+const needed = { required: true };
+const discs = { ...ofPins, default: null }; // nothing is known of what is left empty
 const BEARINGS = {
   "gear.kind": { options: ["ratio"], default: "involute" },
-  "gear.module_mm": ring("involute"),
-  "gear.teeth_difference": ring("involute"),
-  "gear.reference_pressure_angle_deg": { ...rare, when: ["gear.kind", "involute"] },
-  "gear.ring_pin_circle_radius_mm": ring("cycloid"),
-  "gear.ring_pin_radius_mm": { when: ["gear.kind", "cycloid"] },
+  "gear.module_mm": { ...ofTeeth, ...needed },
+  "gear.teeth_difference": { ...ofTeeth, ...needed },
+  "gear.reference_pressure_angle_deg": { ...rare, ...ofTeeth },
+  "gear.ring_pin_circle_radius_mm": { ...ofPins, ...needed },
+  "gear.ring_pin_radius_mm": ofPins,
   "gear.modification.equidistant_mm": discs,
   "gear.modification.pin_circle_mm": discs,
-  "gear.ring_class": { ...rare, when: ["gear.kind", "cycloid"] },
-  "gear.radial_force_ratio": ring("ratio"),
+  "gear.ring_class": { ...rare, ...ofPins },
+  "gear.radial_force_ratio": { ...ofKind("ratio"), ...needed },
   "bearing.name": {},
   "bearing.kind": { default: "roller", when: ["bearing.name", undefined, ""] },
   "bearing.dynamic_rating_N": {},
@@ -148,10 +150,7 @@ const BEARINGS = {
   ...asked("static_safety"),
 };
 
-const ofPins = { when: ["gear.kind", "cycloid"] };
-const ofTeeth = { when: ["gear.kind", "involute"] };
-const ofBoth = { when: ["gear.kind", "cycloid", "involute"] };
-const held = { ...rare, when: ["gear.pin_support", "supported", "fixed"], required: true };
+const held = { ...rare, ...needed, when: ["gear.pin_support", "supported", "fixed"] };
 const TEETH = {
   "gear.satellite_profile_shift": ofTeeth,
   "gear.ring_profile_shift": ofTeeth,
@@ -166,6 +165,9 @@ const TEETH = {
   "gear.cutter_teeth": ofTeeth,
   ...Object.fromEntries(["satellite_tip_radius_mm", "ring_tip_radius_mm", "dedendum", "rack_tip_radius", "cutter_profile_shift",
     "cutter_addendum", "face_load_factor", "pair_stiffness_N_per_mm"].map((name) => [`gear.${name}`, { ...rare, ...ofTeeth }])),
+  "gear.contact_law.kind": { ...rare, ...ofPins, options: [""], words: ["contact_law", "teeth"] },
+  "gear.contact_law.reference_depth_mm": { ...rare, when: ["gear.contact_law.kind", "hertz"], words: ["reference_depth", "teeth"] },
+  ...lawAt("gear.contact_law", rare),
   "gear.seat_stiffness_N_per_mm": { ...rare, ...ofPins },
   "gear.sleeve_bore_radius_mm": { ...rare, ...ofPins },
   "gear.rolling": { ...rare, ...ofPins },
