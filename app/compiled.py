@@ -27,9 +27,10 @@ SOURCES = (
     CORE / "output" / "turn_kernel.py",
     CORE / "ring" / "approach.py",
     CORE / "ring" / "series_kernel.py",
+    CORE / "ring" / "series_pieces.py",
 )
 
-LAST = "values_core.ring.series_kernel"
+LAST = "pieces_core.ring.series_pieces"
 """What `run_once` has compiled last."""
 
 
@@ -95,8 +96,11 @@ def _series() -> None:
     from core.output.real_mechanism import RealMechanism
     from core.ring.profile import CycloidDisc
     from core.ring.series import MeshesInSeries
+    from core.ring.series_study import SeriesStudy
     from core.ring.series_turn import SeriesTurn
     from core.ring.sharing import CycloidMesh
+    from core.tolerance.study import Evaluation, tolerance_study
+    from core.tolerance.tolerances import Tolerances
 
     disc = CycloidDisc(
         satellite_teeth=5, eccentricity=0.001, ring_pin_circle_radius=0.02, ring_pin_radius=0.002
@@ -111,9 +115,12 @@ def _series() -> None:
         contact_length=0.01,
         law=law,
     )
-    turn = SeriesTurn(MeshesInSeries(ring, output), 5.0)
+    series = MeshesInSeries(ring, output)
+    turn = SeriesTurn(series, 5.0)
     assert turn.poses([0.1])["force"][0] > 0
     assert turn.narrow(LOST_MOTION)(0.1, 0.2)[1] >= turn.values(LOST_MOTION, [0.1]).heights[0] > 0
+    asked = Evaluation(("peak_force",), 5.0, positions=4)
+    tolerance_study(SeriesStudy(series, Tolerances(ring_pin_position=1e-7), asked, samples=2))
 
 
 PARTS = {"turns": _turns, "meshes": _meshes, "series": _series}

@@ -28,7 +28,7 @@ CASES: dict[str, tuple[ContactLaw, PinSupport | None, bool, str, float]] = {
     "linear": (LinearLaw(5e7), None, True, "peak_force", 3.0),
     "10/9": (PowerLaw(10 / 9, 1000.0, 1e-5), None, True, "peak_force", 2.0),
     "Hertz, bent pins": (HertzLaw(), BENT, True, "peak_force", 1.2),
-    "backlash alone": (LinearLaw(5e7), None, True, "backlash_max", 1.0),
+    "backlash alone": (LinearLaw(5e7), None, True, "backlash_max", 30.0),
 }
 """Law, pins, exact geometry, what is asked, and how many times the other's rate is wanted."""
 

@@ -1,6 +1,6 @@
 """Ring mesh and output mechanism in series: what a request says of the ring, and the answer."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import Annotated, Any, ClassVar, Literal, Self
 
@@ -80,18 +80,9 @@ class DesignCouplingFields(SeriesCouplingFields, group="satellite_coupling"):
         return RingInSeries() if self.kind == "ring" else super().section()
 
 
-class SeriesFields(RealDesignFields):
-    """Mechanism, load and contact as the parts are made, by themselves or in series with the mesh
-    of the discs with their ring.
-    """
-
-    gear: Annotated[Maybe[CycloidRingFields], BeforeValidator(_no_involute)] = Field(
-        default=None, description="Ring and discs, where both meshes are in series."
-    )
-    deviations: Maybe[SeriesDeviationsFields] = None
-    satellite_coupling: Maybe[SeriesCouplingFields] = None
-
-    RULES: ClassVar[tuple[dict[str, Any], ...]] = (
+def of_the_ring(section: str, names: Sequence[str]) -> tuple[dict[str, Any], ...]:
+    """What a schema says of a ring in series, and of fields of a section that are the ring's."""
+    return (
         {
             "if": {
                 "properties": {
@@ -109,11 +100,22 @@ class SeriesFields(RealDesignFields):
             "else": {
                 "not": {"required": ["gear"]},
                 "properties": {
-                    "deviations": {"not": {"anyOf": [{"required": [name]} for name in OF_RING]}}
+                    section: {"not": {"anyOf": [{"required": [name]} for name in names]}}
                 },
             },
         },
     )
+
+
+class RingInSeriesFields(RealDesignFields):
+    """Mechanism, load and contact, by themselves or in series with the mesh of the discs with their
+    ring.
+    """
+
+    gear: Annotated[Maybe[CycloidRingFields], BeforeValidator(_no_involute)] = Field(
+        default=None, description="Ring and discs, where both meshes are in series."
+    )
+    satellite_coupling: Maybe[SeriesCouplingFields] = None
 
     @property
     def in_series(self) -> bool:
@@ -127,15 +129,16 @@ class SeriesFields(RealDesignFields):
 
     @model_validator(mode="after")
     def _ring_in_series(self) -> Self:
-        own, errors, kind = self.mechanism, self.deviations, "rigid"
+        own, kind = self.mechanism, "rigid"
         if self.satellite_coupling is not None:
             kind = self.satellite_coupling.kind
         if kind != "ring":
-            if self.gear is not None:
-                raise field_error("gear", "of_another_kind", kind=kind)
-            for name in OF_RING if errors is not None else ():
-                if getattr(errors, name) is not None:
-                    raise field_error(f"deviations/{name}", "of_another_kind", kind=kind)
+            for path in ("gear", *self.of_a_ring):
+                value: Any = self
+                for name in path.split("/"):
+                    value = getattr(value, name, None)
+                if value is not None:
+                    raise field_error(path, "of_another_kind", kind=kind)
             return self
         if self.gear is None:
             raise field_error("gear", "needed_beside", field="satellite_coupling")
@@ -157,14 +160,10 @@ class SeriesFields(RealDesignFields):
         return self.mechanism.satellites * (self.mechanism.pins + (self.mechanism.ring_teeth or 0))
 
     def refuse_beyond(self, settings: Settings) -> None:
-        """Refuse more pairs of the ring than the operator allows, and lists that do not fit it."""
+        """Refuse more pairs of the ring than the operator allows."""
         super().refuse_beyond(settings)
-        if not self.in_series:
-            return
-        own, teeth = self.mechanism, self.mechanism.ring_teeth or 0
-        self.refuse_many_in_series(settings.max_pairs + own.pairs)
-        if self.deviations is not None:
-            self.deviations.refuse_other_ring(teeth)
+        if self.in_series:
+            self.refuse_many_in_series(settings.max_pairs + self.mechanism.pairs)
 
     def refuse_many_in_series(self, limit: int) -> None:
         """Refuse more pairs of both meshes, by the ring's.
@@ -212,9 +211,19 @@ class SeriesFields(RealDesignFields):
             raise
         return MeshesInSeries(ring, output)
 
+    @property
+    def of_a_ring(self) -> tuple[str, ...]:
+        """Paths of fields that only a ring in series has."""
+        return ()
+
+    @property
+    def ring_deviations(self) -> RingDeviations:
+        """Deviations of the ring, in SI units."""
+        return RingDeviations()
+
     @cached_property
     def _ring(self) -> CycloidMesh:
-        gear, own, errors = self.gear, self.mechanism, self.deviations
+        gear, own = self.gear, self.mechanism
         assert gear is not None and own.satellite_teeth is not None
         ring = gear.ring()
         return ring.cycloid_mesh(
@@ -226,9 +235,33 @@ class SeriesFields(RealDesignFields):
             contact_length=ring.contact_length,
             disc_material=ring.disc_material,
             law=ring.law,
-            deviations=RingDeviations() if errors is None else errors.of_ring(),
+            deviations=self.ring_deviations,
             exact=self.geometry == "exact",
         )
+
+
+class SeriesFields(RingInSeriesFields):
+    """The same of parts as they are made."""
+
+    deviations: Maybe[SeriesDeviationsFields] = None
+
+    RULES: ClassVar[tuple[dict[str, Any], ...]] = of_the_ring("deviations", OF_RING)
+
+    @property
+    def of_a_ring(self) -> tuple[str, ...]:
+        """Paths of fields that only a ring in series has."""
+        return tuple(f"deviations/{name}" for name in OF_RING)
+
+    @property
+    def ring_deviations(self) -> RingDeviations:
+        """Deviations of the ring, in SI units."""
+        return RingDeviations() if self.deviations is None else self.deviations.of_ring()
+
+    def refuse_beyond(self, settings: Settings) -> None:
+        """Refuse also lists that do not fit the ring."""
+        super().refuse_beyond(settings)
+        if self.in_series and self.deviations is not None:
+            self.deviations.refuse_other_ring(self.mechanism.ring_teeth)
 
 
 class RingPartOut(ResponseModel):

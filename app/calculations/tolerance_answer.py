@@ -90,6 +90,8 @@ class QuantitiesOut(ResponseModel):
         "Largest rotation between the two directions of a share of the torque."
     )
     stiffness_min_Nm_per_arcmin: Maybe[QuantityOut] = result("Least stiffness.")
+    ring_peak_force_N: Maybe[QuantityOut] = result("Largest force on a pin of the ring.")
+    ring_max_pressure_MPa: Maybe[QuantityOut] = result("Largest pressure on a pin of the ring.")
 
 
 class StudyAccuracyOut(AccuracyOut):

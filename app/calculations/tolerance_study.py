@@ -5,17 +5,19 @@ from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property, partial
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
 from pydantic import Field, PrivateAttr, model_validator
 
+from app.calculations.both_meshes import RingInSeriesFields, of_the_ring
 from app.calculations.members_answer import factor_at_output
-from app.calculations.real_design import LEFT_OUT, RealDesignFields
+from app.calculations.real_design import LEFT_OUT
 from app.calculations.real_mechanism import OneWayLoadFields, RealContactFields
 from app.calculations.tolerance_answer import ToleranceStudyResponse
 from app.calculations.tolerance_figure import tolerance_figure
 from app.calculations.tolerances import (
+    OF_THE_RING,
     HoleDiameterFields,
     PinDiameterFields,
     TolerancesFields,
@@ -44,9 +46,16 @@ from core.arrays import FloatArray
 from core.errors import InvalidInput
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.results import Accuracy, Notice
+from core.ring.series_study import FINER, SeriesStudy
 from core.tolerance.contributions import MOST_FIT, contributions
 from core.tolerance.quantiles import Estimate, refuse_few
-from core.tolerance.study import Evaluation, Study, ToleranceStudy, tolerance_study
+from core.tolerance.study import (
+    FINER_SAMPLES,
+    Evaluation,
+    Study,
+    ToleranceStudy,
+    tolerance_study,
+)
 
 Name = Literal[
     "peak_force_N",
@@ -55,6 +64,8 @@ Name = Literal[
     "backlash_max_arcmin",
     "lost_motion_arcmin",
     "stiffness_min_Nm_per_arcmin",
+    "ring_peak_force_N",
+    "ring_max_pressure_MPa",
 ]
 
 POSITIONS_PER_SECOND = 500_000
@@ -68,6 +79,13 @@ BACKLASH_SOLVES = 0.1
 """What a position takes where the backlash alone is asked, whose ends are closed forms; not of
 given shares, whose room is looked at all around the turn.
 """
+
+TURNS_IN_SERIES = 4
+"""How many times as many positions both meshes in series have, over all turns after which they
+repeat."""
+
+LOOKED_CLOSER = FINER * FINER_SAMPLES
+"""Samples that take as long as what shows what these positions miss."""
 
 FEWEST = 20
 """Samples that a mechanism must allow: else it has too many pairs for a study."""
@@ -97,10 +115,18 @@ class LimitsFields(RequestModel, group="limits"):
     backlash_max_arcmin: Maybe[Size] = _limit("Limit of the backlash")
     lost_motion_arcmin: Maybe[Size] = _limit("Limit of the lost motion")
     stiffness_min_Nm_per_arcmin: Maybe[Size] = _limit("Limit of the stiffness")
+    ring_peak_force_N: Maybe[Size] = _limit("Limit of the force on the ring's pins")
+    ring_max_pressure_MPa: Maybe[Size] = _limit("Limit of the pressure on the ring's pins")
 
 
-class ToleranceStudyRequest(RealDesignFields, group="study"):
+OF_RING_PINS = ("ring_peak_force_N", "ring_max_pressure_MPa")
+"""Quantities of the pins of a ring in series."""
+
+
+class ToleranceStudyRequest(RingInSeriesFields, group="study"):
     """Mechanism, load and contact, what the parts are made to, and which results are wanted."""
+
+    RULES: ClassVar[tuple[dict[str, Any], ...]] = of_the_ring("tolerances", OF_THE_RING)
 
     load: OneWayLoadFields
     tolerances: TolerancesFields
@@ -117,13 +143,14 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
     crank_angles: Whole = quantity(
         "Crank angles", default=60, step=12, advanced=True, ge=12, le=1000
     )
-    """Even positions of the turn at which each piece is solved."""
+    """Even positions of the turn at which each piece is solved; of a ring in series four times as
+    many over all turns after which both meshes repeat."""
     quantities: list[Name] = Field(
         default=["peak_force_N", "backlash_max_arcmin"],
         min_length=1,
-        max_length=6,
+        max_length=8,
         description="Quantities of each piece, over the turn. The lost motion takes three times as "
-        "long.",
+        "long. Forces and pressures of the pins of a ring where that is in series.",
     )
     percentiles: list[Annotated[float, Field(ge=0.01, le=99.99)]] = quantity(
         "Percentiles", default=[50.0, 95.0], max_length=20
@@ -171,6 +198,19 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
         """The mechanism of nominal sizes, in SI units."""
         return replace(super().made(deviations), clearance=self.basic.sizes()["clearance"])
 
+    @property
+    def of_a_ring(self) -> tuple[str, ...]:
+        """Paths of fields that only a ring in series has."""
+        limits = (f"limits/{name}" for name in OF_RING_PINS)
+        return (*(f"tolerances/{name}" for name in OF_THE_RING), *limits)
+
+    @model_validator(mode="after")
+    def _asks_of_its_ring(self) -> Self:
+        for index, name in enumerate(self.quantities):
+            if name in OF_RING_PINS and not self.in_series:
+                raise field_error(f"quantities/{index}", "of_another_kind", kind="rigid")
+        return self
+
     _fitting: int = PrivateAttr(default=MAX_SAMPLES)
     _lost: bool = PrivateAttr(default=False)
 
@@ -200,7 +240,12 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
         """
         budget = int(POSITIONS_PER_SECOND * settings.max_seconds)
         positions = times * self._positions_of_a_pair
-        most = int(budget / (positions * self.mechanism.pairs))
+        if self.in_series:
+            closer = times * LOOKED_CLOSER * self._solves(self.names)
+            self.refuse_many_in_series(int(budget / (positions * FEWEST + closer)))
+            most = int((budget / self.pairs_in_series - closer) / positions)
+        else:
+            most = int(budget / (positions * self.mechanism.pairs))
         if most < FEWEST:
             limit = self.mechanism.most_pins(int(budget / (positions * FEWEST)))
             raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **limit)
@@ -210,13 +255,27 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
 
     @property
     def _positions_of_a_pair(self) -> float:
-        """Positions at which a pair is solved for each sample."""
+        """Positions at which a pair is solved for each sample, or what takes as long."""
         each = self._solves(self.names)
         if "contributions" in self.include:
             each += (2 * len(self.spread.spreads()) + 2) * self._solves(self.names[:1])
-        return each * self.crank_angles * self.times_as_long
+        return each * self.times_as_long
 
     def _solves(self, names: list[str]) -> float:
+        fit = self.mechanism.ring_teeth or 0 if self.in_series else 0
+        return self._times(names) * self.positions + fit
+
+    @property
+    def positions(self) -> int:
+        """Positions at which each piece is solved."""
+        return self.crank_angles * (TURNS_IN_SERIES if self.in_series else 1)
+
+    @property
+    def ring_pin_diameter(self) -> float:
+        """Diameter of the pins of a ring, m; 0 without one."""
+        return 0.0 if self.gear is None else 2 * to_si("radius_mm", self.gear.ring_pin_radius_mm)
+
+    def _times(self, names: list[str]) -> float:
         if names == ["backlash_max_arcmin"]:
             return BACKLASH_SOLVES
         return LOST_MOTION_SOLVES if "lost_motion_arcmin" in names else 1
@@ -236,19 +295,22 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
         """The study in SI units, which tells how much of it is done; on the operator's cluster,
         where there is one.
         """
-        study = Study(
-            real=self.made(Deviations()),
-            tolerances=self.spread.tolerances(self.basic),
-            asked=Evaluation(
+        given: Values = {
+            "tolerances": self.spread.tolerances(self.basic, self.ring_pin_diameter),
+            "asked": Evaluation(
                 quantities=tuple(map(core_name, self.names)),
                 output_torque=self.torque,
-                positions=self.crank_angles,
+                positions=self.positions,
                 lost_motion_share=self.lost_motion_torque_share,
             ),
-            samples=self.drawn,
-            seed=self.seed,
-            progress=self._counted(report),
-        )
+            "samples": self.drawn,
+            "seed": self.seed,
+            "progress": self._counted(report),
+        }
+        real = self.made(Deviations())
+        study = Study(real=real, **given)
+        if self.in_series:
+            study = SeriesStudy(real=self.in_ring(real), **given)
         address = current().dask
         if not address:
             return study
@@ -313,7 +375,7 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
             notices += (Notice("cluster_lost"),)
         if notices:
             values["warnings"] = [*map(warning, notices)]
-        return values, Accuracy("monte_carlo", sampling + grid, self._pieces * self.crank_angles)
+        return values, Accuracy("monte_carlo", sampling + grid, self._pieces * self.positions)
 
     @property
     def guided(self) -> Values:
@@ -400,7 +462,8 @@ class ToleranceStudyRequest(RealDesignFields, group="study"):
         first = replace(study, asked=replace(study.asked, quantities=study.asked.quantities[:1]))
         percent = max(self.percentiles, default=50.0)
         given = {core_name(name): name for name in type(self.tolerances).model_fields}
-        given |= {"pin_radius": "pin_diameter", "hole_radius": "hole_diameter"}
+        for part in ("pin", "hole", "ring_pin"):
+            given[f"{part}_radius"] = f"{part}_diameter"
 
         def without(each: Estimate) -> Values:
             if to_fit:

@@ -34,13 +34,11 @@ PARTS: tuple[Part, ...] = get_args(Part)
 """Parts that may be made in different ways."""
 
 
-class _SpreadFields(RequestModel, group="tolerances"):
-    """How a size or an angle varies between its limits."""
+class _OneSpreadFields(RequestModel, group="tolerances"):
+    """How what a piece has once varies between its limits."""
 
     distribution: Distribution = quantity("Distribution", default="normal")
     """Normal, cut off at the limits, three standard deviations off the middle; or uniform."""
-    common: bool = quantity("Common to all", default=False)
-    """Whether all such parts of a piece have the same: one batch, one tool."""
 
     def _refuse_reversed(self, unit: str) -> None:
         lower, upper = getattr(self, f"lower_{unit}"), getattr(self, f"upper_{unit}")
@@ -48,7 +46,14 @@ class _SpreadFields(RequestModel, group="tolerances"):
             raise field_error(f"lower_{unit}", "at_most", field=f"upper_{unit}", limit=upper)
 
     def _spread(self, lower: float, upper: float) -> Spread:
-        return Spread(lower, upper, self.distribution, self.common)
+        return Spread(lower, upper, self.distribution, getattr(self, "common", False))
+
+
+class _SpreadFields(_OneSpreadFields, group="tolerances"):
+    """How a size or an angle of each part varies between its limits."""
+
+    common: bool = quantity("Common to all", default=False)
+    """Whether all such parts of a piece have the same: one batch, one tool."""
 
 
 _lower = partial(quantity, "From", step=0.001, help="Lower limit of the deviation.")
@@ -56,8 +61,8 @@ _upper = partial(quantity, "To", step=0.001, help="Upper limit of the deviation.
 """Fields of lengths, angles and diameters."""
 
 
-class LengthSpreadFields(_SpreadFields, group="tolerances"):
-    """Limits of a length's deviation."""
+class ToolSpreadFields(_OneSpreadFields, group="tolerances"):
+    """Limits of a tool's deviation, which is that of all discs of a piece."""
 
     lower_mm: Deviation = _lower()
     upper_mm: Deviation = _upper()
@@ -70,6 +75,10 @@ class LengthSpreadFields(_SpreadFields, group="tolerances"):
     def spread(self) -> Spread:
         """The same in SI units."""
         return self._spread(to_si("lower_mm", self.lower_mm), to_si("upper_mm", self.upper_mm))
+
+
+class LengthSpreadFields(ToolSpreadFields, _SpreadFields, group="tolerances"):
+    """Limits of a length's deviation."""
 
 
 class PhaseSpreadFields(_SpreadFields, group="tolerances"):
@@ -168,10 +177,23 @@ LengthSpread = Annotated[
     Annotated[Size, Tag("plus_minus")] | Annotated[LengthSpreadFields, Tag("limits")],
     Discriminator(_kind),
 ]
+ToolSpread = Annotated[
+    Annotated[Size, Tag("plus_minus")] | Annotated[ToolSpreadFields, Tag("limits")],
+    Discriminator(_kind),
+]
 PhaseSpread = Annotated[
     Annotated[AnglePlusMinus, Tag("plus_minus")] | Annotated[PhaseSpreadFields, Tag("limits")],
     Discriminator(_kind),
 ]
+
+
+OF_THE_RING = (
+    "ring_pin_position_mm",
+    "ring_pin_diameter",
+    "equidistant_mm",
+    "modification_pin_circle_mm",
+)
+"""Tolerances of a ring of pins and of the cycloid discs on it."""
 
 
 class TolerancesFields(RequestModel, group="tolerances"):
@@ -199,6 +221,18 @@ class TolerancesFields(RequestModel, group="tolerances"):
     """Angle of each crank: plus or minus so much, or limits."""
     disc_phase_deg: Maybe[PhaseSpread] = quantity("Disc phase", "η", step=0.001)
     """Angle of each disc's holes against its teeth: plus or minus so much, or limits."""
+    ring_pin_position_mm: Maybe[Size] = quantity("Position of the ring's pins", "t_r", step=0.001)
+    """Diameter of the round zone of the centre of each pin of the ring."""
+    ring_pin_diameter: Maybe[PinDiameterFields] = quantity(
+        "Diameter of the ring's pins", step=0.001
+    )
+    """Class or limits of the diameter of the ring's pins."""
+    equidistant_mm: Maybe[ToolSpread] = quantity("Equidistant modification", "Δ_e", step=0.001)
+    """Of the tool that cuts all discs of a piece: plus or minus so much, or limits."""
+    modification_pin_circle_mm: Maybe[ToolSpread] = quantity(
+        "Modification of the circle", "Δ_p", step=0.001
+    )
+    """The same of its circle: plus or minus so much, or limits."""
 
     def process_of(self, part: Part) -> Process | None:
         """How pins, or holes, are made; None where that is not said."""
@@ -232,8 +266,8 @@ class TolerancesFields(RequestModel, group="tolerances"):
         others = ("process", "pin_process", "hole_process", "guides")
         return [name for name, given in self if given is not None and name not in others]
 
-    def tolerances(self, contact: RealContactFields) -> Tolerances:
-        """The same in SI units, for a contact's sizes.
+    def tolerances(self, contact: RealContactFields, ring_pin_diameter: float = 0.0) -> Tolerances:
+        """The same in SI units, for a contact's sizes, and the diameter of the pins of a ring.
 
         Raises
         ------
@@ -248,11 +282,21 @@ class TolerancesFields(RequestModel, group="tolerances"):
             hole_position=to_si("position_mm", self.hole_position_mm),
             pin_radius=_of_diameter("pin_diameter", self.pin_diameter, pin),
             hole_radius=_of_diameter("hole_diameter", self.hole_diameter, hole),
+            ring_pin_position=to_si("position_mm", self.ring_pin_position_mm),
+            ring_pin_radius=_of_diameter(
+                "ring_pin_diameter", self.ring_pin_diameter, ring_pin_diameter
+            ),
             **dict(self._spreads()),
         )
 
     def _spreads(self) -> Iterator[tuple[str, Spread]]:
-        for name, unit in (("eccentricity", "mm"), ("crank_phase", "deg"), ("disc_phase", "deg")):
+        for name, unit in (
+            ("eccentricity", "mm"),
+            ("crank_phase", "deg"),
+            ("disc_phase", "deg"),
+            ("equidistant", "mm"),
+            ("modification_pin_circle", "mm"),
+        ):
             given = getattr(self, f"{name}_{unit}")
             if isinstance(given, float):
                 size = to_si(f"{name}_{unit}", given)

@@ -23,7 +23,7 @@ from core.output.sampled_turn import WAYS
 from core.output.turn import Turn
 from core.ring.profile import Modification
 from core.ring.sharing import LOST, CycloidMesh
-from core.tolerance.draws import RING_PIN_PLACE, uniforms, zone_places
+from core.tolerance.draws import KINDS, uniforms, zone_places
 
 SAMPLES, SEED = 64, 0
 """Pieces that are drawn, and of which seed."""
@@ -136,11 +136,10 @@ def ring_places(*, pins: int, radius: float, samples: int) -> list[tuple[tuple[f
     list of tuple
         Outward and along the circle, m, of each.
     """
-    drawn = [
-        [uniforms(seed=SEED, kind=kind, index=k, samples=samples) for k in range(pins)]
-        for kind in RING_PIN_PLACE
-    ]
-    of_radius, of_angle = (np.array(each).T for each in drawn)
+    of_radius, of_angle = (
+        uniforms(seed=SEED, streams=[(kind, k) for k in range(pins)], samples=samples).T
+        for kind in KINDS["ring_pin_position"]
+    )
     places = zone_places(diameter=2 * radius, radius_uniform=of_radius, angle_uniform=of_angle)
     return [tuple(tuple(row.tolist()) for row in rows) for rows in zip(*places, strict=True)]
 

@@ -68,6 +68,12 @@ CLOSE = 1e-8
 JUST = 1e-9
 """Part of the eccentricity by which parts that just fit may press: their sizes are rounded."""
 
+SURE = 1e-9
+"""Part that bounds of the play are wider than their terms, for rounding: a thousand times that."""
+
+NEAR = 1e-3
+"""Lever over its largest, below which a pair is near its dead angle and bounds no play."""
+
 PLACE = 1e-10
 """Width to which a summit is narrowed, rad."""
 
@@ -188,6 +194,16 @@ class Room(NamedTuple):
     before: Row
     moved: Row
     system: Row  # [K*N, 2*K*N] room for equations of these
+
+
+class Around(NamedTuple):
+    """Even positions of the wave, and how wide the play can be there, rad."""
+
+    sine: Row  # of their wave angles
+    cosine: Row
+    front: Row  # where the play ends at the latest, and where it begins, counted backwards
+    back: Row
+    width: Row
 
 
 class Poses(NamedTuple):

@@ -326,6 +326,12 @@ class RealMechanism(Stage):
             return tied_compliance(pin=self.tied_pin, pins=self.mechanism.pins, wall=wall)
         return compliance
 
+    @property
+    def outward(self) -> list[float]:
+        """Directions of the pins from the middle, ``-sin, cos`` of their angles, [N, 2]."""
+        angles = [2 * math.pi * n / self.mechanism.pins for n in range(self.mechanism.pins)]
+        return [each for angle in angles for each in (-math.sin(angle), math.cos(angle))]
+
     @cached_property
     def numbered(self) -> tuple[Deviations, tuple[int, ...]]:
         """The deviations with the holes numbered as they come onto the pins, and by how many holes
@@ -342,7 +348,8 @@ class RealMechanism(Stage):
         pairs: Pairs = self.blank(Pairs)
         phase = list(self.mechanism.crank_angles)
         setup = self.setup(1.0)
-        none = prepare(setup, self.law_constants, errors, phase, self.compliance, pairs)
+        given = setup, self.law_constants, errors, phase, self.compliance, self.outward
+        none = prepare(*given, pairs)
         if none >= 0:
             j, n = divmod(none, pins)
             raise ImpossibleMechanism("no_room_in_hole", satellite=j + 1, pin=n + 1)

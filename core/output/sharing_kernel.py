@@ -42,12 +42,27 @@ from core.output.tied_kernel import join, tie, tied_errors
 
 
 def prepare(
-    setup: Setup, law: Law, errors: Errors[Row], phase: Row, compliance: Row, pairs: Pairs
+    setup: Setup,
+    law: Law,
+    errors: Errors[Row],
+    phase: Row,
+    compliance: Row,
+    outward: Row,
+    pairs: Pairs,
 ) -> int:
     """Constants of the pairs from the deviations of one piece; the pair whose hole, pin or crank
     has no size left, or -1. Crank angles and the pin's compliance at each satellite are [K]; of
-    pins that a tie ring joins see `core.output.contact_law.tied_compliance`.
+    pins that a tie ring joins see `core.output.contact_law.tied_compliance`. Outward are the
+    directions of the pins from the middle, [N, 2].
     """
+    none = place(setup, errors, phase, outward, pairs)
+    if none < 0:
+        press(setup, law, errors, compliance, pairs)
+    return none
+
+
+def place(setup: Setup, errors: Errors[Row], phase: Row, outward: Row, pairs: Pairs) -> int:
+    """What of the constants is geometry, without which there is no play."""
     radius = setup.radius
     i = 0
     none = -1
@@ -60,8 +75,7 @@ def prepare(
         pairs.phase[j] = phase[j] + errors.crank_phase[j]
         pairs.arm[j] = -2 * own if setup.exact else 1.0
         for n in range(setup.pins):
-            beta = 2 * math.pi * n / setup.pins
-            rx, ry = -math.sin(beta), math.cos(beta)  # radial; tangential is (-ry, rx)
+            rx, ry = outward[2 * n], outward[2 * n + 1]  # radial; tangential is (-ry, rx)
             p_r, p_t = errors.pin_radial[n], errors.pin_tangential[n]
             h_r, h_t = errors.hole_radial[i], errors.hole_tangential[i]
             larger = errors.hole_radius[i] - errors.pin_radius[n]
@@ -90,15 +104,25 @@ def prepare(
             pairs.distance[i] = difference + setup.loose if setup.exact else difference
             if min(difference, pin, own) <= 0:
                 none = i if none < 0 else none
-            else:
-                pairs.curved[i] = difference / pin / (pin + difference)
-                pairs.a[i], pairs.b[i], pairs.limit[i] = pair_law(
-                    setup.law, law, pin, difference, compliance[j]
-                )
+            i += 1
+    return none
+
+
+def press(setup: Setup, law: Law, errors: Errors[Row], compliance: Row, pairs: Pairs) -> None:
+    """What of the constants is elastic."""
+    i = 0
+    for j in range(setup.satellites):
+        for n in range(setup.pins):
+            larger = errors.hole_radius[i] - errors.pin_radius[n]
+            difference = setup.eccentricity + setup.clearance + larger
+            pin = setup.pin_radius + errors.pin_radius[n]
+            pairs.curved[i] = difference / pin / (pin + difference)
+            pairs.a[i], pairs.b[i], pairs.limit[i] = pair_law(
+                setup.law, law, pin, difference, compliance[j]
+            )
             i += 1
     if setup.support == TIED:
         join(setup, compliance, pairs)
-    return none
 
 
 def at(psi: float, setup: Setup, pairs: Pairs, room: Room) -> None:

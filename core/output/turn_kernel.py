@@ -17,6 +17,7 @@ from core.output.loop_rows import (
     LAG,
     LOST_MOTION,
     MESH,
+    NEAR,
     NOWHERE,
     PLACE,
     PLAY_END,
@@ -24,7 +25,10 @@ from core.output.loop_rows import (
     SHARES,
     SOLVED,
     STIFFNESS,
+    SURE,
     TIED,
+    TINY,
+    Around,
     Errors,
     Law,
     Load,
@@ -35,7 +39,16 @@ from core.output.loop_rows import (
     Row,
     Setup,
 )
-from core.output.sharing_kernel import close_by, judged, part, play, played, prepare, solve
+from core.output.sharing_kernel import (
+    close_by,
+    judged,
+    part,
+    place,
+    play,
+    played,
+    press,
+    solve,
+)
 from core.output.tied_kernel import ring_torque
 
 
@@ -208,7 +221,7 @@ def clear(psi: float, lag: float, setup: Setup, pairs: Pairs, room: Room) -> flo
     rad.
 
     At one lag what `at` makes of a pair is ``k + m*cos(psi - psi_0)``: it changes by no more than m
-    for each radian.
+    for each radian, and of ``k + m < 0`` the pair touches nowhere.
     """
     sine, half = math.sin(lag), math.sin(lag / 2)
     less, far = -2 * half * half, 2 * math.pi
@@ -220,14 +233,17 @@ def clear(psi: float, lag: float, setup: Setup, pairs: Pairs, room: Room) -> flo
             x, y, own = pairs.x[i], pairs.y[i], setup.direction * sine
             if setup.exact:
                 over = room.q[i] + less * room.u[i] + sine * room.v[i]
-                most = arm * math.hypot(
-                    pairs.ex[i] + less * x + own * y, pairs.ey[i] + less * y - own * x
-                )
+                middle = pairs.k0[i] + less * pairs.k1[i] + own * pairs.k2[i]
+                a, b = pairs.ex[i] + less * x + own * y, pairs.ey[i] + less * y - own * x
             else:
-                over = room.q[i] + lag * room.v[i]
-                most = arm * math.hypot(pairs.ex[i] + own * x, pairs.ey[i] + own * y)
+                over, middle = room.q[i] + lag * room.v[i], pairs.k0[i]
+                a, b = pairs.ex[i] + own * x, pairs.ey[i] + own * y
             if over >= 0:
                 return 0.0
+            square = arm * arm * (a * a + b * b)
+            if middle * middle > square:
+                continue
+            most = math.sqrt(square)
             if -over < most * far:
                 far = -over / most
     return far
@@ -269,13 +285,88 @@ def fitting(setup: Setup, pairs: Pairs, room: Room) -> int:
     return FITS if free else NOWHERE
 
 
+def widest(setup: Setup, pairs: Pairs, around: Around, room: Room) -> float:
+    """Largest play over even positions of the wave, 0 where all press.
+
+    Only where it can be the largest the play is looked at: at the others it is no wider than
+    `at_most` says. First where it may be widest.
+    """
+    at_most(setup, pairs, around)
+    width, most, first = around.width, 0.0, 0
+    for k in range(len(width)):
+        if width[k] > width[first]:
+            first = k
+    for step in range(len(width)):
+        k = (first + step) % len(width)
+        if width[k] > most:
+            width[k] = -math.inf
+            low, high = played(2 * math.pi * k / len(width), setup, pairs, room)
+            most = max(most, high - low)
+    return most
+
+
+def at_most(setup: Setup, pairs: Pairs, around: Around) -> None:
+    """Bounds of the play, where there is any, at even positions of the wave: in the row `width`.
+
+    A pair does not touch where ``a*t^2 + 2*v*t + q <= 0``, t the tangent of half the lag; lags are
+    no further apart than twice their t. With a lever v above 0 that ends at ``t = -q/(v + s)``,
+    ``s = sqrt(v^2 - a*q)``: no later than with s = v, as a parabola is above its tangent. While the
+    pair is open all around ``-a*q`` is no less than m, of the least a and the least -q, and s no
+    less than the tangent of ``sqrt(v^2 + m)`` at the longest lever: ``v + s >= 2*(c + d*v)``. With
+    a lever below 0 it begins there. In first order ``q + lag*v <= 0`` is as that of m = 0.
+
+    The play, from the last begin to the first end, is no wider than between any two of these.
+    Rounding of the terms is 1e-12 of them, also of the lever, above `NEAR` of the longest: `SURE`
+    is added. First order looks at no pair near its dead angle, nor is that one a bound.
+    """
+    front, back, sine, cosine = around.front, around.back, around.sine, around.cosine
+    far = math.inf
+    if not setup.exact:
+        far = (1 - SURE) * 2 * (setup.eccentricity + abs(setup.clearance)) / setup.radius
+    apart = setup.support == SHARES
+    for k in range(len(front)):
+        front[k] = back[k] = math.inf
+        around.width[k] = 0.0
+    for j in range(setup.satellites):
+        sx, cx = math.sin(pairs.phase[j]), math.cos(pairs.phase[j])
+        sx, cx = pairs.arm[j] * sx, pairs.arm[j] * cx
+        for i in range(j * setup.pins, (j + 1) * setup.pins):
+            ex, ey = pairs.ex[i], pairs.ey[i]
+            vx, vy = (pairs.y[i], -pairs.x[i]) if setup.exact else (pairs.x[i], pairs.y[i])
+            arm, reach = abs(pairs.arm[j]), math.sqrt(vx * vx + vy * vy)
+            longest, m = arm * reach + abs(pairs.k2[i]), 0.0
+            if setup.exact:
+                open_by, swing = -pairs.k0[i], arm * (abs(ex) + abs(ey))
+                steep = -2 * pairs.k1[i] - 2 * arm * reach - open_by - swing
+                m = max(steep, 0.0) * max(open_by - swing - SURE * pairs.size[i], 0.0)
+            half = 0.5 / max(math.sqrt(longest * longest + m), TINY)
+            c, d = max(m * half, TINY), 0.5 + longest * half
+            # of the crank's direction arm*(sin(psi + phase), cos(psi + phase))
+            way, least = setup.direction * d, NEAR * longest * d
+            v_s, v_c, v_0 = way * (cx * vx - sx * vy), way * (sx * vx + cx * vy), way * pairs.k2[i]
+            q_s, q_c = cx * ex - sx * ey, sx * ex + cx * ey
+            q_0 = SURE * pairs.size[i] - pairs.k0[i]
+            for k in range(len(front)):
+                v = v_s * sine[k] + v_c * cosine[k] + v_0
+                end = (q_0 - q_s * sine[k] - q_c * cosine[k]) / (c + abs(v))
+                front[k] = min(front[k], end if v > least else math.inf)
+                back[k] = min(back[k], end if v < -least else math.inf)
+        if apart or j == setup.satellites - 1:
+            weight = pairs.share[j] if apart else 1.0
+            for k in range(len(front)):
+                end, begin = front[k], back[k]
+                between = end + begin + SURE * (abs(end) + abs(begin))
+                around.width[k] += weight * between if max(end, begin) < far else math.inf
+                front[k] = back[k] = math.inf
+
+
 def piece(
     sample: int,
-    positions: int,
     under_load: bool,
     lost: bool,
     load: Load,
     pairs: Pairs,
+    around: Around,
     room: Room,
     results: Pieces,
 ) -> bool:
@@ -287,6 +378,9 @@ def piece(
     results.fits[sample] = fitting(load.setup, pairs, room)
     if results.fits[sample] != FITS:
         return False
+    if not under_load:
+        backlash = widest(load.setup, pairs, around, room)
+    positions = len(around.sine) if under_load or lost else 0
     for k in range(positions):
         psi = 2 * math.pi * k / positions
         if under_load:
@@ -297,10 +391,7 @@ def piece(
             pressure = max(pressure, hardest(load.setup, pairs, room))
             least_lag, most_lag = min(least_lag, found.lag), max(most_lag, found.lag)
             stiffness = min(stiffness, found.stiffness)
-            low, high = found.low, found.high
-        else:
-            low, high = played(psi, load.setup, pairs, room)
-        backlash = max(backlash, high - low)
+            backlash = max(backlash, found.high - found.low)
         if lost:
             both, can = value(LOST_MOTION, psi, load, pairs, room)
             if not can:
@@ -322,14 +413,15 @@ def none(sample: int, results: Pieces) -> None:
 
 def pieces(
     errors: Errors[Sequence[Row]],
-    positions: int,
     under_load: bool,
     lost: bool,
     law: Law,
     load: Load,
     phase: Row,
     compliance: Row,
+    outward: Row,
     pairs: Pairs,
+    around: Around,
     room: Room,
     results: Pieces,
 ) -> None:
@@ -346,6 +438,8 @@ def pieces(
             errors.crank_phase[sample],
             errors.disc_phase[sample],
         )
-        can = prepare(load.setup, law, own, phase, compliance, pairs) < 0
-        if not (can and piece(sample, positions, under_load, lost, load, pairs, room, results)):
+        can = place(load.setup, own, phase, outward, pairs) < 0
+        if can and (under_load or lost):
+            press(load.setup, law, own, compliance, pairs)
+        if not (can and piece(sample, under_load, lost, load, pairs, around, room, results)):
             none(sample, results)

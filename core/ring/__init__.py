@@ -10,6 +10,8 @@ series              both meshes in series: forces, lags, play and stiffness at a
 series_turn         the same over the turns after which all repeats
 series_samples      forces of both on pins, satellites and crank over the turn, at samples
 series_teeth        the teeth as they work in series
+series_pieces       quantities of pieces of both meshes in series
+series_study        what tolerances do to these
 mesh_curves         forces, lags and gaps of the teeth over the turn, as they are drawn
 loss                sliding on the pins: loss, efficiency, pv
 bent_pins           forces on the pins, by which those bend that are held at both ends

@@ -22,7 +22,7 @@ from core.output.loop_rows import Position
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.sharing_kernel import too_wide
-from core.output.stage import Stage, divisible
+from core.output.stage import Stage, divisible, in_floats
 from core.precision import SAME
 from core.results import Accuracy, Notice, poorly_known
 from core.ring import series_kernel
@@ -98,14 +98,16 @@ class MeshesInSeries(Stage):
         SeriesSetup
         """
         own = self.mechanism
-        return SeriesSetup(
-            pins=own.pins,
-            satellites=own.satellites,
-            direction=direction,
-            ratio=own.ratio,
-            start=own.initial_crank_angle,
-            mesh=self.ring.setup(direction)._replace(satellites=1),
-            output=self.output.setup(direction)._replace(satellites=1),
+        return in_floats(
+            SeriesSetup(
+                pins=own.pins,
+                satellites=own.satellites,
+                direction=direction,
+                ratio=own.ratio,
+                start=own.initial_crank_angle,
+                mesh=self.ring.setup(direction)._replace(satellites=1),
+                output=self.output.setup(direction)._replace(satellites=1),
+            )
         )
 
     @cached_property

@@ -89,14 +89,14 @@ class TeethInSeries(MeshTurn):
         return self.series.top("mesh_pressure", MESH_PRESSURE)[0]
 
     @property
-    def pressed_without_load(self) -> bool:
-        """Whether pairs press so anywhere, in either mesh."""
-        return self.series.pressed_without_load
-
-    @property
     def _period(self) -> float:
         """That after which both meshes repeat, rad."""
         return self.series.turn.period
+
+    @property
+    def pressed_without_load(self) -> bool:
+        """Whether pairs press so anywhere, in either mesh."""
+        return self.series.pressed_without_load
 
     def forces_at(self, crank_angle: float) -> FloatArray:
         """Forces of all pairs at a crank angle, counted over all turns after which both meshes

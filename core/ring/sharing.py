@@ -27,7 +27,7 @@ from core.output.contact_law import (
     law_kind,
     pin_compliance,
 )
-from core.output.loop_rows import PRESSURE, RIGID, SHARES, Position
+from core.output.loop_rows import PRESSURE, RIGID, SHARES, Law, Position
 from core.output.mechanism import Mechanism
 from core.output.over_turn import Extreme, OverTurn
 from core.output.real_turn import CloseSamples, close_samples
@@ -238,6 +238,17 @@ class CycloidMesh(Stage):
             raise InvalidInput("satellite_positions", places, "different_length", **counts)
         return [each + seat for each in pin_compliance(self.pin)]
 
+    @property
+    def law_constants(self) -> Law:
+        """Constants of the law, of which each pair's are made."""
+        return law_constants(
+            law=self.law,
+            contact_length=self.contact_length,
+            hole_radius=self.reference_depth,
+            pin=self.pin_material,
+            hole=self.disc_material,
+        )
+
     @cached_property
     def _errors(self) -> tuple[list[float], ...]:
         return self.deviations.each(pins=self.disc.pins, satellites=len(self.crank_angles))
@@ -247,15 +258,9 @@ class CycloidMesh(Stage):
         """Constants of the pairs."""
         disc = self.disc
         pairs: MeshPairs = self._blank(MeshPairs)
-        law = law_constants(
-            law=self.law,
-            contact_length=self.contact_length,
-            hole_radius=self.reference_depth,
-            pin=self.pin_material,
-            hole=self.disc_material,
-        )
+        angles, law = list(self.crank_angles), self.law_constants
         none = approach.prepare_mesh(
-            self.setup(1.0), law, self._errors, list(self.crank_angles), self.compliance, pairs
+            self.setup(1.0), law, self._errors, angles, self.compliance, pairs
         )
         if none >= 0:
             j, k = divmod(none, disc.pins)

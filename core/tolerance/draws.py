@@ -6,6 +6,7 @@ on other sources. Words are used as they are: NumPy promises these, not what it 
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -22,11 +23,15 @@ KINDS = {
     "eccentricity": (6,),
     "crank_phase": (7,),
     "disc_phase": (8,),
+    "ring_pin_position": (9, 10),
+    "ring_pin_radius": (11,),
+    "equidistant": (12,),
+    "modification_pin_circle": (13,),
 }
 """Streams of each source; of a zone one for the radius and one for the angle."""
 
-RING_PIN_PLACE = 9, 10
-"""Streams of the zone of a ring's pins."""
+OF_RING = ("ring_pin_position", "ring_pin_radius", "equidistant", "modification_pin_circle")
+"""Sources of a ring of pins, and of the cycloid discs on them."""
 
 OTHER = 1000
 """Added to the kinds for a second, independent sample of the same seed."""
@@ -34,15 +39,17 @@ OTHER = 1000
 Distribution = Literal["normal", "uniform"]
 
 
-def uniforms(*, seed: int, kind: int, index: int, samples: int, first: int = 0) -> FloatArray:
-    """Numbers between 0 and 1 of a stream, neither of them included.
+def uniforms(
+    *, seed: int, streams: Sequence[tuple[int, int]], samples: int, first: int = 0
+) -> FloatArray:
+    """Numbers between 0 and 1 of streams, neither of them included.
 
     Parameters
     ----------
     seed : int
         Of the study, >= 0.
-    kind, index : int
-        Stream, and number of the part from 0.
+    streams : sequence of tuple
+        Kind of each, and number of the part from 0.
     samples : int
         How many.
     first : int
@@ -50,17 +57,23 @@ def uniforms(*, seed: int, kind: int, index: int, samples: int, first: int = 0) 
 
     Returns
     -------
-    array, shape (samples,)
+    array, shape (streams, samples)
 
     Examples
     --------
-    >>> uniforms(seed=7, kind=0, index=0, samples=2).tolist()
-    [0.8720734548204874, 0.2953653815137836]
+    >>> uniforms(seed=7, streams=[(0, 0)], samples=2).tolist()
+    [[0.8720734548204874, 0.2953653815137836]]
     """
-    bits = np.random.Philox(key=np.array([seed, (kind << 32) + index], dtype=np.uint64))
-    bits.advance(first // 4)
-    words = bits.random_raw(first % 4 + samples)[first % 4 :]
-    numbers: FloatArray = (words >> np.uint64(11)).astype(np.float64) * 2.0**-53 + 2.0**-54
+    bits = np.random.Philox(key=np.array([seed, 0], np.uint64))
+    state = bits.state
+    state["state"]["counter"][0] = first // 4
+    numbers = np.empty((len(streams), samples))
+    for row, (kind, index) in zip(numbers, streams, strict=True):
+        state["state"]["key"][1] = (kind << 32) + index
+        bits.state = state  # a tenth of the time of another generator
+        row[:] = bits.random_raw(first % 4 + samples)[first % 4 :] >> np.uint64(11)
+    numbers *= 2.0**-53
+    numbers += 2.0**-54
     return numbers
 
 
@@ -91,11 +104,39 @@ class Spread:
         -------
         array
         """
+        return self.spread(normals(uniform) if self.distribution == "normal" else uniform)
+
+    def spread(self, numbers: FloatArray) -> FloatArray:
+        """The same of numbers of its distribution.
+
+        Parameters
+        ----------
+        numbers : array
+            As `normals` makes them, or between 0 and 1.
+
+        Returns
+        -------
+        array
+        """
         if self.distribution == "uniform":
-            return self.lower + uniform * (self.upper - self.lower)
-        tail = 0.5 * math.erfc(3 / math.sqrt(2))
-        normal = _normal_quantile(tail + uniform * (1 - 2 * tail))
-        return (self.lower + self.upper) / 2 + (self.upper - self.lower) / 6 * normal
+            return self.lower + numbers * (self.upper - self.lower)
+        return (self.lower + self.upper) / 2 + (self.upper - self.lower) / 6 * numbers
+
+
+def normals(uniform: FloatArray) -> FloatArray:
+    """Normal deviations within three standard deviations, of numbers between 0 and 1.
+
+    Parameters
+    ----------
+    uniform : array
+        Numbers between 0 and 1.
+
+    Returns
+    -------
+    array
+    """
+    tail = 0.5 * math.erfc(3 / math.sqrt(2))
+    return _normal_quantile(tail + uniform * (1 - 2 * tail))
 
 
 CENTRE = (
@@ -116,15 +157,27 @@ TAIL = (
 within 0.425 of the middle and from there to probabilities of 1e-11."""
 
 
+def _polynomial(powers: tuple[float, ...], x: FloatArray) -> FloatArray:
+    """By Horner's rule, in one array."""
+    value = np.full_like(x, powers[0])
+    for power in powers[1:]:
+        value *= x
+        value += power
+    return value
+
+
 def _normal_quantile(probability: FloatArray) -> FloatArray:
     """The number below which a normal deviation lies with a probability."""
     off = probability - 0.5
     square = 0.180625 - off * off
-    centre: FloatArray = off * np.polyval(CENTRE[0], square) / np.polyval(CENTRE[1], square)
-    outside = np.abs(off) > 0.425
-    depth = np.sqrt(-np.log(0.5 - np.abs(off[outside]))) - 1.6
-    tail = np.polyval(TAIL[0], depth) / np.polyval(TAIL[1], depth)
-    centre[outside] = np.copysign(tail, off[outside])
+    centre = _polynomial(CENTRE[0], square)
+    centre *= off
+    centre /= _polynomial(CENTRE[1], square)
+    outside = np.nonzero(np.abs(off) > 0.425)
+    far = off[outside]
+    depth = np.sqrt(-np.log(0.5 - np.abs(far))) - 1.6
+    tail = _polynomial(TAIL[0], depth) / _polynomial(TAIL[1], depth)
+    centre[outside] = np.copysign(tail, far)
     return centre
 
 

@@ -10,8 +10,20 @@ import numpy as np
 from core.arrays import BoolArray, FloatArray
 from core.errors import InvalidInput
 from core.output.compiled import at_hand
-from core.output.loop_rows import BINDS, FITS, FORCE, LOST_MOTION, Errors, Load, Pairs, Pieces, Room
+from core.output.loop_rows import (
+    BINDS,
+    FITS,
+    FORCE,
+    LOST_MOTION,
+    Around,
+    Errors,
+    Load,
+    Pairs,
+    Pieces,
+    Room,
+)
 from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.stage import blank_rows
 from core.output.summits import summits
 from core.output.turn import Turn, as_rows
 from core.tolerance.quantiles import Estimate, percentile, share
@@ -25,6 +37,9 @@ QUANTITIES = (
     "lost_motion",
     "stiffness_min",
 )
+
+PRESSURES = frozenset(("max_pressure", "ring_max_pressure"))
+"""Quantities of which the kernel says what their square is a multiple of."""
 
 BLOCK, LARGEST = 64, 1024
 """Pieces that are calculated at once, at least and at most."""
@@ -51,6 +66,14 @@ class Evaluation:
     output_torque: float  # T on the output link, N*m, not 0; negative in reverse
     positions: int = 60  # of the wave, evenly spaced
     lost_motion_share: float = 0.03  # of the torque under which the lost motion is taken
+
+    @property
+    def around(self) -> Around:
+        """The positions as the loops take them."""
+        rows: Around = blank_rows(Around, pins=self.positions, satellites=1)
+        for k, psi in enumerate(_places(self.positions)):
+            rows.sine[k], rows.cosine[k] = math.sin(psi), math.cos(psi)
+        return rows
 
 
 @dataclass(frozen=True, slots=True)
@@ -170,7 +193,23 @@ class Study:
             seed=self.seed,
             samples=range(self.samples),
             other=tuple(other),
+            ring_pins=self.ring_pins,
         )
+
+    @property
+    def output(self) -> RealMechanism:
+        """The output mechanism."""
+        return self.real
+
+    @property
+    def ring_pins(self) -> int:
+        """Pins of a ring of which pieces are drawn."""
+        return 0
+
+    @property
+    def pairs(self) -> int:
+        """Pairs of a piece."""
+        return self.real.mechanism.pins * self.real.mechanism.satellites
 
     def block(self, pieces: int) -> int:
         """How many of the pieces are a block; where threads share them, there are some for each.
@@ -184,8 +223,7 @@ class Study:
         -------
         int
         """
-        own = self.real.mechanism
-        most = min(WORK // (self.asked.positions * own.pins * own.satellites), LARGEST)
+        most = min(WORK // (self.asked.positions * self.pairs), LARGEST)
         if self.mapped is None:
             most = min(most, pieces // (4 * (self.threads or at_hand().threads)))
         return max(most, BLOCK)
@@ -238,28 +276,29 @@ class Study:
     def _columns(self, found: Sequence[Pieces]) -> tuple[FloatArray, FloatArray]:
         """Columns of what is asked, of the quantities of all blocks."""
         columns = {
-            name: np.concatenate([getattr(each, name) for each in found]) for name in Pieces._fields
+            name: np.concatenate([getattr(each, name) for each in found])
+            for name in type(found[0])._fields
         }
-        if "max_pressure" in self.asked.quantities:
-            columns["max_pressure"] = np.sqrt(self._square_pressure * columns["max_pressure"])
+        for name in PRESSURES.intersection(self.asked.quantities):
+            columns[name] = np.sqrt(self.square_pressure(name) * columns[name])
         values = np.stack([columns[name] for name in self.asked.quantities], axis=1)
         values[np.isinf(values).any(axis=1)] = np.nan  # play without an end, at a dead centre
         return values, columns["fits"]
 
-    def values_of(self, rows: Errors[FloatArray]) -> tuple[FloatArray, FloatArray]:
-        """The same of a few given pieces, here.
+    def values_of(self, pieces: Drawn) -> tuple[FloatArray, FloatArray]:
+        """The same of a few pieces, here.
 
         Parameters
         ----------
-        rows : Errors
-            Their deviations, a table of each.
+        pieces : Drawn
+            The pieces.
 
         Returns
         -------
         values, fits : array
             As `values` gives them.
         """
-        return self._columns([self._block(rows)])
+        return self._columns([self.drawn(pieces)])
 
     def drawn(self, pieces: Drawn) -> Pieces:
         """Quantities of pieces, drawn where they are calculated.
@@ -288,14 +327,15 @@ class Study:
         under_load = bool({*asked.quantities} - {"backlash_max", "lost_motion"})
         kernel.pieces(
             Errors(*map(kernel.table, pieces)),
-            asked.positions,
             under_load,
             lost,
             real.law_constants,
             load,
             kernel.row(real.mechanism.crank_angles),
             kernel.row(real.compliance),
+            kernel.row(real.outward),
             as_rows(values=real.blank(Pairs), row=kernel.row),
+            as_rows(values=asked.around, row=kernel.row),
             as_rows(values=real.blank(Room), row=kernel.row),
             results,
         )
@@ -315,21 +355,115 @@ class Study:
         -------
         RealMechanism
         """
-        return self._piece(pieces.part(index, index + 1).rows(), 0)
+        return replace(self.real, deviations=self.deviations(pieces, index))
 
-    def _piece(self, pieces: Errors[FloatArray], index: int) -> RealMechanism:
-        rows = {name: table[index] for name, table in pieces._asdict().items()}
-        own = deviations(rows=rows, pins=self.real.mechanism.pins)
-        return replace(self.real, deviations=own)
+    def deviations(self, pieces: Drawn, index: int) -> Deviations:
+        """Those of one piece, but for a ring's.
 
-    @property
-    def _square_pressure(self) -> float:
-        """Square of the largest pressure over what the kernel says of it."""
-        real = replace(self.real, deviations=Deviations())
+        Parameters
+        ----------
+        pieces : Drawn
+            The pieces.
+        index : int
+            Which of them.
+
+        Returns
+        -------
+        Deviations
+        """
+        rows = pieces.part(index, index + 1).rows()._asdict()
+        return deviations(
+            rows={name: row for name, (row,) in rows.items()}, pins=self.real.mechanism.pins
+        )
+
+    def refuse(self, pieces: Drawn) -> None:
+        """Refuse what cannot work of the first piece.
+
+        Parameters
+        ----------
+        pieces : Drawn
+            The pieces.
+
+        Raises
+        ------
+        ImpossibleMechanism
+            If it cannot.
+        """
+        asked = self.asked
+        turn = Turn(self.piece(pieces, 0), asked.output_torque, asked.lost_motion_share)
+        for kind in (FORCE, LOST_MOTION):
+            turn.values(kind, _places(asked.positions))
+
+    def square_pressure(self, name: str) -> float:
+        """Square of a quantity that is a pressure, over what the kernel says of it.
+
+        Parameters
+        ----------
+        name : str
+            Of the quantity.
+
+        Returns
+        -------
+        float
+        """
+        real = replace(self.output, deviations=Deviations())
         unit = real.contact(0, 1.0)
         if unit is None:
             raise InvalidInput("pin_material", None, "needed", field="hole_material")
         return float(unit.max_pressure**2 / real.pairs.curved[0])
+
+    def grid_errors(self, pieces: Drawn, values: FloatArray) -> dict[str, float]:
+        """What the positions miss of each quantity.
+
+        Parameters
+        ----------
+        pieces : Drawn
+            The pieces.
+        values : array, shape (pieces, quantities)
+            Their quantities.
+
+        Returns
+        -------
+        dict of float
+            By the names of the quantities, relative.
+        """
+        missed = self.missed_by_finer(pieces, values, FINER, narrowed=("peak_force",))
+        if "peak_force" in self.asked.quantities:
+            missed["peak_force"] = _missed_peak(self, pieces, values)
+        return missed
+
+    def missed_by_finer(
+        self, pieces: Drawn, values: FloatArray, times: int, narrowed: Sequence[str] = ()
+    ) -> dict[str, float]:
+        """What the first pieces have at so many times as many positions, over what they have at
+        those asked.
+
+        Parameters
+        ----------
+        pieces, values : Drawn and array
+            As `grid_errors` takes them.
+        times : int
+            How many times as many.
+        narrowed : sequence of str
+            Quantities that are left out.
+
+        Returns
+        -------
+        dict of float
+            By the names of the quantities, relative.
+        """
+        asked, missed = self.asked, {}
+        others = tuple(name for name in asked.quantities if name not in narrowed)
+        if others:
+            finer = replace(asked, quantities=others, positions=times * asked.positions)
+            fine, _ = replace(self, asked=finer).values_of(pieces.part(0, FINER_SAMPLES))
+            for name, column in zip(others, fine.T, strict=True):
+                coarse = values[:FINER_SAMPLES, asked.quantities.index(name)]
+                both = ~np.isnan(coarse) & ~np.isnan(column)
+                size = float(np.abs(column[both]).sum())
+                off = float(np.abs(column[both] - coarse[both]).sum())
+                missed[name] = off / size if size else 0.0
+        return missed
 
 
 def tolerance_study(study: Study) -> ToleranceStudy:
@@ -349,58 +483,35 @@ def tolerance_study(study: Study) -> ToleranceStudy:
     ImpossibleMechanism
         If the piece at the middle of all limits cannot work.
     """
-    own, asked = study.real.mechanism, study.asked
-    middle = study.tolerances.middle(pins=own.pins, satellites=own.satellites)
-    nominal = _nominal(replace(study, real=replace(study.real, deviations=middle)))
+    nominal = _nominal(study)
     pieces = study.pieces()
     values, fits = study.values(pieces)
     return ToleranceStudy(
-        quantities=asked.quantities,
+        quantities=study.asked.quantities,
         values=values,
         fits=fits == FITS,
         binds=fits == BINDS,
         nominal=nominal,
         cannot_assemble=share(successes=int((fits != FITS).sum()), count=len(fits)),
-        angle_grid_error=_grid_errors(study, pieces, values),
+        angle_grid_error=study.grid_errors(pieces, values),
     )
 
 
 def _nominal(study: Study) -> dict[str, float]:
-    """Quantities of the piece that the study's mechanism is; a refusal where it fits and cannot
+    """Quantities of the piece at the middle of all limits; a refusal where it fits and cannot
     work.
     """
-    real, asked = study.real, study.asked
-    rows = real.deviations.rows(real.mechanism.pins, real.mechanism.satellites)
-    (values,), (fits,) = study.values_of(Errors(*[np.array([row]) for row in rows]))
+    middle = study.pieces(tolerances=study.tolerances.middle).part(0, 1)
+    (values,), (fits,) = study.values_of(middle)
     if fits != FITS:
         return {}
     if np.isnan(values).any():
-        turn = Turn(real, asked.output_torque, asked.lost_motion_share)
-        for kind in (FORCE, LOST_MOTION):
-            turn.values(kind, _places(asked.positions))
-    return dict(zip(asked.quantities, map(float, values), strict=True))
+        study.refuse(middle)
+    return dict(zip(study.asked.quantities, map(float, values), strict=True))
 
 
 def _places(positions: int) -> list[float]:
     return [2 * math.pi * k / positions for k in range(positions)]
-
-
-def _grid_errors(study: Study, pieces: Drawn, values: FloatArray) -> dict[str, float]:
-    """What the positions miss of each quantity."""
-    asked, missed = study.asked, {}
-    others = tuple(name for name in asked.quantities if name != "peak_force")
-    if others:
-        finer = replace(asked, quantities=others, positions=FINER * asked.positions)
-        fine, _ = replace(study, asked=finer).values_of(pieces.part(0, FINER_SAMPLES).rows())
-        for name, column in zip(others, fine.T, strict=True):
-            coarse = values[:FINER_SAMPLES, asked.quantities.index(name)]
-            both = ~np.isnan(coarse) & ~np.isnan(column)
-            size = float(np.abs(column[both]).sum())
-            off = float(np.abs(column[both] - coarse[both]).sum())
-            missed[name] = off / size if size else 0.0
-    if "peak_force" in asked.quantities:
-        missed["peak_force"] = _missed_peak(study, pieces, values)
-    return missed
 
 
 def _missed_peak(study: Study, pieces: Drawn, values: FloatArray) -> float:

@@ -2,13 +2,22 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
 from core.arrays import FloatArray, check_positive
 from core.output.loop_rows import Errors
 from core.output.real_mechanism import Deviations
-from core.tolerance.draws import KINDS, OTHER, Spread, uniforms, zone_places
+from core.tolerance.draws import (
+    KINDS,
+    OF_RING,
+    OTHER,
+    Spread,
+    normals,
+    uniforms,
+    zone_places,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,9 +31,13 @@ class Tolerances:
     eccentricity: Spread | None = None  # deviation, m
     crank_phase: Spread | None = None  # rad
     disc_phase: Spread | None = None  # rad
+    ring_pin_position: float | None = None  # as of the pins, of those of a ring
+    ring_pin_radius: Spread | None = None  # likewise
+    equidistant: Spread | None = None  # of the modification, m; one tool cuts all discs of a piece
+    modification_pin_circle: Spread | None = None  # likewise
 
     def __post_init__(self) -> None:
-        zones = {"pin_position": self.pin_position, "hole_position": self.hole_position}
+        zones = {name: getattr(self, name) for name in KINDS if name.endswith("position")}
         check_positive(**{name: zone for name, zone in zones.items() if zone is not None})
 
     @property
@@ -41,26 +54,18 @@ class Tolerances:
 
         return middle(self.hole_radius) - middle(self.pin_radius) - middle(self.eccentricity)
 
-    def middle(self, *, pins: int, satellites: int) -> Deviations:
-        """The piece at the middle of all limits.
-
-        Parameters
-        ----------
-        pins, satellites : int
-            Numbers N and K.
-
-        Returns
-        -------
-        Deviations
-        """
-        counts = {"pin_radius": pins, "hole_radius": pins * satellites}
-        rows = {}
+    @property
+    def middle(self) -> "Tolerances":
+        """Of which all pieces are at the middle of all limits."""
+        found = self
         for source in self.sources:
-            given = getattr(self, source)
-            if isinstance(given, Spread):
-                middle = (given.lower + given.upper) / 2
-                rows[source] = np.full(counts.get(source, satellites), middle)
-        return deviations(rows=rows, pins=pins)
+            found = found.without(source)
+        return found
+
+    @property
+    def of_ring(self) -> tuple[str, ...]:
+        """Names of what varies of a ring and the discs on it."""
+        return tuple(name for name in self.sources if name in OF_RING)
 
     def without(self, source: str) -> "Tolerances":
         """The same with a source at the middle of its limits.
@@ -81,6 +86,16 @@ class Tolerances:
         return replace(self, **{source: None})
 
 
+class RingRows(NamedTuple):
+    """Deviations of the pins of rings, and of the tools of their discs, a row for each piece."""
+
+    ring_pin_radial: FloatArray  # m, shape (n, z_p)
+    ring_pin_tangential: FloatArray  # m, (n, z_p)
+    ring_pin_radius: FloatArray  # m, (n, z_p)
+    equidistant: FloatArray  # of the modification, m, (n, 1)
+    modification_pin_circle: FloatArray  # m, (n, 1)
+
+
 @dataclass(frozen=True, slots=True)
 class Drawn:
     """Pieces that a seed draws, made where they are calculated; none hangs on the others."""
@@ -91,6 +106,7 @@ class Drawn:
     seed: int  # of the study
     samples: range  # numbers of the pieces, one after the other
     other: tuple[str, ...] = ()  # sources that are drawn from the second, independent sample
+    ring_pins: int = 0  # z_p of a ring
 
     def __len__(self) -> int:
         return len(self.samples)
@@ -117,33 +133,73 @@ class Drawn:
         Errors
             A table of each deviation, C-contiguous: a row for each piece.
         """
-
-        def stream(source: str, part: int, count: int, common: bool) -> FloatArray:
-            kind = KINDS[source][part] + (OTHER if source in self.other else 0)
-            first, samples = self.samples.start, len(self)
-            columns = [
-                uniforms(seed=self.seed, kind=kind, index=index, samples=samples, first=first)
-                for index in range(1 if common else count)
-            ]
-            return np.stack(columns * (count if common else 1), axis=1)
-
         counts = {"pin": self.pins, "hole": self.pins * self.satellites}
-        rows = {
-            name: np.zeros((len(self), counts.get(name.split("_")[0], self.satellites)))
-            for name in Errors._fields
-        }
-        for source in self.tolerances.sources:
-            of, given = source.split("_")[0], getattr(self.tolerances, source)
-            count = counts.get(of, self.satellites)
+
+        def many(name: str) -> int:
+            return counts.get(name.split("_")[0], self.satellites)
+
+        tables = {name: np.zeros((len(self), many(name))) for name in Errors._fields}
+        own = [source for source in self.tolerances.sources if source not in OF_RING]
+        self._fill(tables, {source: (source.split("_")[0], many(source)) for source in own})
+        return Errors(**tables)
+
+    def ring_rows(self) -> RingRows:
+        """The same of the ring's pins, and of the tools.
+
+        Returns
+        -------
+        RingRows
+        """
+
+        def many(name: str) -> int:
+            return self.ring_pins if name.startswith("ring_pin") else 1
+
+        tables = {name: np.zeros((len(self), many(name))) for name in RingRows._fields}
+        own = self.tolerances.of_ring
+        self._fill(tables, {source: ("ring_pin", many(source)) for source in own})
+        return RingRows(**tables)
+
+    def _fill(
+        self, tables: Mapping[str, FloatArray], sources: Mapping[str, tuple[str, int]]
+    ) -> None:
+        """Draw sources, each of what and of how many parts, into the tables of their names."""
+        numbers = self._numbers({source: count for source, (_, count) in sources.items()})
+        for source, (of, _) in sources.items():
+            given = getattr(self.tolerances, source)
             if isinstance(given, Spread):
-                rows[source] = given.values(stream(source, 0, count, given.common))
+                tables[source][:] = given.spread(numbers[source][0]).T
                 continue
-            rows[f"{of}_radial"], rows[f"{of}_tangential"] = zone_places(
-                diameter=given,
-                radius_uniform=stream(source, 0, count, False),
-                angle_uniform=stream(source, 1, count, False),
+            of_radius, of_angle = numbers[source]
+            radial, tangential = zone_places(
+                diameter=given, radius_uniform=of_radius, angle_uniform=of_angle
             )
-        return Errors(**{name: np.ascontiguousarray(row) for name, row in rows.items()})
+            tables[f"{of}_radial"][:], tables[f"{of}_tangential"][:] = radial.T, tangential.T
+
+    def _numbers(self, counts: Mapping[str, int]) -> dict[str, list[FloatArray]]:
+        """Numbers of the streams of sources of so many parts, those of normal ones as such; all in
+        one pass.
+        """
+
+        def normal(source: str) -> bool:
+            given = getattr(self.tolerances, source)
+            return isinstance(given, Spread) and given.distribution == "normal"
+
+        streams: list[tuple[int, int]] = []
+        parts: dict[str, list[slice]] = {}
+        normal_ones = 0
+        for source in sorted(counts, key=normal, reverse=True):
+            common = getattr(getattr(self.tolerances, source), "common", False)
+            count = 1 if common else counts[source]
+            other = OTHER if source in self.other else 0
+            for kind in KINDS[source]:
+                parts.setdefault(source, []).append(slice(len(streams), len(streams) + count))
+                streams += [(kind + other, index) for index in range(count)]
+            normal_ones = len(streams) if normal(source) else normal_ones
+        numbers = uniforms(
+            seed=self.seed, streams=streams, samples=len(self), first=self.samples.start
+        )
+        numbers[:normal_ones] = normals(numbers[:normal_ones])
+        return {source: [numbers[part] for part in own] for source, own in parts.items()}
 
 
 def deviations(*, rows: Mapping[str, FloatArray], pins: int) -> Deviations:

@@ -107,7 +107,8 @@ export function shownFields(model, state, on = isOn) {
   return model.groups.flatMap((group) => group.items).flatMap((item) => (item.path
     ? [item]
     : item.options.find((option) => option.id === state.chosen[item.id]).fields)).filter((field) =>
-    !field.wanted || field.kind === "switch" || (on(model, field.wanted, state.texts) && applies(model, state.texts, field)));
+    !field.wanted || field.kind === "switch"
+      || ([field.wanted, field.needs].every((group) => !group || on(model, group, state.texts)) && applies(model, state.texts, field)));
 }
 
 /** The fields that a link says: those too that come back with a group which is off. */

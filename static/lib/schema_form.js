@@ -214,7 +214,7 @@ function allowedBy(pattern) {
 /**
  * A group that is off until wanted: its switch, and fields of the bodies of endpoints of its own, by their paths.
  * What is said of a field stands above its schema, or that of the field that it is `like`: `when`, `words` (name and group of its title), `options` besides those
- * of the schema, `empty` (what an empty box says), `follows` (the list that stands for an empty one, from the other boxes), `rows` and `columns` of a list of records that the body has as lists, own values that are left out (`without`). A group is `judged` where the verdict
+ * of the schema, `needs` (another group that has to be on), `empty` (what an empty box says), `follows` (the list that stands for an empty one, from the other boxes), `rows` and `columns` of a list of records that the body has as lists, own values that are left out (`without`). A group is `judged` where the verdict
  * hangs on it too, and off while one is that it `needs`.
  */
 function wantedGroup(openapi, { id, paths, fields, needs, judged = false }, words) {

@@ -5,6 +5,7 @@ export default {
   own: {
     "real.on": { title: "Clearance and errors", help: "Forces, play and stiffness of the mechanism as it is made: with clearance, errors and elasticity." },
     "study.pin_class": { title: "Pin diameter, class", help: "ISO 286 class of the diameter that touches the hole." },
+    "study.ring_pin_class": { title: "Diameter of the ring's pins, class", help: "ISO 286 class of the diameter of the pins of the ring." },
     "study.hole_class": { title: "Hole diameter, class", help: "ISO 286 class of the diameter of the holes." },
     "real.pins": { title: "Measured pins", help: "Deviations of a measured part, of each pin: outward, in the driving sense, of its radius." },
     "teeth.ring_pins": { title: "Measured pins of the ring", help: "Deviations of a measured ring, of each of its pins: outward, as the output turns, of its radius. The first faces the crank at φ = 0, the others follow against the clock; zeros say that there are none." },
@@ -646,6 +647,8 @@ export default {
     "rollers.peak_load_N": { title: "Largest load of a roller", symbol: "F" },
     "rollers.equivalent_load_N": { title: "Equivalent load of a roller", symbol: "P" },
     "ring_mesh.peak_force_N": { title: "Largest force of a pin of the ring", symbol: "F_max" },
+    ring_peak_force_N: { title: "Largest force of a pin of the ring", symbol: "F_max" },
+    ring_max_pressure_MPa: { title: "Largest pressure on a pin of the ring", symbol: "p₀" },
     "ring_mesh.peak_force_ratio": { title: "Largest force over that of perfect parts" },
     "ring_mesh.peak_crank_angle_deg": { title: "Crank angle of the largest force", symbol: "φ" },
     "ring_mesh.peak_pair": { title: "Pair with the largest force" },

@@ -69,6 +69,7 @@ KERNELS = {
     *(each.__name__ for each in SOURCES),
     "core.ring.approach",
     "core.ring.series_kernel",
+    "core.ring.series_pieces",
 }
 """Loops that are compiled as well, which knows no arguments by keyword; not for other packages."""
 

@@ -18,10 +18,12 @@ from core.output.over_turn import OverTurn, over_turn
 from core.output.real_mechanism import RealMechanism
 from core.output.satellite_support import CrankSupport, ElasticMesh, Shares
 from core.output.turn import Turn
+from core.ring.series_study import SERIES_QUANTITIES, SeriesStudy
 from core.tolerance.draws import Spread
 from core.tolerance.study import QUANTITIES, Evaluation, Study
 from core.tolerance.tolerances import Tolerances
 from tests.inputs.real_mechanisms import LAWS, STEEL, design
+from tests.inputs.series import drawn as both_meshes
 
 
 @pytest.fixture(autouse=True)
@@ -101,6 +103,23 @@ def same_bits(real: RealMechanism) -> None:
         piece = study.piece(pieces, 0)
         plain, fast = both(lambda piece=piece, torque=torque: looked_at(piece, torque))
         assert plain == fast
+
+
+@pytest.mark.parametrize("exact", [True, False])
+def test_both_give_the_same_bits_of_pieces_in_series(exact: bool) -> None:
+    real, _, torque = both_meshes(6, exact=exact)
+    wide = replace(
+        WIDE,
+        ring_pin_position=1e-5,
+        ring_pin_radius=Spread(-3e-6, 3e-6),
+        equidistant=Spread(1e-5, 2e-5),
+        modification_pin_circle=Spread(-3e-6, 3e-6),
+    )
+    asked = Evaluation(SERIES_QUANTITIES, torque, positions=4)
+    study = SeriesStudy(real, wide, asked, samples=4)
+    plain, fast = both(lambda: study.values(study.pieces()))
+    assert (plain[0].tobytes(), plain[1].tolist()) == (fast[0].tobytes(), fast[1].tolist())
+    assert 2 in plain[1]
 
 
 READ = [name for name, value in vars(OverTurn).items() if isinstance(value, property | derived)]

@@ -161,6 +161,15 @@ test("what belongs to a box that goes goes with it, and comes back as it was typ
   assert.deepEqual(["linear", "hertz", "linear"].map(said), [[7000, 0.25, 0], [undefined, undefined, 0], [7000, 0.25, 0]]);
 });
 
+test("a field that needs another group goes with that, too", () => {
+  const fields = { ...GROUP.fields, tolerance: { when: ["law", "linear"], needs: "bearings" } };
+  const wanted = [{ ...GROUP, fields }, { id: "bearings", paths: GROUP.paths, fields: {} }];
+  const model = formModel(SERVICE, { path: "/api/v1/job", groups: ["mechanism", "contact"], hidden: ["mechanism.include"], wanted, words: ownWords });
+  const { texts, chosen } = stateFromInput(model, INPUT);
+  const shown = (on) => shownFields(model, { texts: { ...texts, "real.on": "on", law: "linear", "bearings.on": on }, chosen }).map(({ path }) => path);
+  assert.deepEqual(["on", "off"].map((on) => shown(on).includes("tolerance")), [true, false]);
+});
+
 test("what cannot be read in it keeps nobody else from an answer, and says where it is", () => {
   const wanted = next.switched(opened(), "real", true, 0);
   const state = next.typedIn(wanted, "parts.table", "0,01; | x; ", 0);
@@ -433,6 +442,22 @@ test("the histogram has room for all marks", () => {
   assert.deepEqual([low, high, bars[0].height, lines[0].x], [100, 230, 1, 0]);
   assert.ok(Math.abs(bars[1].x + bars[1].width - 1) < 1e-12);
   assert.deepEqual(marks.map(({ value }) => value), ["100\u00a0N", "120\u00a0N", "200\u00a0N"]);
+});
+
+test("a ring with tolerances is in series, by whole teeth; without them it is not asked for", () => {
+  const gear = { kind: "cycloid", ring_pin_circle_radius_mm: 60, ring_pin_radius_mm: 4, tool_radius_mm: 3, modification: { equidistant_mm: 0.02 } };
+  const body = (tolerances, besides = {}) => study.asked({ ...DESIGN, besides: {
+    bearings: { on: "on" }, gear, tolerances, quantities: ["peak_force_N", "ring_peak_force_N"], ...besides,
+  } });
+  const found = body({ equidistant_mm: 0.003, ring_pin_diameter: { class: "h6" } });
+  assert.deepEqual(found.mechanism, { pins: 3, satellites: 2, satellite_teeth: 20, ring_teeth: 21 });
+  const { tool_radius_mm, ...asked } = gear;
+  assert.deepEqual(found.gear, { contact_length_mm: 10, ...asked });
+  assert.deepEqual([found.satellite_coupling, found.quantities.length], [{ kind: "ring" }, 2]);
+  assert.deepEqual(found.tolerances, { equidistant_mm: 0.003, ring_pin_diameter: { class: "h6" } });
+  assert.equal(body({ ring_pin_position_mm: 0.01 }, { satellite_coupling: { shares: [0.4, 0.6] } }).satellite_coupling.kind, "shares"); // which the service refuses
+  const without = body({ ring_pin_diameter: {} });
+  assert.deepEqual([without.gear, without.satellite_coupling, without.quantities], [undefined, undefined, ["peak_force_N"]]);
 });
 
 test("a study without a number of samples leaves it to the service", () => {

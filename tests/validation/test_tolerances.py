@@ -43,10 +43,10 @@ def run(samples: int) -> ToleranceStudy:
 
 
 def test_words_of_the_streams() -> None:
-    first = uniforms(seed=7, kind=0, index=0, samples=4)
+    first = uniforms(seed=7, streams=[(0, 0)], samples=4)[0]
     expected = [0.8720734548204874, 0.2953653815137836, 0.4200976785072423, 0.40539224578399463]
     assert first.tolist() == expected
-    later = uniforms(seed=7, kind=5, index=3, samples=2, first=4)
+    later = uniforms(seed=7, streams=[(5, 3)], samples=2, first=4)[0]
     assert later.tolist() == [0.2782616019829404, 0.5776596513917984]
 
 

@@ -21,6 +21,7 @@ const lawAt = (path, own = {}) => Object.fromEntries([
 ].map(([name, kind]) => [`${path}.${name}`, { ...own, when: [`${path}.kind`, kind], required: true }]));
 const classOf = (part, letters) => ({ like: `tolerances.${part}_diameter.class`, words: [`${part}_class`, "study"], ...letters });
 const byOwn = { when: ["study.sizes", "class", "limits"] };
+const ofRing = { when: ["gear.kind", "cycloid"], needs: "bearings" }; // where the ring stands
 const byLimits = (part, end) => ({ when: ["study.sizes", "limits"], words: [`${part}_${end}`, "study"] });
 
 const REAL = {
@@ -64,6 +65,10 @@ const STUDY = {
   "tolerances.eccentricity_mm": {},
   "tolerances.crank_phase_deg": {},
   "tolerances.disc_phase_deg": {},
+  "tolerances.ring_pin_position_mm": ofRing,
+  "tolerances.ring_pin_diameter.class": { ...ofRing, options: [""], words: ["ring_pin_class", "study"] },
+  "tolerances.equidistant_mm": ofRing,
+  "tolerances.modification_pin_circle_mm": ofRing,
   quantities: { words: ["quantities", "study"], section: "load_sharing" },
   samples: { empty: "fitting" },
   "study.ranked": { options: ["ranked", "plain"], default: "ranked", words: ["ranked", "study"] },
@@ -72,6 +77,7 @@ const STUDY = {
   crank_angles: rare,
   ...Object.fromEntries(["peak_force_N", "max_pressure_MPa", "transmission_error_arcmin", "backlash_max_arcmin",
     "lost_motion_arcmin", "stiffness_min_Nm_per_arcmin"].map((name) => [`limits.${name}`, rare])),
+  ...Object.fromEntries(["ring_peak_force_N", "ring_max_pressure_MPa"].map((name) => [`limits.${name}`, { ...rare, ...ofRing }])),
 };
 
 const BARE = ["rolling.on", undefined, "", "off"]; // where no rollers are on the pins

@@ -1,0 +1,306 @@
+"""What tolerances do to pieces of both meshes in series: a ring of pins too, and its discs."""
+
+import math
+from dataclasses import dataclass, replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from core.arrays import FloatArray
+from core.errors import ImpossibleMechanism, InvalidInput
+from core.output.compiled import at_hand
+from core.output.loop_rows import FORCE, LOST_MOTION, Errors, Load
+from core.output.real_mechanism import RealMechanism
+from core.output.turn import as_rows
+from core.ring import series_pieces
+from core.ring.profile import CycloidDisc, Modification
+from core.ring.series import MeshesInSeries
+from core.ring.series_pieces import MeshErrors, SeriesPieces
+from core.ring.series_turn import SeriesTurn
+from core.ring.sharing import LOST, RingDeviations
+from core.tolerance.draws import Spread
+from core.tolerance.study import QUANTITIES, Study
+from core.tolerance.tolerances import Drawn, RingRows
+
+SERIES_QUANTITIES = (*QUANTITIES, "ring_peak_force", "ring_max_pressure")
+
+UNDER_LOAD = {*SERIES_QUANTITIES} - {"backlash_max", "lost_motion"}
+
+FINER = 8
+"""How many times as many positions show what those asked miss."""
+
+LOOKED = 16
+"""Crank angles in each pitch of the ring's pins at which is looked whether a piece fits."""
+
+NAMES = {"equidistant": "equidistant", "pin_circle": "modification_pin_circle"}
+"""Tolerances of a modification, by its own names."""
+
+TRIED = 24
+"""Ways of going through the turns that are tried, of which one comes everywhere on the wave."""
+
+
+@cache
+def crank_places(*, lobes: int, count: int) -> tuple[float, ...]:
+    """Crank angles evenly over a turn, each in another of the turns after which all repeats, so
+    that the wave angles of the output are nearly even too.
+
+    Parameters
+    ----------
+    lobes : int
+        Of a disc: as many turns.
+    count : int
+        How many.
+
+    Returns
+    -------
+    tuple of float
+        rad.
+
+    Examples
+    --------
+    >>> [round(angle/(2*math.pi), 3) for angle in crank_places(lobes=5, count=4)]
+    [0.0, 2.25, 4.5, 1.75]
+    """
+    each, golden = np.arange(count), lobes * (math.sqrt(5) - 1) / 2
+    steps = [step for step in range(1, lobes) if math.gcd(step, lobes) == 1]
+    steps = sorted(steps, key=lambda step: abs(step - golden))[:TRIED]
+
+    def turns(step: int) -> FloatArray:
+        return each / count + each * step % lobes
+
+    def widest(step: int) -> float:
+        """Widest gap of the wave angles."""
+        waves = np.sort(turns(step) * (1 + 1 / lobes) % 1)
+        return round(float(np.diff(waves, append=waves[0] + 1).max()), 12)
+
+    return tuple((2 * math.pi * turns(min(steps, key=widest))).tolist())
+
+
+@dataclass(frozen=True, slots=True)
+class SeriesStudy(Study):
+    """A design of both meshes in series, its tolerances, and what is asked."""
+
+    real: MeshesInSeries  # type: ignore[assignment] # the nominal design, without deviations
+
+    def __post_init__(self) -> None:
+        own = self.real.ring.disc.modification
+        try:
+            for disc in self._extreme_discs():
+                disc.refuse_undercut()
+        except InvalidInput as error:
+            if (name := NAMES.get(error.parameter)) is None:
+                raise
+            off = error.value - getattr(own, error.parameter)
+            params = error.params | {"limit": error.params["limit"] - (error.value - off)}
+            raise InvalidInput(f"tolerances.{name}", off, error.code, **params) from error
+        ring = self.real.ring
+        if ring.exact and self._valley_gap > LOST:
+            radius = ring.disc.valley_radius
+            raise ImpossibleMechanism("valley_lost", radius=1e3 * radius, share=self._valley_gap)
+
+    def _ends(self, source: str) -> tuple[float, float]:
+        """Least and largest deviation of a source."""
+        given = getattr(self.tolerances, source)
+        if isinstance(given, Spread):
+            return given.lower, given.upper
+        return (0.0, 0.0) if given is None else (-given / 2, given / 2)
+
+    def _extreme_discs(self) -> list[CycloidDisc]:
+        disc = self.real.ring.disc
+        return [
+            _cut(disc, equidistant, pin_circle)
+            for equidistant in self._ends("equidistant")
+            for pin_circle in self._ends("modification_pin_circle")
+        ]
+
+    @property
+    def _valley_gap(self) -> float:
+        """Largest gap of a pin in the middle of a valley, of any piece, over the radius there."""
+        own, ends = self.real.ring.disc.modification, self._ends
+        middle = own.equidistant - own.pin_circle
+        most, least = middle, middle
+        for source, sign in (
+            ("equidistant", 1),
+            ("ring_pin_position", 1),
+            ("modification_pin_circle", -1),
+            ("ring_pin_radius", -1),
+            ("eccentricity", -1),
+        ):
+            low, high = sorted(sign * end for end in ends(source))
+            least, most = least + low, most + high
+        return max(most, -least) / self.real.ring.disc.valley_radius
+
+    @property
+    def output(self) -> RealMechanism:
+        """The output mechanism."""
+        return self.real.output
+
+    @property
+    def ring_pins(self) -> int:
+        """Number z_p of the ring's pins."""
+        return self.real.ring.disc.pins
+
+    @property
+    def pairs(self) -> int:
+        """Pairs of both meshes."""
+        own = self.real.mechanism
+        return (own.pins + self.ring_pins) * own.satellites
+
+    def places(self, count: int) -> tuple[float, ...]:
+        """Crank angles at which pieces are solved.
+
+        Parameters
+        ----------
+        count : int
+            How many.
+
+        Returns
+        -------
+        tuple of float
+            rad.
+        """
+        return crank_places(lobes=self.ring_pins - 1, count=count)
+
+    def drawn(self, pieces: Drawn) -> Any:
+        """Quantities of pieces, drawn where they are calculated.
+
+        Parameters
+        ----------
+        pieces : Drawn
+            The pieces.
+
+        Returns
+        -------
+        SeriesPieces
+        """
+        series, asked = self.real, self.asked
+        ring, output = series.ring, series.output
+        kernel = at_hand(series_pieces)
+        row, table = kernel.row, kernel.table
+        direction = math.copysign(1.0, asked.output_torque)
+        setups: Any = series.setup(direction), series.setup(-direction)
+        load = Load(abs(float(asked.output_torque)), float(asked.lost_motion_share), *setups)
+        errors, of_ring = pieces.rows(), pieces.ring_rows()
+        # The lag of a disc has its phase.
+        turned = errors._replace(disc_phase=-errors.crank_phase / output.mechanism.ratio)
+        mesh = MeshErrors(*of_ring[:3], errors.disc_phase, _tools(ring.disc, of_ring))
+        none = [0.0] * len(pieces)
+        results = as_rows(values=SeriesPieces(*[none] * len(SeriesPieces._fields)), row=row)
+        fresh = replace(series)  # its rows are written over
+        kernel.pieces(
+            Errors(*map(table, turned)),
+            MeshErrors(*map(table, mesh)),
+            row(self.places(asked.positions)),
+            row(self.places(LOOKED * self.ring_pins)),
+            bool(UNDER_LOAD.intersection(asked.quantities)),
+            "lost_motion" in asked.quantities,
+            (ring.law_constants, output.law_constants),
+            load,
+            row(series.mechanism.crank_angles),
+            (row(ring.compliance), row(output.compliance)),
+            row(output.outward),
+            as_rows(values=fresh.pairs, row=row),
+            as_rows(values=fresh.room(), row=row),
+            results,
+        )
+        return results
+
+    def piece(self, pieces: Drawn, index: int) -> Any:
+        """Both meshes of one piece.
+
+        Parameters
+        ----------
+        pieces : Drawn
+            The pieces.
+        index : int
+            Which of them.
+
+        Returns
+        -------
+        MeshesInSeries
+        """
+        own, ring = self.deviations(pieces, index), self.real.ring
+        rows = pieces.part(index, index + 1).ring_rows()
+        radial, tangential, radius = (tuple(row[0].tolist()) for row in rows[:3])
+        shared = own.eccentricity, own.crank_phase, own.disc_phase
+        of_ring = RingDeviations(radial, tangential, radius, *shared)
+        disc = _cut(ring.disc, *(float(row[0, 0]) for row in rows[3:]))
+        return MeshesInSeries(
+            replace(ring, disc=disc, deviations=of_ring),
+            replace(self.real.output, deviations=own),
+        )
+
+    def refuse(self, pieces: Drawn) -> None:
+        """Refuse what cannot work of the first piece.
+
+        Parameters
+        ----------
+        pieces : Drawn
+            The pieces.
+
+        Raises
+        ------
+        ImpossibleMechanism
+            If it cannot.
+        """
+        asked = self.asked
+        turn = SeriesTurn(self.piece(pieces, 0), asked.output_torque, asked.lost_motion_share)
+        for kind in (FORCE, LOST_MOTION):
+            turn.values(kind, self.places(asked.positions))
+
+    def square_pressure(self, name: str) -> float:
+        """Square of a quantity that is a pressure, over what the kernel says of it.
+
+        Parameters
+        ----------
+        name : str
+            Of the quantity.
+
+        Returns
+        -------
+        float
+        """
+        if name != "ring_max_pressure":
+            return Study.square_pressure(self, name)
+        unit = self.real.ring.pressure(1.0)
+        if unit is None:
+            raise InvalidInput("pin_material", None, "needed", field="disc_material")
+        return unit**2
+
+    def grid_errors(self, pieces: Drawn, values: FloatArray) -> dict[str, float]:
+        """What the positions miss of each quantity.
+
+        Parameters
+        ----------
+        pieces : Drawn
+            The pieces.
+        values : array, shape (pieces, quantities)
+            Their quantities.
+
+        Returns
+        -------
+        dict of float
+            By the names of the quantities, relative.
+        """
+        return self.missed_by_finer(pieces, values, FINER)
+
+
+def _cut(disc: CycloidDisc, equidistant: float, pin_circle: float) -> CycloidDisc:
+    """A disc that another tool cuts, by how much its modification is off, m."""
+    own = disc.modification
+    changed = Modification(own.equidistant + equidistant, own.pin_circle + pin_circle, own.rotation)
+    return replace(disc, modification=changed)
+
+
+def _tools(disc: CycloidDisc, rows: RingRows) -> FloatArray:
+    """What the loops take of the tool of each piece."""
+    changes = np.concatenate([rows.equidistant, rows.modification_pin_circle], axis=1)
+    if not changes.any():
+        changes = changes[:1]
+    found = []
+    for equidistant, pin_circle in changes.tolist():
+        one = _cut(disc, equidistant, pin_circle)
+        own = one.modification
+        found.append((one.tool_circle_radius, one.tool_radius, own.equidistant, own.pin_circle))
+    return np.array(found * (len(rows.equidistant) // len(found)))
