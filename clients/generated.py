@@ -21,6 +21,13 @@ from tests.running_service import running_service
 PYTHON_PACKAGES = ("openapi-python-client==0.29.1", "mypy==2.4.1", "ruff==0.17.5")
 NODE_PACKAGES = ("openapi-typescript@7.13.0", "openapi-fetch@0.17.0", "typescript@5.9.3")
 
+FILES = """
+content_type_overrides:
+  image/vnd.dxf: application/octet-stream
+  application/zip: application/octet-stream
+"""
+"""Files whose kinds openapi-python-client does not know: bytes, as what it does."""
+
 BODY = {
     "pins": 8,
     "satellite_teeth": 40,
@@ -91,7 +98,9 @@ def python_client(url: str, folder: Path) -> str:
     venv.create(folder / "venv", with_pip=True)
     command = folder / "venv/bin"
     run(command / "pip", "install", "--quiet", *PYTHON_PACKAGES, cwd=folder)
-    generate = ("generate", "--path", "openapi.json", "--output-path", "generated")
+    (folder / "files.yaml").write_text(FILES)
+    given = ("--path", "openapi.json", "--config", "files.yaml")
+    generate = ("generate", *given, "--output-path", "generated")
     told = run(command / "openapi-python-client", *generate, "--meta", "none", cwd=folder)
     if "WARNING" in told or "ERROR" in told:
         sys.exit(f"openapi-python-client does not take all of the description:\n{told}")

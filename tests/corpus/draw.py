@@ -112,6 +112,31 @@ def sections() -> list[Asked]:
     return found
 
 
+IN_SERIES: list[dict[str, Any]] = [
+    {"requirements": {"max_transmission_error_arcmin": 1.0, "max_lost_motion_arcmin": 9.0}},
+    {"load": {"torque_direction": "alternating", "peak_torque_Nm": 300.0}},
+    {"gear": {"modification": {"equidistant_mm": 0.03, "rotation_arcmin": 0.5}}},
+    {"deviations": {"eccentricity_mm": [0.002, -0.002], "disc_phase_deg": [0.01, -0.01]}},
+    {"mechanism": {"output": "ring"}, "contact": {"hole_clearance_mm": 0.05}},
+]
+"""What changes the example of cycloid discs whose meshes are solved in series."""
+
+
+def in_series() -> list[Asked]:
+    """Designs that are judged by both meshes, with what their ring does."""
+    (whole,) = (each["input"] for each in EXAMPLES if each["id"] == "cycloid")
+    found = []
+    for more in IN_SERIES:
+        body = json.loads(json.dumps(whole))
+        for section, values in more.items():
+            body[section] = None if values is None else {**body.get(section, {}), **values}
+        body = {name: each for name, each in body.items() if each is not None}
+        found.append(asked("crank-planetary", body))
+        every = ["load_sharing", "ring_mesh", "ring_drawing", "checks"]
+        found.append(asked("crank-planetary", body | {"include": every}))
+    return found
+
+
 def held() -> list[Asked]:
     """What exact values are known of."""
     return [
@@ -146,7 +171,7 @@ def main() -> None:
     service = Service()
     good = [
         each
-        for each in usual() + sections() + held()
+        for each in usual() + sections() + in_series() + held()
         if service.post(each["path"], each["body"])[0] == 200
     ]
     good += drawn(COUNT - REFUSED - len(good), service)
