@@ -112,7 +112,9 @@ class StressCycles:
                 x, chi = points.section[:1], points.direction[:1]
             else:
                 pairs = self._pairs(self.turn, points, lambda use: REACHED * beside(use, points))
-                x, chi = self._followed(points, OfArcs(self.turn, pairs))
+                x, chi = self._risen(
+                    points, pairs, *self._followed(points, OfArcs(self.turn, pairs))
+                )
             if corners:
                 places = (x, chi), self._on_corners(points.of(np.s_[:ON_CORNERS]))
                 x, chi = (np.concatenate(each) for each in zip(*places, strict=True))
@@ -202,6 +204,30 @@ class StressCycles:
             return use, (left.reshape(2, -1) == 0).all(axis=0)
 
         return climbed(value=near, points=start)
+
+    def _risen(
+        self, points: Points, pairs: Summits, x: FloatArray, chi: FloatArray
+    ) -> tuple[FloatArray, FloatArray]:
+        """The worst of these sections and directions, and where the cycle itself is worst near it:
+        of high exponents the pair that was followed is not always that of the extremes.
+        """
+
+        def cycle(sections: FloatArray, directions: FloatArray) -> tuple[FloatArray, BoolArray]:
+            within = np.clip(sections, start.low[:, None], start.high[:, None])
+            use = self._used(*self._ends(self.moments(within.ravel()), directions.ravel()))
+            return use.reshape(sections.shape), np.ones(len(sections), dtype=np.bool_)
+
+        best = [first_of(values=self._used(*self._ends(self.moments(x), chi)), section=x)]
+        start = points.of(pairs.row[best])
+        near = replace(
+            start,
+            section=x[best],
+            direction=chi[best],
+            length=start.length / NARROWER,
+            angle=start.angle / NARROWER,
+        )
+        other = climbed(value=cycle, points=near)
+        return np.append(x[best], other[0]), np.append(chi[best], other[1])
 
     def _on_corners(self, points: Points) -> tuple[FloatArray, FloatArray]:
         """Sections and directions at which cycles at the nearest corner are worst."""

@@ -41,6 +41,33 @@ async def test_the_reference_design(api):
     assert "locus" not in answer and "warnings" not in answer
 
 
+async def test_the_worst_direction_of_a_high_exponent(api):
+    """Of a random request, by an oracle at 40 digits: what is followed there is not the worst."""
+    body = {
+        "mechanism": {"pins": 2, "satellites": 4, "ratio": 500000, "crank_spacing_deg": 90.0},
+        "load": {
+            "pin_circle_radius_mm": 13570.0,
+            "output_torque_Nm": 481.109508,
+            "force_exponent": 300.0,
+        },
+        "pin": {
+            "diameter_mm": 3.56,
+            "contact_length_mm": 2.077,
+            "satellite_positions_mm": [1.58, 4.04759678941505, 6.603, 9.723562603943055],
+            "material": {"youngs_modulus_GPa": 198.0, "poissons_ratio": 0.2838,
+                "tensile_strength_MPa": 1251.8462599391023, "yield_strength_MPa": 303.0},
+        },
+        "fatigue": {
+            "criterion": "soderberg",
+            "surface": "machined",
+            "reliability_percent": 99,
+            "notch": {"theoretical_factor": 3.3325824085460543, "radius_mm": 3.82e-06},
+        },
+    }  # fmt: skip
+    answer = (await api.post(PATH, json=body)).json()
+    assert answer["fatigue"]["safety_factor"] == pytest.approx(5.7074352635020088, rel=1e-11)
+
+
 async def test_a_torque_that_alternates(api):
     body = changed(load={"torque_direction": "alternating"})
     body["fatigue"] = LIMIT
