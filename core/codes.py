@@ -624,6 +624,16 @@ _LIMITS = {
         "mesh holds the other's half of it still.",
         mend="State another coupling of the satellites to see either mesh by itself.",
     ),
+    "meshes_apart": _limit(
+        "The mesh with the ring and that with the pins are solved each by itself: in series they "
+        "have {forces:d} forces over the turns, more than {limit:d}.",
+        title="Meshes solved apart",
+        tests="Whether both meshes are few enough pairs and turns to be solved together.",
+        why="In series discs find their place between both meshes: there is more play, and the "
+        "ring relieves the bearings on the cranks less.",
+        mend="Take pins of the ring without listed deviations, which repeat sooner, or ask "
+        "load-sharing at single crank angles.",
+    ),
     "unusual_shortening": _limit(
         "The shortening coefficient of the discs is {shortening:.3g}: most drives have 0.35 to "
         "0.9.",

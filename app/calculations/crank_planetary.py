@@ -115,7 +115,7 @@ from core.checks.usual_modification import (
 from core.derived import if_known
 from core.design.drawings import drawn_mesh, drawn_teeth
 from core.design.real_forces import RealForces
-from core.design.results import MOST_BEARING_PAIRS, MOST_PIN_PAIRS, Results
+from core.design.results import MOST_BEARING_PAIRS, MOST_IN_SERIES, MOST_PIN_PAIRS, Results
 from core.errors import CalculationError
 from core.fixes.fix import Fix
 from core.output.contact_force import ContactForce, ForceCurves, PairNumber, drawing_angles
@@ -765,6 +765,8 @@ def solve(body: CrankPlanetaryRequest) -> Values:
     )
     if run(body, lambda: body.results.in_series)[0]:
         notices += (Notice("both_meshes"),)
+    elif forces := run(body, lambda: body.results.forces_in_series)[0]:
+        notices += (Notice("meshes_apart", {"forces": forces, "limit": MOST_IN_SERIES}),)
     if (disc := run(body, body.solve_disc)[0]) is not None:
         notices += (disc,)
     if "pin_strength" not in asked:  # which tells it itself

@@ -116,14 +116,19 @@ class Results:
     @cached_property
     def in_series(self) -> bool:
         """Whether both meshes are solved in series: where the ring's can be, of at most
-        `MOST_IN_SERIES` forces over the turn.
+        `MOST_IN_SERIES` forces over the turns.
         """
+        return 0 < self.forces_in_series <= MOST_IN_SERIES
+
+    @cached_property
+    def forces_in_series(self) -> int:
+        """Number of forces over the turns of both meshes in series; 0 where they are not."""
         if not self.design.in_series or (ring := if_known(lambda: self.ring_mesh)) is None:
-            return False
+            return 0
         pairs = self.design.mechanism.pairs + ring.disc.pins * self.design.mechanism.satellites
         pitches = None if not ring.pins_alike else ring.disc.satellite_teeth
         lobes = ring.disc.satellite_teeth
-        return positions_in_series(lobes=lobes, pitches=pitches) * pairs <= MOST_IN_SERIES
+        return positions_in_series(lobes=lobes, pitches=pitches) * pairs
 
     @derived
     def series(self) -> MeshesInSeries:

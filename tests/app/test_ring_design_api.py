@@ -271,6 +271,33 @@ async def test_angles_are_those_of_the_output(api):
         assert two["over_turn"][name] == pytest.approx(part * one["over_turn"][name], rel=1e-6)
 
 
+async def test_more_forces_than_are_solved_in_series_are_said(api):
+    """Of 58 lobes, pins of the ring that deviate: 58 turns of 59 pitches."""
+    body = {
+        "mechanism": {"pins": 8, "satellites": 2, "ratio": 58},
+        "load": {"output_torque_Nm": 50, "pin_circle_radius_mm": 30},
+        "contact": {
+            "contact_length_mm": 10,
+            "pin_radius_mm": 4,
+            "eccentricity_mm": 0.7,
+            "hole_clearance_mm": 0.02,
+        },
+        "gear": {
+            "kind": "cycloid",
+            "ring_pin_circle_radius_mm": 60,
+            "ring_pin_radius_mm": 1.5,
+            "modification": {"equidistant_mm": 0.02},
+        },
+    }
+    lists = {"ring_pin_radial_mm": [0.001, 0.0] * 29 + [0.0]}
+    answer = (await api.post(PATH, json=body | {"deviations": lists})).json()
+    (said,) = [each for each in answer["warnings"] if each["code"] == "meshes_apart"]
+    assert said["params"] == {"forces": 58 * 59 * 2 * (8 + 59), "limit": 250_000}
+    alike = (await api.post(PATH, json=body)).json()
+    assert "meshes_apart" not in {each["code"] for each in alike["warnings"]}
+    assert "both_meshes" in {each["code"] for each in alike["warnings"]}
+
+
 @pytest.mark.parametrize("off", [None, [0.004, -0.003, 0.002, 0.0, 0.001] * 4])
 async def test_both_meshes_are_in_series_where_both_are_known(api, off):
     """Numbers of `/load-sharing` at places of its own: over the turn, and of the cranks."""
