@@ -10,7 +10,7 @@ import numpy as np
 from core.arrays import FloatArray
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.compiled import at_hand
-from core.output.loop_rows import FORCE, LOST_MOTION, Errors, Load
+from core.output.loop_rows import FORCE, LOST_MOTION, Errors
 from core.output.real_mechanism import RealMechanism
 from core.output.turn import as_rows
 from core.ring import series_pieces
@@ -24,8 +24,6 @@ from core.tolerance.study import QUANTITIES, Study
 from core.tolerance.tolerances import Drawn, RingRows
 
 SERIES_QUANTITIES = (*QUANTITIES, "ring_peak_force", "ring_max_pressure")
-
-UNDER_LOAD = {*SERIES_QUANTITIES} - {"backlash_max", "lost_motion"}
 
 FINER = 8
 """How many times as many positions show what those asked miss."""
@@ -178,9 +176,6 @@ class SeriesStudy(Study):
         ring, output = series.ring, series.output
         kernel = at_hand(series_pieces)
         row, table = kernel.row, kernel.table
-        direction = math.copysign(1.0, asked.output_torque)
-        setups: Any = series.setup(direction), series.setup(-direction)
-        load = Load(abs(float(asked.output_torque)), float(asked.lost_motion_share), *setups)
         errors, of_ring = pieces.rows(), pieces.ring_rows()
         # The lag of a disc has its phase.
         turned = errors._replace(disc_phase=-errors.crank_phase / output.mechanism.ratio)
@@ -193,10 +188,10 @@ class SeriesStudy(Study):
             MeshErrors(*map(table, mesh)),
             row(self.places(asked.positions)),
             row(self.places(LOOKED * self.ring_pins)),
-            bool(UNDER_LOAD.intersection(asked.quantities)),
+            self.under_load,
             "lost_motion" in asked.quantities,
             (ring.law_constants, output.law_constants),
-            load,
+            self.load,
             row(series.mechanism.crank_angles),
             (row(ring.compliance), row(output.compliance)),
             row(output.outward),

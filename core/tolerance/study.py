@@ -314,23 +314,30 @@ class Study:
         """
         return self._block(pieces.rows())
 
+    @property
+    def load(self) -> Load:
+        """What is asked of each piece, as the loops take it."""
+        asked, setup = self.asked, self.real.setup
+        direction = math.copysign(1.0, asked.output_torque)
+        torque, share = abs(float(asked.output_torque)), float(asked.lost_motion_share)
+        return Load(torque, share, setup(direction), setup(-direction))
+
+    @property
+    def under_load(self) -> bool:
+        """Whether anything is asked that takes the forces under the torque."""
+        return bool({*self.asked.quantities} - {"backlash_max", "lost_motion"})
+
     def _block(self, pieces: Errors[FloatArray]) -> Pieces:
         real, asked = self.real, self.asked
         kernel = at_hand()
-        direction = math.copysign(1.0, asked.output_torque)
-        sizes = real.setup(direction), real.setup(-direction)
-
         none = [0.0] * len(pieces.pin_radial)
         results: Pieces = as_rows(values=Pieces(*[none] * len(Pieces._fields)), row=kernel.row)
-        load = Load(abs(asked.output_torque), asked.lost_motion_share, *sizes)
-        lost = "lost_motion" in asked.quantities
-        under_load = bool({*asked.quantities} - {"backlash_max", "lost_motion"})
         kernel.pieces(
             Errors(*map(kernel.table, pieces)),
-            under_load,
-            lost,
+            self.under_load,
+            "lost_motion" in asked.quantities,
             real.law_constants,
-            load,
+            self.load,
             kernel.row(real.mechanism.crank_angles),
             kernel.row(real.compliance),
             kernel.row(real.outward),

@@ -272,7 +272,7 @@ export default {
     contributions: "{quantity}: what each tolerance does",
     tighten: "Tighten first: {source}. Without it P{percent} of “{quantity}” would be {without}, by {change} better.",
     none: "{quantity}: no single tolerance is worth tightening alone.",
-    idle: "These do hardly anything and may be loosened: {sources}.",
+    idle: "These do hardly anything to “{quantity}” and may be loosened as far as that goes: {sources}.",
     together: "The shares add up to more than 100 %: tolerances act together, and tightening one also takes what it does with the others.",
     sampling: "Sampling: the percentiles of “{quantity}” are known to ±{error} with {samples} pieces; four times as many halve it.",
     grid: "Crank angles: {angles} positions miss {error} of “{quantity}”; more samples do not lower this, more crank angles do.",

@@ -135,7 +135,7 @@ export function advice(name, of) {
   return [
     best ? ["", message("study.tighten", { quantity, source: best.title, percent: formatNumber(best.percent), without: best.without, change: share(Math.abs(best.change), 2) })]
       : ["", message("study.none", { quantity })],
-    idle.length > 0 && ["", message("study.idle", { sources: idle.join("; ") })],
+    idle.length > 0 && ["", message("study.idle", { quantity, sources: idle.join("; ") })],
     rows.reduce((sum, { total }) => sum + total, 0) > 1.2 && ["", message("study.together")],
   ].filter(Boolean);
 }
