@@ -238,11 +238,15 @@ class RingResults:
             raise NotKnown("pins_in_seats")
         return pin
 
+    @cached_property
+    def on_pins(self) -> Made:
+        """Forces of the discs on the pins over the turn, of a torque likewise."""
+        return cache(lambda torque: forces_on_ring(self.turn(torque)))
+
     @derived
     def pin_stresses(self) -> PinStresses:
         """Stresses of the pins of the ring that bend, under the dynamic load."""
         design, mesh, pin = self.design, self.mesh, self.pin
-        made = cache(lambda torque: forces_on_ring(self.turn(torque)))
         return self._named(
             lambda: pin_stresses(
                 mechanism=mesh.mechanism,
@@ -257,7 +261,7 @@ class RingResults:
                 material=pin.material,
                 support=pin.support,
                 span=pin.span,
-                made=made,
+                made=self.on_pins,
             )
         )
 
