@@ -28,7 +28,7 @@ from core.first_yield import first_yield
 from core.hertz import HertzContact, force_factor, hertz
 from core.materials import Body
 from core.output.contact_force import ContactForce, contact_force
-from core.output.contact_law import ContactLaw, contact_compliance, usual_law
+from core.output.contact_law import RIGID_PINS, ContactLaw, contact_compliance, usual_law
 from core.output.edge_load import EdgeLoad, SlopingContacts
 from core.output.fit import Fit
 from core.output.loaded_position import loaded_position
@@ -41,7 +41,7 @@ from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.real_turn import sampled
 from core.output.sampled_turn import WAYS, Made, SampledTurn
-from core.output.satellite_support import Shares
+from core.output.satellite_support import RIGID_SUPPORT, Shares
 from core.output.turn import Turn
 from core.results import Notice
 from core.ring.bent_pins import forces_on_ring
@@ -185,7 +185,7 @@ class Results:
         """The mechanism as it is made, of at most `MOST_REAL_PAIRS`, or `MOST_GIVING_PAIRS`."""
         design = self.design
         radius, pair = design.load.pin_circle_radius, design.pair
-        most = MOST_REAL_PAIRS if design.support is None else MOST_GIVING_PAIRS
+        most = MOST_GIVING_PAIRS if design.support.first_order else MOST_REAL_PAIRS
         if design.mechanism.pairs > most:
             raise design.too_many(most)
         eccentricity = design.contact.eccentricity
@@ -196,7 +196,7 @@ class Results:
             refusal = InvalidInput("contact.eccentricity", None, "smaller_than", **than)
             raise NotKnown(refusal.code, refusal=refusal)
         bends = design.pin and design.pin.satellite_positions
-        pin = self.bent_pin if bends else None
+        pin = self.bent_pin if bends else RIGID_PINS
         return RealMechanism(
             mechanism=design.mechanism.built,
             pin_circle_radius=radius,
@@ -209,7 +209,9 @@ class Results:
             hole_material=design.lasting["hole"],
             pin=pin,
             deviations=design.output_deviations or Deviations(),
-            exact=design.support is None and not (bends and design.tied) and not self._by_flanks,
+            exact=not design.support.first_order
+            and not (bends and design.tied)
+            and not self._by_flanks,
             support=design.support,
             roller_play=design.roller_play,
         )
@@ -797,7 +799,7 @@ class Results:
         if gear.every_second_pin:
             raise NotKnown("every_second_pin")
         length = design.ring_length
-        shares = design.support if isinstance(design.support, Shares) else None
+        shares = design.support if isinstance(design.support, Shares) else RIGID_SUPPORT
         pairs = design.ring_pins * design.mechanism.satellites
         if pairs > MOST_RING_PAIRS:
             raise NotKnown("too_many_ring_pairs", pairs=pairs, limit=MOST_RING_PAIRS)
@@ -937,10 +939,7 @@ class Results:
     @property
     def bent_ring_pin(self) -> DesignPin:
         """A pin of the ring that bends."""
-        pin = self.design.gear.bent_pin
-        if pin is None:
-            raise NotKnown("pins_in_seats")
-        return pin
+        return self.design.gear.bent_pin
 
     @derived
     def ring_pin_stresses(self) -> PinStresses:

@@ -8,7 +8,7 @@ from core.crank.ring_mesh import RingMesh, cycloid_mesh, involute_mesh
 from core.design.sections import DesignPin
 from core.errors import InvalidInput, NotKnown
 from core.materials import ElasticMaterial
-from core.output.contact_law import ContactLaw, HertzLaw
+from core.output.contact_law import RIGID_PINS, ContactLaw, HertzLaw
 from core.results import Notice
 from core.ring.involute import HEIGHTS, Cutter, InvoluteTeeth, addendum_of, rack_of
 from core.ring.loss import RingFriction
@@ -167,10 +167,10 @@ class Ring:
         return self.contact_law or HertzLaw()
 
     @property
-    def bent_pin(self) -> DesignPin | None:
+    def bent_pin(self) -> DesignPin:
         """The pins as they bend, inside their sleeves; not at all in seats."""
         if self.pin_support == "seat":
-            return None
+            raise NotKnown("pins_in_seats")
         inner = self.sleeve_bore_radius or self.ring_pin_radius
         assert inner is not None and self.pin_material is not None
         return DesignPin(
@@ -308,7 +308,7 @@ class Ring:
         return CycloidMesh(
             disc=disc,
             pin_material=self.pin_material,
-            pin=self.bent_pin,
+            pin=RIGID_PINS if self.pin_support == "seat" else self.bent_pin,
             seat_stiffness=self.seat_stiffness,
             **made,
         )

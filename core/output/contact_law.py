@@ -2,7 +2,8 @@
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Self
 
 from core.arrays import Number, check_positive, larger, log
 from core.errors import InvalidInput
@@ -11,7 +12,7 @@ from core.materials import ElasticMaterial, effective_modulus
 from core.output.conformal_law import NO_CURVE, approach_over_load, conformal_curve, end
 from core.output.contact_kernel import pair_law
 from core.output.loop_rows import CONFORMAL, HERTZ, HERTZ_END, LINEAR, POWER, Curve, Law
-from core.output.pin_beam import PinBeam, Support
+from core.output.pin_beam import PinBeam, Support, check_apart
 from core.output.pin_section import PinSection, check_bore
 from core.output.tie_ring import RingJoint, TieRing
 
@@ -82,7 +83,69 @@ def usual_law(*, pin: ElasticMaterial | None, hole: ElasticMaterial | None) -> C
 
 
 @dataclass(frozen=True, slots=True)
-class PinSupport:
+class Pins:
+    """Pins as they are held: rigidly, where no kind of it says how they bend."""
+
+    @property
+    def bends(self) -> bool:
+        """Whether each bends for itself."""
+        return False
+
+    @property
+    def tied(self) -> bool:
+        """Whether a tie ring joins them."""
+        return False
+
+    @property
+    def loosely_tied(self) -> bool:
+        """Whether its joints are pinned, whose clearance is left out."""
+        return False
+
+    def at(self, satellite: int) -> Self:
+        """The pins under one of the satellites alone, counted from 0."""
+        return self
+
+    def bending(self, satellites: int) -> list[float]:
+        """Compliance of a pin at each satellite by its bending, m/N.
+
+        Parameters
+        ----------
+        satellites : int
+            Their number K.
+
+        Raises
+        ------
+        InvalidInput
+            If the pins are not held where that many satellites load them.
+        """
+        return [0.0] * satellites
+
+    def compliance(self, *, satellites: int, contact_length: float, pins: int) -> list[float]:
+        """Of a pin at each satellite, with the wall about its bore, m/N; where a tie ring joins the
+        pins what `tied_compliance` gives.
+
+        Parameters
+        ----------
+        satellites : int
+            Their number K.
+        contact_length : float
+            Length b on which each force presses, m, > 0.
+        pins : int
+            Number N of the pins.
+
+        Raises
+        ------
+        InvalidInput
+            As `bending`, and if satellites reach into each other.
+        """
+        return self.bending(satellites)
+
+
+RIGID_PINS = Pins()
+
+
+@dataclass(frozen=True, slots=True)
+class PinSupport(Pins):
     """How the pins are held, and where the satellites load them."""
 
     # Held at one end, simply supported at both, clamped at both, at one with a tie ring at the
@@ -99,6 +162,60 @@ class PinSupport:
     def section(self) -> PinSection:
         """Its section."""
         return PinSection(self.diameter, self.bore_diameter)
+
+    @property
+    def known_span(self) -> float:
+        """The span, where one is needed.
+
+        Raises
+        ------
+        InvalidInput
+            If it is not given.
+        """
+        if self.span is None:
+            raise InvalidInput("span", None, "needed", field="support")
+        return self.span
+
+    @property
+    def bends(self) -> bool:
+        """Whether no ring joins them."""
+        return not self.tied
+
+    @property
+    def tied(self) -> bool:
+        """Whether a tie ring joins them."""
+        return self.support == "tie_ring"
+
+    @property
+    def loosely_tied(self) -> bool:
+        """Whether its joints are pinned."""
+        return self.tied and self.ring_joint == "pinned"
+
+    def at(self, satellite: int) -> Self:
+        """The same under one satellite."""
+        return replace(
+            self, satellite_positions=self.satellite_positions[satellite : satellite + 1]
+        )
+
+    def _check_count(self, satellites: int) -> None:
+        places = self.satellite_positions
+        if len(places) != satellites:
+            counts = {"expected": satellites, "actual": len(places)}
+            raise InvalidInput("satellite_positions", places, "different_length", **counts)
+
+    def bending(self, satellites: int) -> list[float]:
+        """See `pin_compliance`."""
+        self._check_count(satellites)
+        return [*pin_compliance(self)]
+
+    def compliance(self, *, satellites: int, contact_length: float, pins: int) -> list[float]:
+        """Bending and wall."""
+        self._check_count(satellites)
+        places = self.satellite_positions
+        check_apart(name="satellite_positions", positions=places, width=contact_length)
+        wall = self.wall_compliance(contact_length)
+        alone = [each + wall for each in pin_compliance(self)]
+        return tied_compliance(pin=self, pins=pins, wall=wall) if self.tied else alone
 
     def wall_compliance(self, contact_length: float) -> float:
         """How much the wall about its bore gives under a force, m/N: in series with each contact.
@@ -159,7 +276,6 @@ def pin_compliance(pin: PinSupport) -> tuple[float, ...]:
     shear_modulus = pin.material.youngs_modulus / (2 * (1 + ratio))
     coefficient = pin.section.shear_coefficient(ratio)
     shear = coefficient / (shear_modulus * math.pi * (d**2 - bore**2) / 4)
-    span = pin.span
     compliances = []
     for index, z in enumerate(pin.satellite_positions):
         name = f"satellite_positions[{index}]"
@@ -169,8 +285,7 @@ def pin_compliance(pin: PinSupport) -> tuple[float, ...]:
         if pin.support == "cantilever":
             compliances.append(free)
             continue
-        if span is None:
-            raise InvalidInput("span", span, "needed", field="support")
+        span = pin.known_span
         if not z < span:
             raise InvalidInput(name, z, "smaller_than", field="span", limit=span)
         if pin.support == "tie_ring":  # which gives: see `tied_compliance`
@@ -208,8 +323,7 @@ def ring_of(pin: PinSupport) -> TieRing:
         youngs_modulus=pin.material.youngs_modulus,
         poissons_ratio=pin.material.poissons_ratio,
     )
-    assert pin.span is not None
-    return TieRing(pin.ring_joint, pin.span, beam.rigidity, beam.shear_area)
+    return TieRing(pin.ring_joint, pin.known_span, beam.rigidity, beam.shear_area)
 
 
 def tied_compliance(*, pin: PinSupport, pins: int, wall: float = 0.0) -> list[float]:

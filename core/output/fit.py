@@ -11,7 +11,7 @@ from core.hertz import HertzContact, force_factor
 from core.output.contact_kernel import alone
 from core.output.real_mechanism import RealMechanism
 from core.output.room import Binding, Rooms, State, TurnRoom
-from core.output.satellite_support import CrankSupport, Shares
+from core.output.satellite_support import Shares
 from core.precision import AS_TYPED
 
 Misfit = Literal[
@@ -159,11 +159,8 @@ class Fit:
     @property
     def _short(self) -> float:
         """By how much the pins are too thick, m; bearings of cranks give their clearance."""
-        given = 0.0
-        if isinstance(self.real.support, CrankSupport):
-            given = self.real.support.radial_clearance / 2
         nothing = AS_TYPED * (self.real.pin_radius + self.real.eccentricity)
-        short = -self.room.least - given
+        short = -self.room.least - self.real.support.loose
         return short if short > nothing else 0.0
 
     @cached_property

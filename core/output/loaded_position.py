@@ -11,7 +11,6 @@ from core.hertz import HertzContact
 from core.output.contact_law import HertzLaw
 from core.output.fit import Fit
 from core.output.real_mechanism import RealMechanism
-from core.output.satellite_support import ElasticMesh, Shares
 from core.output.sharing_kernel import at, pressing
 from core.results import Accuracy, Notice, poorly_known
 
@@ -114,7 +113,7 @@ def loaded_position(
         for i in rows
     ]
     own_lags = None
-    if isinstance(real.support, (ElasticMesh, Shares)):
+    if real.support.turning:
         own_lags = tuple(direction * lag for lag in room.own_lag)
     accuracy = Accuracy("newton_bracket", found.force_error / largest, found.steps)
     return LoadedPosition(
@@ -190,7 +189,7 @@ def notices(
         found.append(Notice("large_rotation", {"share": share}))
     if pressed:
         found.append(Notice("pressed_without_load"))
-    if real.tied_pin is not None and real.tied_pin.ring_joint == "pinned":
+    if real.pin.loosely_tied:
         found.append(Notice("ring_clearance_left_out"))
     if isinstance(real.law, HertzLaw) and real.law.reference_depth is not None:
         ratio = real.law.reference_depth / (real.pin_radius + real.eccentricity + real.clearance)
@@ -216,6 +215,5 @@ def bent_together(*, real: RealMechanism, force: FloatArray) -> tuple[Notice, ..
     -------
     tuple of Notice
     """
-    alone = real.pin is not None and real.tied_pin is None
-    together = alone and ((force > 0).sum(axis=0) > 1).any()
+    together = real.pin.bends and ((force > 0).sum(axis=0) > 1).any()
     return (Notice("pin_bending_uncoupled"),) if together else ()

@@ -50,9 +50,10 @@ class MeshesInSeries(Stage):
         for name, one, other in self._twice():
             if abs(one - other) > SAME * abs(other):
                 raise InvalidInput(name, one, "stages_differ", other=other)
-        if ring.support is not None or output.support is not None:
-            raise InvalidInput("support", ring.support or output.support, "only_one", field="ring")
-        if output.tied_pin is not None:
+        for support in (ring.support, output.support):
+            if support.first_order:
+                raise InvalidInput("support", support, "only_one", field="ring")
+        if output.pin.tied:
             raise InvalidInput("pin.support", "tie_ring", "only_one", field="ring")
 
     def _twice(self) -> Iterator[tuple[str, float, float]]:
@@ -130,7 +131,7 @@ class MeshesInSeries(Stage):
                     replace(
                         ring,
                         crank_angles=(angle,),
-                        pin=ring.pin and self._held(ring.pin, j),
+                        pin=ring.pin.at(j),
                         deviations=replace(
                             ring.deviations, **shared, disc_phase=of(errors.disc_phase)
                         ),
@@ -138,7 +139,7 @@ class MeshesInSeries(Stage):
                     replace(
                         output,
                         mechanism=replace(own, crank_angles=(angle,)),
-                        pin=output.pin and self._held(output.pin, j),
+                        pin=output.pin.at(j),
                         deviations=Deviations(
                             errors.pin_radial,
                             errors.pin_tangential,
@@ -154,10 +155,6 @@ class MeshesInSeries(Stage):
                 )
             )
         return tuple(found)
-
-    @staticmethod
-    def _held(pin: Any, j: int) -> Any:
-        return replace(pin, satellite_positions=pin.satellite_positions[j : j + 1])
 
     @cached_property
     def pairs(self) -> SeriesPairs:

@@ -19,19 +19,19 @@ from core.output.compiled import at_hand, plain
 from core.output.conformal_law import NO_CURVE, NO_WRAP
 from core.output.contact_force import PairNumber
 from core.output.contact_law import (
+    RIGID_PINS,
     ContactLaw,
     LinearLaw,
-    PinSupport,
+    Pins,
     check_law,
     law_constants,
     law_kind,
-    pin_compliance,
 )
-from core.output.loop_rows import PRESSURE, RIGID, SHARES, Law, Position
+from core.output.loop_rows import PRESSURE, Law, Position
 from core.output.mechanism import Mechanism
 from core.output.over_turn import Extreme, OverTurn
 from core.output.real_turn import CloseSamples, close_samples
-from core.output.satellite_support import Shares, check_shares
+from core.output.satellite_support import RIGID_SUPPORT, SatelliteSupport
 from core.output.stage import Stage, blank_rows, in_floats
 from core.output.summits import Summit, summits
 from core.output.turn import Turn
@@ -116,11 +116,12 @@ class CycloidMesh(Stage):
     law: ContactLaw  # of contact of each pair
     pin_material: ElasticMaterial | None = None  # needed for `HertzLaw` and for pressures
     disc_material: ElasticMaterial | None = None  # likewise
-    pin: PinSupport | None = None  # how ring pins bend; not at all in their seats
+    pin: Pins = RIGID_PINS  # how ring pins bend; not at all in their seats
     seat_stiffness: float = math.inf  # of a pin in its bore and what holds that, N/m
     deviations: RingDeviations = field(default_factory=RingDeviations)  # of this piece
     exact: bool = True  # geometry; else first order in lag and deviations
-    support: Shares | None = None  # given shares of the torque; else all discs have one lag
+    # Given shares of the torque; else all discs have one lag.
+    support: SatelliteSupport = RIGID_SUPPORT
 
     def __post_init__(self) -> None:
         check_single(contact_length=self.contact_length, seat_stiffness=self.seat_stiffness)
@@ -135,8 +136,7 @@ class CycloidMesh(Stage):
             raise InvalidInput(
                 "reference_depth", self.reference_depth, "less_than_equal", limit=high
             )
-        if self.support is not None:
-            check_shares(shares=self.support.shares, satellites=len(self.crank_angles))
+        self.support.check(len(self.crank_angles))
         if self.exact and self.disc.modification.rotation > 0:
             raise InvalidInput("exact", self.exact, "flanks_first_order", field="rotation")
 
@@ -152,11 +152,11 @@ class CycloidMesh(Stage):
             self,
             disc=replace(self.disc, modification=Modification()),
             law=LinearLaw(1e8),
-            pin=None,
+            pin=RIGID_PINS,
             seat_stiffness=math.inf,
             deviations=RingDeviations(),
             exact=False,
-            support=None,
+            support=RIGID_SUPPORT,
         )
 
     @property
@@ -213,7 +213,7 @@ class CycloidMesh(Stage):
                 exponent=exponent,
                 curve=NO_CURVE,
                 wrap=NO_WRAP,
-                support=RIGID if self.support is None else SHARES,
+                support=self.support.kind,
                 gives=0.0,
                 loose=0.0,
                 foot=self.exact,
@@ -229,14 +229,8 @@ class CycloidMesh(Stage):
     @property
     def compliance(self) -> list[float]:
         """Of a ring pin at each disc, m/N: of its seat, and of its bending."""
-        satellites, seat = len(self.crank_angles), 1 / self.seat_stiffness
-        if self.pin is None:
-            return [seat] * satellites
-        places = self.pin.satellite_positions
-        if len(places) != satellites:
-            counts = {"expected": satellites, "actual": len(places)}
-            raise InvalidInput("satellite_positions", places, "different_length", **counts)
-        return [each + seat for each in pin_compliance(self.pin)]
+        seat = 1 / self.seat_stiffness
+        return [each + seat for each in self.pin.bending(len(self.crank_angles))]
 
     @property
     def law_constants(self) -> Law:
@@ -368,9 +362,11 @@ class CycloidMesh(Stage):
         return room
 
     def _blank(self, kind: Any) -> Any:
-        shares = () if self.support is None else self.support.shares
         return blank_rows(
-            kind, pins=self.disc.pins, satellites=len(self.crank_angles), shares=shares
+            kind,
+            pins=self.disc.pins,
+            satellites=len(self.crank_angles),
+            shares=self.support.given_shares,
         )
 
     @property
@@ -418,7 +414,7 @@ class CycloidMesh(Stage):
         if not low <= self.disc.shortening_coefficient <= high:
             share = {"shortening": self.disc.shortening_coefficient}
             found.append(Notice("unusual_shortening", share))
-        if self.pin is None and not math.isfinite(self.seat_stiffness):
+        if not self.pin.bends and not math.isfinite(self.seat_stiffness):
             found.append(Notice("seat_rigid"))
         if self.exact and self.valley_gap > VALLEY:
             found.append(Notice("valley", {"share": self.valley_gap}))
