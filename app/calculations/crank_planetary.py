@@ -118,6 +118,7 @@ from core.design.real_forces import RealForces
 from core.design.results import MOST_BEARING_PAIRS, MOST_IN_SERIES, MOST_PIN_PAIRS, Results
 from core.errors import CalculationError
 from core.fixes.fix import Fix
+from core.material_record import NOT_LISTED
 from core.output.contact_force import ContactForce, ForceCurves, PairNumber, drawing_angles
 from core.output.mechanism import Mechanism
 from core.output.pin_geometry import (
@@ -483,8 +484,8 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         own = not isinstance(given, str) and (
             given.yield_strength_MPa or given.tensile_strength_MPa
         )
-        entry = None if own else entry_of(given)
-        return ColdYieldOut.values(cold, source=entry and entry.strength.source)
+        entry = NOT_LISTED if own else entry_of(given)
+        return ColdYieldOut.values(cold, source=entry.strength.source or None)
 
     def cyclogram_steps(self) -> list[Step]:
         """Worked steps of the cyclogram."""
