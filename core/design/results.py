@@ -225,9 +225,8 @@ class Results:
     @cached_property
     def law(self) -> ContactLaw:
         """The law of contact of pins in holes: as given, or by their materials."""
-        contact = self.design.contact
-        pin, hole = contact.pin_material, contact.hole_material
-        return self.design.contact_law or usual_law(pin=pin, hole=hole)
+        bodies = self.design.lasting
+        return self.design.contact_law or usual_law(pin=bodies["pin"], hole=bodies["hole"])
 
     @derived
     def grip(self) -> Grip:
@@ -346,7 +345,7 @@ class Results:
     @cached_property
     def compliance(self) -> Callable[[Number], Number]:
         """Approach of a contact over its force, m/N, of forces, N."""
-        contact = self.design.contact
+        bodies = self.design.lasting
         length, pin_radius, hole_radius = self.design.pair
         if not hole_radius > pin_radius:
             than = {"field": "pin_radius", "limit": pin_radius}
@@ -356,8 +355,8 @@ class Results:
             contact_length=length,
             pin_radius=pin_radius,
             hole_radius=hole_radius,
-            pin=contact.pin_material,
-            hole=contact.hole_material,
+            pin=bodies["pin"],
+            hole=bodies["hole"],
         )
 
     @property
@@ -798,7 +797,9 @@ class Results:
             raise NotKnown("cycloid_difference", difference=difference)
         if gear.every_second_pin:
             raise NotKnown("every_second_pin")
-        length = design.ring_length
+        length, disc_material = design.ring_length, design.disc_material
+        if disc_material is None:
+            raise NotKnown("limit_unknown", "gear.disc_material")
         shares = design.support if isinstance(design.support, Shares) else RIGID_SUPPORT
         pairs = design.ring_pins * design.mechanism.satellites
         if pairs > MOST_RING_PAIRS:
@@ -811,7 +812,7 @@ class Results:
                 disc=disc,
                 crank_angles=design.mechanism.built.crank_angles,
                 contact_length=length,
-                disc_material=design.disc_material,
+                disc_material=disc_material,
                 law=gear.law,
                 deviations=design.ring_deviations,
                 exact=change.rotation == 0,

@@ -53,6 +53,10 @@ class HertzLaw:
     # logarithm.
     reference_depth: float | None = None
 
+    def depth(self, hole_radius: float) -> float:
+        """That depth in a hole of a nominal radius, m."""
+        return hole_radius if self.reference_depth is None else self.reference_depth
+
 
 @dataclass(frozen=True, slots=True)
 class ConformalLaw:
@@ -64,12 +68,12 @@ class ConformalLaw:
 ContactLaw = LinearLaw | PowerLaw | PalmgrenLaw | HertzLaw | ConformalLaw
 
 
-def usual_law(*, pin: ElasticMaterial | None, hole: ElasticMaterial | None) -> ContactLaw:
+def usual_law(*, pin: ElasticMaterial, hole: ElasticMaterial) -> ContactLaw:
     """The law where none is given: by the materials, never by what they do, so that nothing jumps.
 
     Parameters
     ----------
-    pin, hole : ElasticMaterial, optional
+    pin, hole : ElasticMaterial
         The materials.
 
     Returns
@@ -78,7 +82,7 @@ def usual_law(*, pin: ElasticMaterial | None, hole: ElasticMaterial | None) -> C
         Conformal where a body is softer than `core.material_record.SOFT`, whose contacts wrap at
         usual loads; else Hertz's.
     """
-    soft = any(each is not None and each.youngs_modulus < SOFT for each in (pin, hole))
+    soft = min(pin.youngs_modulus, hole.youngs_modulus) < SOFT
     return ConformalLaw() if soft else HertzLaw()
 
 
@@ -368,8 +372,8 @@ def contact_compliance(
     contact_length: float,
     pin_radius: float,
     hole_radius: float,
-    pin: ElasticMaterial | None = None,
-    hole: ElasticMaterial | None = None,
+    pin: ElasticMaterial,
+    hole: ElasticMaterial,
 ) -> Callable[[Number], Number]:
     """Approach of a contact over its force: the secant of its law.
 
@@ -379,8 +383,8 @@ def contact_compliance(
         The law.
     contact_length, pin_radius, hole_radius : float
         Length b and radii, m.
-    pin, hole : ElasticMaterial, optional
-        Materials; needed for `HertzLaw` and `ConformalLaw`.
+    pin, hole : ElasticMaterial
+        Materials.
 
     Returns
     -------
@@ -462,8 +466,8 @@ def check_law(law: ContactLaw) -> None:
                 raise InvalidInput("exponent", n, "greater_than_equal", limit=MIN_EXPONENT)
             if not n <= MAX_EXPONENT:
                 raise InvalidInput("exponent", n, "less_than_equal", limit=MAX_EXPONENT)
-        case HertzLaw(reference_depth=depth) if depth is not None:
-            check_positive(reference_depth=depth)
+        case HertzLaw():
+            check_positive(reference_depth=law.depth(1.0))
 
 
 def law_constants(
@@ -471,8 +475,8 @@ def law_constants(
     law: ContactLaw,
     contact_length: float,
     hole_radius: float,
-    pin: ElasticMaterial | None,
-    hole: ElasticMaterial | None,
+    pin: ElasticMaterial,
+    hole: ElasticMaterial,
 ) -> Law:
     """Constants of a law, of which `core.output.contact_kernel.pair_law` makes those of each pair.
 
@@ -484,8 +488,8 @@ def law_constants(
         Length b of the contact, m.
     hole_radius : float
         Nominal hole radius, m.
-    pin, hole : ElasticMaterial, optional
-        Materials; needed for `HertzLaw` and `ConformalLaw`.
+    pin, hole : ElasticMaterial
+        Materials.
 
     Returns
     -------
@@ -510,8 +514,6 @@ def law_constants(
         case ConformalLaw():
             curve = law_curve(law=law, contact_length=contact_length, pin=pin, hole=hole)
             return Law(curve.modulus, *[0.0] * 7)._replace(end=end(curve))
-        case HertzLaw(reference_depth=depth):
-            pin, hole = _known(pin, hole)
     around = math.pi * contact_length
     return Law(
         a=0.0,
@@ -519,7 +521,7 @@ def law_constants(
         second=(1 - hole.poissons_ratio**2) / hole.youngs_modulus,
         quarter=around * effective_modulus(first=pin, second=hole) / 4,
         around=around,
-        depth=hole_radius if depth is None else depth,
+        depth=law.depth(hole_radius),
         ratio=hole.poissons_ratio / (1 - hole.poissons_ratio),
         end=0.0,
     )
@@ -529,8 +531,8 @@ def law_curve(
     *,
     law: ContactLaw,
     contact_length: float,
-    pin: ElasticMaterial | None,
-    hole: ElasticMaterial | None,
+    pin: ElasticMaterial,
+    hole: ElasticMaterial,
 ) -> Curve:
     """The curve of a contact that wraps; of other laws nothing.
 
@@ -540,8 +542,8 @@ def law_curve(
         The law.
     contact_length : float
         Length b of the contact, m.
-    pin, hole : ElasticMaterial, optional
-        Materials; needed for `ConformalLaw`.
+    pin, hole : ElasticMaterial
+        Materials.
 
     Returns
     -------
@@ -549,14 +551,4 @@ def law_curve(
     """
     if not isinstance(law, ConformalLaw):
         return NO_CURVE
-    pin, hole = _known(pin, hole)
     return conformal_curve(contact_length=contact_length, pin=pin, hole=hole)
-
-
-def _known(
-    pin: ElasticMaterial | None, hole: ElasticMaterial | None
-) -> tuple[ElasticMaterial, ElasticMaterial]:
-    """The materials, which the law needs."""
-    if pin is None or hole is None:
-        raise InvalidInput("pin_material", pin, "needed", field="law")
-    return pin, hole

@@ -2,12 +2,12 @@
 
 import math
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import chain
 from typing import Literal
 
 from core.errors import ImpossibleMechanism
-from core.hertz import HertzContact, force_factor
+from core.hertz import force_factor
 from core.output.contact_kernel import alone
 from core.output.real_mechanism import RealMechanism
 from core.output.room import Binding, Rooms, State, TurnRoom
@@ -119,8 +119,6 @@ class Fit:
         satellite by satellite; None where that is known of neither.
         """
         real = self.real
-        if real.pin_material is None or real.hole_material is None:
-            return None
         limits = [real.pin_material.elastic_pressure, real.hole_material.elastic_pressure]
         known = [each for each in limits if each is not None]
         if not known:
@@ -252,12 +250,7 @@ class Fit:
 
 def _force_under(real: RealMechanism, pair: int, pressure: float) -> float:
     """Force of a pair under which its governing pressure is a given one, N."""
-
-    def under(force: float) -> HertzContact:
-        contact = real.contact(pair, force)
-        assert contact is not None
-        return contact
-
+    under = partial(real.contact, pair)
     return force_factor(contact=under(1.0), contact_at=under, limit=pressure)
 
 

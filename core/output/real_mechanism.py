@@ -18,7 +18,7 @@ from core.errors import ImpossibleMechanism, InvalidInput
 from core.hertz import HertzContact, hertz
 from core.materials import ElasticMaterial
 from core.output.compiled import PLAIN, at_hand
-from core.output.conformal_law import NO_WRAP, conformal_wrap
+from core.output.conformal_law import conformal_wrap
 from core.output.contact_law import (
     RIGID_PINS,
     ContactLaw,
@@ -164,9 +164,9 @@ class RealMechanism(Stage):
     eccentricity: float  # e, m, > 0
     contact_length: float  # b, m, > 0
     law: ContactLaw  # of contact of each pair
+    pin_material: ElasticMaterial
+    hole_material: ElasticMaterial
     clearance: float = 0.0  # radial, c, m: hole less pin radius less e; < 0 is interference
-    pin_material: ElasticMaterial | None = None  # needed for `HertzLaw`, `ConformalLaw`, pressures
-    hole_material: ElasticMaterial | None = None  # likewise
     pin: Pins = RIGID_PINS  # how they are held
     deviations: Deviations = field(default_factory=Deviations)
     # Exact geometry; else first order in lag and deviations, fixed lines of action.
@@ -245,9 +245,7 @@ class RealMechanism(Stage):
 
     @property
     def wrap(self) -> Wrap:
-        """Largest pressures of contacts that wrap, where the materials are known."""
-        if self.pin_material is None or self.hole_material is None:
-            return NO_WRAP
+        """Largest pressures of contacts that wrap."""
         return conformal_wrap(
             contact_length=self.contact_length, pin=self.pin_material, hole=self.hole_material
         )
@@ -345,8 +343,8 @@ class RealMechanism(Stage):
         """The same, compiled where they can be."""
         return at_hand()
 
-    def contact(self, pair: int, force: float) -> HertzContact | None:
-        """Hertz contact of a pair, where the materials are known.
+    def contact(self, pair: int, force: float) -> HertzContact:
+        """Contact of a pair.
 
         Parameters
         ----------
@@ -357,11 +355,11 @@ class RealMechanism(Stage):
 
         Returns
         -------
-        HertzContact or None
+        HertzContact
         """
         return self._contact(force, self.pin_radii[pair], self.pairs.distance[pair])
 
-    def contacts(self, force: Sequence[float]) -> HertzContact | None:
+    def contacts(self, force: Sequence[float]) -> HertzContact:
         """The same of all pairs, as arrays.
 
         Parameters
@@ -371,13 +369,11 @@ class RealMechanism(Stage):
 
         Returns
         -------
-        HertzContact or None
+        HertzContact
         """
         return self._contact(*map(np.array, (force, self.pin_radii, self.pairs.distance)))
 
-    def _contact(self, force: Number, radius: Number, apart: Number) -> HertzContact | None:
-        if self.pin_material is None or self.hole_material is None:
-            return None
+    def _contact(self, force: Number, radius: Number, apart: Number) -> HertzContact:
         if self.exact:
             apart = apart - self.roller_play  # which lets the centres move, not the radii grow
         return hertz(
@@ -392,7 +388,7 @@ class RealMechanism(Stage):
     def pressures(
         self, force: tuple[tuple[float, ...], ...]
     ) -> tuple[tuple[float, ...], ...] | None:
-        """Largest pressure of each pair, where the materials are known, and that of each is.
+        """Largest pressure of each pair, where that of each is known.
 
         Parameters
         ----------
@@ -404,8 +400,7 @@ class RealMechanism(Stage):
         tuple of tuple of float, K x N, or None
             Pressures, Pa.
         """
-        contacts = self.contacts([each for row in force for each in row])
-        pressures = None if contacts is None else contacts.governing_pressure
+        pressures = self.contacts([each for row in force for each in row]).governing_pressure
         if pressures is None or np.isnan(pressures).any():
             return None
         return self.rows(pressures.tolist())
@@ -424,7 +419,7 @@ class RealMechanism(Stage):
         int
         """
         contacts = self.contacts(force)
-        if contacts is not None and _wrap(contacts):
+        if _wrap(contacts):
             pressure = contacts.governing_pressure
             known = (
                 force if pressure is None else np.where(pressure == pressure, pressure, math.inf)
@@ -445,10 +440,9 @@ class RealMechanism(Stage):
         -------
         bool
         """
-        contacts = self.contacts(force)
-        return contacts is not None and _wrap(contacts)
+        return _wrap(self.contacts(force))
 
-    def hardest(self, force: Sequence[float]) -> HertzContact | None:
+    def hardest(self, force: Sequence[float]) -> HertzContact:
         """Contact of the pair with the largest pressure.
 
         Parameters
@@ -458,7 +452,7 @@ class RealMechanism(Stage):
 
         Returns
         -------
-        HertzContact or None
+        HertzContact
         """
         pair = self.hardest_pair(force)
         return self.contact(pair, force[pair])

@@ -304,7 +304,7 @@ class RingPart:
     crank_across: tuple[float, ...]  # force of the ring on each disc against the crank, N, K values
     crank_along: tuple[float, ...]  # and along it, to the axis, N, K values
     loaded_pairs: int  # number of pairs with a force
-    max_pressure: float | None  # largest Hertz pressure, Pa, where the materials are known
+    max_pressure: float  # largest Hertz pressure, Pa
     # From where to where each disc can turn in the ring alone, rad, K values; where its pins press
     # the lag at which they do not turn it, twice.
     play: tuple[tuple[float, float], ...]
@@ -380,12 +380,16 @@ def series_position(
     >>> from core.ring.sharing import mesh_position
     >>> disc = CycloidDisc(satellite_teeth=18, eccentricity=1.5e-3,
     ...                    ring_pin_circle_radius=0.034, ring_pin_radius=2.5e-3)
+    >>> from core.materials import ElasticMaterial
+    >>> steel = ElasticMaterial(210e9, 0.3)
     >>> ring = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01,
-    ...                    law=LinearLaw(5e7), exact=False)
+    ...                    law=LinearLaw(5e7), exact=False,
+    ...     pin_material=steel, disc_material=steel)
     >>> real = RealMechanism(
     ...     mechanism=Mechanism.evenly_spaced(pins=8, satellites=1, ratio=18.0),
     ...     pin_circle_radius=0.020, pin_radius=0.003, eccentricity=0.0015, contact_length=0.010,
-    ...     clearance=2e-5, law=LinearLaw(stiffness=5e7), exact=False)
+    ...     clearance=2e-5, law=LinearLaw(stiffness=5e7), exact=False,
+    ...     pin_material=steel, hole_material=steel)
     >>> found = series_position(real=MeshesInSeries(ring, real), crank_angle=0.3,
     ...                         output_torque=30.0)
     >>> alone = [mesh_position(mesh=ring, crank_angle=0.3, output_torque=30.0).rotation[0],
@@ -435,7 +439,7 @@ def series_position(
         play=None if pressed else (play[0], play[1]),
         interference=_interference(real, angle) if presses else None,
         stiffness=found.stiffness,
-        max_pressure=None if contact is None else contact.governing_pressure,
+        max_pressure=contact.governing_pressure,
         ring=RingPart(
             rotation=tuple(own_lags),
             force=real.ring.rows(on_teeth.tolist()),

@@ -258,10 +258,7 @@ class SeriesStudy(Study):
         """
         if name != "ring_max_pressure":
             return Study.square_pressure(self, name)
-        unit = self.real.ring.pressure(1.0)
-        if unit is None:
-            raise InvalidInput("pin_material", None, "needed", field="disc_material")
-        return unit**2
+        return self.real.ring.pressure(1.0) ** 2
 
     def grid_errors(self, pieces: Drawn, values: FloatArray) -> dict[str, float]:
         """What the positions miss of each quantity.

@@ -21,6 +21,7 @@ from core.output.contact_force import PairNumber
 from core.output.contact_law import (
     RIGID_PINS,
     ContactLaw,
+    HertzLaw,
     LinearLaw,
     Pins,
     check_law,
@@ -114,8 +115,8 @@ class CycloidMesh(Stage):
     crank_angles: tuple[float, ...]  # alpha_j of the K discs, rad
     contact_length: float  # b of a disc on a pin, m, > 0
     law: ContactLaw  # of contact of each pair
-    pin_material: ElasticMaterial | None = None  # needed for `HertzLaw` and for pressures
-    disc_material: ElasticMaterial | None = None  # likewise
+    pin_material: ElasticMaterial
+    disc_material: ElasticMaterial
     pin: Pins = RIGID_PINS  # how ring pins bend; not at all in their seats
     seat_stiffness: float = math.inf  # of a pin in its bore and what holds that, N/m
     deviations: RingDeviations = field(default_factory=RingDeviations)  # of this piece
@@ -181,8 +182,8 @@ class CycloidMesh(Stage):
         """Depth to which the approach of pin and disc is counted, m: the pin's radius, where the
         law has none.
         """
-        depth = getattr(self.law, "reference_depth", None)
-        return float(self.disc.ring_pin_radius if depth is None else depth)
+        radius = self.disc.ring_pin_radius
+        return float(self.law.depth(radius) if isinstance(self.law, HertzLaw) else radius)
 
     def setup(self, direction: float) -> MeshSetup:
         """The design as the loops take it.
@@ -379,8 +380,8 @@ class CycloidMesh(Stage):
         """The same, compiled where they can be."""
         return at_hand(approach)
 
-    def pressure(self, force_over_radius: float) -> float | None:
-        """Largest Hertz pressure by a force over the reduced radius, where the materials are known.
+    def pressure(self, force_over_radius: float) -> float:
+        """Largest Hertz pressure by a force over the reduced radius.
 
         Parameters
         ----------
@@ -389,11 +390,9 @@ class CycloidMesh(Stage):
 
         Returns
         -------
-        float or None
+        float
             In Pa.
         """
-        if self.pin_material is None or self.disc_material is None:
-            return None
         modulus = effective_modulus(first=self.pin_material, second=self.disc_material)
         return math.sqrt(force_over_radius * modulus / (math.pi * self.contact_length))
 
@@ -439,7 +438,7 @@ class MeshPosition:
     # Smallest possible worst approach of the unloaded pairs, m, where they press.
     interference: float | None
     stiffness: float  # dT/dtheta, N*m/rad
-    max_pressure: float | None  # largest Hertz pressure, Pa, where the materials are known
+    max_pressure: float  # largest Hertz pressure, Pa
     # Largest distance of a loaded contact from its pitch point, m: times the speed of the output
     # that at which a disc slides on a pin that stands still.
     sliding_distance: float
@@ -486,8 +485,10 @@ def mesh_position(*, mesh: CycloidMesh, crank_angle: float, output_torque: float
     >>> from core.output.contact_law import LinearLaw
     >>> disc = CycloidDisc(satellite_teeth=29, eccentricity=1.250025e-3,
     ...                    ring_pin_circle_radius=0.0525, ring_pin_radius=3.5e-3)
+    >>> steel = ElasticMaterial(210e9, 0.3)
     >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.0135,
-    ...                    law=LinearLaw(1e8), exact=False)
+    ...                    law=LinearLaw(1e8), exact=False,
+    ...     pin_material=steel, disc_material=steel)
     >>> found = mesh_position(mesh=mesh, crank_angle=0.0, output_torque=58.0)
     >>> round(found.crank_across[0], 6), round(max(found.force[0]), 6)
     (1599.968001, 212.944548)
@@ -580,8 +581,10 @@ def mesh_gaps(
     >>> disc = CycloidDisc(satellite_teeth=11, eccentricity=2.5e-3,
     ...                    ring_pin_circle_radius=0.05, ring_pin_radius=0.005,
     ...                    modification=Modification(equidistant=2e-5))
+    >>> steel = ElasticMaterial(210e9, 0.3)
     >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01,
-    ...                    law=LinearLaw(1e8))
+    ...                    law=LinearLaw(1e8),
+    ...     pin_material=steel, disc_material=steel)
     >>> {round(gap, 12) for row in mesh_gaps(mesh=mesh, crank_angle=0.3) for gap in row}
     {2e-05}
     """
@@ -626,10 +629,8 @@ class MeshTurn(OverTurn):
         return top
 
     @property
-    def max_pressure(self) -> float | None:
-        """Largest Hertz pressure over the turn, Pa, where the materials are known."""
-        if self.mesh.pressure(1.0) is None:
-            return None
+    def max_pressure(self) -> float:
+        """Largest Hertz pressure over the turn, Pa."""
         return self.mesh.pressure(self._hardest.height)
 
     @derived
@@ -779,10 +780,9 @@ class MeshTurn(OverTurn):
         return self._by_values(RUB)[0].value
 
     @derived
-    def hardest_pressed_rub(self) -> float | None:
-        """Largest product of Hertz pressure and that distance, Pa*m, of known materials."""
-        unit = self.mesh.pressure(1.0)
-        return None if unit is None else unit * self._by_values(RUB_AND_PRESS)[0].value
+    def hardest_pressed_rub(self) -> float:
+        """Largest product of Hertz pressure and that distance, Pa*m."""
+        return self.mesh.pressure(1.0) * self._by_values(RUB_AND_PRESS)[0].value
 
     @property
     def notices(self) -> tuple[Notice, ...]:
@@ -823,8 +823,10 @@ def mesh_over_turn(
     >>> disc = CycloidDisc(satellite_teeth=18, eccentricity=1.5e-3,
     ...                    ring_pin_circle_radius=0.034, ring_pin_radius=2.5e-3,
     ...                    modification=Modification(equidistant=1e-5))
+    >>> steel = ElasticMaterial(210e9, 0.3)
     >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01,
-    ...                    law=LinearLaw(5e7), exact=False)
+    ...                    law=LinearLaw(5e7), exact=False,
+    ...     pin_material=steel, disc_material=steel)
     >>> round(mesh_over_turn(mesh=mesh, output_torque=30.0).peak_force, 5)
     333.54715
     """

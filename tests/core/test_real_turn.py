@@ -404,5 +404,7 @@ def test_samples_of_a_torque_that_vanishes_are_few(torque: float) -> None:
         contact_length=0.02,
         clearance=2e-5,
         law=LinearLaw(5e8),
+        pin_material=STEEL,
+        hole_material=STEEL,
     )
     assert real_turn(real=real, output_torque=torque).wave.size < 5_000

@@ -124,6 +124,8 @@ def design(**changes: object) -> RealMechanism:
         "contact_length": 0.010,
         "clearance": 2e-5,
         "law": LinearLaw(5e7),
+        "pin_material": STEEL,
+        "hole_material": STEEL,
     }
     return RealMechanism(**kept | changes)
 

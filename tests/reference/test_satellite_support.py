@@ -11,7 +11,7 @@ from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.satellite_support import RIGID_SUPPORT, CrankSupport, ElasticMesh, SatelliteSupport
-from tests.inputs.real_mechanisms import crank_angles, flat, held, solved, torques
+from tests.inputs.real_mechanisms import STEEL, crank_angles, flat, held, solved, torques
 from tests.oracles.load_sharing import exact_position
 
 ARCMIN = math.pi / 10800
@@ -24,6 +24,8 @@ DESIGN = RealMechanism(
     clearance=3e-5,
     law=LinearLaw(1e8),
     exact=False,
+    pin_material=STEEL,
+    hole_material=STEEL,
 )
 
 
