@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from core.arrays import Number, check_finite, check_positive, check_single
+from core.arrays import FloatArray, Number, check_finite, check_positive, check_single
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.hertz import HertzContact, hertz
 from core.materials import ElasticMaterial
@@ -400,10 +400,8 @@ class RealMechanism(Stage):
         tuple of tuple of float, K x N, or None
             Pressures, Pa.
         """
-        pressures = self.contacts([each for row in force for each in row]).governing_pressure
-        if pressures is None or np.isnan(pressures).any():
-            return None
-        return self.rows(pressures.tolist())
+        pressures = _governing(self.contacts([each for row in force for each in row]))
+        return None if np.isnan(pressures).any() else self.rows(pressures.tolist())
 
     def hardest_pair(self, force: Sequence[float]) -> int:
         """Index of the pair with the largest pressure. Of narrow contacts it grows with the force
@@ -420,11 +418,9 @@ class RealMechanism(Stage):
         """
         contacts = self.contacts(force)
         if _wrap(contacts):
-            pressure = contacts.governing_pressure
-            known = (
-                force if pressure is None else np.where(pressure == pressure, pressure, math.inf)
-            )
-            return int(np.argmax(known))
+            pressure = _governing(contacts)
+            unknown = np.isnan(pressure)
+            return int(np.argmax(force if unknown.all() else np.where(unknown, math.inf, pressure)))
         curved = [f * curved for f, curved in zip(force, self.pairs.curved, strict=True)]
         return curved.index(max(curved))
 
@@ -460,5 +456,10 @@ class RealMechanism(Stage):
 
 def _wrap(contacts: HertzContact) -> bool:
     """Whether the pressure of any of some contacts is not Hertz's."""
-    governing = contacts.governing_pressure
-    return governing is None or bool((governing != contacts.max_pressure).any())
+    return bool((_governing(contacts) != contacts.max_pressure).any())
+
+
+def _governing(contacts: HertzContact) -> FloatArray:
+    """The pressures that govern some contacts, Pa; NaN where one is not known."""
+    found = contacts.governing_pressure
+    return np.asarray(np.full_like(contacts.max_pressure, np.nan) if found is None else found)

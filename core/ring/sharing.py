@@ -304,7 +304,7 @@ class CycloidMesh(Stage):
         try:
             return super().solved(psi, torque, setup, room)
         except ImpossibleMechanism as why:
-            if why.code in JAMMED and (jams := self.jams(psi, torque)) is not None:
+            if why.code in JAMMED and (jams := self.jams(psi, torque)):
                 raise ImpossibleMechanism("ring_jams", why.where, **jams) from why
             raise
 
@@ -318,9 +318,9 @@ class CycloidMesh(Stage):
         """
         return _interference(self, self.setup(1.0), False, psi) or 0.0
 
-    def jams(self, psi: float, torque: float) -> dict[str, Any] | None:
-        """The pin that does not let a disc into the ring, the disc, and by how much, mm; None where
-        it would not be solved with pins that are as much thinner either.
+    def jams(self, psi: float, torque: float) -> dict[str, Any]:
+        """The pin that does not let a disc into the ring, the disc, and by how much, mm; nothing
+        where it would not be solved with pins that are as much thinner either.
 
         Parameters
         ----------
@@ -331,14 +331,14 @@ class CycloidMesh(Stage):
         """
         depth, room = self.pressing_at(psi), self.room()
         if not depth > 0:
-            return None
+            return {}
         approach.at(psi, self.setup(1.0), self.pairs, room)
         satellite, pin = divmod(int(np.argmax(room.q)), self.disc.pins)
         free = self.less(depth)
         try:
             super(CycloidMesh, free).solved(psi, torque, free.setup(1.0), free.room())
         except ImpossibleMechanism:
-            return None
+            return {}
         return {"satellite": satellite + 1, "pin": pin + 1, "depth": 1e3 * depth}
 
     def less(self, closer: float) -> "CycloidMesh":
@@ -882,18 +882,24 @@ def ideal_mesh(*, disc: CycloidDisc, disc_torque: float) -> IdealMesh:
     >>> round(found.peak_force, 6), round(math.degrees(found.backlash)*60, 5)
     (233.918129, 2.54648)
     """
+    longest = disc.eccentricity * disc.satellite_teeth
+    return IdealMesh(
+        peak_force=4 * disc_torque / (longest * disc.pins),
+        mean_sum_force=4 * disc_torque / (math.pi * longest),
+        backlash=_ideal_backlash(disc),
+    )
+
+
+def _ideal_backlash(disc: CycloidDisc) -> float | None:
+    """Backlash of discs whose modification leaves gaps; None where it makes pins press."""
     longest, k = disc.eccentricity * disc.satellite_teeth, disc.shortening_coefficient
     wider, circle = disc.modification.equidistant, disc.modification.pin_circle
     root = math.sqrt((1 - k) * (1 + k))
-    free: float | None = None
     if circle <= (root * wider if wider > 0 else wider):
         free = 2 * (wider - circle * root) / longest
     elif root * wider < circle < wider:
         free = 2 * k * math.sqrt((wider - circle) * (wider + circle)) / longest
-    if free is not None:
-        free += 2 * disc.modification.rotation
-    return IdealMesh(
-        peak_force=4 * disc_torque / (longest * disc.pins),
-        mean_sum_force=4 * disc_torque / (math.pi * longest),
-        backlash=None if free is None or free < 0 else free,
-    )
+    else:
+        return None
+    free += 2 * disc.modification.rotation
+    return free if free >= 0 else None
