@@ -45,8 +45,8 @@ def _of_share(results: Results, value: float, share: float) -> float:
     """Limit of a value where what is not balanced may load each bearing by a share of the most that
     the mechanism does there: both grow together.
     """
-    peaks = results.still_crankshaft.peak_reaction.tolist()
-    sizes = zip(results.balance.bearing_force, peaks, strict=True)
+    peaks = results.crank.still_shaft.peak_reaction.tolist()
+    sizes = zip(results.crank.balance.bearing_force, peaks, strict=True)
     least = min((peak / force for force, peak in sizes if force), default=0.0)
     return share * value * least
 
@@ -81,7 +81,7 @@ def _against(kind: Kind, results: Results, value: float, *demands: str) -> Check
     demands=tuple(f"requirements.{name}" for name in _OF_FORCE),
 )
 def unbalance_force(design: Design, results: Results) -> Check:
-    return _against(unbalance_force, results, float(results.balance.force), *_OF_FORCE)
+    return _against(unbalance_force, results, float(results.crank.balance.force), *_OF_FORCE)
 
 
 @_check(
@@ -93,7 +93,7 @@ def unbalance_force(design: Design, results: Results) -> Check:
     demands=tuple(f"requirements.{name}" for name in _OF_COUPLE),
 )
 def unbalance_couple(design: Design, results: Results) -> Check:
-    return _against(unbalance_couple, results, float(results.balance.couple), *_OF_COUPLE)
+    return _against(unbalance_couple, results, float(results.crank.balance.couple), *_OF_COUPLE)
 
 
 BALANCE = (unbalance_force, unbalance_couple)

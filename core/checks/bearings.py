@@ -211,7 +211,7 @@ def _rating(design: Design) -> float:
 )
 def bearing_min_load(design: Design, results: Results) -> Check:
     rating = _rating(design)
-    found = results.satellite_bearing
+    found = results.crank.bearings
     loads = np.asarray(found.min_load)
     least = int(np.argmin(loads))
     return judged(
@@ -244,7 +244,7 @@ def bearing_min_load(design: Design, results: Results) -> Check:
     needed=False,
 )
 def bearing_overload(design: Design, results: Results) -> Check:
-    found = results.satellite_bearing
+    found = results.crank.bearings
     used = np.asarray(found.equivalent_load) / (MOST_DYNAMIC * _rating(design))
     if found.static_safety_factor is not None:
         used = np.maximum(used, 1 / (MOST_STATIC * np.asarray(found.static_safety_factor)))

@@ -69,7 +69,7 @@ def other_ring(design: Design, results: Results, *, of: tuple[RingKind, ...]) ->
     if own not in of:
         return NOT_OF[of[0]]
     if own == "cycloid":
-        _ = results.ring_force  # which refuses a disc whose path crosses itself
+        _ = results.ring.force  # which refuses a disc whose path crosses itself
     return ""
 
 
@@ -84,10 +84,10 @@ def other_ring(design: Design, results: Results, *, of: tuple[RingKind, ...]) ->
     source="steep",
 )
 def pressure_angle(design: Design, results: Results) -> Check:
-    if_known(lambda: results.ring_force)  # a ring that cannot be is refused, of whatever kind
+    if_known(lambda: results.ring.force)  # a ring that cannot be is refused, of whatever kind
     if design.gear and design.gear.kind != "involute":
         return Check(pressure_angle, "not_applicable", reason="no_involute")
-    angle = results.ring_force.operating_pressure_angle
+    angle = results.ring.force.operating_pressure_angle
     assert angle is not None  # of an involute
     return judged(pressure_angle, float(angle), STEEP, warning="steep_mesh")
 
@@ -114,7 +114,7 @@ def pressure_angle(design: Design, results: Results) -> Check:
 )
 def mesh_possible(design: Design, results: Results) -> Check:
     gear = design.gear
-    eccentricity, _ = design.known_eccentricity, results.ring_force  # which refuses base circles
+    eccentricity, _ = design.known_eccentricity, results.ring.force  # which refuses base circles
     if not gear.unknown_teeth:
         return Check(mesh_possible, "not_applicable", reason="teeth_given")
     assert gear.module is not None and gear.teeth_difference is not None
@@ -186,7 +186,7 @@ def _required_life(design: Design, results: Results) -> dict[str, Any]:
     known=_required_life,
 )
 def bearing_life(design: Design, results: Results) -> Check:
-    found, limit = results.satellite_bearing, design.requirements.life
+    found, limit = results.crank.bearings, design.requirements.life
     if found.relative_speed == 0:
         return Check(bearing_life, "not_applicable", limit=limit, reason="members_locked")
     lives, power = _lives(found, design.bearing), EXPONENTS[design.bearing.kind]
@@ -198,7 +198,7 @@ def bearing_life(design: Design, results: Results) -> Check:
         limit,
         reserve=(value / limit) ** (1 / power),
         error=4 * power * float(found.accuracy.relative_error),
-        rough=results.uneven_growth,
+        rough=results.crank.uneven_growth,
         at={"satellite": worst + 1},
     )
 
@@ -253,7 +253,7 @@ def _required_safety(design: Design, results: Results) -> dict[str, Any]:
     known=_required_safety,
 )
 def bearing_static(design: Design, results: Results) -> Check:
-    found, limit = results.satellite_bearing, _required_safety(design, results)["limit"]
+    found, limit = results.crank.bearings, _required_safety(design, results)["limit"]
     required(design.bearing.static_rating, "rating_unknown", "bearing.static_rating")
     safety = np.asarray(found.static_safety_factor)
     worst = int(np.argmin(safety))
@@ -264,7 +264,7 @@ def bearing_static(design: Design, results: Results) -> Check:
         limit,
         reserve=value / limit,
         error=4 * error,
-        rough=results.uneven_growth,
+        rough=results.crank.uneven_growth,
         limit_source="" if design.requirements.static_safety else "static_guide",
         at={"satellite": worst + 1},
     )
@@ -293,14 +293,14 @@ def bearing_static(design: Design, results: Results) -> Check:
 )
 def system_life(design: Design, results: Results) -> Check:
     kind, limit = system_life, design.requirements.life
-    found, power = results.satellite_bearing, EXPONENTS[design.bearing.kind]
+    found, power = results.crank.bearings, EXPONENTS[design.bearing.kind]
     if found.relative_speed == 0:
         return Check(kind, "not_applicable", limit=limit, reason="members_locked")
     _lives(found, design.bearing)
     value = float(required(found.system_life, "rating_unknown", "bearing.weibull_slope"))
     error = 4 * power * float(found.accuracy.relative_error)
     reserve = (value / limit) ** (1 / power)
-    rough = results.uneven_growth
+    rough = results.crank.uneven_growth
     return judged(kind, value, limit, reserve=reserve, error=error, rough=rough)
 
 
@@ -334,7 +334,7 @@ def crank_bearing_life(design: Design, results: Results) -> Check:
     bearings = required(design.crankshaft.bearings, "rating_unknown", "crankshaft.bearings")
     for each in bearings:
         required(each.dynamic_rating, "rating_unknown", "crankshaft.bearings")
-    found = results.crankshaft
+    found = results.crank.shaft
     if not any(design.known_speeds.against(each.seat) for each in bearings):
         return Check(kind, "not_applicable", limit=limit, reason="members_locked")
     lives = [math.inf if each is None else each for each in found.basic_life]
@@ -349,7 +349,7 @@ def crank_bearing_life(design: Design, results: Results) -> Check:
         limit,
         reserve=min(reserves),
         error=4 * max(powers) * float(found.accuracy.relative_error),
-        rough=results.uneven_growth,
+        rough=results.crank.uneven_growth,
         at={"bearing": worst},
     )
 

@@ -78,9 +78,9 @@ def involute_pressed(*, results: Results, factor: float) -> Pressed:
     NotKnown
         If the path starts where the satellite has no involute, or what it hangs on is not known.
     """
-    load = results.involute_load(factor)
+    load = results.ring.involute_load(factor)
     pressure = required(load.pressure_start, "off_involutes")
-    error = float(load.accuracy.relative_error) + results.satellite_torque_error(factor)
+    error = float(load.accuracy.relative_error) + results.ring.satellite_torque_error(factor)
     return Pressed(pressure, error, results.made is not None, {})
 
 
@@ -102,7 +102,7 @@ def refused(*, results: Results, kind: Kind, names: tuple[str, ...]) -> Check | 
         None where they are not.
     """
     try:
-        _ = results.involute_pair
+        _ = results.ring.pair
     except NotKnown as why:
         refusal = why.refusal
         if refusal is None or refusal.code not in ("less_than", "greater_than"):
@@ -132,7 +132,7 @@ def _usual(
     inputs=INVOLUTE_TEETH,
 )
 def mesh_contact_ratio(design: Design, results: Results) -> Check:
-    ratio = results.involute_pair.contact_ratio
+    ratio = results.ring.pair.contact_ratio
     return _usual(mesh_contact_ratio, ratio, least=1.0, guide=LEAST_RATIO)
 
 
@@ -146,7 +146,7 @@ def mesh_contact_ratio(design: Design, results: Results) -> Check:
 )
 def mesh_tips(design: Design, results: Results) -> Check:
     """Where the tips overlap all round nothing is measured: no tooth can pass."""
-    pair = results.involute_pair
+    pair = results.ring.pair
     if pair.tips_overlap_all_round:
         return Check(mesh_tips, "fail", limit=TIPS_APART, impossible=True, reason="tips_overlap")
     if pair.tip_interference is None:
@@ -165,7 +165,7 @@ def mesh_involute(design: Design, results: Results) -> Check:
     """Of the satellite's flanks, and of the ring's where its cutter is known."""
     if within := refused(results=results, kind=mesh_involute, names=HEIGHTS):
         return within  # a tip that lies within its base circle
-    pair = results.involute_pair
+    pair = results.ring.pair
     left = [pair.start_roll - pair.form_roll_satellite]
     if pair.form_roll_ring is not None:
         left.append(pair.form_roll_ring - pair.end_roll_ring)
@@ -192,7 +192,7 @@ def mesh_involute(design: Design, results: Results) -> Check:
     fixes=("gear.satellite_profile_shift",),
 )
 def mesh_undercut(design: Design, results: Results) -> Check:
-    value = results.involute_pair.form_roll_satellite
+    value = results.ring.pair.form_roll_satellite
     return judged(mesh_undercut, 0.0 if abs(value) <= AS_TYPED else value, 0.0)
 
 
@@ -205,7 +205,7 @@ def mesh_undercut(design: Design, results: Results) -> Check:
 )
 def mesh_tip_clearance(design: Design, results: Results) -> Check:
     """Of a ring whose cutter is not known with the root that the hob's dedendum gives it."""
-    pair = results.involute_pair
+    pair = results.ring.pair
     least = min(pair.tip_clearance_satellite, pair.tip_clearance_ring) / pair.teeth.module
     found = _usual(mesh_tip_clearance, least, least=0.0, guide=LEAST_CLEARANCE, impossible=True)
     if pair.teeth.cutter is not None or found.reason or found.status == "fail":
@@ -222,7 +222,7 @@ def mesh_tip_clearance(design: Design, results: Results) -> Check:
     inputs=tuple(each for each in INVOLUTE_TEETH if each != "contact.eccentricity"),
 )
 def mesh_tip_thickness(design: Design, results: Results) -> Check:
-    pair = results.involute_pair
+    pair = results.ring.pair
     thin = min(pair.satellite_tip_thickness, pair.ring_tip_thickness) / pair.teeth.module
     return _usual(mesh_tip_thickness, thin, least=0.0, guide=LEAST_TIP, impossible=True)
 
@@ -248,7 +248,7 @@ def mesh_tip_thickness(design: Design, results: Results) -> Check:
 )
 def mesh_root_stress(design: Design, results: Results) -> Check:
     """The whole force at the tip of one tooth."""
-    stress, given = results.root_stress.stress, design.gear.root_strength
+    stress, given = results.ring.root_stress.stress, design.gear.root_strength
     strength = judged_by(given, "root_strength_unknown", "gear.root_strength", value=stress)
     limit = strength / design.requirements.fatigue_safety
     factor = design.load_factor
@@ -257,8 +257,8 @@ def mesh_root_stress(design: Design, results: Results) -> Check:
         stress,
         limit,
         reserve=limit / stress,
-        error=results.involute_pair.accuracy.relative_error
-        + results.satellite_torque_error(factor),
+        error=results.ring.pair.accuracy.relative_error
+        + results.ring.satellite_torque_error(factor),
         rough=results.made is not None,
         limit_source="user",
     )

@@ -88,16 +88,16 @@ def ring_pressed(design: Design, results: Results) -> Check:
     if design.gear.kind == "involute":
         if narrow := refused(results=results, kind=ring_pressed, names=("ring_profile_shift",)):
             return narrow  # spaces that have room for the teeth at no eccentricity
-        pair = results.involute_pair
+        pair = results.ring.pair
         over = -pair.normal_backlash
         felt = over > AS_TYPED * pair.teeth.module
         return judged(ring_pressed, over if felt else 0.0, 0.0)
     try:
-        over = results.ring_working[0].interference
+        over = results.ring.working[0].interference
     except ImpossibleMechanism as why:  # of the forces, which this asks for no more
         if (angle := why.where.get("crank_angle")) is None:
             raise
-        own = results.series.discs if results.in_series else ((results.ring_mesh, None),)
+        own = results.series.discs if results.in_series else ((results.ring.mesh, None),)
         over = max(teeth.pressing_at(teeth.wave(angle)) for teeth, _ in own)
         if not over > 0:
             raise
@@ -125,7 +125,7 @@ def _pressed(results: Results, body: RingBody, *, static: bool) -> Pressed:
     if design.gear.kind == "involute":
         factor = design.static_torque / design.pin_torque if static else design.load_factor
         return involute_pressed(results=results, factor=factor)
-    turn = results.ring_static if static else results.ring_loading
+    turn = results.ring.static if static else results.ring.loading
     value = required(turn.max_pressure, "limit_unknown", _material(design, body))
     pair, angle = turn.hardest_place
     at = {"satellite": pair.satellite, "pin": pair.pin, "crank_angle": angle}
@@ -218,9 +218,9 @@ def _static(body: RingBody) -> Kind:
 def ring_backlash(design: Design, results: Results) -> Check | Measure:
     """Of the ring alone; not looked for where nobody asks. Of involute teeth known at once."""
     if design.gear.kind == "involute":
-        return Measure(design.members.angle_at_output(max(results.involute_pair.backlash, 0.0)))
+        return Measure(design.members.angle_at_output(max(results.ring.pair.backlash, 0.0)))
     judged_by(design.requirements.max_ring_backlash, "no_limit")  # else it is not looked for
-    play = results.ring_working[0].play_in_ring
+    play = results.ring.working[0].play_in_ring
     return Measure(design.members.angle_at_output(play), reason=ring_alone(results))
 
 
@@ -242,7 +242,7 @@ def ring_transmission_error(design: Design, results: Results) -> Check | Measure
     """
     if design.gear.kind == "involute":
         raise NotKnown("tooth_errors_unknown")
-    worst = max(turn.transmission_error for turn in results.ring_working)
+    worst = max(turn.transmission_error for turn in results.ring.working)
     return Measure(design.members.angle_at_output(worst), reason=of_both(results))
 
 
@@ -269,8 +269,8 @@ def _no_sleeves(design: Design, results: Results) -> str:
 
 def _pins(results: Results) -> BentPins:
     """The pins of the ring, whose forces are solved."""
-    model_error = 0.0 if results.ring_mesh.exact else FIRST_ORDER
-    return BentPins(results.ring_pin_strength, results.bent_ring_pin, True, model_error)
+    model_error = 0.0 if results.ring.mesh.exact else FIRST_ORDER
+    return BentPins(results.ring.pin_strength, results.ring.pin, True, model_error)
 
 
 @_bent(
@@ -300,7 +300,7 @@ def ring_pin_stress(design: Design, results: Results) -> Check:
 )
 def ring_pin_fatigue(design: Design, results: Results) -> Check:
     """By what the fatigue of the pins of the output is judged by."""
-    _, pins = results.ring_pin_fatigue_strength, _pins(results)  # known, or raises
+    _, pins = results.ring.pin_fatigue_strength, _pins(results)  # known, or raises
     safety = design.requirements.fatigue_safety
     return pins.fatigue(ring_pin_fatigue, safety=safety, at={"pin": pins.found.pin})
 
@@ -340,7 +340,7 @@ def ring_pin_slope(design: Design, results: Results) -> Check | Measure:
 )
 def ring_seat_pressure(design: Design, results: Results) -> Check | Measure:
     """Of the force on the area that the pin covers; not looked for where nobody asks."""
-    turn = results.ring_loading
+    turn = results.ring.loading
     area = 2 * turn.mesh.disc.ring_pin_radius * turn.mesh.contact_length
     pair = turn.peak_pair
     return Measure(
@@ -371,8 +371,8 @@ def ring_seat_pressure(design: Design, results: Results) -> Check | Measure:
 )
 def ring_efficiency(design: Design, results: Results) -> Check | Measure:
     """Its limit is used by the losses; not looked for where nobody asks."""
-    loss = results.ring_loss
-    exact = design.gear.kind == "involute" or results.ring_working[0].mesh.exact
+    loss = results.ring.loss
+    exact = design.gear.kind == "involute" or results.ring.working[0].mesh.exact
     unsure = loss.loss_error + (0.0 if exact else FIRST_ORDER)
     return Measure(
         loss.efficiency,
@@ -403,8 +403,8 @@ def ring_efficiency(design: Design, results: Results) -> Check | Measure:
     needed=False,
 )
 def ring_pv(design: Design, results: Results) -> Check | Measure:
-    value = required(results.ring_pv, "speed_missing")  # of sleeves at a speed
-    return Measure(value, error=_error(results.ring_working[0]), rough=True)
+    value = required(results.ring.pv, "speed_missing")  # of sleeves at a speed
+    return Measure(value, error=_error(results.ring.working[0]), rough=True)
 
 
 RING_LOAD = (
