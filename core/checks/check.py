@@ -154,6 +154,13 @@ class Check(NamedTuple):
         return -over if self.kind.keep == "below" else over
 
     @property
+    def compared(self) -> tuple[float, float]:
+        """Value and limit, in SI units; `NotKnown` where they are not both known."""
+        if self.value is None or self.limit is None:
+            raise NotKnown(self.reason, *self.missing)
+        return self.value, self.limit
+
+    @property
     def by_torque(self) -> bool:
         """Whether a factor on the torque is known at which it is at its limit."""
         return self.torque_reserve is not None

@@ -142,6 +142,8 @@ class Design:
         """
         on_pins = self.pin.satellite_positions if self.pin else ()
         on_shaft = self.crankshaft.satellite_positions if self.crankshaft else ()
+        if not (on_pins or on_shaft):
+            return
         width = self.contact.contact_length if self.contact else None
         if self.pin and self.pin.contact_length is not None:
             width = self.pin.contact_length
