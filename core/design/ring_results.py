@@ -16,7 +16,7 @@ from core.errors import InvalidInput, NotKnown
 from core.output.over_turn import OverTurn
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
-from core.output.sampled_turn import WAYS, Made
+from core.output.sampled_turn import WAYS, Made, PinForces
 from core.output.satellite_support import RIGID_SUPPORT, Shares
 from core.ring.bent_pins import forces_on_ring
 from core.ring.involute import MOST_DIFFERENCE, STANDARD_ANGLES, InvolutePair, involute_pair
@@ -238,7 +238,7 @@ class RingResults:
         return self.design.gear.bent_pin
 
     @cached_property
-    def on_pins(self) -> Made:
+    def on_pins(self) -> Callable[[float], PinForces]:
         """Forces of the discs on the pins over the turn, of a torque likewise."""
         return cache(lambda torque: forces_on_ring(self.turn(torque)))
 
