@@ -9,9 +9,9 @@ from app.examples import EXAMPLES
 from tests.inputs.failing import failing
 from tests.oracles.seeds import TIMES
 
-pytestmark = [pytest.mark.anyio, pytest.mark.slow]
+pytestmark = pytest.mark.anyio
 
-DESIGNS = failing(5 * TIMES)
+DESIGNS = failing(3 * TIMES)  # one of each kind
 
 
 async def answered(api: Any, body: dict[str, Any]) -> dict[str, Any]:
