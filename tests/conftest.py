@@ -18,7 +18,11 @@ SLOW = {
         "service",  # starts the service
         "benchmarks",
         "app/test_batch_api.py",
+        "app/test_both_meshes_api.py",
         "app/test_compiled.py",
+        "app/test_design_sections_api.py",
+        "app/test_dxf_api.py",
+        "app/test_fixes_reposted.py",
         "app/test_fuzz.py",
         "app/test_jobs.py",
         "app/test_openapi_conformance.py",
@@ -26,7 +30,12 @@ SLOW = {
         "app/test_tolerance_study_api.py",
         "app/test_work_precision_api.py",
         "core/test_check_inputs.py",
+        "core/test_checks_strength.py",
         "core/test_compiled.py",
+        "core/test_largest_torque.py",
+        "core/test_room.py",
+        "core/test_tolerance.py",
+        "core/test_usual_modification.py",
     )
 }
 """Folders and files that take seconds each; `make check` leaves them out."""
