@@ -18,7 +18,7 @@ from starlette.types import Receive, Scope, Send
 from app import VERSION, theme
 from app.endpoint import COMPRESS_BYTES, JSON, takes_gzip
 from app.examples import EXAMPLES
-from app.model import NEGLECTED, SMALLEST, Calculation, Maybe, ResponseModel
+from app.model import NEGLECTED, SMALLEST, Calculation, Maybe, ResponseModel, present
 from app.problems import KINDS, RESPONSES, TEXTS
 from app.record import root_path
 from app.registry import CALCULATIONS
@@ -87,8 +87,7 @@ class FactOut(ResponseModel):
         """Answer of a value."""
         name = FACT_NAMES[quantity]
         spread = {"low": from_si(name, fact.low), "high": from_si(name, fact.high)}
-        known = {end: value for end, value in spread.items() if value is not None}
-        return cls(name=name, source=fact.source, seen=fact.seen, **known)
+        return cls(name=name, source=fact.source, seen=fact.seen, **present(spread))
 
 
 FACT_NAMES = {
@@ -169,7 +168,7 @@ class MaterialOut(ResponseModel):
                 source=LIMIT_SOURCES[limit.source],
                 source_code=limit.source,
                 verified=limit.verified or "secondary",
-                **({} if limit.curve is None else {"life_curve": limit.curve}),
+                **present({"life_curve": limit.curve}),
             )
             for limit in entry.limits
         ]
@@ -204,7 +203,7 @@ class MaterialOut(ResponseModel):
             group_code=entry.group,
             limits=limits,
             source=entry.source,
-            **{name: value for name, value in known.items() if value is not None},
+            **present(known),
         )
 
 
@@ -261,7 +260,7 @@ class ProcessEntry(ResponseModel):
             least_clearance_mm=from_si("clearance_mm", least),
             largest_clearance_mm=from_si("clearance_mm", largest),
             source=each.source,
-            **{name: size for name, size in sizes.items() if size is not None},
+            **present(sizes),
         )
 
 

@@ -56,7 +56,7 @@ def no_dust(value: Any) -> Any:
     """Validator of quantities that may be 0 or negative: smaller sizes lose their digits."""
     if isinstance(value, list):
         return [*map(no_dust, value)]
-    if value is not None and 0 < abs(value) < SMALLEST:
+    if 0 < abs(value) < SMALLEST:
         raise PydanticCustomError("dust", "dust", {"limit": SMALLEST})
     return value
 
@@ -267,11 +267,10 @@ class RequestModel(BaseModel):
     @cached_property
     def shape(self) -> "Shape":
         """Its model, and its fields that are given, with the shapes of the models in them."""
-        own, given = vars(self), []
-        for name, _, _ in _core_plan(type(self)):
-            if (value := own[name]) is not None:
-                given.append((name, value.shape if isinstance(value, RequestModel) else None))
-        return type(self), tuple(given)
+        return type(self), tuple(
+            (name, value.shape if isinstance(value, RequestModel) else None)
+            for name, value in self.given.items()
+        )
 
     @model_validator(mode="after")
     def _one_form_and_kind(self) -> Self:
@@ -286,29 +285,32 @@ class RequestModel(BaseModel):
 
     def _refuse_other_kinds(self) -> None:
         kind = getattr(self, self.KIND)
+        given = self.given
         for name in self.KINDS[kind][0]:
-            if getattr(self, name) is None:
+            if name not in given:
                 raise field_error(name, "needed_beside", field=self.KIND)
         for name in _of_other_kinds(type(self), kind):
-            if getattr(self, name) is not None:
+            if name in given:
                 raise field_error(name, "of_another_kind", kind=kind or "none")
+
+    @property
+    def given(self) -> "Values":
+        """The fields that have a value, by their names."""
+        own = vars(self)  # with what is worked out of them and kept
+        return present({name: own[name] for name in type(self).model_fields})
 
     def to_core(self) -> dict[str, Any]:
         """The given fields as the core's arguments, in SI units."""
-        own = vars(self)
-        return {
-            core: value if convert is None else convert(value)
-            for name, core, convert in _core_plan(type(self))
-            if (value := own[name]) is not None
-        }
+        plan = _core_plan(type(self))
+        return {plan[name].core: plan[name].convert(value) for name, value in self.given.items()}
 
     ASSUMED: ClassVar[tuple[str, ...]] = ()
     """Fields whose default decides about the answer, which says so where they are not given."""
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """What is assumed, since it is not given: the path of each field, and its value."""
-        for name in self.ASSUMED:
-            if name not in self.model_fields_set and (value := getattr(self, name)) is not None:
+        for name, value in self.given.items():
+            if name in self.ASSUMED and name not in self.model_fields_set:
                 yield (name,), value
         for name, value in self:
             if isinstance(value, RequestModel):
@@ -339,10 +341,17 @@ class RequestModel(BaseModel):
         """
 
 
+class _InCore(NamedTuple):
+    """How a field is told to the core."""
+
+    core: str  # its name there
+    convert: Convert  # what takes its values to SI units
+
+
 @cache
-def _core_plan(model: type[RequestModel]) -> list[tuple[str, str, Convert | None]]:
-    """How a request is told to the core: name, core's name, what takes a value to SI units."""
-    return [(name, core_name(name), to_si_converter(name)) for name in model.model_fields]
+def _core_plan(model: type[RequestModel]) -> dict[str, _InCore]:
+    """How the fields of a request are told to the core."""
+    return {name: _InCore(core_name(name), to_si_converter(name)) for name in model.model_fields}
 
 
 def quantity(
@@ -376,7 +385,7 @@ def quantity(
         Default and limits, as pydantic's `Field` takes them.
     """
     shown = {"symbol": symbol, "group": group, "step": step, "advanced": advanced or None}
-    extra = {f"x-{key}": value for key, value in shown.items() if value is not None}
+    extra = {f"x-{key}": value for key, value in present(shown).items()}
     return Field(
         title=title,
         description=help,
@@ -432,10 +441,12 @@ def core_paths(shape: Shape) -> dict[str, tuple[str, ...]]:
     """Paths of the fields of a request, by its shape; where a model is not given, as if it were. By
     its name alone a parameter is the first of that name that is given, or else the first.
     """
-    model, within = shape[0], {name: inner for name, inner in shape[1] if inner is not None}
+    model, within = shape[0], present(dict(shape[1]))
     plan = _core_plan(model)
-    found: dict[str, tuple[str, ...]] = {core: (name,) for name, core, _ in reversed(plan)}
-    for name, core, _ in plan:
+    found: dict[str, tuple[str, ...]] = {}
+    for name, (core, _) in reversed(plan.items()):
+        found[core] = (name,)
+    for name, (core, _) in plan.items():
         held = [within[name]] if name in within else _held(model.model_fields[name].annotation)
         for each in held:
             for parameter, path in core_paths(each).items():
@@ -451,10 +462,9 @@ def core_paths(shape: Shape) -> dict[str, tuple[str, ...]]:
 
 def given_paths(shape: Shape) -> Iterator[tuple[str, ...]]:
     """Paths of the fields that requests of a shape have given."""
-    for name, inner in shape[1]:
-        yield (name,)
-        if inner is not None:
-            yield from ((name, *path) for path in given_paths(inner))
+    yield from ((name,) for name, _ in shape[1])
+    for name, inner in present(dict(shape[1])).items():
+        yield from ((name, *path) for path in given_paths(inner))
 
 
 def _held(annotation: Any) -> list[Shape]:
@@ -466,6 +476,11 @@ def _held(annotation: Any) -> list[Shape]:
 
 Values = dict[str, Any]
 """An answer, or a part of it, as it is sent: what there is, by the names of its model."""
+
+
+def present(values: Mapping[str, Any]) -> Values:
+    """What there is of values: those that are not None."""
+    return {name: value for name, value in values.items() if value is not None}
 
 
 class ResponseModel(BaseModel):
@@ -495,14 +510,10 @@ class ResponseModel(BaseModel):
         **given
             Fields that are said here, not read from the result; absent where None.
         """
-        values: Values = {}
-        for name, value in given.items():
-            if value is not None:
-                values[name] = value
-        plan = _plan(cls, *given)
+        values, plan = present(given), _plan(cls, *given)
         for name, attribute, convert in plan.read:
             if (value := getattr(result, attribute)) is not None:
-                values[name] = value if convert is None else convert(value)
+                values[name] = convert(value)
         if plan.warns and result.notices:
             values["warnings"] = [warning(each) for each in result.notices]
         if plan.states_accuracy:
@@ -622,7 +633,7 @@ NEGLECTED = {
 class _Plan(NamedTuple):
     """How an answer is made of a core result."""
 
-    read: list[tuple[str, str, Convert | None]]
+    read: list[tuple[str, str, Convert]]
     """What is read from it: name, core's name, and what makes a value of it that is sent."""
     warns: bool
     states_accuracy: bool

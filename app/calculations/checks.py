@@ -19,6 +19,7 @@ from app.model import (
     api_params,
     core_paths,
     given_paths,
+    present,
     quantity,
     result,
 )
@@ -304,16 +305,18 @@ SOURCES = LIMIT_SOURCES | CHECK_SOURCES
 def _kind_values(code: str) -> Values:
     """What is the same of all checks of a kind."""
     kind, was = CHECKS[code], WAS["checks"].get(code)
-    return {
-        "code": code,
-        **({} if was is None else {"was": was}),
-        "title": kind.title,
-        "group": kind.group,
-        "unit": shown_unit(f"value_{kind.unit}"),
-        "keep": kind.keep,
-        "formula": kind.formula,
-        "why": kind.why,
-    }
+    return present(
+        {
+            "code": code,
+            "was": was,
+            "title": kind.title,
+            "group": kind.group,
+            "unit": shown_unit(f"value_{kind.unit}"),
+            "keep": kind.keep,
+            "formula": kind.formula,
+            "why": kind.why,
+        }
+    )
 
 
 @lru_cache(maxsize=64)
@@ -373,8 +376,7 @@ def check_values(check: Check, body: RequestModel, inputs: list[str]) -> Values:
         "missing": [pointer(path) for name in check.missing if (path := path_of(body, name))]
         or None,
     }
-    known = {name: value for name, value in values.items() if value is not None}
-    return _kind_values(check.code) | known
+    return _kind_values(check.code) | present(values)
 
 
 def _value(body: Any, path: tuple[str | int, ...]) -> Any:
@@ -466,21 +468,19 @@ def fix_values(fix: Fix, body: RequestModel) -> Values:
         "status": fix.status,
         "verdict": fix.verdict,
         "side_effects": [
-            {
-                name: value
-                for name, value in {
+            present(
+                {
                     "code": each.code,
                     "status_from": each.before.status,
                     "status_to": each.after.status,
                     "utilisation_from": each.before.utilisation,
                     "utilisation_to": each.after.utilisation,
-                }.items()
-                if value is not None
-            }
+                }
+            )
             for each in fix.side_effects
         ],
     }
-    return {name: value for name, value in values.items() if value is not None}
+    return present(values)
 
 
 def judgement(
@@ -531,7 +531,7 @@ def part_values(found: PartVerdict, body: RequestModel) -> Values:
         "detail": _reason(found, body)["detail"] if found.reason else None,
         "missing": [pointer(path) for path in paths] or None,
     }
-    return {name: value for name, value in values.items() if value is not None}
+    return present(values)
 
 
 def codes_to_fix(verdict: Verdict, which: FixesFor) -> list[str]:

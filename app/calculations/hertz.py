@@ -29,6 +29,7 @@ from app.model import (
     WorkedFields,
     field_error,
     no_dust,
+    present,
     quantity,
     request_schema,
     result,
@@ -388,7 +389,7 @@ def _judged_by(body: str, limit: ContactLimit) -> Values:
         "source_code": limit.source or None,
         "life": LifeOut.of(limit),
     }
-    return {name: value for name, value in values.items() if value is not None}
+    return present(values)
 
 
 class HertzResponse(AssumingResponse):

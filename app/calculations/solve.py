@@ -26,6 +26,7 @@ from app.model import (
     WorkedFields,
     WorkedResponse,
     accuracy_values,
+    present,
     result,
 )
 from app.pointers import holder, inner, keys, with_values
@@ -38,6 +39,7 @@ from core.fixes.fix import PIN_SIZES
 from core.numerics.inverse import (
     MOST_WHOLE,
     SAMPLES,
+    SENSES,
     TOLERANCE,
     Sense,
     Solution,
@@ -103,12 +105,8 @@ class TargetFields(RequestModel):
     @property
     def wanted(self) -> tuple[Sense, float]:
         """How it is compared, and with what."""
-        if self.at_least is not None:
-            return "at_least", self.at_least
-        if self.at_most is not None:
-            return "at_most", self.at_most
-        assert self.equals is not None
-        return "equals", self.equals
+        given = self.given
+        return next((sense, given[sense]) for sense in SENSES if sense in given)
 
 
 class SolveRequest(WorkedFields):
@@ -335,7 +333,7 @@ def solve(body: SolveRequest) -> Values:
     if "worked" in body.include:
         name = body.variable.pointer.rpartition("/")[2]
         values["worked"] = stated("solve", {name: found.value}, "root")
-    return {name: value for name, value in values.items() if value is not None}
+    return present(values)
 
 
 def _standard(body: SolveRequest, found: Solution) -> float | None:
