@@ -167,6 +167,28 @@ def _wrong_form(forms: Forms, named: set[str]) -> PydanticCustomError:
     return field_error(missing, "needed_beside", field=other)
 
 
+class Rule(NamedTuple):
+    """A rule between two fields, by their paths (``load/input_speed_rpm``): it reads as a sentence,
+    of the field that is refused where it does not hold, and the one that the refusal names.
+    """
+
+    field: str
+    rule: Literal["only_one", "needed_beside", "needed"]
+    other: str
+
+
+BROKEN = {"only_one": (True, True), "needed_beside": (False, True), "needed": (False, False)}
+"""Whether the field of a rule and the other are given where it does not hold: both; the other
+alone; none of both."""
+
+
+@cache
+def _between(model: type["RequestModel"]) -> tuple[Rule, ...]:
+    """Rules between the fields of a request and of all that it is made of."""
+    every = (vars(each).get("BETWEEN", ()) for each in reversed(model.__mro__))
+    return tuple(chain.from_iterable(every))
+
+
 def _only(form: tuple[str, ...], names: Iterable[str]) -> dict[str, Any]:
     """Schema of a form: its fields, and none of the others.
 
@@ -241,6 +263,9 @@ class RequestModel(BaseModel):
     KINDS: ClassVar[Kinds] = {}
     """What its kinds have; fields that no kind has are those of all. None: without a kind."""
 
+    BETWEEN: ClassVar[tuple[Rule, ...]] = ()
+    """Rules between its fields, and those of the models within; the JSON schema admits more."""
+
     RULES: ClassVar[tuple[dict[str, Any], ...]] = ()
     """What its JSON schema says besides, of which a validator says the same."""
 
@@ -281,6 +306,9 @@ class RequestModel(BaseModel):
                     raise _wrong_form(forms, named)
         if self.KINDS:
             self._refuse_other_kinds()
+        for field, rule, other in _between(type(self)):
+            if (self.says(field), self.says(other)) == BROKEN[rule]:
+                raise field_error(field, rule, field=other.rpartition("/")[2])
         return self
 
     def _refuse_other_kinds(self) -> None:
@@ -292,6 +320,23 @@ class RequestModel(BaseModel):
         for name in _of_other_kinds(type(self), kind):
             if name in given:
                 raise field_error(name, "of_another_kind", kind=kind or "none")
+
+    def says(self, path: str) -> bool:
+        """Whether the field at a path is given.
+
+        Parameters
+        ----------
+        path : str
+            Names of the fields from this model on, by ``/``.
+
+        Returns
+        -------
+        bool
+        """
+        name, _, within = path.partition("/")
+        if name not in self.model_fields_set:
+            return False
+        return not within or getattr(self, name).says(within)
 
     @property
     def given(self) -> "Values":

@@ -35,6 +35,7 @@ from app.model import (
     Forms,
     Maybe,
     RequestModel,
+    Rule,
     Size,
     field_error,
     no_dust,
@@ -174,6 +175,12 @@ class DesignFields(GivingFields):
     by the satellites.
     """
 
+    BETWEEN: ClassVar[tuple[Rule, ...]] = (
+        Rule("contact/pin_radius_mm", "needed_beside", "rollers"),
+        Rule("friction/coefficient", "only_one", "rollers/friction_coefficient"),
+        Rule("load/application_factor", "only_one", "contact/dynamic_factor"),
+    )
+
     mechanism: MechanismFields
     load: Maybe[DesignLoadFields] = None
     contact: Maybe[PinContactFields] = None
@@ -181,24 +188,6 @@ class DesignFields(GivingFields):
     deviations: Maybe[DesignDeviationsFields] = None
     pin: Maybe[DesignPinFields] = None
     rollers: Maybe[RollersFields] = None
-
-    @model_validator(mode="after")
-    def _rollers_on_pins(self) -> Self:
-        if self.rollers is None:
-            return self
-        if self.contact is None or self.contact.pin_radius_mm is None:
-            raise field_error("contact/pin_radius_mm", "needed_beside", field="rollers")
-        friction = getattr(self, "friction", None)
-        if friction is not None and self.rollers.friction_coefficient is not None:
-            raise field_error("friction/coefficient", "only_one", field="friction_coefficient")
-        return self
-
-    @model_validator(mode="after")
-    def _one_factor(self) -> Self:
-        given = self.load is not None and self.load.application_factor is not None
-        if given and self.contact and "dynamic_factor" in self.contact.model_fields_set:
-            raise field_error("load/application_factor", "only_one", field="dynamic_factor")
-        return self
 
     @model_validator(mode="after")
     def _of_a_coupling(self) -> Self:

@@ -1,7 +1,7 @@
 """Load and life of the satellites' bearings: request, answer, figure."""
 
 from collections.abc import Iterator
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -14,7 +14,7 @@ from app.calculations.design import (
 )
 from app.calculations.mechanism import MAX_SATELLITES
 from app.calculations.named_bearing import NamedBearingFields, bearing_name
-from app.calculations.pin_contact import CrankContactFields
+from app.calculations.pin_contact import TOUCHING, CrankContactFields
 from app.calculations.ring import RingFields
 from app.model import (
     AccuracyOut,
@@ -24,6 +24,7 @@ from app.model import (
     Maybe,
     RequestModel,
     ResponseModel,
+    Rule,
     Size,
     Values,
     WarningOut,
@@ -174,16 +175,15 @@ class CrankshaftFields(RequestModel, group="crankshaft"):
 class CrankedRequest(DesignFields, WorkedFields):
     """Mechanism, load, crank and ring; pins and holes where the forces follow from them too."""
 
+    BETWEEN: ClassVar[tuple[Rule, ...]] = tuple(
+        Rule(f"contact/{name}", "needed_beside", section)
+        for section in OF_PINS
+        for name in TOUCHING
+    )
+
     load: DrivenLoadFields
     contact: CrankContactFields
     gear: RingFields
-
-    @model_validator(mode="after")
-    def _touching(self) -> Self:
-        for name in OF_PINS:
-            if getattr(self, name) is not None:
-                self.contact.refuse_without_pins(name, "contact/")
-        return self
 
 
 class SatelliteBearingRequest(CrankedRequest):

@@ -27,6 +27,7 @@ from app.model import (
     Calculation,
     Maybe,
     RequestModel,
+    Rule,
     Size,
     Values,
     Whole,
@@ -126,6 +127,10 @@ OF_RING_PINS = ("ring_peak_force_N", "ring_max_pressure_MPa")
 class ToleranceStudyRequest(RingInSeriesFields, group="study"):
     """Mechanism, load and contact, what the parts are made to, and which results are wanted."""
 
+    BETWEEN: ClassVar[tuple[Rule, ...]] = tuple(
+        Rule(f"tolerances/{name}", "only_one", "contact/fit") for name in DIAMETERS
+    )
+
     RULES: ClassVar[tuple[dict[str, Any], ...]] = of_the_ring("tolerances", OF_THE_RING)
 
     load: OneWayLoadFields
@@ -163,13 +168,6 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
         description="Results besides. `contributions` of G tolerances to the first quantity take "
         "2·G + 2 times as many pieces more.",
     )
-
-    @model_validator(mode="after")
-    def _fit_says_the_diameters(self) -> Self:
-        for name in DIAMETERS:
-            if self.contact.fit is not None and getattr(self.tolerances, name) is not None:
-                raise field_error(f"tolerances/{name}", "only_one", field="fit")
-        return self
 
     @cached_property
     def spread(self) -> TolerancesFields:
