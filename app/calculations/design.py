@@ -23,6 +23,7 @@ from app.calculations.pin import PinBoltFields, pin_places, strengths_of
 from app.calculations.pin_contact import PinContactFields
 from app.calculations.pin_rollers import RollersFields
 from app.calculations.real_mechanism import (
+    GIVING,
     BentPinFields,
     DeviationsFields,
     GivingFields,
@@ -39,6 +40,7 @@ from app.model import (
     Size,
     field_error,
     no_dust,
+    present,
     quantity,
     result,
 )
@@ -162,7 +164,7 @@ class DesignDeviationsFields(DeviationsFields, RingPinDeviationsFields, group="d
     @property
     def of_ring_alone(self) -> bool:
         """Whether nothing is stated but of the pins of the ring."""
-        given = {name for name, value in self if value is not None}
+        given = {*self.given}
         return bool(given) and given <= {*RING_PIN_LISTS}
 
 
@@ -192,10 +194,7 @@ class DesignFields(GivingFields):
     @model_validator(mode="after")
     def _of_a_coupling(self) -> Self:
         if self.mechanism.output == "coupling":
-            self.refuse_giving()
-            for name in RINGLESS:
-                if getattr(self, name, None) is not None:
-                    raise field_error(name, "of_other_output", output="coupling")
+            self.refuse_of_a_coupling(*GIVING, *RINGLESS)
         return self
 
     @model_validator(mode="after")
@@ -203,12 +202,13 @@ class DesignFields(GivingFields):
         load, both = self.load, self.mechanism.output == "both"
         if load is None:
             return self
-        given = [name for name in OF_BOTH if getattr(load, name) is not None]
+        given = [name for name in OF_BOTH if name in load.given]
+        driven = "input_speed_rpm" in load.given
         if given and not both:
             raise field_error(f"load/{given[0]}", "of_other_output", output=self.mechanism.output)
-        if given and load.input_speed_rpm is None:
+        if given and not driven:
             raise field_error("load/input_speed_rpm", "needed_beside", field=given[0])
-        if both and not given and load.input_speed_rpm is not None:
+        if both and not given and driven:
             raise field_error(f"load/{OF_BOTH[0]}", "needed_beside", field="input_speed_rpm")
         return self
 
@@ -226,11 +226,10 @@ class DesignFields(GivingFields):
             gear.refuse_other_teeth(self.mechanism.teeth_difference)
             if self.contact is not None:
                 gear.refuse_other_discs(self.contact.hole_material)
-        listed = RING_PIN_LISTS if self.deviations is not None else ()
-        for name in listed if "gear" in type(self).model_fields else ():
-            given = getattr(self.deviations, name) is not None
-            if given and (gear is None or gear.kind != "cycloid"):
-                raise field_error("gear", "needed_beside", field=name)
+        listed = [name for name in RING_PIN_LISTS if self.says(f"deviations/{name}")]
+        of_ring = "gear" not in type(self).model_fields or getattr(gear, "kind", None) == "cycloid"
+        if listed and not of_ring:
+            raise field_error("gear", "needed_beside", field=listed[0])
         return self
 
     @model_validator(mode="after")
@@ -243,9 +242,8 @@ class DesignFields(GivingFields):
     def as_made(self) -> bool:
         """Whether clearance, deviations, a law of contact or satellites that give are given."""
         loose = self.contact is not None and self._clearance_mm(self.contact) > 0
-        sections = (self.contact_law, self.support)
         made = self.deviations is not None and not self.deviations.of_ring_alone
-        return loose or made or any(each is not None for each in sections)
+        return loose or made or self.contact_law is not None or self.support is not None
 
     def _clearance_mm(self, contact: PinContactFields) -> float:
         """Radial clearance with what rollers add to one that is known."""
@@ -267,14 +265,12 @@ class DesignFields(GivingFields):
 
     def notices(self) -> tuple[Notice, ...]:
         """Also a ratio that no cycloid disc with one lobe less has."""
-        gear, ratio = getattr(self, "gear", None), self.mechanism.typed_ratio()
-        found = super().notices()
-        bolt = None if self.pin is None else self.pin.bolt
-        if bolt is not None and bolt.tightening_torque_Nm is not None:
-            found += (Notice("nut_factor", {"preload": bolt.section().preload}),)
+        gear, found = getattr(self, "gear", None), super().notices()
         cycloid = gear is not None and gear.kind == "cycloid" and gear.teeth_difference in (None, 1)
-        if cycloid and ratio is not None and not ratio.is_integer():
-            found += (Notice("ratio_not_whole", {"ratio": ratio}),)
+        if cycloid and self.mechanism.teeth is None:
+            ratio = self.mechanism.ratio_given()
+            if not ratio.is_integer():
+                found += (Notice("ratio_not_whole", {"ratio": ratio}),)
         return found
 
     @property
@@ -307,8 +303,7 @@ class DesignFields(GivingFields):
 
     def parts(self) -> dict[str, Any]:
         """The sections of the design that are given, by their names in it."""
-        given = ((each.name, getattr(self, each.name, None)) for each in fields(Design))
-        return {name: section for name, section in given if section is not None}
+        return present({each.name: getattr(self, each.name, None) for each in fields(Design)})
 
     @cached_property
     def design(self) -> Design:

@@ -13,6 +13,7 @@ from core.material_table import MATERIALS
 from core.output.pin_beam import Support
 from core.output.pin_bolt import PinBolt, bolt_preload
 from core.output.tie_ring import RingJoint
+from core.results import Notice
 
 
 def strengths_of(given: str | MaterialFields) -> dict[str, Any]:
@@ -63,11 +64,17 @@ class PinBoltFields(RequestModel, group="pin"):
     )
     """Of the spacer on the carrier, which keeps it from slipping."""
 
+    def notices(self) -> tuple[Notice, ...]:
+        """That the preload is estimated from a torque."""
+        if "tightening_torque_Nm" not in self.given:
+            return ()
+        return (Notice("nut_factor", {"preload": self.section().preload}),)
+
     def section(self) -> PinBolt:
         """The bolt in SI units."""
         own = self.to_core()
-        if (torque := own.pop("tightening_torque", None)) is not None:
-            core = own["core_diameter"]
+        if "tightening_torque" in own:
+            core, torque = own["core_diameter"], own.pop("tightening_torque")
             own["preload"] = bolt_preload(tightening_torque=torque, core_diameter=core)
         return PinBolt(**own)
 

@@ -10,6 +10,7 @@ from app.calculations.contact_law import ContactLawFields
 from app.calculations.mechanism import MechanismFields
 from app.calculations.pin_rollers import RollersFields
 from app.calculations.real_mechanism import (
+    GIVING,
     BentPinFields,
     GivingFields,
     RealContactFields,
@@ -67,19 +68,18 @@ class RealDesignFields(GivingFields, group="contact_law"):
     @model_validator(mode="after")
     def _of_a_coupling(self) -> Self:
         if self.mechanism.output == "coupling":
-            self.refuse_giving()
+            self.refuse_of_a_coupling(*GIVING)
         return self
 
     @property
     def known_in_first_order(self) -> bool:
         """Whether what the satellites give is known in first order only."""
-        return self.coupled or self.crank_support is not None
+        return bool(self.giving)
 
     @model_validator(mode="after")
     def _first_order(self) -> Self:
         if self.geometry == "exact" and self.known_in_first_order:
-            beside = "satellite_coupling" if self.coupled else "crank_support"
-            raise field_error("geometry", "first_order_only", field=beside)
+            raise field_error("geometry", "first_order_only", field=self.giving[0])
         if self.geometry == "exact" and self.tied:
             raise field_error("geometry", "first_order_only", field="support")
         return self

@@ -147,6 +147,8 @@ class CrankSupportFields(RequestModel, group="crank_support"):
     )
     """Radial internal clearance, as catalogues give it: half of it to either side."""
 
+    gives: ClassVar[bool] = True
+
     def section(self, _: Any = None) -> CrankSupport:
         """The bearings in SI units."""
         return CrankSupport(**self.to_core())
@@ -181,11 +183,23 @@ class SatelliteCouplingFields(RequestModel, group="satellite_coupling"):
             raise field_error("shares", "sum_not_one", sum=total)
         return self
 
+    @property
+    def gives(self) -> bool:
+        """Whether the satellites give by it."""
+        return self.kind != "rigid"
+
     def section(self, _: Any = None) -> ElasticMesh | Shares | None:
         """The coupling in SI units; none where it is rigid."""
-        if self.stiffness_Nm_per_arcmin is not None:
-            return ElasticMesh(to_si("stiffness_Nm_per_arcmin", self.stiffness_Nm_per_arcmin))
-        return None if self.shares is None else Shares(tuple(self.shares))
+        match self.to_core():
+            case {"stiffness": stiffness}:
+                return ElasticMesh(stiffness)
+            case {"shares": shares}:
+                return Shares(tuple(shares))
+        return None
+
+
+GIVING = ("crank_support", "satellite_coupling")
+"""Sections that say what the satellites give."""
 
 
 class GivingFields(RequestModel):
@@ -196,42 +210,45 @@ class GivingFields(RequestModel):
 
     @model_validator(mode="after")
     def _gives_in_one_way(self) -> Self:
-        if self.coupled and self.crank_support is not None:
+        giving = self.giving
+        if len(giving) > 1:
             raise field_error("satellite_coupling", "only_one", field="crank_support")
-        beside = "satellite_coupling" if self.coupled else "crank_support"
-        if self.tied and (self.coupled or self.crank_support is not None):
-            raise field_error("pin/support", "only_one", field=beside)
+        if self.tied and giving:
+            raise field_error("pin/support", "only_one", field=giving[0])
         return self
 
-    def refuse_giving(self) -> None:
-        """Refuse satellites that give, of two shafts that pins couple: there are none.
+    def refuse_of_a_coupling(self, *sections: str) -> None:
+        """Refuse sections that two shafts which pins couple have none of.
+
+        Parameters
+        ----------
+        *sections : str
+            Their names.
 
         Raises
         ------
         PydanticCustomError
             If any is given.
         """
-        for name in ("crank_support", "satellite_coupling"):
-            if getattr(self, name) is not None:
+        for name in sections:
+            if name in self.given:
                 raise field_error(name, "of_other_output", output="coupling")
 
     @property
     def tied(self) -> bool:
         """Whether a tie ring joins the pins."""
         pin = getattr(self, "pin", None)
-        return pin is not None and pin.support == "tie_ring"
+        return getattr(pin, "support", None) == "tie_ring"
 
     @property
-    def coupled(self) -> bool:
-        """Whether the coupling gives."""
-        return self.satellite_coupling is not None and self.satellite_coupling.kind != "rigid"
+    def giving(self) -> list[str]:
+        """Sections by which the satellites give."""
+        return [name for name in GIVING if name in self.given and self.given[name].gives]
 
     @cached_property
     def support(self) -> SatelliteSupport | None:
         """What the satellites give; none where they are rigid."""
-        if self.crank_support is not None:
-            return self.crank_support.section()
-        return None if self.satellite_coupling is None else self.satellite_coupling.section()
+        return next((self.given[name].section() for name in self.giving), None)
 
     def refuse_other_shares(self, satellites: int) -> None:
         """Refuse shares that are not one for each satellite.
