@@ -1,6 +1,7 @@
 """What every request and answer shares: strictness, units, accuracy, warnings."""
 
 import math
+from abc import abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property, lru_cache
@@ -396,7 +397,23 @@ class _InCore(NamedTuple):
 @cache
 def _core_plan(model: type[RequestModel]) -> dict[str, _InCore]:
     """How the fields of a request are told to the core."""
-    return {name: _InCore(core_name(name), to_si_converter(name)) for name in model.model_fields}
+    plan = {}
+    for name, field in model.model_fields.items():
+        part = any(issubclass(held, PartFields) for held, _ in _held(field.annotation))
+        plan[name] = _InCore(core_name(name), _section if part else to_si_converter(name))
+    return plan
+
+
+class PartFields(RequestModel):
+    """A part of a section, alone or in a list: the arguments of the core have it in SI units."""
+
+    @abstractmethod
+    def section(self) -> Any:
+        """The same in SI units."""
+
+
+def _section(part: Any) -> Any:
+    return tuple(map(_section, part)) if isinstance(part, list) else part.section()
 
 
 def quantity(

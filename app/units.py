@@ -76,7 +76,7 @@ def _as_it_is(value: Any) -> Any:
 
 
 def to_si(field: str, value: Any) -> Any:
-    """Value of an API field in SI units; lists element by element, None as it is."""
+    """Value of an API field in SI units; lists element by element, as tuples; None as it is."""
     return value if value is None else to_si_converter(field)(value)
 
 
@@ -94,7 +94,7 @@ def to_si_converter(field: str) -> Convert:
 
     def convert(value: Any) -> Any:
         if not isinstance(value, float) and isinstance(value, (list, tuple)):
-            return [*map(convert, value)]
+            return tuple(map(convert, value))
         return value * times / over
 
     return convert

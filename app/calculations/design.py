@@ -144,7 +144,7 @@ class DesignPinFields(BentPinFields, group="pin"):
             ring_joint=held.ring_joint,
             contact_length=to_si("contact_length_mm", self.contact_length_mm),
             rotates=self.rotates,
-            bolt=None if self.bolt is None else self.bolt.section(),
+            bolt=self.to_core().get("bolt"),
             **strengths_of(material),
         )
 

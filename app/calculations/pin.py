@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 from app.calculations.fatigue import STEEL_GPA
 from app.calculations.hertz import MaterialFields
 from app.calculations.mechanism import MAX_SATELLITES
-from app.model import Forms, Kinds, Maybe, RequestModel, Size, quantity
+from app.model import Forms, Kinds, Maybe, PartFields, RequestModel, Size, quantity
 from app.units import from_si, to_si
 from core.material_table import MATERIALS
 from core.output.pin_beam import Support
@@ -44,7 +44,7 @@ def strengths_of(given: str | MaterialFields) -> dict[str, Any]:
     }
 
 
-class PinBoltFields(RequestModel, group="pin"):
+class PinBoltFields(PartFields, group="pin"):
     """A bolt through the pin, which is its spacer then."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("preload_N",), ("tightening_torque_Nm",), ()),)

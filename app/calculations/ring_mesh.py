@@ -264,7 +264,7 @@ class RingMeshRequest(RequestModel, group="positions"):
     def involute(self) -> Ring:
         """The ring of involute teeth, in SI units."""
         assert isinstance(self.gear, InvoluteRingFields)
-        return ring_of(self.gear)
+        return ring_of(self.gear.to_core())
 
     @property
     def loaded_teeth(self) -> dict[str, Any]:

@@ -22,6 +22,7 @@ from app.model import (
     AssumingResponse,
     Calculation,
     Maybe,
+    PartFields,
     RequestModel,
     ResponseModel,
     Rule,
@@ -94,7 +95,7 @@ MAX_WEIGHTS = 20
 """Counterweights at most."""
 
 
-class CounterweightFields(RequestModel, group="crankshaft"):
+class CounterweightFields(PartFields, group="crankshaft"):
     """A mass on the shaft that is off its axis."""
 
     unbalance_kg_mm: Unbalance = quantity("Unbalance", "U", step=0.1)
@@ -104,8 +105,12 @@ class CounterweightFields(RequestModel, group="crankshaft"):
     angle_deg: Angle = quantity("Direction", "β", default=180.0, step=15)
     """Counted as the crank angles are; 180° is opposite to a crank at 0°."""
 
+    def section(self) -> Counterweight:
+        """The same in SI units."""
+        return Counterweight(**self.to_core())
 
-class SeatedBearingFields(ShaftBearingFields, group="crankshaft"):
+
+class SeatedBearingFields(ShaftBearingFields, PartFields, group="crankshaft"):
     """A bearing of the crankshaft, and what it sits in."""
 
     seat: Seat = quantity("Sits in", alias="in", default="housing")
@@ -161,15 +166,7 @@ class CrankshaftFields(RequestModel, group="crankshaft"):
 
     def section(self, _: Any) -> Shaft:
         """The shaft in SI units."""
-        own = self.to_core()
-        for name in ("satellite_positions", "bearing_positions"):
-            own[name] = tuple(own[name])
-        own["counterweights"] = tuple(
-            Counterweight(**each.to_core()) for each in self.counterweights or ()
-        )
-        if self.bearings is not None:
-            own["bearings"] = tuple(each.section() for each in self.bearings)
-        return Shaft(**own)
+        return Shaft(**self.to_core())
 
 
 class CrankedRequest(DesignFields, WorkedFields):
