@@ -3,6 +3,7 @@ load, contact, and the forces that follow.
 """
 
 import math
+from collections import ChainMap
 from collections.abc import Iterator
 from dataclasses import fields, replace
 from functools import cached_property, partial
@@ -17,7 +18,6 @@ from app.calculations.contact_force import (
     peak_torque,
 )
 from app.calculations.contact_law import ContactLawFields
-from app.calculations.hertz import MaterialFields
 from app.calculations.mechanism import MechanismFields
 from app.calculations.pin import PinBoltFields, pin_places, strengths_of
 from app.calculations.pin_contact import PinContactFields
@@ -130,11 +130,9 @@ class DesignPinFields(BentPinFields, group="pin"):
     bolt: Maybe[PinBoltFields] = None
 
     def section(self, whole: Any) -> DesignPin:
-        """The pin in SI units; what is not given is that of the contact."""
-        rollers = getattr(whole, "rollers", None)
-        bore = None if rollers is None else rollers.to_core().get("bore_diameter")
-        held = self.held(whole.contact, bore)
-        material: str | MaterialFields = self.material or whole.contact.pin_material
+        """The pin in SI units; what is not given is that of what is around it."""
+        held = self.held(*whole.around_pins)
+        own = ChainMap(self.to_core(), *whole.around_pins)
         return DesignPin(
             support=held.support,
             diameter=held.diameter,
@@ -144,8 +142,8 @@ class DesignPinFields(BentPinFields, group="pin"):
             ring_joint=held.ring_joint,
             contact_length=to_si("contact_length_mm", self.contact_length_mm),
             rotates=self.rotates,
-            bolt=self.to_core().get("bolt"),
-            **strengths_of(material),
+            bolt=own.get("bolt"),
+            **strengths_of(own["material"]),
         )
 
 

@@ -44,7 +44,7 @@ from core.errors import InvalidInput
 from core.output.fit import Fit
 from core.output.mechanism import Mechanism
 from core.output.pin_geometry import SLIPPED, slip_notices
-from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_mechanism import RealMechanism
 from core.output.room import POSITIONS
 from core.precision import ROUNDING
 from core.results import Accuracy, Notice
@@ -83,7 +83,7 @@ class FitRequest(RequestModel, group="positions"):
     mechanism: MechanismFields
     load: PinCircleFields
     contact: RealContactFields
-    deviations: Maybe[DeviationsFields] = None
+    deviations: DeviationsFields = Field(default_factory=DeviationsFields)
     crank_support: Maybe[CrankSupportFields] = None
     crank_angle_deg: list[Angle] = quantity(
         "Crank angles", "φ", default=[0.0], min_length=1, max_length=MAX_POSITIONS
@@ -109,8 +109,7 @@ class FitRequest(RequestModel, group="positions"):
         if self.mechanism.pairs > limit:
             most = self.mechanism.most_pins(limit)
             raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **most)
-        if self.deviations is not None:
-            self.deviations.refuse_other_lengths(self.mechanism.pins, self.mechanism.satellites)
+        self.deviations.refuse_other_lengths(self.mechanism.pins, self.mechanism.satellites)
 
     @cached_property
     def built(self) -> Mechanism:
@@ -126,7 +125,7 @@ class FitRequest(RequestModel, group="positions"):
                 pin_circle_radius=to_si("radius_mm", self.load.pin_circle_radius_mm),
                 **self.contact.sizes(),
                 law=law_by_materials(self.contact),
-                deviations=Deviations() if self.deviations is None else self.deviations.section(),
+                deviations=self.deviations.section(),
                 exact=support is None,
                 support=support,
             )

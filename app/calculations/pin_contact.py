@@ -140,6 +140,12 @@ class PinContactFields(ContactFields, group="contact"):
             clearance = float(Decimal(repr(self.hole_radius_mm)) - self._sum(*RADII[:2]))
         return felt(clearance=clearance, hole_radius=self.hole_mm())
 
+    @property
+    def surface(self) -> dict[str, Any]:
+        """What pins have where they do not say it: diameter, m, and material."""
+        diameter = 2 * to_si("radius_mm", self.pin_radius_mm)
+        return {"diameter": diameter, "material": self.pin_material}
+
     def section(self, _: Any = None) -> Contact:
         """The same in SI units."""
         given = {name: getattr(self, name) for name in ("pin_material", "hole_material")}

@@ -120,19 +120,21 @@ class RealDesignFields(GivingFields, group="contact_law"):
 
     def made(self, deviations: Deviations) -> RealMechanism:
         """The mechanism as it is made, in SI units."""
-        sizes, inside, play = self.contact.sizes(), None, 0.0
+        sizes, play = self.contact.sizes(), 0.0
+        pin = None if self.pin is None else self.pin.held(*self.around_pins)
         if self.rollers is not None:
             rollers = self.rollers.section(self)
-            given = None if self.pin is None else to_si("diameter_mm", self.pin.diameter_mm)
-            rollers.check(pin_radius=sizes["pin_radius"], pin_diameter=given)
-            inside, play = rollers.bore_diameter, rollers.play
+            rollers.check(
+                pin_radius=sizes["pin_radius"], pin_diameter=None if pin is None else pin.diameter
+            )
+            play = rollers.play
             sizes["contact_length"] = min(sizes["contact_length"], rollers.length)
         return RealMechanism(
             mechanism=self.built,
             pin_circle_radius=to_si("radius_mm", self.load.pin_circle_radius_mm),
             **sizes,
             law=self.contact_law.section(self),
-            pin=None if self.pin is None else self.pin.held(self.contact, inside),
+            pin=pin,
             deviations=deviations,
             exact=self.geometry == "exact",
             support=self.support,

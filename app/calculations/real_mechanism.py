@@ -1,6 +1,7 @@
 """The output mechanism as it is made, as a request gives it."""
 
 import math
+from collections import ChainMap
 from collections.abc import Iterator
 from functools import cached_property, partial
 from typing import Annotated, Any, ClassVar, Literal, Self
@@ -25,7 +26,6 @@ from app.model import (
 )
 from app.problems import invalid_input, refusal, wrong
 from app.units import to_si
-from core.materials import ElasticMaterial
 from core.output.contact_law import PinSupport
 from core.output.real_mechanism import Deviations
 from core.output.sampled_turn import Direction
@@ -105,22 +105,25 @@ class BentPinFields(HeldPinFields, group="pin"):
 
     _bore_size = field_validator("bore_diameter_mm")(no_dust)
 
-    def held(self, contact: PinContactFields | None, in_rollers: float | None = None) -> PinSupport:
-        """The pin in SI units; what is not given is that of the contact, or the bore of its
-        rollers, m.
+    def held(self, *around: dict[str, Any]) -> PinSupport:
+        """The pin in SI units.
+
+        Parameters
+        ----------
+        *around : dict
+            Diameter, m, and material of what is around it, the nearest first, which it has where
+            its own are not given.
+
+        Returns
+        -------
+        PinSupport
         """
-        own = self.to_core()
-        diameter, material = own.get("diameter", in_rollers), self.material
-        if contact is not None:
-            diameter = diameter or 2 * to_si("radius_mm", contact.pin_radius_mm)
-            material = material or contact.pin_material
-        assert diameter is not None and material is not None
-        given: ElasticMaterial = material_of(material)
+        own = ChainMap(self.to_core(), *around)
         return PinSupport(
             support=self.support,
-            diameter=diameter,
-            satellite_positions=tuple(own.get("satellite_positions", ())),
-            material=given,
+            diameter=own["diameter"],
+            satellite_positions=own.get("satellite_positions", ()),
+            material=material_of(own["material"]),
             span=own.get("span"),
             bore_diameter=own["bore_diameter"],
             ring_joint=self.ring_joint or "pinned",
@@ -131,7 +134,7 @@ def assumed_pin(
     pin: BentPinFields | None, contact: PinContactFields | None
 ) -> Iterator[tuple[tuple[str, ...], Any]]:
     """The material of pins where it is not given: that of the contact."""
-    if pin is not None and pin.material is None and contact is not None:
+    if pin is not None and "material" not in pin.given and contact is not None:
         given = contact.pin_material
         values = given if isinstance(given, str) else given.model_dump(exclude_none=True)
         yield ("pin", "material"), values
@@ -217,6 +220,12 @@ class GivingFields(RequestModel):
             raise field_error("pin/support", "only_one", field=giving[0])
         return self
 
+    @property
+    def around_pins(self) -> list[dict[str, Any]]:
+        """What pins have where they do not say it, by what is around them, the nearest first."""
+        given = self.given
+        return [given[name].surface for name in ("rollers", "contact") if name in given]
+
     def refuse_of_a_coupling(self, *sections: str) -> None:
         """Refuse sections that two shafts which pins couple have none of.
 
@@ -231,7 +240,7 @@ class GivingFields(RequestModel):
             If any is given.
         """
         for name in sections:
-            if name in self.given:
+            if self.says(name):
                 raise field_error(name, "of_other_output", output="coupling")
 
     @property
@@ -243,7 +252,8 @@ class GivingFields(RequestModel):
     @property
     def giving(self) -> list[str]:
         """Sections by which the satellites give."""
-        return [name for name in GIVING if name in self.given and self.given[name].gives]
+        given = self.given
+        return [name for name in GIVING if name in given and given[name].gives]
 
     @cached_property
     def support(self) -> SatelliteSupport | None:
@@ -326,8 +336,8 @@ class DeviationsFields(RequestModel, group="deviations"):
             raise invalid_input(errors)
 
     def _lengths(self, pins: int, satellites: int) -> Iterator[tuple[str, int, int]]:
-        for name, value in self:
-            if value is None or name.startswith("ring"):
+        for name, value in self.given.items():
+            if name.startswith("ring"):
                 continue
             if not name.startswith("hole"):
                 yield name, pins if name.startswith("pin") else satellites, len(value)

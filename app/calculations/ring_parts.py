@@ -123,6 +123,11 @@ class CycloidRingFields(RingPinsFields, group="gear"):
     disc_material: Material = quantity("Disc material", default=DISC_MATERIAL)
     """A name of the table of materials, or values."""
 
+    @property
+    def turned(self) -> bool:
+        """Whether a modification turns the flanks."""
+        return self.modification is not None and self.modification.rotation_arcmin > 0
+
     def notices(self) -> tuple[Notice, ...]:
         """That nothing is known of the modification."""
         unknown = self.modification is None
