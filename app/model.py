@@ -155,7 +155,7 @@ def _alternatives(model: type["RequestModel"]) -> tuple[_Alternative, ...]:
     )
 
 
-def _wrong_form(forms: Forms, named: set[str]) -> PydanticCustomError:
+def wrong_form(forms: Forms, named: set[str]) -> PydanticCustomError:
     """Why the fields that a request names are none of some forms."""
     given = [form for form in forms if not named.isdisjoint(form)]
     if not given:
@@ -304,7 +304,7 @@ class RequestModel(BaseModel):
             named = self.model_fields_set
             for forms, names, allowed in alternatives:
                 if names & named not in allowed:
-                    raise _wrong_form(forms, named)
+                    raise wrong_form(forms, named)
         if self.KINDS:
             self._refuse_other_kinds()
         for field, rule, other in _between(type(self)):
