@@ -824,6 +824,14 @@ class AssumingResponse(WorkedResponse):
     assumed: Maybe[list[AssumedOut]] = assumptions()
 
 
+def notices_of(*results: Any) -> tuple[Notice, ...]:
+    """Notices of core results, of those that there are; one may be a notice itself."""
+    found: list[Notice] = []
+    for each in filter(None, results):
+        found += (each,) if isinstance(each, Notice) else each.notices
+    return tuple(found)
+
+
 REPLACED = "The code that this one replaces; for one release."
 
 
