@@ -40,6 +40,7 @@ from app.model import (
     Size,
     field_error,
     no_dust,
+    notices_of,
     present,
     quantity,
     result,
@@ -225,7 +226,7 @@ class DesignFields(GivingFields):
             if self.contact is not None:
                 gear.refuse_other_discs(self.contact.hole_material)
         listed = [name for name in RING_PIN_LISTS if self.says(f"deviations/{name}")]
-        of_ring = "gear" not in type(self).model_fields or getattr(gear, "kind", None) == "cycloid"
+        of_ring = "gear" not in type(self).model_fields or self.ring_kind == "cycloid"
         if listed and not of_ring:
             raise field_error("gear", "needed_beside", field=listed[0])
         return self
@@ -235,6 +236,11 @@ class DesignFields(GivingFields):
         if self.as_made and self.contact and self.contact.distribution_factor > 1:
             raise field_error("contact/distribution_factor", "with_real_forces")
         return self
+
+    @property
+    def ring_kind(self) -> str | None:
+        """Kind of the mesh with the ring, where there is one and says it."""
+        return getattr(getattr(self, "gear", None), "kind", None)
 
     @cached_property
     def as_made(self) -> bool:
@@ -246,7 +252,7 @@ class DesignFields(GivingFields):
     def _clearance_mm(self, contact: PinContactFields) -> float:
         """Radial clearance with what rollers add to one that is known."""
         given = contact.clearance_mm()
-        if self.rollers is None or contact.pin_radius_mm is None or contact.clearance_unknown:
+        if self.rollers is None or contact.clearance_unknown:
             return given
         return given + (self.rollers.radial_clearance_mm or 0.0) / 2
 
@@ -263,9 +269,10 @@ class DesignFields(GivingFields):
 
     def notices(self) -> tuple[Notice, ...]:
         """Also a ratio that no cycloid disc with one lobe less has."""
-        gear, found = getattr(self, "gear", None), super().notices()
-        cycloid = gear is not None and gear.kind == "cycloid" and gear.teeth_difference in (None, 1)
-        if cycloid and self.mechanism.teeth is None:
+        gear: Any = self.given.get("gear")
+        found = super().notices()
+        one_lobe_less = self.ring_kind == "cycloid" and gear.teeth_difference in (None, 1)
+        if one_lobe_less and self.mechanism.teeth is None:
             ratio = self.mechanism.ratio_given()
             if not ratio.is_integer():
                 found += (Notice("ratio_not_whole", {"ratio": ratio}),)
@@ -316,8 +323,8 @@ class DesignFields(GivingFields):
 
     def with_fit(self, result: Result) -> Result:
         """A result with the notices of how pins and holes fit."""
-        fit, known = self.solve_fit(), cast(Any, result)
-        return result if fit is None else replace(known, notices=fit.notices + known.notices)
+        notices = notices_of(self.solve_fit(), result)
+        return cast(Result, replace(cast(Any, result), notices=notices))
 
     def drawn_angles(self) -> tuple[FloatArray, FloatArray]:
         """Crank angles of a figure's curves, and where ideal pairs switch, rad."""

@@ -117,7 +117,7 @@ class PinContactFields(ContactFields, group="contact"):
 
     @property
     def _sized(self) -> bool:
-        return self.pin_radius_mm is not None and self.eccentricity_mm is not None
+        return self.given.keys() >= {"pin_radius_mm", "eccentricity_mm"}
 
     def notices(self) -> tuple[Notice, ...]:
         """Also that parts without clearance are perfect ones."""
@@ -135,9 +135,8 @@ class PinContactFields(ContactFields, group="contact"):
         """
         clearance = self.stated_clearance_mm
         if clearance is None:
-            if self.hole_radius_mm is None or self.eccentricity_mm is None:
-                return 0.0
-            clearance = float(Decimal(repr(self.hole_radius_mm)) - self._sum(*RADII[:2]))
+            typed = self.given.keys() >= {"hole_radius_mm", "eccentricity_mm"}
+            clearance = float(self._sum("hole_radius_mm") - self._sum(*RADII[:2])) if typed else 0.0
         return felt(clearance=clearance, hole_radius=self.hole_mm())
 
     @property

@@ -188,14 +188,14 @@ class SolveRequest(WorkedFields):
         long = math.isinf(self.asked.cost())
         parts = keys(self.variable.pointer)
         place = holder(self.input, parts)
-        if not isinstance(place, dict) or _number(place.get(parts[-1], 0)) is None:
+        if not isinstance(place, dict) or not _is_number(place.get(parts[-1], 0)):
             raise refusal("/variable/pointer", "not_there", field="input")
         target = keys(self.target.pointer)
         start: Any = place.get(parts[-1])
         hole = holder(self.input, keys(HOLE))
         linked = []
-        if self.variable.pointer in LINKED and hole and _number(start) is not None:
-            linked = [HOLE] if _number(hole.get("hole_radius_mm")) is not None else []
+        if self.variable.pointer in LINKED and hole and _is_number(start):
+            linked = [HOLE] if _is_number(hole.get("hole_radius_mm")) else []
 
         def setting(value: float) -> dict[str, float]:
             one = {self.variable.pointer: value}
@@ -269,8 +269,8 @@ def _refused(error: Exception) -> Exception:
     return problem.beneath("/input")
 
 
-def _number(value: Any) -> float | None:
-    return float(value) if isinstance(value, (int, float)) and not isinstance(value, bool) else None
+def _is_number(value: Any) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
 
 
 def _at(answer: Values, target: list[str]) -> float:
@@ -278,8 +278,7 @@ def _at(answer: Values, target: list[str]) -> float:
     found: Any = answer
     for part in target:
         found = inner(found, part)
-    number = _number(found)
-    return math.nan if number is None else number
+    return float(found) if _is_number(found) else math.nan
 
 
 class BestOut(ResponseModel):
@@ -339,7 +338,7 @@ def solve(body: SolveRequest) -> Values:
 def _standard(body: SolveRequest, found: Solution) -> float | None:
     if not body.variable.pointer.endswith("/pin_radius_mm") or found.value is None:
         return None
-    if (body.input.get("pin") or {}).get("diameter_mm") is not None:  # then it is a sleeve's
+    if "diameter_mm" in body.input.get("pin", {}):  # then it is a sleeve's
         return None
     radii = [size / 2 for size in PIN_SIZES]
     if body.want == "largest":
