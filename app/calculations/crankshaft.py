@@ -40,7 +40,7 @@ class CrankshaftRequest(CrankedRequest):
 
     def solve(self) -> Crankshaft:
         """Reactions and balance."""
-        return self.with_fit(self.results.crankshaft)
+        return self.with_fit(self.results.crank.shaft)
 
     def steps(self) -> list[Step]:
         """Worked steps of reactions, lives and balance."""

@@ -109,7 +109,7 @@ class OutputEfficiencyRequest(CurveFields, DesignFields):
 
     def solve(self) -> PinLosses:
         """Losses, and how pins and holes fit."""
-        return self.with_fit(self.results.output_efficiency)
+        return self.with_fit(self.results.losses.pins)
 
     def steps(self) -> list[Step]:
         """Worked steps of friction and wear."""

@@ -191,7 +191,7 @@ class SatelliteBearingRequest(CrankedRequest):
 
     def solve(self) -> SatelliteBearings:
         """Loads and lives."""
-        return self.with_fit(self.results.satellite_bearing)
+        return self.with_fit(self.results.crank.bearings)
 
     def steps(self) -> list[Step]:
         """Worked steps of the bearing that is loaded most."""

@@ -15,6 +15,7 @@ from app.calculations import (
     roller_strength,
     shaft_deflection,
 )
+from app.calculations.crank_planetary_request import SECTIONS, CrankPlanetaryRequest
 from app.model import (
     AccuracyOut,
     Calculation,
@@ -134,7 +135,7 @@ class SolveRequest(WorkedFields):
         """The input, with what the target needs and no more asked of the answer."""
         design = deepcopy(self.input)
         target = keys(self.target.pointer)
-        sections = crank_planetary.SECTIONS
+        sections = SECTIONS
         if self.calculation == "crank-planetary":
             design["include"] = [target[0] if target and target[0] in sections else "checks"]
         elif self.calculation in ("roller-strength", "precession/shaft-deflection"):
@@ -161,7 +162,7 @@ class SolveRequest(WorkedFields):
         """
         given, asked = [*self.asked.assumed()], self.asked
         contact = getattr(asked, "contact", None)
-        whole = isinstance(asked, crank_planetary.CrankPlanetaryRequest)
+        whole = isinstance(asked, CrankPlanetaryRequest)
         if whole and contact is not None and contact.clearance_unknown:
             given.append((("contact", "hole_clearance_mm"), 0.0))
         for path, value in given:

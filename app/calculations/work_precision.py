@@ -136,7 +136,7 @@ def _turning(results: Results) -> dict[str, Any]:
         "force_exponent": design.load.force_exponent,
         "pin_circle_radius": design.load.pin_circle_radius,
         "eccentricity": design.known_eccentricity,
-        "mesh": results.ring_force,
+        "mesh": results.ring.force,
     }
 
 

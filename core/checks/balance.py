@@ -42,8 +42,8 @@ def _of_share(results: Results, value: float, share: float) -> float:
     """Limit of a value where what is not balanced may load each bearing by a share of the most that
     the mechanism does there: both grow together.
     """
-    peaks = results.still_crankshaft.peak_reaction.tolist()
-    sizes = zip(results.balance.bearing_force, peaks, strict=True)
+    peaks = results.crank.still_shaft.peak_reaction.tolist()
+    sizes = zip(results.crank.balance.bearing_force, peaks, strict=True)
     least = min((peak / force for force, peak in sizes if force), default=0.0)
     return share * value * least
 
@@ -56,7 +56,7 @@ def _judged(kind: Kind, results: Results, *, name: str, demand: float | None) ->
     graded = asked.balance_grade if forces else None
     demands = (demand, graded, asked.max_unbalance_share)
     try:
-        value = float(getattr(results.balance, name))
+        value = float(getattr(results.crank.balance, name))
     except NotKnown as why:
         if any(each is not None for each in demands):
             raise

@@ -206,7 +206,7 @@ def bearing_min_load(design: Design, results: Results) -> Check:
     rating = design.bearing.dynamic_rating
     if rating is None:
         raise NotKnown("rating_unknown", "bearing.dynamic_rating")
-    found = results.satellite_bearing
+    found = results.crank.bearings
     loads = np.asarray(found.min_load)
     least = int(np.argmin(loads))
     return judged(
@@ -239,7 +239,7 @@ def bearing_min_load(design: Design, results: Results) -> Check:
     needed=False,
 )
 def bearing_overload(design: Design, results: Results) -> Check:
-    found, bearing = results.satellite_bearing, design.bearing
+    found, bearing = results.crank.bearings, design.bearing
     if bearing.dynamic_rating is None:
         raise NotKnown("rating_unknown", "bearing.dynamic_rating")
     used = np.asarray(found.equivalent_load) / (MOST_DYNAMIC * bearing.dynamic_rating)

@@ -71,7 +71,7 @@ def other_ring(*, results: Results, kind: Kind, of: tuple[RingKind, ...]) -> Che
     if own not in of:
         return Check(kind, "not_applicable", reason=NOT_OF[of[0]])
     if own == "cycloid":
-        _ = results.ring_force  # which refuses a disc whose path crosses itself
+        _ = results.ring.force  # which refuses a disc whose path crosses itself
     return None
 
 
@@ -86,10 +86,10 @@ def other_ring(*, results: Results, kind: Kind, of: tuple[RingKind, ...]) -> Che
     source="steep",
 )
 def pressure_angle(design: Design, results: Results) -> Check:
-    if_known(lambda: results.ring_force)  # a ring that cannot be is refused, of whatever kind
+    if_known(lambda: results.ring.force)  # a ring that cannot be is refused, of whatever kind
     if design.gear and design.gear.kind != "involute":
         return Check(pressure_angle, "not_applicable", reason="no_involute")
-    angle = results.ring_force.operating_pressure_angle
+    angle = results.ring.force.operating_pressure_angle
     assert angle is not None  # of an involute
     return judged(pressure_angle, float(angle), STEEP, warning="steep_mesh")
 
@@ -117,7 +117,7 @@ def mesh_possible(design: Design, results: Results) -> Check:
     gear = design.gear
     if other := other_ring(results=results, kind=mesh_possible, of=("involute",)):
         return other
-    eccentricity, _ = design.known_eccentricity, results.ring_force  # which refuses base circles
+    eccentricity, _ = design.known_eccentricity, results.ring.force  # which refuses base circles
     if not gear.unknown_teeth:
         return Check(mesh_possible, "not_applicable", reason="teeth_given")
     assert gear.module is not None and gear.teeth_difference is not None
@@ -198,7 +198,7 @@ def _required_life(design: Design, results: Results) -> dict[str, Any]:
     known=_required_life,
 )
 def bearing_life(design: Design, results: Results) -> Check:
-    found, limit = results.satellite_bearing, design.requirements.life
+    found, limit = results.crank.bearings, design.requirements.life
     if found.relative_speed == 0:
         return Check(bearing_life, "not_applicable", limit=limit, reason="members_locked")
     lives, power = _lives(found, design.bearing), EXPONENTS[design.bearing.kind]
@@ -210,7 +210,7 @@ def bearing_life(design: Design, results: Results) -> Check:
         limit,
         reserve=(value / limit) ** (1 / power),
         error=4 * power * float(found.accuracy.relative_error),
-        rough=results.uneven_growth,
+        rough=results.crank.uneven_growth,
         at={"satellite": worst + 1},
     )
 
@@ -248,7 +248,7 @@ def _required_safety(design: Design, results: Results) -> dict[str, Any]:
     known=_required_safety,
 )
 def bearing_static(design: Design, results: Results) -> Check:
-    found, limit = results.satellite_bearing, _required_safety(design, results)["limit"]
+    found, limit = results.crank.bearings, _required_safety(design, results)["limit"]
     _required(design.bearing.static_rating, "bearing.static_rating")
     safety = np.asarray(found.static_safety_factor)
     worst = int(np.argmin(safety))
@@ -259,7 +259,7 @@ def bearing_static(design: Design, results: Results) -> Check:
         limit,
         reserve=value / limit,
         error=4 * error,
-        rough=results.uneven_growth,
+        rough=results.crank.uneven_growth,
         limit_source="" if design.requirements.static_safety else "static_guide",
         at={"satellite": worst + 1},
     )
@@ -289,14 +289,14 @@ def system_life(design: Design, results: Results) -> Check:
         return Check(kind, "not_applicable", reason="one_only")
     if design.bearing.weibull_slope is None:
         return Check(kind, "not_asked", missing=("bearing.weibull_slope",))
-    found, power = results.satellite_bearing, EXPONENTS[design.bearing.kind]
+    found, power = results.crank.bearings, EXPONENTS[design.bearing.kind]
     if found.relative_speed == 0:
         return Check(kind, "not_applicable", limit=limit, reason="members_locked")
     _lives(found, design.bearing)
     value = float(_required(found.system_life, "bearing.weibull_slope"))
     error = 4 * power * float(found.accuracy.relative_error)
     reserve = (value / limit) ** (1 / power)
-    rough = results.uneven_growth
+    rough = results.crank.uneven_growth
     return judged(kind, value, limit, reserve=reserve, error=error, rough=rough)
 
 
@@ -330,7 +330,7 @@ def crank_bearing_life(design: Design, results: Results) -> Check:
     bearings = _required(design.crankshaft.bearings, "crankshaft.bearings")
     for each in bearings:
         _required(each.dynamic_rating, "crankshaft.bearings")
-    found = results.crankshaft
+    found = results.crank.shaft
     if not any(design.known_speeds.against(each.seat) for each in bearings):
         return Check(kind, "not_applicable", limit=limit, reason="members_locked")
     lives = [math.inf if each is None else each for each in found.basic_life]
@@ -345,7 +345,7 @@ def crank_bearing_life(design: Design, results: Results) -> Check:
         limit,
         reserve=min(reserves),
         error=4 * max(powers) * float(found.accuracy.relative_error),
-        rough=results.uneven_growth,
+        rough=results.crank.uneven_growth,
         at={"bearing": worst},
     )
 

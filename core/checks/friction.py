@@ -41,7 +41,7 @@ _check = partial(design_check, group="friction", part="losses", needs=("touching
 )
 def efficiency(design: Design, results: Results) -> Measure:
     """Its limit is used by the losses."""
-    value = results.efficiency
+    value = results.losses.efficiency
     return Measure(value, used=lambda limit: (1 - value) / (1 - limit))
 
 
@@ -67,14 +67,14 @@ def efficiency(design: Design, results: Results) -> Measure:
 def sliding_speed(design: Design, results: Results) -> Check | Measure:
     if design.rollers:
         return Check(sliding_speed, "not_applicable", reason="rollers_roll")
-    return Measure(float(results.output_efficiency.sliding_speed))
+    return Measure(float(results.losses.pins.sliding_speed))
 
 
 def _with_torque(results: Results, value: float) -> Measure:
     """A value of the losses that grows with the largest force."""
     return Measure(
         value,
-        error=4 * float(results.output_efficiency.accuracy.relative_error),
+        error=4 * float(results.losses.pins.accuracy.relative_error),
         reserve=lambda growth: growth,
         rough=results.solved,
     )
@@ -106,7 +106,7 @@ def pv(design: Design, results: Results) -> Check | Measure:
     """Of a sleeve, which is a bush; a bare pin in a wider hole is none."""
     if design.rollers:
         return Check(pv, "not_applicable", reason="rollers_roll")
-    value = float(results.output_efficiency.peak_pv)
+    value = float(results.losses.pins.peak_pv)
     if not design.friction.sleeve:
         return Check(pv, "not_applicable", value=value, reason="no_bush")
     return _with_torque(results, value)
@@ -139,7 +139,7 @@ def pv(design: Design, results: Results) -> Check | Measure:
 def wear(design: Design, results: Results) -> Check | Measure:
     if design.rollers:
         return Check(wear, "not_applicable", reason="rollers_roll")
-    losses = results.output_efficiency
+    losses = results.losses.pins
     depths = [float(each) for each in (losses.pin_wear, losses.hole_wear) if each is not None]
     if not depths:
         raise NotKnown("wear_unknown", "friction.wear_rate")

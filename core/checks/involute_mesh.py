@@ -77,10 +77,10 @@ def involute_pressed(*, results: Results, factor: float) -> Pressed:
     NotKnown
         If the path starts where the satellite has no involute, or what it hangs on is not known.
     """
-    load = results.involute_load(factor)
+    load = results.ring.involute_load(factor)
     if load.pressure_start is None:
         raise NotKnown("off_involutes")
-    error = float(load.accuracy.relative_error) + results.satellite_torque_error(factor)
+    error = float(load.accuracy.relative_error) + results.ring.satellite_torque_error(factor)
     return Pressed(load.pressure_start, error, results.made is not None, {})
 
 
@@ -102,7 +102,7 @@ def refused(*, results: Results, kind: Kind, names: tuple[str, ...]) -> Check | 
         None where they are not.
     """
     try:
-        _ = results.involute_pair
+        _ = results.ring.pair
     except NotKnown as why:
         refusal = why.refusal
         if refusal is None or refusal.code not in ("less_than", "greater_than"):
@@ -134,7 +134,7 @@ def _usual(
 def mesh_contact_ratio(design: Design, results: Results) -> Check:
     if other := other_ring(results=results, kind=mesh_contact_ratio, of=INVOLUTE):
         return other
-    ratio = results.involute_pair.contact_ratio
+    ratio = results.ring.pair.contact_ratio
     return _usual(mesh_contact_ratio, ratio, least=1.0, guide=LEAST_RATIO)
 
 
@@ -150,7 +150,7 @@ def mesh_tips(design: Design, results: Results) -> Check:
     """Where the tips overlap all round nothing is measured: no tooth can pass."""
     if other := other_ring(results=results, kind=mesh_tips, of=INVOLUTE):
         return other
-    pair = results.involute_pair
+    pair = results.ring.pair
     if pair.tips_overlap_all_round:
         return Check(mesh_tips, "fail", limit=TIPS_APART, impossible=True, reason="tips_overlap")
     if pair.tip_interference is None:
@@ -171,7 +171,7 @@ def mesh_involute(design: Design, results: Results) -> Check:
         return other
     if within := refused(results=results, kind=mesh_involute, names=HEIGHTS):
         return within  # a tip that lies within its base circle
-    pair = results.involute_pair
+    pair = results.ring.pair
     left = [pair.start_roll - pair.form_roll_satellite]
     if pair.form_roll_ring is not None:
         left.append(pair.form_roll_ring - pair.end_roll_ring)
@@ -200,7 +200,7 @@ def mesh_involute(design: Design, results: Results) -> Check:
 def mesh_undercut(design: Design, results: Results) -> Check:
     if other := other_ring(results=results, kind=mesh_undercut, of=INVOLUTE):
         return other
-    value = results.involute_pair.form_roll_satellite
+    value = results.ring.pair.form_roll_satellite
     return judged(mesh_undercut, 0.0 if abs(value) <= AS_TYPED else value, 0.0)
 
 
@@ -215,7 +215,7 @@ def mesh_tip_clearance(design: Design, results: Results) -> Check:
     """Of a ring whose cutter is not known with the root that the hob's dedendum gives it."""
     if other := other_ring(results=results, kind=mesh_tip_clearance, of=INVOLUTE):
         return other
-    pair = results.involute_pair
+    pair = results.ring.pair
     least = min(pair.tip_clearance_satellite, pair.tip_clearance_ring) / pair.teeth.module
     found = _usual(mesh_tip_clearance, least, least=0.0, guide=LEAST_CLEARANCE, impossible=True)
     if pair.teeth.cutter is not None or found.reason or found.status == "fail":
@@ -234,7 +234,7 @@ def mesh_tip_clearance(design: Design, results: Results) -> Check:
 def mesh_tip_thickness(design: Design, results: Results) -> Check:
     if other := other_ring(results=results, kind=mesh_tip_thickness, of=INVOLUTE):
         return other
-    pair = results.involute_pair
+    pair = results.ring.pair
     thin = min(pair.satellite_tip_thickness, pair.ring_tip_thickness) / pair.teeth.module
     return _usual(mesh_tip_thickness, thin, least=0.0, guide=LEAST_TIP, impossible=True)
 
@@ -262,7 +262,7 @@ def mesh_root_stress(design: Design, results: Results) -> Check:
     """The whole force at the tip of one tooth."""
     if other := other_ring(results=results, kind=mesh_root_stress, of=INVOLUTE):
         return other
-    stress, strength = results.root_stress.stress, design.gear.root_strength
+    stress, strength = results.ring.root_stress.stress, design.gear.root_strength
     if strength is None:
         missing = ("gear.root_strength",)
         reason = "root_strength_unknown"
@@ -274,8 +274,8 @@ def mesh_root_stress(design: Design, results: Results) -> Check:
         stress,
         limit,
         reserve=limit / stress,
-        error=results.involute_pair.accuracy.relative_error
-        + results.satellite_torque_error(factor),
+        error=results.ring.pair.accuracy.relative_error
+        + results.ring.satellite_torque_error(factor),
         rough=results.made is not None,
         limit_source="user",
     )

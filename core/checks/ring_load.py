@@ -82,16 +82,16 @@ def ring_pressed(design: Design, results: Results) -> Check:
     if design.gear.kind == "involute":
         if narrow := refused(results=results, kind=ring_pressed, names=("ring_profile_shift",)):
             return narrow  # spaces that have room for the teeth at no eccentricity
-        pair = results.involute_pair
+        pair = results.ring.pair
         over = -pair.normal_backlash
         felt = over > AS_TYPED * pair.teeth.module
         return judged(ring_pressed, over if felt else 0.0, 0.0)
     try:
-        over = results.ring_working[0].interference
+        over = results.ring.working[0].interference
     except ImpossibleMechanism as why:  # of the forces, which this asks for no more
         if (angle := why.where.get("crank_angle")) is None:
             raise
-        own = results.series.discs if results.in_series else ((results.ring_mesh, None),)
+        own = results.series.discs if results.in_series else ((results.ring.mesh, None),)
         over = max(teeth.pressing_at(teeth.wave(angle)) for teeth, _ in own)
         if not over > 0:
             raise
@@ -119,7 +119,7 @@ def _pressed(results: Results, body: RingBody, *, static: bool) -> Pressed:
     if design.gear.kind == "involute":
         factor = design.static_torque / design.pin_torque if static else design.load_factor
         return involute_pressed(results=results, factor=factor)
-    turn = results.ring_static if static else results.ring_loading
+    turn = results.ring.static if static else results.ring.loading
     value = turn.max_pressure
     if value is None:
         raise NotKnown("limit_unknown", _material(design, body))
@@ -226,10 +226,10 @@ def ring_backlash(design: Design, results: Results) -> Check | Measure:
     if other := other_ring(results=results, kind=ring_backlash, of=TEETH):
         return other
     if design.gear.kind == "involute":
-        return Measure(design.members.angle_at_output(max(results.involute_pair.backlash, 0.0)))
+        return Measure(design.members.angle_at_output(max(results.ring.pair.backlash, 0.0)))
     if design.requirements.max_ring_backlash is None:
         raise NotKnown("no_limit")
-    play = results.ring_working[0].play_in_ring
+    play = results.ring.working[0].play_in_ring
     return Measure(design.members.angle_at_output(play), reason=ring_alone(results))
 
 
@@ -254,7 +254,7 @@ def ring_transmission_error(design: Design, results: Results) -> Check | Measure
         raise NotKnown("tooth_errors_unknown")
     if design.requirements.max_transmission_error is None:
         raise NotKnown("no_limit")
-    worst = max(turn.transmission_error for turn in results.ring_working)
+    worst = max(turn.transmission_error for turn in results.ring.working)
     return Measure(design.members.angle_at_output(worst), reason=of_both(results))
 
 
@@ -269,8 +269,8 @@ def _bends(results: Results, kind: Kind) -> Check | None:
 
 def _pins(results: Results) -> BentPins:
     """The pins of the ring, whose forces are solved."""
-    model_error = 0.0 if results.ring_mesh.exact else FIRST_ORDER
-    return BentPins(results.ring_pin_strength, results.bent_ring_pin, True, model_error)
+    model_error = 0.0 if results.ring.mesh.exact else FIRST_ORDER
+    return BentPins(results.ring.pin_strength, results.ring.pin, True, model_error)
 
 
 @_check(
@@ -304,7 +304,7 @@ def ring_pin_fatigue(design: Design, results: Results) -> Check:
     """By what the fatigue of the pins of the output is judged by."""
     if other := _bends(results, ring_pin_fatigue):
         return other
-    _, pins = results.ring_pin_fatigue_strength, _pins(results)  # known, or raises
+    _, pins = results.ring.pin_fatigue_strength, _pins(results)  # known, or raises
     safety = design.requirements.fatigue_safety
     return pins.fatigue(ring_pin_fatigue, safety=safety, at={"pin": pins.found.pin})
 
@@ -350,7 +350,7 @@ def ring_seat_pressure(design: Design, results: Results) -> Check | Measure:
         return Check(ring_seat_pressure, "not_applicable", reason="pins_bend")
     if design.requirements.max_seat_pressure is None:
         raise NotKnown("no_limit")
-    turn = results.ring_loading
+    turn = results.ring.loading
     area = 2 * turn.mesh.disc.ring_pin_radius * turn.mesh.contact_length
     pair = turn.peak_pair
     return Measure(
@@ -384,8 +384,8 @@ def ring_efficiency(design: Design, results: Results) -> Check | Measure:
         return other
     if design.requirements.min_ring_efficiency is None:
         raise NotKnown("no_limit")
-    loss = results.ring_loss
-    exact = design.gear.kind == "involute" or results.ring_working[0].mesh.exact
+    loss = results.ring.loss
+    exact = design.gear.kind == "involute" or results.ring.working[0].mesh.exact
     unsure = loss.loss_error + (0.0 if exact else FIRST_ORDER)
     return Measure(
         loss.efficiency,
@@ -420,9 +420,9 @@ def ring_pv(design: Design, results: Results) -> Check | Measure:
     if design.requirements.max_pv is None:
         raise NotKnown("no_limit")
     _ = design.known_speed
-    value = results.ring_pv
+    value = results.ring.pv
     assert value is not None  # of sleeves at a speed
-    return Measure(value, error=_error(results.ring_working[0]), rough=True)
+    return Measure(value, error=_error(results.ring.working[0]), rough=True)
 
 
 RING_LOAD = (

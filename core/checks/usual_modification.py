@@ -185,7 +185,7 @@ def usual_modification(design: Design) -> UsualModification | None:
     -------
     UsualModification or None
         None where both are known, the teeth are left out, or the mesh of its ring cannot be
-        solved: see `Results.ring_mesh`.
+        solved: see `core.design.ring_results.RingResults.mesh`.
     """
     gear, made = design.gear, design.deviations or Deviations()
     placed = bool(made.ring_pin_radial or made.ring_pin_tangential)
@@ -199,7 +199,7 @@ def usual_modification(design: Design) -> UsualModification | None:
     if gear.modification is None:
         design = changed(design, {"gear.modification": Modification(equidistant=equidistant)})
     try:
-        mesh = Results(design).ring_mesh
+        mesh = Results(design).ring.mesh
     except UNKNOWN:
         return None
     if not design.load:

@@ -11,7 +11,10 @@ document            the design of these, paths in it, and the design with other 
 refusals            refusals of calculations with the section of the field
 real_forces         forces with clearance, deviations and elasticity, in each direction
 contact             the force at which a contact is at a limit
-losses              losses by the forces of the mechanism as it is made
+pin_fatigue         what the fatigue of a pin is judged by
+ring_results        what follows about the ring
+losses              what follows about friction and wear of the pins
+crank_results       what follows about bearings and crankshaft
 results             what follows from a design: one property for each result
 curves              results over crank angles
 drawings            satellites and pins of their ring as they are drawn

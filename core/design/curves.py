@@ -34,7 +34,7 @@ def design_losses(*, results: Results, losses: PinLosses, crank_angle: FloatArra
     -------
     LossCurves
     """
-    turn, design = results.lossy_turn, results.design
+    turn, design = results.losses.turn, results.design
     if turn is None:
         return loss_curves(
             losses=losses,
@@ -55,7 +55,7 @@ def _load_curves(
     torque, and by each row of shares over 1/K, of ideal forces.
     """
     design, load, made = results.design, results.design.load, results.made
-    eccentricity, rho = design.known_eccentricity, float(results.ring_force.radial_force_ratio)
+    eccentricity, rho = design.known_eccentricity, float(results.ring.force.radial_force_ratio)
     ways = WAYS[load.torque_direction]
     curves = []
     if made is None:
@@ -102,7 +102,7 @@ def design_bearings(*, results: Results, crank_angle: FloatArray) -> BearingCurv
     -------
     BearingCurves
     """
-    factor, relief = np.array([[results.design.disc_factor]]), results.centrifugal
+    factor, relief = np.array([[results.design.disc_factor]]), results.crank.centrifugal
     cases = [
         _of_loads(crank_angle, each.along - relief + 1j * each.across)
         for each in _load_curves(results, crank_angle, factor)
@@ -143,7 +143,7 @@ def design_reactions(*, results: Results, crank_angle: FloatArray) -> ReactionCu
             crank_angles=cranks,
             satellite_positions=shaft.satellite_positions,
             bearing_positions=shaft.bearing_positions,
-            spun=results.crankshaft.balance,
+            spun=results.crank.shaft.balance,
         ).reaction
         for each in _load_curves(results, crank_angle, shares)
     ]

@@ -154,7 +154,7 @@ def drawn_pair(*, design: Design) -> InvolutePair:
         If nothing is known of such teeth.
     """
     try:
-        return Results(design).involute_pair
+        return Results(design).ring.pair
     except NotKnown as why:
         if why.refusal is not None:
             raise why.refusal from why

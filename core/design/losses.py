@@ -1,10 +1,21 @@
-"""Losses of the pins by the forces of the mechanism as it is made."""
+"""What follows from a design about friction and wear of its pins: each result worked out when it
+is asked for, once, or why it is not known.
+"""
 
 from dataclasses import replace
+from typing import Protocol
 
-from core.output.losses import PinLosses
-from core.output.sampled_turn import SampledTurn
-from core.results import Accuracy
+import numpy as np
+
+from core.derived import derived
+from core.design.document import Design
+from core.design.refusals import named
+from core.design.ring_results import RingResults
+from core.errors import NotKnown
+from core.output.losses import PinLosses, pin_losses
+from core.output.members import MemberLoads
+from core.output.sampled_turn import WAYS, Made, SampledTurn
+from core.results import Accuracy, Notice
 
 
 def made_losses(
@@ -51,3 +62,107 @@ def made_losses(
         friction_couple=losses.friction_couple * part,
         accuracy=Accuracy("sampling", error, turn.evaluations),
     )
+
+
+class OutputForces(Protocol):
+    """What friction takes of the forces on the output's pins and of the ring."""
+
+    @property
+    def ring(self) -> RingResults:
+        """What follows about the ring."""
+
+    @property
+    def member_loads(self) -> MemberLoads:
+        """Torques, speeds and powers of crank, pins and ring, without losses."""
+
+    @property
+    def made(self) -> Made | None:
+        """The forces on pins and satellites; None where the ideal ones are judged."""
+
+
+class LossResults:
+    """What follows from a design about friction of its pins; SI units. What is not known raises
+    `NotKnown`.
+
+    Parameters
+    ----------
+    design : Design
+        The design.
+    output : OutputForces
+        The forces on the output's pins.
+    """
+
+    def __init__(self, design: Design, output: OutputForces) -> None:
+        self.design, self.output = design, output
+
+    @derived
+    def pins(self) -> PinLosses:
+        """Friction and wear of the pins under the torque, by the forces that are judged."""
+        if not self.design.rubs:
+            raise NotKnown("section_missing", "friction")
+        return named(self.design, "pin", self._of_pins)
+
+    @property
+    def efficiency(self) -> float:
+        """Of the output, and of the ring where friction on its pins is given."""
+        output, gear = float(self.pins.efficiency), self.design.gear
+        if not gear or gear.friction is None:
+            return output
+        lost, power = self.output.ring.loss.mean_loss, self.output.member_loads.output_power
+        assert lost is not None and power is not None  # at a speed, which the output needs
+        return 1 / (1 / output + lost / power)
+
+    @property
+    def _rubbing_diameter(self) -> float | None:
+        """Diameter at which rollers or sleeves turn on their pins, m."""
+        design = self.design
+        if design.rollers:
+            return design.rollers.bore_diameter
+        return design.pin.diameter if design.friction.sleeve and design.pin else None
+
+    def _of_pins(self) -> PinLosses:
+        design, friction, load = self.design, self.design.output_friction, self.design.load
+        eccentricity, turn = design.known_eccentricity, self.turn
+        speeds = design.known_speeds
+        life = design.requirements.life if friction.life is None else friction.life
+        found = pin_losses(
+            mechanism=design.driven,
+            force_exponent=load.force_exponent,
+            output_torque=design.pin_torque,
+            pin_circle_radius=load.pin_circle_radius,
+            input_speed=speeds.turning,
+            eccentricity=eccentricity,
+            pin_radius=design.contact.pin_radius,
+            hole_radius=design.contact.hole_radius,
+            contact_length=design.contact.contact_length,
+            friction_coefficient=friction.coefficient,
+            distribution_factor=design.distribution_factor,
+            diameter=self._rubbing_diameter,
+            wear_rate=friction.wear_rate,
+            life=None if friction.wear_rate is None else life,
+            output_power=self.output.member_loads.output_power,
+        )
+        bare = design.sleeved and not friction.sleeve
+        if bare and design.pin.diameter < 2 * design.contact.pair.pin_radius:
+            found = replace(found, notices=(*found.notices, Notice("thin_without_sleeve")))
+        if turn is None:
+            return found
+        reference = design.pin_torque / load.pin_circle_radius
+        largest = max(float(np.abs(turn.on_pins).max()) for turn in self._turns)
+        return made_losses(losses=found, turn=turn, reference=reference, largest=largest)
+
+    @derived
+    def _turns(self) -> list[SampledTurn]:
+        """Forces of the mechanism as it is made, in each direction of the torque; none where the
+        ideal ones are judged.
+        """
+        if self.output.made is None:
+            return []
+        load = self.design.load
+        torque = self.design.pin_torque
+        return [self.output.made(way * torque) for way in WAYS[load.torque_direction]]
+
+    @derived
+    def turn(self) -> SampledTurn | None:
+        """Of these the ones with the larger losses."""
+        return max(self._turns, key=lambda turn: float(turn.mean(turn.total)), default=None)

@@ -60,7 +60,7 @@ def shifted(results: Results) -> list[Shifted]:
         Empty where its teeth are not known, or make no design.
     """
     try:
-        teeth = results.involute_pair.teeth
+        teeth = results.ring.pair.teeth
     except CalculationError:  # nothing is known of the shifts
         return []
     made, design = [], results.design
@@ -112,7 +112,7 @@ def shift_fixes(*, designs: Iterable[Shifted], code: str, current: Verdict) -> l
 
 def _choices(results: Results, teeth: InvoluteTeeth) -> Iterator[tuple[str, dict[str, Any]]]:
     """The input that a choice is named by, and all that it sets."""
-    line = results.involute_pair.line
+    line = results.ring.pair.line
     room = TIPS_APART + SPARE
     best = shifts_at(teeth=teeth, eccentricity=line.eccentricity, room=room)
     if best is not None:

@@ -37,10 +37,10 @@ def _take(sheet: Sheet, results: Results) -> None:
 
 def _centrifugal(sheet: Sheet, results: Results, speed: str) -> None:
     """Centrifugal force of a satellite, where its mass is known, by the speed of the crank."""
-    if results.centrifugal:
+    if results.crank.centrifugal:
         sheet.take("m", "satellite_mass", results.design.crankshaft.satellite_mass)
         said = {"note": "turns_in_radians"}
-        sheet.work("centrifugal_force", "F_c", results.centrifugal, f"m*e*{speed}^2", **said)
+        sheet.work("centrifugal_force", "F_c", results.crank.centrifugal, f"m*e*{speed}^2", **said)
 
 
 def _life(
@@ -60,7 +60,7 @@ class _Loads:
         design, torque = results.design, results.design.pin_torque
         self.across = torque / (design.known_eccentricity * design.mechanism.ratio)
         self.along = torque / design.load.pin_circle_radius
-        self.factor, self.relief = design.disc_factor, results.centrifugal
+        self.factor, self.relief = design.disc_factor, results.crank.centrifugal
 
     def of(self, at: Position, satellite: int) -> tuple[FloatArray, FloatArray]:
         """W and S of a satellite, shape (n,): of the one that carries most."""
@@ -148,7 +148,7 @@ def bearing_steps(results: Results) -> list[Step]:
     -------
     list of Step
     """
-    sheet, bearing, found = Sheet(), results.design.bearing, results.satellite_bearing
+    sheet, bearing, found = Sheet(), results.design.bearing, results.crank.bearings
     _take(sheet, results)
     take_speed(sheet, results=results)
     sheet.work("relative_speed", "n", found.relative_speed, "n_1*(1+1/u)")
@@ -177,7 +177,7 @@ def bearing_steps(results: Results) -> list[Step]:
     sheet.take("C_0", "static_rating", bearing.static_rating)
     static = found.static_safety_factor
     safety, said = None if static is None else float(static[j]), {"source": "iso76"}
-    if results.centrifugal:  # which the load at rest has none of
+    if results.crank.centrifugal:  # which the load at rest has none of
         sheet.state("static_rating_safety", "S_0", safety, "under_peak", **said)
     else:
         static_step(
@@ -241,11 +241,11 @@ def shaft_steps(results: Results) -> list[Step]:
     -------
     list of Step
     """
-    sheet, shaft, found = Sheet(), results.design.crankshaft, results.crankshaft
+    sheet, shaft, found = Sheet(), results.design.crankshaft, results.crank.shaft
     _take(sheet, results)
     speeds = results.design.known_speeds
     sheet.take("n_1", "input_speed", speeds.crank)
-    sheet.take("rho", "radial_force_ratio", results.ring_force.radial_force_ratio)
+    sheet.take("rho", "radial_force_ratio", results.ring.force.radial_force_ratio)
     for letter, place in zip(LETTERS, shaft.bearing_positions, strict=True):
         sheet.take(f"z_{letter}", "bearing_position", place)
     _centrifugal(sheet, results, "n_1")

@@ -17,7 +17,7 @@ def loss_steps(results: Results) -> list[Step]:
     -------
     list of Step
     """
-    sheet, found, design = Sheet(), results.output_efficiency, results.design
+    sheet, found, design = Sheet(), results.losses.pins, results.design
     load, contact, friction = design.load, design.contact, design.output_friction
     rolled = design.rollers.bore_diameter if design.rollers else None
     radius = "r_in" if found.sleeve_speed is None else "r_s"

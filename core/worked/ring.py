@@ -259,8 +259,8 @@ def ring_steps(results: Results) -> list[Step]:
     list of Step
     """
     if results.design.gear.kind == "involute":
-        return involute_steps(results.involute_pair)
-    turn, design = results.ring_working[0], results.design
+        return involute_steps(results.ring.pair)
+    turn, design = results.ring.working[0], results.design
     steps = disc_steps(turn.mesh.disc)
     pressed = pressure_steps(
         mesh=turn.mesh,
@@ -269,7 +269,7 @@ def ring_steps(results: Results) -> list[Step]:
         pressure=turn.max_pressure,
     )
     steps += [each for each in pressed if each not in steps]
-    loss, coefficient = if_known(lambda: results.ring_loss), design.gear.friction_coefficient
+    loss, coefficient = if_known(lambda: results.ring.loss), design.gear.friction_coefficient
     if loss is not None and coefficient is not None:
         steps += ring_loss_steps(
             loss=loss,

@@ -295,7 +295,7 @@ INVOLUTE = next(each["input"] for each in EXAMPLES if each["id"] == "involute")
 def test_involute_teeth_are_drawn_with_their_ring():
     """Between roots and tips, as many as there are; that they mesh is the core's test."""
     body, drawn = files(INVOLUTE, parts=["satellite_2", "ring"], chord_error_mm=0.002)
-    pair = body.design.results.involute_pair
+    pair = body.design.results.ring.pair
     for name, ends, teeth in (
         ("satellite_2", (pair.teeth.satellite_root, pair.teeth.satellite_tip), 40),
         ("ring", (pair.teeth.ring_tip, pair.ring_root), 42),

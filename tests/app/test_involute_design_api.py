@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from app.calculations.crank_planetary import CrankPlanetaryRequest
+from app.calculations.crank_planetary_request import CrankPlanetaryRequest
 from app.examples import EXAMPLES
 
 pytestmark = pytest.mark.anyio
@@ -52,7 +52,7 @@ async def test_their_drawing_stands_as_their_files_do(api: Any) -> None:
     body = changed(mechanism={"initial_crank_angle_deg": 30.0}, include=["ring_drawing"])
     answer, _ = await asked(api, body)
     drawn = answer["ring_drawing"]
-    pair = CrankPlanetaryRequest.model_validate(body).results.involute_pair
+    pair = CrankPlanetaryRequest.model_validate(body).results.ring.pair
     for name, ends in (
         ("lobe_mm", (pair.teeth.satellite_root, pair.teeth.satellite_tip)),
         ("ring_lobe_mm", (pair.teeth.ring_tip, pair.ring_root)),

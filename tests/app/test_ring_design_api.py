@@ -9,8 +9,9 @@ import numpy as np
 import plotly.graph_objects as go
 import pytest
 
-from app.calculations import crank_planetary
-from app.calculations.crank_planetary import CrankPlanetaryRequest, solve
+from app.calculations import crank_planetary_sections
+from app.calculations.crank_planetary import solve
+from app.calculations.crank_planetary_request import CrankPlanetaryRequest
 from app.examples import REQUESTS
 from core.checks.usual_modification import usual_modification
 from core.ring.sharing import mesh_position
@@ -175,7 +176,7 @@ def test_discs_stand_on_the_pins_as_they_are_drawn(monkeypatch, deviations, dire
     """Put where the answer says, a fine outline is as far from each pin as its gap says, and turned
     by the lag; where they press it reaches into it.
     """
-    monkeypatch.setattr(crank_planetary, "DRAWN_ERROR", 2e-8)
+    monkeypatch.setattr(crank_planetary_sections, "DRAWN_ERROR", 2e-8)
     body = changed(
         mechanism=UNEVEN,
         load={"torque_direction": direction},
@@ -185,7 +186,7 @@ def test_discs_stand_on_the_pins_as_they_are_drawn(monkeypatch, deviations, dire
     )
     request = CrankPlanetaryRequest.model_validate(body)
     drawn = solve(request)["ring_drawing"]
-    turn = request.results.ring_working[0].turn
+    turn = request.results.ring.working[0].turn
     lobe = np.array(drawn["lobe_mm"]) @ [1, 1j]
     outline = np.concatenate([lobe * np.exp(-2j * np.pi * i / 19) for i in range(19)])
     pins = np.array([each["centre_mm"] for each in drawn["ring_pins"]]) @ [1, 1j]
@@ -360,7 +361,7 @@ async def test_the_ring_is_told_as_it_works_in_series(api, monkeypatch):
     asked = {"max_ring_backlash_arcmin": 50.0, "max_transmission_error_arcmin": 50.0}
     sections = ["load_sharing", "ring_mesh", "ring_drawing", "checks"]
     body = changed(include=sections, requirements=asked)
-    monkeypatch.setattr(crank_planetary, "DRAWN_ERROR", 2e-8)
+    monkeypatch.setattr(crank_planetary_sections, "DRAWN_ERROR", 2e-8)
     answer = solve(CrankPlanetaryRequest.model_validate(body))
     drawn, turn = answer["ring_drawing"], answer["ring_mesh"]["over_turn"]
     angles, period, further = (

@@ -281,10 +281,10 @@ def test_curves_are_what_is_judged() -> None:
     ):
         results = Results(design)
         curves = design_bearings(results=results, crank_angle=angles)
-        peak = results.satellite_bearing.peak_load
+        peak = results.crank.bearings.peak_load
         assert curves.load.max(axis=0) == pytest.approx(peak, rel=1e-4)
         reactions = np.abs(design_reactions(results=results, crank_angle=angles).reaction)
-        peak = results.crankshaft.peak_reaction
+        peak = results.crank.shaft.peak_reaction
         assert reactions.max(axis=0) == pytest.approx(peak, rel=1e-4)
 
 
@@ -366,14 +366,14 @@ def test_what_is_asked_is_judged(demands: dict[str, float], status: str, limit: 
 
 def test_a_share_of_what_the_mechanism_does_may_be_asked() -> None:
     """Of the bearing that has most of it: force and couple have the same part of their limits."""
-    still = Results(single(satellite_mass=None)).crankshaft.peak_reaction
+    still = Results(single(satellite_mass=None)).crank.shaft.peak_reaction
     own = 74.0220330081702 / 2 / still.max()
     for share, status in ((own * 1.001, "pass"), (own * 0.999, "fail")):
         found = check_of("unbalance_force", single(max_unbalance_share=share))
         assert found.status == status
         assert found.utilisation == pytest.approx(own / share, rel=1e-9)
     two = having(WHOLE, crankshaft=replace(WHOLE.crankshaft, satellite_mass=None))  # type: ignore[type-var]
-    still = Results(two).crankshaft.peak_reaction
+    still = Results(two).crank.shaft.peak_reaction
     most = (26.265882680318455 / still).max()
     asked = having(WHOLE, max_unbalance_share=most * 1.01)
     couple = check_of("unbalance_couple", asked)
@@ -408,6 +408,6 @@ def test_a_single_disc_with_a_counterweight_passes() -> None:
         verdict = crank_verdict(Results(single(*weights, scope=scope, life=3600.0)))
         assert verdict.verdict == status
         assert {each.code: each.status for each in verdict.parts}["crank_bearings"] == status
-    opposite_forces = Results(single(opposite(3.0, 31))).crankshaft
-    alone = Results(single(satellite_mass=None)).crankshaft
+    opposite_forces = Results(single(opposite(3.0, 31))).crank.shaft
+    alone = Results(single(satellite_mass=None)).crank.shaft
     assert opposite_forces.peak_reaction == pytest.approx(alone.peak_reaction, rel=1e-9)

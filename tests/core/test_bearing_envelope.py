@@ -197,7 +197,7 @@ def test_speeds_of_bearings() -> None:
 
 
 def test_too_little_and_too_much_load() -> None:
-    results = Results(having(WHOLE, contact_law=None)).satellite_bearing
+    results = Results(having(WHOLE, contact_law=None)).crank.bearings
     least = float(np.min(results.min_load))
     for kind, share in (("ball", 0.01), ("roller", 0.02)):
         for times, status in ((0.99, "pass"), (1.01, "marginal")):

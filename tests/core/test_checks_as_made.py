@@ -154,7 +154,7 @@ def test_wear_and_pv_are_of_the_largest_force_of_both_directions() -> None:
             assert both == pytest.approx(max(one, other), rel=1e-12)
             larger.append(one > other)
         losses = [
-            Results(having(design, torque_direction=way)).output_efficiency.mean_loss
+            Results(having(design, torque_direction=way)).losses.pins.mean_loss
             for way in ("driving", "reverse", "alternating")
         ]
         assert losses[2] == pytest.approx(max(losses), rel=1e-12)

@@ -402,7 +402,7 @@ def test_teeth_are_judged_where_all_that_they_need_is_known() -> None:
 
 def test_a_path_that_starts_off_the_involute_has_no_pressure() -> None:
     early = of(oracle.Pair(20, 22, 3.0, 0.0, 0.365, 0.3, 1.0, e=3.68))
-    assert Results(early).involute_pair.start_roll < 0
+    assert Results(early).ring.pair.start_roll < 0
     check = check_of("ring_pressure_pin", early)
     assert (check.status, check.reason) == ("not_checked", "off_involutes")
     assert teeth_of(having(early, scope=("teeth",)))[0] == "fail"

@@ -14,8 +14,9 @@ from core.checks.crank_planetary import crank_checks
 from core.checks.largest_torque import crank_verdict
 from core.contact_life import life_factor
 from core.design.document import Design
-from core.design.results import MOST_RING_PAIRS, Results
+from core.design.results import Results
 from core.design.ring import Ring
+from core.design.ring_results import MOST_RING_PAIRS
 from core.design.sections import FatigueBasis, Friction
 from core.errors import InvalidInput
 from core.materials import ContactLimit, ElasticMaterial
@@ -76,7 +77,7 @@ def geared(design: Design = A7, /, **changes: Any) -> Design:
 
 
 def test_the_mesh_is_that_of_the_published_case() -> None:
-    mesh = Results(A7).ring_mesh
+    mesh = Results(A7).ring.mesh
     found = mesh_position(mesh=mesh, crank_angle=math.radians(33.3), output_torque=400.0)
     assert found.max_pressure == pytest.approx(1208.519e6, rel=1e-6)
     assert found.rotation[0] / ARCMIN == pytest.approx(1.7777511833, rel=1e-9)
@@ -97,7 +98,7 @@ def test_the_pressure_is_the_largest_of_all_positions(factor: float) -> None:
     """Under the torque times its factor; where it is said to be, it is."""
     design = having(A7, application_factor=factor)
     check = check_of("ring_pressure_pin", design)
-    mesh, torque = Results(design).ring_mesh, 400.0 * factor
+    mesh, torque = Results(design).ring.mesh, 400.0 * factor
     pitch = 2 * math.pi / 40
     places = [*np.linspace(0, pitch, 60), check.at["crank_angle"]]
     found = [mesh_position(mesh=mesh, crank_angle=a, output_torque=torque) for a in places]
@@ -170,21 +171,21 @@ def test_of_both_directions_the_worse_is_judged() -> None:
     each = [having(design, torque_direction=way) for way in ways]
     driving, back, both = (check_of("ring_pressure_pin", one).value or 0.0 for one in each)
     assert both == max(driving, back) and driving != pytest.approx(back, rel=1e-3)
-    lags = [Results(one).ring_working for one in each]
+    lags = [Results(one).ring.working for one in each]
     asked = having(each[2], max_transmission_error=1.0)
     most = max(turns[0].transmission_error for turns in lags[:2])
     assert check_of("ring_transmission_error", asked).value == most
-    mesh = Results(design).ring_mesh
+    mesh = Results(design).ring.mesh
     assert mesh.exact and mesh.deviations.pin_tangential == off
     turned = geared(design, modification=Modification(rotation=1e-4))
-    assert not Results(turned).ring_mesh.exact
+    assert not Results(turned).ring.mesh.exact
 
 
 def test_shares_that_are_given_are_those_of_the_mesh() -> None:
     even = having(FEW, satellites=2)
     two = having(even, satellite_coupling=Shares((0.7, 0.3)))
     given, equal = (check_of("ring_pressure_pin", each).value for each in (two, even))
-    mesh = Results(two).ring_mesh
+    mesh = Results(two).ring.mesh
     found = mesh_position(mesh=mesh, crank_angle=0.4, output_torque=100.0)
     assert found.disc_torque == pytest.approx((70.0, 30.0), rel=1e-9)
     assert given is not None and equal is not None and given > 1.1 * equal
@@ -211,7 +212,7 @@ def test_what_presses_is_looked_for_over_the_turn() -> None:
     thick = Deviations(ring_pin_radius=(4e-5, *[0.0] * 11))
     design = having(geared(FEW, modification=Modification(equidistant=1e-5)), deviations=thick)
     found = check_of("ring_pressed", design).value
-    mesh = Results(design).ring_mesh
+    mesh = Results(design).ring.mesh
     each = [
         mesh_position(mesh=mesh, crank_angle=float(a), output_torque=100.0).interference or 0.0
         for a in np.linspace(0, 2 * math.pi, 73)
@@ -226,7 +227,7 @@ def test_what_presses_fails_where_no_force_is_known() -> None:
     design = having(A7, satellites=2, deviations=made)
     found = check_of("ring_pressed", design)
     assert (found.status, found.reason) == ("fail", reason)
-    disc, deep = Results(design).ring_mesh.disc, []
+    disc, deep = Results(design).ring.mesh.disc, []
     for crank in (found.at["crank_angle"], found.at["crank_angle"] + math.pi):
         turned = np.exp(1j * crank / 39) * disc.outline(np.linspace(0, 2 * math.pi, 400_001))
         pin = 1j * (disc.ring_pin_circle_radius + off)
@@ -273,7 +274,7 @@ BENT = having(
 def test_a_pin_of_the_ring_is_a_beam() -> None:
     """M = F*a*b/L under the load; slope there F*a*b*(b - a)/(3*E*I*L)."""
     found = check_of("ring_pin_stress", BENT)
-    force = Results(BENT).ring_loading.peak_force
+    force = Results(BENT).ring.loading.peak_force
     rest = SPAN - PLACE
     bending = force * PLACE * rest / SPAN / (math.pi * 0.01**3 / 32)
     assert found.value == pytest.approx(bending, rel=3e-3)  # the load is 0.1 mm long
@@ -285,7 +286,7 @@ def test_a_pin_of_the_ring_is_a_beam() -> None:
     inertia = math.pi * 0.01**4 / 64
     tilt = force * PLACE * rest * (rest - PLACE) / (3 * 210e9 * inertia * SPAN)
     assert slope == pytest.approx(tilt, rel=3e-3)
-    sleeved = Results(geared(BENT, sleeve_bore_radius=0.004)).ring_mesh.pin
+    sleeved = Results(geared(BENT, sleeve_bore_radius=0.004)).ring.mesh.pin
     assert sleeved is not None and sleeved.diameter == 0.008
     peak = having(BENT, peak_torque=800.0, max_slope=1.0)
     assert (check_of("ring_pin_stress", peak).value or 0) > 1.9 * bending
@@ -308,7 +309,7 @@ def test_discs_bend_a_pin_together() -> None:
         satellite_positions=places,
         modification=Modification(),
     )
-    mesh = Results(design).ring_mesh
+    mesh = Results(design).ring.mesh
     sections = np.linspace(0, SPAN, 121)
     arms = np.array([[moment(float(x), z, width) for x in sections] for z in places])
     most, k1 = 0.0, 0.0015 * 40 / 0.082
@@ -346,7 +347,7 @@ def goodman(largest: float, least: float) -> float:
 def test_the_cycle_of_a_ring_pin_is_the_worst_around_it(direction: str) -> None:
     """The force on a pin turns as a disc passes: stress by stress around the section under it."""
     design = having(tired(BENT), torque_direction=direction)
-    mesh, k1 = Results(design).ring_mesh, 0.0015 * 40 / 0.082
+    mesh, k1 = Results(design).ring.mesh, 0.0015 * 40 / 0.082
     forces = []
     for way in (1, -1) if direction == "alternating" else (1,):
         for angle in np.linspace(0, 2 * math.pi / 40, 41):
@@ -386,7 +387,7 @@ def test_ring_pins_last_by_the_turns_of_the_crank() -> None:
         for each in turns
     )
     assert few.reason == "finite_life" and not many.reason
-    strength = Results(having(steel, life=2 * math.pi * 1e5 / 100.0)).ring_pin_fatigue_strength
+    strength = Results(having(steel, life=2 * math.pi * 1e5 / 100.0)).ring.pin_fatigue_strength
     assert strength.cycles == pytest.approx(1e5)
     assert few.value is not None and many.value is not None and few.value > 1.1 * many.value
     without = having(steel, fatigue=FatigueBasis(surface="ground"))
@@ -405,7 +406,7 @@ def test_ring_pins_last_by_the_turns_of_the_crank() -> None:
 
 def test_seats_are_pressed_by_the_largest_force() -> None:
     design = having(A7, max_seat_pressure=1e9, application_factor=1.2)
-    check, turn = check_of("ring_seat_pressure", design), Results(design).ring_loading
+    check, turn = check_of("ring_seat_pressure", design), Results(design).ring.loading
     assert check.value == pytest.approx(turn.peak_force / (2 * 0.005 * 0.015), rel=1e-12)
     there = mesh_position(
         mesh=turn.mesh, crank_angle=check.at["crank_angle"], output_torque=400.0 * 1.2
@@ -418,7 +419,7 @@ def test_seats_are_pressed_by_the_largest_force() -> None:
 
 def test_the_efficiency_of_the_teeth_is_theirs_alone() -> None:
     asked = having(geared(friction_coefficient=0.06), min_ring_efficiency=0.9)
-    check, turn = check_of("ring_efficiency", asked), Results(asked).ring_working[0]
+    check, turn = check_of("ring_efficiency", asked), Results(asked).ring.working[0]
     assert check.value == pytest.approx(1 / (1 + 0.06 * turn.sliding_loss), rel=1e-12)
     assert check.utilisation == pytest.approx((1 - (check.value or 0)) / 0.1, rel=1e-9)
     assert check_of("ring_efficiency", geared(friction_coefficient=0.06)).status == "not_asked"
@@ -439,7 +440,7 @@ def test_an_unusual_shortening_is_told(eccentricity: float, told: bool) -> None:
     """K1 = e*41/82: 0.3, 0.375, 0.95."""
     plain = geared(modification=Modification(), ring_pin_radius=0.001)
     design = having(plain, eccentricity=eccentricity * 1e-3, ratio=40.0)
-    codes = [notice.code for notice in Results(design).ring_working[0].notices]
+    codes = [notice.code for notice in Results(design).ring.working[0].notices]
     assert ("unusual_shortening" in codes) is told
 
 
@@ -447,7 +448,7 @@ def test_what_slides_on_the_ring_lowers_the_efficiency() -> None:
     design = having(A7, friction=Friction(coefficient=0.05), input_speed=100.0, min_efficiency=0.5)
     rubbing = geared(design, friction_coefficient=0.06)
     alone, both = (check_of("efficiency", each).value or 0.0 for each in (design, rubbing))
-    turn = Results(rubbing).ring_working[0]
+    turn = Results(rubbing).ring.working[0]
     assert 1 / both == pytest.approx(1 / alone + 0.06 * turn.sliding_loss, rel=1e-12)
     unknown = geared(rubbing, modification=None)
     assert check_of("efficiency", unknown).reason == "modification_unknown"
@@ -459,7 +460,7 @@ def test_pv_is_that_of_sleeves() -> None:
     assert check_of("ring_pv", design).reason == "no_bush"
     sleeved = geared(design, sleeve_bore_radius=0.003)
     found = check_of("ring_pv", sleeved).value
-    turn = Results(sleeved).ring_working[0]
+    turn = Results(sleeved).ring.working[0]
     assert found == pytest.approx(turn.hardest_rub * 100 / 39 / (2 * 0.005 * 0.015), rel=1e-9)
     assert check_of("ring_pv", geared(sleeved, rolling=True)).reason == "no_bush"
     unknown = geared(sleeved, friction_coefficient=None)
@@ -482,7 +483,7 @@ def test_pv_is_that_of_the_harder_direction() -> None:
     each = [having(design, torque_direction=way) for way in ("driving", "reverse")]
     both = having(design, torque_direction="alternating")
     pv = [check_of("ring_pv", one).value or 0.0 for one in each]
-    lost = [Results(one).ring_loss.loss_ratio for one in each]
+    lost = [Results(one).ring.loss.loss_ratio for one in each]
     assert pv.index(max(pv)) != lost.index(max(lost))
     assert check_of("ring_pv", both).value == pytest.approx(max(pv), rel=1e-12)
 

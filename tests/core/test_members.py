@@ -116,18 +116,18 @@ def test_a_ring_is_the_design_of_pins_under_its_share_of_torque_and_speed() -> N
     assert ring.contact_force.peak_force == pytest.approx(pins.contact_force.peak_force, **close)
     assert ring.hertz.max_pressure == pytest.approx(pins.hertz.max_pressure, **close)
     light = {"crankshaft.satellite_mass": None}  # what a satellite weighs its bearing feels
-    bearings = [Results(changed(each.design, light)).satellite_bearing for each in (ring, pins)]
+    bearings = [Results(changed(each.design, light)).crank.bearings for each in (ring, pins)]
     for name in ("relative_speed", "equivalent_load", "life", "peak_load"):
         one, two = (getattr(each, name) for each in bearings)
         assert one == pytest.approx(two, **close), name
     for name in ("sliding_speed", "mean_loss", "pin_wear", "peak_pv"):
-        one, two = (getattr(each.output_efficiency, name) for each in (ring, pins))
+        one, two = (getattr(each.losses.pins, name) for each in (ring, pins))
         assert one == pytest.approx(two, **close), name
-    lost = [1 / each.output_efficiency.efficiency - 1 for each in (ring, pins)]
+    lost = [1 / each.losses.pins.efficiency - 1 for each in (ring, pins)]
     assert lost[0] == pytest.approx(lost[1] * share, **close)
     # the crank's own speed is what it is: bearings in the housing, centrifugal forces
-    assert ring.centrifugal == pytest.approx(pins.centrifugal / share**2, **close)
-    balance = [each.crankshaft.balance for each in (ring, pins)]
+    assert ring.crank.centrifugal == pytest.approx(pins.crank.centrifugal / share**2, **close)
+    balance = [each.crank.shaft.balance for each in (ring, pins)]
     assert balance[0] and balance[1]
     assert balance[0].couple == pytest.approx(balance[1].couple / share**2, **close)
 
@@ -139,7 +139,7 @@ def test_speeds_of_crank_bearings_are_those_against_their_seat() -> None:
         seated = replace(ball, seat=seat)
         shaft = replace(WHOLE.crankshaft, bearings=(seated, ball))
         design = changed(WHOLE, {"mechanism.output": "ring", "crankshaft": shaft})
-        lives[seat] = Results(design).crankshaft.basic_life[0]
+        lives[seat] = Results(design).crank.shaft.basic_life[0]
     u = WHOLE.mechanism.ratio
     assert lives["housing"] and lives["carrier"] and lives["ring"]
     assert lives["carrier"] == pytest.approx(lives["housing"], rel=1e-14)  # which stands still
@@ -169,7 +169,7 @@ def test_where_the_ratio_grows_ring_and_pins_are_alike() -> None:
             for each in ("pins", "ring")
         ]
         forces = [each.contact_force.peak_force for each in found]
-        lost = [1 / each.output_efficiency.efficiency - 1 for each in found]
+        lost = [1 / each.losses.pins.efficiency - 1 for each in found]
         assert forces[0] / forces[1] - 1 == pytest.approx(1 / ratio, rel=1e-6)
         assert lost[0] / lost[1] - 1 == pytest.approx(1 / ratio, rel=1e-2)
 
@@ -178,9 +178,9 @@ def test_members_that_turn_as_one_neither_slide_nor_roll() -> None:
     speed = WHOLE.load.input_speed
     locked = {"mechanism.output": "both", "load.ring_speed": speed}
     results = Results(changed(WHOLE, locked))
-    losses = results.output_efficiency
+    losses = results.losses.pins
     assert (losses.mean_loss, losses.sliding_speed, losses.efficiency) == (0.0, 0.0, 1.0)
-    assert results.satellite_bearing.life is None
+    assert results.crank.bearings.life is None
     check = crank_check("bearing_life", results)
     assert (check.status, check.reason) == ("not_applicable", "members_locked")
     assert results.design.loads_over(3600.0) is None
@@ -194,7 +194,7 @@ def test_the_peak_torque_is_that_of_the_output_too() -> None:
     for output, more in (("pins", 1.0), ("ring", (u + 1) / u)):
         values = {"load.output_torque": torque * more, "load.peak_torque": 2 * torque * more}
         results = Results(changed(WHOLE, {"mechanism.output": output} | values))
-        safeties.append(results.satellite_bearing.static_safety_factor)
+        safeties.append(results.crank.bearings.static_safety_factor)
     assert safeties[1] == pytest.approx(safeties[0], rel=1e-9)
 
 

@@ -229,18 +229,18 @@ def test_a_contact_is_no_longer_than_its_rollers() -> None:
 def test_the_loss_is_that_of_the_bearings() -> None:
     """Of report and sheet alike: the sleeve's formula with the bore, and the bearing's friction."""
     design = rolled(input_speed=50 * math.pi, hole_radius=0.010, pin=None)
-    losses = Results(design).output_efficiency
+    losses = Results(design).losses.pins
     friction = having(
         WHOLE, friction=Friction(coefficient=0.0015, sleeve=True), hole_radius=0.010,
         pin=replace(WHOLE.pin, diameter=0.010),
         distribution_factor=1.000001,
     )  # fmt: skip
-    sleeves = Results(friction).output_efficiency
+    sleeves = Results(friction).losses.pins
     assert losses.mean_loss == pytest.approx(sleeves.mean_loss, rel=1e-12)
     given = rolled(replace(ROLLERS, friction_coefficient=0.003), pin=None)
-    assert Results(given).output_efficiency.mean_loss == pytest.approx(2 * losses.mean_loss)
+    assert Results(given).losses.pins.mean_loss == pytest.approx(2 * losses.mean_loss)
     said = rolled(friction=Friction(coefficient=0.003, wear_rate=1e-17), pin=None)
-    assert Results(said).output_efficiency.mean_loss == pytest.approx(2 * losses.mean_loss)
+    assert Results(said).losses.pins.mean_loss == pytest.approx(2 * losses.mean_loss)
     for code in ("sliding_speed", "pv", "wear"):
         check = check_of(code, having(said, max_pv=1.0, max_wear=1e-9, max_sliding_speed=1e-9))
         assert (check.status, check.reason) == ("not_applicable", "rollers_roll")
@@ -255,7 +255,7 @@ def test_the_small_drive_loses_milliwatts() -> None:
         pin=None, friction=None, bearing=None, crankshaft=None, fatigue=None,
         rollers=Rollers(kind="ball", bore_diameter=6e-3, friction_coefficient=0.0015),
     )  # fmt: skip
-    assert Results(small).output_efficiency.mean_loss == pytest.approx(0.00747692331, rel=1e-7)
+    assert Results(small).losses.pins.mean_loss == pytest.approx(0.00747692331, rel=1e-7)
 
 
 CODES = ("life", "static", "max_load", "min_load", "speed", "fits", "tilt")

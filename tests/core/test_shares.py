@@ -121,7 +121,7 @@ def test_numbers_of_even_shares_are_said_where_they_are_known() -> None:
     for each in found.governs:
         assert each.even is not None
         if each.check.code == "bearing_life":
-            assert each.even.value == pytest.approx(even.satellite_bearing.life.min(), rel=1e-12)
+            assert each.even.value == pytest.approx(even.crank.bearings.life.min(), rel=1e-12)
             assert each.check.value < each.even.value
     still = replace(WHOLE.crankshaft, satellite_mass=None)  # type: ignore[type-var]
     factor = shares_of(having(WHOLE, crankshaft=still, distribution_factor=1.5))

@@ -177,7 +177,7 @@ def test_teeth_that_are_put_together_do_not_cross() -> None:
             cutter_teeth=20,
         ),
     )
-    backlash = Results(design).involute_pair.normal_backlash
+    backlash = Results(design).ring.pair.normal_backlash
     ring = points_of(drawn_ring(design=design, chord_error=1e-7).outline)
     for each, angle in zip(
         drawn_satellites(design=design, numbers=(1, 2, 3), chord_error=1e-7), angles, strict=True

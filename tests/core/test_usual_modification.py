@@ -90,7 +90,7 @@ def test_half_and_nine_tenths_of_the_rings_have_no_more(few: UsualModification) 
     """The 32nd and the 58th of 64, of a modification of a ten-thousandth of the circle's radius;
     the grid of 720 positions misses some 3e-4 of a summit of 12 pins. The 58th is judged.
     """
-    mesh = Results(ringed(modification=Modification(equidistant=U))).ring_mesh
+    mesh = Results(ringed(modification=Modification(equidistant=U))).ring.mesh
     turns = [
         mesh_over_turn(
             mesh=replace(mesh, deviations=RingDeviations(*places(sample))), output_torque=120.0

@@ -1,0 +1,159 @@
+"""What follows from a design about its crank: bearings of the satellites, reactions and balance of
+the crankshaft, each worked out when it is asked for, once, or why it is not known.
+"""
+
+from typing import Any, Protocol
+
+from core.crank.balance import Balance, balance
+from core.crank.crankshaft import Crankshaft, crankshaft
+from core.crank.satellite_bearing import SatelliteBearings, satellite_bearings
+from core.derived import derived
+from core.design.document import Design
+from core.design.refusals import named
+from core.design.ring_results import RingResults
+from core.errors import NotKnown
+
+MOST_BEARING_PAIRS = 2000
+"""Most pairs of which the forces on the satellites are integrated over the turn."""
+
+
+class OutputForces(Protocol):
+    """What the crank takes of the forces on the output's pins and of the ring."""
+
+    solved: bool
+
+    @property
+    def ring(self) -> RingResults:
+        """What follows about the ring."""
+
+    @property
+    def turning(self) -> dict[str, Any]:
+        """What the forces follow from, and what turns, as arguments."""
+
+    def limit_pairs(self, most: int) -> None:
+        """Refuse more pairs than ideal forces are integrated of."""
+
+
+class CrankResults:
+    """What follows from a design about its crank; SI units. What is not known raises `NotKnown`.
+
+    Parameters
+    ----------
+    design : Design
+        The design.
+    output : OutputForces
+        The forces on the output's pins.
+    """
+
+    def __init__(self, design: Design, output: OutputForces) -> None:
+        self.design, self.output = design, output
+
+    @property
+    def uneven_growth(self) -> bool:
+        """Whether loads of bearings do not grow with the torque: of forces that are solved, and
+        with centrifugal ones beside them.
+        """
+        return self.output.solved or self.centrifugal > 0
+
+    @derived
+    def bearings(self) -> SatelliteBearings:
+        """Load and life of the satellites' bearings under the torque, their static safety under the
+        peak torque, of at most `MOST_BEARING_PAIRS`. Without a speed there is no life.
+        """
+        bearing = self.design.bearing
+        if not bearing:
+            raise NotKnown("section_missing", "bearing")
+        mesh = self.output.ring.force
+        self.output.limit_pairs(MOST_BEARING_PAIRS)
+        return named(
+            self.design,
+            "bearing",
+            lambda: satellite_bearings(
+                **self.output.turning,
+                mesh=mesh,
+                distribution_factor=self.design.disc_factor,
+                centrifugal=self.centrifugal,
+                kind=bearing.kind,
+                dynamic_rating=bearing.dynamic_rating,
+                static_rating=bearing.static_rating,
+                reliability_percent=bearing.reliability_percent,
+                ring_factor=bearing.ring_factor,
+                weibull_slope=bearing.weibull_slope,
+                peak_torque=self.design.static_torque,
+            ),
+        )
+
+    @derived
+    def shaft(self) -> Crankshaft:
+        """Reactions and balance of the crankshaft under the torque, of at most
+        `MOST_BEARING_PAIRS`.
+        """
+        return self._shaft()
+
+    @derived
+    def still_shaft(self) -> Crankshaft:
+        """The same without centrifugal forces."""
+        return self._shaft(satellite_mass=None)
+
+    def _shaft(self, **other: Any) -> Crankshaft:
+        own = self.design.crankshaft
+        if not own:
+            raise NotKnown("section_missing", "crankshaft")
+        mesh, speeds = self.output.ring.force, self.design.known_speeds
+        self.output.limit_pairs(MOST_BEARING_PAIRS)
+        given = self.output.turning | self._on_shaft | {"input_speed": speeds.crank} | other
+        if own.bearings is not None:
+            given |= {
+                "bearing_speeds": tuple(speeds.against(each.seat) for each in own.bearings),
+                "kinds": tuple(each.kind for each in own.bearings),
+                "dynamic_ratings": tuple(each.dynamic_rating for each in own.bearings),
+            }
+        return named(
+            self.design,
+            "crankshaft",
+            lambda: crankshaft(**given, mesh=mesh, distribution_factor=self.design.disc_factor),
+        )
+
+    @property
+    def _on_shaft(self) -> dict[str, Any]:
+        """Places and masses of the crankshaft, as arguments."""
+        own = self.design.crankshaft
+        return {
+            "satellite_positions": own.satellite_positions,
+            "bearing_positions": own.bearing_positions,
+            "satellite_mass": own.satellite_mass,
+            "counterweights": own.counterweights,
+            "rotor_mass": own.rotor_mass,
+        }
+
+    @derived
+    def balance(self) -> Balance:
+        """Balance of the crankshaft at its speed, whatever the forces are."""
+        design, made = self.design, self.design.deviations
+        if not design.crankshaft or design.crankshaft.satellite_mass is None:
+            raise NotKnown("mass_unknown", "crankshaft.satellite_mass")
+        if made is not None and any((*made.eccentricity, *made.crank_phase)):
+            raise NotKnown("cranks_deviate")
+        speed, eccentricity = design.known_speed, design.known_eccentricity
+        return named(
+            design,
+            "crankshaft",
+            lambda: balance(
+                eccentricity=eccentricity,
+                crank_angles=design.mechanism.built.crank_angles,
+                input_speed=speed,
+                **self._on_shaft,
+            ),
+        )
+
+    @property
+    def centrifugal(self) -> float:
+        """Centrifugal force of a satellite, N, which relieves its bearing; 0 where mass or speed is
+        not known.
+        """
+        shaft, speed = self.design.crankshaft, self.design.load.input_speed
+        mass = shaft.satellite_mass if shaft else None
+        eccentricity = self.design.contact.eccentricity
+        if mass is None or speed is None or eccentricity is None:
+            return 0.0
+        return mass * eccentricity * speed**2

@@ -1,0 +1,45 @@
+"""What the fatigue of a pin is judged by: of the output or of the ring."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from core.design.document import Design
+from core.design.refusals import named
+from core.design.sections import DesignPin
+from core.errors import NotKnown
+from core.output.pin_fatigue import FatigueStrength
+
+
+def fatigue_of(
+    *, design: Design, pin: DesignPin, loads: Callable[[float], float | None]
+) -> FatigueStrength:
+    """What the fatigue of a pin is judged by.
+
+    Parameters
+    ----------
+    design : Design
+        The design.
+    pin : DesignPin
+        The pin.
+    loads : callable
+        How often it is loaded over a life, s, as far as that is known.
+
+    Returns
+    -------
+    FatigueStrength
+
+    Raises
+    ------
+    NotKnown
+        Without the yield strength that the criterion needs.
+    InvalidInput
+        See `core.fatigue`.
+    """
+    basis = design.fatigue
+    if basis.criterion == "soderberg" and pin.material.yield_strength is None:
+        raise NotKnown("yield_unknown", f"{pin.material_path}.yield_strength")
+    found = named(design, "fatigue", lambda: basis.strength(pin))
+    if not pin.steel or pin.rotates:  # then no cycles are counted
+        return found
+    life = design.requirements.life if basis.life is None else basis.life
+    return replace(found, cycles=loads(life))

@@ -1,0 +1,317 @@
+"""What follows from a design about its ring, the mesh of satellites with its pins or teeth: each
+result worked out when it is asked for, once, or why it is not known.
+"""
+
+from collections.abc import Callable
+from functools import cache, cached_property
+from typing import Any, Protocol, TypeVar
+
+from core.crank.ring_mesh import RingMesh
+from core.derived import derived, if_known
+from core.design.document import Design
+from core.design.pin_fatigue import fatigue_of
+from core.design.refusals import named
+from core.design.sections import DesignPin
+from core.errors import InvalidInput, NotKnown
+from core.output.over_turn import OverTurn
+from core.output.pin_fatigue import FatigueStrength
+from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
+from core.output.sampled_turn import WAYS, Made
+from core.output.satellite_support import Shares
+from core.ring.bent_pins import forces_on_ring
+from core.ring.involute import MOST_DIFFERENCE, STANDARD_ANGLES, InvolutePair, involute_pair
+from core.ring.involute_load import InvoluteLoad, RootStress, involute_load, involute_loss
+from core.ring.involute_load import root_stress as tooth_root
+from core.ring.loss import RingFriction, RingLoss, ring_loss
+from core.ring.series_teeth import TeethInSeries
+from core.ring.series_turn import SeriesOverTurn
+from core.ring.sharing import CycloidMesh, MeshTurn, mesh_over_turn
+
+Calculated = TypeVar("Calculated")
+
+MOST_RING_PAIRS = 300
+"""Most pairs of discs and pins of a ring over the turn."""
+
+
+class OutputForces(Protocol):
+    """What the mesh of the ring takes of the forces on the output's pins."""
+
+    @property
+    def in_series(self) -> bool:
+        """Whether both meshes are solved in series."""
+
+    @property
+    def over_turn(self) -> Callable[[float], OverTurn]:
+        """Extremes over the turn, of a torque, N*m, negative in reverse."""
+
+    @property
+    def made(self) -> Made | None:
+        """The forces on pins and satellites; None where the ideal ones are judged."""
+
+
+class RingResults:
+    """What follows from a design about its ring; SI units. What is not known raises `NotKnown`.
+
+    Parameters
+    ----------
+    design : Design
+        The design.
+    output : OutputForces
+        The forces on the output's pins.
+    """
+
+    def __init__(self, design: Design, output: OutputForces) -> None:
+        self.design, self.output = design, output
+
+    @derived
+    def force(self) -> RingMesh:
+        """The ring's force on a satellite."""
+        gear = self.design.gear
+        if not gear:
+            raise NotKnown("section_missing", "gear")
+        eccentricity, ratio = self.design.known_eccentricity, self.design.mechanism.ratio
+        return named(
+            self.design,
+            "gear",
+            lambda: gear.mesh(eccentricity=eccentricity, ratio=ratio),
+        )
+
+    @derived
+    def mesh(self) -> CycloidMesh:
+        """Cycloid discs on the pins of their ring as they are made, where their modification is
+        known: in exact geometry where flanks are not turned. All discs have one lag,
+        or given shares of the torque.
+        """
+        design, gear = self.design, self.design.gear
+        if gear.kind != "cycloid":
+            raise NotKnown("no_ring_pins")
+        change = gear.modification
+        if change is None:
+            raise NotKnown("modification_unknown", "gear.modification")
+        if (difference := gear.teeth_difference or 1) > 1:
+            raise NotKnown("cycloid_difference", difference=difference)
+        if gear.every_second_pin:
+            raise NotKnown("every_second_pin")
+        length = design.ring_length
+        shares = design.support if isinstance(design.support, Shares) else None
+        pairs = design.ring_pins * design.mechanism.satellites
+        if pairs > MOST_RING_PAIRS:
+            raise NotKnown("too_many_ring_pairs", pairs=pairs, limit=MOST_RING_PAIRS)
+        disc = self._named(
+            lambda: gear.disc(satellite_teeth=design.lobes, eccentricity=design.known_eccentricity)
+        )
+        return self._named(
+            lambda: gear.cycloid_mesh(
+                disc=disc,
+                crank_angles=design.mechanism.built.crank_angles,
+                contact_length=length,
+                disc_material=design.disc_material,
+                law=gear.law,
+                deviations=design.ring_deviations,
+                exact=change.rotation == 0,
+                support=shares,
+            )
+        )
+
+    @derived
+    def pair(self) -> InvolutePair:
+        """A satellite of involute teeth in its ring, where its shifts and heights are known."""
+        design, gear = self.design, self.design.gear
+        if gear.kind != "involute":
+            raise NotKnown("no_involute")
+        if gear.unknown_teeth:
+            raise NotKnown("teeth_not_judged", *gear.unknown_teeth)
+        eccentricity, _ = design.known_eccentricity, self.force  # which refuses base circles
+        assert gear.teeth_difference is not None and gear.reference_pressure_angle is not None
+        low, high = STANDARD_ANGLES
+        usual = low <= gear.reference_pressure_angle <= high
+        if gear.teeth_difference > MOST_DIFFERENCE or not usual:
+            raise NotKnown("outside_method")
+        satellite, ring = design.lobes, design.ring_pins
+        return self._named(
+            lambda: involute_pair(
+                teeth=gear.involute_teeth(satellite_teeth=satellite, ring_teeth=ring),
+                eccentricity=eccentricity,
+            )
+        )
+
+    def satellite_torque(self, factor: float) -> float:
+        """Largest torque of a satellite over the turn under so many times the torque, over that
+        factor, N*m: its couple with the pins is that with an involute ring.
+        """
+        design = self.design
+        if self.output.made is None:
+            return design.pin_torque * design.disc_factor / design.mechanism.satellites
+        torque = design.pin_torque * factor
+        ways = WAYS[design.load.torque_direction]
+        return max(float(abs(self.output.made(way * torque).couple).max()) for way in ways) / factor
+
+    def satellite_torque_error(self, factor: float) -> float:
+        """Estimate of the relative error of that torque."""
+        if self.output.made is None:
+            return 0.0
+        torque = self.design.pin_torque * factor
+        ways = WAYS[self.design.load.torque_direction]
+        return max(self.output.made(way * torque).error for way in ways)
+
+    def loaded_teeth(self, factor: float) -> dict[str, Any]:
+        """What involute teeth carry under so many times the torque, as arguments."""
+        design, gear = self.design, self.design.gear
+        return {
+            "torque": self.satellite_torque(factor),
+            "contact_length": design.ring_length,
+            "satellite_material": design.disc_material,
+            "ring_material": gear.ring_material,
+            "load_factor": factor * gear.face_load_factor,
+        }
+
+    def involute_load(self, factor: float) -> InvoluteLoad:
+        """Forces and pressures of involute teeth under so many times the torque."""
+        pair, loaded = self.pair, self.loaded_teeth(factor)
+        for body in ("satellite", "ring"):
+            if loaded[f"{body}_material"] is None:
+                raise NotKnown("limit_unknown", f"gear.{body}_material")
+        return self._named(lambda: involute_load(pair=pair, **loaded))
+
+    @derived
+    def root_stress(self) -> RootStress:
+        """Bending of the roots of satellites' involute teeth under the dynamic load."""
+        pair, loaded = self.pair, self.loaded_teeth(self.design.load_factor)
+        forces = {name: loaded[name] for name in ("torque", "contact_length", "load_factor")}
+        return self._named(lambda: tooth_root(pair=pair, **forces))
+
+    def _named(self, calculation: Callable[[], Calculated]) -> Calculated:
+        """A result about the ring; what it refuses is not known of the design."""
+        try:
+            return named(self.design, "gear", calculation)
+        except InvalidInput as refusal:
+            raise NotKnown(refusal.code, refusal=refusal) from refusal
+
+    @cached_property
+    def turn(self) -> Callable[[float], MeshTurn]:
+        """These over the turn, of a torque on the pins, N*m, negative in reverse; where both meshes
+        are in series, as they work in that.
+        """
+
+        def turn(torque: float) -> MeshTurn:
+            if self.output.in_series:
+                return self._named(lambda: self._teeth_in_series(torque))
+            return self._named(lambda: mesh_over_turn(mesh=self.mesh, output_torque=torque))
+
+        return cache(turn)
+
+    def _teeth_in_series(self, torque: float) -> MeshTurn:
+        over = self.output.over_turn(torque)
+        assert isinstance(over, SeriesOverTurn)
+        assert over.turn.coarse  # refuses what cannot be
+        return TeethInSeries(over)
+
+    def turns(self, torque: float) -> list[MeshTurn]:
+        """The same in each direction of the torque, N*m, that of the larger pressure first."""
+        ways = WAYS[self.design.load.torque_direction]
+        turns = [self.turn(way * torque) for way in ways]
+        return sorted(turns, key=lambda turn: turn.max_pressure or 0.0, reverse=len(ways) > 1)
+
+    @derived
+    def working(self) -> list[MeshTurn]:
+        """The same under the torque without its factor."""
+        return self.turns(self.design.pin_torque)
+
+    @derived
+    def loading(self) -> MeshTurn:
+        """The mesh whose pressure is judged: under the dynamic load, of the satellite with most of
+        it where an uneven share is stated.
+        """
+        factor = self.design.load_factor * self.design.ring_factor
+        return self.turns(self.design.pin_torque * factor)[0]
+
+    @derived
+    def static(self) -> MeshTurn:
+        """The same under the torque of static strength."""
+        return self.turns(self.design.static_torque * self.design.ring_factor)[0]
+
+    @property
+    def pin(self) -> DesignPin:
+        """A pin of the ring that bends."""
+        pin = self.design.gear.bent_pin
+        if pin is None:
+            raise NotKnown("pins_in_seats")
+        return pin
+
+    @derived
+    def pin_stresses(self) -> PinStresses:
+        """Stresses of the pins of the ring that bend, under the dynamic load."""
+        design, mesh, pin = self.design, self.mesh, self.pin
+        made = cache(lambda torque: forces_on_ring(self.turn(torque)))
+        return self._named(
+            lambda: pin_stresses(
+                mechanism=mesh.mechanism,
+                output_torque=design.pin_torque * design.ring_factor,
+                application_factor=design.load_factor,
+                peak_torque=design.static_torque * design.ring_factor,
+                torque_direction=design.load.torque_direction,
+                pin_circle_radius=mesh.disc.ring_pin_circle_radius,
+                contact_length=mesh.contact_length,
+                diameter=pin.diameter,
+                satellite_positions=pin.satellite_positions,
+                material=pin.material,
+                support=pin.support,
+                span=pin.span,
+                made=made,
+            )
+        )
+
+    @derived
+    def pin_fatigue_strength(self) -> FatigueStrength:
+        """What their fatigue is judged by."""
+        return fatigue_of(design=self.design, pin=self.pin, loads=self.design.turns_over)
+
+    @derived
+    def pin_strength(self) -> PinStrength:
+        """Their strength, with the fatigue where it is known."""
+        return self.pin_stresses.strength(
+            rotates=self.design.gear.rotates,
+            fatigue=if_known(lambda: self.pin_fatigue_strength),
+            deflection=True,
+        )
+
+    @property
+    def _friction(self) -> RingFriction:
+        """What slides on the ring."""
+        gear = self.design.gear
+        friction = gear.friction if gear else None
+        if friction is None:
+            raise NotKnown("ring_friction_unknown", "gear.friction_coefficient")
+        return friction
+
+    def _losses(self, torque: float) -> list[RingLoss]:
+        """Friction of cycloid discs on the pins in each direction of a torque, N*m."""
+        friction, speed = self._friction, self.design.turning_speed
+        return [
+            self._named(
+                lambda turn=turn: ring_loss(turn=turn, friction=friction, input_speed=speed)  # type: ignore[misc]
+            )
+            for turn in self.turns(torque)
+        ]
+
+    @derived
+    def loss(self) -> RingLoss:
+        """Friction in the ring under the torque: on its pins in the direction that loses more."""
+        torque, friction = self.design.pin_torque, self._friction
+        if self.design.gear.kind == "involute":
+            return involute_loss(
+                pair=self.pair,
+                friction=friction.coefficient,
+                output_torque=torque,
+                input_speed=self.design.turning_speed,
+            )
+        return max(self._losses(torque), key=lambda each: each.loss_ratio)
+
+    @derived
+    def pv(self) -> float | None:
+        """Largest product of pressure and sliding speed on the pins of the ring, Pa*m/s, of the
+        satellite with most of the torque where an uneven share is stated, in either direction; None
+        where no speed is known, or nothing slides.
+        """
+        found = self._losses(self.design.pin_torque * self.design.ring_factor)
+        return max((each.peak_pv for each in found if each.peak_pv is not None), default=None)
