@@ -308,7 +308,8 @@ class RequestModel(BaseModel):
         if self.KINDS:
             self._refuse_other_kinds()
         for field, rule, other in _between(type(self)):
-            if (self.says(field), self.says(other)) == BROKEN[rule]:
+            of_field, of_other = BROKEN[rule]
+            if self.says(other) == of_other and self.says(field) == of_field:
                 raise field_error(field, rule, field=other.rpartition("/")[2])
         return self
 
@@ -343,7 +344,7 @@ class RequestModel(BaseModel):
     def given(self) -> "Values":
         """The fields that have a value, by their names."""
         own = vars(self)  # with what is worked out of them and kept
-        return present({name: own[name] for name in type(self).model_fields})
+        return {name: value for name in _core_plan(type(self)) if (value := own[name]) is not None}
 
     def to_core(self) -> dict[str, Any]:
         """The given fields as the core's arguments, in SI units."""
