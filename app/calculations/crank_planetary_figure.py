@@ -49,7 +49,7 @@ def _mesh(body: CrankPlanetaryRequest) -> ShownMesh:
         name = "ratio" if own.ring_teeth is None else "ring_teeth"
         limit = {"limit": MAX_DRAWN_PAIRS // own.satellites, "satellites": own.satellites}
         raise refusal(f"/mechanism/{name}", "too_many_pairs", **limit)
-    return ShownMesh.of(turn, members=body.design.members)
+    return ShownMesh.at_peak(turn, body.design.members)
 
 
 def _pattern_figure(body: CrankPlanetaryRequest, theme: Theme) -> Figure:

@@ -202,7 +202,7 @@ class DesignFields(GivingFields):
         if load is None:
             return self
         given = [name for name in OF_BOTH if name in load.given]
-        driven = "input_speed_rpm" in load.given
+        driven = load.input_speed_rpm is not None
         if given and not both:
             raise field_error(f"load/{given[0]}", "of_other_output", output=self.mechanism.output)
         if given and not driven:

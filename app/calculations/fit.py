@@ -37,9 +37,10 @@ from app.model import (
 from app.running import run
 from app.settings import Settings
 from app.sources import JOHNSON_1985
-from app.theme import INK, Amount, Figure, Theme, axis, curve, layout, marker, text
+from app.theme import INK, Amount, Figure, Text, Theme, axis, curve, layout, marker, text
 from app.units import from_si, to_si
 from app.worked import stated
+from core.arrays import FloatArray
 from core.errors import InvalidInput
 from core.output.fit import Fit
 from core.output.mechanism import Mechanism
@@ -199,14 +200,14 @@ def fit_figure(fit: Fit, theme: Theme) -> Figure:
     value, at = Amount("%{y:.5g}", "mm"), Amount("%{x:.2f}", "°")
     data = []
     several = range(mechanism.satellites) if mechanism.satellites > 1 else ()
-    for name, disc in ((text("room"), None), *((text("satellite", satellite=j + 1), j)
-                                               for j in several)):  # fmt: skip
-        heights = from_si("room_mm", rooms.rooms(wave, disc)[0])
+    curves: list[tuple[Text, FloatArray, Figure]] = [(text("room"), rooms.rooms(wave)[0], {})]
+    for disc in several:
+        name = text("satellite", satellite=disc + 1)
+        curves.append((name, rooms.rooms(wave, disc)[0], {"width": 1}))
+    for index, (name, heights, line) in enumerate(curves):
         hovered = text("at_angle", name=name, value=value, angle=at)
-        index = 0 if disc is None else disc + 1
-        trace = curve(name, shown, heights, index, theme, hovered)
-        if disc is not None:
-            trace["line"] |= {"width": 1}
+        trace = curve(name, shown, from_si("room_mm", heights), index, theme, hovered)
+        trace["line"] |= line
         data.append(trace)
     for place in least:
         name = text("least_room")

@@ -66,7 +66,7 @@ class PinBoltFields(PartFields, group="pin"):
 
     def notices(self) -> tuple[Notice, ...]:
         """That the preload is estimated from a torque."""
-        if "tightening_torque_Nm" not in self.given:
+        if self.tightening_torque_Nm is None:
             return ()
         return (Notice("nut_factor", {"preload": self.section().preload}),)
 

@@ -134,7 +134,7 @@ def assumed_pin(
     pin: BentPinFields | None, contact: PinContactFields | None
 ) -> Iterator[tuple[tuple[str, ...], Any]]:
     """The material of pins where it is not given: that of the contact."""
-    if pin is not None and "material" not in pin.given and contact is not None:
+    if pin is not None and pin.material is None and contact is not None:
         given = contact.pin_material
         values = given if isinstance(given, str) else given.model_dump(exclude_none=True)
         yield ("pin", "material"), values

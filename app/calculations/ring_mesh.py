@@ -435,7 +435,7 @@ class RingMeshRequest(RequestModel, group="positions"):
     def solve_for_drawing(self) -> ShownMesh:
         """All that the figure shows."""
         turn = MeshTurn(Turn(self.mesh, self.torque))
-        return ShownMesh.of(turn, crank_angle=self.angles[0])
+        return ShownMesh.at_angle(turn, self.angles[0])
 
 
 def work(body: RingMeshRequest) -> list[Values]:
