@@ -33,6 +33,7 @@ from core.checks.shares import disc_shares
 from core.derived import if_known
 from core.design.results import MOST_IN_SERIES
 from core.fixes.fix import Fix
+from core.material_record import NOT_LISTED
 from core.results import Notice
 
 
@@ -44,7 +45,8 @@ def _judged(body: CrankPlanetaryRequest) -> Values:
         codes = codes_to_fix(found, body.fixes_for)
         fixes = fixes_of(body, codes, found)
     values: Values = {}
-    if (cold := cold_yield(results=body.results, found=found)) is not None:
+    cold = cold_yield(results=body.results, found=found) if body.design.plastics else None
+    if cold is not None:
         values["cold_yield"] = _cold_values(body, cold)
     values |= judgement(
         found,
@@ -62,8 +64,8 @@ def _cold_values(body: CrankPlanetaryRequest, cold: ColdYield) -> Values:
     """When a plastic contact yields at once, and where its strength comes from."""
     given = getattr(body.given["contact"], f"{cold.body}_material")
     own = not isinstance(given, str) and (given.yield_strength_MPa or given.tensile_strength_MPa)
-    entry = None if own else entry_of(given)
-    return ColdYieldOut.values(cold, source=entry and entry.strength.source)
+    entry = NOT_LISTED if own else entry_of(given)
+    return ColdYieldOut.values(cold, source=entry.strength.source or None)
 
 
 def _notices(body: CrankPlanetaryRequest) -> tuple[Notice, ...]:
@@ -95,10 +97,11 @@ def solve(body: CrankPlanetaryRequest) -> Values:
         sections["fit"] = FitOut.values(fit)
     judged, _ = run(body, partial(_judged, body))
     warnings = [warning(each) for each in notices]
-    shares, _ = run(body, lambda: disc_shares(results=body.results, found=body.verdict))
-    if shares is not None:
-        sections["shares"] = SharesOut.of(shares)
-        warnings += shares_warnings(shares)
+    if body.results.uneven:
+        shares, _ = run(body, lambda: disc_shares(results=body.results, found=body.verdict))
+        if shares is not None:
+            sections["shares"] = SharesOut.of(shares)
+            warnings += shares_warnings(shares)
     if warnings:
         sections["warnings"] = warnings
     return judged | {"model": body.forces} | sections

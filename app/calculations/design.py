@@ -247,7 +247,7 @@ class DesignFields(GivingFields):
         """Whether clearance, deviations, a law of contact or satellites that give are given."""
         loose = self.contact is not None and self._clearance_mm(self.contact) > 0
         made = self.deviations is not None and not self.deviations.of_ring_alone
-        return loose or made or self.contact_law is not None or self.support is not None
+        return loose or made or self.support.first_order or self.contact_law is not None
 
     def _clearance_mm(self, contact: PinContactFields) -> float:
         """Radial clearance with what rollers add to one that is known."""

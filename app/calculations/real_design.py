@@ -21,6 +21,7 @@ from app.model import Maybe, field_error, quantity
 from app.settings import Settings
 from app.units import to_si
 from core.errors import InvalidInput
+from core.output.contact_law import RIGID_PINS, PinSupport
 from core.output.mechanism import Mechanism
 from core.output.members import Members
 from core.output.real_mechanism import Deviations, RealMechanism
@@ -94,7 +95,7 @@ class RealDesignFields(GivingFields, group="contact_law"):
         """How many times as long as of rigid satellites a position takes."""
         if self.tied:
             return TIED_AS_LONG
-        return 1 if self.support is None else TIMES_AS_LONG
+        return TIMES_AS_LONG if self.support.first_order else 1
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse more pairs than a tie ring may join."""
@@ -121,12 +122,11 @@ class RealDesignFields(GivingFields, group="contact_law"):
     def made(self, deviations: Deviations) -> RealMechanism:
         """The mechanism as it is made, in SI units."""
         sizes, play = self.contact.sizes(), 0.0
-        pin = None if self.pin is None else self.pin.held(*self.around_pins)
+        pin = RIGID_PINS if self.pin is None else self.pin.held(*self.around_pins)
         if self.rollers is not None:
             rollers = self.rollers.section(self)
-            rollers.check(
-                pin_radius=sizes["pin_radius"], pin_diameter=None if pin is None else pin.diameter
-            )
+            diameter = pin.diameter if isinstance(pin, PinSupport) else None
+            rollers.check(pin_radius=sizes["pin_radius"], pin_diameter=diameter)
             play = rollers.play
             sizes["contact_length"] = min(sizes["contact_length"], rollers.length)
         return RealMechanism(

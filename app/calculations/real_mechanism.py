@@ -30,6 +30,7 @@ from core.output.contact_law import PinSupport
 from core.output.real_mechanism import Deviations
 from core.output.sampled_turn import Direction
 from core.output.satellite_support import (
+    RIGID_SUPPORT,
     CrankSupport,
     ElasticMesh,
     SatelliteSupport,
@@ -191,14 +192,14 @@ class SatelliteCouplingFields(RequestModel, group="satellite_coupling"):
         """Whether the satellites give by it."""
         return self.kind != "rigid"
 
-    def section(self, _: Any = None) -> ElasticMesh | Shares | None:
-        """The coupling in SI units; none where it is rigid."""
+    def section(self, _: Any = None) -> SatelliteSupport:
+        """The coupling in SI units."""
         match self.to_core():
             case {"stiffness": stiffness}:
                 return ElasticMesh(stiffness)
             case {"shares": shares}:
                 return Shares(tuple(shares))
-        return None
+        return RIGID_SUPPORT
 
 
 GIVING = ("crank_support", "satellite_coupling")
@@ -256,9 +257,9 @@ class GivingFields(RequestModel):
         return [name for name in GIVING if name in given and given[name].gives]
 
     @cached_property
-    def support(self) -> SatelliteSupport | None:
-        """What the satellites give; none where they are rigid."""
-        return next((self.given[name].section() for name in self.giving), None)
+    def support(self) -> SatelliteSupport:
+        """What the satellites give."""
+        return next((self.given[name].section() for name in self.giving), RIGID_SUPPORT)
 
     def refuse_other_shares(self, satellites: int) -> None:
         """Refuse shares that are not one for each satellite.

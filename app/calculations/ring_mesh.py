@@ -55,7 +55,7 @@ from core.design.ring import Ring
 from core.errors import InvalidInput
 from core.output.contact_law import HertzLaw
 from core.output.real_curves import stiffness_curve
-from core.output.satellite_support import Shares
+from core.output.satellite_support import SatelliteSupport, Shares
 from core.output.turn import Turn
 from core.ring.involute import InvolutePair, involute_pair
 from core.ring.loss import RingFriction, ring_loss, sliding_part
@@ -274,10 +274,9 @@ class RingMeshRequest(RequestModel, group="positions"):
         }
 
     @property
-    def support(self) -> Shares | None:
+    def support(self) -> SatelliteSupport:
         """Given shares of the torque."""
-        given = self.satellite_coupling.shares
-        return None if given is None else Shares(tuple(given))
+        return self.satellite_coupling.section()
 
     @cached_property
     def torque(self) -> float:

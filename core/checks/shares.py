@@ -90,7 +90,7 @@ def disc_shares(*, results: Results, found: Verdict) -> DiscShares | None:
     """
     design = results.design
     count = design.mechanism.satellites
-    if count == 1 or not (design.load and design.touching):
+    if not (results.uneven and design.load and design.touching):
         return None
     if design.disc_factor > 1:
         model, reason, discs = _by_factor(results)
@@ -176,7 +176,7 @@ def _reason(results: Results, shares: list[float]) -> ShareReason:
         return "pin_bending"
     if results.in_series:
         return "ring_mesh"
-    return "clearance" if design.support is None else "crank_support"
+    return "crank_support" if design.support.first_order else "clearance"
 
 
 def _governed(results: Results, found: Verdict) -> tuple[Governed, ...]:
