@@ -293,10 +293,11 @@ class RequestModel(BaseModel):
     @cached_property
     def shape(self) -> "Shape":
         """Its model, and its fields that are given, with the shapes of the models in them."""
-        return type(self), tuple(
+        given = [
             (name, value.shape if isinstance(value, RequestModel) else None)
             for name, value in self.given.items()
-        )
+        ]
+        return type(self), tuple(given)
 
     @model_validator(mode="after")
     def _one_form_and_kind(self) -> Self:
@@ -336,9 +337,8 @@ class RequestModel(BaseModel):
         bool
         """
         name, _, within = path.partition("/")
-        if name not in self.model_fields_set:
-            return False
-        return not within or getattr(self, name).says(within)
+        named = name in self.model_fields_set
+        return named and (not within or getattr(self, name).says(within))
 
     @property
     def given(self) -> "Values":

@@ -81,10 +81,10 @@ class PinContactFields(ContactFields, group="contact"):
 
     @model_validator(mode="after")
     def _radii_agree(self) -> Self:
-        hole, others = self._sum("hole_radius_mm"), self._sum(*RADII)
-        all_given = self.model_fields_set >= {"hole_radius_mm", "hole_clearance_mm", *RADII[:2]}
-        if all_given and abs(hole - others) > Decimal("1e-9") * hole:
-            raise field_error("hole_radius_mm", "hole_disagrees", expected_mm=float(others))
+        if self.model_fields_set >= {"hole_radius_mm", "hole_clearance_mm", *RADII[:2]}:
+            hole, others = self._sum("hole_radius_mm"), self._sum(*RADII)
+            if abs(hole - others) > Decimal("1e-9") * hole:
+                raise field_error("hole_radius_mm", "hole_disagrees", expected_mm=float(others))
         return self
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
