@@ -21,7 +21,7 @@ from app.settings import Settings
 from core.checks.check import Verdict
 from core.checks.largest_torque import crank_verdict
 from core.checks.usual_modification import UsualModification, usual_modification
-from core.derived import if_known
+from core.derived import if_known, is_known
 from core.design.crank_results import MOST_BEARING_PAIRS
 from core.design.results import MOST_PIN_PAIRS, Results
 from core.errors import CalculationError
@@ -255,7 +255,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
             allowed.append("ring_mesh")
         if not self.results.solved or "hertz" not in allowed:
             return allowed
-        if if_known(lambda: self.results.judged_forces) is None:
+        if not is_known(lambda: self.results.judged_forces):
             return [each for each in allowed if each != "hertz" and each not in STRENGTH]
         return [each for each in (*allowed, "load_sharing") if not self._unfit(each)]
 
@@ -264,16 +264,15 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         """Whether the mesh of the ring is answered where it is not named: it can be solved."""
         given, found = all(map(self._has, self._needs("ring_mesh"))), self.results
         if self.ring_kind == "involute":
-            return given and if_known(lambda: found.ring.involute_load(1.0)) is not None
-        return given and if_known(lambda: found.ring.working) is not None
+            return given and is_known(lambda: found.ring.involute_load(1.0))
+        return given and is_known(lambda: found.ring.working)
 
     def _unfit(self, section: Section) -> bool:
         """Whether a section rests on forces of parts that cannot be put together."""
         made = section in ("load_sharing", "real_cyclogram") or (
             section in AS_MADE and self.results.solved
         )
-        fit = if_known(lambda: self.results.fit) if made else None
-        return fit is not None and fit.impossible
+        return made and bool(if_known(lambda: self.results.fit.impossible))
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse what exceeds the operator's limits in mechanism or load, and lists of deviations
@@ -312,7 +311,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     @cached_property
     def draws_real(self) -> bool:
         """Whether figures show the forces that are solved: where these are judged, and can be."""
-        return self.results.solved and if_known(lambda: self.results.real_forces) is not None
+        return self.results.solved and is_known(lambda: self.results.real_forces)
 
     @property
     def carrying(self) -> Mechanism:

@@ -152,7 +152,7 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
         asked = self.fatigue
         if asked is not None and self.stress_concentration > 1:
             for name in NOTCHES:
-                if getattr(asked, name) is not None:
+                if name in asked.given:
                     raise field_error(f"fatigue/{name}", "only_one", field="stress_concentration")
         return self
 
