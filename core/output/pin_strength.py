@@ -283,7 +283,7 @@ def pin_stresses(
         poissons_ratio=material.poissons_ratio,
         span=span if support != "cantilever" else None,
     )
-    _check_positions(mechanism, satellite_positions, contact_length, beam.span)
+    _check_positions(mechanism, satellite_positions, beam)
     pin = LoadedPin(beam, diameter, np.array(satellite_positions), bore_diameter)
     tie_ring: TieRingLoad | None = None
     if support == "tie_ring":
@@ -397,11 +397,10 @@ def _made_cases(turns: list[PinForces]) -> list[PinLoads]:
     wave = np.concatenate([turn.wave for turn in turns])
     return [
         PinLoads(
-            turn=PinSamples(np.concatenate([turn.on_pins[:, n] for turn in turns], axis=1)),
+            turn=PinSamples(np.concatenate([turn.on_pins[:, n] for turn in turns], axis=1), wave),
             unit=1.0,
             pin=n + 1,
             error=max(turn.error for turn in turns),
-            wave=wave,
         )
         for n in range(turns[0].unlike)
     ]
@@ -477,10 +476,9 @@ def _fatigue(
     return worst[0]
 
 
-def _check_positions(
-    mechanism: Mechanism, positions: tuple[float, ...], length: float, span: float | None
-) -> None:
+def _check_positions(mechanism: Mechanism, positions: tuple[float, ...], beam: PinBeam) -> None:
     """Refuse satellites whose contact is not on the pin."""
+    length, span = float(beam.contact_length), beam.span
     name = "satellite_positions"
     if len(positions) != mechanism.satellites:
         count = {"expected": mechanism.satellites, "actual": len(positions)}
@@ -490,7 +488,7 @@ def _check_positions(
         if not z >= length / 2 * (1 - slack):
             least = {"field": "contact_length", "limit": length / 2}
             raise InvalidInput(f"{name}[{index}]", z, "in_carrier", **least)
-        if span is not None and not z + length / 2 <= span * (1 + slack):
+        if not beam.rooted and not z + length / 2 <= span * (1 + slack):
             most = span - length / 2
             raise InvalidInput(f"{name}[{index}]", z, "beyond_support", limit=most, field="span")
 
@@ -510,9 +508,8 @@ def _locus(
             places, forces = np.roll(places, -first), np.roll(forces, -first, axis=1)
         angles = places * mechanism.crank_angle_per_wave
     else:
-        assert case.wave is not None
         forces = case.turn.forces
-        angles = (case.wave - mechanism.initial_crank_angle) / (1 + 1 / mechanism.ratio)
+        angles = (case.turn.wave - mechanism.initial_crank_angle) / (1 + 1 / mechanism.ratio)
     stress = combine(arms=arms, forces=forces)[0]
     if chi is None:
         chi = float(np.angle(stress[np.abs(stress).argmax()]))
@@ -529,7 +526,7 @@ def _of_two_supports(beam: PinBeam, positions: tuple[float, ...]) -> float:
     """What is lost where a support is near all satellites: there the deflection is small beside its
     parts, by the cube of the distance.
     """
-    if beam.span is None:
+    if beam.rooted:
         return 0.0
     near = max(min(z, beam.span - z) for z in positions)
     found: float = ROUNDING * (beam.span / near) ** 3
