@@ -142,22 +142,21 @@ class PinStresses:
         worst = max(found, key=lambda each: each.equivalent)
         most, mean_shear = worst.equivalent, max(each.mean_shear for each in found)
         static = self.static * most
-        cycle, seen = None, worst.place
+        cycle, seen, chi = None, worst.place, None
         notices: list[Notice] = []
         if fatigue is not None:
             worst, cycle = _fatigue(pin, found, fatigue, rotates)
-            seen = cycle.position
-            if input_speed is not None and cycle.cycles is not None:
-                frequency = input_speed * (1 + 1 / mechanism.ratio) / (2 * math.pi)
-                cycle = replace(cycle, life=cycle.cycles / frequency)
+            seen, chi = cycle.position, cycle.direction
             notices += cycle.notices
-            if cycle.cycles is not None and cycle.cycles < LOW_CYCLES:
-                notices.append(Notice("low_cycle_fatigue"))
+            if cycle.cycles is not None:
+                notices += [Notice("low_cycle_fatigue")] if cycle.cycles < LOW_CYCLES else []
+                if input_speed is not None:
+                    frequency = input_speed * (1 + 1 / mechanism.ratio) / (2 * math.pi)
+                    cycle = replace(cycle, life=cycle.cycles / frequency)
         if min(positions) < pin.diameter / 2:
             notices.append(Notice("short_pin"))
         if isinstance(pin, TiedPin) and pin.ring.joint == "pinned":
             notices.append(Notice("ring_clearance_left_out"))
-        chi = None if cycle is None else cycle.direction
         accuracy = Accuracy(self.method, self.error, self.evaluations)
         strength = self.material.yield_strength
         return PinStrength(
