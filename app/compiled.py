@@ -26,6 +26,7 @@ SOURCES = (
     CORE / "output" / "sharing_kernel.py",
     CORE / "output" / "turn_kernel.py",
     CORE / "ring" / "approach.py",
+    CORE / "ring" / "series_disc.py",
     CORE / "ring" / "series_kernel.py",
     CORE / "ring" / "series_pieces.py",
 )

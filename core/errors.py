@@ -1,6 +1,10 @@
 """What a calculation can refuse: by a code with parameters, whose words are in `core.codes`."""
 
+from typing import TypeVar
+
 from core.codes import CODES
+
+Value = TypeVar("Value")
 
 PLACES = {
     "crank_angle": "crank angle",
@@ -96,3 +100,35 @@ class ImpossibleMechanism(CalculationError):
         what = CODES[code].text.format(**self.where | params)
         place = ", ".join(f"{PLACES[name]} = {value!r}" for name, value in self.where.items())
         super().__init__(f"{what} at {place}" if place else what)
+
+
+def required(value: Value | None, code: str, *missing: str) -> Value:
+    """A value that has to be given.
+
+    Parameters
+    ----------
+    value : object or None
+        The value; None where it is not given.
+    code : str
+        Why nothing is known without it, a key of `CODES`.
+    *missing : str
+        Its core name; of several, those of all.
+
+    Returns
+    -------
+    object
+
+    Raises
+    ------
+    NotKnown
+        If it is not given.
+
+    Examples
+    --------
+    >>> required(None, "speed_missing", "load.input_speed")
+    Traceback (most recent call last):
+    core.errors.NotKnown: speed_missing, load.input_speed
+    """
+    if value is None:
+        raise NotKnown(code, *missing)
+    return value

@@ -45,7 +45,8 @@ def _judged(body: CrankPlanetaryRequest) -> Values:
         codes = codes_to_fix(found, body.fixes_for)
         fixes = fixes_of(body, codes, found)
     values: Values = {}
-    if (cold := cold_yield(results=body.results, found=found)) is not None:
+    cold = cold_yield(results=body.results, found=found) if body.design.plastics else None
+    if cold is not None:
         values["cold_yield"] = _cold_values(body, cold)
     values |= judgement(
         found,
@@ -103,10 +104,11 @@ def solve(body: CrankPlanetaryRequest) -> Values:
         sections["fit"] = FitOut.values(fit)
     judged, _ = run(body, partial(_judged, body))
     warnings = [warning(each) for each in notices]
-    shares, _ = run(body, lambda: disc_shares(results=body.results, found=body.verdict))
-    if shares is not None:
-        sections["shares"] = SharesOut.of(shares)
-        warnings += shares_warnings(shares)
+    if body.results.uneven:
+        shares, _ = run(body, lambda: disc_shares(results=body.results, found=body.verdict))
+        if shares is not None:
+            sections["shares"] = SharesOut.of(shares)
+            warnings += shares_warnings(shares)
     if warnings:
         sections["warnings"] = warnings
     return judged | {"model": body.forces} | sections

@@ -6,16 +6,19 @@ from core.checks.check import Check, Kind, design_check, judged
 from core.checks.inputs import OF_DISCS
 from core.design.document import Design
 from core.design.results import Results
-from core.errors import NotKnown
 
 GRADE = 16e-3
 """Usual speed of the centre of what turns about the axis, m/s: G 16 of ISO 21940-11."""
+
+_GRADE, _SHARE = "balance_grade", "max_unbalance_share"
+_OF_FORCE, _OF_COUPLE = ("max_unbalance", _GRADE, _SHARE), ("max_unbalance_couple", _SHARE)
 
 _check = partial(
     design_check,
     group="crankshaft",
     part="crank_bearings",
     needs=("touching", "load"),
+    requires={"crankshaft.satellite_mass": "mass_unknown"},
     fixes=("crankshaft.satellite_mass", "load.input_speed"),
     source="balance",
     why="Above it the reducer shakes with every turn of the crank.",
@@ -48,27 +51,22 @@ def _of_share(results: Results, value: float, share: float) -> float:
     return share * value * least
 
 
-def _judged(kind: Kind, results: Results, *, name: str, demand: float | None) -> Check:
+def _limit(results: Results, value: float, demand: str, asked: float) -> float:
+    """Limit of a value by what is asked."""
+    if demand == _GRADE:
+        return _of_grade(results.design, asked)
+    return _of_share(results, value, asked) if demand == _SHARE else asked
+
+
+def _against(kind: Kind, results: Results, value: float, *demands: str) -> Check:
     """What is not balanced, against the least limit that is asked; without one a force against the
     usual grade, and a couple, of which no grade says anything, against nothing.
     """
-    asked, forces = results.design.requirements, kind is unbalance_force
-    graded = asked.balance_grade if forces else None
-    demands = (demand, graded, asked.max_unbalance_share)
-    try:
-        value = float(getattr(results.crank.balance, name))
-    except NotKnown as why:
-        if any(each is not None for each in demands):
-            raise
-        return Check(kind, "not_asked", reason=why.code, missing=why.missing)
-    limits = [] if demand is None else [demand]
-    if graded is not None:
-        limits.append(_of_grade(results.design, graded))
-    if asked.max_unbalance_share is not None:
-        limits.append(_of_share(results, value, asked.max_unbalance_share))
+    asked = results.design.requirements.asked(*demands)
+    limits = [_limit(results, value, *each) for each in asked.items()]
     if limits:
         return judged(kind, value, min(limits))._replace(limit_source="user")
-    if not forces:
+    if kind is unbalance_couple:
         return Check(kind, "not_asked", value=value, reason="no_limit")
     limit = _of_grade(results.design, GRADE)
     return judged(kind, value, limit, warning="unbalanced", limit_source="balance_guide")
@@ -80,9 +78,10 @@ def _judged(kind: Kind, results: Results, *, name: str, demand: float | None) ->
     unit="N",
     formula="|Σ U|·ω² ≤ F_U, G·M·ω",
     inputs=(*_INPUTS, "requirements.max_unbalance"),
+    demands=tuple(f"requirements.{name}" for name in _OF_FORCE),
 )
 def unbalance_force(design: Design, results: Results) -> Check:
-    return _judged(unbalance_force, results, name="force", demand=design.requirements.max_unbalance)
+    return _against(unbalance_force, results, float(results.crank.balance.force), *_OF_FORCE)
 
 
 @_check(
@@ -91,10 +90,10 @@ def unbalance_force(design: Design, results: Results) -> Check:
     unit="Nm",
     formula="|Σ U·(z − z_m)|·ω² ≤ M_U",
     inputs=(*_INPUTS, "requirements.max_unbalance_couple"),
+    demands=tuple(f"requirements.{name}" for name in _OF_COUPLE),
 )
 def unbalance_couple(design: Design, results: Results) -> Check:
-    demand = design.requirements.max_unbalance_couple
-    return _judged(unbalance_couple, results, name="couple", demand=demand)
+    return _against(unbalance_couple, results, float(results.crank.balance.couple), *_OF_COUPLE)
 
 
 BALANCE = (unbalance_force, unbalance_couple)

@@ -7,7 +7,7 @@ from functools import partial
 
 import numpy as np
 
-from core.checks.check import Check, Kind, design_check, judged
+from core.checks.check import Check, Kind, design_check, judged, judged_by
 from core.checks.inputs import BEARING_LOAD, SPEEDS
 from core.crank.envelope import (
     HIGH,
@@ -23,7 +23,7 @@ from core.crank.envelope import (
 from core.design.document import Design
 from core.design.results import Results
 from core.design.sections import RollingBearing
-from core.errors import NotKnown
+from core.errors import NotKnown, required
 
 PRESSED = 1e-4
 """What a bearing's outside may be larger than its seat, m: it is pressed in."""
@@ -75,16 +75,14 @@ def _possible(kind: Kind, bearing: RollingBearing, bounds: Bounds) -> Check:
 
 def _known_sizes(bearing: RollingBearing, *paths: str) -> tuple[float, float, float]:
     """Its sizes, which have to be given."""
-    if bearing.sizes is None:
-        raise NotKnown("envelope_unknown", *paths)
-    return bearing.sizes
+    return required(bearing.sizes, "envelope_unknown", *paths)
 
 
 def _bounds(design: Design) -> Bounds:
     """Largest ratings of the satellites' bearings, by their sizes or by the room for them."""
-    bearing, body = design.bearing, design.satellite_body
-    if bearing.sizes is None and body and body.bore_radius is not None:
-        least, outer = _least_bore(design), 2 * body.bore_radius
+    bearing, outer = design.bearing, _seat(design)
+    if bearing.sizes is None and math.isfinite(outer):
+        least = _least_bore(design)
         if least < outer:  # else there is no room, as `bearing_fits` says
             return largest_ratings_of_room(
                 kind=bearing.kind,
@@ -94,6 +92,12 @@ def _bounds(design: Design) -> Bounds:
             )
     bore, outer, width = _known_sizes(bearing, *_SIZES)
     return largest_ratings(kind=bearing.kind, bore_diameter=bore, outer_diameter=outer, width=width)
+
+
+def _seat(design: Design) -> float:
+    """What the satellites' bearings sit in, m; infinite where it is not given."""
+    body = design.satellite_body
+    return 2 * body.bore_radius if body and body.bore_radius is not None else math.inf
 
 
 def _least_bore(design: Design) -> float:
@@ -135,8 +139,7 @@ def _room(design: Design) -> float:
     """What is left between a bearing and what is about it, m; of one whose sizes are not given only
     that there is no room for any.
     """
-    body, least = design.satellite_body, _least_bore(design)
-    seat = 2 * body.bore_radius if body and body.bore_radius is not None else math.inf
+    least, seat = _least_bore(design), _seat(design)
     if design.bearing.sizes is None and seat <= least:
         return seat - least
     bore, outer, _ = _known_sizes(design.bearing, *_SIZES)
@@ -182,12 +185,16 @@ def bearing_fits(design: Design, results: Results) -> Check:
     needed=False,
 )
 def bearing_speed(design: Design, results: Results) -> Check:
-    limit = design.bearing.limiting_speed
     value = design.known_speeds.turning * design.mechanism.built.waves_per_turn
-    if limit is None:
-        missing = ("bearing.limiting_speed",)
-        return Check(bearing_speed, "not_asked", value=value, reason="no_limit", missing=missing)
+    said = {"value": value, "status": "not_asked"}
+    speed = design.bearing.limiting_speed
+    limit = judged_by(speed, "no_limit", "bearing.limiting_speed", **said)
     return judged(bearing_speed, value, limit)
+
+
+def _rating(design: Design) -> float:
+    """Dynamic rating of the satellites' bearings, which has to be given, N."""
+    return required(design.bearing.dynamic_rating, "rating_unknown", "bearing.dynamic_rating")
 
 
 @_bearing(
@@ -203,9 +210,7 @@ def bearing_speed(design: Design, results: Results) -> Check:
     needed=False,
 )
 def bearing_min_load(design: Design, results: Results) -> Check:
-    rating = design.bearing.dynamic_rating
-    if rating is None:
-        raise NotKnown("rating_unknown", "bearing.dynamic_rating")
+    rating = _rating(design)
     found = results.crank.bearings
     loads = np.asarray(found.min_load)
     least = int(np.argmin(loads))
@@ -239,10 +244,8 @@ def bearing_min_load(design: Design, results: Results) -> Check:
     needed=False,
 )
 def bearing_overload(design: Design, results: Results) -> Check:
-    found, bearing = results.crank.bearings, design.bearing
-    if bearing.dynamic_rating is None:
-        raise NotKnown("rating_unknown", "bearing.dynamic_rating")
-    used = np.asarray(found.equivalent_load) / (MOST_DYNAMIC * bearing.dynamic_rating)
+    found = results.crank.bearings
+    used = np.asarray(found.equivalent_load) / (MOST_DYNAMIC * _rating(design))
     if found.static_safety_factor is not None:
         used = np.maximum(used, 1 / (MOST_STATIC * np.asarray(found.static_safety_factor)))
     worst = int(np.argmax(used))
@@ -258,10 +261,7 @@ def bearing_overload(design: Design, results: Results) -> Check:
 
 def _of_crank(design: Design) -> tuple[RollingBearing, ...]:
     """Bearings of the crankshaft, which have to be given."""
-    bearings = design.crankshaft.bearings
-    if bearings is None:
-        raise NotKnown("rating_unknown", "crankshaft.bearings")
-    return tuple(bearings)
+    return required(design.crankshaft.bearings, "rating_unknown", "crankshaft.bearings")
 
 
 @_crank_bearing(
@@ -294,9 +294,8 @@ def crank_bearing_rating(design: Design, results: Results) -> Check:
     needed=False,
 )
 def crank_bearing_fits(design: Design, results: Results) -> Check:
-    shaft = design.crankshaft.shaft_diameter
-    if shaft is None:
-        raise NotKnown("size_missing", "crankshaft.shaft_diameter")
+    name = "crankshaft.shaft_diameter"
+    shaft = required(design.crankshaft.shaft_diameter, "size_missing", name)
     bores = [_known_sizes(each, "crankshaft.bearings")[0] for each in _of_crank(design)]
     left = min(bores) - shaft
     found = judged(crank_bearing_fits, left, 0.0, at={"bearing": bores.index(min(bores)) + 1})

@@ -2,12 +2,13 @@
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Set
-from dataclasses import dataclass
-from typing import Any, Literal, NamedTuple, get_args
+from dataclasses import dataclass, field
+from typing import Any, Literal, NamedTuple, TypeVar, get_args
 
 from core.checks.part import Outcome, PartVerdict, whole
 from core.derived import UNKNOWN
-from core.errors import ImpossibleMechanism, InvalidInput, NotKnown
+from core.design.document import value_at
+from core.errors import ImpossibleMechanism, InvalidInput, NotKnown, required
 from core.precision import AS_TYPED, ROUNDING
 
 Status = Literal["pass", "marginal", "fail", "not_checked", "not_asked", "not_applicable"]
@@ -18,8 +19,15 @@ MARGIN = 1.1
 """Torque reserve below which a check is marginal."""
 
 
+Given = TypeVar("Given")
+
+
 def _nothing(*_: Any) -> dict[str, Any]:
     return {}
+
+
+def _never(*_: Any) -> str:
+    return ""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -39,7 +47,12 @@ class Kind:
     source: str = "geometry"  # where the formula comes from, a key of `CHECK_SOURCES`
     keep: Literal["below", "above"] = "below"  # on which side of the limit the value has to stay
     needs: tuple[str, ...] = ()  # what has to be there of a design: it is made of no other one
+    # What has to be given besides, by its path, with the code of why nothing is known without it.
+    requires: Mapping[str, str] = field(default_factory=dict)
+    not_of: Callable[..., str] = _never  # why it is no check of a design, a code; empty of others
+    demands: tuple[str, ...] = ()  # paths: where none is given nobody asks what is not known
     asks: str = ""  # requirement that is its limit, where somebody may ask it
+    only_asked: bool = False  # whether its value is not looked for where nobody does
     asked_alone: bool = False  # whether it needs nothing else where that is asked
     # Attributes of the check that are known although its value is not, as its limit.
     known: Callable[..., dict[str, Any]] = _nothing
@@ -141,6 +154,27 @@ class Check(NamedTuple):
         return -over if self.kind.keep == "below" else over
 
     @property
+    def compared(self) -> tuple[float, float]:
+        """Value and limit, in SI units; `NotKnown` where they are not both known."""
+        if self.value is None or self.limit is None:
+            raise NotKnown(self.reason, *self.missing)
+        return self.value, self.limit
+
+    @property
+    def by_torque(self) -> bool:
+        """Whether a factor on the torque is known at which it is at its limit."""
+        return self.torque_reserve is not None
+
+    @property
+    def reserve(self) -> float:
+        """Factor on the torque at which it fails: without one that is known 0 of what fails, which
+        no less torque is known to cure, and infinite of the others.
+        """
+        if self.torque_reserve is None:
+            return 0.0 if self.status == "fail" else math.inf
+        return self.torque_reserve
+
+    @property
     def only_needed(self) -> bool:
         """Whether it holds, which is necessary and not enough to pass."""
         return self.status == "not_checked" and self.reason == "necessary_only"
@@ -171,13 +205,76 @@ def make_check(kind: Kind, *design: Any) -> Check:
     Check
     """
     try:
-        found = kind.judge(*design)
+        found = _made(kind, *design)
+    except Unjudged as why:
+        found = not_checked(kind, why)._replace(**why.known)
     except UNKNOWN as why:
-        found = not_checked(kind, why)._replace(**kind.known(*design))
+        found = not_checked(kind, why)
+        demanded = [value_at(design[0], path) is not None for path in kind.demands]
+        asked = not demanded or any(demanded)
+        found = found._replace(**kind.known(*design) if asked else {"status": "not_asked"})
     if kind.asks:
         return _asked(kind, found, getattr(design[0].requirements, kind.asks))
     assert isinstance(found, Check)
     return found
+
+
+def _made(kind: Kind, *design: Any) -> "Check | Measure":
+    """What its function finds, where the record says nothing that keeps it from looking."""
+    if reason := kind.not_of(*design):
+        return Check(kind, "not_applicable", reason=reason)
+    for path, code in kind.requires.items():
+        required(value_at(design[0], path), code, path)
+    if kind.only_asked and not design[0].requirements.asked(kind.asks):
+        raise NotKnown("no_limit")
+    return kind.judge(*design)
+
+
+class Unjudged(NotKnown):
+    """A value that is known, and nothing to hold it against.
+
+    Parameters
+    ----------
+    code : str
+        Why, a key of `core.codes.CODES`.
+    *missing : str
+        Core names of inputs that would have to be given.
+    **known
+        Attributes of the check that are known.
+    """
+
+    def __init__(self, code: str, *missing: str, **known: Any) -> None:
+        super().__init__(code, *missing)
+        self.known = known
+
+
+def judged_by(given: Given | None, code: str, *missing: str, **known: Any) -> Given:
+    """What a value is judged by, as its limit, which has to be given.
+
+    Parameters
+    ----------
+    given : object or None
+        What it is; None where it is not given.
+    code : str
+        Why nothing is judged without it, a key of `core.codes.CODES`.
+    *missing : str
+        Core names of inputs that would have to be given.
+    **known
+        Attributes of the check that are known all the same, as its value; its status, where nobody
+        asks without.
+
+    Returns
+    -------
+    object
+
+    Raises
+    ------
+    Unjudged
+        If it is not given.
+    """
+    if given is None:
+        raise Unjudged(code, *missing, **known)
+    return given
 
 
 def not_checked(kind: Kind, why: NotKnown | ImpossibleMechanism) -> Check:
@@ -288,7 +385,7 @@ def necessary(found: Check) -> Check:
     Check
         `not_checked` where it holds, with its numbers.
     """
-    if found.status in ("fail", "not_checked") or found.value is None:
+    if found.status in ("fail", "not_checked"):
         return found
     return found._replace(status="not_checked", reason="necessary_only")
 
@@ -326,24 +423,25 @@ class Measure(NamedTuple):
 
 def _asked(kind: Kind, found: Check | Measure, limit: float | None) -> Check:
     """What was found, against a limit that somebody may ask."""
+    if isinstance(found, Check) and found.status == "not_applicable":
+        return found._replace(limit=limit)
+    if limit is None:
+        missing = (f"requirements.{kind.asks}",)
+        return Check(kind, "not_asked", value=found.value, reason="no_limit", missing=missing)
     if isinstance(found, Check):
-        if limit is not None or found.status == "not_applicable":
-            return found._replace(limit=limit)
-    elif limit is not None:
-        reserve = found.reserve(limit / found.value) if found.reserve and found.value > 0 else None
-        check = judged(
-            kind,
-            found.value,
-            limit,
-            reserve=reserve,
-            error=found.error,
-            at=found.at,
-            rough=found.rough,
-        )
-        check = check._replace(reason=found.reason or check.reason)
-        return check._replace(utilisation=found.used(limit)) if found.used else check
-    missing = (f"requirements.{kind.asks}",)
-    return Check(kind, "not_asked", value=found.value, reason="no_limit", missing=missing)
+        return found._replace(limit=limit)
+    reserve = found.reserve(limit / found.value) if found.reserve and found.value > 0 else None
+    check = judged(
+        kind,
+        found.value,
+        limit,
+        reserve=reserve,
+        error=found.error,
+        at=found.at,
+        rough=found.rough,
+    )
+    check = check._replace(reason=found.reason or check.reason)
+    return check._replace(utilisation=found.used(limit)) if found.used else check
 
 
 def gap(kind: Kind, *, width: float, size: float) -> Check:
@@ -484,17 +582,14 @@ def rank(check: Check) -> tuple[float, ...]:
     place = 0 if check.impossible and check.status == "fail" else order.get(check.status, 6)
     if check.status == "not_checked" and not check.opens:
         place = order["not_asked"]
-    reserve = check.torque_reserve
-    if reserve is None:
-        reserve = 0.0 if check.status == "fail" else math.inf
     used = -check.utilisation if check.utilisation is not None else 0.0
-    return place, reserve, used
+    return place, check.reserve, used
 
 
 def verdict(
     checks: Iterable[Check],
     not_considered: tuple[str, ...] = (),
-    parts: tuple[PartVerdict, ...] | None = None,
+    parts: tuple[PartVerdict, ...] = (),
 ) -> Verdict:
     """The verdict of checks.
 
@@ -504,8 +599,8 @@ def verdict(
         The checks.
     not_considered : tuple of str
         What is not looked at, keys of `NOT_CONSIDERED`.
-    parts : tuple of PartVerdict, optional
-        What the parts of a reducer come to, of which the verdict is made.
+    parts : tuple of PartVerdict
+        What the parts of a reducer come to, of which the verdict is made; none of what has none.
 
     Returns
     -------
@@ -524,36 +619,34 @@ def verdict(
     counts: dict[str, int] = {status: statuses.count(status) for status in STATUSES}
     decided = [each for each in ranked if each.status in ("fail", "marginal", "pass")]
     held = (each for each in ranked if each.only_needed)
-    counted = [
-        each for each in (*decided, *held) if each.torque_reserve is not None and not each.warning
-    ]
-    reserves = [each.torque_reserve for each in counted if each.torque_reserve is not None]
-    least = None if _cannot_be(ranked) else min(reserves, default=None)
+    counted = [each for each in (*decided, *held) if each.by_torque and not each.warning]
+    bears = bool(counted) and not _cannot_be(ranked)
+    least = min(each.reserve for each in counted) if bears else None
     outcome: Outcome = "pass"
-    if parts is not None:
+    if parts:
         outcome = whole(parts)
     elif counts["fail"]:
         outcome = "fail"
-    elif counts["not_checked"] or not reserves:  # room alone: nothing that the load could break
+    elif counts["not_checked"] or not counted:  # room alone: nothing that the load could break
         outcome = "incomplete"
     elif counts["marginal"]:
         outcome = "marginal"
-    stuck = any(each.status == "fail" and each.torque_reserve is None for each in decided)
+    stuck = any(each.status == "fail" and not each.by_torque for each in decided)
     having = {each.kind.part for each in counted}
-    of = tuple(part.code for part in parts or () if part.judged and part.code in having)
-    unknown = counts["not_checked"] if parts is None else not of
+    of = tuple(part.code for part in parts if part.judged and part.code in having)
+    unknown = not of if parts else counts["not_checked"]
     return Verdict(
         verdict=outcome,
         governing=decided[0].code if decided else None,
         torque_reserve=least,
-        largest_torque_known=least is not None and not stuck and not unknown,
+        largest_torque_known=bears and not stuck and not unknown,
         largest_torque_of=of,
         largest_torque_estimated=any(
             each.rough and (each.status == "fail" or each.torque_reserve == least)
             for each in decided
         ),
         counts=counts,
-        parts=parts or (),
+        parts=parts,
         not_considered=not_considered,
         checks=ranked,
     )

@@ -1,13 +1,11 @@
 """The torque at which a plastic contact yields at once: all that is known of what may not last."""
 
 from dataclasses import dataclass
-from functools import partial
 
 from core.checks.check import Verdict
 from core.checks.crank_planetary import crank_check
 from core.checks.largest_torque import under
-from core.checks.plastics import PLASTICS
-from core.derived import if_known
+from core.checks.plastics import PLASTICS, cold_limits
 from core.design.results import Results
 from core.materials import Body
 
@@ -52,26 +50,21 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
     """
     design, checks = results.design, {each.code: each for each in found.checks}
     check = checks.get("contact_static_cold")
-    fits = checks.get("interference")
-    if check is None or found.impossible or (fits is not None and fits.status == "fail"):
+    misfits = {each.code for each in found.checks if each.status == "fail"} & {"interference"}
+    if check is None or found.impossible or misfits or not check.by_torque:
         return None
-    if check.torque_reserve is None or design.hole_friction is None:
+    friction, factor = design.hole_friction, check.reserve
+    if friction is None:
         return None
-    factor = check.torque_reserve
     for _ in range(LOOKS if check.rough or results.solved else 0):
         there = Results(under(design=design, factor=factor), equal=results.shared_equally)
-        reserve = crank_check(check.code, there).torque_reserve
-        if reserve is None:
+        seen = crank_check(check.code, there)
+        if not seen.by_torque:
             return None
-        factor *= reserve
-        if abs(reserve - 1) <= NEAR:
+        factor *= seen.reserve
+        if abs(seen.reserve - 1) <= NEAR:
             break
-    contact = results.static_contact
-    limits = {
-        each: limit
-        for each in design.plastics
-        if (limit := if_known(partial(results.cold_limit, each, contact))) is not None
-    }
+    limits = cold_limits(results, results.static_contact)
     body = min(limits, key=limits.__getitem__)
     strength = design.lasting[body].loaded_strength(body)
     assert strength is not None
@@ -88,6 +81,6 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
         torque=abs(design.load.output_torque) * factor,
         body=body,
         strength=strength,
-        friction=design.hole_friction,
+        friction=friction,
         open=(*unknown, *wears),
     )

@@ -2,15 +2,15 @@
 
 import math
 from functools import partial
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 
 from core.arrays import FloatArray
-from core.checks.check import Check, Kind, design_check, judged
+from core.checks.check import Check, design_check, judged
 from core.checks.inputs import BEARING_LOAD, LIFE, OF_DISCS, RING, ROOTS
 from core.checks.space import within_roots
-from core.crank.bearing_life import EXPONENTS, PEAK_SAFETY, STATIC_SAFETY
+from core.crank.bearing_life import EXPONENTS, PEAK_SAFETY, STATIC_SAFETY, Bearing
 from core.crank.ring_mesh import STEEP
 from core.crank.satellite_bearing import SatelliteBearings
 from core.derived import if_known
@@ -18,11 +18,9 @@ from core.design.document import Design
 from core.design.results import Results
 from core.design.ring import RingKind
 from core.design.sections import RollingBearing
-from core.errors import NotKnown
+from core.errors import NotKnown, required
 from core.ring.involute import MOST_DIFFERENCE, STANDARD_ANGLES
 from core.ring.possible_teeth import possible_teeth
-
-Value = TypeVar("Value")
 
 _LIFE_FIXES = (
     "bearing.dynamic_rating",
@@ -50,29 +48,29 @@ NOT_OF: dict[RingKind, str] = {"involute": "no_involute", "cycloid": "no_ring_pi
 """Why a check is not one of a ring, by the kind that it is of."""
 
 
-def other_ring(*, results: Results, kind: Kind, of: tuple[RingKind, ...]) -> Check | None:
-    """A check of other rings than that of a design.
+def other_ring(design: Design, results: Results, *, of: tuple[RingKind, ...]) -> str:
+    """Why a check is none of the ring of a design.
 
     Parameters
     ----------
+    design : Design
+        The design.
     results : Results
-        Results of a design.
-    kind : Kind
-        Which check.
+        Its results.
     of : tuple of {"involute", "cycloid"}
-        Kinds of ring that it is of, the one first that it says.
+        Kinds of ring that the check is of, the one first that it says.
 
     Returns
     -------
-    Check or None
-        None where it is of this one, which can be.
+    str
+        A code; empty where it is of this ring, which can be.
     """
-    own = results.design.gear.kind
+    own = design.gear.kind
     if own not in of:
-        return Check(kind, "not_applicable", reason=NOT_OF[of[0]])
+        return NOT_OF[of[0]]
     if own == "cycloid":
         _ = results.ring.force  # which refuses a disc whose path crosses itself
-    return None
+    return ""
 
 
 @_gear(
@@ -112,11 +110,10 @@ def pressure_angle(design: Design, results: Results) -> Check:
     source="teeth_tried",
     keep="above",
     needs=("contact", "gear"),
+    not_of=partial(other_ring, of=("involute",)),
 )
 def mesh_possible(design: Design, results: Results) -> Check:
     gear = design.gear
-    if other := other_ring(results=results, kind=mesh_possible, of=("involute",)):
-        return other
     eccentricity, _ = design.known_eccentricity, results.ring.force  # which refuses base circles
     if not gear.unknown_teeth:
         return Check(mesh_possible, "not_applicable", reason="teeth_given")
@@ -161,19 +158,10 @@ def gear_room(design: Design, results: Results) -> Check:
     return within_roots(design=design, kind=gear_room)
 
 
-def _required(value: Value | None, name: str) -> Value:
-    """A number of bearings, which needs a load rating, and of a life a speed."""
-    if value is None:
-        raise NotKnown("rating_unknown", name)
-    return value
-
-
 def _lives(found: SatelliteBearings, bearing: RollingBearing) -> FloatArray:
     """Lives of the bearings."""
-    _required(bearing.dynamic_rating, "bearing.dynamic_rating")
-    if found.life is None:
-        raise NotKnown("speed_missing", "load.input_speed")
-    return found.life
+    required(bearing.dynamic_rating, "rating_unknown", "bearing.dynamic_rating")
+    return required(found.life, "speed_missing", "load.input_speed")
 
 
 def _required_life(design: Design, results: Results) -> dict[str, Any]:
@@ -215,12 +203,29 @@ def bearing_life(design: Design, results: Results) -> Check:
     )
 
 
-def _required_safety(design: Design, results: Results) -> dict[str, Any]:
+def static_safety(*, design: Design, kind: Bearing) -> float:
+    """Static safety of bearings that is asked, or usual.
+
+    Parameters
+    ----------
+    design : Design
+        The design.
+    kind : {"ball", "roller"}
+        Their rolling elements.
+
+    Returns
+    -------
+    float
+    """
     asked, load = design.requirements.static_safety, design.load
-    usual = STATIC_SAFETY[design.bearing.kind]
+    usual = STATIC_SAFETY[kind]
     if load.peak_torque is not None:
         usual = PEAK_SAFETY[load.peak_kind]
-    return {"limit": asked or usual}
+    return asked or usual
+
+
+def _required_safety(design: Design, results: Results) -> dict[str, Any]:
+    return {"limit": static_safety(design=design, kind=design.bearing.kind)}
 
 
 @_bearing(
@@ -249,7 +254,7 @@ def _required_safety(design: Design, results: Results) -> dict[str, Any]:
 )
 def bearing_static(design: Design, results: Results) -> Check:
     found, limit = results.crank.bearings, _required_safety(design, results)["limit"]
-    _required(design.bearing.static_rating, "bearing.static_rating")
+    required(design.bearing.static_rating, "rating_unknown", "bearing.static_rating")
     safety = np.asarray(found.static_safety_factor)
     worst = int(np.argmin(safety))
     value, error = float(safety[worst]), float(found.accuracy.relative_error)
@@ -282,18 +287,17 @@ def bearing_static(design: Design, results: Results) -> Check:
     fixes=_LIFE_FIXES,
     source="iso_281_life",
     known=_required_life,
+    not_of=lambda design, results: "one_only" if design.mechanism.satellites == 1 else "",
+    requires={"bearing.weibull_slope": ""},
+    demands=("bearing.weibull_slope",),
 )
 def system_life(design: Design, results: Results) -> Check:
     kind, limit = system_life, design.requirements.life
-    if design.mechanism.satellites == 1:
-        return Check(kind, "not_applicable", reason="one_only")
-    if design.bearing.weibull_slope is None:
-        return Check(kind, "not_asked", missing=("bearing.weibull_slope",))
     found, power = results.crank.bearings, EXPONENTS[design.bearing.kind]
     if found.relative_speed == 0:
         return Check(kind, "not_applicable", limit=limit, reason="members_locked")
     _lives(found, design.bearing)
-    value = float(_required(found.system_life, "bearing.weibull_slope"))
+    value = float(required(found.system_life, "rating_unknown", "bearing.weibull_slope"))
     error = 4 * power * float(found.accuracy.relative_error)
     reserve = (value / limit) ** (1 / power)
     rough = results.crank.uneven_growth
@@ -327,9 +331,9 @@ def system_life(design: Design, results: Results) -> Check:
 )
 def crank_bearing_life(design: Design, results: Results) -> Check:
     kind, limit = crank_bearing_life, design.requirements.life
-    bearings = _required(design.crankshaft.bearings, "crankshaft.bearings")
+    bearings = required(design.crankshaft.bearings, "rating_unknown", "crankshaft.bearings")
     for each in bearings:
-        _required(each.dynamic_rating, "crankshaft.bearings")
+        required(each.dynamic_rating, "rating_unknown", "crankshaft.bearings")
     found = results.crank.shaft
     if not any(design.known_speeds.against(each.seat) for each in bearings):
         return Check(kind, "not_applicable", limit=limit, reason="members_locked")

@@ -85,7 +85,7 @@ def crank_codes(design: Design) -> tuple[str, ...]:
         Their codes, first of those that need less.
     """
     there = [need for need in _NEEDS if getattr(design, need)]
-    asked = [each for each in _ASKED_ALONE if getattr(design.requirements, each) is not None]
+    asked = design.requirements.asked(*_ASKED_ALONE)
     return _codes(frozenset((*there, *asked)), design.scope)
 
 
@@ -150,8 +150,7 @@ def _part(design: Design, part: Part, made: list[Check]) -> PartVerdict:
     """What a part comes to, by the checks that are made, the one that decides first."""
     if part.code not in design.scope:
         return PartVerdict(code=part.code, status="left_out")
-    asked = design.requirements
-    demanded = any(getattr(asked, name) is not None for name in part.demands)
+    demanded = design.requirements.asked(*part.demands)
     if part.demands and not demanded and not getattr(design, part.sections[-1]):
         return PartVerdict(code=part.code, status="not_asked")
     own = [check for check in made if check.kind.part == part.code]

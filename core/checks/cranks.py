@@ -2,7 +2,7 @@
 
 from functools import partial
 
-from core.checks.check import Check, design_check, judged
+from core.checks.check import Check, design_check, judged, judged_by
 from core.design.document import Design
 from core.design.results import Results
 from core.output.mechanism import assembly_angles
@@ -50,9 +50,8 @@ def dead_centre(design: Design, results: Results) -> Check:
     source="yanchevskiy_2021",
 )
 def assembly(design: Design, results: Results) -> Check:
-    teeth = design.mechanism.satellite_teeth
-    if teeth is None:
-        return Check(assembly, "not_asked", missing=("mechanism.satellite_teeth",))
+    name = "mechanism.satellite_teeth"
+    teeth = judged_by(design.mechanism.satellite_teeth, "", name, status="not_asked")
     angles = assembly_angles(mechanism=design.mechanism.built, satellite_teeth=teeth)
     different = sum(not each.identical for each in angles)
     return judged(assembly, float(different), 0.0, warning="different_parts")

@@ -86,7 +86,7 @@ def clearance(design: Design, results: Results) -> Check:
     wanted = [
         make_check(play, design, results).status == "pass"
         for play in (backlash, lost_motion)
-        if share > MOST_PLAY and getattr(design.requirements, play.asks) is not None
+        if share > MOST_PLAY and design.requirements.asked(play.asks)
     ]
     if wanted and all(wanted):  # as much play as is asked for
         return Check(clearance, "pass", value=share, limit=MOST_PLAY)

@@ -5,7 +5,7 @@ roots; their pressure, for the checks of a ring's load.
 from functools import partial
 from typing import Any, NamedTuple
 
-from core.checks.check import Check, Kind, design_check, judged
+from core.checks.check import Check, Kind, design_check, judged, judged_by
 from core.checks.crank import other_ring
 from core.checks.inputs import (
     INVOLUTE_CUTTER,
@@ -17,7 +17,7 @@ from core.checks.inputs import (
 from core.design.document import Design
 from core.design.results import Results
 from core.design.ring import RingKind
-from core.errors import NotKnown
+from core.errors import NotKnown, required
 from core.precision import AS_TYPED
 from core.ring.involute import TIPS_APART
 
@@ -45,6 +45,7 @@ _mesh = partial(
     fixes=("gear.satellite_profile_shift", "gear.satellite_addendum", "gear.ring_addendum"),
     source="involute_mesh",
     needs=("contact", "gear"),
+    not_of=partial(other_ring, of=INVOLUTE),
     keep="above",
 )
 
@@ -78,10 +79,9 @@ def involute_pressed(*, results: Results, factor: float) -> Pressed:
         If the path starts where the satellite has no involute, or what it hangs on is not known.
     """
     load = results.ring.involute_load(factor)
-    if load.pressure_start is None:
-        raise NotKnown("off_involutes")
+    pressure = required(load.pressure_start, "off_involutes")
     error = float(load.accuracy.relative_error) + results.ring.satellite_torque_error(factor)
-    return Pressed(load.pressure_start, error, results.made is not None, {})
+    return Pressed(pressure, error, results.made is not None, {})
 
 
 def refused(*, results: Results, kind: Kind, names: tuple[str, ...]) -> Check | None:
@@ -132,8 +132,6 @@ def _usual(
     inputs=INVOLUTE_TEETH,
 )
 def mesh_contact_ratio(design: Design, results: Results) -> Check:
-    if other := other_ring(results=results, kind=mesh_contact_ratio, of=INVOLUTE):
-        return other
     ratio = results.ring.pair.contact_ratio
     return _usual(mesh_contact_ratio, ratio, least=1.0, guide=LEAST_RATIO)
 
@@ -148,8 +146,6 @@ def mesh_contact_ratio(design: Design, results: Results) -> Check:
 )
 def mesh_tips(design: Design, results: Results) -> Check:
     """Where the tips overlap all round nothing is measured: no tooth can pass."""
-    if other := other_ring(results=results, kind=mesh_tips, of=INVOLUTE):
-        return other
     pair = results.ring.pair
     if pair.tips_overlap_all_round:
         return Check(mesh_tips, "fail", limit=TIPS_APART, impossible=True, reason="tips_overlap")
@@ -167,8 +163,6 @@ def mesh_tips(design: Design, results: Results) -> Check:
 )
 def mesh_involute(design: Design, results: Results) -> Check:
     """Of the satellite's flanks, and of the ring's where its cutter is known."""
-    if other := other_ring(results=results, kind=mesh_involute, of=INVOLUTE):
-        return other
     if within := refused(results=results, kind=mesh_involute, names=HEIGHTS):
         return within  # a tip that lies within its base circle
     pair = results.ring.pair
@@ -198,8 +192,6 @@ def mesh_involute(design: Design, results: Results) -> Check:
     fixes=("gear.satellite_profile_shift",),
 )
 def mesh_undercut(design: Design, results: Results) -> Check:
-    if other := other_ring(results=results, kind=mesh_undercut, of=INVOLUTE):
-        return other
     value = results.ring.pair.form_roll_satellite
     return judged(mesh_undercut, 0.0 if abs(value) <= AS_TYPED else value, 0.0)
 
@@ -213,8 +205,6 @@ def mesh_undercut(design: Design, results: Results) -> Check:
 )
 def mesh_tip_clearance(design: Design, results: Results) -> Check:
     """Of a ring whose cutter is not known with the root that the hob's dedendum gives it."""
-    if other := other_ring(results=results, kind=mesh_tip_clearance, of=INVOLUTE):
-        return other
     pair = results.ring.pair
     least = min(pair.tip_clearance_satellite, pair.tip_clearance_ring) / pair.teeth.module
     found = _usual(mesh_tip_clearance, least, least=0.0, guide=LEAST_CLEARANCE, impossible=True)
@@ -232,8 +222,6 @@ def mesh_tip_clearance(design: Design, results: Results) -> Check:
     inputs=tuple(each for each in INVOLUTE_TEETH if each != "contact.eccentricity"),
 )
 def mesh_tip_thickness(design: Design, results: Results) -> Check:
-    if other := other_ring(results=results, kind=mesh_tip_thickness, of=INVOLUTE):
-        return other
     pair = results.ring.pair
     thin = min(pair.satellite_tip_thickness, pair.ring_tip_thickness) / pair.teeth.module
     return _usual(mesh_tip_thickness, thin, least=0.0, guide=LEAST_TIP, impossible=True)
@@ -260,13 +248,8 @@ def mesh_tip_thickness(design: Design, results: Results) -> Check:
 )
 def mesh_root_stress(design: Design, results: Results) -> Check:
     """The whole force at the tip of one tooth."""
-    if other := other_ring(results=results, kind=mesh_root_stress, of=INVOLUTE):
-        return other
-    stress, strength = results.ring.root_stress.stress, design.gear.root_strength
-    if strength is None:
-        missing = ("gear.root_strength",)
-        reason = "root_strength_unknown"
-        return Check(mesh_root_stress, "not_checked", value=stress, reason=reason, missing=missing)
+    stress, given = results.ring.root_stress.stress, design.gear.root_strength
+    strength = judged_by(given, "root_strength_unknown", "gear.root_strength", value=stress)
     limit = strength / design.requirements.fatigue_safety
     factor = design.load_factor
     return judged(
@@ -294,8 +277,6 @@ def mesh_root_stress(design: Design, results: Results) -> Check:
 )
 def mesh_ring_root(design: Design, results: Results) -> Check:
     """Not known: a shaper's fillet, and the section where it breaks, are not calculated."""
-    if other := other_ring(results=results, kind=mesh_ring_root, of=INVOLUTE):
-        return other
     return Check(mesh_ring_root, "not_checked", reason="internal_root")
 
 

@@ -5,13 +5,13 @@ are in `core.checks.plastics`.
 from functools import partial
 from typing import Any, get_args
 
-from core.checks.check import Check, Kind, design_check, judged
+from core.checks.check import Check, Kind, Unjudged, design_check, judged, judged_by
 from core.checks.inputs import LIFE, LOADED, SLIDING
 from core.derived import if_known
 from core.design.contact import SLIDING as KNOWN_SLIDING
 from core.design.document import Design
 from core.design.results import Results
-from core.errors import NotKnown
+from core.errors import required
 from core.hertz import HertzContact, force_factor
 from core.materials import Body, ContactLimit, ElasticMaterial
 
@@ -37,17 +37,36 @@ _check = partial(
 )
 
 
+def pressed(contact: HertzContact) -> float:
+    """The governing pressure of a contact, which has to have one.
+
+    Parameters
+    ----------
+    contact : HertzContact
+        The contact.
+
+    Returns
+    -------
+    float
+        Pa.
+
+    Raises
+    ------
+    NotKnown
+        If the contact wraps around its pin.
+    """
+    pressure: float = required(contact.governing_pressure, "contact_wraps")
+    return pressure
+
+
 def _against_limit(kind: Kind, results: Results, warning: str = "") -> Check:
     """The governing pressure against its limit."""
     design, contact = results.design, results.hertz
-    pressure = contact.governing_pressure
-    if pressure is None:
-        raise NotKnown("contact_wraps")
     return in_disc(
         kind=kind,
         results=results,
         contact=contact,
-        pressure=pressure,
+        pressure=pressed(contact),
         **kind.known(design, results),
         reserve=results.contact_reserves[kind.code],
         warning=warning,
@@ -167,10 +186,21 @@ def static_limit(
 def _pressure(body: Body) -> Kind:
     code = f"contact_pressure_{body}"
 
-    def known(design: Design, results: Results) -> dict[str, Any]:
-        """Of a material that has a limit."""
+    def limit_of(design: Design, results: Results) -> ContactLimit:
+        """That of the material, which has to have one."""
         limit = design.lasting[body].limit
-        assert limit is not None
+        if limit is None:
+            contact = if_known(lambda: results.hertz)
+            raise Unjudged(
+                "plastic_limit_unknown" if body in design.plastics else "limit_unknown",
+                f"contact.{body}_material.allowable_pressure",
+                value=contact and contact.governing_pressure,
+                at=if_known(lambda: results.peak) or {},
+            )
+        return limit
+
+    def known(design: Design, results: Results) -> dict[str, Any]:
+        limit = limit_of(design, results)
         return {
             "limit": results.pressure_limits[code],
             "life_factor": limit.life_factor,
@@ -189,17 +219,7 @@ def _pressure(body: Body) -> Kind:
         known=known,
     )
     def pressure(design: Design, results: Results) -> Check:
-        limit = design.lasting[body].limit
-        if limit is None:
-            contact = if_known(lambda: results.hertz)
-            return Check(
-                pressure,
-                "not_checked",
-                value=contact and contact.governing_pressure,
-                reason="plastic_limit_unknown" if body in design.plastics else "limit_unknown",
-                at=if_known(lambda: results.peak) or {},
-                missing=(f"contact.{body}_material.allowable_pressure",),
-            )
+        limit = limit_of(design, results)
         return over_life(found=_against_limit(pressure, results), limit=limit)
 
     return pressure
@@ -223,20 +243,20 @@ def _plastic(body: Body, name: str, warning: str = "", **said: str) -> Kind:
             return Check(plastic, "not_applicable", reason="plastic_rules")
         if not material.yield_governs:
             return Check(plastic, "not_applicable", reason="tested_limit")
-        if material.yield_strength is None:
-            own = f"{body}_material" in design.contact.own_limits
-            return Check(
-                plastic,
-                "not_asked" if own else "not_checked",
-                reason="yield_unknown",
-                missing=(f"contact.{body}_material.yield_strength",),
-            )
+        judged_by(
+            material.yield_strength,
+            "yield_unknown",
+            f"contact.{body}_material.yield_strength",
+            status="not_asked"
+            if f"{body}_material" in design.contact.own_limits
+            else "not_checked",
+        )
         found = _against_limit(plastic, results, warning)
         sliding, yielding = design.sliding_friction, results.pressure_limits
         if name == "yield" or sliding <= KNOWN_SLIDING or found.status == "fail":
             return found
         # between the pressure up to which nothing yields and the one from which it goes on
-        if found.value is not None and found.value > yielding[f"contact_yield_{body}"]:
+        if pressed(results.hertz) > yielding[f"contact_yield_{body}"]:
             return found._replace(status="marginal", reason="shakedown_unknown")
         return found
 
@@ -274,30 +294,19 @@ def _static(body: Body) -> Kind:
         formula="p(T_max) ≤ p_static",
         why=f"Above it the surface of the {body} is dented at once.",
         inputs=(*LOADED, "load.peak_torque"),
+        requires={"load.peak_torque": "no_peak_torque"},
+        demands=("load.peak_torque",),
         fixes=(*FIXES, f"contact.{body}_material", "load.peak_torque"),
         source="static_pressure",
     )
     def static(design: Design, results: Results) -> Check:
-        if design.load.peak_torque is None:
-            missing = ("load.peak_torque",)
-            return Check(static, "not_asked", reason="no_peak_torque", missing=missing)
         material = design.lasting[body]
         if body in design.plastics and material.limit is None:
             return Check(static, "not_applicable", reason="plastic_rules")
         contact = results.static_contact
-        pressure = contact.governing_pressure
-        if pressure is None:
-            raise NotKnown("contact_wraps")
+        pressure, unknown = pressed(contact), f"contact.{body}_material.allowable_pressure"
         known = static_limit(material=material, pressure=pressure)
-        if known is None:
-            return Check(
-                static,
-                "not_checked",
-                value=pressure,
-                reason="limit_unknown",
-                missing=(f"contact.{body}_material.allowable_pressure",),
-            )
-        limit, source = known
+        limit, source = judged_by(known, "limit_unknown", unknown, value=pressure)
         return in_disc(
             kind=static,
             results=results,

@@ -4,13 +4,14 @@ import math
 from functools import partial
 from itertools import pairwise
 
-from core.checks.check import Check, design_check, judged
+from core.checks.check import Check, design_check, judged, judged_by
+from core.checks.crank import static_safety
 from core.checks.inputs import FORCES, LIFE, LOADED
-from core.crank.bearing_life import EXPONENTS, PEAK_SAFETY, STATIC_SAFETY
+from core.crank.bearing_life import EXPONENTS
 from core.crank.pin_rollers import KINDS, MIN_LOAD, TILT
 from core.design.document import Design
 from core.design.results import Results
-from core.errors import NotKnown
+from core.errors import NotKnown, required
 
 _SHARES = ("rollers.kind", "rollers.ratings", "rollers.rolling_elements")
 
@@ -26,13 +27,6 @@ _check = partial(
 )
 
 
-def _required(value: float | None, *missing: str) -> float:
-    """What follows from a rating or a speed, which has to be given."""
-    if value is None:
-        raise NotKnown("rating_unknown", *missing)
-    return value
-
-
 @_check(
     "pin_roller_life",
     title="Life of the rollers on the pins",
@@ -44,12 +38,12 @@ def _required(value: float | None, *missing: str) -> float:
     source="roller_rating",
     keep="above",
     known=lambda design, results: {"limit": design.requirements.life},
+    requires={"rollers.dynamic_rating": "rating_unknown"},
 )
 def pin_roller_life(design: Design, results: Results) -> Check:
-    _required(design.rollers.dynamic_rating, "rollers.dynamic_rating")
     design.known_speed  # noqa: B018 - of which the life is a matter
     found, power = results.roller_loads, EXPONENTS[KINDS[design.rollers.kind]]
-    limit, value = design.requirements.life, _required(found.life)
+    limit, value = design.requirements.life, required(found.life, "rating_unknown")
     return judged(
         pin_roller_life,
         value,
@@ -63,11 +57,7 @@ def pin_roller_life(design: Design, results: Results) -> Check:
 
 def _static_limit(design: Design) -> float:
     """Static safety that is asked, or usual."""
-    asked, load = design.requirements.static_safety, design.load
-    usual = STATIC_SAFETY[KINDS[design.rollers.kind]]
-    if load.peak_torque is not None:
-        usual = PEAK_SAFETY[load.peak_kind]
-    return asked or usual
+    return static_safety(design=design, kind=KINDS[design.rollers.kind])
 
 
 @_check(
@@ -86,11 +76,11 @@ def _static_limit(design: Design) -> float:
     source="roller_rating",
     keep="above",
     known=lambda design, results: {"limit": _static_limit(design)},
+    requires={"rollers.static_rating": "rating_unknown"},
 )
 def pin_roller_static(design: Design, results: Results) -> Check:
-    _required(design.rollers.static_rating, "rollers.static_rating")
     found, limit = results.roller_loads, _static_limit(design)
-    value = _required(found.static_safety_factor)
+    value = required(found.static_safety_factor, "rating_unknown")
     return judged(
         pin_roller_static,
         value,
@@ -146,7 +136,8 @@ def pin_roller_max_load(design: Design, results: Results) -> Check:
 )
 def pin_roller_min_load(design: Design, results: Results) -> Check:
     """Of the largest load over the turn: half of it no roller is loaded."""
-    rating = _required(design.rollers.static_rating, "rollers.static_rating")
+    name = "rollers.static_rating"
+    rating = required(design.rollers.static_rating, "rating_unknown", name)
     found = results.roller_loads
     return judged(
         pin_roller_min_load,
@@ -177,10 +168,9 @@ def pin_roller_min_load(design: Design, results: Results) -> Check:
 def pin_roller_speed(design: Design, results: Results) -> Check:
     turned = design.known_eccentricity / design.pair.pin_radius
     value = design.known_speeds.turning * design.mechanism.built.waves_per_turn * turned
-    limit = design.rollers.limiting_speed
-    if limit is None:
-        missing = ("rollers.limiting_speed",)
-        return Check(pin_roller_speed, "not_asked", value=value, reason="no_limit", missing=missing)
+    said = {"value": value, "status": "not_asked"}
+    speed = design.rollers.limiting_speed
+    limit = judged_by(speed, "no_limit", "rollers.limiting_speed", **said)
     return judged(pin_roller_speed, value, limit)
 
 

@@ -5,12 +5,13 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
-from core.checks.check import Check, Kind, Measure, design_check, judged, necessary, wall
+from core.checks.check import Check, Kind, Measure, design_check, judged, judged_by, necessary, wall
 from core.checks.inputs import FATIGUE, LIFE, LOADED
 from core.design.document import Design
 from core.design.results import Results
 from core.design.sections import DesignPin
 from core.output.pin_bolt import SLIP_SAFETY
+from core.output.pin_fatigue import PinFatigue
 from core.output.pin_strength import PinStrength
 from core.output.tied_pin import section_of
 
@@ -76,18 +77,23 @@ class BentPins:
         strength, tensile = material.loaded_strength("pin"), pin.tensile_strength
         if strength is None and tensile is not None and tensile > HARDENED:
             strength = tensile
-        if strength is None:
-            reason, lacks = "yield_unknown", f"{pin.material_path}.yield_strength"
-            if material.yield_strength is not None:
-                reason, lacks = "direction_unknown", f"{pin.material_path}.layers"
-            return Check(kind, "not_checked", value=stress, reason=reason, missing=(lacks,))
-        check = self.judged(kind, stress, strength / safety, at=at)
+        lacks = ("yield_unknown", f"{pin.material_path}.yield_strength")
+        if material.yield_strength is not None:
+            lacks = ("direction_unknown", f"{pin.material_path}.layers")
+        limit = judged_by(strength, *lacks, value=stress) / safety
+        check = self.judged(kind, stress, limit, at=at)
         return necessary(check) if material.plastic is not None else _of_size(pin, check)
+
+    @property
+    def cycle(self) -> PinFatigue:
+        """The cycle of their fatigue, whose strength is known."""
+        cycle = self.found.fatigue
+        assert cycle is not None
+        return cycle
 
     def fatigue(self, kind: Kind, *, safety: float, at: Mapping[str, Any]) -> Check:
         """Fatigue, of which there is a cycle, with a safety that is required, where it is least."""
-        cycle = self.found.fatigue
-        assert cycle is not None
+        cycle = self.cycle
         check = self.judged(kind, cycle.safety_factor, safety, at=at)
         lasts = cycle.finite_strength is not None and not check.reason
         return _of_size(self.pin, check._replace(reason="finite_life") if lasts else check)
@@ -137,9 +143,9 @@ def _bent(results: Results) -> BentPins:
     return BentPins(results.pin_strength, results.design.pin, rough=results.solved)
 
 
-def _softest(results: Results, limit: float | None) -> BentPins:
+def _softest(results: Results, asked: str) -> BentPins:
     """The same, where a limit is asked, of the softest material that sources allow."""
-    return _bent(results if limit is None else results.softest)
+    return _bent(results.softest if results.design.requirements.asked(asked) else results)
 
 
 @_check(
@@ -153,7 +159,7 @@ def _softest(results: Results, limit: float | None) -> BentPins:
     asks="max_deflection",
 )
 def pin_deflection(design: Design, results: Results) -> Measure:
-    return _softest(results, design.requirements.max_deflection).bent("deflection", "satellite")
+    return _softest(results, "max_deflection").bent("deflection", "satellite")
 
 
 @_check(
@@ -167,7 +173,7 @@ def pin_deflection(design: Design, results: Results) -> Measure:
     asks="max_slope",
 )
 def pin_slope(design: Design, results: Results) -> Measure:
-    return _softest(results, design.requirements.max_slope).bent("slope", "slope_satellite")
+    return _softest(results, "max_slope").bent("slope", "slope_satellite")
 
 
 @_check(
@@ -180,9 +186,8 @@ def pin_slope(design: Design, results: Results) -> Measure:
     keep="above",
 )
 def pin_fatigue(design: Design, results: Results) -> Check:
-    pins, strength = _bent(results), results.fatigue_strength  # which is known, or raises
-    assert pins.found.fatigue is not None, strength
-    at = _section(design, pins.found.fatigue.position)
+    pins, _ = _bent(results), results.fatigue_strength  # which is known, or raises
+    at = _section(design, pins.cycle.position)
     return pins.fatigue(pin_fatigue, safety=design.requirements.fatigue_safety, at=at)
 
 
@@ -201,10 +206,9 @@ def pin_wall(design: Design, results: Results) -> Check:
     if not pin.section.walled:
         return Check(pin_wall, "not_applicable", reason="solid_pin")
     stress = results.wall_stress
-    if pin.material.yield_strength is None:
-        missing = ("pin.material.yield_strength",)
-        return Check(pin_wall, "not_checked", value=stress, reason="yield_unknown", missing=missing)
-    limit = pin.material.yield_strength / design.requirements.bending_safety
+    yields, unknown = pin.material.yield_strength, "pin.material.yield_strength"
+    strength = judged_by(yields, "yield_unknown", unknown, value=stress)
+    limit = strength / design.requirements.bending_safety
     error = 4 * results.pin_loads.accuracy.relative_error
     found = judged(
         pin_wall, stress, limit, reserve=limit / stress, error=error, rough=results.solved
@@ -246,10 +250,12 @@ _bolt_check = partial(
 )
 
 
-def _gripped(kind: Kind, results: Results, value: float, limit: float | None) -> Check:
+def _gripped(
+    kind: Kind, results: Results, value: float, most: float | None, safety: float = 1.0
+) -> Check:
     """A load of the root that the preload has to hold; beyond it the bolt is judged alone."""
-    if limit is None:
-        return Check(kind, "not_applicable", value=value, reason="bolt_alone")
+    said = {"value": value, "status": "not_applicable"}
+    limit = judged_by(most, "bolt_alone", **said) / safety
     return judged(
         kind, value, limit, reserve=limit / value, warning="bolt_alone", rough=results.solved
     )
@@ -280,8 +286,7 @@ def bolt_opens(design: Design, results: Results) -> Check:
 )
 def bolt_slips(design: Design, results: Results) -> Check:
     found = results.grip
-    limit = None if found.slip_force is None else found.slip_force / SLIP_SAFETY
-    return _gripped(bolt_slips, results, found.shear_force, limit)
+    return _gripped(bolt_slips, results, found.shear_force, found.slip_force, SLIP_SAFETY)
 
 
 PINS = (

@@ -6,15 +6,16 @@ long. So each check here may fail, and none passes: what holds is `necessary_onl
 
 import math
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from functools import partial
 
-from core.checks.check import Check, design_check, judged, necessary
+from core.checks.check import Check, Unjudged, design_check, judged, judged_by, necessary
 from core.checks.inputs import LOADED, SLIDING
-from core.checks.pin_contact import FIXES, in_disc
-from core.derived import if_known
-from core.design.document import Design
+from core.checks.pin_contact import FIXES, in_disc, pressed
+from core.derived import UNKNOWN
+from core.design.document import Design, value_at
 from core.design.results import Results
-from core.errors import NotKnown
+from core.errors import NotKnown, required
 from core.hertz import HertzContact, force_factor
 from core.materials import Body
 from core.numerics.inverse import edge
@@ -22,6 +23,9 @@ from core.numerics.inverse import edge
 DEEP = 3.0
 """Depth of solid material below a contact over its half-width: there the pressure has fallen to a
 third, and the largest stress lies at 0.75."""
+
+FRICTION_UNKNOWN = ("friction_unknown", "friction.coefficient")
+"""That nothing is known of the friction in the holes."""
 
 _check = partial(
     design_check,
@@ -43,7 +47,7 @@ _check = partial(
 )
 def contact_static_cold(design: Design, results: Results) -> Check:
     """Of the weaker body; where its friction is not known it fails where it would without."""
-    unknown = [] if design.hole_friction is not None else [friction_unknown()]
+    unknown = [] if design.hole_friction is not None else [NotKnown(*FRICTION_UNKNOWN)]
     limits, contact = list[float](), results.static_contact
     for body in design.plastics:
         try:
@@ -52,9 +56,7 @@ def contact_static_cold(design: Design, results: Results) -> Check:
             unknown.append(why)
     if not limits:
         raise unknown[0]
-    pressure, limit = contact.governing_pressure, min(limits)
-    if pressure is None:
-        raise NotKnown("contact_wraps")
+    pressure, limit = pressed(contact), min(limits)
     found = in_disc(
         kind=contact_static_cold,
         results=results,
@@ -67,14 +69,29 @@ def contact_static_cold(design: Design, results: Results) -> Check:
     if found.status == "fail" or not unknown:
         return necessary(found)
     first = unknown[0]
-    return Check(
-        contact_static_cold,
-        "not_checked",
-        value=pressure,
-        reason=first.code,
-        missing=first.missing,
-        at=found.at,
-    )
+    raise Unjudged(first.code, *first.missing, value=pressure, at=found.at)
+
+
+def cold_limits(results: Results, contact: HertzContact) -> dict[Body, float]:
+    """Pressures at which plastic bodies of a contact yield at once, as far as they are known.
+
+    Parameters
+    ----------
+    results : Results
+        Results of the design.
+    contact : HertzContact
+        The contact.
+
+    Returns
+    -------
+    dict
+        Pa, by body.
+    """
+    limits = dict[Body, float]()
+    for body in results.design.plastics:
+        with suppress(*UNKNOWN):
+            limits[body] = results.cold_limit(body, contact)
+    return limits
 
 
 def _yielding(
@@ -88,19 +105,14 @@ def _yielding(
     """
 
     def limit(there: HertzContact) -> float:
-        known = (if_known(partial(results.cold_limit, each, there)) for each in bodies)
-        return min(
-            one * (lasting[each] if lasting else 1.0)
-            for each, one in zip(bodies, known, strict=True)
-            if one is not None
-        )
+        strengths = cold_limits(results, there)
+        return min(one * lasting[body] if lasting else one for body, one in strengths.items())
 
     def left(factor: float) -> float:
         there = contact_at(factor)
         pressure = there.governing_pressure
         return math.nan if pressure is None else limit(there) - float(pressure)
 
-    bodies = results.design.plastics
     first = force_factor(contact=contact, contact_at=contact_at, limit=limit(contact))
     inside, outside = sorted((1.0, first))
     if not left(inside) >= 0 or left(outside) >= 0:
@@ -108,9 +120,10 @@ def _yielding(
     return edge(inside=inside, outside=outside, excess=left)[0]
 
 
-def friction_unknown() -> NotKnown:
-    """That nothing is known of the friction in the holes."""
-    return NotKnown("friction_unknown", "friction.coefficient")
+def _not_printed(design: Design, results: Results) -> str:
+    """Why holes have no infill behind their walls; empty where they may."""
+    printed = "hole" in design.plastics and design.plastics["hole"].layered
+    return "" if printed else "not_printed"
 
 
 @_check(
@@ -122,30 +135,24 @@ def friction_unknown() -> NotKnown:
     inputs=(*LOADED, "load.peak_torque", "satellite_body.solid_wall"),
     fixes=("satellite_body.solid_wall", *FIXES),
     source="solid_depth",
+    not_of=_not_printed,
 )
 def contact_solid_depth(design: Design, results: Results) -> Check:
     """Of holes that may be printed in layers, with infill behind their walls."""
-    kind, plastic = contact_solid_depth, design.lasting["hole"].plastic
-    if plastic is None or not plastic.layered:
-        return Check(kind, "not_applicable", reason="not_printed")
-    wall = design.satellite_body.solid_wall if design.satellite_body else None
+    given = design.satellite_body.solid_wall if design.satellite_body else None
     depth = DEEP * float(results.static_contact.half_width)
-    if wall is None:
-        missing = ("satellite_body.solid_wall",)
-        return Check(kind, "not_checked", value=depth, reason="solid_wall_unknown", missing=missing)
-    return necessary(judged(kind, depth, wall, reserve=(wall / depth) ** 2, rough=True))
+    wall = judged_by(given, "solid_wall_unknown", "satellite_body.solid_wall", value=depth)
+    reserve = (wall / depth) ** 2
+    return necessary(judged(contact_solid_depth, depth, wall, reserve=reserve, rough=True))
 
 
 def _temperature(design: Design, body: Body) -> Check:
     """One body against the temperature at which it goes soft."""
-    plastic = design.lasting[body].plastic
-    name = "satellite" if body == "hole" else "pins"
-    given = getattr(design.temperatures, name) if design.temperatures else None
-    if given is None:
-        raise NotKnown("temperature_unknown", f"temperatures.{name}")
-    if plastic is None or plastic.softening is None:
-        raise NotKnown("softening_unknown", f"contact.{body}_material")
-    return necessary(judged(temperature, given, plastic.softening))
+    path = "temperatures.satellite" if body == "hole" else "temperatures.pins"
+    given = required(value_at(design, path), "temperature_unknown", path)
+    softening = design.plastics[body].softening
+    limit = required(softening, "softening_unknown", f"contact.{body}_material")
+    return necessary(judged(temperature, given, limit))
 
 
 @_check(
@@ -190,18 +197,13 @@ def temperature(design: Design, results: Results) -> Check:
 def creep(design: Design, results: Results) -> Check:
     """By the part of the short strength that whoever gives it has found to last."""
     lasting = dict[Body, float]()
-    for body in design.plastics:
-        plastic = design.lasting[body].plastic
-        if plastic is None or plastic.long_term_factor is None:
-            raise NotKnown("creep_unknown", f"contact.{body}_material.long_term_factor")
-        lasting[body] = plastic.long_term_factor
-    if design.hole_friction is None:
-        raise friction_unknown()
+    for body, plastic in design.plastics.items():
+        path = f"contact.{body}_material.long_term_factor"
+        lasting[body] = required(plastic.long_term_factor, "creep_unknown", path)
+    required(design.hole_friction, *FRICTION_UNKNOWN)
     contact, largest = results.hertz, results.line_load_factor
     limit = min(share * results.cold_limit(body, contact) for body, share in lasting.items())
-    pressure = contact.governing_pressure
-    if pressure is None:
-        raise NotKnown("contact_wraps")
+    pressure = pressed(contact)
     found = in_disc(
         kind=creep,
         results=results,

@@ -104,8 +104,8 @@ def lost_motion(design: Design, results: Results) -> Measure:
     is that of the softest material that sources allow.
     """
     solved = results.solved and design.load_factor == 1
-    asked = design.requirements.max_lost_motion is not None
-    if not (design.known_clearance is not None and (solved or asked)):
+    asked, _ = design.requirements.asked("max_lost_motion"), design.known_clearance
+    if not (solved or asked):
         raise NotKnown("no_limit")
     made = results.softest if asked else results
     lost = made.real_forces.turn.lost_motion

@@ -4,9 +4,9 @@ efficiency, pv.
 """
 
 from functools import partial
-from typing import Any, get_args
+from typing import Any, TypeVar, get_args
 
-from core.checks.check import Check, Kind, Measure, design_check, judged
+from core.checks.check import Check, Kind, Measure, design_check, judged, judged_by
 from core.checks.crank import other_ring
 from core.checks.inputs import (
     FATIGUE,
@@ -28,9 +28,11 @@ from core.checks.ring_pins import CYCLOID
 from core.design.document import Design
 from core.design.results import Results
 from core.design.ring import RingBody, RingKind
-from core.errors import ImpossibleMechanism, NotKnown
+from core.errors import ImpossibleMechanism, NotKnown, required
 from core.precision import AS_TYPED
 from core.ring.sharing import MeshTurn
+
+Limit = TypeVar("Limit")
 
 FIRST_ORDER = 0.02
 """Error of a pressure in first order, of the mesh: of the peak force up to 4 % were seen."""
@@ -40,7 +42,13 @@ TEETH: tuple[RingKind, ...] = (*CYCLOID, "involute")
 
 BODIES: tuple[RingBody, ...] = get_args(RingBody)
 
-_check = partial(design_check, group="gear", part="teeth", needs=("load", "contact", "gear"))
+_check = partial(
+    design_check,
+    group="gear",
+    part="teeth",
+    needs=("load", "contact", "gear"),
+    not_of=partial(other_ring, of=TEETH),
+)
 
 MODIFICATION = ("gear.modification.equidistant", "gear.modification.pin_circle")
 
@@ -77,8 +85,6 @@ def ring_alone(results: Results) -> str | None:
     source="ring_mesh",
 )
 def ring_pressed(design: Design, results: Results) -> Check:
-    if other := other_ring(results=results, kind=ring_pressed, of=TEETH):
-        return other
     if design.gear.kind == "involute":
         if narrow := refused(results=results, kind=ring_pressed, names=("ring_profile_shift",)):
             return narrow  # spaces that have room for the teeth at no eccentricity
@@ -120,21 +126,18 @@ def _pressed(results: Results, body: RingBody, *, static: bool) -> Pressed:
         factor = design.static_torque / design.pin_torque if static else design.load_factor
         return involute_pressed(results=results, factor=factor)
     turn = results.ring.static if static else results.ring.loading
-    value = turn.max_pressure
-    if value is None:
-        raise NotKnown("limit_unknown", _material(design, body))
+    value = required(turn.max_pressure, "limit_unknown", _material(design, body))
     pair, angle = turn.hardest_place
     at = {"satellite": pair.satellite, "pin": pair.pin, "crank_angle": angle}
     return Pressed(value, _error(turn), True, at)
 
 
-def _no_limit(kind: Kind, design: Design, body: RingBody, found: Pressed) -> Check:
-    """A check of a pressure of which the material has no limit."""
-    material = design.lasting_teeth[body]
-    unknown = "limit_unknown" if material.plastic is None else "plastic_limit_unknown"
-    missing = (f"{_material(design, body)}.allowable_pressure",)
-    value, at = found.value, found.at
-    return Check(kind, "not_checked", value=value, reason=unknown, at=at, missing=missing)
+def _of_material(limit: Limit | None, design: Design, body: RingBody, found: Pressed) -> Limit:
+    """A limit of a pressure that its material has to have."""
+    plastic = design.lasting_teeth[body].plastic
+    unknown = "limit_unknown" if plastic is None else "plastic_limit_unknown"
+    missing = f"{_material(design, body)}.allowable_pressure"
+    return judged_by(limit, unknown, missing, value=found.value, at=found.at)
 
 
 def _pressure(body: RingBody) -> Kind:
@@ -160,12 +163,8 @@ def _pressure(body: RingBody) -> Kind:
         known=limits,
     )
     def pressure(design: Design, results: Results) -> Check:
-        if other := other_ring(results=results, kind=pressure, of=TEETH):
-            return other
         pressed = _pressed(results, body, static=False)
-        material = design.lasting_teeth[body]
-        if material.limit is None:
-            return _no_limit(pressure, design, body, pressed)
+        limit = _of_material(design.lasting_teeth[body].limit, design, body, pressed)
         known = limits(design, results)
         found = judged(
             pressure,
@@ -173,7 +172,7 @@ def _pressure(body: RingBody) -> Kind:
             **known,
             reserve=(known["limit"] / pressed.value) ** 2,
         )
-        return over_life(found=found, limit=material.limit)
+        return over_life(found=found, limit=limit)
 
     return pressure
 
@@ -186,20 +185,15 @@ def _static(body: RingBody) -> Kind:
         formula="p(T_max) ≤ p_static",
         why=f"Above it the surface of the {NAMES[body]} is dented at once.",
         inputs=(*TEETH_GIVE, "load.peak_torque"),
+        requires={"load.peak_torque": "no_peak_torque"},
+        demands=("load.peak_torque",),
         fixes=(*_FIXES, "load.peak_torque"),
         source="static_pressure",
     )
     def static(design: Design, results: Results) -> Check:
-        if other := other_ring(results=results, kind=static, of=TEETH):
-            return other
-        if design.load.peak_torque is None:
-            missing = ("load.peak_torque",)
-            return Check(static, "not_asked", reason="no_peak_torque", missing=missing)
         pressed = _pressed(results, body, static=True)
         known = static_limit(material=design.lasting_teeth[body], pressure=pressed.value)
-        if known is None:
-            return _no_limit(static, design, body, pressed)
-        limit, source = known
+        limit, source = _of_material(known, design, body, pressed)
         reserve = (limit / pressed.value) ** 2
         return judged(static, **pressed._asdict(), limit=limit, reserve=reserve, **source)
 
@@ -223,12 +217,9 @@ def _static(body: RingBody) -> Kind:
 )
 def ring_backlash(design: Design, results: Results) -> Check | Measure:
     """Of the ring alone; not looked for where nobody asks. Of involute teeth known at once."""
-    if other := other_ring(results=results, kind=ring_backlash, of=TEETH):
-        return other
     if design.gear.kind == "involute":
         return Measure(design.members.angle_at_output(max(results.ring.pair.backlash, 0.0)))
-    if design.requirements.max_ring_backlash is None:
-        raise NotKnown("no_limit")
+    judged_by(design.requirements.max_ring_backlash, "no_limit")  # else it is not looked for
     play = results.ring.working[0].play_in_ring
     return Measure(design.members.angle_at_output(play), reason=ring_alone(results))
 
@@ -243,28 +234,37 @@ def ring_backlash(design: Design, results: Results) -> Check | Measure:
     fixes=MODIFICATION,
     source="ring_mesh",
     asks="max_transmission_error",
+    only_asked=True,
 )
 def ring_transmission_error(design: Design, results: Results) -> Check | Measure:
     """Under the torque itself, of both meshes where they are in series; not looked for where nobody
     asks.
     """
-    if other := other_ring(results=results, kind=ring_transmission_error, of=TEETH):
-        return other
     if design.gear.kind == "involute":
         raise NotKnown("tooth_errors_unknown")
-    if design.requirements.max_transmission_error is None:
-        raise NotKnown("no_limit")
     worst = max(turn.transmission_error for turn in results.ring.working)
     return Measure(design.members.angle_at_output(worst), reason=of_both(results))
 
 
-def _bends(results: Results, kind: Kind) -> Check | None:
-    """A check of pins that do not bend; None where they do."""
-    if other := other_ring(results=results, kind=kind, of=CYCLOID):
-        return other
-    if results.design.gear.pin_support == "seat":
-        return Check(kind, "not_applicable", reason="pins_in_seats")
-    return None
+def _not_bent(design: Design, results: Results) -> str:
+    """Why a check is none of pins of the ring that bend; empty where they do."""
+    seated = design.gear.pin_support == "seat"
+    return other_ring(design, results, of=CYCLOID) or ("pins_in_seats" if seated else "")
+
+
+_bent = partial(_check, not_of=_not_bent)
+
+
+def _not_seated(design: Design, results: Results) -> str:
+    """Why a check is none of pins of the ring in seats; empty where they are."""
+    bends = design.gear.pin_support != "seat"
+    return other_ring(design, results, of=CYCLOID) or ("pins_bend" if bends else "")
+
+
+def _no_sleeves(design: Design, results: Results) -> str:
+    """Why a check is none of sleeves that slide on the pins of the ring; empty where they do."""
+    slides = design.gear.sleeve_bore_radius and not design.gear.rolling
+    return other_ring(design, results, of=CYCLOID) or ("" if slides else "no_bush")
 
 
 def _pins(results: Results) -> BentPins:
@@ -273,7 +273,7 @@ def _pins(results: Results) -> BentPins:
     return BentPins(results.ring.pin_strength, results.ring.pin, True, model_error)
 
 
-@_check(
+@_bent(
     "ring_pin_stress",
     title="Static strength of the pins of the ring",
     unit="MPa",
@@ -284,13 +284,11 @@ def _pins(results: Results) -> BentPins:
     source="pin_beam",
 )
 def ring_pin_stress(design: Design, results: Results) -> Check:
-    if other := _bends(results, ring_pin_stress):
-        return other
     pins, safety = _pins(results), design.requirements.bending_safety
     return pins.static(ring_pin_stress, safety=safety, at={"pin": pins.found.pin})
 
 
-@_check(
+@_bent(
     "ring_pin_fatigue",
     title="Fatigue of the pins of the ring",
     formula="n ≥ S_D",
@@ -302,14 +300,12 @@ def ring_pin_stress(design: Design, results: Results) -> Check:
 )
 def ring_pin_fatigue(design: Design, results: Results) -> Check:
     """By what the fatigue of the pins of the output is judged by."""
-    if other := _bends(results, ring_pin_fatigue):
-        return other
     _, pins = results.ring.pin_fatigue_strength, _pins(results)  # known, or raises
     safety = design.requirements.fatigue_safety
     return pins.fatigue(ring_pin_fatigue, safety=safety, at={"pin": pins.found.pin})
 
 
-@_check(
+@_bent(
     "ring_pin_slope",
     title="Slope of the pins of the ring in the satellites",
     unit="mrad",
@@ -321,9 +317,7 @@ def ring_pin_fatigue(design: Design, results: Results) -> Check:
     asks="max_slope",
 )
 def ring_pin_slope(design: Design, results: Results) -> Check | Measure:
-    if other := _bends(results, ring_pin_slope):
-        return other
-    made = results if design.requirements.max_slope is None else results.softest
+    made = results.softest if design.requirements.asked("max_slope") else results
     return _pins(made).bent("slope", "slope_satellite")
 
 
@@ -339,17 +333,13 @@ def ring_pin_slope(design: Design, results: Results) -> Check | Measure:
     ),
     fixes=("gear.ring_pin_radius", "gear.contact_length", "load.output_torque"),
     source="user",
+    not_of=_not_seated,
     asks="max_seat_pressure",
+    only_asked=True,
     needed=False,
 )
 def ring_seat_pressure(design: Design, results: Results) -> Check | Measure:
     """Of the force on the area that the pin covers; not looked for where nobody asks."""
-    if other := other_ring(results=results, kind=ring_seat_pressure, of=CYCLOID):
-        return other
-    if design.gear.pin_support != "seat":
-        return Check(ring_seat_pressure, "not_applicable", reason="pins_bend")
-    if design.requirements.max_seat_pressure is None:
-        raise NotKnown("no_limit")
     turn = results.ring.loading
     area = 2 * turn.mesh.disc.ring_pin_radius * turn.mesh.contact_length
     pair = turn.peak_pair
@@ -377,13 +367,10 @@ def ring_seat_pressure(design: Design, results: Results) -> Check | Measure:
     source="user",
     keep="above",
     asks="min_ring_efficiency",
+    only_asked=True,
 )
 def ring_efficiency(design: Design, results: Results) -> Check | Measure:
     """Its limit is used by the losses; not looked for where nobody asks."""
-    if other := other_ring(results=results, kind=ring_efficiency, of=TEETH):
-        return other
-    if design.requirements.min_ring_efficiency is None:
-        raise NotKnown("no_limit")
     loss = results.ring.loss
     exact = design.gear.kind == "involute" or results.ring.working[0].mesh.exact
     unsure = loss.loss_error + (0.0 if exact else FIRST_ORDER)
@@ -409,19 +396,14 @@ def ring_efficiency(design: Design, results: Results) -> Check | Measure:
     ),
     fixes=("gear.contact_length", "load.input_speed", "load.output_torque"),
     source="user",
+    not_of=_no_sleeves,
+    requires={"load.input_speed": "speed_missing"},
     asks="max_pv",
+    only_asked=True,
     needed=False,
 )
 def ring_pv(design: Design, results: Results) -> Check | Measure:
-    if other := other_ring(results=results, kind=ring_pv, of=CYCLOID):
-        return other
-    if design.gear.rolling or design.gear.sleeve_bore_radius is None:
-        return Check(ring_pv, "not_applicable", reason="no_bush")
-    if design.requirements.max_pv is None:
-        raise NotKnown("no_limit")
-    _ = design.known_speed
-    value = results.ring.pv
-    assert value is not None  # of sleeves at a speed
+    value = required(results.ring.pv, "speed_missing")  # of sleeves at a speed
     return Measure(value, error=_error(results.ring.working[0]), rough=True)
 
 

@@ -3,13 +3,13 @@
 import math
 from functools import partial
 
-from core.checks.check import Check, design_check, judged, wall
-from core.checks.crank import other_ring
+from core.checks.check import Check, design_check, judged, judged_by, wall
+from core.checks.crank import NOT_OF, other_ring
 from core.design.document import Design
 from core.design.refusals import named
 from core.design.results import Results
 from core.design.ring import RingKind
-from core.errors import NotKnown
+from core.errors import NotKnown, required
 from core.precision import AS_TYPED
 from core.ring.profile import CycloidDisc
 
@@ -21,7 +21,9 @@ BETWEEN_PINS = 0.1
 
 CYCLOID: tuple[RingKind, ...] = ("cycloid",)
 
-_ring = partial(design_check, group="gear", part="teeth", needs=("contact", "gear"))
+_OTHER = partial(other_ring, of=CYCLOID)
+
+_ring = partial(design_check, group="gear", part="teeth", needs=("contact", "gear"), not_of=_OTHER)
 
 _PATH = (
     "gear.kind",
@@ -42,10 +44,7 @@ def _circle(design: Design) -> float:
 
 def _pin_radius(design: Design) -> float:
     """Radius of the ring's pins, m."""
-    radius = design.gear.ring_pin_radius
-    if radius is None:
-        raise NotKnown("size_missing", "gear.ring_pin_radius")
-    return radius
+    return required(design.gear.ring_pin_radius, "size_missing", "gear.ring_pin_radius")
 
 
 def _disc(design: Design) -> CycloidDisc:
@@ -68,8 +67,6 @@ def _disc(design: Design) -> CycloidDisc:
     keep="above",
 )
 def ring_undercut(design: Design, results: Results) -> Check:
-    if other := other_ring(results=results, kind=ring_undercut, of=CYCLOID):
-        return other
     if design.lobes < 2:
         return Check(ring_undercut, "not_applicable", reason="one_only")
     margin = _disc(design).undercut_margin
@@ -92,11 +89,7 @@ def ring_undercut(design: Design, results: Results) -> Check:
 )
 def ring_valley_tool(design: Design, results: Results) -> Check:
     """Not asked where no tool is given, nor of discs that are nowhere concave."""
-    if other := other_ring(results=results, kind=ring_valley_tool, of=CYCLOID):
-        return other
-    tool = design.gear.tool_radius
-    if tool is None:
-        return Check(ring_valley_tool, "not_asked", reason="no_tool", missing=("gear.tool_radius",))
+    tool = judged_by(design.gear.tool_radius, "no_tool", "gear.tool_radius", status="not_asked")
     concave = _disc(design).min_concave_radius
     if concave is None:
         return Check(ring_valley_tool, "not_applicable", reason="no_valley")
@@ -120,10 +113,9 @@ def ring_valley_tool(design: Design, results: Results) -> Check:
     fixes=("gear.ring_pin_radius", "gear.ring_pin_circle_radius"),
     keep="above",
     needs=("gear",),
+    not_of=lambda design, results: "" if design.gear.kind in CYCLOID else NOT_OF["cycloid"],
 )
 def ring_pin_room(design: Design, results: Results) -> Check:
-    if design.gear.kind != "cycloid":
-        return Check(ring_pin_room, "not_applicable", reason="no_ring_pins")
     pins = design.ring_pins // (2 if design.gear.every_second_pin else 1)
     size = _pin_radius(design)
     width = 2 * _circle(design) * math.sin(math.pi / pins) - 2 * size

@@ -5,7 +5,17 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 
-from core.checks.check import Check, Kind, Verdict, design_check, gap, judged, make_check, verdict
+from core.checks.check import (
+    Check,
+    Kind,
+    Verdict,
+    design_check,
+    gap,
+    judged,
+    judged_by,
+    make_check,
+    verdict,
+)
 from core.checks.inputs import FATIGUE
 from core.design.sections import Requirements
 from core.fatigue import CycleFatigue
@@ -96,12 +106,8 @@ _check = partial(design_check, group="rollers")
 )
 def roller_stress(design: RollerDesign) -> Check:
     stress = float(design.result.bending_stress)
-    if design.yield_strength is None:
-        missing = ("yield_strength",)
-        return Check(
-            roller_stress, "not_checked", value=stress, reason="yield_unknown", missing=missing
-        )
-    limit = design.yield_strength / design.requirements.bending_safety
+    strength = judged_by(design.yield_strength, "yield_unknown", "yield_strength", value=stress)
+    limit = strength / design.requirements.bending_safety
     reserve = design.reserve(limit / stress)
     return judged(roller_stress, stress, limit, reserve=reserve, error=design.error)
 
@@ -232,9 +238,9 @@ def roller_tilt(design: RollerDesign) -> Check:
     three spheres: over half of it, 5*e, the centre moves by e, 11.3°.
     """
     length = 2 * design.cylinder_length + 3 * design.sphere_width
-    if design.eccentricity is None:
-        return Check(roller_tilt, "not_asked", value=length, missing=("eccentricity",))
-    return judged(roller_tilt, length, ROLLER_LENGTH * design.eccentricity, warning="tilted")
+    said = {"value": length, "status": "not_asked"}
+    eccentricity = judged_by(design.eccentricity, "", "eccentricity", **said)
+    return judged(roller_tilt, length, ROLLER_LENGTH * eccentricity, warning="tilted")
 
 
 ROLLERS = (

@@ -12,6 +12,7 @@ from core.checks.check import (
     design_check,
     gap,
     judged,
+    judged_by,
     make_check,
     verdict,
 )
@@ -170,12 +171,8 @@ def shaft_slope(design: ShaftDesign) -> Measure:
 def shaft_static(design: ShaftDesign) -> Check:
     assert design.strength is not None
     stress = design.strength.peak_stress
-    if design.yield_strength is None:
-        missing = ("yield_strength",)
-        return Check(
-            shaft_static, "not_checked", value=stress, reason="yield_unknown", missing=missing
-        )
-    limit = design.yield_strength / design.requirements.bending_safety
+    strength = judged_by(design.yield_strength, "yield_unknown", "yield_strength", value=stress)
+    limit = strength / design.requirements.bending_safety
     reserve = limit / stress if stress > 0 else None
     return judged(shaft_static, stress, limit, reserve=reserve, error=design.error)
 
@@ -269,11 +266,8 @@ def shaft_checks(design: ShaftDesign) -> Verdict:
     -------
     Verdict
     """
-    limits = {
-        "deflection": design.requirements.max_deflection,
-        "slope": design.requirements.max_slope,
-    }
-    left = [name for name, limit in limits.items() if limit is None]
+    limits = {"deflection": "max_deflection", "slope": "max_slope"}
+    left = [name for name, limit in limits.items() if not design.requirements.asked(limit)]
     if not design.contact:
         left.append("line_pressure")
     if not design.strength:

@@ -90,7 +90,7 @@ def disc_shares(*, results: Results, found: Verdict) -> DiscShares | None:
     """
     design = results.design
     count = design.mechanism.satellites
-    if count == 1 or not (design.load and design.touching):
+    if not (results.uneven and design.load and design.touching):
         return None
     if design.disc_factor > 1:
         model, reason, discs = _by_factor(results)

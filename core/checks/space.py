@@ -5,9 +5,9 @@ from functools import partial
 
 from core.checks.check import Check, Kind, Measure, design_check, gap, wall
 from core.checks.inputs import ROOTS
-from core.design.document import Design
+from core.design.document import Design, value_at
 from core.design.results import Results
-from core.errors import NotKnown
+from core.errors import NotKnown, required
 
 RIM = 2.7
 """Least rim below the roots of involute teeth over their module: 1.2 times the height of teeth of
@@ -119,8 +119,8 @@ def within_roots(*, design: Design, kind: Kind, solid: bool = False) -> Check:
     if shallow.status == "fail":
         return shallow
     cycloid = design.gear and design.gear.kind == "cycloid"
-    if cycloid and design.contact.eccentricity is None:
-        raise NotKnown("eccentricity_assumed", "contact.eccentricity")
+    if cycloid:
+        _ = design.known_eccentricity
     name = "gear.ring_pin_radius" if cycloid else "satellite_body.root_radius"
     return Check(kind, "not_checked", limit=deep.limit, reason="roots_unknown", missing=(name,))
 
@@ -168,9 +168,8 @@ def wall_rim(design: Design, results: Results) -> Check:
     source="wang_2016",
 )
 def wall_bore(design: Design, results: Results) -> Check:
-    bore, size = design.bore_radius, design.contact.pair.hole_radius
-    if bore is None:
-        raise NotKnown("size_missing", "satellite_body.bore_radius")
+    size = design.contact.pair.hole_radius
+    bore = required(design.bore_radius, "size_missing", "satellite_body.bore_radius")
     width, least = design.load.pin_circle_radius - size - bore, design.requirements.min_wall
     return wall(wall_bore, width=width, size=size, least=least, guide=design.wall_guide)
 
@@ -192,9 +191,8 @@ def wall_bore(design: Design, results: Results) -> Check:
 )
 def outer_diameter(design: Design, results: Results) -> Measure:
     """Of the circle in which a satellite moves."""
-    radius = design.satellite_body.outer_radius if design.satellite_body else None
-    if radius is None:
-        raise NotKnown("size_missing", "satellite_body.outer_radius")
+    path = "satellite_body.outer_radius"
+    radius: float = required(value_at(design, path), "size_missing", path)
     return Measure(2 * (radius + design.known_eccentricity))
 
 

@@ -5,6 +5,7 @@ from core.checks.largest_torque import crank_verdict
 from core.design.document import Design, changed
 from core.design.results import Results
 from core.errors import InvalidInput
+from core.materials import ElasticMaterial
 from core.tolerance.iso286 import fit_clearance
 
 USUAL_FIT = "H7/f7"
@@ -20,6 +21,21 @@ name 0.15 to 0.5 mm.
 
 SOFT = 20e9
 """Young's modulus below which a hole is taken as printed, Pa."""
+
+
+def soft(material: ElasticMaterial | None) -> bool:
+    """Whether a part is taken as printed.
+
+    Parameters
+    ----------
+    material : ElasticMaterial or None
+        Its material, where that is known.
+
+    Returns
+    -------
+    bool
+    """
+    return material is not None and bool(material.youngs_modulus < SOFT)
 
 
 def usual_clearance(design: Design) -> tuple[str, float]:
@@ -41,8 +57,7 @@ def usual_clearance(design: Design) -> tuple[str, float]:
         If the diameters are not in the tables of fits.
     """
     contact = design.contact
-    material = contact.hole_material
-    if material is not None and material.youngs_modulus < SOFT:
+    if soft(contact.hole_material):
         return PRINTED, PRINTED_CLEARANCE
     pin = contact.pair.pin_radius
     hole = pin + design.known_eccentricity

@@ -12,7 +12,7 @@ import numpy as np
 
 from core.checks.check import Verdict
 from core.checks.largest_torque import crank_verdict
-from core.checks.usual_fit import SOFT, usual_clearance, usual_fit, with_usual_clearance
+from core.checks.usual_fit import soft, usual_clearance, usual_fit, with_usual_clearance
 from core.derived import UNKNOWN
 from core.design.document import Design, changed
 from core.design.results import Results
@@ -87,10 +87,8 @@ def ring_class_of(design: Design) -> RingClass:
     -------
     {"ground", "machined", "printed"}
     """
-    said, material = design.gear.ring_class, design.disc_material
-    if said is not None:
-        return said
-    return "printed" if material is not None and material.youngs_modulus < SOFT else "ground"
+    usual: RingClass = "printed" if soft(design.disc_material) else "ground"
+    return design.gear.ring_class or usual
 
 
 def usual_sizes(*, ring_class: RingClass, circle_radius: float) -> tuple[float, float]:

@@ -27,7 +27,7 @@ from core.design.sections import (
     Temperatures,
 )
 from core.errors import InvalidInput, NotKnown
-from core.materials import Body, ElasticMaterial
+from core.materials import Body, ElasticMaterial, Plastic
 from core.output.contact_law import ContactLaw
 from core.output.mechanism import Mechanism
 from core.output.members import Members, MemberSpeeds
@@ -140,6 +140,8 @@ class Design:
         """
         on_pins = self.pin.satellite_positions if self.pin else ()
         on_shaft = self.crankshaft.satellite_positions if self.crankshaft else ()
+        if not (on_pins or on_shaft):
+            return
         width = self.contact.contact_length if self.contact else None
         if self.pin and self.pin.contact_length is not None:
             width = self.pin.contact_length
@@ -558,11 +560,13 @@ class Design:
         return {body: each.lasting(loads) for body, each in given.items() if each is not None}
 
     @cached_property
-    def plastics(self) -> tuple[Body, ...]:
-        """Which of pin and hole are plastic."""
+    def plastics(self) -> dict[Body, Plastic]:
+        """Which of pin and hole are plastic, and what is known of that."""
         if not self.touching:
-            return ()
-        return tuple(body for body, each in self.lasting.items() if each.plastic is not None)
+            return {}
+        return {
+            body: each.plastic for body, each in self.lasting.items() if each.plastic is not None
+        }
 
     @property
     def sliding_friction(self) -> float:
@@ -585,9 +589,7 @@ class Design:
         """Largest friction coefficient that was seen of the plastics that touch, dry; None where it
         is not known of one of them.
         """
-        found = [
-            each.plastic.friction for each in self.lasting.values() if each.plastic is not None
-        ]
+        found = [each.friction for each in self.plastics.values()]
         known = [each for each in found if each is not None]
         return max(known, default=None) if len(known) == len(found) else None
 

@@ -100,6 +100,14 @@ class Results:
         """
         return 0 < self.forces_in_series <= MOST_IN_SERIES
 
+    @property
+    def uneven(self) -> bool:
+        """Whether satellites may carry different parts of the load: of several whose forces are
+        solved, or by a factor that is stated.
+        """
+        several = self.design.mechanism.satellites > 1
+        return several and (self.solved or self.design.disc_factor > 1)
+
     @cached_property
     def forces_in_series(self) -> int:
         """Number of forces over the turns of both meshes in series; 0 where they are not."""

@@ -248,6 +248,27 @@ class Requirements:
     max_unbalance_share: float | None = None
     balance_grade: float | None = None
 
+    def asked(self, *names: str) -> dict[str, float]:
+        """Those of some requirements that are asked.
+
+        Parameters
+        ----------
+        *names : str
+            Their names.
+
+        Returns
+        -------
+        dict
+            What is asked, by its name.
+
+        Examples
+        --------
+        >>> Requirements(max_wear=1e-4).asked("max_pv", "max_wear")
+        {'max_wear': 0.0001}
+        """
+        values = {name: getattr(self, name) for name in names}
+        return {name: value for name, value in values.items() if value is not None}
+
 
 @dataclass(frozen=True, slots=True)
 class DesignPin(PinSupport):

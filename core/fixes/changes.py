@@ -2,6 +2,7 @@
 
 from core.design.document import Design, changed, value_at
 from core.design.sections import Contact
+from core.errors import required
 from core.fixes.fix import WHOLE
 from core.output.satellite_support import Shares
 from core.tolerance.iso286 import fit_clearance
@@ -51,7 +52,7 @@ def _hole_of_fit(contact: Contact) -> float:
     return hole + clearance
 
 
-def value_of(*, design: Design, variable: str) -> float | None:
+def value_of(*, design: Design, variable: str) -> float:
     """An input of a design.
 
     Parameters
@@ -63,22 +64,25 @@ def value_of(*, design: Design, variable: str) -> float | None:
 
     Returns
     -------
-    float or None
-        None where it is not given, or no input of its own: the diameter of a pin without a sleeve
-        is that of the contact, with one the contact is not the pin's; of rollers both are theirs;
-        the hole of a fit follows it.
+    float
+
+    Raises
+    ------
+    NotKnown
+        If it is not given, or no input of its own: the diameter of a pin without a sleeve is that
+        of the contact, with one the contact is not the pin's; of rollers both are theirs; the hole
+        of a fit follows it.
     """
     if variable == RATING:
-        bearings = design.crankshaft.bearings if design.crankshaft else None
-        ratings = [each.dynamic_rating for each in bearings or ()]
-        return None if not ratings or None in ratings else min(ratings)  # type: ignore[type-var]
-    if variable == "pin.diameter" and not design.sleeved:
-        return None
-    if variable == "contact.pin_radius" and design.rollers:
-        return None
-    if variable == "contact.hole_radius" and design.contact.iso_fit:
-        return None
-    return value_at(design, variable)  # type: ignore[no-any-return]
+        bearings = required(design.crankshaft.bearings, "rating_unknown", "crankshaft.bearings")
+        return min(required(each.dynamic_rating, "rating_unknown", RATING) for each in bearings)
+    follows = {
+        "pin.diameter": not design.sleeved,
+        "contact.pin_radius": bool(design.rollers),
+        "contact.hole_radius": bool(design.contact and design.contact.iso_fit),
+    }
+    value: float | None = None if follows.get(variable) else value_at(design, variable)
+    return required(value, "size_missing", variable)
 
 
 def count_may_change(design: Design) -> bool:

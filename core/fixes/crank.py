@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterable
+from contextlib import suppress
 from dataclasses import replace
 from functools import cache
 
@@ -9,7 +10,7 @@ from core.checks.check import Check, Verdict
 from core.checks.crank_planetary import crank_check
 from core.checks.largest_torque import crank_verdict, two_ways, under
 from core.checks.usual_fit import usual_clearance
-from core.derived import if_known
+from core.derived import UNKNOWN
 from core.design.document import Design, value_at
 from core.design.results import Results
 from core.errors import CalculationError
@@ -21,6 +22,7 @@ from core.fixes.fix import (
     Cure,
     Fix,
     FixStatus,
+    NoFix,
     aim,
     fix_of,
     in_order,
@@ -74,16 +76,12 @@ def crank_fixes(*, results: Results, codes: Iterable[str], current: Verdict) -> 
             if variable == SHIFT:
                 fixes += shift_fixes(designs=chosen(), code=code, current=current)
                 continue
-            try:
-                fix = _fix(results, code, variable, current)
-            except CalculationError:  # a size that would cure it makes no design
-                continue
-            if fix is not None:
-                fixes.append(fix)
+            with suppress(CalculationError):  # a size that would cure it may make no design
+                fixes.append(_fix(results, code, variable, current))
     return in_order(fixes)
 
 
-def _fix(results: Results, code: str, variable: str, current: Verdict) -> Fix | None:
+def _fix(results: Results, code: str, variable: str, current: Verdict) -> Fix:
     """Fix of a check by one input."""
     design, check = results.design, current[code]
     group = check.kind.group
@@ -94,8 +92,8 @@ def _fix(results: Results, code: str, variable: str, current: Verdict) -> Fix | 
     if variable in SHIFTED:
         return _shifted(results, code, variable, current)
     cure = _cure(design, code, variable, current)
-    if cure is None or (variable == "mechanism.satellites" and not count_may_change(design)):
-        return None
+    if variable == "mechanism.satellites" and not count_may_change(design):
+        raise NoFix
 
     def change(value: float) -> Check:
         return aimed(design=vary(design=design, variable=variable, value=value), check=check)
@@ -103,8 +101,7 @@ def _fix(results: Results, code: str, variable: str, current: Verdict) -> Fix | 
     estimated = group in ("contact", "gear") and (check.rough or code == "ring_efficiency")
     solved = group in STRENGTH or estimated or (group == "contact" and results.solved)
     if solved and variable not in WHOLE:
-        exact = _secant(lambda value: _met(change(value)), cure.before)
-        return None if exact is None else _checked(cure, exact)
+        return _checked(cure, _secant(lambda value: _met(change(value)), cure.before))
     return fix_of(cure=cure, change=change)
 
 
@@ -122,19 +119,18 @@ def aimed(*, design: Design, check: Check) -> Check:
     -------
     Check
     """
-    factor = 1.0 if check.torque_reserve is None else aim(check)
+    factor = aim(check) if check.by_torque else 1.0
     results = Results(under(design=design, factor=factor))
     ways = (results, results.equal) if two_ways(results) else (results,)
     found = min((crank_check(check.code, way) for way in ways), key=_least_met)
-    reserve = found.torque_reserve
-    return found if reserve is None else found._replace(torque_reserve=reserve * factor)
+    return found._replace(torque_reserve=found.reserve * factor) if found.by_torque else found
 
 
-def _cure(design: Design, code: str, variable: str, current: Verdict) -> Cure | None:
-    """An input and what it does to all checks; None where it is not given, or nothing."""
+def _cure(design: Design, code: str, variable: str, current: Verdict) -> Cure:
+    """An input, which is given and not 0, and what it does to all checks."""
     before = value_of(design=design, variable=variable)
     if not before:
-        return None
+        raise NoFix
 
     def whole_list(value: float) -> Verdict:
         return crank_verdict(Results(vary(design=design, variable=variable, value=value)))
@@ -153,8 +149,8 @@ def _standard(design: Design, variable: str) -> tuple[float, ...]:
 
 def _met(check: Check) -> float:
     """How far a check is met, over what a fix aims at."""
-    if check.torque_reserve is not None:
-        return check.torque_reserve / aim(check)
+    if check.by_torque:
+        return check.reserve / aim(check)
     return 1 / check.utilisation if check.utilisation else math.nan
 
 
@@ -164,17 +160,17 @@ def _least_met(check: Check) -> float:
     return -math.inf if math.isnan(met) else met
 
 
-def _secant(met: Callable[[float], float], before: float) -> float | None:
+def _secant(met: Callable[[float], float], before: float) -> float:
     """Where a measure that is about a power of an input is 1, or a trifle more."""
     points: list[tuple[float, float]] = []
     value, growth = before, 0.0
     for look in range(LOOKS):
         try:
             found = met(value)
-        except (CalculationError, AssertionError):
-            return None
+        except AssertionError as why:
+            raise NoFix from why
         if not found > 0:
-            return None
+            raise NoFix
         points.append((math.log(value), math.log(found)))
         if 0 <= points[-1][1] <= SEARCHED:
             break
@@ -184,22 +180,20 @@ def _secant(met: Callable[[float], float], before: float) -> float | None:
         if points[-1][0] != points[-2][0]:
             growth = (points[-1][1] - points[-2][1]) / (points[-1][0] - points[-2][0])
         if not abs(growth) > 0.1:
-            return None
+            raise NoFix
         # a trifle beyond, so that it is met from the safe side
         value = math.exp(points[-1][0] - (points[-1][1] - SEARCHED / 2) / growth)
         if not before / RANGE <= value <= before * RANGE:
-            return None
+            raise NoFix
     return value
 
 
-def _shifted(results: Results, code: str, variable: str, current: Verdict) -> Fix | None:
+def _shifted(results: Results, code: str, variable: str, current: Verdict) -> Fix:
     """Fix by a modification of the discs, of which gaps are straight functions: what presses by
     what is too much, the others by secants.
     """
     design, check = results.design, current[code]
-    before = value_of(design=design, variable=variable)
-    if before is None or check.value is None or check.limit is None:
-        return None
+    before, _ = value_of(design=design, variable=variable), check.compared
     looks = list[tuple[float, float]]()
     (other,) = (abs(value_at(design, each)) for each in SHIFTED if each != variable)
     larger = 1.0 if variable == "gear.modification.equidistant" else -1.0  # makes gaps larger
@@ -210,17 +204,15 @@ def _shifted(results: Results, code: str, variable: str, current: Verdict) -> Fi
 
     for _ in range(LOOKS):
         seen = found(after)
-        if seen.value is None:
-            return None
         if code == "ring_pressed":
-            short = seen.value
+            short, _ = seen.compared
             if not short > 0:
                 break
             step = short
         else:
             met = _met(seen)
             if not met > 0:
-                return None
+                raise NoFix
             looks.append((after, math.log(met)))
             if 0 <= looks[-1][1] <= CLOSE:
                 break
@@ -230,50 +222,45 @@ def _shifted(results: Results, code: str, variable: str, current: Verdict) -> Fi
                 (x, one), (y, two) = looks[-2:]
                 slope = (two - one) / (y - x) if y != x else 0.0
                 if slope * way <= 0:
-                    return None
+                    raise NoFix
                 step = (CLOSE / 2 - two) / slope * way
                 near = max(abs(after), other, 2 * FIRST_SHIFT) / 2  # the smaller, the steeper
                 step = min(step, near)
         steps = math.ceil if step > 0 else math.floor
         after = SHIFT_STEP * round(after / SHIFT_STEP + way * steps(step / SHIFT_STEP))
         if abs(after) > MOST_SHIFT:
-            return None
+            raise NoFix
     else:
-        return None
+        raise NoFix
     made = crank_verdict(Results(vary(design=design, variable=variable, value=after)))
     effects = side_effects(code=code, current=current, found=made)
     status: FixStatus = "solved" if made[code].status == "pass" else "not_enough"
     return Fix(code, variable, before, after, after, False, status, made.verdict, effects)
 
 
-def _less_clearance(results: Results, code: str, current: Verdict) -> Fix | None:
+def _less_clearance(results: Results, code: str, current: Verdict) -> Fix:
     """Fix of backlash or lost motion, which grow with the clearance almost straight."""
-    design, check = results.design, current[code]
-    clearance, hole = design.contact.clearance, design.contact.hole_radius
+    design, clearance = results.design, results.design.known_clearance
     cure = _cure(design, code, "contact.hole_radius", current)
-    if cure is None or hole is None or not clearance:
-        return None
-    if check.value is None or check.limit is None:
-        return None
+    hole, (value, limit) = cure.before, current[code].compared
     backlash = crank_check("backlash", results).value
-    if not backlash:
-        return None
-    value, slope = check.value, backlash / clearance
-    place = clearance
+    if not clearance or not backlash:
+        raise NoFix
+    slope, place = backlash / clearance, clearance
     for _ in range(LOOKS):
-        if value <= check.limit:
+        if value <= limit:
             break
         before, former = place, value
-        place = math.floor((place - (value - check.limit) / slope) * 1e7 - 1e-6) * 1e-7  # 0.1 um
+        place = math.floor((place - (value - limit) / slope) * 1e7 - 1e-6) * 1e-7  # 0.1 um
         if place < 0:
-            return None
+            raise NoFix
         smaller = vary(
             design=design, variable="contact.hole_radius", value=hole + place - clearance
         )
-        found = crank_check(code, Results(smaller))
-        if found.value is None or found.value >= former:
-            return None
-        value, slope = found.value, (former - found.value) / (before - place)
+        value, _ = crank_check(code, Results(smaller)).compared
+        if value >= former:
+            raise NoFix
+        slope = (former - value) / (before - place)
     return _checked(cure, hole + place - clearance)
 
 
@@ -296,16 +283,12 @@ def _checked(cure: Cure, exact: float) -> Fix:
     return made
 
 
-def _fitting(results: Results, code: str, current: Verdict) -> Fix | None:
+def _fitting(results: Results, code: str, current: Verdict) -> Fix:
     """The hole with which the parts fit, and have a clearance as usual."""
-    design, contact = results.design, results.design.contact
-    if contact.eccentricity is None or contact.pin_radius is None:
-        return None
-    after = contact.pin_radius + contact.eccentricity
-    fit = if_known(lambda: results.fit)
-    if fit is not None:
-        after = fit.needed_hole_radius
+    design = results.design
+    after = design.contact.pair.pin_radius + design.known_eccentricity
+    with suppress(*UNKNOWN):
+        after = results.fit.needed_hole_radius
     _, clearance = usual_clearance(design)
     after = math.ceil((after + clearance) * 1e6 - 1e-6) * 1e-6  # whole micrometres
-    cure = _cure(design, code, "contact.hole_radius", current)
-    return None if cure is None else _checked(cure, after)
+    return _checked(_cure(design, code, "contact.hole_radius", current), after)

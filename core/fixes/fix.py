@@ -14,6 +14,11 @@ WHOLE = {"mechanism.pins", "mechanism.satellites", "rollers"}
 
 FixStatus = Literal["solved", "not_enough", "not_monotone"]
 
+
+class NoFix(CalculationError):
+    """No value of an input is found with which a check can be made, or would be better."""
+
+
 PIN_SIZES = (
     *(0.8, 1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0, 25.0, 30.0),
     *(40.0, 50.0),
@@ -123,7 +128,7 @@ def aim(check: Check) -> float:
 
 
 def beyond(check: Check) -> float:
-    """How far a check is beyond what a fix aims at; NaN where it cannot be made.
+    """How far a check is beyond what a fix aims at.
 
     Parameters
     ----------
@@ -134,16 +139,18 @@ def beyond(check: Check) -> float:
     -------
     float
         >= 0 where it is met.
+
+    Raises
+    ------
+    NotKnown
+        If it could not be made.
     """
-    if check.value is None or check.limit is None:
-        return math.nan
-    if check.torque_reserve is not None:
-        return check.torque_reserve - aim(check)
+    value, limit = check.compared
+    if check.by_torque:
+        return check.reserve - aim(check)
     if check.kind.keep == "above":
-        if check.limit > 0:
-            return check.value / check.limit - 1
-        return check.value - WALL
-    return check.limit - check.value
+        return value / limit - 1 if limit > 0 else value - WALL
+    return limit - value
 
 
 Change = Callable[[float], Check]
@@ -212,7 +219,7 @@ class Cure:
             return self._made(others)
 
 
-def fix_of(*, cure: Cure, change: Change) -> Fix | None:
+def fix_of(*, cure: Cure, change: Change) -> Fix:
     """An input solved so that a check passes.
 
     Parameters
@@ -224,8 +231,12 @@ def fix_of(*, cure: Cure, change: Change) -> Fix | None:
 
     Returns
     -------
-    Fix or None
-        None where the check cannot be made at any value.
+    Fix
+
+    Raises
+    ------
+    NoFix
+        If the check cannot be made at any value, or is best as it is.
     """
     before, whole = cure.before, cure.variable in WHOLE
 
@@ -251,7 +262,7 @@ def fix_of(*, cure: Cure, change: Change) -> Fix | None:
     )
     if not found.intervals:
         if found.best is None or found.best[0] == before:
-            return None
+            raise NoFix
         return cure.by(found.best[0], found, "not_enough")
     ends = [end for interval in found.intervals for end in interval if end not in (low, high)]
     ends = ends or [end for interval in found.intervals for end in interval]

@@ -1,10 +1,11 @@
 """Fixes of designs whose inputs do not hang on each other: rollers, the precessional gear."""
 
 from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
 from typing import Any
 
 from core.checks.check import Check, Verdict
-from core.fixes.fix import WHOLE, Cure, Fix, fix_of, in_order
+from core.fixes.fix import WHOLE, Cure, Fix, NoFix, fix_of, in_order
 
 
 def plain_fixes(
@@ -48,7 +49,6 @@ def plain_fixes(
                 return all_of(value)[code]
 
             cure = Cure(code, variable, float(before), whole_list, current)
-            fix = fix_of(cure=cure, change=change)
-            if fix is not None:
-                fixes.append(fix)
+            with suppress(NoFix):
+                fixes.append(fix_of(cure=cure, change=change))
     return in_order(fixes)

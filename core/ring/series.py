@@ -26,7 +26,7 @@ from core.output.stage import Stage, divisible, in_floats
 from core.precision import SAME
 from core.results import Accuracy, Notice, poorly_known
 from core.ring import series_kernel
-from core.ring.series_kernel import SeriesPairs, SeriesRoom, SeriesSetup
+from core.ring.series_disc import SeriesPairs, SeriesRoom, SeriesSetup
 from core.ring.sharing import JAMMED, CycloidMesh
 
 HALVINGS = 60
