@@ -248,7 +248,7 @@ def mesh_tip_thickness(design: Design, results: Results) -> Check:
 )
 def mesh_root_stress(design: Design, results: Results) -> Check:
     """The whole force at the tip of one tooth."""
-    stress, given = results.ring.root_stress.stress, design.gear.root_strength
+    stress, given = results.ring.root_stress.stress, design.involute.root_strength
     strength = judged_by(given, "root_strength_unknown", "gear.root_strength", value=stress)
     limit = strength / design.requirements.fatigue_safety
     factor = design.load_factor

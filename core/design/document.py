@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import Any, TypeVar, cast
 
 from core.derived import if_known
-from core.design.ring import Ring, RingBody
+from core.design.ring import CycloidRing, InvoluteRing, Ring, RingBody
 from core.design.sections import (
     Contact,
     DesignPin,
@@ -177,7 +177,7 @@ class Design:
     def _check_ring_pins(self) -> None:
         """Each satellite has its place on the pins of the ring, whose sleeves are wider."""
         ring = self.gear
-        if not ring:
+        if not isinstance(ring, CycloidRing):
             return
         places, satellites = ring.satellite_positions, self.mechanism.satellites
         if places and len(places) != satellites:
@@ -294,6 +294,22 @@ class Design:
         )
 
     @property
+    def cycloid(self) -> CycloidRing:
+        """The ring, of pins."""
+        ring = self.gear
+        if ring.kind != "cycloid":
+            raise NotKnown("no_ring_pins")
+        return ring
+
+    @property
+    def involute(self) -> InvoluteRing:
+        """The ring, of involute teeth."""
+        ring = self.gear
+        if ring.kind != "involute":
+            raise NotKnown("no_involute")
+        return ring
+
+    @property
     def lobes(self) -> int:
         """Lobes of a cycloid disc, which a ratio that is typed need not have."""
         ratio = self.mechanism.ratio
@@ -322,7 +338,7 @@ class Design:
     def disc_material(self) -> ElasticMaterial | None:
         """Material of discs, or of satellites with involute teeth: that of their holes."""
         of_holes = self.contact.hole_material if self.contact else None
-        return self.gear.disc_material or self.gear.satellite_material or of_holes
+        return self.gear.of_satellites or of_holes
 
     @cached_property
     def lasting_teeth(self) -> dict[RingBody, ElasticMaterial]:
@@ -332,7 +348,7 @@ class Design:
         """
         life = self.requirements.life
         loads: dict[RingBody, tuple[ElasticMaterial | None, float | None]] = {
-            "pin": (self.gear.pin_material or self.gear.ring_material, self.turns_over(life)),
+            "pin": (self.gear.of_ring, self.turns_over(life)),
             "disc": (self.disc_material, self.loads_over(life)),
         }
         return {
@@ -629,8 +645,9 @@ class Design:
         of the ring's pin circle, or of the least that the roots of the satellite sweep; None where
         neither is known.
         """
-        circle = self.gear.ring_pin_circle_radius if self.gear else None
-        if circle is None:
+        if isinstance(self.gear, CycloidRing):
+            circle = self.gear.ring_pin_circle_radius
+        else:
             low, high = self.roots
             circle = (low or high) + (self.contact.eccentricity or 0.0)
         return WALL_GUIDE * 2 * circle if math.isfinite(circle) else None

@@ -106,7 +106,7 @@ class LossResults:
     def efficiency(self) -> float:
         """Of the output, and of the ring where friction on its pins is given."""
         output, gear = float(self.pins.efficiency), self.design.gear
-        if not gear or gear.friction is None:
+        if not gear or gear.friction_coefficient is None:
             return output
         lost, power = self.output.ring.loss.mean_loss, self.output.member_loads.output_power
         assert lost is not None and power is not None  # at a speed, which the output needs

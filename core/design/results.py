@@ -213,8 +213,7 @@ class Results:
     @property
     def _by_flanks(self) -> bool:
         """Whether flanks of discs in series are turned, which is known in first order only."""
-        change = self.design.gear.modification if self.in_series else None
-        return change is not None and change.rotation > 0
+        return self.in_series and self.design.cycloid.changed.rotation > 0
 
     @cached_property
     def law(self) -> ContactLaw:

@@ -12,7 +12,7 @@ from core.design.document import Design
 from core.design.pin_fatigue import fatigue_of
 from core.design.refusals import named
 from core.design.sections import DesignPin
-from core.errors import InvalidInput, NotKnown
+from core.errors import InvalidInput, NotKnown, required
 from core.output.over_turn import OverTurn
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
@@ -82,9 +82,7 @@ class RingResults:
         known: in exact geometry where flanks are not turned. All discs have one lag,
         or given shares of the torque.
         """
-        design, gear = self.design, self.design.gear
-        if gear.kind != "cycloid":
-            raise NotKnown("no_ring_pins")
+        design, gear = self.design, self.design.cycloid
         change = gear.modification
         if change is None:
             raise NotKnown("modification_unknown", "gear.modification")
@@ -116,13 +114,10 @@ class RingResults:
     @derived
     def pair(self) -> InvolutePair:
         """A satellite of involute teeth in its ring, where its shifts and heights are known."""
-        design, gear = self.design, self.design.gear
-        if gear.kind != "involute":
-            raise NotKnown("no_involute")
+        design, gear = self.design, self.design.involute
         if gear.unknown_teeth:
             raise NotKnown("teeth_not_judged", *gear.unknown_teeth)
         eccentricity, _ = design.known_eccentricity, self.force  # which refuses base circles
-        assert gear.teeth_difference is not None and gear.reference_pressure_angle is not None
         low, high = STANDARD_ANGLES
         usual = low <= gear.reference_pressure_angle <= high
         if gear.teeth_difference > MOST_DIFFERENCE or not usual:
@@ -156,7 +151,7 @@ class RingResults:
 
     def loaded_teeth(self, factor: float) -> dict[str, Any]:
         """What involute teeth carry under so many times the torque, as arguments."""
-        design, gear = self.design, self.design.gear
+        design, gear = self.design, self.design.involute
         return {
             "torque": self.satellite_torque(factor),
             "contact_length": design.ring_length,
@@ -233,10 +228,7 @@ class RingResults:
     @property
     def pin(self) -> DesignPin:
         """A pin of the ring that bends."""
-        pin = self.design.gear.bent_pin
-        if pin is None:
-            raise NotKnown("pins_in_seats")
-        return pin
+        return required(self.design.cycloid.bent_pin, "pins_in_seats")
 
     @derived
     def pin_stresses(self) -> PinStresses:
@@ -270,7 +262,7 @@ class RingResults:
     def pin_strength(self) -> PinStrength:
         """Their strength, with the fatigue where it is known."""
         return self.pin_stresses.strength(
-            rotates=self.design.gear.rotates,
+            rotates=self.design.cycloid.rotates,
             fatigue=if_known(lambda: self.pin_fatigue_strength),
             deflection=True,
         )
@@ -278,11 +270,7 @@ class RingResults:
     @property
     def _friction(self) -> RingFriction:
         """What slides on the ring."""
-        gear = self.design.gear
-        friction = gear.friction if gear else None
-        if friction is None:
-            raise NotKnown("ring_friction_unknown", "gear.friction_coefficient")
-        return friction
+        return self.design.gear.friction
 
     def _losses(self, torque: float) -> list[RingLoss]:
         """Friction of cycloid discs on the pins in each direction of a torque, N*m."""
