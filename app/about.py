@@ -32,7 +32,7 @@ from core.checks.words import GROUPS as CHECK_GROUPS
 from core.codes import CODES, REFUSALS, WARNINGS, WAS, Code
 from core.contact_life import LifeCurve
 from core.errors import PLACES
-from core.material_record import GROUPS, Fact, Seen, TableMaterial
+from core.material_record import GROUPS, Fact, Range, Seen, TableMaterial
 from core.material_table import ALIASES, MATERIALS
 from core.materials import CRITERIA, LIMIT_SOURCES, VERIFIED, Criterion, Verified
 from core.results import METHODS
@@ -86,9 +86,10 @@ class FactOut(ResponseModel):
     def of(cls, quantity: str, fact: Fact) -> "FactOut":
         """Answer of a value."""
         name = FACT_NAMES[quantity]
-        spread = {"low": from_si(name, fact.low), "high": from_si(name, fact.high)}
-        known = {end: value for end, value in spread.items() if value is not None}
-        return cls(name=name, source=fact.source, seen=fact.seen, **known)
+        ends = {}
+        if isinstance(fact, Range):
+            ends = {"low": from_si(name, fact.low), "high": from_si(name, fact.high)}
+        return cls(name=name, source=fact.source, seen=fact.seen, **ends)
 
 
 FACT_NAMES = {
@@ -160,8 +161,10 @@ class MaterialOut(ResponseModel):
     @classmethod
     def of(cls, entry: TableMaterial) -> "MaterialOut":
         """Answer of a table entry."""
-        facts, spread = entry.facts, entry.facts.get("youngs_modulus")
-        modulus, ratio = entry.moduli
+        facts, moduli = entry.facts, dict(entry.moduli)
+        match facts.get("youngs_modulus"):
+            case Range(low=low, high=high):
+                moduli |= {"youngs_modulus_low": low, "youngs_modulus_high": high}
         limits = [
             LimitOut(
                 criterion=limit.criterion,
@@ -183,10 +186,14 @@ class MaterialOut(ResponseModel):
             "density_kg_m3": entry.density,
             "density_source": entry.density_source or None,
             "allowable_pressure_MPa": endurance[0] if endurance else None,
-            "youngs_modulus_GPa": from_si("youngs_modulus_GPa", modulus),
-            "poissons_ratio": ratio,
-            "youngs_modulus_low_GPa": spread and from_si("youngs_modulus_GPa", spread.low),
-            "youngs_modulus_high_GPa": spread and from_si("youngs_modulus_GPa", spread.high),
+            "youngs_modulus_GPa": from_si("youngs_modulus_GPa", moduli.get("youngs_modulus")),
+            "poissons_ratio": moduli.get("poissons_ratio"),
+            "youngs_modulus_low_GPa": from_si(
+                "youngs_modulus_GPa", moduli.get("youngs_modulus_low")
+            ),
+            "youngs_modulus_high_GPa": from_si(
+                "youngs_modulus_GPa", moduli.get("youngs_modulus_high")
+            ),
             "facts": [FactOut.of(name, each) for name, each in facts.items()] or None,
             "aliases": list(ALIASES.get(entry.name, ())) or None,
         } | {

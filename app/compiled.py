@@ -26,6 +26,7 @@ SOURCES = (
     CORE / "output" / "sharing_kernel.py",
     CORE / "output" / "turn_kernel.py",
     CORE / "ring" / "approach.py",
+    CORE / "ring" / "series_disc.py",
     CORE / "ring" / "series_kernel.py",
     CORE / "ring" / "series_pieces.py",
 )
@@ -53,6 +54,7 @@ def cached() -> bool:
 
 def _turns() -> None:
     """All that is called of pins in holes, over the turn and of pieces."""
+    from core.materials import ElasticMaterial
     from core.output.contact_law import LinearLaw
     from core.output.mechanism import Mechanism
     from core.output.over_turn import over_turn
@@ -60,6 +62,7 @@ def _turns() -> None:
     from core.tolerance.study import Evaluation, Study, tolerance_study
     from core.tolerance.tolerances import Tolerances
 
+    steel = ElasticMaterial(210e9, 0.3)
     real = RealMechanism(
         mechanism=Mechanism.evenly_spaced(pins=3, satellites=1, ratio=18.0),
         pin_circle_radius=0.02,
@@ -67,6 +70,8 @@ def _turns() -> None:
         eccentricity=0.0015,
         contact_length=0.01,
         law=LinearLaw(5e7),
+        pin_material=steel,
+        hole_material=steel,
     )
     turn = over_turn(real=real, output_torque=30.0)
     assert turn.peak_force > 0 and turn.lost_motion > 0
@@ -76,20 +81,30 @@ def _turns() -> None:
 
 def _meshes() -> None:
     """All that is called of discs on the pins of their ring."""
+    from core.materials import ElasticMaterial
     from core.output.contact_law import LinearLaw
     from core.ring.profile import CycloidDisc
     from core.ring.sharing import CycloidMesh, mesh_over_turn
 
+    steel = ElasticMaterial(210e9, 0.3)
     disc = CycloidDisc(
         satellite_teeth=5, eccentricity=0.001, ring_pin_circle_radius=0.02, ring_pin_radius=0.002
     )
-    mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01, law=LinearLaw(5e7))
+    mesh = CycloidMesh(
+        disc=disc,
+        crank_angles=(0.0,),
+        contact_length=0.01,
+        law=LinearLaw(5e7),
+        pin_material=steel,
+        disc_material=steel,
+    )
     meshed = mesh_over_turn(mesh=mesh, output_torque=30.0)
     assert meshed.peak_force > 0 and meshed.lost_motion > 0
 
 
 def _series() -> None:
     """All that is called of both meshes in series."""
+    from core.materials import ElasticMaterial
     from core.output.contact_law import LinearLaw
     from core.output.loop_rows import LOST_MOTION
     from core.output.mechanism import Mechanism
@@ -102,11 +117,19 @@ def _series() -> None:
     from core.tolerance.study import Evaluation, tolerance_study
     from core.tolerance.tolerances import Tolerances
 
+    steel = ElasticMaterial(210e9, 0.3)
     disc = CycloidDisc(
         satellite_teeth=5, eccentricity=0.001, ring_pin_circle_radius=0.02, ring_pin_radius=0.002
     )
     law = LinearLaw(5e7)
-    ring = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01, law=law)
+    ring = CycloidMesh(
+        disc=disc,
+        crank_angles=(0.0,),
+        contact_length=0.01,
+        law=law,
+        pin_material=steel,
+        disc_material=steel,
+    )
     output = RealMechanism(
         mechanism=Mechanism(3, (0.0,), 5.0),
         pin_circle_radius=0.01,
@@ -114,6 +137,8 @@ def _series() -> None:
         eccentricity=0.001,
         contact_length=0.01,
         law=law,
+        pin_material=steel,
+        hole_material=steel,
     )
     series = MeshesInSeries(ring, output)
     turn = SeriesTurn(series, 5.0)

@@ -17,7 +17,14 @@ import numpy as np
 from benchmarks.options import options
 from core.materials import ElasticMaterial
 from core.output import compiled
-from core.output.contact_law import HertzLaw, LinearLaw, PalmgrenLaw, PinSupport, PowerLaw
+from core.output.contact_law import (
+    RIGID_PINS,
+    HertzLaw,
+    LinearLaw,
+    PalmgrenLaw,
+    PinSupport,
+    PowerLaw,
+)
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_mechanism import RealMechanism
@@ -28,9 +35,9 @@ from core.tolerance.tolerances import Tolerances
 STEEL = ElasticMaterial(210e9, 0.3)
 BENT = PinSupport("cantilever", 0.010, (0.008, 0.022), STEEL)
 LAWS = {
-    "linear, first order": (LinearLaw(1e8), None, False),
-    "linear": (LinearLaw(1e8), None, True),
-    "10/9": (PowerLaw(10 / 9, 1000.0, 1e-5), None, True),
+    "linear, first order": (LinearLaw(1e8), RIGID_PINS, False),
+    "linear": (LinearLaw(1e8), RIGID_PINS, True),
+    "10/9": (PowerLaw(10 / 9, 1000.0, 1e-5), RIGID_PINS, True),
     "Palmgren, pin": (PalmgrenLaw(), BENT, True),
     "Hertz, pin": (HertzLaw(), BENT, True),
     "1/2, pin": (PowerLaw(0.5, 1000.0, 1e-5), BENT, True),

@@ -17,18 +17,26 @@ import numpy as np
 from benchmarks.options import options
 from benchmarks.sharing import STEEL, TOLERANCES
 from core.output import compiled
-from core.output.contact_law import ContactLaw, HertzLaw, LinearLaw, PinSupport, PowerLaw
+from core.output.contact_law import (
+    RIGID_PINS,
+    ContactLaw,
+    HertzLaw,
+    LinearLaw,
+    Pins,
+    PinSupport,
+    PowerLaw,
+)
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import RealMechanism
 from core.tolerance.study import Evaluation, Study
 
 BENT = PinSupport("cantilever", 0.006, (0.008,), STEEL)
-CASES: dict[str, tuple[ContactLaw, PinSupport | None, bool, str, float]] = {
-    "linear, first order": (LinearLaw(5e7), None, False, "peak_force", 3.0),
-    "linear": (LinearLaw(5e7), None, True, "peak_force", 3.0),
-    "10/9": (PowerLaw(10 / 9, 1000.0, 1e-5), None, True, "peak_force", 2.0),
+CASES: dict[str, tuple[ContactLaw, Pins, bool, str, float]] = {
+    "linear, first order": (LinearLaw(5e7), RIGID_PINS, False, "peak_force", 3.0),
+    "linear": (LinearLaw(5e7), RIGID_PINS, True, "peak_force", 3.0),
+    "10/9": (PowerLaw(10 / 9, 1000.0, 1e-5), RIGID_PINS, True, "peak_force", 2.0),
     "Hertz, bent pins": (HertzLaw(), BENT, True, "peak_force", 1.2),
-    "backlash alone": (LinearLaw(5e7), None, True, "backlash_max", 30.0),
+    "backlash alone": (LinearLaw(5e7), RIGID_PINS, True, "backlash_max", 30.0),
 }
 """Law, pins, exact geometry, what is asked, and how many times the other's rate is wanted."""
 

@@ -24,6 +24,7 @@ from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.precision import CLASSES
+from tests.inputs.real_mechanisms import STEEL
 from tests.oracles.turns import Made, largest
 
 REPORT = Path(__file__).parent.parent / "docs" / "accuracy.md"
@@ -82,6 +83,8 @@ def design(seed: int) -> tuple[Made, RealMechanism, float]:
             },
             disc_phase=tuple(turned.tolist()),
         ),
+        pin_material=STEEL,
+        hole_material=STEEL,
     )
     return made, real, 10 ** r.uniform(0, 3)
 

@@ -65,13 +65,77 @@ class ConformalContact(NamedTuple):
     evaluations: int  # Newton steps, of an array by the slowest
 
 
-class _Factors(NamedTuple):
-    """What a beta adds to the closed forms for beta = 0: powers of `_at(sin(eps/2))`."""
+class _Closed:
+    """What beta = 0 leaves of the closed forms: all of them. Of s = sin(eps/2), and of what s has
+    as its derivative, each factor and its derivative.
+    """
 
-    stiffness: list[Number]  # to 2*pi*G*s^2
-    mean: list[Number]  # to 1, a factor on P_0
-    middle: list[Number]  # to 1, a factor on P
-    approach: list[Number]  # to the approach less 2*G, times pi
+    precise = 2 * ROUNDING  # step of Newton's method at which it ends
+
+    def balance(self, y: Number) -> tuple[Number, Number, Number, Number]:
+        """On G, and on P_0, each with its derivative, of ``y = b^2``."""
+        return 1.0, 0.0, 1.0, 0.0
+
+    def stiffness(self, s: Number, s_turn: Number = 0.0) -> tuple[Number, Number]:
+        """On ``G = (1 - s^2)^2/(2*pi*s^2)``."""
+        return 1.0, 0.0
+
+    def mean(self, s: Number, s_turn: Number = 0.0) -> tuple[Number, Number]:
+        """On P_0."""
+        return 1.0, 0.0
+
+    def middle(self, s: Number, s_turn: Number = 0.0) -> tuple[Number, Number]:
+        """On P."""
+        return 1.0, 0.0
+
+    def approach(self, s: Number) -> Number:
+        """To the approach less 2*G, times pi."""
+        return 0.0
+
+
+_CLOSED = _Closed()
+
+
+class _Factors(_Closed):
+    """The same of a beta: what it adds is a sum of powers of `_at(s)` with these coefficients."""
+
+    precise = 64 * ROUNDING
+
+    def __init__(
+        self,
+        stiffness: list[Number],  # to 2*pi*G*s^2
+        mean: list[Number],  # to 1
+        middle: list[Number],  # to 1
+        approach: list[Number],
+    ) -> None:
+        self._stiffness, self._mean = stiffness, mean
+        self._middle, self._approach = middle, approach
+
+    def balance(self, y: Number) -> tuple[Number, Number, Number, Number]:
+        """On G, and on P_0."""
+        s, s_turn = sqrt(y / (1 + y)), 0.5 / (sqrt(y * (1 + y)) * (1 + y))
+        return *self.stiffness(s, s_turn), *self.mean(s, s_turn)
+
+    def stiffness(self, s: Number, s_turn: Number = 0.0) -> tuple[Number, Number]:
+        """On G."""
+        value, turn = _powers(self._stiffness, s)
+        square = (1 - s) * (1 + s)
+        over = value / (square * square)
+        return 1 + over, (turn / (square * square) + 4 * s * over / square) * s_turn
+
+    def mean(self, s: Number, s_turn: Number = 0.0) -> tuple[Number, Number]:
+        """On P_0."""
+        value, turn = _powers(self._mean, s)
+        return 1 + value, turn * s_turn
+
+    def middle(self, s: Number, s_turn: Number = 0.0) -> tuple[Number, Number]:
+        """On P."""
+        value, turn = _powers(self._middle, s)
+        return 1 + value, turn * s_turn
+
+    def approach(self, s: Number) -> Number:
+        """To the approach."""
+        return _powers(self._approach, s)[0]
 
 
 def conformal_contact(
@@ -109,29 +173,22 @@ def conformal_contact(
     least = widest_load(alpha=alpha, beta=beta)
     known = load_parameter >= least
     load, share = 2 * math.pi * larger(load_parameter, least), 1 + alpha
-    precise = 2 * ROUNDING if factors is None else 64 * ROUNDING
     y = 2 / larger(load, 2 / 0.84)
     evaluations = 0
     while evaluations < 60:
-        g = m = 1.0
-        g_turn = m_turn = 0.0
-        if factors is not None:
-            s, s_turn = sqrt(y / (1 + y)), 0.5 / (sqrt(y * (1 + y)) * (1 + y))
-            g, g_turn = _stiffness(factors, s, s_turn)
-            m, m_turn = _factor(factors.mean, s, s_turn)
+        g, g_turn, m, m_turn = factors.balance(y)
         part, log, rest = share * m, log1p(y), load * y * (1 + y)
         value = 2 * g - part * log - 2 * part * y * y - rest
         slope = 2 * g_turn - share * m_turn * (log + 2 * y * y)
         step = value / (slope - part / (1 + y) - 4 * part * y - load * (1 + 2 * y))
         y = smaller(y - step, 1.0)
         evaluations += 1
-        if every(abs(step) <= precise * y):
+        if every(abs(step) <= factors.precise * y):
             break
     b, mean = sqrt(y), _closed_mean(y)
     middle = closed_pressure(position=0.0 * b, tangent=b)
-    if factors is not None:
-        s = sqrt(y / (1 + y))
-        mean, middle = mean * _factor(factors.mean, s)[0], middle * _factor(factors.middle, s)[0]
+    s = sqrt(y / (1 + y))
+    mean, middle = mean * factors.mean(s)[0], middle * factors.middle(s)[0]
     b, middle, mean = (where(known, each, math.nan) for each in (b, middle, mean))
     return ConformalContact(b, middle, mean, evaluations)
 
@@ -150,9 +207,7 @@ def widest_load(*, alpha: Number, beta: Number) -> Number:
         Below 0 where no load makes the contact as wide: then all are known.
     """
     factors, length = _factors(beta), math.log(2) + 2
-    g = m = 1.0
-    if factors is not None:
-        g, m = _stiffness(factors, _HALF_SINE)[0], _factor(factors.mean, _HALF_SINE)[0]
+    g, m = factors.stiffness(_HALF_SINE)[0], factors.mean(_HALF_SINE)[0]
     return (2 * g - (1 + alpha) * m * length) / (4 * math.pi)
 
 
@@ -182,15 +237,11 @@ def load_under_pressure(
     """
     factors, share = _factors(beta), 1 + alpha
     b = smaller(pressure_parameter, 0.8)
-    g = m = k = 1.0
-    g_turn = m_turn = k_turn = 0.0
     for _ in range(60):
         y, root = b * b, sqrt(1 + b * b)
-        if factors is not None:
-            s, s_turn = b / root, 1 / (root * root * root)
-            g, g_turn = _stiffness(factors, s, s_turn)
-            m, m_turn = _factor(factors.mean, s, s_turn)
-            k, k_turn = _factor(factors.middle, s, s_turn)
+        s, s_turn = b / root, 1 / (root * root * root)
+        (g, g_turn), (m, m_turn) = factors.stiffness(s, s_turn), factors.mean(s, s_turn)
+        k, k_turn = factors.middle(s, s_turn)
         length, length_turn = log1p(y) + 2 * y * y, 2 * b / (1 + y) + 8 * b * y
         # P and lambda, both times 2*pi*y*(1 + y)
         middle = 4 * y * b * root + 2 * atanh(b / root)
@@ -204,9 +255,8 @@ def load_under_pressure(
         if every(moved <= 64 * ROUNDING * b):
             break
     y = b * b
-    if factors is not None:
-        s = b / sqrt(1 + y)
-        g, m = _stiffness(factors, s)[0], _factor(factors.mean, s)[0]
+    s = b / sqrt(1 + y)
+    g, m = factors.stiffness(s)[0], factors.mean(s)[0]
     return (2 * g - share * m * (log1p(y) + 2 * y * y)) / (2 * math.pi * y * (1 + y))
 
 
@@ -241,10 +291,7 @@ def local_approach(*, contact: ConformalContact, alpha: Number = 0.0, beta: Numb
     """
     b = contact.tangent
     s = b / sqrt(1 + b * b)
-    found = _closed_approach(s)
-    factors = _factors(beta)
-    if factors is not None:
-        found = found + _powers(factors.approach, s)[0] / math.pi
+    found = _closed_approach(s) + _factors(beta).approach(s) / math.pi
     return found + (1 + alpha) * contact.mean_pressure
 
 
@@ -362,10 +409,8 @@ def first_yield_factor(*, half_angle: Number, poissons_ratio: Number, beta: Numb
     middle, mean = closed_pressure(position=0.0 * b, tangent=b), _closed_mean(b * b)
     along, around = _axis_stresses(eps, nu)
     below = _mises(along, around, np.asarray(nu)[..., None]).max(axis=-1)
-    factors = _factors(beta)
-    if factors is not None:
-        s = np.sin(eps / 2)
-        mean, middle = mean * _factor(factors.mean, s)[0], middle * _factor(factors.middle, s)[0]
+    factors, s = _factors(beta), np.sin(eps / 2)
+    mean, middle = mean * factors.mean(s)[0], middle * factors.middle(s)[0]
     rim = _mises(-1.0, (2 * mean + share) / middle - 1, nu)
     found = 1 / np.maximum(below, rim)
     return found if np.ndim(found) else float(found)
@@ -435,25 +480,11 @@ def _powers(coefficients: list[Number], s: Number) -> tuple[Number, Number]:
     return value, turn * (2 / _HALF_SINE)
 
 
-def _factor(coefficients: list[Number], s: Number, s_turn: Number = 0.0) -> tuple[Number, Number]:
-    """Factor on a closed form, and its derivative, to what s has that derivative to."""
-    value, turn = _powers(coefficients, s)
-    return 1 + value, turn * s_turn
-
-
-def _stiffness(factors: _Factors, s: Number, s_turn: Number = 0.0) -> tuple[Number, Number]:
-    """The same on ``G = (1 - s^2)^2/(2*pi*s^2)``."""
-    value, turn = _powers(factors.stiffness, s)
-    square = (1 - s) * (1 + s)
-    over = value / (square * square)
-    return 1 + over, (turn / (square * square) + 4 * s * over / square) * s_turn
-
-
-def _factors(beta: Number) -> _Factors | None:
-    """Factors of a beta, or of each of an array; None of 0."""
+def _factors(beta: Number) -> _Closed:
+    """Factors of a beta, or of each of an array."""
     if isinstance(beta, float):
-        return _factors_of(float(beta)) if beta else None
-    return _factors_at(beta) if some(beta != 0) else None
+        return _factors_of(float(beta)) if beta else _CLOSED
+    return _factors_at(beta) if some(beta != 0) else _CLOSED
 
 
 @lru_cache(maxsize=256)

@@ -7,7 +7,7 @@ A pin in a hole only a little larger is nearly conformal: the contact wraps arou
 
 import math
 from collections.abc import Callable
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -33,7 +33,7 @@ from core.conformal import (
     pressure_over_angle,
 )
 from core.errors import InvalidInput
-from core.materials import ContactLimit, ElasticMaterial, effective_modulus, mismatch
+from core.materials import Body, ContactLimit, ElasticMaterial, effective_modulus, mismatch
 from core.numerics.inverse import edge
 from core.precision import ROUNDING
 from core.results import Accuracy, Notice, poorly_known
@@ -61,7 +61,7 @@ STRAIN_LIMIT = 0.02
 class BodySafety(NamedTuple):
     """One body of a contact, judged by the limit of its own material."""
 
-    body: Literal["pin", "hole"]  # which one
+    body: Body  # which one
     limit: ContactLimit  # of its contact pressure
     # Limit over the governing pressure: a ratio of pressures, so the load may grow with its square.
     # NaN in an array where it is not known.
@@ -293,12 +293,12 @@ def _safety(
     if governing is None or not some(governing > 0):
         return ()
     pressure = where(governing > 0, governing, math.nan)
-    found = []
-    if pin is not None:
-        found.append(BodySafety("pin", pin, pin.allowable / pressure))
-    if hole is not None:
-        found.append(BodySafety("hole", hole, hole.allowable / pressure))
-    return tuple(found)
+    limits: tuple[tuple[Body, ContactLimit | None], ...] = (("pin", pin), ("hole", hole))
+    return tuple(
+        BodySafety(body, limit, limit.allowable / pressure)
+        for body, limit in limits
+        if limit is not None
+    )
 
 
 def force_factor(
@@ -330,7 +330,7 @@ def force_factor(
     ratio = float(limit / contact.max_pressure)
     by_hertz = ratio**2
     there = contact_at(by_hertz)
-    if there.conformal_pressure is None and there.governing_pressure is not None:
+    if there.governing_pressure == there.max_pressure:
         return by_hertz
     alpha, beta = contact.mismatch
     parameter = load_under_pressure(

@@ -46,13 +46,23 @@ class Strength:
 
 @dataclass(frozen=True, slots=True)
 class Fact:
-    """A value whose sources differ, or of which there is one only."""
+    """A value of which there is one source only, or on which all agree."""
 
     value: float  # SI, temperatures in degrees Celsius
     source: str  # where it was seen
-    low: float | None = None  # the least that was seen
-    high: float | None = None  # the largest
-    seen: Seen = "two"  # one: for reference
+    seen: Seen = field(default="two", kw_only=True)  # one: for reference
+
+
+@dataclass(frozen=True, slots=True)
+class Range(Fact):
+    """A value whose sources differ."""
+
+    low: float  # the least that was seen
+    high: float  # the largest
+
+
+ELASTIC = ("youngs_modulus", "poissons_ratio")
+"""Names of E and v."""
 
 
 @dataclass(frozen=True)
@@ -62,7 +72,7 @@ class TableMaterial:
     name: str  # for programs, stable
     title: str  # name for people
     group: str  # a key of `GROUPS`
-    moduli: tuple[float | None, float | None]  # E, Pa, and v; None where no source has them
+    moduli: Mapping[str, float] = field(hash=False)  # E, Pa, and v, as far as a source has them
     source: str  # where these come from
     limits: tuple[ContactLimit, ...] = ()  # of its contact pressure, at most one by each criterion
     strength: Strength = Strength()
@@ -81,8 +91,7 @@ class TableMaterial:
     @property
     def missing(self) -> tuple[str, ...]:
         """Of E and v, what no source has."""
-        names = ("youngs_modulus", "poissons_ratio")
-        return tuple(name for name, each in zip(names, self.moduli, strict=True) if each is None)
+        return tuple(name for name in ELASTIC if name not in self.moduli)
 
     @cached_property
     def material(self) -> ElasticMaterial:
@@ -95,15 +104,13 @@ class TableMaterial:
         """
         return self.having()
 
-    def having(
-        self, *, youngs_modulus: float | None = None, poissons_ratio: float | None = None
-    ) -> ElasticMaterial:
+    def having(self, **given: float) -> ElasticMaterial:
         """The material with a modulus, Pa, or a Poisson's ratio that is given.
 
         Parameters
         ----------
-        youngs_modulus, poissons_ratio : float, optional
-            Instead of those of the table.
+        **given : float
+            `youngs_modulus` or `poissons_ratio` instead of those of the table.
 
         Returns
         -------
@@ -115,25 +122,22 @@ class TableMaterial:
         InvalidInput
             If one is not given that no source has.
         """
-        modulus, ratio = youngs_modulus, poissons_ratio
-        spread, least = self.facts.get("youngs_modulus"), None
-        if modulus is None and spread is not None:
-            modulus, least = spread.high, spread.low
-        modulus, ratio = modulus or self.moduli[0], self.moduli[1] if ratio is None else ratio
-        for name, value in (("youngs_modulus", modulus), ("poissons_ratio", ratio)):
-            if value is None:
+        known, least = {**self.moduli}, {}
+        match self.facts.get("youngs_modulus"):
+            case Range(low=low, high=high) if "youngs_modulus" not in given:
+                known["youngs_modulus"], least = high, {"least_modulus": low}
+        known |= given
+        for name in ELASTIC:
+            if name not in known:
                 raise InvalidInput(name, None, "not_sourced", material=self.name)
-        assert modulus is not None and ratio is not None
-        limits = {each.criterion == "static": each for each in reversed(self.limits)}
-        static = limits.get(True)
+        static = [float(each.pressure) for each in self.limits if each.criterion == "static"]
         return ElasticMaterial(
-            modulus,
-            ratio,
-            limits.get(False),
-            None if self.hardened else self._strength,
+            **known,
+            limit=next((each for each in self.limits if each.criterion != "static"), None),
+            yield_strength=None if self.hardened else self._strength,
             yield_governs=not self.hardened and self.group != "bronze",
-            static_pressure=None if static is None else float(static.pressure),
-            least_modulus=least,
+            static_pressure=next(iter(static), None),
+            **least,
             plastic=self._plastic if self.group in PLASTICS else None,
         )
 
@@ -146,35 +150,34 @@ class TableMaterial:
 
     @property
     def _plastic(self) -> Plastic:
-        friction, softening = self.facts.get("friction"), self.facts.get("softening")
-        sure = softening is not None and softening.seen == "two"
+        values = {name: each.value for name, each in self.facts.items()}
+        sure = {name: each.value for name, each in self.facts.items() if each.seen == "two"}
         return Plastic(
-            layered=self.layered,
-            friction=None if friction is None else friction.value,
-            softening=softening.value if softening is not None and sure else None,
+            layered=self.layered, friction=values.get("friction"), softening=sure.get("softening")
         )
+
+
+NOT_LISTED = TableMaterial("", "", "", {}, "", layered=True)
+"""A material that is given by values alone."""
 
 
 def by_values(
     *,
-    base: TableMaterial | None = None,
-    youngs_modulus: float | None = None,
-    poissons_ratio: float | None = None,
+    base: TableMaterial = NOT_LISTED,
     limit: ContactLimit | None = None,
     tensile_strength: float | None = None,
     yield_strength: float | None = None,
     layers: Layers | None = None,
     long_term_factor: float | None = None,
+    **moduli: float,
 ) -> ElasticMaterial:
     """A material by values.
 
     Parameters
     ----------
-    base : TableMaterial, optional
-        Whose values are taken where none are given; without one it is a plastic where its modulus
-        is below `SOFT`.
-    youngs_modulus, poissons_ratio : float, optional
-        E, Pa, and v.
+    base : TableMaterial
+        Whose values are taken where none are given; of one that is not listed it is a plastic where
+        its modulus is below `SOFT`.
     limit : ContactLimit, optional
         What its contact pressure is judged by.
     tensile_strength, yield_strength : float, optional
@@ -183,6 +186,8 @@ def by_values(
         How the layers of a printed plastic lie.
     long_term_factor : float, optional
         Strength in the long run over that of a short test.
+    **moduli : float
+        `youngs_modulus` E, Pa, and `poissons_ratio` v.
 
     Returns
     -------
@@ -199,10 +204,9 @@ def by_values(
     >>> own.loaded_strength("hole"), own.loaded_strength("pin")
     (44000000.0, None)
     """
-    own = base or TableMaterial("", "", "", (None, None), "", layered=True)
-    made = own.having(youngs_modulus=youngs_modulus, poissons_ratio=poissons_ratio)
+    made = base.having(**moduli)
     plastic = made.plastic
-    if base is None and made.youngs_modulus < SOFT:
+    if base is NOT_LISTED and made.youngs_modulus < SOFT:
         plastic = Plastic()
     strength = yield_strength
     if plastic is not None:

@@ -4,7 +4,7 @@ import re
 from dataclasses import replace
 
 from core.contact_life import LifeCurve
-from core.material_record import Fact, Seen, Strength, TableMaterial
+from core.material_record import ELASTIC, Fact, Range, Seen, Strength, TableMaterial
 from core.materials import ContactLimit, Criterion
 
 LIFE_CURVES: dict[str, LifeCurve] = {
@@ -19,22 +19,22 @@ def _limit(criterion: Criterion, pressure_MPa: float, source: str) -> ContactLim
     return ContactLimit(criterion, pressure_MPa * 1e6, source, LIFE_CURVES.get(source))
 
 
-def _strength(
-    tensile_MPa: float | None, yield_MPa: float | None, size_mm: float | None, source: str
-) -> Strength:
-    return Strength(
-        tensile=None if tensile_MPa is None else tensile_MPa * 1e6,
-        yield_strength=None if yield_MPa is None else yield_MPa * 1e6,
-        valid_diameter=None if size_mm is None else size_mm / 1e3,
-        source=source,
-    )
+def _strength(source: str, **known: float) -> Strength:
+    """Strength by what is known of it: `tensile_MPa`, `yield_MPa`, and the `size_mm` of both."""
+    units = {
+        "tensile_MPa": ("tensile", 1e6),
+        "yield_MPa": ("yield_strength", 1e6),
+        "size_mm": ("valid_diameter", 1e-3),
+    }
+    own = {name: known[given] * unit for given, (name, unit) in units.items() if given in known}
+    return Strength(**own, source=source)
 
 
 def _entry(
     name: str,
     title: str,
     group: str,
-    moduli: tuple[float | None, float | None],
+    moduli: tuple[float, ...],
     source: str,
     *limits: ContactLimit,
     strength: Strength | None = None,
@@ -42,13 +42,13 @@ def _entry(
     hardened: bool = False,
     **facts: Fact,
 ) -> TableMaterial:
-    modulus_GPa, ratio = moduli
+    units = zip(ELASTIC, moduli, (1e9, 1.0), strict=False)
     density_kg_m3, weighed = density or (None, "")
     return TableMaterial(
         name,
         title,
         group,
-        (None if modulus_GPa is None else modulus_GPa * 1e9, ratio),
+        {name: value * unit for name, value, unit in units},
         source,
         limits,
         strength or Strength(),
@@ -62,7 +62,7 @@ def _entry(
 def _printed(
     name: str,
     title: str,
-    moduli: tuple[float, float | None],
+    moduli: tuple[float, ...],
     source: str,
     *,
     density: tuple[float, str],
@@ -80,12 +80,12 @@ def _printed(
     return replace(entry, layered=layered, facts={"strength_in_plane": strength_in_plane, **facts})
 
 
-def _GPa(value: float, low: float, high: float, source: str, seen: Seen = "two") -> Fact:  # noqa: N802
-    return Fact(value * 1e9, source, low * 1e9, high * 1e9, seen)
+def _GPa(value: float, low: float, high: float, source: str, seen: Seen = "two") -> Range:  # noqa: N802
+    return Range(value * 1e9, source, low * 1e9, high * 1e9, seen=seen)
 
 
-def _MPa(value: float, low: float, high: float, source: str, seen: Seen = "two") -> Fact:  # noqa: N802
-    return Fact(value * 1e6, source, low * 1e6, high * 1e6, seen)
+def _MPa(value: float, low: float, high: float, source: str, seen: Seen = "two") -> Range:  # noqa: N802
+    return Range(value * 1e6, source, low * 1e6, high * 1e6, seen=seen)
 
 
 _ISO_6336_2 = "ISO 6336-2, table of elasticity factors"
@@ -103,7 +103,12 @@ MATERIALS: dict[str, TableMaterial] = {
             (210.0, 0.3),
             "EN 1993-1-1, 3.2.6",
             _limit("endurance", 120 + 190, "iso_6336_5_normalized"),
-            strength=_strength(360, 225, 40, "EN 10025-2; as in readle.co.uk and Five Steel Pipe"),
+            strength=_strength(
+                "EN 10025-2; as in readle.co.uk and Five Steel Pipe",
+                tensile_MPa=360,
+                yield_MPa=225,
+                size_mm=40,
+            ),
             density=_STEEL_DENSITY,
         ),
         _entry(
@@ -113,7 +118,12 @@ MATERIALS: dict[str, TableMaterial] = {
             (210.0, 0.3),
             "EN 1993-1-1, 3.2.6",
             _limit("endurance", 160 + 190, "iso_6336_5_normalized"),
-            strength=_strength(470, 345, 40, "EN 10025-2; as in readle.co.uk and Five Steel Pipe"),
+            strength=_strength(
+                "EN 10025-2; as in readle.co.uk and Five Steel Pipe",
+                tensile_MPa=470,
+                yield_MPa=345,
+                size_mm=40,
+            ),
             density=_STEEL_DENSITY,
         ),
         _entry(
@@ -123,7 +133,12 @@ MATERIALS: dict[str, TableMaterial] = {
             (206.0, 0.3),
             _ISO_6336_2,
             _limit("endurance", 1.313 * 300 + 188, "iso_6336_5_hardness"),
-            strength=_strength(900, 650, 100, "EN 10083-3; as in Saarstahl and Key to Metals"),
+            strength=_strength(
+                "EN 10083-3; as in Saarstahl and Key to Metals",
+                tensile_MPa=900,
+                yield_MPa=650,
+                size_mm=100,
+            ),
             density=_STEEL_DENSITY,
         ),
         _entry(
@@ -133,7 +148,12 @@ MATERIALS: dict[str, TableMaterial] = {
             (206.0, 0.3),
             _ISO_6336_2,
             _limit("endurance", 175 + 190, "iso_6336_5_normalized"),
-            strength=_strength(580, 305, 100, "EN 10083-2; as in Saarstahl and Lucefin"),
+            strength=_strength(
+                "EN 10083-2; as in Saarstahl and Lucefin",
+                tensile_MPa=580,
+                yield_MPa=305,
+                size_mm=100,
+            ),
             density=_STEEL_DENSITY,
         ),
         _entry(
@@ -164,7 +184,9 @@ MATERIALS: dict[str, TableMaterial] = {
             "cast_iron",
             (118.0, 0.3),
             _ISO_6336_2,
-            strength=_strength(195, None, 40, "EN 1561; as in modelleriazuin.it, iron-foundry.com"),
+            strength=_strength(
+                "EN 1561; as in modelleriazuin.it, iron-foundry.com", tensile_MPa=195, size_mm=40
+            ),
             density=(7200.0, "two public tables, 7200 and 7250"),
             youngs_modulus=_GPa(118, 98, 118, f"{_ISO_6336_2}; MITCalc has 98"),
         ),
@@ -174,7 +196,12 @@ MATERIALS: dict[str, TableMaterial] = {
             "cast_iron",
             (173.0, 0.3),
             _ISO_6336_2,
-            strength=_strength(400, 250, 30, "EN 1563; as in iron-foundry.com and MITCalc"),
+            strength=_strength(
+                "EN 1563; as in iron-foundry.com and MITCalc",
+                tensile_MPa=400,
+                yield_MPa=250,
+                size_mm=30,
+            ),
         ),
         _entry(
             "aluminium_6061_t6",
@@ -182,7 +209,9 @@ MATERIALS: dict[str, TableMaterial] = {
             "aluminium",
             (68.9, 0.33),
             "Aluminum Association, as in MatWeb",
-            strength=_strength(262, 241, None, "least, 38 and 35 ksi: 49 CFR 178.46, table 2"),
+            strength=_strength(
+                "least, 38 and 35 ksi: 49 CFR 178.46, table 2", tensile_MPa=262, yield_MPa=241
+            ),
             density=(2700.0, "Aluminum Association, as in MatWeb"),
             yield_strength=_MPa(241, 241, 276, "49 CFR 178.46; usual: Aluminum Association"),
         ),
@@ -192,7 +221,9 @@ MATERIALS: dict[str, TableMaterial] = {
             "aluminium",
             (70.0, 0.33),
             "MakeItFrom and DIN 1725 tables, 69 to 71 GPa",
-            strength=_strength(290, 250, None, "guaranteed, walls below 5 mm: APAC; DIN 1725"),
+            strength=_strength(
+                "guaranteed, walls below 5 mm: APAC; DIN 1725", tensile_MPa=290, yield_MPa=250
+            ),
             density=(2700.0, "MakeItFrom and APAC"),
             youngs_modulus=_GPa(70, 69, 71, "MakeItFrom and DIN 1725 tables"),
             yield_strength=_MPa(250, 250, 260, "APAC: below and above 5 mm of wall; DIN 1725"),
@@ -203,7 +234,9 @@ MATERIALS: dict[str, TableMaterial] = {
             "aluminium",
             (71.7, 0.33),
             "Wikipedia and ASM tables",
-            strength=_strength(510, 430, None, "least: Wikipedia 7075, 510 to 540 and 430 to 480"),
+            strength=_strength(
+                "least: Wikipedia 7075, 510 to 540 and 430 to 480", tensile_MPa=510, yield_MPa=430
+            ),
             density=(2810.0, "Wikipedia, SubsTech and ASM tables"),
             yield_strength=_MPa(430, 430, 503, "Wikipedia; usual: SubsTech and ASM tables"),
         ),
@@ -211,9 +244,11 @@ MATERIALS: dict[str, TableMaterial] = {
             "bronze_c93200",
             "Bearing bronze C93200 (SAE 660, CC493K, Rg7)",
             "bronze",
-            (None, None),
+            (),
             "no source of two was found",
-            strength=_strength(241, 138, None, "least: Dura-Bar Metals and Diversified Bronze"),
+            strength=_strength(
+                "least: Dura-Bar Metals and Diversified Bronze", tensile_MPa=241, yield_MPa=138
+            ),
             density=(8910.0, "Dura-Bar Metals and Diversified Bronze"),
         ),
         _entry(
@@ -231,7 +266,9 @@ MATERIALS: dict[str, TableMaterial] = {
             (88.3, 0.35),
             _WORM,
             _limit("endurance_mean", 425.0, "iso_14521"),
-            strength=_strength(280, 150, None, "EN 1982; as in MITCalc and Metalurgija"),
+            strength=_strength(
+                "EN 1982; as in MITCalc and Metalurgija", tensile_MPa=280, yield_MPa=150
+            ),
             density=(8700.0, "Finkelstein Metals CC483K and public tables"),
         ),
         _entry(
@@ -240,7 +277,9 @@ MATERIALS: dict[str, TableMaterial] = {
             "bronze",
             (98.1, 0.35),
             _WORM,
-            strength=_strength(300, 180, None, "EN 1982, table 21; as in symetal.kr and MITCalc"),
+            strength=_strength(
+                "EN 1982, table 21; as in symetal.kr and MITCalc", tensile_MPa=300, yield_MPa=180
+            ),
             density=(8600.0, "Kemper, CuSn12Ni2-C; MakeItFrom, within 2 %"),
         ),
         _entry(
@@ -257,7 +296,12 @@ MATERIALS: dict[str, TableMaterial] = {
             "brass",
             (97.0, 0.34),
             "Copper Development Association, data sheet of CW614N",
-            strength=_strength(410, 200, 14, "R410: Aurubis and EN 12164 tables, the lower yield"),
+            strength=_strength(
+                "R410: Aurubis and EN 12164 tables, the lower yield",
+                tensile_MPa=410,
+                yield_MPa=200,
+                size_mm=14,
+            ),
         ),
         _entry(
             "plastic_pom",
@@ -265,7 +309,7 @@ MATERIALS: dict[str, TableMaterial] = {
             "plastic",
             (2.8, 0.35),
             f"{_DATA_SHEETS}, short time",
-            strength=_strength(None, 61, None, "TECAFORM AH and Penn Fibre, 23 degrees C"),
+            strength=_strength("TECAFORM AH and Penn Fibre, 23 degrees C", yield_MPa=61),
             density=(1400.0, "TECAFORM AH and Delrin data sheets, 1390 to 1410"),
             youngs_modulus=_GPa(2.8, 2.6, 3.1, "TECAFORM AH, Penn Fibre and Delrin data sheets"),
             friction=Fact(0.2, "VDI 2736, dry on steel, as in GEARpie", seen="one"),
@@ -292,7 +336,7 @@ MATERIALS: dict[str, TableMaterial] = {
             "plastic",
             (3.7, 0.38),
             _DATA_SHEETS,
-            strength=_strength(97, None, None, "Victrex 450G and MakeItFrom, 23 degrees C"),
+            strength=_strength("Victrex 450G and MakeItFrom, 23 degrees C", tensile_MPa=97),
             density=(1300.0, "Victrex 450G and Wikipedia, 1300 to 1320"),
             youngs_modulus=_GPa(3.7, 3.6, 4.0, "Victrex 450G, Wikipedia and MakeItFrom"),
         ),
@@ -311,22 +355,22 @@ MATERIALS: dict[str, TableMaterial] = {
                 23, 23, 65, "PolyTerra (Polymaker 2023) 23.2, Stratasys 26 flat and 45 on edge"
             ),
             strength_across=_MPa(12, 12, 45, "PolyTerra (Polymaker 2023) 12.2", "one"),
-            softening=Fact(51.0, "Stratasys 51, PolyTerra 52: HDT under 1.8 MPa", 51.0, 52.0),
-            friction=Fact(0.76, "Materials Science-Poland 43 (2025), dry", 0.62, 0.76, "one"),
-            wear_rate=Fact(
-                4.4e-13, "from Materials Science-Poland 43 (2025), dry", 1e-13, 4.4e-13, "one"
+            softening=Range(51.0, "Stratasys 51, PolyTerra 52: HDT under 1.8 MPa", 51.0, 52.0),
+            friction=Range(0.76, "Materials Science-Poland 43 (2025), dry", 0.62, 0.76, seen="one"),
+            wear_rate=Range(
+                4.4e-13, "from Materials Science-Poland 43 (2025), dry", 1e-13, 4.4e-13, seen="one"
             ),
         ),
         _printed(
             "plastic_petg_printed",
             "PETG, printed",
-            (2.1, None),
+            (2.1,),
             "CR-3D, designerdata.nl; no source of Poisson's ratio was found",
             density=(1270.0, "CR-3D and Polydx"),
             youngs_modulus=_GPa(2.1, 2.0, 3.0, "designerdata.nl 2.0, CR-3D 3.0"),
             strength_in_plane=_MPa(44, 44, 56, "additive.tools, a compilation", "one"),
             strength_across=_MPa(25, 25, 38, "additive.tools, a compilation", "one"),
-            softening=Fact(69.0, "Polydx 69: HDT under 1.8 MPa; CR-3D 78", 69.0, 78.0),
+            softening=Range(69.0, "Polydx 69: HDT under 1.8 MPa; CR-3D 78", 69.0, 78.0),
         ),
         _printed(
             "plastic_abs_printed",
@@ -337,7 +381,7 @@ MATERIALS: dict[str, TableMaterial] = {
             youngs_modulus=_GPa(2.4, 1.4, 2.5, "Kimya 1.4, CR-3D 2.4, Stratasys ABS-M30 2.4"),
             poissons_ratio=Fact(0.37, "MatWeb, as in FreeCAD", seen="one"),
             strength_in_plane=_MPa(33, 33, 40, "Stratasys ABS-M30 33 and 36, Kimya 34.5 and 35.3"),
-            softening=Fact(90.0, "hyiger FDM 90 to 98, CR-3D 95, CCT Precision 104", 90.0, 104.0),
+            softening=Range(90.0, "hyiger FDM 90 to 98, CR-3D 95, CCT Precision 104", 90.0, 104.0),
             friction=Fact(0.35, "CCT Precision, moulded, dry on steel", seen="one"),
         ),
         _printed(
@@ -359,19 +403,19 @@ MATERIALS: dict[str, TableMaterial] = {
             density=(1000.0, "HP 1010, additive.tools 880 to 1010"),
             layered=False,
             youngs_modulus=_GPa(1.7, 1.4, 1.8, "3D Systems 1.4, HP 1.8"),
-            poissons_ratio=Fact(0.43, "HP: 0.43 to 0.47", 0.43, 0.47, "one"),
+            poissons_ratio=Range(0.43, "HP: 0.43 to 0.47", 0.43, 0.47, seen="one"),
             strength_in_plane=_MPa(43, 43, 54, "3D Systems 43, HP 48 in either direction"),
         ),
         _printed(
             "plastic_pa_cf_printed",
             "Polyamide with carbon fibres, printed (PA6-CF, PA12-CF)",
-            (7.5, None),
+            (7.5,),
             "CR-3D 2022 and 2025, which differ; no source of Poisson's ratio was found",
             density=(1190.0, "CR-3D, PA6-CF; PA12-CF 1080"),
             youngs_modulus=_GPa(7.5, 7.4, 14.2, "CR-3D: 7.5 in 2025, 14.2 in 2022", "one"),
             strength_in_plane=_MPa(90, 90, 105, "CR-3D, of the filament's material", "one"),
             strength_across=_MPa(36, 36, 36, "one private test of PA612-CF", "one"),
-            softening=Fact(140.0, "CR-3D: 140 in 2025, 190 in 2022", 140.0, 190.0, "one"),
+            softening=Range(140.0, "CR-3D: 140 in 2025, 190 in 2022", 140.0, 190.0, seen="one"),
         ),
     )
 }

@@ -19,7 +19,7 @@ from app.units import from_si, to_si
 from core.design.ring import CycloidRing
 from core.errors import InvalidInput
 from core.output.real_mechanism import Deviations, RealMechanism
-from core.output.satellite_support import ElasticMesh, RingInSeries, Shares
+from core.output.satellite_support import RingInSeries, SatelliteSupport
 from core.ring.series import MeshesInSeries, SeriesPosition
 from core.ring.sharing import CycloidMesh, RingDeviations
 
@@ -76,8 +76,8 @@ class SeriesCouplingFields(SatelliteCouplingFields, group="satellite_coupling"):
 class DesignCouplingFields(SeriesCouplingFields, group="satellite_coupling"):
     """How the satellites of a design share the torque."""
 
-    def section(self, _: Any = None) -> ElasticMesh | Shares | RingInSeries | None:  # type: ignore[override]
-        """The coupling in SI units; none where it is rigid."""
+    def section(self, _: Any = None) -> SatelliteSupport:
+        """The coupling in SI units."""
         return RingInSeries() if self.kind == "ring" else super().section()
 
 

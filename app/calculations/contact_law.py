@@ -68,7 +68,7 @@ class ContactLawFields(RequestModel, group="contact_law"):
 def law_by_materials(contact: Any) -> ContactLaw:
     """The law of contact where none is named; without a contact, which is refused, any."""
     if contact is None:
-        return usual_law(pin=None, hole=None)
+        return HertzLaw()
     pin, hole = material_of(contact.pin_material), material_of(contact.hole_material)
     return usual_law(pin=pin, hole=hole)
 

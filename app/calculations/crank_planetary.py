@@ -33,6 +33,7 @@ from core.checks.shares import disc_shares
 from core.derived import if_known
 from core.design.results import MOST_IN_SERIES
 from core.fixes.fix import Fix
+from core.material_record import NOT_LISTED
 from core.results import Notice
 
 
@@ -64,8 +65,8 @@ def _cold_values(body: CrankPlanetaryRequest, cold: ColdYield) -> Values:
     assert body.contact is not None
     given = getattr(body.contact, f"{cold.body}_material")
     own = not isinstance(given, str) and (given.yield_strength_MPa or given.tensile_strength_MPa)
-    entry = None if own else entry_of(given)
-    return ColdYieldOut.values(cold, source=entry and entry.strength.source)
+    entry = NOT_LISTED if own else entry_of(given)
+    return ColdYieldOut.values(cold, source=entry.strength.source or None)
 
 
 def _notices(body: CrankPlanetaryRequest) -> tuple[Notice, ...]:

@@ -254,9 +254,8 @@ class DesignFields(GivingFields):
     def as_made(self) -> bool:
         """Whether clearance, deviations, a law of contact or satellites that give are given."""
         loose = self.contact is not None and self._clearance_mm(self.contact) > 0
-        sections = (self.contact_law, self.support)
         made = self.deviations is not None and not self.deviations.of_ring_alone
-        return loose or made or any(each is not None for each in sections)
+        return loose or made or self.support.first_order or self.contact_law is not None
 
     def _clearance_mm(self, contact: PinContactFields) -> float:
         """Radial clearance with what rollers add to one that is known."""

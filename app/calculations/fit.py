@@ -46,6 +46,7 @@ from core.output.mechanism import Mechanism
 from core.output.pin_geometry import SLIPPED, slip_notices
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.room import POSITIONS
+from core.output.satellite_support import RIGID_SUPPORT
 from core.precision import ROUNDING
 from core.results import Accuracy, Notice
 
@@ -119,7 +120,8 @@ class FitRequest(RequestModel, group="positions"):
 
     def fit(self) -> Fit:
         """The pins in their holes, in SI units; bearings that give do so in first order."""
-        support = None if self.crank_support is None else self.crank_support.section()
+        given = self.crank_support
+        support = RIGID_SUPPORT if given is None else given.section()
         return Fit(
             RealMechanism(
                 mechanism=self.built,
@@ -127,7 +129,7 @@ class FitRequest(RequestModel, group="positions"):
                 **self.contact.sizes(),
                 law=law_by_materials(self.contact),
                 deviations=Deviations() if self.deviations is None else self.deviations.section(),
-                exact=support is None,
+                exact=not support.first_order,
                 support=support,
             )
         )

@@ -48,7 +48,7 @@ from core.hertz import (
     hertz,
     pressure_profile,
 )
-from core.material_record import GROUPS, TableMaterial, by_values
+from core.material_record import GROUPS, NOT_LISTED, TableMaterial, by_values
 from core.material_table import ALIASES, ELASTOMERS, MATERIALS, NAMES, SEVERAL, plain_name
 from core.materials import LIMIT_SOURCES, ContactLimit, Criterion, ElasticMaterial, Layers
 from core.results import Notice
@@ -159,7 +159,7 @@ class MaterialFields(RequestModel, group="material"):
 
     @model_validator(mode="after")
     def _named_or_elastic(self) -> Self:
-        if self.base is not None:
+        if self.base is not NOT_LISTED:
             _refuse_missing(self.base, self)
             return self
         pair = ("youngs_modulus_GPa", "poissons_ratio")
@@ -171,9 +171,9 @@ class MaterialFields(RequestModel, group="material"):
         return self
 
     @property
-    def base(self) -> TableMaterial | None:
+    def base(self) -> TableMaterial:
         """The material of the table whose values are taken where none are given."""
-        return None if self.name is None else MATERIALS[self.name]
+        return NOT_LISTED if self.name is None else MATERIALS[self.name]
 
     def material(self) -> ElasticMaterial:
         """The material in SI units."""
@@ -189,7 +189,7 @@ def material_of(given: str | MaterialFields) -> ElasticMaterial:
     return MATERIALS[given].material if isinstance(given, str) else given.material()
 
 
-def entry_of(given: str | MaterialFields) -> TableMaterial | None:
+def entry_of(given: str | MaterialFields) -> TableMaterial:
     """The material of the table that one is, or has values of."""
     return MATERIALS[given] if isinstance(given, str) else given.base
 
@@ -270,7 +270,7 @@ class ContactFields(RequestModel, group="contact"):
         """What a name of a material does not say."""
         given = (self.pin_material, self.hole_material)
         cast = (Notice("sand_cast"),) if "bronze_tin" in given else ()
-        entries = dict.fromkeys(entry for each in given if (entry := entry_of(each)) is not None)
+        entries = dict.fromkeys(entry_of(each) for each in given)
         weak = (entry.name for entry in entries if entry.reference)
         return cast + tuple(Notice("one_source", {"material": name}) for name in weak)
 

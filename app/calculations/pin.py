@@ -9,6 +9,7 @@ from app.calculations.hertz import MaterialFields
 from app.calculations.mechanism import MAX_SATELLITES
 from app.model import Forms, Kinds, Maybe, RequestModel, Size, quantity
 from app.units import from_si, to_si
+from core.material_record import NOT_LISTED
 from core.material_table import MATERIALS
 from core.output.pin_beam import Support
 from core.output.pin_bolt import PinBolt, bolt_preload
@@ -33,7 +34,7 @@ def strengths_of(given: str | MaterialFields) -> dict[str, Any]:
         }
     material, base = given.material(), given.base
     strengths = (given.tensile_strength_MPa, given.yield_strength_MPa)
-    if base is not None and not any(strengths):
+    if base is not NOT_LISTED and not any(strengths):
         return strengths_of(base.name) | {"material": material}
     low, high = STEEL_GPA
     return {

@@ -20,6 +20,7 @@ from app.model import Maybe, field_error, quantity
 from app.settings import Settings
 from app.units import to_si
 from core.errors import InvalidInput
+from core.output.contact_law import RIGID_PINS
 from core.output.mechanism import Mechanism
 from core.output.members import Members
 from core.output.real_mechanism import Deviations, RealMechanism
@@ -94,7 +95,7 @@ class RealDesignFields(GivingFields, group="contact_law"):
         """How many times as long as of rigid satellites a position takes."""
         if self.tied:
             return TIED_AS_LONG
-        return 1 if self.support is None else TIMES_AS_LONG
+        return TIMES_AS_LONG if self.support.first_order else 1
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse more pairs than a tie ring may join."""
@@ -132,7 +133,7 @@ class RealDesignFields(GivingFields, group="contact_law"):
             pin_circle_radius=to_si("radius_mm", self.load.pin_circle_radius_mm),
             **sizes,
             law=self.contact_law.section(self),
-            pin=None if self.pin is None else self.pin.held(self.contact, inside),
+            pin=RIGID_PINS if self.pin is None else self.pin.held(self.contact, inside),
             deviations=deviations,
             exact=self.geometry == "exact",
             support=self.support,

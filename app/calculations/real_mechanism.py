@@ -30,6 +30,7 @@ from core.output.contact_law import PinSupport
 from core.output.real_mechanism import Deviations
 from core.output.sampled_turn import Direction
 from core.output.satellite_support import (
+    RIGID_SUPPORT,
     CrankSupport,
     ElasticMesh,
     SatelliteSupport,
@@ -181,11 +182,11 @@ class SatelliteCouplingFields(RequestModel, group="satellite_coupling"):
             raise field_error("shares", "sum_not_one", sum=total)
         return self
 
-    def section(self, _: Any = None) -> ElasticMesh | Shares | None:
-        """The coupling in SI units; none where it is rigid."""
+    def section(self, _: Any = None) -> SatelliteSupport:
+        """The coupling in SI units."""
         if self.stiffness_Nm_per_arcmin is not None:
             return ElasticMesh(to_si("stiffness_Nm_per_arcmin", self.stiffness_Nm_per_arcmin))
-        return None if self.shares is None else Shares(tuple(self.shares))
+        return RIGID_SUPPORT if self.shares is None else Shares(tuple(self.shares))
 
 
 class GivingFields(RequestModel):
@@ -227,11 +228,12 @@ class GivingFields(RequestModel):
         return self.satellite_coupling is not None and self.satellite_coupling.kind != "rigid"
 
     @cached_property
-    def support(self) -> SatelliteSupport | None:
-        """What the satellites give; none where they are rigid."""
+    def support(self) -> SatelliteSupport:
+        """What the satellites give."""
         if self.crank_support is not None:
             return self.crank_support.section()
-        return None if self.satellite_coupling is None else self.satellite_coupling.section()
+        given = self.satellite_coupling
+        return RIGID_SUPPORT if given is None else given.section()
 
     def refuse_other_shares(self, satellites: int) -> None:
         """Refuse shares that are not one for each satellite.

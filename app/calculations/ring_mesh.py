@@ -55,7 +55,7 @@ from core.design.ring import CycloidRing, InvoluteRing
 from core.errors import InvalidInput
 from core.output.contact_law import HertzLaw
 from core.output.real_curves import stiffness_curve
-from core.output.satellite_support import Shares
+from core.output.satellite_support import RIGID_SUPPORT, SatelliteSupport, Shares
 from core.output.turn import Turn
 from core.ring.involute import InvolutePair, involute_pair
 from core.ring.loss import RingFriction, ring_loss, sliding_part
@@ -280,11 +280,11 @@ class RingMeshRequest(RequestModel, group="positions"):
         }
 
     @property
-    def support(self) -> Shares | None:
+    def support(self) -> SatelliteSupport:
         """Given shares of the torque."""
         given = self.satellite_coupling
         if given is None or given.shares is None:
-            return None
+            return RIGID_SUPPORT
         return Shares(tuple(given.shares))
 
     @cached_property

@@ -12,6 +12,7 @@ from core.checks.check import MARGIN, Check, Verdict
 from core.checks.crank_planetary import crank_check, crank_checks, of_parts
 from core.design.document import Design, changed
 from core.design.results import Results
+from core.output.satellite_support import RIGID_SUPPORT
 from core.precision import JUDGED
 
 LOOKS = 8
@@ -250,7 +251,7 @@ def _guess(results: Results) -> float | None:
     """
     if not results.in_series:
         return None
-    apart = changed(results.design, {"satellite_coupling": None})
+    apart = changed(results.design, {"satellite_coupling": RIGID_SUPPORT})
     return _Torques(apart, crank_checks(Results(apart))).guessed()
 
 

@@ -176,7 +176,7 @@ def _reason(results: Results, shares: list[float]) -> ShareReason:
         return "pin_bending"
     if results.in_series:
         return "ring_mesh"
-    return "clearance" if design.support is None else "crank_support"
+    return "crank_support" if design.support.first_order else "clearance"
 
 
 def _governed(results: Results, found: Verdict) -> tuple[Governed, ...]:

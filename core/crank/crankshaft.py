@@ -297,7 +297,7 @@ def _made_reactions(
         parts = made_parts(turn=turn, arm=arm, radial_force_ratio=rho)
         reaction = carried @ (parts.load * _cranks(turn.crank_angles)[:, None]) + still[:, None]
         sizes = turn.error * np.abs(parts.load)
-        if turn.of_ring is None:
+        if not parts.solved:
             sizes = sizes + mesh.error * np.abs(parts.ring.real)
         lost = (np.abs(carried) @ sizes).max(axis=1) + still_error
         for row, size in enumerate(np.abs(reaction)):

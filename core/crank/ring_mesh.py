@@ -5,7 +5,7 @@ positive in the direction of the force of the output pins on the satellite: to t
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -32,9 +32,16 @@ class RingMesh:
     notices: tuple[Notice, ...] = ()
 
 
+@dataclass(frozen=True, slots=True)
+class InvoluteMesh(RingMesh):
+    """The same of involute teeth."""
+
+    operating_pressure_angle: Number = field(kw_only=True)  # alpha_w, rad
+
+
 def involute_mesh(
     *, module: Number, teeth_difference: Number, pressure_angle: Number, eccentricity: Number
-) -> RingMesh:
+) -> InvoluteMesh:
     """Involute teeth: the force along the crank has the direction of the pins' force.
 
     ``rho = tan(alpha_w)``, ``cos(alpha_w) = m*(z3 - z2)*cos(alpha)/(2*e)``.
@@ -52,7 +59,7 @@ def involute_mesh(
 
     Returns
     -------
-    RingMesh
+    InvoluteMesh
         With a positive ratio.
 
     Raises
@@ -76,11 +83,11 @@ def involute_mesh(
     sine = np.sqrt((1 - cosine) * (1 + cosine))
     angle = np.arctan2(sine, cosine)
     steep = every(angle <= STEEP)
-    return RingMesh(
+    return InvoluteMesh(
         _plain(sine / cosine),
-        _plain(angle),
-        8 * ROUNDING / float(np.square(np.maximum(sine, 1e-8)).min()),
-        () if steep else (Notice("steep_mesh"),),
+        operating_pressure_angle=_plain(angle),
+        error=8 * ROUNDING / float(np.square(np.maximum(sine, 1e-8)).min()),
+        notices=() if steep else (Notice("steep_mesh"),),
     )
 
 

@@ -190,7 +190,6 @@ def satellite_bearings(
     check_positive(peak_torque=static_torque)
     check_not_negative(centrifugal=centrifugal)
     ratio = mechanism.ratio
-    spinning = bool(np.any(centrifugal))
     if made is None:
         ideal = partial(
             _ideal_loads,
@@ -211,12 +210,14 @@ def satellite_bearings(
                 part = rest / distribution_factor * across
                 others = ideal(across=part, centrifugal=centrifugal)
         more = static_torque / output_torque
-        if spinning and static_rating is not None:
+
+        def static_loads() -> FloatArray:
+            if not np.any(centrifugal):
+                return np.asarray(more)[..., None] * loads.most
             still = ideal(across=more * across)
             spun = ideal(across=more * across, centrifugal=centrifugal)
-            static = np.maximum(still.most, spun.most)
-        else:
-            static = np.asarray(more)[..., None] * loads.most
+            return np.maximum(still.most, spun.most)
+
     else:
         check_single(output_torque=output_torque, peak_torque=peak_torque)
         ways = WAYS[torque_direction]
@@ -226,28 +227,30 @@ def satellite_bearings(
             return _made_loads(turns, eccentricity * ratio, mesh, relief, EXPONENTS[kind])
 
         loads = others = solved(output_torque, centrifugal)
-        static = loads.most
-        if static_rating is not None:
+
+        def static_loads() -> FloatArray:
             reliefs = {0.0, float(centrifugal)}
-            static = np.maximum.reduce([solved(static_torque, each).most for each in reliefs])
+            most = [solved(static_torque, each).most for each in reliefs]
+            return np.asarray(np.maximum.reduce(most))
+
     equivalent = np.asarray(ring_factor)[..., None] * loads.mean
     basic = life = safety = together = None
     factor = reliability_factor(percent=reliability_percent)
+    error = loads.accuracy.relative_error
     if dynamic_rating is not None and relative_speed is not None and every(relative_speed > 0):
         turning = 1e6 * 2 * math.pi / np.asarray(relative_speed)[..., None]
         lasting = partial(_lives, rating=dynamic_rating, kind=kind)
         basic = turning * lasting(equivalent)
         life = factor * basic
+        error = max(error, EXPONENTS[kind] * loads.mean_error)
         if weibull_slope is not None:
             longer = lasting(np.asarray(ring_factor)[..., None] * others.mean)
             together = _together(life, factor * turning * longer, weibull_slope)
     if static_rating is not None:
         check_positive(static_rating=static_rating)
+        static = static_loads()
         rating = np.asarray(static_rating, dtype=np.float64)[..., None]
         safety = np.where(static > 0, rating / np.where(static > 0, static, rating), math.inf)
-    error = loads.accuracy.relative_error
-    if basic is not None:
-        error = max(error, EXPONENTS[kind] * loads.mean_error)
     accuracy = loads.accuracy._replace(relative_error=error + 8 * ROUNDING)
     return SatelliteBearings(
         relative_speed=relative_speed,
@@ -387,7 +390,7 @@ def _made_loads(
     loads, rings, means, missed, ratios = [], [], [], [], []
     for turn in turns:
         parts = made_parts(turn=turn, arm=arm, radial_force_ratio=float(mesh.radial_force_ratio))
-        off = mesh.error * max(1.0, abs(parts.ratio)) if turn.of_ring is None else 0.0
+        off = 0.0 if parts.solved else mesh.error * max(1.0, abs(parts.ratio))
         held = parts.load - centrifugal
         load = np.abs(held)
         loads.append(load)
@@ -415,6 +418,7 @@ class MadeParts:
     load: ComplexArray
     ring: ComplexArray  # of the ring alone, likewise
     ratio: float  # of the ring's force along the cranks to that across them; its mean where solved
+    solved: bool = False  # whether the ring's force is solved; else it has the ratio that is given
 
 
 def made_parts(*, turn: SampledTurn, arm: float, radial_force_ratio: float) -> MadeParts:
@@ -437,7 +441,7 @@ def made_parts(*, turn: SampledTurn, arm: float, radial_force_ratio: float) -> M
     if turn.of_ring is not None:
         along, turned = (turn.mean(each).sum() for each in (turn.of_ring.real, turn.of_ring.imag))
         ratio = float(along / abs(turned))
-        return MadeParts(turn.on_satellites + turn.of_ring, turn.of_ring, ratio)
+        return MadeParts(turn.on_satellites + turn.of_ring, turn.of_ring, ratio, solved=True)
     across = turn.couple / arm
     ring = radial_force_ratio * np.abs(across) + 1j * across
     return MadeParts(turn.on_satellites + ring, ring, radial_force_ratio)

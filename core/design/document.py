@@ -35,11 +35,9 @@ from core.output.pin_beam import check_apart
 from core.output.pin_section import MOST_BORE
 from core.output.real_mechanism import Deviations
 from core.output.satellite_support import (
-    CrankSupport,
-    ElasticMesh,
+    RIGID_SUPPORT,
     RingInSeries,
     SatelliteSupport,
-    Shares,
 )
 from core.precision import AS_TYPED, SAME
 from core.ring.sharing import RingDeviations
@@ -91,7 +89,7 @@ class Design:
         How a pair gives; by Hertz where that is not stated.
     deviations : Deviations or None
         Of this piece, where they are stated.
-    crank_support, satellite_coupling : SatelliteSupport or None
+    crank_support, satellite_coupling : SatelliteSupport
         What the satellites give, where that is stated, in one way: the geometry is of first order
         then. Or that both meshes are in series.
 
@@ -109,8 +107,8 @@ class Design:
     contact: Contact = _optional("contact")
     contact_law: ContactLaw | None = None
     deviations: Deviations | None = None
-    crank_support: CrankSupport | None = None
-    satellite_coupling: ElasticMesh | Shares | RingInSeries | None = None
+    crank_support: SatelliteSupport = RIGID_SUPPORT
+    satellite_coupling: SatelliteSupport = RIGID_SUPPORT
     pin: DesignPin = _optional("pin")  # how it is held, bends and breaks
     fatigue: FatigueBasis = _optional("fatigue")  # what that of the pins is judged by
     friction: Friction = _optional("friction")
@@ -125,7 +123,7 @@ class Design:
     def __post_init__(self) -> None:
         self._check_peak()
         self._check_distribution()
-        if self.tied and self.support is not None:
+        if self.tied and self.support.first_order:
             raise InvalidInput("pin.support", self.pin.support, "only_one", field="support")
         self._check_places()
         self._check_rollers()
@@ -227,10 +225,10 @@ class Design:
             raise InvalidInput("load.peak_torque", peak, "below_working", limit=working)
 
     @property
-    def support(self) -> SatelliteSupport | None:
-        """What the satellites give by themselves; None where they are rigid."""
-        coupling = self.satellite_coupling
-        return self.crank_support or (None if isinstance(coupling, RingInSeries) else coupling)
+    def support(self) -> SatelliteSupport:
+        """What the satellites give by themselves."""
+        held = self.crank_support
+        return held if held.first_order else self.satellite_coupling
 
     @property
     def in_series(self) -> bool:
@@ -239,8 +237,12 @@ class Design:
         nothing else is stated of.
         """
         gear, contact = self.gear, self.contact
-        asked = isinstance(self.satellite_coupling, RingInSeries) and self.crank_support is None
-        if not asked or not gear or gear.kind != "cycloid" or gear.modification is None:
+        if (
+            not isinstance(self.support, RingInSeries)
+            or not gear
+            or gear.kind != "cycloid"
+            or gear.modification is None
+        ):
             return False
         known = self.touching and contact.clearance is not None and not self.clearance_unknown
         return known and not self.tied and contact.distribution_factor == 1
@@ -265,11 +267,12 @@ class Design:
         """Whether clearance, deviations, a law of contact or satellites that give are stated, or
         both meshes are in series.
         """
-        stated = (self.contact_law, self.output_deviations, self.support)
+        stated = (self.contact_law, self.output_deviations)
         clearance = (self.contact.clearance or 0.0) if self.contact else 0.0
         if self.touching and not self.clearance_unknown:
             clearance += self.roller_play
-        given = clearance > 0 or any(each is not None for each in stated)
+        given = clearance > 0 or self.support.first_order
+        given = given or any(each is not None for each in stated)
         return given or self.in_series
 
     @property

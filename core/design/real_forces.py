@@ -96,6 +96,5 @@ class RealForces:
         HertzContact
         """
         contact, turn = self.real.contact(self.pair, self.force * factor), self.turn.accuracy
-        assert contact is not None
         error = contact.accuracy.relative_error + turn.relative_error
         return contact._replace(accuracy=turn._replace(relative_error=error))

@@ -25,7 +25,7 @@ from core.first_yield import first_yield
 from core.hertz import HertzContact, force_factor, hertz
 from core.materials import Body
 from core.output.contact_force import ContactForce, contact_force
-from core.output.contact_law import ContactLaw, contact_compliance, usual_law
+from core.output.contact_law import RIGID_PINS, ContactLaw, contact_compliance, usual_law
 from core.output.edge_load import EdgeLoad, SlopingContacts
 from core.output.fit import Fit
 from core.output.loaded_position import loaded_position
@@ -181,7 +181,7 @@ class Results:
         """The mechanism as it is made, of at most `MOST_REAL_PAIRS`, or `MOST_GIVING_PAIRS`."""
         design = self.design
         radius, pair = design.load.pin_circle_radius, design.pair
-        most = MOST_REAL_PAIRS if design.support is None else MOST_GIVING_PAIRS
+        most = MOST_GIVING_PAIRS if design.support.first_order else MOST_REAL_PAIRS
         if design.mechanism.pairs > most:
             raise design.too_many(most)
         eccentricity = design.contact.eccentricity
@@ -192,7 +192,7 @@ class Results:
             refusal = InvalidInput("contact.eccentricity", None, "smaller_than", **than)
             raise NotKnown(refusal.code, refusal=refusal)
         bends = design.pin and design.pin.satellite_positions
-        pin = self.bent_pin if bends else None
+        pin = self.bent_pin if bends else RIGID_PINS
         return RealMechanism(
             mechanism=design.mechanism.built,
             pin_circle_radius=radius,
@@ -205,7 +205,9 @@ class Results:
             hole_material=design.lasting["hole"],
             pin=pin,
             deviations=design.output_deviations or Deviations(),
-            exact=design.support is None and not (bends and design.tied) and not self._by_flanks,
+            exact=not design.support.first_order
+            and not (bends and design.tied)
+            and not self._by_flanks,
             support=design.support,
             roller_play=design.roller_play,
         )
@@ -218,9 +220,8 @@ class Results:
     @cached_property
     def law(self) -> ContactLaw:
         """The law of contact of pins in holes: as given, or by their materials."""
-        contact = self.design.contact
-        pin, hole = contact.pin_material, contact.hole_material
-        return self.design.contact_law or usual_law(pin=pin, hole=hole)
+        bodies = self.design.lasting
+        return self.design.contact_law or usual_law(pin=bodies["pin"], hole=bodies["hole"])
 
     @derived
     def grip(self) -> Grip:
@@ -339,7 +340,7 @@ class Results:
     @cached_property
     def compliance(self) -> Callable[[Number], Number]:
         """Approach of a contact over its force, m/N, of forces, N."""
-        contact = self.design.contact
+        bodies = self.design.lasting
         length, pin_radius, hole_radius = self.design.pair
         if not hole_radius > pin_radius:
             than = {"field": "pin_radius", "limit": pin_radius}
@@ -349,8 +350,8 @@ class Results:
             contact_length=length,
             pin_radius=pin_radius,
             hole_radius=hole_radius,
-            pin=contact.pin_material,
-            hole=contact.hole_material,
+            pin=bodies["pin"],
+            hole=bodies["hole"],
         )
 
     @property

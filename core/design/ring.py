@@ -8,7 +8,7 @@ from core.crank.ring_mesh import RingMesh, cycloid_mesh, involute_mesh
 from core.design.sections import DesignPin
 from core.errors import InvalidInput, NotKnown, required
 from core.materials import ElasticMaterial
-from core.output.contact_law import ContactLaw, HertzLaw
+from core.output.contact_law import RIGID_PINS, ContactLaw, HertzLaw
 from core.results import Notice
 from core.ring.involute import HEIGHTS, Cutter, InvoluteTeeth, addendum_of, rack_of
 from core.ring.loss import RingFriction
@@ -172,16 +172,21 @@ class CycloidRing(AnyRing):
         return required(self.ring_pin_radius, "size_missing", "gear.ring_pin_radius")
 
     @property
-    def bent_pin(self) -> DesignPin | None:
+    def known_pin_material(self) -> ElasticMaterial:
+        """Material of the pins, which has to be given."""
+        return required(self.pin_material, "limit_unknown", "gear.pin_material")
+
+    @property
+    def bent_pin(self) -> DesignPin:
         """The pins as they bend, inside their sleeves; not at all in seats."""
         if self.pin_support == "seat":
-            return None
+            raise NotKnown("pins_in_seats")
         inner = self.sleeve_bore_radius or self.known_pin_radius
         return DesignPin(
             support=self.pin_support,
             diameter=2 * inner,
             satellite_positions=self.satellite_positions,
-            material=required(self.pin_material, "limit_unknown", "gear.pin_material"),
+            material=self.known_pin_material,
             span=self.span,
             rotates=self.rotates,
             tensile_strength=self.pin_tensile_strength,
@@ -246,8 +251,8 @@ class CycloidRing(AnyRing):
         """
         return CycloidMesh(
             disc=disc,
-            pin_material=self.pin_material,
-            pin=self.bent_pin,
+            pin_material=self.known_pin_material,
+            pin=RIGID_PINS if self.pin_support == "seat" else self.bent_pin,
             seat_stiffness=self.seat_stiffness,
             **made,
         )

@@ -12,12 +12,12 @@ from core.design.document import Design
 from core.design.pin_fatigue import fatigue_of
 from core.design.refusals import named
 from core.design.sections import DesignPin
-from core.errors import InvalidInput, NotKnown, required
+from core.errors import InvalidInput, NotKnown
 from core.output.over_turn import OverTurn
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
 from core.output.sampled_turn import WAYS, Made
-from core.output.satellite_support import Shares
+from core.output.satellite_support import RIGID_SUPPORT, Shares
 from core.ring.bent_pins import forces_on_ring
 from core.ring.involute import MOST_DIFFERENCE, STANDARD_ANGLES, InvolutePair, involute_pair
 from core.ring.involute_load import InvoluteLoad, RootStress, involute_load, involute_loss
@@ -90,8 +90,10 @@ class RingResults:
             raise NotKnown("cycloid_difference", difference=difference)
         if gear.every_second_pin:
             raise NotKnown("every_second_pin")
-        length = design.ring_length
-        shares = design.support if isinstance(design.support, Shares) else None
+        length, disc_material = design.ring_length, design.disc_material
+        if disc_material is None:
+            raise NotKnown("limit_unknown", "gear.disc_material")
+        shares = design.support if isinstance(design.support, Shares) else RIGID_SUPPORT
         pairs = design.ring_pins * design.mechanism.satellites
         if pairs > MOST_RING_PAIRS:
             raise NotKnown("too_many_ring_pairs", pairs=pairs, limit=MOST_RING_PAIRS)
@@ -103,7 +105,7 @@ class RingResults:
                 disc=disc,
                 crank_angles=design.mechanism.built.crank_angles,
                 contact_length=length,
-                disc_material=design.disc_material,
+                disc_material=disc_material,
                 law=gear.law,
                 deviations=design.ring_deviations,
                 exact=change.rotation == 0,
@@ -228,7 +230,7 @@ class RingResults:
     @property
     def pin(self) -> DesignPin:
         """A pin of the ring that bends."""
-        return required(self.design.cycloid.bent_pin, "pins_in_seats")
+        return self.design.cycloid.bent_pin
 
     @derived
     def pin_stresses(self) -> PinStresses:

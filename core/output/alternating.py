@@ -140,9 +140,10 @@ class WorseTurn:
         self.worse, self.other = (back, driving) if self.reverse else (driving, back)
 
     def __getattr__(self, name: str) -> Any:
-        worst = max if name in LARGER else min if name in LESS else None
         worse = getattr(self.worse, name)
-        return worse if worst is None else worst(worse, getattr(self.other, name))
+        if name in LARGER:
+            return max(worse, getattr(self.other, name))
+        return min(worse, getattr(self.other, name)) if name in LESS else worse
 
     @property
     def max_pressure(self) -> float | None:

@@ -2,7 +2,8 @@
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Self
 
 from core.arrays import Number, check_positive, larger, log
 from core.errors import InvalidInput
@@ -11,7 +12,7 @@ from core.materials import ElasticMaterial, effective_modulus
 from core.output.conformal_law import NO_CURVE, approach_over_load, conformal_curve, end
 from core.output.contact_kernel import pair_law
 from core.output.loop_rows import CONFORMAL, HERTZ, HERTZ_END, LINEAR, POWER, Curve, Law
-from core.output.pin_beam import PinBeam, Support
+from core.output.pin_beam import PinBeam, Support, check_apart
 from core.output.pin_section import PinSection, check_bore
 from core.output.tie_ring import RingJoint, TieRing
 
@@ -52,6 +53,10 @@ class HertzLaw:
     # logarithm.
     reference_depth: float | None = None
 
+    def depth(self, hole_radius: float) -> float:
+        """That depth in a hole of a nominal radius, m."""
+        return hole_radius if self.reference_depth is None else self.reference_depth
+
 
 @dataclass(frozen=True, slots=True)
 class ConformalLaw:
@@ -63,12 +68,12 @@ class ConformalLaw:
 ContactLaw = LinearLaw | PowerLaw | PalmgrenLaw | HertzLaw | ConformalLaw
 
 
-def usual_law(*, pin: ElasticMaterial | None, hole: ElasticMaterial | None) -> ContactLaw:
+def usual_law(*, pin: ElasticMaterial, hole: ElasticMaterial) -> ContactLaw:
     """The law where none is given: by the materials, never by what they do, so that nothing jumps.
 
     Parameters
     ----------
-    pin, hole : ElasticMaterial, optional
+    pin, hole : ElasticMaterial
         The materials.
 
     Returns
@@ -77,12 +82,74 @@ def usual_law(*, pin: ElasticMaterial | None, hole: ElasticMaterial | None) -> C
         Conformal where a body is softer than `core.material_record.SOFT`, whose contacts wrap at
         usual loads; else Hertz's.
     """
-    soft = any(each is not None and each.youngs_modulus < SOFT for each in (pin, hole))
+    soft = min(pin.youngs_modulus, hole.youngs_modulus) < SOFT
     return ConformalLaw() if soft else HertzLaw()
 
 
 @dataclass(frozen=True, slots=True)
-class PinSupport:
+class Pins:
+    """Pins as they are held: rigidly, where no kind of it says how they bend."""
+
+    @property
+    def bends(self) -> bool:
+        """Whether each bends for itself."""
+        return False
+
+    @property
+    def tied(self) -> bool:
+        """Whether a tie ring joins them."""
+        return False
+
+    @property
+    def loosely_tied(self) -> bool:
+        """Whether its joints are pinned, whose clearance is left out."""
+        return False
+
+    def at(self, satellite: int) -> Self:
+        """The pins under one of the satellites alone, counted from 0."""
+        return self
+
+    def bending(self, satellites: int) -> list[float]:
+        """Compliance of a pin at each satellite by its bending, m/N.
+
+        Parameters
+        ----------
+        satellites : int
+            Their number K.
+
+        Raises
+        ------
+        InvalidInput
+            If the pins are not held where that many satellites load them.
+        """
+        return [0.0] * satellites
+
+    def compliance(self, *, satellites: int, contact_length: float, pins: int) -> list[float]:
+        """Of a pin at each satellite, with the wall about its bore, m/N; where a tie ring joins the
+        pins what `tied_compliance` gives.
+
+        Parameters
+        ----------
+        satellites : int
+            Their number K.
+        contact_length : float
+            Length b on which each force presses, m, > 0.
+        pins : int
+            Number N of the pins.
+
+        Raises
+        ------
+        InvalidInput
+            As `bending`, and if satellites reach into each other.
+        """
+        return self.bending(satellites)
+
+
+RIGID_PINS = Pins()
+
+
+@dataclass(frozen=True, slots=True)
+class PinSupport(Pins):
     """How the pins are held, and where the satellites load them."""
 
     # Held at one end, simply supported at both, clamped at both, at one with a tie ring at the
@@ -99,6 +166,60 @@ class PinSupport:
     def section(self) -> PinSection:
         """Its section."""
         return PinSection(self.diameter, self.bore_diameter)
+
+    @property
+    def known_span(self) -> float:
+        """The span, where one is needed.
+
+        Raises
+        ------
+        InvalidInput
+            If it is not given.
+        """
+        if self.span is None:
+            raise InvalidInput("span", None, "needed", field="support")
+        return self.span
+
+    @property
+    def bends(self) -> bool:
+        """Whether no ring joins them."""
+        return not self.tied
+
+    @property
+    def tied(self) -> bool:
+        """Whether a tie ring joins them."""
+        return self.support == "tie_ring"
+
+    @property
+    def loosely_tied(self) -> bool:
+        """Whether its joints are pinned."""
+        return self.tied and self.ring_joint == "pinned"
+
+    def at(self, satellite: int) -> Self:
+        """The same under one satellite."""
+        return replace(
+            self, satellite_positions=self.satellite_positions[satellite : satellite + 1]
+        )
+
+    def _check_count(self, satellites: int) -> None:
+        places = self.satellite_positions
+        if len(places) != satellites:
+            counts = {"expected": satellites, "actual": len(places)}
+            raise InvalidInput("satellite_positions", places, "different_length", **counts)
+
+    def bending(self, satellites: int) -> list[float]:
+        """See `pin_compliance`."""
+        self._check_count(satellites)
+        return [*pin_compliance(self)]
+
+    def compliance(self, *, satellites: int, contact_length: float, pins: int) -> list[float]:
+        """Bending and wall."""
+        self._check_count(satellites)
+        places = self.satellite_positions
+        check_apart(name="satellite_positions", positions=places, width=contact_length)
+        wall = self.wall_compliance(contact_length)
+        alone = [each + wall for each in pin_compliance(self)]
+        return tied_compliance(pin=self, pins=pins, wall=wall) if self.tied else alone
 
     def wall_compliance(self, contact_length: float) -> float:
         """How much the wall about its bore gives under a force, m/N: in series with each contact.
@@ -159,7 +280,6 @@ def pin_compliance(pin: PinSupport) -> tuple[float, ...]:
     shear_modulus = pin.material.youngs_modulus / (2 * (1 + ratio))
     coefficient = pin.section.shear_coefficient(ratio)
     shear = coefficient / (shear_modulus * math.pi * (d**2 - bore**2) / 4)
-    span = pin.span
     compliances = []
     for index, z in enumerate(pin.satellite_positions):
         name = f"satellite_positions[{index}]"
@@ -169,8 +289,7 @@ def pin_compliance(pin: PinSupport) -> tuple[float, ...]:
         if pin.support == "cantilever":
             compliances.append(free)
             continue
-        if span is None:
-            raise InvalidInput("span", span, "needed", field="support")
+        span = pin.known_span
         if not z < span:
             raise InvalidInput(name, z, "smaller_than", field="span", limit=span)
         if pin.support == "tie_ring":  # which gives: see `tied_compliance`
@@ -208,8 +327,7 @@ def ring_of(pin: PinSupport) -> TieRing:
         youngs_modulus=pin.material.youngs_modulus,
         poissons_ratio=pin.material.poissons_ratio,
     )
-    assert pin.span is not None
-    return TieRing(pin.ring_joint, pin.span, beam.rigidity, beam.shear_area)
+    return TieRing(pin.ring_joint, pin.known_span, beam.rigidity, beam.shear_area)
 
 
 def tied_compliance(*, pin: PinSupport, pins: int, wall: float = 0.0) -> list[float]:
@@ -254,8 +372,8 @@ def contact_compliance(
     contact_length: float,
     pin_radius: float,
     hole_radius: float,
-    pin: ElasticMaterial | None = None,
-    hole: ElasticMaterial | None = None,
+    pin: ElasticMaterial,
+    hole: ElasticMaterial,
 ) -> Callable[[Number], Number]:
     """Approach of a contact over its force: the secant of its law.
 
@@ -265,8 +383,8 @@ def contact_compliance(
         The law.
     contact_length, pin_radius, hole_radius : float
         Length b and radii, m.
-    pin, hole : ElasticMaterial, optional
-        Materials; needed for `HertzLaw` and `ConformalLaw`.
+    pin, hole : ElasticMaterial
+        Materials.
 
     Returns
     -------
@@ -348,8 +466,8 @@ def check_law(law: ContactLaw) -> None:
                 raise InvalidInput("exponent", n, "greater_than_equal", limit=MIN_EXPONENT)
             if not n <= MAX_EXPONENT:
                 raise InvalidInput("exponent", n, "less_than_equal", limit=MAX_EXPONENT)
-        case HertzLaw(reference_depth=depth) if depth is not None:
-            check_positive(reference_depth=depth)
+        case HertzLaw():
+            check_positive(reference_depth=law.depth(1.0))
 
 
 def law_constants(
@@ -357,8 +475,8 @@ def law_constants(
     law: ContactLaw,
     contact_length: float,
     hole_radius: float,
-    pin: ElasticMaterial | None,
-    hole: ElasticMaterial | None,
+    pin: ElasticMaterial,
+    hole: ElasticMaterial,
 ) -> Law:
     """Constants of a law, of which `core.output.contact_kernel.pair_law` makes those of each pair.
 
@@ -370,8 +488,8 @@ def law_constants(
         Length b of the contact, m.
     hole_radius : float
         Nominal hole radius, m.
-    pin, hole : ElasticMaterial, optional
-        Materials; needed for `HertzLaw` and `ConformalLaw`.
+    pin, hole : ElasticMaterial
+        Materials.
 
     Returns
     -------
@@ -396,8 +514,6 @@ def law_constants(
         case ConformalLaw():
             curve = law_curve(law=law, contact_length=contact_length, pin=pin, hole=hole)
             return Law(curve.modulus, *[0.0] * 7)._replace(end=end(curve))
-        case HertzLaw(reference_depth=depth):
-            pin, hole = _known(pin, hole)
     around = math.pi * contact_length
     return Law(
         a=0.0,
@@ -405,7 +521,7 @@ def law_constants(
         second=(1 - hole.poissons_ratio**2) / hole.youngs_modulus,
         quarter=around * effective_modulus(first=pin, second=hole) / 4,
         around=around,
-        depth=hole_radius if depth is None else depth,
+        depth=law.depth(hole_radius),
         ratio=hole.poissons_ratio / (1 - hole.poissons_ratio),
         end=0.0,
     )
@@ -415,8 +531,8 @@ def law_curve(
     *,
     law: ContactLaw,
     contact_length: float,
-    pin: ElasticMaterial | None,
-    hole: ElasticMaterial | None,
+    pin: ElasticMaterial,
+    hole: ElasticMaterial,
 ) -> Curve:
     """The curve of a contact that wraps; of other laws nothing.
 
@@ -426,8 +542,8 @@ def law_curve(
         The law.
     contact_length : float
         Length b of the contact, m.
-    pin, hole : ElasticMaterial, optional
-        Materials; needed for `ConformalLaw`.
+    pin, hole : ElasticMaterial
+        Materials.
 
     Returns
     -------
@@ -435,14 +551,4 @@ def law_curve(
     """
     if not isinstance(law, ConformalLaw):
         return NO_CURVE
-    pin, hole = _known(pin, hole)
     return conformal_curve(contact_length=contact_length, pin=pin, hole=hole)
-
-
-def _known(
-    pin: ElasticMaterial | None, hole: ElasticMaterial | None
-) -> tuple[ElasticMaterial, ElasticMaterial]:
-    """The materials, which the law needs."""
-    if pin is None or hole is None:
-        raise InvalidInput("pin_material", pin, "needed", field="law")
-    return pin, hole

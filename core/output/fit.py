@@ -2,16 +2,16 @@
 
 import math
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import chain
 from typing import Literal
 
 from core.errors import ImpossibleMechanism
-from core.hertz import HertzContact, force_factor
+from core.hertz import force_factor
 from core.output.contact_kernel import alone
 from core.output.real_mechanism import RealMechanism
 from core.output.room import Binding, Rooms, State, TurnRoom
-from core.output.satellite_support import CrankSupport, Shares
+from core.output.satellite_support import Shares
 from core.precision import AS_TYPED
 
 Misfit = Literal[
@@ -114,17 +114,15 @@ class Fit:
         return self.hole_radius - self.room.least
 
     @cached_property
-    def forces_at_limit(self) -> tuple[float, ...] | None:
+    def forces_at_limit(self) -> tuple[float, ...]:
         """Force of each pair under which the pressure is at what the weaker body stands at rest, N,
-        satellite by satellite; None where that is known of neither.
+        satellite by satellite; none where that is known of neither.
         """
         real = self.real
-        if real.pin_material is None or real.hole_material is None:
-            return None
         limits = [real.pin_material.elastic_pressure, real.hole_material.elastic_pressure]
         known = [each for each in limits if each is not None]
         if not known:
-            return None
+            return ()
         found: dict[tuple[float, float], float] = {}
         sizes = [*zip(real.pin_radii, real.pairs.distance, strict=True)]
         for pair, size in enumerate(sizes):
@@ -136,14 +134,9 @@ class Fit:
     def _approaches_at_limit(self) -> list[float]:
         """Approach of each pair under its force at the limit, m; none where that is not known."""
         setup, pairs = self.real.setup(1.0), self.real.pairs
-        laws = zip(self.forces_at_limit or (), pairs.a, pairs.b, strict=False)
+        laws = zip(self.forces_at_limit, pairs.a, pairs.b, strict=False)
         kind, n, curve = setup.law, setup.exponent, setup.curve
         return [alone(kind, force, a, b, n, curve) for force, a, b in laws]
-
-    @property
-    def most_approach(self) -> float | None:
-        """Largest approach that a pair takes elastically, m; None where no limit is known."""
-        return max(self._approaches_at_limit, default=None)
 
     @cached_property
     def impossible(self) -> bool:
@@ -153,17 +146,14 @@ class Fit:
         short = self._short
         if not short or self.rooms.closed:
             return short > 0
-        most = self.most_approach
-        return most is not None and short > most
+        approaches = self._approaches_at_limit
+        return bool(approaches) and short > max(approaches)
 
     @property
     def _short(self) -> float:
         """By how much the pins are too thick, m; bearings of cranks give their clearance."""
-        given = 0.0
-        if isinstance(self.real.support, CrankSupport):
-            given = self.real.support.radial_clearance / 2
         nothing = AS_TYPED * (self.real.pin_radius + self.real.eccentricity)
-        short = -self.room.least - given
+        short = -self.room.least - self.real.support.loose
         return short if short > nothing else 0.0
 
     @cached_property
@@ -187,9 +177,9 @@ class Fit:
         return "cannot_assemble"
 
     @cached_property
-    def forces_without_load(self) -> tuple[float, ...] | None:
+    def forces_without_load(self) -> tuple[float, ...]:
         """Force of each pair where the room is least and nothing loads the output, N, satellite by
-        satellite; None where none balance there.
+        satellite; no forces where none balance there.
         """
         real, room = self.real, self.real.room()
         psi = real.wave(self.room.crank_angle or 0.0)
@@ -197,7 +187,7 @@ class Fit:
         try:
             real.solved(psi, torque, real.setup(1.0), room)
         except ImpossibleMechanism:
-            return None
+            return ()
         return tuple(room.force)
 
     def _pressed(self) -> bool:
@@ -205,10 +195,8 @@ class Fit:
         limit is known, whether forces balance there.
         """
         forces, limits = self.forces_without_load, self.forces_at_limit
-        return forces is not None and (
-            limits is None
-            or all(force <= limit for force, limit in zip(forces, limits, strict=True))
-        )
+        within = (force <= limit for force, limit in zip(forces, limits, strict=bool(limits)))
+        return bool(forces) and all(within)
 
     @property
     def elastic(self) -> Elastic:
@@ -217,18 +205,14 @@ class Fit:
         """
         if self.rooms.closed:
             return Elastic(None, None, None, None)
-        limit, force, forces, pressed = self.most_approach, None, None, None
-        if limit is not None and self.forces_at_limit is not None:
-            force = self.forces_at_limit[self._approaches_at_limit.index(limit)]
-        if self._short and not self.impossible:
-            forces = self.forces_without_load
-        if forces is not None:
-            pressed = self.real.hardest(forces)
+        approaches = zip(self._approaches_at_limit, self.forces_at_limit, strict=True)
+        limit, force = max(approaches, key=lambda each: each[0], default=(None, None))
+        forces = self.forces_without_load if self._short and not self.impossible else ()
         return Elastic(
             limit=limit,
             limit_force=force,
-            force_without_load=None if forces is None else max(forces),
-            pressure_without_load=None if pressed is None else pressed.governing_pressure,
+            force_without_load=max(forces, default=None),
+            pressure_without_load=self.real.hardest(forces).governing_pressure if forces else None,
         )
 
     def refusal(self) -> ImpossibleMechanism:
@@ -255,12 +239,7 @@ class Fit:
 
 def _force_under(real: RealMechanism, pair: int, pressure: float) -> float:
     """Force of a pair under which its governing pressure is a given one, N."""
-
-    def under(force: float) -> HertzContact:
-        contact = real.contact(pair, force)
-        assert contact is not None
-        return contact
-
+    under = partial(real.contact, pair)
     return force_factor(contact=under(1.0), contact_at=under, limit=pressure)
 
 

@@ -11,7 +11,6 @@ from core.hertz import HertzContact
 from core.output.contact_law import HertzLaw
 from core.output.fit import Fit
 from core.output.real_mechanism import RealMechanism
-from core.output.satellite_support import ElasticMesh, Shares
 from core.output.sharing_kernel import at, pressing
 from core.results import Accuracy, Notice, poorly_known
 
@@ -85,10 +84,13 @@ def loaded_position(
 
     >>> from core.output.contact_law import LinearLaw
     >>> from core.output.mechanism import Mechanism
+    >>> from core.materials import ElasticMaterial
+    >>> steel = ElasticMaterial(210e9, 0.3)
     >>> real = RealMechanism(
     ...     mechanism=Mechanism.evenly_spaced(pins=8, satellites=1, ratio=18.0),
     ...     pin_circle_radius=0.020, pin_radius=0.003, eccentricity=0.0015, contact_length=0.010,
-    ...     clearance=2e-5, law=LinearLaw(stiffness=5e7), exact=False)
+    ...     clearance=2e-5, law=LinearLaw(stiffness=5e7), exact=False,
+    ...     pin_material=steel, hole_material=steel)
     >>> found = loaded_position(real=real, crank_angle=0.0, output_torque=30.0)
     >>> found.loaded_pairs, round(max(found.force[0]), 4)
     (3, 957.1068)
@@ -114,7 +116,7 @@ def loaded_position(
         for i in rows
     ]
     own_lags = None
-    if isinstance(real.support, (ElasticMesh, Shares)):
+    if real.support.turning:
         own_lags = tuple(direction * lag for lag in room.own_lag)
     accuracy = Accuracy("newton_bracket", found.force_error / largest, found.steps)
     return LoadedPosition(
@@ -127,7 +129,7 @@ def loaded_position(
         play=None if pressed else (play[0], play[1]),
         interference=least_interference(real=real, psi=psi) if pressed else None,
         stiffness=found.stiffness,
-        max_pressure=None if contact is None else contact.governing_pressure,
+        max_pressure=contact.governing_pressure,
         rotation_error=found.lag_error,
         play_error=found.play_error,
         force_error=found.force_error,
@@ -165,7 +167,7 @@ def least_interference(*, real: RealMechanism, psi: float) -> float:
 
 
 def notices(
-    *, real: RealMechanism, lag: float, pressed: bool, contact: HertzContact | None
+    *, real: RealMechanism, lag: float, pressed: bool, contact: HertzContact
 ) -> tuple[Notice, ...]:
     """Limits that a position strains.
 
@@ -177,7 +179,7 @@ def notices(
         Size of the lag, rad.
     pressed : bool
         Whether pairs press without load.
-    contact : HertzContact or None
+    contact : HertzContact
         The contact with the largest pressure.
 
     Returns
@@ -190,16 +192,15 @@ def notices(
         found.append(Notice("large_rotation", {"share": share}))
     if pressed:
         found.append(Notice("pressed_without_load"))
-    if real.tied_pin is not None and real.tied_pin.ring_joint == "pinned":
+    if real.pin.loosely_tied:
         found.append(Notice("ring_clearance_left_out"))
-    if isinstance(real.law, HertzLaw) and real.law.reference_depth is not None:
-        ratio = real.law.reference_depth / (real.pin_radius + real.eccentricity + real.clearance)
+    if isinstance(real.law, HertzLaw):
+        hole = real.pin_radius + real.eccentricity + real.clearance
+        ratio = real.law.depth(hole) / hole
         if not DEPTHS[0] <= ratio <= DEPTHS[1]:
             low, high = DEPTHS
             found.append(Notice("reference_depth", {"ratio": ratio, "low": low, "high": high}))
-    if contact is not None:
-        found += contact.notices
-    return tuple(found)
+    return (*found, *contact.notices)
 
 
 def bent_together(*, real: RealMechanism, force: FloatArray) -> tuple[Notice, ...]:
@@ -216,6 +217,5 @@ def bent_together(*, real: RealMechanism, force: FloatArray) -> tuple[Notice, ..
     -------
     tuple of Notice
     """
-    alone = real.pin is not None and real.tied_pin is None
-    together = alone and ((force > 0).sum(axis=0) > 1).any()
+    together = real.pin.bends and ((force > 0).sum(axis=0) > 1).any()
     return (Notice("pin_bending_uncoupled"),) if together else ()

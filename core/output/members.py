@@ -75,22 +75,9 @@ class MemberLoads:
     crank_power: float | None = None  # W
     carrier_power: float | None = None  # W, negative where it leaves
     ring_power: float | None = None  # W
+    power_balance: float | None = None  # sum of the powers, W: 0 but for rounding
+    output_power: float | None = None  # that leaves, W
     accuracy: Accuracy = CLOSED
-
-    @property
-    def power_balance(self) -> float | None:
-        """Sum of the powers, W: 0 but for rounding."""
-        return None if self.speeds is None else math.fsum(self._powers)
-
-    @property
-    def output_power(self) -> float | None:
-        """Power that leaves, W."""
-        return None if self.speeds is None else -math.fsum(min(each, 0.0) for each in self._powers)
-
-    @property
-    def _powers(self) -> tuple[float, ...]:
-        powers = (self.crank_power, self.carrier_power, self.ring_power)
-        return tuple(each for each in powers if each is not None)
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,8 +140,8 @@ class Members:
     @property
     def torque_ratio(self) -> float:
         """Torque of the output over that of the crank, of both that on the pins, without losses."""
-        ratio = self.output_ratio
-        return self.ratio if ratio is None else abs(ratio)
+        ratios = {"ring": self.ratio + 1, "coupling": 1.0}
+        return ratios.get(self.output, self.ratio)
 
     def speeds(
         self, *, crank: float, ring: float | None = None, carrier: float | None = None
@@ -219,13 +206,14 @@ class Members:
         ring = -(pins + crank)
         if speeds is None:
             return MemberLoads(self.output_ratio, pins, crank, ring)
+        powers = crank * speeds.crank, pins * speeds.carrier, ring * speeds.ring
         return MemberLoads(
             self.output_ratio,
             pins,
             crank,
             ring,
             speeds,
-            crank_power=crank * speeds.crank,
-            carrier_power=pins * speeds.carrier,
-            ring_power=ring * speeds.ring,
+            *powers,
+            power_balance=math.fsum(powers),
+            output_power=-math.fsum(min(each, 0.0) for each in powers),
         )

@@ -206,7 +206,7 @@ class OverTurn:
         return self._peak.pair_error
 
     @derived
-    def _contact(self) -> HertzContact | None:
+    def _contact(self) -> HertzContact:
         """Contact of the pair with the peak force."""
         return self.real.contact(self._peak.pair, self.peak_force)
 
@@ -230,7 +230,7 @@ class OverTurn:
 
     @derived
     def hardest(self) -> tuple[int, float]:
-        """The pair with the largest pressure, and its force then, N; the materials are known."""
+        """The pair with the largest pressure, and its force then, N."""
         if self._wraps:
             if self._pressed is None:
                 return self._peak.pair, self.peak_force
@@ -242,18 +242,19 @@ class OverTurn:
         pair = self.real.hardest_pair(most)
         force = self._peak.pair_force[pair]
         contact = self.real.contact(pair, force)
-        assert contact is not None and self.max_pressure is not None
-        return pair, force * float(self.max_pressure / contact.max_pressure) ** 2
+        return pair, force * float(self._hertz_pressure / contact.max_pressure) ** 2
 
     @derived
     def max_pressure(self) -> float | None:
-        """Largest pressure, Pa, where it and the materials are known."""
-        if self._contact is None:
-            return None
+        """Largest pressure, Pa, where it is known."""
         if self._wraps:
-            contact = self.real.contact(*self.hardest)
-            known = None if contact is None else contact.governing_pressure
+            known = self.real.contact(*self.hardest).governing_pressure
             return None if known is None else float(known)
+        return self._hertz_pressure
+
+    @derived
+    def _hertz_pressure(self) -> float:
+        """Largest of Hertz's pressures."""
         pressure = float(self._contact.max_pressure)
         if self._pressed is not None:
             at_peak = self.peak_force * self.real.pairs.curved[self._peak.pair]
@@ -495,10 +496,13 @@ def over_turn(
     --------
     >>> from core.output.contact_law import LinearLaw
     >>> from core.output.mechanism import Mechanism
+    >>> from core.materials import ElasticMaterial
+    >>> steel = ElasticMaterial(210e9, 0.3)
     >>> real = RealMechanism(
     ...     mechanism=Mechanism.evenly_spaced(pins=8, satellites=1, ratio=18.0),
     ...     pin_circle_radius=0.020, pin_radius=0.003, eccentricity=0.0015, contact_length=0.010,
-    ...     clearance=2e-5, law=LinearLaw(stiffness=5e7), exact=False)
+    ...     clearance=2e-5, law=LinearLaw(stiffness=5e7), exact=False,
+    ...     pin_material=steel, hole_material=steel)
     >>> turn = over_turn(real=real, output_torque=30.0)
     >>> round(turn.peak_force, 4), round(turn.backlash_max, 10), round(turn.backlash_min, 10)
     (957.1068, 0.0021647844, 0.002)

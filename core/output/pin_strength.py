@@ -456,27 +456,25 @@ def _fatigue(
     pin: LoadedPin, cases: list[_Stresses], strength: FatigueStrength, rotates: bool
 ) -> tuple[_Stresses, PinFatigue]:
     """The worst cycle of all cases; none is worse than its largest stress, fully reversed."""
-    worst: tuple[_Stresses, PinFatigue] | None = None
+    worst, least = list[tuple[_Stresses, PinFatigue]](), math.inf  # safety factor
     for case in sorted(cases, key=lambda each: -each.bent):
         reversed_use = strength.utilisation(case.bent, 0.0)
-        if worst is not None and reversed_use * worst[1].safety_factor <= 1:
+        if reversed_use * least <= 1:
             break
         top, bottom, seen, chi = case.bent, -case.bent, case.place, None
         if not rotates:
             if case.loads.alternates:
                 angle = pin.direction(case.loads, case.place)
             else:
-                beyond = 0.0 if worst is None else 1 / worst[1].safety_factor
-                seen_cycle = pin.cycle(case.loads, strength, case.bent, beyond)
+                seen_cycle = pin.cycle(case.loads, strength, case.bent, 1 / least)
                 if seen_cycle is None:
                     continue
                 top, bottom, seen, angle = seen_cycle
             chi = _turned(angle)
         cycle = judged(strength=strength, direction=chi, position=seen, largest=top, least=bottom)
-        if worst is None or cycle.safety_factor < worst[1].safety_factor:
-            worst = case, cycle
-    assert worst is not None
-    return worst
+        if not worst or cycle.safety_factor < least:
+            worst, least = [(case, cycle)], cycle.safety_factor
+    return worst[0]
 
 
 def _check_positions(

@@ -13,45 +13,24 @@ from typing import Any
 
 import numpy as np
 
-from core.arrays import Number, check_finite, check_positive, check_single
+from core.arrays import FloatArray, Number, check_finite, check_positive, check_single
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.hertz import HertzContact, hertz
 from core.materials import ElasticMaterial
 from core.output.compiled import PLAIN, at_hand
-from core.output.conformal_law import NO_WRAP, conformal_wrap
+from core.output.conformal_law import conformal_wrap
 from core.output.contact_law import (
+    RIGID_PINS,
     ContactLaw,
-    PinSupport,
+    Pins,
     check_law,
     law_constants,
     law_curve,
     law_kind,
-    pin_compliance,
-    tied_compliance,
 )
-from core.output.loop_rows import (
-    CRANK,
-    MESH,
-    RIGID,
-    SHARES,
-    TIED,
-    Errors,
-    Law,
-    Pairs,
-    Room,
-    Row,
-    Setup,
-    Wrap,
-)
+from core.output.loop_rows import TIED, Errors, Law, Pairs, Room, Row, Setup, Wrap
 from core.output.mechanism import Mechanism
-from core.output.pin_beam import check_apart
-from core.output.satellite_support import (
-    CrankSupport,
-    ElasticMesh,
-    SatelliteSupport,
-    Shares,
-    check_support,
-)
+from core.output.satellite_support import RIGID_SUPPORT, SatelliteSupport
 from core.output.sharing_kernel import prepare
 from core.output.stage import Stage, blank_rows, in_floats
 
@@ -185,15 +164,15 @@ class RealMechanism(Stage):
     eccentricity: float  # e, m, > 0
     contact_length: float  # b, m, > 0
     law: ContactLaw  # of contact of each pair
+    pin_material: ElasticMaterial
+    hole_material: ElasticMaterial
     clearance: float = 0.0  # radial, c, m: hole less pin radius less e; < 0 is interference
-    pin_material: ElasticMaterial | None = None  # needed for `HertzLaw`, `ConformalLaw`, pressures
-    hole_material: ElasticMaterial | None = None  # likewise
-    pin: PinSupport | None = None  # how the pins are held; rigid where not given
+    pin: Pins = RIGID_PINS  # how they are held
     deviations: Deviations = field(default_factory=Deviations)
     # Exact geometry; else first order in lag and deviations, fixed lines of action.
     exact: bool = True
-    # What the satellites' bearings or mesh give, in first order; rigid where not given.
-    support: SatelliteSupport | None = None
+    # What the satellites' bearings or mesh give, in first order.
+    support: SatelliteSupport = RIGID_SUPPORT
     # What rollers give to either side on their pins, m: in the play, not in the curvatures.
     roller_play: float = 0.0
 
@@ -209,17 +188,13 @@ class RealMechanism(Stage):
             than = {"field": "pin_circle_radius", "limit": self.pin_circle_radius}
             raise InvalidInput("eccentricity", self.eccentricity, "smaller_than", **than)
         check_law(self.law)
-        check_support(support=self.support, satellites=self.mechanism.satellites, exact=self.exact)
-        if self.tied_pin is not None and self.exact:
+        if self.support.first_order and self.exact:
+            raise InvalidInput("exact", self.exact, "first_order_only", field="support")
+        self.support.check(self.mechanism.satellites)
+        if self.pin.tied and self.exact:
             raise InvalidInput("exact", self.exact, "first_order_only", field="pin.support")
-        if self.tied_pin is not None and self.support is not None:
+        if self.pin.tied and self.support.first_order:
             raise InvalidInput("support", self.support, "only_one", field="pin.support")
-
-    @property
-    def tied_pin(self) -> PinSupport | None:
-        """The pins, where a tie ring joins them."""
-        tied = self.pin is not None and self.pin.support == "tie_ring"
-        return self.pin if tied else None
 
     @property
     def pins_alike(self) -> bool:
@@ -242,17 +217,6 @@ class RealMechanism(Stage):
         Setup
         """
         kind, exponent = law_kind(self.law)
-        support, gives, loose = RIGID, 0.0, self.roller_play
-        if isinstance(self.support, ElasticMesh):
-            support, gives = MESH, 1 / self.support.stiffness
-        if isinstance(self.support, CrankSupport):
-            gives = 1 / self.support.stiffness
-            loose += self.support.radial_clearance / 2
-            support = CRANK if gives > 0 else RIGID
-        if isinstance(self.support, Shares):
-            support = SHARES
-        if self.tied_pin is not None:
-            support = TIED
         return in_floats(
             Setup(
                 pins=self.mechanism.pins,
@@ -273,17 +237,15 @@ class RealMechanism(Stage):
                     hole=self.hole_material,
                 ),
                 wrap=self.wrap,
-                support=support,
-                gives=gives,
-                loose=loose,
+                support=TIED if self.pin.tied else self.support.kind,
+                gives=self.support.gives,
+                loose=self.roller_play + self.support.loose,
             )
         )
 
     @property
     def wrap(self) -> Wrap:
-        """Largest pressures of contacts that wrap, where the materials are known."""
-        if self.pin_material is None or self.hole_material is None:
-            return NO_WRAP
+        """Largest pressures of contacts that wrap."""
         return conformal_wrap(
             contact_length=self.contact_length, pin=self.pin_material, hole=self.hole_material
         )
@@ -304,27 +266,10 @@ class RealMechanism(Stage):
         """Of the pin at each satellite, with the wall about its bore, m/N; where a tie ring joins
         the pins what `tied_compliance` gives.
         """
-        satellites = self.mechanism.satellites
-        if self.pin is None:
-            return [0.0] * satellites
-        if len(self.pin.satellite_positions) != satellites:
-            raise InvalidInput(
-                "satellite_positions",
-                self.pin.satellite_positions,
-                "different_length",
-                expected=satellites,
-                actual=len(self.pin.satellite_positions),
-            )
-        check_apart(
-            name="satellite_positions",
-            positions=self.pin.satellite_positions,
-            width=self.contact_length,
+        own = self.mechanism
+        return self.pin.compliance(
+            satellites=own.satellites, contact_length=self.contact_length, pins=own.pins
         )
-        wall = self.pin.wall_compliance(self.contact_length)
-        compliance = [each + wall for each in pin_compliance(self.pin)]
-        if self.tied_pin is not None:
-            return tied_compliance(pin=self.tied_pin, pins=self.mechanism.pins, wall=wall)
-        return compliance
 
     @property
     def outward(self) -> list[float]:
@@ -383,9 +328,9 @@ class RealMechanism(Stage):
         Pairs or Room
         """
         pins, satellites = self.mechanism.pins, self.mechanism.satellites
-        square = (pins * satellites) ** 2 if self.tied_pin is not None else 0
+        square = (pins * satellites) ** 2 if self.pin.tied else 0
         sizes = {"give": square, "system": 2 * square}
-        shares = self.support.shares if isinstance(self.support, Shares) else ()
+        shares = self.support.given_shares
         return blank_rows(kind, pins=pins, satellites=satellites, shares=shares, **sizes)
 
     @property
@@ -398,8 +343,8 @@ class RealMechanism(Stage):
         """The same, compiled where they can be."""
         return at_hand()
 
-    def contact(self, pair: int, force: float) -> HertzContact | None:
-        """Hertz contact of a pair, where the materials are known.
+    def contact(self, pair: int, force: float) -> HertzContact:
+        """Contact of a pair.
 
         Parameters
         ----------
@@ -410,11 +355,11 @@ class RealMechanism(Stage):
 
         Returns
         -------
-        HertzContact or None
+        HertzContact
         """
         return self._contact(force, self.pin_radii[pair], self.pairs.distance[pair])
 
-    def contacts(self, force: Sequence[float]) -> HertzContact | None:
+    def contacts(self, force: Sequence[float]) -> HertzContact:
         """The same of all pairs, as arrays.
 
         Parameters
@@ -424,13 +369,11 @@ class RealMechanism(Stage):
 
         Returns
         -------
-        HertzContact or None
+        HertzContact
         """
         return self._contact(*map(np.array, (force, self.pin_radii, self.pairs.distance)))
 
-    def _contact(self, force: Number, radius: Number, apart: Number) -> HertzContact | None:
-        if self.pin_material is None or self.hole_material is None:
-            return None
+    def _contact(self, force: Number, radius: Number, apart: Number) -> HertzContact:
         if self.exact:
             apart = apart - self.roller_play  # which lets the centres move, not the radii grow
         return hertz(
@@ -445,7 +388,7 @@ class RealMechanism(Stage):
     def pressures(
         self, force: tuple[tuple[float, ...], ...]
     ) -> tuple[tuple[float, ...], ...] | None:
-        """Largest pressure of each pair, where the materials are known, and that of each is.
+        """Largest pressure of each pair, where that of each is known.
 
         Parameters
         ----------
@@ -457,11 +400,8 @@ class RealMechanism(Stage):
         tuple of tuple of float, K x N, or None
             Pressures, Pa.
         """
-        contacts = self.contacts([each for row in force for each in row])
-        pressures = None if contacts is None else contacts.governing_pressure
-        if pressures is None or np.isnan(pressures).any():
-            return None
-        return self.rows(pressures.tolist())
+        pressures = _governing(self.contacts([each for row in force for each in row]))
+        return None if np.isnan(pressures).any() else self.rows(pressures.tolist())
 
     def hardest_pair(self, force: Sequence[float]) -> int:
         """Index of the pair with the largest pressure. Of narrow contacts it grows with the force
@@ -477,12 +417,10 @@ class RealMechanism(Stage):
         int
         """
         contacts = self.contacts(force)
-        if contacts is not None and _wrap(contacts):
-            pressure = contacts.governing_pressure
-            known = (
-                force if pressure is None else np.where(pressure == pressure, pressure, math.inf)
-            )
-            return int(np.argmax(known))
+        if _wrap(contacts):
+            pressure = _governing(contacts)
+            unknown = np.isnan(pressure)
+            return int(np.argmax(force if unknown.all() else np.where(unknown, math.inf, pressure)))
         curved = [f * curved for f, curved in zip(force, self.pairs.curved, strict=True)]
         return curved.index(max(curved))
 
@@ -498,10 +436,9 @@ class RealMechanism(Stage):
         -------
         bool
         """
-        contacts = self.contacts(force)
-        return contacts is not None and _wrap(contacts)
+        return _wrap(self.contacts(force))
 
-    def hardest(self, force: Sequence[float]) -> HertzContact | None:
+    def hardest(self, force: Sequence[float]) -> HertzContact:
         """Contact of the pair with the largest pressure.
 
         Parameters
@@ -511,7 +448,7 @@ class RealMechanism(Stage):
 
         Returns
         -------
-        HertzContact or None
+        HertzContact
         """
         pair = self.hardest_pair(force)
         return self.contact(pair, force[pair])
@@ -519,5 +456,10 @@ class RealMechanism(Stage):
 
 def _wrap(contacts: HertzContact) -> bool:
     """Whether the pressure of any of some contacts is not Hertz's."""
-    governing = contacts.governing_pressure
-    return governing is None or bool((governing != contacts.max_pressure).any())
+    return bool((_governing(contacts) != contacts.max_pressure).any())
+
+
+def _governing(contacts: HertzContact) -> FloatArray:
+    """The pressures that govern some contacts, Pa; NaN where one is not known."""
+    found = contacts.governing_pressure
+    return np.asarray(np.full_like(contacts.max_pressure, np.nan) if found is None else found)

@@ -5,7 +5,8 @@ Modules, in reading order (each may use those above it)
 profile             a cycloid disc as it is cut: outline, curvature, undercut, points
 approach            its approach to the ring's pins, in the place of that of pins in holes
 sharing             forces, lag, play and stiffness at a position and over the turn
-series_kernel       a disc between the ring and the pins of the output, which finds its own lag
+series_disc         a disc between the ring and the pins of the output, at a lag
+series_kernel       discs that find their own lags between the two
 series              both meshes in series: forces, lags, play and stiffness at a position
 series_turn         the same over the turns after which all repeats
 series_samples      forces of both on pins, satellites and crank over the turn, at samples

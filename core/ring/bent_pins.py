@@ -35,8 +35,11 @@ def forces_on_ring(turn: MeshTurn) -> PinForces:
     >>> from core.ring.sharing import CycloidMesh, mesh_over_turn
     >>> disc = CycloidDisc(satellite_teeth=29, eccentricity=1.250025e-3,
     ...                    ring_pin_circle_radius=0.0525, ring_pin_radius=3.5e-3)
+    >>> from core.materials import ElasticMaterial
+    >>> steel = ElasticMaterial(210e9, 0.3)
     >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.0135,
-    ...                    law=LinearLaw(1e8), exact=False)
+    ...                    law=LinearLaw(1e8), exact=False,
+    ...     pin_material=steel, disc_material=steel)
     >>> found = forces_on_ring(mesh_over_turn(mesh=mesh, output_torque=58.0))
     >>> found.on_pins.shape[:2], round(float(abs(found.on_pins).max()), 2)
     ((1, 30), 213.14)

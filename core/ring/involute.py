@@ -7,6 +7,7 @@ tip and root circles larger. Heights are in modules.
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import NamedTuple
 
 from core.arrays import Number, check_finite, check_positive
 from core.errors import InvalidInput
@@ -253,6 +254,13 @@ def addendum_of(
     return outwards * (tip_radius / module - own)
 
 
+class RingFlank(NamedTuple):
+    """A flank of the ring as it is made."""
+
+    root: float  # r_fr, m
+    form_roll: float  # roll angle up to which it is an involute: all along without a cutter
+
+
 @dataclass(frozen=True)
 class InvolutePair:
     """How involute teeth of satellite and ring mesh."""
@@ -261,8 +269,13 @@ class InvolutePair:
     line: LineOfAction  # on which they touch
     eccentricity_without_backlash: float  # e_0, m
     normal_backlash: float  # j_n, m: below 0 the teeth press
-    ring_root: float  # r_fr, m
+    ring_flank: RingFlank  # as it is made
     accuracy: Accuracy
+
+    @property
+    def ring_root(self) -> float:
+        """r_fr, m."""
+        return self.ring_flank.root
 
     @property
     def backlash(self) -> float:
@@ -303,10 +316,8 @@ class InvolutePair:
     @property
     def on_involutes(self) -> bool:
         """Whether tips pass each other, and flanks touch only where they are involutes."""
-        apart = self.tip_interference is not None and self.tip_interference >= 0
-        form = self.form_roll_ring
-        whole = form is None or self.end_roll_ring <= form
-        return apart and self.start_roll >= self.form_roll_satellite >= 0 and whole
+        whole = self.end_roll_ring <= self.ring_flank.form_roll
+        return self.tips_apart(0.0) and self.start_roll >= self.form_roll_satellite >= 0 and whole
 
     @property
     def end_roll_ring(self) -> float:
@@ -316,10 +327,11 @@ class InvolutePair:
     @property
     def form_roll_ring(self) -> float | None:
         """Roll angle of the ring up to which its flank is an involute; None without a cutter."""
-        return None if self.teeth.cutter is None else _generated(self.teeth, self.teeth.cutter)[1]
+        return self.ring_flank.form_roll if self.ring_flank.form_roll < math.inf else None
 
     @cached_property
-    def _crossing(self) -> TipCrossing:
+    def crossing(self) -> TipCrossing:
+        """Where the tip circles cross."""
         return self.line.crossing(
             satellite_tip=self.teeth.satellite_tip, ring_tip=self.teeth.ring_tip
         )
@@ -327,14 +339,24 @@ class InvolutePair:
     @property
     def tips_overlap_all_round(self) -> bool:
         """Whether the satellite's tip circle has the ring's in it."""
-        return bool(self._crossing.overlap)
+        return bool(self.crossing.overlap)
+
+    def tips_apart(self, room: float) -> bool:
+        """Whether the tip circles cross, and the tips leave so much room there.
+
+        Parameters
+        ----------
+        room : float
+            Interference G that is to be left.
+        """
+        return float(self.crossing.interference) >= room
 
     @property
     def tip_interference(self) -> float | None:
         """G of the tips beside the path of contact, at least 0; None where the tip circles do not
         cross.
         """
-        found = float(self._crossing.interference)
+        found = float(self.crossing.interference)
         return None if math.isnan(found) else found
 
     @property
@@ -422,12 +444,12 @@ def involute_pair(*, teeth: InvoluteTeeth, eccentricity: float | None = None) ->
     alpha, difference = teeth.rack.pressure_angle, teeth.difference
     wider = 2 * (teeth.ring_profile_shift - teeth.satellite_profile_shift) * math.tan(alpha)
     own = float(involute(alpha))
-    free = angle_of(own + wider / difference)
-    if free is None:
+    spaces = own + wider / difference
+    if not spaces > 0:
         least = teeth.satellite_profile_shift - difference * own / (2 * math.tan(alpha))
         shift = teeth.ring_profile_shift
         raise InvalidInput("ring_profile_shift", shift, "greater_than", limit=least)
-    without = teeth.module * difference * math.cos(alpha) / (2 * math.cos(free))
+    without = teeth.module * difference * math.cos(alpha) / (2 * math.cos(angle_of(spaces)))
     line = LineOfAction.of(
         satellite_teeth=teeth.satellite_teeth,
         ring_teeth=teeth.ring_teeth,
@@ -437,40 +459,34 @@ def involute_pair(*, teeth: InvoluteTeeth, eccentricity: float | None = None) ->
     )
     closer = difference * (own - float(involute(line.angle)))
     backlash = 0.0 if eccentricity is None else teeth.module * math.cos(alpha) * (wider + closer)
-    root = teeth.module * (teeth.ring_teeth / 2 + teeth.ring_profile_shift + teeth.rack.dedendum)
-    if teeth.cutter is not None:
-        root = _generated(teeth, teeth.cutter)[0]
     return InvolutePair(
         teeth=teeth,
         line=line,
         eccentricity_without_backlash=without,
         normal_backlash=backlash,
-        ring_root=root,
+        ring_flank=_ring_flank(teeth),
         accuracy=Accuracy("closed_form", line.error + 8 * ROUNDING * teeth.ring_teeth, 1),
     )
 
 
-def angle_of(value: float) -> float | None:
+def angle_of(value: float) -> float:
     """Pressure angle at which the involute function has a value.
 
     Parameters
     ----------
     value : float
-        Of the function, rad.
+        Of the function, rad, > 0.
 
     Returns
     -------
-    float or None
-        rad; None of a value that is not positive.
+    float
+        rad.
 
     Examples
     --------
     >>> round(math.degrees(angle_of(0.014904384)), 6)
     20.0
-    >>> angle_of(-0.01)
     """
-    if not value > 0:
-        return None
     angle, closer = math.inf, min((3 * value) ** (1 / 3), math.atan(value + math.pi / 2))
     while closer < angle:  # Newton's steps from above, as it is convex
         angle = closer
@@ -478,15 +494,23 @@ def angle_of(value: float) -> float | None:
     return angle
 
 
-def _generated(teeth: InvoluteTeeth, cutter: Cutter) -> tuple[float, float]:
-    """Root radius of the ring and the roll angle up to which its flank is an involute."""
+def _ring_flank(teeth: InvoluteTeeth) -> RingFlank:
+    """The ring's flank by its cutter, where there is one."""
+    if teeth.cutter is None:
+        height = teeth.ring_profile_shift + teeth.rack.dedendum
+        return RingFlank(teeth.module * (teeth.ring_teeth / 2 + height), math.inf)
+    return _generated(teeth, teeth.cutter)
+
+
+def _generated(teeth: InvoluteTeeth, cutter: Cutter) -> RingFlank:
+    """The ring's flank as a cutter makes it."""
     alpha, more = teeth.rack.pressure_angle, teeth.ring_teeth - cutter.teeth
     if not more > 0:
         most = teeth.ring_teeth
         raise InvalidInput("cutter_teeth", cutter.teeth, "less_than", limit=most)
     wider = 2 * (teeth.ring_profile_shift - cutter.profile_shift) * math.tan(alpha) / more
-    angle = angle_of(float(involute(alpha)) + wider)
-    if angle is None:
+    spaces = float(involute(alpha)) + wider
+    if not spaces > 0:
         own = more * float(involute(alpha)) / (2 * math.tan(alpha))
         limit = teeth.ring_profile_shift + own
         raise InvalidInput("cutter_profile_shift", cutter.profile_shift, "less_than", limit=limit)
@@ -496,6 +520,7 @@ def _generated(teeth: InvoluteTeeth, cutter: Cutter) -> tuple[float, float]:
     if not tip > base:
         limit = cutter.teeth * (math.cos(alpha) - 1) / 2 - cutter.profile_shift
         raise InvalidInput("cutter_addendum", cutter.addendum, "greater_than", limit=limit)
+    angle = angle_of(spaces)
     distance = teeth.module * more * math.cos(alpha) / (2 * math.cos(angle))
     reached = more * math.tan(angle) + cutter.teeth * float(roll(tip, base=base))
-    return distance + tip, reached / teeth.ring_teeth
+    return RingFlank(distance + tip, reached / teeth.ring_teeth)

@@ -97,7 +97,6 @@ class LineOfAction:
             eccentricity=eccentricity,
         )
         angle = mesh.operating_pressure_angle
-        assert angle is not None  # of involute teeth
         return cls(
             satellite_teeth, ring_teeth, module, pressure_angle, eccentricity, angle, mesh.error
         )

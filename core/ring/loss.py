@@ -68,7 +68,7 @@ class RingLoss:
     loss_error: float  # estimate of the error of both, over the loss
     mean_loss: float | None  # W, where the speed is known
     # Largest product of pressure and sliding speed, Pa*m/s: of a sleeve's bore by its projected
-    # area, of a contact by the mean of its Hertz pressure; where speed and materials are known.
+    # area, of a contact by the mean of its Hertz pressure; where the speed is known.
     peak_pv: float | None
     ideal_loss_ratio: float | None  # of perfect parts on many pins, where no pin reaches its pole
 
@@ -107,8 +107,11 @@ def ring_loss(
     >>> from core.ring.sharing import CycloidMesh, mesh_over_turn
     >>> disc = CycloidDisc(satellite_teeth=11, eccentricity=2.5e-3,
     ...                    ring_pin_circle_radius=0.05, ring_pin_radius=0.005)
+    >>> from core.materials import ElasticMaterial
+    >>> steel = ElasticMaterial(210e9, 0.3)
     >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01,
-    ...                    law=LinearLaw(1e8), exact=False)
+    ...                    law=LinearLaw(1e8), exact=False,
+    ...     pin_material=steel, disc_material=steel)
     >>> found = ring_loss(turn=mesh_over_turn(mesh=mesh, output_torque=100.0),
     ...                   friction=RingFriction(0.06))
     >>> round(found.efficiency, 4), round(found.ideal_loss_ratio, 4)
@@ -125,7 +128,7 @@ def ring_loss(
         loss = ratio * abs(turn.turn.torque) * speed
         if friction.sleeve_bore_radius is not None:
             pv = turn.hardest_rub * speed / (2 * disc.ring_pin_radius * mesh.contact_length)
-        elif turn.hardest_pressed_rub is not None:
+        else:
             pv = math.pi / 4 * turn.hardest_pressed_rub * speed
         pv = None if friction.rolling else pv
     ideal = None

@@ -32,8 +32,11 @@ class MeshCurves:
     >>> disc = CycloidDisc(satellite_teeth=11, eccentricity=2.5e-3,
     ...                    ring_pin_circle_radius=0.05, ring_pin_radius=0.005,
     ...                    modification=Modification(equidistant=2e-5))
+    >>> from core.materials import ElasticMaterial
+    >>> steel = ElasticMaterial(210e9, 0.3)
     >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01,
-    ...                    law=LinearLaw(1e8))
+    ...                    law=LinearLaw(1e8),
+    ...     pin_material=steel, disc_material=steel)
     >>> turn = mesh_over_turn(mesh=mesh, output_torque=100.0)
     >>> found = MeshCurves(turn, 20)
     >>> found.force.shape, found.gap.shape, len(found.crank_angle)
@@ -93,7 +96,7 @@ class MeshCurves:
         rows = []
         for angle, lag in zip(self.crank_angle[: self._own].tolist(), lags.tolist(), strict=True):
             own: tuple[float, ...] = (lag,) * len(mesh.crank_angles)
-            if mesh.support is not None:  # each disc has a lag of its own
+            if mesh.support.turning:  # each disc has a lag of its own
                 found = mesh_position(mesh=mesh, crank_angle=angle, output_torque=torque)
                 own = found.rotation
             rows.append(mesh_gaps(mesh=mesh, crank_angle=angle, rotation=own))

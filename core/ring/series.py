@@ -26,7 +26,7 @@ from core.output.stage import Stage, divisible, in_floats
 from core.precision import SAME
 from core.results import Accuracy, Notice, poorly_known
 from core.ring import series_kernel
-from core.ring.series_kernel import SeriesPairs, SeriesRoom, SeriesSetup
+from core.ring.series_disc import SeriesPairs, SeriesRoom, SeriesSetup
 from core.ring.sharing import JAMMED, CycloidMesh
 
 HALVINGS = 60
@@ -50,9 +50,10 @@ class MeshesInSeries(Stage):
         for name, one, other in self._twice():
             if abs(one - other) > SAME * abs(other):
                 raise InvalidInput(name, one, "stages_differ", other=other)
-        if ring.support is not None or output.support is not None:
-            raise InvalidInput("support", ring.support or output.support, "only_one", field="ring")
-        if output.tied_pin is not None:
+        for support in (ring.support, output.support):
+            if support.first_order:
+                raise InvalidInput("support", support, "only_one", field="ring")
+        if output.pin.tied:
             raise InvalidInput("pin.support", "tie_ring", "only_one", field="ring")
 
     def _twice(self) -> Iterator[tuple[str, float, float]]:
@@ -130,7 +131,7 @@ class MeshesInSeries(Stage):
                     replace(
                         ring,
                         crank_angles=(angle,),
-                        pin=ring.pin and self._held(ring.pin, j),
+                        pin=ring.pin.at(j),
                         deviations=replace(
                             ring.deviations, **shared, disc_phase=of(errors.disc_phase)
                         ),
@@ -138,7 +139,7 @@ class MeshesInSeries(Stage):
                     replace(
                         output,
                         mechanism=replace(own, crank_angles=(angle,)),
-                        pin=output.pin and self._held(output.pin, j),
+                        pin=output.pin.at(j),
                         deviations=Deviations(
                             errors.pin_radial,
                             errors.pin_tangential,
@@ -154,10 +155,6 @@ class MeshesInSeries(Stage):
                 )
             )
         return tuple(found)
-
-    @staticmethod
-    def _held(pin: Any, j: int) -> Any:
-        return replace(pin, satellite_positions=pin.satellite_positions[j : j + 1])
 
     @cached_property
     def pairs(self) -> SeriesPairs:
@@ -307,7 +304,7 @@ class RingPart:
     crank_across: tuple[float, ...]  # force of the ring on each disc against the crank, N, K values
     crank_along: tuple[float, ...]  # and along it, to the axis, N, K values
     loaded_pairs: int  # number of pairs with a force
-    max_pressure: float | None  # largest Hertz pressure, Pa, where the materials are known
+    max_pressure: float  # largest Hertz pressure, Pa
     # From where to where each disc can turn in the ring alone, rad, K values; where its pins press
     # the lag at which they do not turn it, twice.
     play: tuple[tuple[float, float], ...]
@@ -383,12 +380,16 @@ def series_position(
     >>> from core.ring.sharing import mesh_position
     >>> disc = CycloidDisc(satellite_teeth=18, eccentricity=1.5e-3,
     ...                    ring_pin_circle_radius=0.034, ring_pin_radius=2.5e-3)
+    >>> from core.materials import ElasticMaterial
+    >>> steel = ElasticMaterial(210e9, 0.3)
     >>> ring = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01,
-    ...                    law=LinearLaw(5e7), exact=False)
+    ...                    law=LinearLaw(5e7), exact=False,
+    ...     pin_material=steel, disc_material=steel)
     >>> real = RealMechanism(
     ...     mechanism=Mechanism.evenly_spaced(pins=8, satellites=1, ratio=18.0),
     ...     pin_circle_radius=0.020, pin_radius=0.003, eccentricity=0.0015, contact_length=0.010,
-    ...     clearance=2e-5, law=LinearLaw(stiffness=5e7), exact=False)
+    ...     clearance=2e-5, law=LinearLaw(stiffness=5e7), exact=False,
+    ...     pin_material=steel, hole_material=steel)
     >>> found = series_position(real=MeshesInSeries(ring, real), crank_angle=0.3,
     ...                         output_torque=30.0)
     >>> alone = [mesh_position(mesh=ring, crank_angle=0.3, output_torque=30.0).rotation[0],
@@ -438,7 +439,7 @@ def series_position(
         play=None if pressed else (play[0], play[1]),
         interference=_interference(real, angle) if presses else None,
         stiffness=found.stiffness,
-        max_pressure=None if contact is None else contact.governing_pressure,
+        max_pressure=contact.governing_pressure,
         ring=RingPart(
             rotation=tuple(own_lags),
             force=real.ring.rows(on_teeth.tolist()),

@@ -10,12 +10,13 @@ from core.output.loop_rows import BINDS, FITS, NOWHERE, SOLVED, Errors, Law, Loa
 from core.output.sharing_kernel import prepare as prepare_holes
 from core.output.turn_kernel import none as none_of_output
 from core.ring.approach import MeshSetup, prepare_mesh
-from core.ring.series_kernel import SeriesPairs, SeriesRoom, SeriesSetup, placed
-from core.ring.series_kernel import between as one_disc
+from core.ring.series_disc import SeriesPairs, SeriesRoom, SeriesSetup
+from core.ring.series_disc import between as one_disc
 from core.ring.series_kernel import hardest as hardest_pin
 from core.ring.series_kernel import judged as judged_in_series
 from core.ring.series_kernel import largest as largest_pin
 from core.ring.series_kernel import of_mesh as of_ring
+from core.ring.series_kernel import placed
 from core.ring.series_kernel import solve as solve_in_series
 
 R = TypeVar("R")

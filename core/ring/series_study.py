@@ -19,7 +19,6 @@ from core.ring.series import MeshesInSeries
 from core.ring.series_pieces import MeshErrors, SeriesPieces
 from core.ring.series_turn import SeriesTurn
 from core.ring.sharing import LOST, RingDeviations
-from core.tolerance.draws import Spread
 from core.tolerance.study import QUANTITIES, Study
 from core.tolerance.tolerances import Drawn, RingRows
 
@@ -97,25 +96,18 @@ class SeriesStudy(Study):
             radius = ring.disc.valley_radius
             raise ImpossibleMechanism("valley_lost", radius=1e3 * radius, share=self._valley_gap)
 
-    def _ends(self, source: str) -> tuple[float, float]:
-        """Least and largest deviation of a source."""
-        given = getattr(self.tolerances, source)
-        if isinstance(given, Spread):
-            return given.lower, given.upper
-        return (0.0, 0.0) if given is None else (-given / 2, given / 2)
-
     def _extreme_discs(self) -> list[CycloidDisc]:
         disc = self.real.ring.disc
         return [
             _cut(disc, equidistant, pin_circle)
-            for equidistant in self._ends("equidistant")
-            for pin_circle in self._ends("modification_pin_circle")
+            for equidistant in self.tolerances.ends("equidistant")
+            for pin_circle in self.tolerances.ends("modification_pin_circle")
         ]
 
     @property
     def _valley_gap(self) -> float:
         """Largest gap of a pin in the middle of a valley, of any piece, over the radius there."""
-        own, ends = self.real.ring.disc.modification, self._ends
+        own, ends = self.real.ring.disc.modification, self.tolerances.ends
         middle = own.equidistant - own.pin_circle
         most, least = middle, middle
         for source, sign in (
@@ -258,10 +250,7 @@ class SeriesStudy(Study):
         """
         if name != "ring_max_pressure":
             return Study.square_pressure(self, name)
-        unit = self.real.ring.pressure(1.0)
-        if unit is None:
-            raise InvalidInput("pin_material", None, "needed", field="disc_material")
-        return unit**2
+        return self.real.ring.pressure(1.0) ** 2
 
     def grid_errors(self, pieces: Drawn, values: FloatArray) -> dict[str, float]:
         """What the positions miss of each quantity.

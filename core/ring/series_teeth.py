@@ -167,10 +167,9 @@ class TeethInSeries(MeshTurn):
         return self.series.by_values(RUB).value
 
     @derived
-    def hardest_pressed_rub(self) -> float | None:
-        """Largest product of Hertz pressure and that distance, Pa*m, of known materials."""
-        unit = self.mesh.pressure(1.0)
-        return None if unit is None else unit * self.series.by_values(RUB_AND_PRESS).value
+    def hardest_pressed_rub(self) -> float:
+        """Largest product of Hertz pressure and that distance, Pa*m."""
+        return self.mesh.pressure(1.0) * self.series.by_values(RUB_AND_PRESS).value
 
     @property
     def accuracy(self) -> Accuracy:

@@ -172,7 +172,7 @@ class RingTurn:
     peak_force: float  # largest on a pin of the ring, N
     peak_crank_angle: float  # crank angle at which it occurs, rad, of all turns
     peak_pair: PairNumber  # satellite, and the pin that carries it there, from 1
-    max_pressure: float | None  # largest Hertz pressure, Pa, where the materials are known
+    max_pressure: float  # largest Hertz pressure, Pa
     peak_error: float  # estimate of the error of the force, relative
     loaded_pairs_min: int  # least number of pairs with a force, on the grid
     loaded_pairs_max: int  # largest number
@@ -251,10 +251,8 @@ class SeriesOverTurn(OverTurn):
         )
 
     @property
-    def ring_pressure(self) -> float | None:
-        """Largest Hertz pressure of its pairs, Pa, where the materials are known."""
-        if self.series.ring.pressure(1.0) is None:
-            return None
+    def ring_pressure(self) -> float:
+        """Largest Hertz pressure of its pairs, Pa."""
         return self.series.ring.pressure(self.top("mesh_pressure", MESH_PRESSURE)[0].height)
 
     @property
@@ -344,11 +342,15 @@ def series_over_turn(
     >>> from core.ring.sharing import CycloidMesh
     >>> disc = CycloidDisc(satellite_teeth=5, eccentricity=1e-3,
     ...                    ring_pin_circle_radius=0.02, ring_pin_radius=2e-3)
+    >>> from core.materials import ElasticMaterial
+    >>> steel = ElasticMaterial(210e9, 0.3)
     >>> ring = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01,
-    ...                    law=LinearLaw(5e7), exact=False)
+    ...                    law=LinearLaw(5e7), exact=False,
+    ...     pin_material=steel, disc_material=steel)
     >>> output = RealMechanism(mechanism=Mechanism(3, (0.0,), 5.0), pin_circle_radius=0.01,
     ...                        pin_radius=2e-3, eccentricity=1e-3, contact_length=0.01,
-    ...                        law=LinearLaw(5e7), exact=False)
+    ...                        law=LinearLaw(5e7), exact=False,
+    ...     pin_material=steel, hole_material=steel)
     >>> found = series_over_turn(real=MeshesInSeries(ring, output), output_torque=5.0)
     >>> round(found.peak_force, 6), round(found.ring.peak_force, 4)
     (624.616606, 686.7476)

@@ -19,19 +19,20 @@ from core.output.compiled import at_hand, plain
 from core.output.conformal_law import NO_CURVE, NO_WRAP
 from core.output.contact_force import PairNumber
 from core.output.contact_law import (
+    RIGID_PINS,
     ContactLaw,
+    HertzLaw,
     LinearLaw,
-    PinSupport,
+    Pins,
     check_law,
     law_constants,
     law_kind,
-    pin_compliance,
 )
-from core.output.loop_rows import PRESSURE, RIGID, SHARES, Law, Position
+from core.output.loop_rows import PRESSURE, Law, Position
 from core.output.mechanism import Mechanism
 from core.output.over_turn import Extreme, OverTurn
 from core.output.real_turn import CloseSamples, close_samples
-from core.output.satellite_support import Shares, check_shares
+from core.output.satellite_support import RIGID_SUPPORT, SatelliteSupport
 from core.output.stage import Stage, blank_rows, in_floats
 from core.output.summits import Summit, summits
 from core.output.turn import Turn
@@ -114,13 +115,14 @@ class CycloidMesh(Stage):
     crank_angles: tuple[float, ...]  # alpha_j of the K discs, rad
     contact_length: float  # b of a disc on a pin, m, > 0
     law: ContactLaw  # of contact of each pair
-    pin_material: ElasticMaterial | None = None  # needed for `HertzLaw` and for pressures
-    disc_material: ElasticMaterial | None = None  # likewise
-    pin: PinSupport | None = None  # how ring pins bend; not at all in their seats
+    pin_material: ElasticMaterial
+    disc_material: ElasticMaterial
+    pin: Pins = RIGID_PINS  # how ring pins bend; not at all in their seats
     seat_stiffness: float = math.inf  # of a pin in its bore and what holds that, N/m
     deviations: RingDeviations = field(default_factory=RingDeviations)  # of this piece
     exact: bool = True  # geometry; else first order in lag and deviations
-    support: Shares | None = None  # given shares of the torque; else all discs have one lag
+    # Given shares of the torque; else all discs have one lag.
+    support: SatelliteSupport = RIGID_SUPPORT
 
     def __post_init__(self) -> None:
         check_single(contact_length=self.contact_length, seat_stiffness=self.seat_stiffness)
@@ -135,8 +137,7 @@ class CycloidMesh(Stage):
             raise InvalidInput(
                 "reference_depth", self.reference_depth, "less_than_equal", limit=high
             )
-        if self.support is not None:
-            check_shares(shares=self.support.shares, satellites=len(self.crank_angles))
+        self.support.check(len(self.crank_angles))
         if self.exact and self.disc.modification.rotation > 0:
             raise InvalidInput("exact", self.exact, "flanks_first_order", field="rotation")
 
@@ -152,11 +153,11 @@ class CycloidMesh(Stage):
             self,
             disc=replace(self.disc, modification=Modification()),
             law=LinearLaw(1e8),
-            pin=None,
+            pin=RIGID_PINS,
             seat_stiffness=math.inf,
             deviations=RingDeviations(),
             exact=False,
-            support=None,
+            support=RIGID_SUPPORT,
         )
 
     @property
@@ -181,8 +182,8 @@ class CycloidMesh(Stage):
         """Depth to which the approach of pin and disc is counted, m: the pin's radius, where the
         law has none.
         """
-        depth = getattr(self.law, "reference_depth", None)
-        return float(self.disc.ring_pin_radius if depth is None else depth)
+        radius = self.disc.ring_pin_radius
+        return float(self.law.depth(radius) if isinstance(self.law, HertzLaw) else radius)
 
     def setup(self, direction: float) -> MeshSetup:
         """The design as the loops take it.
@@ -213,7 +214,7 @@ class CycloidMesh(Stage):
                 exponent=exponent,
                 curve=NO_CURVE,
                 wrap=NO_WRAP,
-                support=RIGID if self.support is None else SHARES,
+                support=self.support.kind,
                 gives=0.0,
                 loose=0.0,
                 foot=self.exact,
@@ -229,14 +230,8 @@ class CycloidMesh(Stage):
     @property
     def compliance(self) -> list[float]:
         """Of a ring pin at each disc, m/N: of its seat, and of its bending."""
-        satellites, seat = len(self.crank_angles), 1 / self.seat_stiffness
-        if self.pin is None:
-            return [seat] * satellites
-        places = self.pin.satellite_positions
-        if len(places) != satellites:
-            counts = {"expected": satellites, "actual": len(places)}
-            raise InvalidInput("satellite_positions", places, "different_length", **counts)
-        return [each + seat for each in pin_compliance(self.pin)]
+        seat = 1 / self.seat_stiffness
+        return [each + seat for each in self.pin.bending(len(self.crank_angles))]
 
     @property
     def law_constants(self) -> Law:
@@ -309,7 +304,7 @@ class CycloidMesh(Stage):
         try:
             return super().solved(psi, torque, setup, room)
         except ImpossibleMechanism as why:
-            if why.code in JAMMED and (jams := self.jams(psi, torque)) is not None:
+            if why.code in JAMMED and (jams := self.jams(psi, torque)):
                 raise ImpossibleMechanism("ring_jams", why.where, **jams) from why
             raise
 
@@ -323,9 +318,9 @@ class CycloidMesh(Stage):
         """
         return _interference(self, self.setup(1.0), False, psi) or 0.0
 
-    def jams(self, psi: float, torque: float) -> dict[str, Any] | None:
-        """The pin that does not let a disc into the ring, the disc, and by how much, mm; None where
-        it would not be solved with pins that are as much thinner either.
+    def jams(self, psi: float, torque: float) -> dict[str, Any]:
+        """The pin that does not let a disc into the ring, the disc, and by how much, mm; nothing
+        where it would not be solved with pins that are as much thinner either.
 
         Parameters
         ----------
@@ -336,14 +331,14 @@ class CycloidMesh(Stage):
         """
         depth, room = self.pressing_at(psi), self.room()
         if not depth > 0:
-            return None
+            return {}
         approach.at(psi, self.setup(1.0), self.pairs, room)
         satellite, pin = divmod(int(np.argmax(room.q)), self.disc.pins)
         free = self.less(depth)
         try:
             super(CycloidMesh, free).solved(psi, torque, free.setup(1.0), free.room())
         except ImpossibleMechanism:
-            return None
+            return {}
         return {"satellite": satellite + 1, "pin": pin + 1, "depth": 1e3 * depth}
 
     def less(self, closer: float) -> "CycloidMesh":
@@ -368,9 +363,11 @@ class CycloidMesh(Stage):
         return room
 
     def _blank(self, kind: Any) -> Any:
-        shares = () if self.support is None else self.support.shares
         return blank_rows(
-            kind, pins=self.disc.pins, satellites=len(self.crank_angles), shares=shares
+            kind,
+            pins=self.disc.pins,
+            satellites=len(self.crank_angles),
+            shares=self.support.given_shares,
         )
 
     @property
@@ -383,8 +380,8 @@ class CycloidMesh(Stage):
         """The same, compiled where they can be."""
         return at_hand(approach)
 
-    def pressure(self, force_over_radius: float) -> float | None:
-        """Largest Hertz pressure by a force over the reduced radius, where the materials are known.
+    def pressure(self, force_over_radius: float) -> float:
+        """Largest Hertz pressure by a force over the reduced radius.
 
         Parameters
         ----------
@@ -393,11 +390,9 @@ class CycloidMesh(Stage):
 
         Returns
         -------
-        float or None
+        float
             In Pa.
         """
-        if self.pin_material is None or self.disc_material is None:
-            return None
         modulus = effective_modulus(first=self.pin_material, second=self.disc_material)
         return math.sqrt(force_over_radius * modulus / (math.pi * self.contact_length))
 
@@ -418,7 +413,7 @@ class CycloidMesh(Stage):
         if not low <= self.disc.shortening_coefficient <= high:
             share = {"shortening": self.disc.shortening_coefficient}
             found.append(Notice("unusual_shortening", share))
-        if self.pin is None and not math.isfinite(self.seat_stiffness):
+        if not self.pin.bends and not math.isfinite(self.seat_stiffness):
             found.append(Notice("seat_rigid"))
         if self.exact and self.valley_gap > VALLEY:
             found.append(Notice("valley", {"share": self.valley_gap}))
@@ -443,7 +438,7 @@ class MeshPosition:
     # Smallest possible worst approach of the unloaded pairs, m, where they press.
     interference: float | None
     stiffness: float  # dT/dtheta, N*m/rad
-    max_pressure: float | None  # largest Hertz pressure, Pa, where the materials are known
+    max_pressure: float  # largest Hertz pressure, Pa
     # Largest distance of a loaded contact from its pitch point, m: times the speed of the output
     # that at which a disc slides on a pin that stands still.
     sliding_distance: float
@@ -490,8 +485,10 @@ def mesh_position(*, mesh: CycloidMesh, crank_angle: float, output_torque: float
     >>> from core.output.contact_law import LinearLaw
     >>> disc = CycloidDisc(satellite_teeth=29, eccentricity=1.250025e-3,
     ...                    ring_pin_circle_radius=0.0525, ring_pin_radius=3.5e-3)
+    >>> steel = ElasticMaterial(210e9, 0.3)
     >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.0135,
-    ...                    law=LinearLaw(1e8), exact=False)
+    ...                    law=LinearLaw(1e8), exact=False,
+    ...     pin_material=steel, disc_material=steel)
     >>> found = mesh_position(mesh=mesh, crank_angle=0.0, output_torque=58.0)
     >>> round(found.crank_across[0], 6), round(max(found.force[0]), 6)
     (1599.968001, 212.944548)
@@ -584,8 +581,10 @@ def mesh_gaps(
     >>> disc = CycloidDisc(satellite_teeth=11, eccentricity=2.5e-3,
     ...                    ring_pin_circle_radius=0.05, ring_pin_radius=0.005,
     ...                    modification=Modification(equidistant=2e-5))
+    >>> steel = ElasticMaterial(210e9, 0.3)
     >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01,
-    ...                    law=LinearLaw(1e8))
+    ...                    law=LinearLaw(1e8),
+    ...     pin_material=steel, disc_material=steel)
     >>> {round(gap, 12) for row in mesh_gaps(mesh=mesh, crank_angle=0.3) for gap in row}
     {2e-05}
     """
@@ -630,10 +629,8 @@ class MeshTurn(OverTurn):
         return top
 
     @property
-    def max_pressure(self) -> float | None:
-        """Largest Hertz pressure over the turn, Pa, where the materials are known."""
-        if self.mesh.pressure(1.0) is None:
-            return None
+    def max_pressure(self) -> float:
+        """Largest Hertz pressure over the turn, Pa."""
         return self.mesh.pressure(self._hardest.height)
 
     @derived
@@ -783,10 +780,9 @@ class MeshTurn(OverTurn):
         return self._by_values(RUB)[0].value
 
     @derived
-    def hardest_pressed_rub(self) -> float | None:
-        """Largest product of Hertz pressure and that distance, Pa*m, of known materials."""
-        unit = self.mesh.pressure(1.0)
-        return None if unit is None else unit * self._by_values(RUB_AND_PRESS)[0].value
+    def hardest_pressed_rub(self) -> float:
+        """Largest product of Hertz pressure and that distance, Pa*m."""
+        return self.mesh.pressure(1.0) * self._by_values(RUB_AND_PRESS)[0].value
 
     @property
     def notices(self) -> tuple[Notice, ...]:
@@ -827,8 +823,10 @@ def mesh_over_turn(
     >>> disc = CycloidDisc(satellite_teeth=18, eccentricity=1.5e-3,
     ...                    ring_pin_circle_radius=0.034, ring_pin_radius=2.5e-3,
     ...                    modification=Modification(equidistant=1e-5))
+    >>> steel = ElasticMaterial(210e9, 0.3)
     >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01,
-    ...                    law=LinearLaw(5e7), exact=False)
+    ...                    law=LinearLaw(5e7), exact=False,
+    ...     pin_material=steel, disc_material=steel)
     >>> round(mesh_over_turn(mesh=mesh, output_torque=30.0).peak_force, 5)
     333.54715
     """
@@ -884,18 +882,24 @@ def ideal_mesh(*, disc: CycloidDisc, disc_torque: float) -> IdealMesh:
     >>> round(found.peak_force, 6), round(math.degrees(found.backlash)*60, 5)
     (233.918129, 2.54648)
     """
+    longest = disc.eccentricity * disc.satellite_teeth
+    return IdealMesh(
+        peak_force=4 * disc_torque / (longest * disc.pins),
+        mean_sum_force=4 * disc_torque / (math.pi * longest),
+        backlash=_ideal_backlash(disc),
+    )
+
+
+def _ideal_backlash(disc: CycloidDisc) -> float | None:
+    """Backlash of discs whose modification leaves gaps; None where it makes pins press."""
     longest, k = disc.eccentricity * disc.satellite_teeth, disc.shortening_coefficient
     wider, circle = disc.modification.equidistant, disc.modification.pin_circle
     root = math.sqrt((1 - k) * (1 + k))
-    free: float | None = None
     if circle <= (root * wider if wider > 0 else wider):
         free = 2 * (wider - circle * root) / longest
     elif root * wider < circle < wider:
         free = 2 * k * math.sqrt((wider - circle) * (wider + circle)) / longest
-    if free is not None:
-        free += 2 * disc.modification.rotation
-    return IdealMesh(
-        peak_force=4 * disc_torque / (longest * disc.pins),
-        mean_sum_force=4 * disc_torque / (math.pi * longest),
-        backlash=None if free is None or free < 0 else free,
-    )
+    else:
+        return None
+    free += 2 * disc.modification.rotation
+    return free if free >= 0 else None

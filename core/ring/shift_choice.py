@@ -58,21 +58,18 @@ def nearest_ring(*, teeth: InvoluteTeeth, room: float = TIPS_APART) -> InvoluteP
     alpha, difference = teeth.rack.pressure_angle, teeth.difference
     own, tan = float(involute(alpha)), math.tan(alpha)
 
-    def at(angle: float) -> InvolutePair | None:
+    def at(angle: float) -> InvolutePair:
         turned = difference * (float(involute(angle)) - own) / (2 * tan)
         shift = teeth.satellite_profile_shift + turned
-        try:
-            return involute_pair(teeth=replace(teeth, ring_profile_shift=shift))
-        except InvalidInput as why:
-            if why.parameter == "ring_addendum":  # its tip lies within its base circle
-                return None
-            raise
+        return involute_pair(teeth=replace(teeth, ring_profile_shift=shift))
 
     def spare(angle: float) -> float:
-        pair = at(angle)
-        if pair is None or pair.tip_interference is None:
-            return math.nan
-        return pair.tip_interference - room
+        try:
+            return float(at(angle).crossing.interference) - room
+        except InvalidInput as why:
+            if why.parameter == "ring_addendum":  # its tip lies within its base circle
+                return math.nan
+            raise
 
     angles = np.linspace(alpha, STEEPEST, TRIED).tolist()
     apart = next((number for number, angle in enumerate(angles) if spare(angle) >= 0), None)
@@ -117,7 +114,7 @@ def shifts_at(
         pressure_angle=teeth.rack.pressure_angle,
         eccentricity=eccentricity,
     )
-    best: InvolutePair | None = None
+    fitting: list[InvolutePair] = []
     low, high = USUAL_SHIFTS
     for shift in np.linspace(low, high, round((high - low) / SHIFT_STEP) + 1).tolist():
         shifted = replace(
@@ -127,9 +124,9 @@ def shifts_at(
             pair = involute_pair(teeth=shifted, eccentricity=eccentricity)
         except InvalidInput:  # a tip within its base circle
             continue
-        apart = pair.tip_interference is not None and pair.tip_interference >= room
         blunt = min(pair.satellite_tip_thickness, pair.ring_tip_thickness) > 0
-        better = best is None or pair.contact_ratio > best.contact_ratio
-        if apart and blunt and pair.on_involutes and better:
-            best = pair
-    return None if best is None else best.teeth
+        if pair.tips_apart(room) and blunt and pair.on_involutes:
+            fitting.append(pair)
+    if not fitting:
+        return None
+    return max(fitting, key=lambda pair: pair.contact_ratio).teeth

@@ -139,8 +139,7 @@ def ring_outline(
         whole = teeth.ring_half_angle >= float(involute(math.atan(high)))
         curves = ((flank, high, low),)
     else:
-        form = pair.form_roll_ring
-        assert form is not None
+        form = pair.ring_flank.form_roll
         corner, turned, whole = _cutter_corner(teeth, teeth.cutter, pair.ring_root)
         whole = whole and form >= low
         curves = ((corner, 0.0, turned), (flank, form, low))

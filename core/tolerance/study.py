@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from core.arrays import BoolArray, FloatArray
-from core.errors import InvalidInput
 from core.output.compiled import at_hand
 from core.output.loop_rows import (
     BINDS,
@@ -414,10 +413,7 @@ class Study:
         float
         """
         real = replace(self.output, deviations=Deviations())
-        unit = real.contact(0, 1.0)
-        if unit is None:
-            raise InvalidInput("pin_material", None, "needed", field="hole_material")
-        return float(unit.max_pressure**2 / real.pairs.curved[0])
+        return float(real.contact(0, 1.0).max_pressure ** 2 / real.pairs.curved[0])
 
     def grid_errors(self, pieces: Drawn, values: FloatArray) -> dict[str, float]:
         """What the positions miss of each quantity.

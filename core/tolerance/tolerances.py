@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -37,22 +37,44 @@ class Tolerances:
     modification_pin_circle: Spread | None = None  # likewise
 
     def __post_init__(self) -> None:
-        zones = {name: getattr(self, name) for name in KINDS if name.endswith("position")}
-        check_positive(**{name: zone for name, zone in zones.items() if zone is not None})
+        zones = {name: zone for name, zone in self._given.items() if name.endswith("position")}
+        check_positive(**zones)
+
+    @property
+    def _given(self) -> dict[str, Any]:
+        """What varies: diameters of zones, and spreads."""
+        every = {name: getattr(self, name) for name in KINDS}
+        return {name: each for name, each in every.items() if each is not None}
 
     @property
     def sources(self) -> tuple[str, ...]:
         """Names of what varies."""
-        return tuple(name for name in KINDS if getattr(self, name) is not None)
+        return tuple(self._given)
+
+    def ends(self, source: str) -> tuple[float, float]:
+        """Least and largest deviation of a source: 0 of what is exact.
+
+        Parameters
+        ----------
+        source : str
+            Name of the source.
+
+        Returns
+        -------
+        tuple of float
+        """
+        given = self._given.get(source, 0.0)
+        if isinstance(given, Spread):
+            return given.lower, given.upper
+        return -given / 2, given / 2
 
     @property
     def mean_clearance(self) -> float:
         """What the middles of all limits add to the radial clearance of pin and hole, m."""
-
-        def middle(spread: Spread | None) -> float:
-            return 0.0 if spread is None else (spread.lower + spread.upper) / 2
-
-        return middle(self.hole_radius) - middle(self.pin_radius) - middle(self.eccentricity)
+        hole, pin, crank = (
+            sum(self.ends(source)) / 2 for source in ("hole_radius", "pin_radius", "eccentricity")
+        )
+        return hole - pin - crank
 
     @property
     def middle(self) -> "Tolerances":

@@ -440,7 +440,7 @@ def real_turn(*, real: Stage, output_torque: float, pins: str = "pins") -> Turn:
         left = MAX_SERIES_PAIRS - real.mechanism.pins * real.mechanism.satellites
         refuse_many_pairs(mechanism=real.ring.mechanism, limit=left, pins="ring_teeth")
         return SeriesTurn(real, output_torque)
-    limit = MAX_REAL_PAIRS if real.support is None else MAX_COMPLIANT_PAIRS
+    limit = MAX_COMPLIANT_PAIRS if real.support.first_order else MAX_REAL_PAIRS
     refuse_many_pairs(mechanism=real.mechanism, limit=limit, pins=pins)
     return Turn(real, output_torque)
 

@@ -2,6 +2,7 @@
 
 import math
 import time
+from contextlib import suppress
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -61,14 +62,11 @@ def _sampled(study: Study, positions: int, percent: float | None) -> _Sampled:
     return _Sampled(values, _estimate(values, percent), spent)
 
 
-def _scatter(grid: _Sampled, blocks: int, percent: float | None) -> float | None:
-    """Root mean square deviation of the estimates from smaller samples; None where these are too
-    small for it. Blocks of the same pieces lie closer to their whole than to the truth.
+def _scatter(grid: _Sampled, blocks: int, percent: float | None) -> float:
+    """Root mean square deviation of the estimates from smaller samples. Blocks of the same pieces
+    lie closer to their whole than to the truth.
     """
-    try:
-        found = [_estimate(block, percent) for block in np.array_split(grid.values, blocks)]
-    except InvalidInput:
-        return None
+    found = [_estimate(block, percent) for block in np.array_split(grid.values, blocks)]
     square = float(np.mean((np.array(found) - grid.estimate) ** 2))
     return math.sqrt(square / (1 - 1 / blocks))
 
@@ -120,12 +118,14 @@ def _line(
 ) -> list[WorkPoint]:
     """Smaller samples and all pieces at one grid."""
     grid, count = _sampled(study, positions, percent), study.samples
-    scatters = {count // blocks: _scatter(grid, blocks, percent) for blocks in BLOCKS}
-    quartered = scatters[count // BLOCKS[-1]]
-    if quartered is None:
+    scatters: dict[int, float] = {}
+    for blocks in BLOCKS:
+        with suppress(InvalidInput):  # of blocks that are too small for it
+            scatters[count // blocks] = _scatter(grid, blocks, percent)
+    if count // BLOCKS[-1] not in scatters:
         least = 2 if percent is None else fewest(percent)
         raise InvalidInput("samples", count, "too_few", limit=BLOCKS[-1] * least)
-    scatters[count] = quartered / 2
+    scatters[count] = scatters[count // BLOCKS[-1]] / 2
     return [
         WorkPoint(
             method=method,
@@ -135,5 +135,4 @@ def _line(
             evaluations=pieces * positions,
         )
         for pieces, scatter in scatters.items()
-        if scatter is not None
     ]

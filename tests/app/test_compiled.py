@@ -23,9 +23,10 @@ from core.output.contact_law import LinearLaw
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_mechanism import RealMechanism
-from core.ring import approach, series_kernel, series_pieces
+from core.ring import approach, series_disc, series_kernel, series_pieces
 from core.ring.profile import CycloidDisc
 from core.ring.sharing import CycloidMesh, mesh_over_turn
+from tests.inputs.real_mechanisms import STEEL
 
 CORPUS = Path(__file__).parent.parent / "corpus" / "requests.json"
 WALKED = ("crank-planetary", "load-sharing", "tolerance-study", "crankshaft", "satellite-bearing")
@@ -76,10 +77,17 @@ def test_whole_numbers_are_floats_to_the_loops():
         contact_length=0.01,
         law=LinearLaw(50_000_000),
         clearance=0,
+        pin_material=STEEL,
+        hole_material=STEEL,
     )
     disc = CycloidDisc(5, 0.001, 0.02, 0.002)
     ring = CycloidMesh(
-        disc=disc, crank_angles=(0.0,), contact_length=0.01, law=LinearLaw(50_000_000)
+        disc=disc,
+        crank_angles=(0.0,),
+        contact_length=0.01,
+        law=LinearLaw(50_000_000),
+        pin_material=STEEL,
+        disc_material=STEEL,
     )
     found = over_turn(real=real, output_torque=30)
     assert found.peak_force > 0 and mesh_over_turn(mesh=ring, output_torque=30).peak_force > 0
@@ -94,7 +102,7 @@ print([name for name in sys.modules if name.partition(".")[0] in ("core", "numpy
 """
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
-    sources = *loops.SOURCES, approach, series_kernel, series_pieces
+    sources = *loops.SOURCES, approach, series_disc, series_kernel, series_pieces
     assert tuple(Path(each.__file__) for each in sources) == compiled.SOURCES
     kernel = loops.in_place_of(series_pieces)
     assert kernel.pieces.__qualname__ == compiled.LAST

@@ -11,12 +11,12 @@ import pytest
 from core.derived import derived
 from core.errors import ImpossibleMechanism
 from core.output import compiled
-from core.output.contact_law import PinSupport
+from core.output.contact_law import RIGID_PINS, PinSupport
 from core.output.loop_rows import FORCE
 from core.output.mechanism import Mechanism
 from core.output.over_turn import OverTurn, over_turn
 from core.output.real_mechanism import RealMechanism
-from core.output.satellite_support import CrankSupport, ElasticMesh, Shares
+from core.output.satellite_support import RIGID_SUPPORT, CrankSupport, ElasticMesh, Shares
 from core.output.turn import Turn
 from core.ring.series_study import SERIES_QUANTITIES, SeriesStudy
 from core.tolerance.draws import Spread
@@ -79,7 +79,7 @@ def looked_at(real: RealMechanism, torque: float) -> list[float]:
 @pytest.mark.parametrize("support", SUPPORTS)
 @pytest.mark.parametrize("law", LAWS, ids=lambda law: f"{type(law).__name__}")
 def test_both_give_the_same_bits(law, support, exact):
-    pin = PinSupport(support, 0.006, (0.01, 0.03), STEEL, 0.04) if support else None
+    pin = PinSupport(support, 0.006, (0.01, 0.03), STEEL, 0.04) if support else RIGID_PINS
     same_bits(pair_of_discs(law=law, pin=pin, exact=exact))
 
 
@@ -178,5 +178,5 @@ def test_a_study_of_satellites_that_give_is_that_of_its_pieces() -> None:
         Turn(study.piece(pieces, i), 30.0).values(FORCE, places).heights.max() for i in range(3)
     ]
     assert study.values(pieces)[0][:, 0].tolist() == peaks
-    rigid = replace(study, real=replace(real, support=None))
+    rigid = replace(study, real=replace(real, support=RIGID_SUPPORT))
     assert rigid.values(pieces)[0][:, 0].tolist() != peaks

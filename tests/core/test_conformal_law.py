@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from core.conformal import conformal_contact, local_approach
-from core.errors import ImpossibleMechanism, InvalidInput
+from core.errors import ImpossibleMechanism
 from core.materials import ElasticMaterial, effective_modulus, mismatch
 from core.output.conformal_law import approach_over_load, conformal_curve, end, far_approach
 from core.output.contact_kernel import alone, given_over, law
@@ -15,7 +15,6 @@ from core.output.contact_law import (
     ConformalLaw,
     HertzLaw,
     contact_compliance,
-    law_curve,
     usual_law,
 )
 from core.output.loaded_position import loaded_position
@@ -112,14 +111,8 @@ def test_the_approach_hangs_on_the_load_over_the_difference_of_the_radii_alone()
 def test_the_usual_law_is_by_the_materials_alone() -> None:
     just = replace(NEAR_LIMIT, youngs_modulus=20e9 * (1 - 1e-12))
     assert usual_law(pin=STEEL, hole=NEAR_LIMIT) == HertzLaw()
-    assert usual_law(pin=None, hole=None) == HertzLaw()
-    for pin, hole in ((STEEL, just), (just, STEEL), (PLA, PLA), (None, PLA)):
+    for pin, hole in ((STEEL, just), (just, STEEL), (PLA, PLA)):
         assert usual_law(pin=pin, hole=hole) == ConformalLaw()
-
-
-def test_without_materials_the_law_is_refused() -> None:
-    with pytest.raises(InvalidInput, match="pin_material"):
-        law_curve(law=ConformalLaw(), contact_length=0.01, pin=STEEL, hole=None)
 
 
 @pytest.mark.parametrize("torque", [1e-4, 0.3, 4.0, 12.0])

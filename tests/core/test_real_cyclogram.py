@@ -12,6 +12,7 @@ from core.output.over_turn import OverTurn
 from core.output.real_cyclogram import RealCyclogram, carried_forces, real_cyclogram
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.turn import Turn
+from tests.inputs.real_mechanisms import STEEL
 
 TORQUE = 120.0
 
@@ -31,6 +32,8 @@ def made(
         clearance=clearance,
         law=law,
         deviations=Deviations(**deviations),
+        pin_material=STEEL,
+        hole_material=STEEL,
     )
 
 

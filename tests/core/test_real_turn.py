@@ -26,7 +26,7 @@ from core.output.pin_strength import pin_strength
 from core.output.real_curves import real_curves
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.real_turn import refined
-from core.output.satellite_support import CrankSupport
+from core.output.satellite_support import RIGID_SUPPORT, CrankSupport
 from tests.inputs.real_mechanisms import UNLIKE, design, made, real_turn, reals
 
 STEEL = ElasticMaterial(210e9, 0.3, yield_strength=800e6)
@@ -362,7 +362,7 @@ def test_clearance_of_crank_bearings_counts() -> None:
     bearing = BEARING | {"mechanism": mechanism}
     rigid, soft = (
         satellite_bearings(**bearing, made=made(as_made(mechanism, clearance=1e-5, support=each)))
-        for each in (None, CrankSupport(1e8, 1e-5))
+        for each in (RIGID_SUPPORT, CrankSupport(1e8, 1e-5))
     )
     assert abs(soft.peak_load / rigid.peak_load - 1).max() > 1e-4
 
@@ -404,5 +404,7 @@ def test_samples_of_a_torque_that_vanishes_are_few(torque: float) -> None:
         contact_length=0.02,
         clearance=2e-5,
         law=LinearLaw(5e8),
+        pin_material=STEEL,
+        hole_material=STEEL,
     )
     assert real_turn(real=real, output_torque=torque).wave.size < 5_000

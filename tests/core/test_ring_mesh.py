@@ -289,7 +289,6 @@ def test_the_reference_depth_is_the_pin_s_radius() -> None:
         ({"support": Shares((0.6, 0.6))}, "shares", "sum_not_one"),
         ({"deviations": RingDeviations(pin_radial=(1e-6,))}, "pin_radial", "different_length"),
         ({"deviations": RingDeviations(crank_phase=(0.0,))}, "crank_phase", "different_length"),
-        ({"law": HertzLaw(), "pin_material": None}, "pin_material", "needed"),
     ],
 )  # fmt: skip
 def test_what_is_out_of_range_is_refused(changes: dict[str, Any], name: str, code: str) -> None:

@@ -221,7 +221,7 @@ def test_pressed_or_impossible() -> None:
     nothing goes together.
     """
     fit = Fit(PRESSED)
-    assert fit.most_approach == pytest.approx(0.035671122444567e-3, rel=1e-9)
+    assert fit.elastic.limit == pytest.approx(0.035671122444567e-3, rel=1e-9)
     assert fit.forces_at_limit[0] == pytest.approx(45027.03351387924, rel=1e-9)
     assert fit.misfit == "pressed_without_load" and not fit.impossible
     assert fit.needed_hole_radius == pytest.approx(0.010, rel=1e-12)

@@ -47,6 +47,8 @@ def series_of(
         "eccentricity": DISC.eccentricity,
         "contact_length": 0.01,
         "law": LinearLaw(1e8),
+        "pin_material": STEEL,
+        "hole_material": STEEL,
         "clearance": 1e-5,
         "exact": exact,
         "deviations": Deviations(**both),

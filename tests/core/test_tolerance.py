@@ -17,7 +17,7 @@ from core.output.contact_law import ContactLaw, HertzLaw, LinearLaw, PowerLaw
 from core.output.fit import Fit
 from core.output.loop_rows import BINDS, FITS, JUST, NOWHERE, Pairs, Room, Setup
 from core.output.mechanism import Mechanism
-from core.output.satellite_support import Shares
+from core.output.satellite_support import RIGID_SUPPORT, Shares
 from core.tolerance.contributions import contributions
 from core.tolerance.draws import Spread, uniforms, zone_places
 from core.tolerance.iso286 import GRADES, NEAREST, SIZES, class_limits
@@ -258,14 +258,15 @@ def test_a_part_of_the_pieces_is_made_alone() -> None:
 
 
 @pytest.mark.parametrize(
-    ("exact", "support"), [(True, None), (False, None), (False, Shares((0.6, 0.4)))]
+    ("exact", "support"),
+    [(True, RIGID_SUPPORT), (False, RIGID_SUPPORT), (False, Shares((0.6, 0.4)))],
 )
 @pytest.mark.parametrize("clearance", [3e-6, 8e-6, 1e-4])
 def test_positions_that_are_passed_over_have_room(clearance, exact, support) -> None:
     """States as by looking at all positions of the turn, at a part of them."""
     two = Mechanism.evenly_spaced(pins=6, satellites=2, ratio=18.0)
     real = design(mechanism=two, clearance=clearance, exact=exact, support=support)
-    study = Study(real, LOOSE, ASKED, samples=4 if support else 12)
+    study = Study(real, LOOSE, ASKED, samples=4 if support.first_order else 12)
     looks = 0
     for i in range(study.samples):
         piece = study.piece(study.pieces(), i)
@@ -279,9 +280,11 @@ def test_positions_that_are_passed_over_have_room(clearance, exact, support) -> 
         ends = [played(2 * math.pi * k / 720, setup, pairs, room) for k in range(720)]
         free = {low <= high + JUST * setup.eccentricity / setup.radius for low, high in ends}
         expected = BINDS if len(free) == 2 else FITS if True in free else NOWHERE
-        own = in_place_of(played=counted, **({"clear": piece.loops.clear} if support else {}))
+        own = in_place_of(
+            played=counted, **({"clear": piece.loops.clear} if support.first_order else {})
+        )
         assert own.fitting(setup, pairs, room) == expected
-    if clearance == 1e-4 and not support:
+    if clearance == 1e-4 and not support.first_order:
         assert looks < 40 * study.samples
 
 
@@ -359,8 +362,8 @@ def test_the_widest_play_is_that_of_all_positions(size: float, pins: int, exact:
     )
     asked = replace(ASKED, quantities=("backlash_max",))
     for i, clearance in enumerate((-size, 0.0, size, 3 * size, 30 * size, 1.2e-3)):
-        for support in (None,) if exact else (None, Shares((0.3, 0.2, 0.5))):
-            satellites = 3 if support else 1 + i % 4
+        for support in (RIGID_SUPPORT,) if exact else (RIGID_SUPPORT, Shares((0.3, 0.2, 0.5))):
+            satellites = 3 if support.first_order else 1 + i % 4
             mechanism = uneven(pins, satellites)
             own = {"exact": exact, "support": support, "roller_play": 1e-6 * (i % 2)}
             real = design(mechanism=mechanism, clearance=clearance, **own)

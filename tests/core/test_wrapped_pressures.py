@@ -56,7 +56,6 @@ def governing(real: RealMechanism, pair: int, force: float) -> float:
     """The pressure that is judged, of one pair, by its own sizes."""
     own = real.deviations.pin_radius or (0.0,) * real.mechanism.pins
     larger = own[pair % real.mechanism.pins]
-    assert real.pin_material is not None and real.hole_material is not None
     found = hertz(
         force=force,
         contact_length=real.contact_length,

@@ -7,7 +7,14 @@ import random
 from functools import cache
 from typing import Any
 
-from core.output.contact_law import HertzLaw, LinearLaw, PalmgrenLaw, PinSupport, PowerLaw
+from core.output.contact_law import (
+    RIGID_PINS,
+    HertzLaw,
+    LinearLaw,
+    PalmgrenLaw,
+    PinSupport,
+    PowerLaw,
+)
 from core.output.mechanism import Mechanism
 from core.output.pin_fatigue import FatigueStrength
 from core.output.real_mechanism import Deviations, RealMechanism
@@ -85,7 +92,7 @@ def pin_design(seed: int) -> dict[str, Any]:
         hole_material=PIN_STEEL,
         pin=PinSupport(support, diameter, tuple(places), PIN_STEEL, span)
         if r.random() < 0.4
-        else None,
+        else RIGID_PINS,
         deviations=Deviations()
         if alike
         else Deviations(

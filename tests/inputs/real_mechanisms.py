@@ -8,11 +8,13 @@ from hypothesis import strategies as st
 
 from core.materials import ElasticMaterial
 from core.output.contact_law import (
+    RIGID_PINS,
     ConformalLaw,
     ContactLaw,
     HertzLaw,
     LinearLaw,
     PalmgrenLaw,
+    Pins,
     PinSupport,
     PowerLaw,
 )
@@ -64,7 +66,7 @@ def reals(draw: st.DrawFn, exact: bool | None = None, powers: bool = False) -> R
         draw(angles),
         draw(angles),
     )
-    pin = None
+    pin: Pins = RIGID_PINS
     if not powers and draw(st.booleans()):
         places = tuple(SPAN * (j + 1) / (satellites + 1) for j in range(satellites))
         support = draw(st.sampled_from(["cantilever", "supported", "fixed"]))
@@ -122,6 +124,8 @@ def design(**changes: object) -> RealMechanism:
         "contact_length": 0.010,
         "clearance": 2e-5,
         "law": LinearLaw(5e7),
+        "pin_material": STEEL,
+        "hole_material": STEEL,
     }
     return RealMechanism(**kept | changes)
 

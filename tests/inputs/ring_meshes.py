@@ -6,7 +6,7 @@ from typing import Any
 
 from core.materials import ElasticMaterial
 from core.output.contact_law import ContactLaw, HertzLaw, LinearLaw, PalmgrenLaw, PowerLaw
-from core.output.satellite_support import Shares
+from core.output.satellite_support import RIGID_SUPPORT, Shares
 from core.ring.profile import CycloidDisc, Modification
 from core.ring.sharing import CycloidMesh, RingDeviations
 from tests.inputs.real_mechanisms import STEEL
@@ -114,7 +114,7 @@ def of_request(body: dict[str, Any]) -> tuple[CycloidMesh, float, float]:
         disc_material=materials[1],
         deviations=RingDeviations(**deviations),
         exact=body["geometry"] == "exact",
-        support=Shares(tuple(shares)) if shares else None,
+        support=Shares(tuple(shares)) if shares else RIGID_SUPPORT,
     )
     way = -1 if body["load"].get("torque_direction") == "reverse" else 1
     angle = math.radians(body["crank_angle_deg"][0])

@@ -160,7 +160,9 @@ def _pairs(real: Any, crank_angle: mpf) -> list:
     m, d = real.mechanism, real.deviations
     ratio, start = mpf(m.ratio), mpf(m.initial_crank_angle)
     psi = crank_angle * (1 + 1 / ratio) + start
-    bent = pin_give(real.pin) if real.pin else [mpf(0)] * m.satellites
+    bent = (
+        pin_give(real.pin) if hasattr(real.pin, "satellite_positions") else [mpf(0)] * m.satellites
+    )
 
     def of(values, *place):
         for index in place:

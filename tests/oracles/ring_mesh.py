@@ -199,7 +199,7 @@ def exact_mesh(mesh: Any, crank_angle: float, torque: float) -> ExactMesh:
     """A position; the torque may be negative."""
     with mp.workdps(DIGITS):
         discs = [Teeth(mesh, j, mpf(crank_angle)) for j in range(len(mesh.crank_angles))]
-        if mesh.support is None:
+        if not hasattr(mesh.support, "shares"):
             whole = Balance(mesh, discs)
             lags = [whole.balanced(mpf(torque))] * len(discs)
         else:

@@ -24,7 +24,7 @@ from core.output.conformal_law import (
     far_approach,
 )
 from core.output.contact_kernel import excess
-from core.output.contact_law import ConformalLaw, PinSupport, contact_compliance
+from core.output.contact_law import RIGID_PINS, ConformalLaw, PinSupport, contact_compliance
 from core.output.loaded_position import loaded_position
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import Deviations, RealMechanism
@@ -163,7 +163,7 @@ def test_forces_of_a_mechanism_are_those_of_false_position(exact: bool, bends: b
         clearance=5e-5,
         pin_material=STEEL,
         hole_material=PLA,
-        pin=PinSupport("cantilever", 0.008, (0.006, 0.016), STEEL) if bends else None,
+        pin=PinSupport("cantilever", 0.008, (0.006, 0.016), STEEL) if bends else RIGID_PINS,
         deviations=Deviations(pin_radius=(1e-5, -1e-5, 0.0, 2e-5, 0.0)),
         exact=exact,
     )

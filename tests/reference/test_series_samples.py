@@ -20,6 +20,7 @@ from core.ring.series_samples import sampled_in_series
 from core.ring.series_teeth import TeethInSeries
 from core.ring.series_turn import SeriesTurn, series_over_turn
 from core.ring.sharing import CycloidMesh, RingDeviations
+from tests.inputs.real_mechanisms import STEEL
 from tests.inputs.series import drawn
 from tests.oracles.series import exact_series
 
@@ -93,6 +94,8 @@ def meshes(lobes: int, pins: int, errors: str) -> MeshesInSeries:
         contact_length=0.01,
         law=law,
         deviations=RingDeviations(tuple(off)) if errors == "of the ring" else RingDeviations(),
+        pin_material=STEEL,
+        disc_material=STEEL,
     )
     output = RealMechanism(
         mechanism=own,
@@ -103,6 +106,8 @@ def meshes(lobes: int, pins: int, errors: str) -> MeshesInSeries:
         clearance=1e-5,
         law=law,
         deviations=Deviations(tuple(off[:pins])) if errors == "of the output" else Deviations(),
+        pin_material=STEEL,
+        hole_material=STEEL,
     )
     return MeshesInSeries(ring, output)
 

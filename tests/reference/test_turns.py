@@ -12,6 +12,7 @@ from core.output.contact_law import LinearLaw
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_mechanism import Deviations, RealMechanism
+from tests.inputs.real_mechanisms import STEEL
 from tests.oracles.turns import Made, largest
 
 TORQUE, SHARE = 200.0, 0.03
@@ -47,6 +48,8 @@ def test_the_turn(pins: int, satellites: int, size: float) -> None:
             hole_radius=tables[2],
             disc_phase=tuple(turned.tolist()),
         ),
+        pin_material=STEEL,
+        hole_material=STEEL,
     )
     found = over_turn(real=real, output_torque=TORQUE, lost_motion_share=SHARE)
     peak = largest(lambda psi: made.force(psi, TORQUE), 2003)

@@ -17,6 +17,7 @@ from core.output.real_mechanism import RealMechanism
 from core.tolerance.study import Evaluation, Study
 from core.tolerance.tolerances import Tolerances
 from tests.inputs.cluster import Cluster
+from tests.inputs.real_mechanisms import STEEL
 from tests.running_service import eventually, running_service
 
 pytestmark = pytest.mark.slow
@@ -30,6 +31,8 @@ STUDY = Study(
         contact_length=0.012,
         clearance=2e-5,
         law=PowerLaw(10 / 9, 1000.0, 1e-5),
+        pin_material=STEEL,
+        hole_material=STEEL,
     ),
     Tolerances(pin_position=1e-5, hole_position=2e-5),
     Evaluation(("peak_force", "backlash_max"), 200.0, positions=24),

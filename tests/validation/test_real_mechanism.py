@@ -24,6 +24,7 @@ from core.output.loaded_position import loaded_position
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_mechanism import Deviations, RealMechanism
+from tests.inputs.real_mechanisms import STEEL
 
 CASES = json.loads((Path(__file__).parent.parent / "oracles/load_sharing_cases.json").read_text())
 ARCMIN = math.pi / 180 / 60
@@ -181,6 +182,8 @@ def test_a_public_worked_example() -> None:
         contact_length=0.010,
         law=LinearLaw(stiffness=1e8),
         exact=False,
+        pin_material=STEEL,
+        hole_material=STEEL,
     )
     assert round(over_turn(real=real, output_torque=116.0).peak_force, 1) == 1712.2
 
@@ -199,6 +202,8 @@ def test_backlash_of_even_clearance(pins: int, most: float, least: float) -> Non
         clearance=2e-5,
         law=LinearLaw(stiffness=5e7),
         exact=False,
+        pin_material=STEEL,
+        hole_material=STEEL,
     )
     found = over_turn(real=real, output_torque=1.0)
     assert (round(found.backlash_max, 10), round(found.backlash_min, 7)) == (most, least)

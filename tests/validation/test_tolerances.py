@@ -14,6 +14,7 @@ from core.output.turn import Turn
 from core.tolerance.draws import Spread, uniforms
 from core.tolerance.study import Evaluation, Study, ToleranceStudy, tolerance_study
 from core.tolerance.tolerances import Tolerances
+from tests.inputs.real_mechanisms import STEEL
 
 ARCMIN = math.pi / 10800
 REAL = RealMechanism(
@@ -25,6 +26,8 @@ REAL = RealMechanism(
     clearance=2e-5,
     law=LinearLaw(1e8),
     exact=False,
+    pin_material=STEEL,
+    hole_material=STEEL,
 )
 PHASE = math.radians(0.01)
 TOLERANCES = Tolerances(

@@ -1,0 +1,100 @@
+"""What refusals say."""
+
+INVALID = {
+    "at_most": "must be at most {field}, {limit:.9g}",
+    "below_working": "must be at least {limit:.9g}, the torque times its factor",
+    "beyond_support": "must be at most {limit:.9g}, half a contact length from the end of {field}",
+    "different_length": "must have {expected} entries, has {actual}",
+    "different_sum": "must have lengths that add up to {field} and {other}, {needed_length:g} m, "
+    "not {given_length:g} m",
+    "drawn_cup": "must be those of a roller, or with an outer diameter: a drawn cup or a cage of "
+    "needles has no ring that could roll by itself",
+    "finite_number": "must be a finite number",
+    "first_order_only": "must be of first order beside {field}: what satellites give is not known "
+    "in exact geometry",
+    "flanks_first_order": "must be of first order beside {field}: flanks that are turned against "
+    "each other say nothing of tips and roots",
+    "flanks_not_drawn": "must be 0: flanks that are turned against each other say nothing of tips "
+    "and roots, so that there is no outline to draw",
+    "greater_than": "must be greater than {limit:.15g}",
+    "greater_than_equal": "must be at least {limit:.15g}",
+    "in_carrier": "must be at least half of {field}, {limit:.9g}: the contact would reach into the "
+    "carrier",
+    "infinite_line": "must not lie at a pole, a multiple of half a turn less {field}: the line is "
+    "infinitely long there",
+    "larger_than": "must be larger than {field}, {limit:.9g}",
+    "less_than": "must be less than {limit:.15g}",
+    "less_than_equal": "must be at most {limit:.15g}",
+    "more_than_whole": "must be at most {limit:d}, the number of satellites: none carries more "
+    "than all of the torque",
+    "needed": "is needed: this or {field}",
+    "no_arm": "must not be a multiple of half a turn: there the contact has no arm",
+    "no_fit": "must be an ISO 286 class of the hole and one of the pin, such as H7/f7",
+    "no_class": "must be an ISO 286 class of the table, such as m6 or H7",
+    "no_conformal_pressure": "must have a conformal pressure",
+    "no_cycloid": "must be larger than the eccentricity times 1 more than {field}, {limit:.9g}: "
+    "there is no such cycloid",
+    "no_mesh": "must be at least {limit:.9g}: teeth of this {field} do not mesh any nearer",
+    "no_sleeve": "must be smaller than twice {field}, {limit:.9g}: there is no room for a sleeve",
+    "no_tooth_form": "must be cycloid or involute: of other teeth no form is known here, and none "
+    "is drawn",
+    "not_in_table": "must be one of {values}",
+    "not_sourced": "is needed beside the name: no source has that of {material}",
+    "not_single": "must be one number, not an array",
+    "not_zero": "must not be 0",
+    "only_one": "excludes {field}: give one of them",
+    "other_branch": "must lie on the same side of the pole, a multiple of half a turn less "
+    "{other}, as {field}: the line is infinitely long there",
+    "odd_ring_pins": "is of an even number of pins, and the ring has {pins:d}",
+    "other_pitch": "must be {limit:.9g} from the place of the first satellite, as on the pins",
+    "right_angle": "must be smaller than a right angle",
+    "roller_without_arm": "puts roller {roller} at a multiple of half a turn: there its "
+    "contact has no arm",
+    "smaller_than": "must be smaller than {field}, {limit:.9g}",
+    "stages_differ": "must be {other:.9g}, as in the output mechanism",
+    "sum_not_one": "must add up to 1, not to {sum:.15g}",
+    "too_few": "needs a sample of at least {limit:d}",
+    "too_many_pairs": "must be at most {limit:d}, with {satellites} satellites",
+    "too_many_phases": "must be smaller: there would be more than {limit:d} driving phases",
+    "too_near": "must be at least {field}, {limit:.9g}, from the places of the other satellites",
+    "too_short": "must have at least {limit} entries",
+    "too_short_range": "must be larger than {limit:.3g}: no driving phase is that short",
+    "undercut": "must be smaller than {limit:.9g}: the tool would cut off a part of its own flanks",
+    "too_thick": "must be at most twice {field}, {limit:.9g}: thicker, the pin itself would touch "
+    "the hole",
+}
+"""What is wrong with one parameter."""
+
+
+IMPOSSIBLE = {
+    "beyond_first_order": "The output would turn by more than a radian, of which first order says "
+    "nothing: the contacts are too soft or the position is a dead centre",
+    "beyond_hertz": "The contact of satellite {satellite} and pin {pin} would be as wide as the "
+    "pin: no law of contact reaches so far",
+    "cannot_assemble": "Pins and holes press: pin {pin} does not fit into its hole of satellite "
+    "{satellite}, and no force of the contacts makes it",
+    "no_contact_line": "There is no contact line: the cosine of {field} equals {other}",
+    "no_lever": "The contact line of roller {roller} cannot carry a torque: it reaches phi = 0, "
+    "at z = 0, where the load has no arm about the axis; keep both its ends on one side of it",
+    "no_mechanism": "The holes do not hold their pins, which could pass from one into the next: "
+    "they are too large",
+    "no_room_in_hole": "The hole of satellite {satellite} is not larger than pin {pin}, or a "
+    "deviation leaves nothing of a radius",
+    "not_balanced": "The forces cannot be balanced within the range of numbers",
+    "not_stable": "The forces do not hold the output: its torque falls as it turns on",
+    "no_radius_left": "A deviation leaves nothing of the radius of pin {pin} of the ring, or of "
+    "the crank of satellite {satellite}",
+    "outside_method": "It lies outside of what the method is made for: of involute teeth 1 to 8 "
+    "more in the ring and a reference pressure angle of 14.5 to 30 degrees, of both meshes in "
+    "series cycloid discs on ring pins",
+    "overflow": "The numbers given leave the range of numbers: {names} would not be finite",
+    "ring_jams": "Pin {pin} of the ring stands {depth:.3g} mm within satellite {satellite}, "
+    "whichever way that turns: the ring does not let it in",
+    "teeth_not_whole": "Flanks are cut away at their roots, or teeth or spaces are pointed: there "
+    "is no outline to draw",
+    "teeth_interfere": "The teeth run into each other, or touch where they are no involutes",
+    "unloaded": "The loads cancel: nothing presses the bearings",
+    "valley_lost": "In a valley of the satellite's teeth a pin of the ring is {share:.3g} times as "
+    "far off as its path is round there, {radius:.3g} mm: which point it touches cannot be said",
+}
+"""What cannot be."""
