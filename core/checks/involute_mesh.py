@@ -81,7 +81,7 @@ def involute_pressed(*, results: Results, factor: float) -> Pressed:
     load = results.ring.involute_load(factor)
     pressure = required(load.pressure_start, "off_involutes")
     error = float(load.accuracy.relative_error) + results.ring.satellite_torque_error(factor)
-    return Pressed(pressure, error, results.made is not None, {})
+    return Pressed(pressure, error, results.solved, {})
 
 
 def refused(*, results: Results, kind: Kind, names: tuple[str, ...]) -> Check | None:
@@ -259,7 +259,7 @@ def mesh_root_stress(design: Design, results: Results) -> Check:
         reserve=limit / stress,
         error=results.ring.pair.accuracy.relative_error
         + results.ring.satellite_torque_error(factor),
-        rough=results.made is not None,
+        rough=results.solved,
         limit_source="user",
     )
 

@@ -161,7 +161,6 @@ def _looked_at(mesh: CycloidMesh, torques: list[float]) -> _Piece | None:
         return None
     play = rows[0]["high"] - rows[0]["low"]
     pressure = mesh.pressure(max(float(each["pressure"].max()) for each in rows))
-    assert pressure is not None  # of known materials, by whose law they give
     return _Piece(
         peak_force=max(float(each["force"].max()) for each in rows),
         max_pressure=pressure,

@@ -26,7 +26,7 @@ from core.design.sections import (
     SharedBy,
     Temperatures,
 )
-from core.errors import InvalidInput, NotKnown
+from core.errors import InvalidInput, NotKnown, required
 from core.materials import Body, ElasticMaterial, Plastic
 from core.output.contact_law import ContactLaw
 from core.output.mechanism import Mechanism
@@ -333,9 +333,7 @@ class Design:
         """
         of_output = self.contact.contact_length if self.contact else None
         length = self.gear.contact_length or of_output
-        if length is None:
-            raise NotKnown("size_missing", "gear.contact_length")
-        return length
+        return required(length, "size_missing", "gear.contact_length")
 
     @property
     def disc_material(self) -> ElasticMaterial | None:
@@ -443,24 +441,20 @@ class Design:
         shaft = self.crankshaft
         if shaft.rotor_mass is not None:
             return float(shaft.rotor_mass)
-        if shaft.satellite_mass is None:
-            raise NotKnown("mass_unknown", "crankshaft.satellite_mass")
-        return float(self.mechanism.satellites * shaft.satellite_mass)
+        mass = required(shaft.satellite_mass, "mass_unknown", "crankshaft.satellite_mass")
+        return float(self.mechanism.satellites * mass)
 
     @property
     def known_eccentricity(self) -> float:
         """The eccentricity, which has to be given, m."""
         eccentricity = self.contact.eccentricity if self.contact else None
-        if eccentricity is None:
-            raise NotKnown("eccentricity_assumed", "contact.eccentricity")
-        return eccentricity
+        return required(eccentricity, "eccentricity_assumed", "contact.eccentricity")
 
     @property
     def known_clearance(self) -> float:
         """The clearance, which needs the eccentricity, m."""
-        clearance = self.contact.clearance
-        if clearance is None:
-            raise NotKnown("eccentricity_assumed", "contact.eccentricity")
+        name = "contact.eccentricity"
+        clearance = required(self.contact.clearance, "eccentricity_assumed", name)
         if self.clearance_unknown:
             raise NotKnown("clearance_unknown", "contact.hole_clearance")
         return clearance
@@ -469,9 +463,7 @@ class Design:
     def known_speed(self) -> float:
         """The speed of the crank, which has to be given, rad/s."""
         speed = self.load.input_speed if self.load else None
-        if speed is None:
-            raise NotKnown("speed_missing", "load.input_speed")
-        return speed
+        return required(speed, "speed_missing", "load.input_speed")
 
     @property
     def members(self) -> Members:
@@ -493,9 +485,7 @@ class Design:
         """These, which have to be given."""
         crank, load = self.known_speed, self.load
         speeds = self.members.speeds(crank=crank, ring=load.ring_speed, carrier=load.carrier_speed)
-        if speeds is None:
-            raise NotKnown("speed_missing", "load.ring_speed")
-        return speeds
+        return required(speeds, "speed_missing", "load.ring_speed")
 
     @property
     def turning_speed(self) -> float | None:
@@ -503,6 +493,21 @@ class Design:
         or they turn as one.
         """
         return (self.speeds and self.speeds.turning) or None
+
+    def life_of(self, part: FatigueBasis | Friction) -> float:
+        """Time in which a part tires or wears: its own, or the required life.
+
+        Parameters
+        ----------
+        part : FatigueBasis or Friction
+            The section.
+
+        Returns
+        -------
+        float
+            s; infinite where none is asked.
+        """
+        return self.requirements.life if part.life is None else part.life
 
     def too_many(self, most: int) -> NotKnown:
         """What is not calculated of so many pairs.

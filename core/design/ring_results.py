@@ -36,6 +36,8 @@ MOST_RING_PAIRS = 300
 class OutputForces(Protocol):
     """What the mesh of the ring takes of the forces on the output's pins."""
 
+    solved: bool
+
     @property
     def in_series(self) -> bool:
         """Whether both meshes are solved in series."""
@@ -45,8 +47,8 @@ class OutputForces(Protocol):
         """Extremes over the turn, of a torque, N*m, negative in reverse."""
 
     @property
-    def made(self) -> Made | None:
-        """The forces on pins and satellites; None where the ideal ones are judged."""
+    def made(self) -> Made:
+        """The forces on pins and satellites, where they are solved."""
 
 
 class RingResults:
@@ -137,7 +139,7 @@ class RingResults:
         factor, N*m: its couple with the pins is that with an involute ring.
         """
         design = self.design
-        if self.output.made is None:
+        if not self.output.solved:
             return design.pin_torque * design.disc_factor / design.mechanism.satellites
         torque = design.pin_torque * factor
         ways = WAYS[design.load.torque_direction]
@@ -145,7 +147,7 @@ class RingResults:
 
     def satellite_torque_error(self, factor: float) -> float:
         """Estimate of the relative error of that torque."""
-        if self.output.made is None:
+        if not self.output.solved:
             return 0.0
         torque = self.design.pin_torque * factor
         ways = WAYS[self.design.load.torque_direction]
