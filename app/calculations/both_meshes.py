@@ -16,7 +16,7 @@ from app.model import Kinds, Maybe, ResponseModel, Values, field_error, quantity
 from app.problems import refusal
 from app.settings import Settings
 from app.units import from_si, to_si
-from core.design.ring import Ring
+from core.design.ring import CycloidRing
 from core.errors import InvalidInput
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.satellite_support import RingInSeries, SatelliteSupport
@@ -216,7 +216,7 @@ class RingInSeriesFields(RealDesignFields):
 
     @cached_property
     def _ring(self) -> CycloidMesh:
-        ring: Ring = self.given["gear"].ring()
+        ring: CycloidRing = self.given["gear"].ring(CycloidRing)
         return ring.cycloid_mesh(
             disc=ring.disc(
                 satellite_teeth=self.mechanism.given["satellite_teeth"],

@@ -4,7 +4,7 @@ satellites along their cranks.
 
 from collections.abc import Iterator
 from functools import partial
-from typing import Annotated, Any, ClassVar, Self
+from typing import Annotated, Any, ClassVar, Self, TypeVar
 
 from pydantic import Field, field_validator, model_validator
 
@@ -29,7 +29,14 @@ from app.model import (
 )
 from app.problems import invalid_input, wrong
 from app.units import to_si
-from core.design.ring import Ring, RingClass, RingPinSupport
+from core.design.ring import (
+    CycloidRing,
+    InvoluteRing,
+    OtherRing,
+    Ring,
+    RingClass,
+    RingPinSupport,
+)
 from core.design.ring import RingKind as Kind
 from core.ring.profile import Modification
 
@@ -37,6 +44,16 @@ REFERENCE_ANGLE_DEG = 20.0
 
 PIN_MATERIAL, DISC_MATERIAL = "steel_bearing", "steel_through_hardened"
 """Of the ring's pins and of the discs, where they are not given."""
+
+Made = TypeVar("Made")
+
+RINGS: dict[Kind | None, type[CycloidRing] | type[InvoluteRing] | type[OtherRing]] = {
+    "cycloid": CycloidRing,
+    "involute": InvoluteRing,
+    "none": OtherRing,
+    None: OtherRing,
+}
+"""Rings by their kind, of one whose ratio of forces is given without one."""
 
 OF_SUPPORTS = ("span_mm", "satellite_positions_mm")
 """What ring pins have that bend."""
@@ -150,13 +167,13 @@ class RingPinsFields(RequestModel, group="gear"):
                 raise field_error(name, "needed_beside", field="pin_support")
         return self
 
-    def ring(self) -> Ring:
-        """The ring in SI units."""
-        return ring_of(self.to_core())
+    def ring(self, made: type[Made]) -> Made:
+        """The ring in SI units, of the kind that it is."""
+        return ring_of(self.to_core(), made)
 
 
-def ring_of(own: dict[str, Any]) -> Ring:
-    """The ring in SI units, of what a request tells core of it."""
+def ring_of(own: dict[str, Any], made: type[Made]) -> Made:
+    """The ring in SI units, of the kind that it is, of what a request tells core of it."""
     if "pin_material" in own:
         held = strengths_of(own.pop("pin_material"))
         own["pin_material"] = held.pop("material")
@@ -164,7 +181,7 @@ def ring_of(own: dict[str, Any]) -> Ring:
     for name in ("disc_material", "satellite_material", "ring_material"):
         if name in own:
             own[name] = material_of(own[name])
-    return Ring(**own)
+    return made(**own)
 
 
 class RingPinDeviationsFields(RequestModel, group="deviations"):
@@ -342,4 +359,4 @@ class RingFields(RingPinsFields, InvoluteTeethFields, group="gear"):
         if self.kind == "involute":
             usual["reference_pressure_angle"] = to_si("angle_deg", REFERENCE_ANGLE_DEG)
         difference = present({"teeth_difference": whole.mechanism.teeth_difference})
-        return ring_of(usual | self.to_core() | difference)
+        return ring_of(usual | self.to_core() | difference, RINGS[self.kind])

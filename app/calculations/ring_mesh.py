@@ -51,7 +51,7 @@ from app.sources import ISO_6336, JOHNSON_1985
 from app.theme import Figure, Theme
 from app.units import to_si
 from app.worked import worked
-from core.design.ring import Ring
+from core.design.ring import CycloidRing, InvoluteRing
 from core.errors import InvalidInput
 from core.output.contact_law import HertzLaw
 from core.output.real_curves import stiffness_curve
@@ -256,10 +256,11 @@ class RingMeshRequest(RequestModel, group="positions"):
         return involute_pair(teeth=teeth, eccentricity=self.eccentricity)
 
     @cached_property
-    def involute(self) -> Ring:
+    def involute(self) -> InvoluteRing:
         """The ring of involute teeth, in SI units."""
         assert isinstance(self.gear, InvoluteRingFields)
-        return ring_of(self.gear.to_core())
+        difference = self.mechanism.ring_teeth - self.mechanism.satellite_teeth
+        return ring_of(self.gear.to_core() | {"teeth_difference": difference}, InvoluteRing)
 
     @property
     def loaded_teeth(self) -> dict[str, Any]:
@@ -288,7 +289,7 @@ class RingMeshRequest(RequestModel, group="positions"):
     def disc(self) -> CycloidDisc:
         """The discs, in SI units."""
         eccentricity = self.given["contact"].eccentricity_mm  # cycloids need it
-        return self.cycloid.ring().disc(
+        return self.cycloid.ring(CycloidRing).disc(
             satellite_teeth=self.mechanism.satellite_teeth,
             eccentricity=to_si("eccentricity_mm", eccentricity),
         )
@@ -296,7 +297,7 @@ class RingMeshRequest(RequestModel, group="positions"):
     @cached_property
     def mesh(self) -> CycloidMesh:
         """The mesh as it is made, in SI units."""
-        ring = self.cycloid.ring()
+        ring = self.cycloid.ring(CycloidRing)
         return ring.cycloid_mesh(
             disc=self.disc,
             contact_length=ring.contact_length,
@@ -311,8 +312,9 @@ class RingMeshRequest(RequestModel, group="positions"):
     @property
     def friction(self) -> RingFriction:
         """What slides; without a coefficient as if it were 0."""
-        ring = self.cycloid.ring()
-        return ring.friction or RingFriction(0.0, ring.sleeve_bore_radius, ring.rolling)
+        ring = self.cycloid.ring(CycloidRing)
+        coefficient = ring.friction_coefficient or 0.0
+        return RingFriction(coefficient, ring.sleeve_bore_radius, ring.rolling)
 
     @property
     def input_speed(self) -> float | None:
