@@ -49,7 +49,6 @@ class PinContactFields(ContactFields, group="contact"):
     BETWEEN: ClassVar[tuple[Rule, ...]] = (
         Rule("hole_radius_mm", "only_one", "fit"),
         Rule("hole_clearance_mm", "only_one", "fit"),
-        Rule("pin_radius_mm", "needed_beside", "fit"),
         Rule("eccentricity_mm", "needed_beside", "fit"),
         Rule("eccentricity_mm", "needed_beside", "hole_clearance_mm"),
         Rule("hole_radius_mm", "needed", "eccentricity_mm"),

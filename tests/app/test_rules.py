@@ -6,6 +6,8 @@ import pytest
 from pydantic import ValidationError
 
 import app.registry  # noqa: F401 - with it all requests are known
+from app.calculations.crank_planetary_request import CrankPlanetaryRequest
+from app.calculations.pin_contact import PinContactFields
 from app.model import BROKEN, Maybe, RequestModel, Rule
 
 
@@ -52,6 +54,30 @@ def test_what_breaks_a_rule_is_refused(given, name, code, beside):
         Outer.model_validate(given)
     (error,) = refused.value.errors()
     assert error["ctx"] == {"name": name, "code": code, "params": {"field": beside}}
+
+
+@pytest.mark.parametrize(
+    ("request_model", "given", "name", "beside"),
+    [
+        (
+            PinContactFields,
+            {"contact_length_mm": 20.0, "pin_radius_mm": 8.0, "fit": "H7/f7"},
+            "eccentricity_mm",
+            "fit",
+        ),
+        (
+            CrankPlanetaryRequest,
+            {"mechanism": {"pins": 6, "ratio": 20.0}, "rollers": {"name": "686"}},
+            "contact/pin_radius_mm",
+            "rollers",
+        ),
+    ],
+)
+def test_what_is_needed_beside_a_fit_or_rollers_is_named(request_model, given, name, beside):
+    with pytest.raises(ValidationError) as refused:
+        request_model.model_validate(given)
+    (error,) = refused.value.errors()
+    assert error["ctx"] == {"name": name, "code": "needed_beside", "params": {"field": beside}}
 
 
 def _fields(annotation):
