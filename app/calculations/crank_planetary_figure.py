@@ -15,7 +15,6 @@ from app.calculations.crank_planetary_sections import (
     real_curves,
 )
 from app.calculations.cyclogram import CyclogramResponse, cyclogram_figure, over_one_axis
-from app.calculations.design import DesignLoadFields
 from app.calculations.involute_mesh import drawn_path
 from app.calculations.load_sharing_answer import RealCyclogramOut
 from app.calculations.ring_mesh_figure import (
@@ -66,7 +65,7 @@ def _pattern_figure(body: CrankPlanetaryRequest, theme: Theme) -> Figure:
 
 def _force_figure(body: CrankPlanetaryRequest, theme: Theme) -> Figure:
     """The forces; where they are solved with the largest ideal one as a thin line."""
-    load: DesignLoadFields = body.given["load"]
+    load = body.known_load
     (force, switching), _ = run(
         body, lambda: load.solve_for_drawing(body.carrying, body.design.members)
     )

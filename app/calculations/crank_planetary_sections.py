@@ -12,7 +12,6 @@ from app.calculations.crank_planetary_answer import DesignHertzOut, LoadSharingO
 from app.calculations.crank_planetary_request import CrankPlanetaryRequest, Section
 from app.calculations.crankshaft import CrankshaftResponse
 from app.calculations.cyclogram import CyclogramResponse
-from app.calculations.design import DesignLoadFields
 from app.calculations.geometry_answer import GeometryOut
 from app.calculations.involute_mesh import solved_pair
 from app.calculations.load_sharing_answer import RealCyclogramOut
@@ -68,7 +67,7 @@ def _members(body: CrankPlanetaryRequest) -> Values:
 
 def ideal_force(body: CrankPlanetaryRequest) -> ContactForce:
     """Contact force; without its own section only what the others need of it."""
-    load: DesignLoadFields = body.given["load"]
+    load = body.known_load
     if "contact_force" not in body.sections:
         load = load.model_copy(update={"include": []})
     return load.solve_for(body.design.driven, body.design.members)
@@ -84,7 +83,7 @@ def _load_sharing(body: CrankPlanetaryRequest) -> Values:
     forces = if_known(lambda: body.results.judged_forces)
     force_N = forces.force if isinstance(forces, RealForces) else None
     curves = None
-    load: DesignLoadFields = body.given["load"]
+    load = body.known_load
     if load.curve_samples:
         curves, _ = run(body, partial(real_curves, body, load.samples_of(body.built)))
     drawn = curves and ForceCurvesOut.values(curves)
@@ -222,7 +221,7 @@ def _rollers(body: CrankPlanetaryRequest) -> Values:
 
 def _pins_and_holes(body: CrankPlanetaryRequest) -> tuple[PinGeometry, FloatArray]:
     """Pins and holes at the crank angle, and the force of each pair there, N."""
-    load: DesignLoadFields = body.given["load"]
+    load = body.known_load
     crank_angle = to_si("crank_angle_deg", body.crank_angle_deg)
     sizes = body.given["contact"].sizes_on(load.pin_circle_radius_mm)
     sizes["eccentricity"] = pin_fit(pins=body.mechanism.pins, **sizes).eccentricity

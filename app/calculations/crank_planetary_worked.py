@@ -31,7 +31,7 @@ def _contact_force(body: CrankPlanetaryRequest) -> list[Step]:
         mechanism=body.design.driven,
         found=ideal_force(body),
         judged=not body.results.solved,
-        **body.given["load"].force_given(body.design.members),
+        **body.known_load.force_given(body.design.members),
     )
 
 

@@ -242,6 +242,12 @@ class DesignFields(GivingFields):
         """Kind of the mesh with the ring, where there is one and says it."""
         return getattr(getattr(self, "gear", None), "kind", None)
 
+    @property
+    def known_load(self) -> DesignLoadFields:
+        """The load, of what needs one."""
+        load: DesignLoadFields = self.given["load"]
+        return load
+
     @cached_property
     def as_made(self) -> bool:
         """Whether clearance, deviations, a law of contact or satellites that give are given."""
