@@ -16,6 +16,7 @@ from app.model import Kinds, Maybe, ResponseModel, Values, field_error, quantity
 from app.problems import refusal
 from app.settings import Settings
 from app.units import from_si, to_si
+from core.design.ring import CycloidRing
 from core.errors import InvalidInput
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.satellite_support import RingInSeries, SatelliteSupport
@@ -225,7 +226,7 @@ class RingInSeriesFields(RealDesignFields):
     def _ring(self) -> CycloidMesh:
         gear, own = self.gear, self.mechanism
         assert gear is not None and own.satellite_teeth is not None
-        ring = gear.ring()
+        ring = gear.ring(CycloidRing)
         return ring.cycloid_mesh(
             disc=ring.disc(
                 satellite_teeth=own.satellite_teeth,

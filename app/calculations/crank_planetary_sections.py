@@ -136,7 +136,7 @@ def _involute_mesh(body: CrankPlanetaryRequest) -> Solved:
     _ = results.ring.involute_load(factor)  # which needs materials
     asked = {"stresses"} | ({"shared_pairs"} if pair.on_involutes else set())
     solved = solved_pair(
-        ring=design.gear,
+        ring=design.involute,
         pair=pair,
         loaded=loaded,
         output_torque=design.pin_torque,

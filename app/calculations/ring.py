@@ -4,7 +4,7 @@ satellites along their cranks.
 
 from collections.abc import Iterator
 from functools import partial
-from typing import Annotated, Any, ClassVar, Self
+from typing import Annotated, Any, ClassVar, Self, TypeVar
 
 from pydantic import Field, field_validator, model_validator
 
@@ -27,7 +27,14 @@ from app.model import (
 )
 from app.problems import invalid_input, wrong
 from app.units import to_si
-from core.design.ring import Ring, RingClass, RingPinSupport
+from core.design.ring import (
+    CycloidRing,
+    InvoluteRing,
+    OtherRing,
+    Ring,
+    RingClass,
+    RingPinSupport,
+)
 from core.design.ring import RingKind as Kind
 from core.ring.profile import Modification
 
@@ -35,6 +42,16 @@ REFERENCE_ANGLE_DEG = 20.0
 
 PIN_MATERIAL, DISC_MATERIAL = "steel_bearing", "steel_through_hardened"
 """Of the ring's pins and of the discs, where they are not given."""
+
+Made = TypeVar("Made")
+
+RINGS: dict[Kind | None, type[CycloidRing] | type[InvoluteRing] | type[OtherRing]] = {
+    "cycloid": CycloidRing,
+    "involute": InvoluteRing,
+    "none": OtherRing,
+    None: OtherRing,
+}
+"""Rings by their kind, of one whose ratio of forces is given without one."""
 
 OF_SUPPORTS = ("span_mm", "satellite_positions_mm")
 """What ring pins have that bend."""
@@ -148,19 +165,19 @@ class RingPinsFields(RequestModel, group="gear"):
                 raise field_error(name, "needed_beside", field="pin_support")
         return self
 
-    def ring(self, **more: Any) -> Ring:
-        """The ring in SI units, with what else is known of it."""
+    def ring(self, made: type[Made], **more: Any) -> Made:
+        """The ring in SI units, of the kind that it is, with what else is known of it."""
         if self.modification is not None:
             more["modification"] = self.modification.section()
         if self.contact_law is not None:
             more["contact_law"] = self.contact_law.named()
         if self.satellite_positions_mm is not None:
             more["satellite_positions"] = tuple(to_si("positions_mm", self.satellite_positions_mm))
-        return ring_of(self, **more)
+        return ring_of(self, made, **more)
 
 
-def ring_of(fields: RequestModel, **more: Any) -> Ring:
-    """The ring of a request in SI units, with what else is known of it."""
+def ring_of(fields: RequestModel, made: type[Made], **more: Any) -> Made:
+    """The ring of a request in SI units, of the kind that it is, with what else is known of it."""
     own = fields.to_core() | more
     if "pin_material" in own:
         held = strengths_of(own.pop("pin_material"))
@@ -169,7 +186,7 @@ def ring_of(fields: RequestModel, **more: Any) -> Ring:
     for name in ("disc_material", "satellite_material", "ring_material"):
         if name in own:
             own[name] = material_of(own[name])
-    return Ring(**own)
+    return made(**own)
 
 
 class RingPinDeviationsFields(RequestModel, group="deviations"):
@@ -349,4 +366,4 @@ class RingFields(RingPinsFields, InvoluteTeethFields, group="gear"):
             more["pin_material"] = PIN_MATERIAL
         if self.toothed and self.ring_material is None:
             more["ring_material"] = RING_MATERIAL
-        return self.ring(**more)
+        return self.ring(RINGS[self.kind], **more)

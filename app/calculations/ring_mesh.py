@@ -51,7 +51,7 @@ from app.sources import ISO_6336, JOHNSON_1985
 from app.theme import Figure, Theme
 from app.units import to_si
 from app.worked import worked
-from core.design.ring import Ring
+from core.design.ring import CycloidRing, InvoluteRing
 from core.errors import InvalidInput
 from core.output.contact_law import HertzLaw
 from core.output.real_curves import stiffness_curve
@@ -261,10 +261,11 @@ class RingMeshRequest(RequestModel, group="positions"):
         return involute_pair(teeth=teeth, eccentricity=self.eccentricity)
 
     @cached_property
-    def involute(self) -> Ring:
+    def involute(self) -> InvoluteRing:
         """The ring of involute teeth, in SI units."""
         assert isinstance(self.gear, InvoluteRingFields)
-        return ring_of(self.gear)
+        difference = self.mechanism.ring_teeth - self.mechanism.satellite_teeth
+        return ring_of(self.gear, InvoluteRing, teeth_difference=difference)
 
     @property
     def loaded_teeth(self) -> dict[str, Any]:
@@ -297,14 +298,14 @@ class RingMeshRequest(RequestModel, group="positions"):
         """The discs, in SI units."""
         gear, eccentricity = self.cycloid, self.eccentricity
         assert eccentricity is not None  # cycloids need it
-        return gear.ring().disc(
+        return gear.ring(CycloidRing).disc(
             satellite_teeth=self.mechanism.satellite_teeth, eccentricity=eccentricity
         )
 
     @cached_property
     def mesh(self) -> CycloidMesh:
         """The mesh as it is made, in SI units."""
-        ring = self.cycloid.ring()
+        ring = self.cycloid.ring(CycloidRing)
         return ring.cycloid_mesh(
             disc=self.disc,
             contact_length=ring.contact_length,
@@ -319,8 +320,9 @@ class RingMeshRequest(RequestModel, group="positions"):
     @property
     def friction(self) -> RingFriction:
         """What slides; without a coefficient as if it were 0."""
-        ring = self.cycloid.ring()
-        return ring.friction or RingFriction(0.0, ring.sleeve_bore_radius, ring.rolling)
+        ring = self.cycloid.ring(CycloidRing)
+        coefficient = ring.friction_coefficient or 0.0
+        return RingFriction(coefficient, ring.sleeve_bore_radius, ring.rolling)
 
     @property
     def input_speed(self) -> float | None:

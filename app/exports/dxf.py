@@ -177,9 +177,9 @@ def _satellite(drawn: DrawnSatellite, design: Design) -> _Part:
     bore = None if drawn.bore_radius is None else from_si("radius_mm", drawn.bore_radius)
     x, y = (round(from_si("centre_mm", each), DIGITS) + 0.0 for each in drawn.centre)
     if design.gear.kind == "involute":
-        form = _teeth(design, design.lobes, design.gear.satellite_profile_shift)
+        form = _teeth(design, design.lobes, design.involute.satellite_profile_shift)
     else:
-        own, disc = design.gear.changed, drawn_disc(design=design)
+        own, disc = design.cycloid.changed, drawn_disc(design=design)
         tool, circle = (from_si("length_mm", each) for each in (own.equidistant, own.pin_circle))
         form = (
             f"{disc.satellite_teeth} lobes",
@@ -209,9 +209,9 @@ def _satellite(drawn: DrawnSatellite, design: Design) -> _Part:
 
 def _teeth(design: Design, teeth: int, shift: float | None) -> tuple[str, str]:
     """What is said of involute teeth."""
-    own = design.gear
-    module = from_si("module_mm", own.module or 0.0)
-    angle = from_si("angle_deg", own.reference_pressure_angle or 0.0)
+    own = design.involute
+    module = from_si("module_mm", own.module)
+    angle = from_si("angle_deg", own.reference_pressure_angle)
     return (
         f"{teeth} involute teeth of module {module:.9g} mm",
         f"Pressure angle {angle:.9g} deg, profile shift {shift or 0.0:+.6g}",
@@ -220,7 +220,7 @@ def _teeth(design: Design, teeth: int, shift: float | None) -> tuple[str, str]:
 
 def _ring(drawn: DrawnRing, design: Design) -> _Part:
     outline, error = from_si("points_mm", drawn.outline), from_si("length_mm", drawn.chord_error)
-    count, rack = _teeth(design, drawn.teeth, design.gear.ring_profile_shift)
+    count, rack = _teeth(design, drawn.teeth, design.involute.ring_profile_shift)
     return _Part(
         reach=float(np.hypot(*outline.T).max()),
         outline=outline,

@@ -54,11 +54,11 @@ def _load_curves(
     """Load of the satellites' bearings by the mechanism at crank angles in each direction of the
     torque, and by each row of shares over 1/K, of ideal forces.
     """
-    design, load, made = results.design, results.design.load, results.made
+    design, load = results.design, results.design.load
     eccentricity, rho = design.known_eccentricity, float(results.ring.force.radial_force_ratio)
     ways = WAYS[load.torque_direction]
     curves = []
-    if made is None:
+    if not results.solved:
         for way in ways:
             found = bearing_curves(
                 mechanism=design.mechanism.built,
@@ -76,7 +76,7 @@ def _load_curves(
     arm = eccentricity * design.mechanism.ratio
     wave = design.mechanism.built.wave_angle(crank_angle)
     for way in ways:
-        turn = made(way * design.pin_torque)
+        turn = results.made(way * design.pin_torque)
         parts = made_parts(turn=turn, arm=arm, radial_force_ratio=rho)
         curves.append(_of_loads(crank_angle, turn.at(wave=wave, values=parts.load).T))
     return curves
@@ -131,7 +131,7 @@ def design_reactions(*, results: Results, crank_angle: FloatArray) -> ReactionCu
     """
     design, shaft, load = results.design, results.design.crankshaft, results.design.load
     cranks = design.mechanism.built.crank_angles
-    if results.made is not None:
+    if results.solved:
         torque = WAYS[load.torque_direction][0] * design.pin_torque
         cranks = results.made(torque).crank_angles
     shares = uneven_shares(

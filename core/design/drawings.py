@@ -264,7 +264,7 @@ def drawn_ring_pins(*, design: Design) -> DrawnRingPins:
         If no disc rolls on them.
     """
     disc, start = drawn_disc(design=design), design.mechanism.built.initial_crank_angle
-    step = 2 if design.gear.every_second_pin else 1
+    step = 2 if design.cycloid.every_second_pin else 1
     around = 2 * math.pi * np.arange(0, disc.pins, step) / disc.pins - start
     return DrawnRingPins(
         circle_radius=disc.ring_pin_circle_radius,

@@ -67,6 +67,8 @@ def made_losses(
 class OutputForces(Protocol):
     """What friction takes of the forces on the output's pins and of the ring."""
 
+    solved: bool
+
     @property
     def ring(self) -> RingResults:
         """What follows about the ring."""
@@ -76,8 +78,8 @@ class OutputForces(Protocol):
         """Torques, speeds and powers of crank, pins and ring, without losses."""
 
     @property
-    def made(self) -> Made | None:
-        """The forces on pins and satellites; None where the ideal ones are judged."""
+    def made(self) -> Made:
+        """The forces on pins and satellites, where they are solved."""
 
 
 class LossResults:
@@ -106,7 +108,7 @@ class LossResults:
     def efficiency(self) -> float:
         """Of the output, and of the ring where friction on its pins is given."""
         output, gear = float(self.pins.efficiency), self.design.gear
-        if not gear or gear.friction is None:
+        if not gear or gear.friction_coefficient is None:
             return output
         lost, power = self.output.ring.loss.mean_loss, self.output.member_loads.output_power
         assert lost is not None and power is not None  # at a speed, which the output needs
@@ -126,7 +128,7 @@ class LossResults:
         design, friction, load = self.design, self.design.output_friction, self.design.load
         eccentricity, turn = design.known_eccentricity, self.turn
         speeds = design.known_speeds
-        life = design.requirements.life if friction.life is None else friction.life
+        life = design.life_of(friction)
         found = pin_losses(
             mechanism=design.driven,
             force_exponent=load.force_exponent,
@@ -157,7 +159,7 @@ class LossResults:
         """Forces of the mechanism as it is made, in each direction of the torque; none where the
         ideal ones are judged.
         """
-        if self.output.made is None:
+        if not self.output.solved:
             return []
         load = self.design.load
         torque = self.design.pin_torque

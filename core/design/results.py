@@ -215,8 +215,7 @@ class Results:
     @property
     def _by_flanks(self) -> bool:
         """Whether flanks of discs in series are turned, which is known in first order only."""
-        change = self.design.gear.modification if self.in_series else None
-        return change is not None and change.rotation > 0
+        return self.in_series and self.design.cycloid.changed.rotation > 0
 
     @cached_property
     def law(self) -> ContactLaw:
@@ -328,12 +327,8 @@ class Results:
         return loaded_position(real=solved.real, **given).force
 
     @derived
-    def made(self) -> Made | None:
-        """The forces on pins and satellites that are solved over the turn, of a torque likewise;
-        None where the ideal ones are judged.
-        """
-        if not self.solved:
-            return None
+    def made(self) -> Made:
+        """The forces on pins and satellites that are solved over the turn, of a torque likewise."""
         if self.in_series:
             return cache(lambda torque: sampled_in_series(self.turn(torque)))  # type: ignore[arg-type]
         return cache(lambda torque: sampled(self.turn(torque)))
@@ -365,7 +360,7 @@ class Results:
             "output_torque": self.design.pin_torque,
             "pin_circle_radius": load.pin_circle_radius,
             "torque_direction": load.torque_direction,
-            "made": self.made,
+            "made": self.made if self.solved else None,
         }
 
     @property
@@ -379,7 +374,7 @@ class Results:
 
     def limit_pairs(self, most: int) -> None:
         """Refuse more pairs than ideal forces are integrated of."""
-        if self.made is None and self.design.mechanism.pairs > most:
+        if not self.solved and self.design.mechanism.pairs > most:
             raise self.design.too_many(most)
 
     @derived
@@ -450,7 +445,7 @@ class Results:
     def static_pin_force(self) -> float:
         """Largest force of a satellite on a pin under the torque of static strength, N."""
         design = self.design
-        if self.made is None:
+        if not self.solved:
             share = design.static_torque * design.distribution_factor / design.pin_torque
             return float(self.contact_force.peak_force * share)
         ways = WAYS[design.load.torque_direction]

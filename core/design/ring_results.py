@@ -36,6 +36,8 @@ MOST_RING_PAIRS = 300
 class OutputForces(Protocol):
     """What the mesh of the ring takes of the forces on the output's pins."""
 
+    solved: bool
+
     @property
     def in_series(self) -> bool:
         """Whether both meshes are solved in series."""
@@ -45,8 +47,8 @@ class OutputForces(Protocol):
         """Extremes over the turn, of a torque, N*m, negative in reverse."""
 
     @property
-    def made(self) -> Made | None:
-        """The forces on pins and satellites; None where the ideal ones are judged."""
+    def made(self) -> Made:
+        """The forces on pins and satellites, where they are solved."""
 
 
 class RingResults:
@@ -82,9 +84,7 @@ class RingResults:
         known: in exact geometry where flanks are not turned. All discs have one lag,
         or given shares of the torque.
         """
-        design, gear = self.design, self.design.gear
-        if gear.kind != "cycloid":
-            raise NotKnown("no_ring_pins")
+        design, gear = self.design, self.design.cycloid
         change = gear.modification
         if change is None:
             raise NotKnown("modification_unknown", "gear.modification")
@@ -118,13 +118,10 @@ class RingResults:
     @derived
     def pair(self) -> InvolutePair:
         """A satellite of involute teeth in its ring, where its shifts and heights are known."""
-        design, gear = self.design, self.design.gear
-        if gear.kind != "involute":
-            raise NotKnown("no_involute")
+        design, gear = self.design, self.design.involute
         if gear.unknown_teeth:
             raise NotKnown("teeth_not_judged", *gear.unknown_teeth)
         eccentricity, _ = design.known_eccentricity, self.force  # which refuses base circles
-        assert gear.teeth_difference is not None and gear.reference_pressure_angle is not None
         low, high = STANDARD_ANGLES
         usual = low <= gear.reference_pressure_angle <= high
         if gear.teeth_difference > MOST_DIFFERENCE or not usual:
@@ -142,7 +139,7 @@ class RingResults:
         factor, N*m: its couple with the pins is that with an involute ring.
         """
         design = self.design
-        if self.output.made is None:
+        if not self.output.solved:
             return design.pin_torque * design.disc_factor / design.mechanism.satellites
         torque = design.pin_torque * factor
         ways = WAYS[design.load.torque_direction]
@@ -150,7 +147,7 @@ class RingResults:
 
     def satellite_torque_error(self, factor: float) -> float:
         """Estimate of the relative error of that torque."""
-        if self.output.made is None:
+        if not self.output.solved:
             return 0.0
         torque = self.design.pin_torque * factor
         ways = WAYS[self.design.load.torque_direction]
@@ -158,7 +155,7 @@ class RingResults:
 
     def loaded_teeth(self, factor: float) -> dict[str, Any]:
         """What involute teeth carry under so many times the torque, as arguments."""
-        design, gear = self.design, self.design.gear
+        design, gear = self.design, self.design.involute
         return {
             "torque": self.satellite_torque(factor),
             "contact_length": design.ring_length,
@@ -235,7 +232,7 @@ class RingResults:
     @property
     def pin(self) -> DesignPin:
         """A pin of the ring that bends."""
-        return self.design.gear.bent_pin
+        return self.design.cycloid.bent_pin
 
     @derived
     def pin_stresses(self) -> PinStresses:
@@ -269,7 +266,7 @@ class RingResults:
     def pin_strength(self) -> PinStrength:
         """Their strength, with the fatigue where it is known."""
         return self.pin_stresses.strength(
-            rotates=self.design.gear.rotates,
+            rotates=self.design.cycloid.rotates,
             fatigue=if_known(lambda: self.pin_fatigue_strength),
             deflection=True,
         )
@@ -277,11 +274,7 @@ class RingResults:
     @property
     def _friction(self) -> RingFriction:
         """What slides on the ring."""
-        gear = self.design.gear
-        friction = gear.friction if gear else None
-        if friction is None:
-            raise NotKnown("ring_friction_unknown", "gear.friction_coefficient")
-        return friction
+        return self.design.gear.friction
 
     def _losses(self, torque: float) -> list[RingLoss]:
         """Friction of cycloid discs on the pins in each direction of a torque, N*m."""

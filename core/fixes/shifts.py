@@ -141,7 +141,7 @@ def _values(
     """Shifts of teeth and, so much lower, their heights; of tips that are given by their radii
     these.
     """
-    gear, scale = results.design.gear, 10**DIGITS
+    gear, scale = results.design.involute, 10**DIGITS
     # a ring a trifle larger leaves backlash, and tips apart
     ring = math.ceil(teeth.ring_profile_shift * scale - 1e-6) / scale
     values = {SHIFT: round(teeth.satellite_profile_shift, DIGITS), "gear.ring_profile_shift": ring}
