@@ -323,12 +323,12 @@ class DesignPin(PinSupport):
     material_path: str = "pin.material"
 
     @property
-    def thick(self) -> Notice | None:
+    def thick(self) -> tuple[Notice, ...]:
         """That it is thicker than its material's strengths hold for, where it is."""
         valid = self.valid_diameter
         if valid is None or self.diameter <= valid:
-            return None
-        return Notice("beyond_size", {"limit": valid * 1e3})
+            return ()
+        return (Notice("beyond_size", {"limit": valid * 1e3}),)
 
     def bolt_alone(self, bolt: PinBolt) -> "DesignPin":
         """The bolt as the pin: the spacer is only what touches the hole."""
