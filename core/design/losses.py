@@ -12,7 +12,7 @@ from core.design.document import Design
 from core.design.refusals import named
 from core.design.ring_results import RingResults
 from core.errors import NotKnown
-from core.output.losses import PinLosses, pin_losses
+from core.output.losses import BarePins, PinLosses, Sleeves, pin_losses
 from core.output.members import MemberLoads
 from core.output.sampled_turn import WAYS, Made, SampledTurn
 from core.results import Accuracy, Notice
@@ -115,12 +115,14 @@ class LossResults:
         return 1 / (1 / output + lost / power)
 
     @property
-    def _rubbing_diameter(self) -> float | None:
-        """Diameter at which rollers or sleeves turn on their pins, m."""
+    def _rubbing(self) -> BarePins | Sleeves:
+        """What slides: rollers or sleeves on their pins, or pins in their holes."""
         design = self.design
         if design.rollers:
-            return design.rollers.bore_diameter
-        return design.pin.diameter if design.friction.sleeve and design.pin else None
+            return Sleeves(design.rollers.bore_diameter)
+        if design.friction.sleeve and design.pin:
+            return Sleeves(design.pin.diameter)
+        return BarePins(design.contact.hole_radius)
 
     def _of_pins(self) -> PinLosses:
         design, friction, load = self.design, self.design.output_friction, self.design.load
@@ -135,11 +137,10 @@ class LossResults:
             input_speed=speeds.turning,
             eccentricity=eccentricity,
             pin_radius=design.contact.pin_radius,
-            hole_radius=design.contact.hole_radius,
             contact_length=design.contact.contact_length,
             friction_coefficient=friction.coefficient,
             distribution_factor=design.distribution_factor,
-            diameter=self._rubbing_diameter,
+            rubbing=self._rubbing,
             wear_rate=friction.wear_rate,
             life=None if friction.wear_rate is None else life,
             output_power=self.output.member_loads.output_power,

@@ -114,8 +114,8 @@ class Results:
         if not self.design.in_series or (ring := if_known(lambda: self.ring.mesh)) is None:
             return 0
         pairs = self.design.mechanism.pairs + ring.disc.pins * self.design.mechanism.satellites
-        pitches = None if not ring.pins_alike else ring.disc.satellite_teeth
         lobes = ring.disc.satellite_teeth
+        pitches = lobes if ring.pins_alike else None
         return positions_in_series(lobes=lobes, pitches=pitches) * pairs
 
     @derived
