@@ -189,7 +189,7 @@ def _drawing(body: CrankPlanetaryRequest) -> Values | None:
     drawn = drawn_mesh(design=body.design, mesh=turn.mesh, chord_error=DRAWN_ERROR)
     if not isinstance(turn, TeethInSeries):
         return RingDrawingOut.of(drawn, MeshCurves(turn, DRAWN_RING))
-    curves = SeriesCurves(turn, angles=DRAWN_RING)
+    curves = SeriesCurves.over_period(turn, DRAWN_RING)
     many = pairs * len(curves.crank_angle) > MAX_DRAWN_PAIRS * (DRAWN_RING + 1)
     return RingDrawingOut.of(drawn, None if many else curves)
 

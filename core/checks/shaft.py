@@ -56,6 +56,12 @@ class ShaftDesign:
     requirements: Requirements = Requirements()
 
     @property
+    def bent(self) -> ShaftStrength:
+        """Its strength, of a shaft whose checks need it."""
+        assert self.strength is not None
+        return self.strength
+
+    @property
     def error(self) -> float:
         """Relative error of deflection, slope and stress that checks allow for."""
         return 4 * float(self.result.accuracy.relative_error)
@@ -169,8 +175,7 @@ def shaft_slope(design: ShaftDesign) -> Measure:
     needs=("strength",),
 )
 def shaft_static(design: ShaftDesign) -> Check:
-    assert design.strength is not None
-    stress = design.strength.peak_stress
+    stress = design.bent.peak_stress
     strength = judged_by(design.yield_strength, "yield_unknown", "yield_strength", value=stress)
     limit = strength / design.requirements.bending_safety
     reserve = limit / stress if stress > 0 else None
@@ -197,8 +202,7 @@ def shaft_static(design: ShaftDesign) -> Check:
 )
 def shaft_fatigue(design: ShaftDesign) -> Check:
     """Its reversed bending; a load that turns with the shaft bends it one way."""
-    assert design.strength is not None
-    fatigue = design.no_fatigue or design.strength.fatigue
+    fatigue = design.no_fatigue or design.bent.fatigue
     safety = design.requirements.fatigue_safety
     if fatigue is None:
         return Check(shaft_fatigue, "not_applicable", reason="steady_load")

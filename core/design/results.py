@@ -477,8 +477,7 @@ class Results:
     @property
     def size_notices(self) -> tuple[Notice, ...]:
         """Whether the pin is thicker than its material's strengths hold for."""
-        thick = self.design.pin.thick if self.design.pin else None
-        return () if thick is None else (thick,)
+        return self.design.pin.thick if self.design.pin else ()
 
     @derived
     def hertz(self) -> HertzContact:
