@@ -28,7 +28,8 @@ def teeth_of(gear, case):
     mechanism = case["body"]["mechanism"]
     numbers = {name: mechanism[name] for name in ("satellite_teeth", "ring_teeth")}
     difference = {"teeth_difference": numbers["ring_teeth"] - numbers["satellite_teeth"]}
-    ring = ring_of(InvoluteRingFields.model_validate(gear), InvoluteRing, **difference)
+    given = InvoluteRingFields.model_validate(gear).to_core()
+    ring = ring_of(given | difference, InvoluteRing)
     return ring.involute_teeth(**numbers)
 
 
