@@ -2,7 +2,7 @@
 
 import math
 from abc import abstractmethod
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property, lru_cache
 from itertools import chain
@@ -30,6 +30,18 @@ from pydantic import (
 from pydantic.fields import FieldInfo
 from pydantic_core import CoreSchema, PydanticCustomError
 
+from app.rules import (
+    BROKEN,
+    Forms,
+    Kinds,
+    Rule,
+    alternatives,
+    between,
+    field_error,
+    of_other_kinds,
+    schema_rules,
+    wrong_form,
+)
 from app.settings import Settings
 from app.units import (
     Convert,
@@ -133,109 +145,10 @@ def _complete_schema(schema: dict[str, Any]) -> None:
                 field[theirs] = field.pop(ours)
 
 
-Forms = tuple[tuple[str, ...], ...]
-
-
-class _Alternative(NamedTuple):
-    """Forms of which one has to be given, their names, and which of these may stand together."""
-
-    forms: Forms
-    names: frozenset[str]
-    allowed: frozenset[frozenset[str]]
-
-
-@cache
-def _alternatives(model: type["RequestModel"]) -> tuple[_Alternative, ...]:
-    """Alternatives of a request and of all that it is made of."""
-    every = [vars(each).get("ALTERNATIVES", ()) for each in model.__mro__]
-    return tuple(
-        _Alternative(forms, frozenset(chain(*forms)), frozenset(map(frozenset, forms)))
-        for some in every
-        for forms in some
-    )
-
-
-def wrong_form(forms: Forms, named: set[str]) -> PydanticCustomError:
-    """Why the fields that a request names are none of some forms."""
-    given = [form for form in forms if not named.isdisjoint(form)]
-    if not given:
-        return field_error(forms[0][0], "needed", field=forms[1][0])
-    if len(given) > 1:
-        first, second = (next(n for n in form if n in named) for form in given[:2])
-        return field_error(second, "only_one", field=first)
-    missing = next(name for name in given[0] if name not in named)
-    other = next(name for name in given[0] if name != missing)
-    return field_error(missing, "needed_beside", field=other)
-
-
-class Rule(NamedTuple):
-    """A rule between two fields, by their paths (``load/input_speed_rpm``): it reads as a sentence,
-    of the field that is refused where it does not hold, and the one that the refusal names.
-    """
-
-    field: str
-    rule: Literal["only_one", "needed_beside", "needed"]
-    other: str
-
-
-BROKEN = {"only_one": (True, True), "needed_beside": (False, True), "needed": (False, False)}
-"""Whether the field of a rule and the other are given where it does not hold: both; the other
-alone; none of both."""
-
-
-@cache
-def _between(model: type["RequestModel"]) -> tuple[Rule, ...]:
-    """Rules between the fields of a request and of all that it is made of."""
-    every = (vars(each).get("BETWEEN", ()) for each in reversed(model.__mro__))
-    return tuple(chain.from_iterable(every))
-
-
-def _only(form: tuple[str, ...], names: Iterable[str]) -> dict[str, Any]:
-    """Schema of a form: its fields, and none of the others.
-
-    As requirements: generators of clients take no properties that are `false`.
-    """
-    others = [{"required": [name]} for name in names if name not in form]
-    return {"required": [*form], "not": {"anyOf": others}}
-
-
-Kinds = Mapping[Any, tuple[tuple[str, ...], tuple[str, ...]]]
-"""Of each kind, the fields that it needs, and those that it may have besides."""
-
-
-@cache
-def _of_other_kinds(model: type["RequestModel"], kind: Any) -> tuple[str, ...]:
-    """Fields that kinds of a request have, but not this one."""
-    own = {*chain(*model.KINDS[kind])}
-    every = dict.fromkeys(chain.from_iterable(chain(*names) for names in model.KINDS.values()))
-    return tuple(name for name in every if name not in own)
-
-
-def _kind_schema(model: type["RequestModel"], kind: Any) -> dict[str, Any]:
-    """What a kind needs, and that it takes nothing of the others."""
-    named: dict[str, Any] = {"required": [model.KIND]}
-    if kind is None:
-        named = {"not": named}
-    else:
-        default = kind == model.model_fields[model.KIND].default
-        named = {"properties": {model.KIND: {"const": kind}}} | ({} if default else named)
-    needed, others = model.KINDS[kind][0], _of_other_kinds(model, kind)
-    rule: dict[str, Any] = {"required": [*needed]} if needed else {}
-    if others:
-        rule["not"] = {"anyOf": [{"required": [name]} for name in others]}
-    return {"if": named, "then": rule}
-
-
 def request_schema(schema: dict[str, Any], model: type["RequestModel"]) -> None:
     """The schema of a request: units, and which of its fields exclude or need each other."""
     _complete_schema(schema)
-    rules = []
-    for forms, _, _ in _alternatives(model):
-        names = dict.fromkeys(name for form in forms for name in form)
-        rules.append({"oneOf": [_only(form, names) for form in forms]})
-    rules += model.RULES
-    rules += [rule for kind in model.KINDS if (rule := _kind_schema(model, kind))["then"]]
-    if rules:
+    if rules := schema_rules(model):
         schema["allOf"] = rules
 
 
@@ -301,14 +214,14 @@ class RequestModel(BaseModel):
 
     @model_validator(mode="after")
     def _one_form_and_kind(self) -> Self:
-        if alternatives := _alternatives(type(self)):
+        if choices := alternatives(type(self)):
             named = self.model_fields_set
-            for forms, names, allowed in alternatives:
+            for forms, names, allowed in choices:
                 if names & named not in allowed:
                     raise wrong_form(forms, named)
         if self.KINDS:
             self._refuse_other_kinds()
-        for field, rule, other in _between(type(self)):
+        for field, rule, other in between(type(self)):
             of_field, of_other = BROKEN[rule]
             if self.says(other) == of_other and self.says(field) == of_field:
                 raise field_error(field, rule, field=other.rpartition("/")[2])
@@ -320,7 +233,7 @@ class RequestModel(BaseModel):
         for name in self.KINDS[kind][0]:
             if name not in given:
                 raise field_error(name, "needed_beside", field=self.KIND)
-        for name in _of_other_kinds(type(self), kind):
+        for name in of_other_kinds(type(self), kind):
             if name in given:
                 raise field_error(name, "of_another_kind", kind=kind or "none")
 
@@ -486,13 +399,6 @@ class WorkedFields(RequestModel):
         own = super().to_core()
         own.pop("include", None)
         return own
-
-
-def field_error(name: str, code: str, **params: Any) -> PydanticCustomError:
-    """Refusal by a model's validator that belongs to one field, or ``model/field``; see
-    `app.problems.TEXTS`.
-    """
-    return PydanticCustomError("field_error", code, {"name": name, "code": code, "params": params})
 
 
 Shape = tuple[type[RequestModel], tuple[tuple[str, "Shape | None"], ...]]

@@ -12,8 +12,9 @@ from app.calculations.real_mechanism import DeviationsFields, SatelliteCouplingF
 from app.calculations.ring import RING_PIN_LISTS as OF_RING
 from app.calculations.ring import RingPinDeviationsFields
 from app.calculations.ring_parts import CycloidRingFields
-from app.model import Kinds, Maybe, ResponseModel, Values, field_error, quantity, result
+from app.model import Maybe, ResponseModel, Values, quantity, result
 from app.problems import refusal
+from app.rules import Kinds, field_error
 from app.settings import Settings
 from app.units import from_si, to_si
 from core.design.ring import CycloidRing

@@ -12,7 +12,6 @@ from app.model import (
     AccuracyOut,
     AssumingResponse,
     Calculation,
-    Forms,
     Maybe,
     RequestModel,
     ResponseModel,
@@ -23,6 +22,7 @@ from app.model import (
     quantity,
     result,
 )
+from app.rules import Forms
 from app.running import run
 from app.settings import Settings
 from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018, ZYL

@@ -16,7 +16,8 @@ from app.calculations.mechanism import MAX_PAIRS
 from app.calculations.output_efficiency import FrictionFields
 from app.calculations.ring import RING_PIN_LISTS, RingFields
 from app.calculations.satellite_bearing import BearingFields, CrankshaftFields
-from app.model import Angle, Maybe, Values, field_error, quantity
+from app.model import Angle, Maybe, Values, quantity
+from app.rules import field_error
 from app.settings import Settings
 from core.checks.check import Verdict
 from core.checks.largest_torque import crank_verdict

@@ -33,18 +33,16 @@ from app.calculations.real_mechanism import (
 from app.calculations.ring import RING_PIN_LISTS, RingPinDeviationsFields
 from app.model import (
     NO_DUST,
-    Forms,
     Maybe,
     RequestModel,
-    Rule,
     Size,
-    field_error,
     no_dust,
     notices_of,
     present,
     quantity,
     result,
 )
+from app.rules import Forms, Rule, field_error
 from app.settings import Settings
 from app.units import to_si
 from core.arrays import FloatArray

@@ -2,7 +2,8 @@
 
 from typing import Any, ClassVar
 
-from app.model import Forms, Maybe, PartFields, RequestModel, ResponseModel, Size, quantity, result
+from app.model import Maybe, PartFields, RequestModel, ResponseModel, Size, quantity, result
+from app.rules import Forms
 from app.units import to_si
 from core.design.sections import FatigueBasis
 from core.fatigue import Criterion, Edition, Surface

@@ -7,7 +7,8 @@ from typing import Annotated, ClassVar
 
 from pydantic import Field, field_validator
 
-from app.model import Angle, Forms, Maybe, RequestModel, Size, Whole, no_dust, quantity
+from app.model import Angle, Maybe, RequestModel, Size, Whole, no_dust, quantity
+from app.rules import Forms
 from app.units import to_si
 from core.errors import InvalidInput
 from core.precession.rollers import Roller, RollerByAngle, RollerByLength, wheel_rollers

@@ -28,7 +28,6 @@ from app.model import (
     Values,
     WarningOut,
     WorkedFields,
-    field_error,
     no_dust,
     present,
     quantity,
@@ -36,6 +35,7 @@ from app.model import (
     result,
     warning,
 )
+from app.rules import field_error
 from app.running import run
 from app.sources import JOHNSON_1985, PERSSON_1964, YANCHEVSKY_2018
 from app.theme import INK, Amount, Figure, Theme, axis, curve, hover, layout, text

@@ -19,7 +19,8 @@ from app.calculations.involute_teeth import (
 from app.calculations.ring_mesh_answer import RingEfficiencyOut, SharedPairsOut
 from app.calculations.ring_mesh_figure import DrawnPath
 from app.calculations.solved import Solved
-from app.model import Forms, Maybe, Size, Values, quantity
+from app.model import Maybe, Size, Values, quantity
+from app.rules import Forms
 from core.design.ring import InvoluteRing
 from core.errors import NotKnown
 from core.results import Notice

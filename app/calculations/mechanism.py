@@ -5,18 +5,8 @@ from typing import Any, ClassVar, Literal, Self, cast
 
 from pydantic import model_validator
 
-from app.model import (
-    Angle,
-    Forms,
-    Kinds,
-    Maybe,
-    RequestModel,
-    ResponseModel,
-    Whole,
-    field_error,
-    quantity,
-    result,
-)
+from app.model import Angle, Maybe, RequestModel, ResponseModel, Whole, quantity, result
+from app.rules import Forms, Kinds, field_error
 from app.settings import Settings
 from app.units import to_si
 from core.design.sections import MechanismSection

@@ -6,7 +6,8 @@ from typing import Any, ClassVar, Self
 
 from pydantic import model_validator
 
-from app.model import Forms, RequestModel, field_error, present, quantity
+from app.model import RequestModel, present, quantity
+from app.rules import Forms, field_error
 from app.units import core_name, from_si
 from core.bearings import BEARINGS, NamedBearing, named_bearing, names_like
 

@@ -7,7 +7,8 @@ from typing import Any, ClassVar
 from app.calculations.fatigue import STEEL_GPA
 from app.calculations.hertz import MaterialFields
 from app.calculations.mechanism import MAX_SATELLITES
-from app.model import Forms, Kinds, Maybe, PartFields, RequestModel, Size, quantity
+from app.model import Maybe, PartFields, RequestModel, Size, quantity
+from app.rules import Forms, Kinds
 from app.units import from_si, to_si
 from core.material_record import NOT_LISTED
 from core.material_table import MATERIALS

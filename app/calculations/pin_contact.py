@@ -16,7 +16,8 @@ from app.calculations.hertz import (
     material_of,
     pin_radius,
 )
-from app.model import Maybe, Rule, Size, field_error, quantity
+from app.model import Maybe, Size, quantity
+from app.rules import Rule, field_error
 from app.units import to_si
 from core.design.sections import Contact, SharedBy
 from core.output.pin_geometry import felt

@@ -3,7 +3,8 @@
 from typing import Any, ClassVar
 
 from app.calculations.named_bearing import NamedBearingFields, bearing_name
-from app.model import LARGEST, Forms, Maybe, Size, Whole, quantity
+from app.model import LARGEST, Maybe, Size, Whole, quantity
+from app.rules import Forms
 from core.bearings import NamedBearing
 from core.crank.pin_rollers import Ratings, RollerKind
 from core.design.sections import Rollers

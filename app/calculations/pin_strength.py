@@ -23,12 +23,11 @@ from app.model import (
     Calculation,
     Maybe,
     ResponseModel,
-    Rule,
     Values,
     WarningOut,
-    field_error,
     result,
 )
+from app.rules import Rule, field_error
 from app.running import run
 from app.sources import SHIGLEY, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text

@@ -17,7 +17,8 @@ from app.calculations.real_mechanism import (
     RealLoadFields,
     assumed_pin,
 )
-from app.model import Maybe, field_error, quantity
+from app.model import Maybe, quantity
+from app.rules import field_error
 from app.settings import Settings
 from app.units import to_si
 from core.errors import InvalidInput

@@ -13,18 +13,9 @@ from app.calculations.hertz import Material, distribution_factor, eccentricity, 
 from app.calculations.mechanism import MAX_SATELLITES
 from app.calculations.pin import HeldPinFields
 from app.calculations.pin_contact import Deviation, PinContactFields
-from app.model import (
-    LARGEST,
-    NO_DUST,
-    Kinds,
-    Maybe,
-    RequestModel,
-    Size,
-    field_error,
-    no_dust,
-    quantity,
-)
+from app.model import LARGEST, NO_DUST, Maybe, RequestModel, Size, no_dust, quantity
 from app.problems import invalid_input, refusal, wrong
+from app.rules import Kinds, field_error
 from app.units import to_si
 from core.output.contact_law import PinSupport
 from core.output.real_mechanism import Deviations

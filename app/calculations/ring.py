@@ -15,19 +15,17 @@ from app.calculations.mechanism import MAX_SATELLITES
 from app.calculations.pin import strengths_of
 from app.model import (
     NO_DUST,
-    Forms,
-    Kinds,
     Maybe,
     PartFields,
     RequestModel,
     Size,
     Whole,
-    field_error,
     no_dust,
     present,
     quantity,
 )
 from app.problems import invalid_input, wrong
+from app.rules import Forms, Kinds, field_error
 from app.units import to_si
 from core.design.ring import (
     CycloidRing,

@@ -21,17 +21,9 @@ from app.calculations.ring import (
     pin_circle_radius,
     ring_pin_radius,
 )
-from app.model import (
-    Angle,
-    Forms,
-    Kinds,
-    Maybe,
-    RequestModel,
-    Size,
-    Whole,
-    quantity,
-)
+from app.model import Angle, Maybe, RequestModel, Size, Whole, quantity
 from app.problems import invalid_input, wrong
+from app.rules import Forms, Kinds
 from app.units import to_si
 from core.design.sections import MechanismSection
 from core.results import Notice

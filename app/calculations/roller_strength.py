@@ -12,19 +12,18 @@ from app.calculations.fatigue import STEEL_GPA, CycleOut, FatigueFields
 from app.model import (
     AccuracyOut,
     Calculation,
-    Forms,
     Maybe,
     Size,
     Values,
     WarningOut,
     Whole,
-    field_error,
     no_dust,
     notices_of,
     quantity,
     result,
     warning,
 )
+from app.rules import Forms, field_error
 from app.running import run
 from app.sources import OVSYANNIKOV_2019, SHIGLEY
 from app.theme import (

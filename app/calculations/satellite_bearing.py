@@ -25,15 +25,14 @@ from app.model import (
     PartFields,
     RequestModel,
     ResponseModel,
-    Rule,
     Size,
     Values,
     WarningOut,
     WorkedFields,
-    field_error,
     quantity,
     result,
 )
+from app.rules import Rule, field_error
 from app.running import run
 from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line

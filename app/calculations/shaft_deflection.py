@@ -11,7 +11,6 @@ from app.calculations.meshing_load import MeshFields
 from app.model import (
     AccuracyOut,
     Calculation,
-    Forms,
     Maybe,
     PartFields,
     RequestModel,
@@ -24,6 +23,7 @@ from app.model import (
     result,
     warning,
 )
+from app.rules import Forms
 from app.running import run
 from app.sources import JOHNSON_1985, KHATETOVSKY_2020, SHIGLEY
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line

@@ -19,7 +19,6 @@ from app.calculations.crank_planetary_request import SECTIONS, CrankPlanetaryReq
 from app.model import (
     AccuracyOut,
     Calculation,
-    Forms,
     Maybe,
     RequestModel,
     ResponseModel,
@@ -32,6 +31,7 @@ from app.model import (
 )
 from app.pointers import holder, inner, keys, with_values
 from app.problems import Problem, refusal, wrong_fields
+from app.rules import Forms
 from app.running import named, run
 from app.settings import Settings
 from app.worked import stated

@@ -27,16 +27,15 @@ from app.model import (
     Calculation,
     Maybe,
     RequestModel,
-    Rule,
     Size,
     Values,
     Whole,
     accuracy_values,
-    field_error,
     quantity,
     warning,
 )
 from app.problems import refusal, unavailable
+from app.rules import Rule, field_error
 from app.running import run
 from app.settings import Settings, current
 from app.sources import ISO_286, JANSEN_1999, YANCHEVSKIY_2021

@@ -16,12 +16,11 @@ from app.model import (
     RequestModel,
     Size,
     Values,
-    field_error,
     quantity,
     request_schema,
-    wrong_form,
 )
 from app.problems import refusal
+from app.rules import field_error, wrong_form
 from app.units import core_name, from_si, to_si
 from core.errors import InvalidInput
 from core.tolerance.draws import Distribution, Spread

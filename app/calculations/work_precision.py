@@ -20,7 +20,8 @@ from app.calculations.roller_strength import RollerStrengthRequest
 from app.calculations.satellite_bearing import SatelliteBearingRequest
 from app.calculations.shaft_deflection import ShaftDeflectionRequest
 from app.calculations.tolerance_study import ToleranceStudyRequest
-from app.model import Calculation, RequestModel, ResponseModel, Values, field_error, result
+from app.model import Calculation, RequestModel, ResponseModel, Values, result
+from app.rules import field_error
 from app.running import run
 from app.settings import Settings
 from app.theme import DASHES, Amount, Figure, Theme, axis, curve, layout, marker, text

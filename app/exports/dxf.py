@@ -12,8 +12,9 @@ from pydantic import Field, model_validator
 from app import VERSION
 from app.calculations.crank_planetary_request import CrankPlanetaryRequest
 from app.calculations.mechanism import MAX_SATELLITES
-from app.model import Export, File, RequestModel, field_error, quantity
+from app.model import Export, File, RequestModel, quantity
 from app.problems import Problem, pointer, refusal
+from app.rules import field_error
 from app.running import path_of, run
 from app.settings import Settings
 from app.units import from_si, to_si

@@ -8,7 +8,8 @@ from pydantic import ValidationError
 import app.registry  # noqa: F401 - with it all requests are known
 from app.calculations.crank_planetary_request import CrankPlanetaryRequest
 from app.calculations.pin_contact import PinContactFields
-from app.model import BROKEN, Maybe, RequestModel, Rule
+from app.model import Maybe, RequestModel
+from app.rules import BROKEN, Rule
 
 
 class Inner(RequestModel):
