@@ -20,7 +20,7 @@ from core.design.real_forces import RealForces
 from core.design.refusals import named
 from core.design.ring_results import RingResults
 from core.design.sections import DesignPin
-from core.errors import InvalidInput, NotKnown
+from core.errors import InvalidInput, NotKnown, required
 from core.first_yield import first_yield
 from core.hertz import HertzContact, force_factor, hertz
 from core.materials import Body
@@ -229,14 +229,13 @@ class Results:
         torque, as the spacer carries them.
         """
         pin = self.design.pin
-        if not pin or pin.bolt is None:
-            raise NotKnown("section_missing", "pin")
+        bolt = required(pin.bolt, "section_missing", "pin")
         spacer = Results(
             changed(self.design, {"pin.bolt": None}), equal=self.shared_equally
         ).pin_loads
         peak = max(1.0, spacer.static_stress / spacer.peak_equivalent_stress)
         return grip(
-            bolt=pin.bolt,
+            bolt=bolt,
             diameter=pin.diameter,
             bore=pin.bore_diameter,
             moment=peak * spacer.peak_moment,
