@@ -16,7 +16,7 @@ from core.errors import InvalidInput, NotKnown, required
 from core.output.over_turn import OverTurn
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
-from core.output.sampled_turn import WAYS, Made
+from core.output.sampled_turn import WAYS, Made, PinForces
 from core.output.satellite_support import RIGID_SUPPORT, Shares
 from core.ring.bent_pins import forces_on_ring
 from core.ring.involute import MOST_DIFFERENCE, STANDARD_ANGLES, InvolutePair, involute_pair
@@ -230,11 +230,15 @@ class RingResults:
         """A pin of the ring that bends."""
         return self.design.cycloid.bent_pin
 
+    @cached_property
+    def on_pins(self) -> Callable[[float], PinForces]:
+        """Forces of the discs on the pins over the turn, of a torque likewise."""
+        return cache(lambda torque: forces_on_ring(self.turn(torque)))
+
     @derived
     def pin_stresses(self) -> PinStresses:
         """Stresses of the pins of the ring that bend, under the dynamic load."""
         design, mesh, pin = self.design, self.mesh, self.pin
-        made = cache(lambda torque: forces_on_ring(self.turn(torque)))
         return self._named(
             lambda: pin_stresses(
                 mechanism=mesh.mechanism,
@@ -249,7 +253,7 @@ class RingResults:
                 material=pin.material,
                 support=pin.support,
                 span=pin.span,
-                made=made,
+                made=self.on_pins,
             )
         )
 
