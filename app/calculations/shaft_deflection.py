@@ -30,7 +30,7 @@ from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical
 from app.units import core_name, from_si, to_si
 from app.worked import worked
 from core.checks.check import Verdict
-from core.checks.shaft import ShaftDesign, shaft_checks
+from core.checks.shaft import LINE_MATERIALS, ShaftDesign, shaft_checks
 from core.errors import NotKnown
 from core.fatigue import FatigueStrength
 from core.fixes.plain import plain_fixes
@@ -77,10 +77,10 @@ class LineContactFields(RequestModel, group="line_contact"):
         """Of roller and tooth."""
         return material_of(self.roller_material), material_of(self.mating_material)
 
-    def pressure_limits(self) -> list[float | None]:
-        """Of roller and tooth, Pa, as far as they are known."""
-        limits = (each.limit for each in self.materials())
-        return [None if each is None else float(each.pressure) for each in limits]
+    def pressure_limits(self) -> dict[str, float]:
+        """Of roller and tooth, Pa, by their materials, as far as they are known."""
+        limits = zip(LINE_MATERIALS, (each.limit for each in self.materials()), strict=True)
+        return {name: float(each.pressure) for name, each in limits if each is not None}
 
 
 _GEAR = ("roller_radius_mm", "roller_circle_radius_mm")
@@ -242,7 +242,7 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
 
     def checks(self, load: MeshingLoad, result: ShaftDeflection) -> Verdict:
         """Checks of a result."""
-        limits = [] if self.line_contact is None else self.line_contact.pressure_limits()
+        limits = {} if self.line_contact is None else self.line_contact.pressure_limits()
         design = ShaftDesign(
             result=result,
             positions=self.positions(),

@@ -54,13 +54,13 @@ def test_all_that_is_called_of_the_loops_is_in_the_cache():
     before = {name: getattr(kernel, name).signatures for name in names}
     assert {name: len(each) for name, each in before.items()} == dict.fromkeys(names, 1)
     asked = 0
-    for request in json.loads(CORPUS.read_text()):
+    for request in json.loads(CORPUS.read_text())[2::4]:
         if request["path"] in WALKED and "contact" in request["body"]:
             calculation = CALCULATIONS[request["path"]]
             with suppress(ValidationError, InvalidInput, ImpossibleMechanism, Problem):
                 calculation.solve(calculation.request.model_validate(request["body"]))
                 asked += 1
-    assert asked > 100
+    assert asked > 30
     assert {name: getattr(kernel, name).signatures for name in names} == before
 
 

@@ -5,6 +5,7 @@ or whether it warns in some design, and to move another one never does.
 import importlib
 import math
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import fields, replace
 from functools import partial
 from pkgutil import iter_modules
@@ -13,12 +14,16 @@ from typing import Any
 import pytest
 
 from core import checks
+from core.checks import bearings
 from core.checks.check import Check, Kind
 from core.checks.crank_planetary import crank_checks
 from core.checks.records import CHECKS
+from core.derived import if_known
+from core.design import crank_results, losses, results, ring_results
 from core.design.document import Design
 from core.design.results import Results
 from core.design.ring import CycloidRing
+from core.design.ring_results import RingResults
 from core.design.sections import (
     FatigueBasis,
     Friction,
@@ -31,7 +36,10 @@ from core.design.sections import (
 from core.errors import CalculationError
 from core.material_table import MATERIALS
 from core.materials import ContactLimit, ElasticMaterial, Plastic
+from core.output import real_mechanism
 from core.output.contact_law import PowerLaw
+from core.output.edge_load import SlopingContacts
+from core.output.pin_strength import PinStresses
 from core.output.satellite_support import RingInSeries
 from core.ring.profile import Modification
 from tests.inputs.checks import WHOLE, design_of, having
@@ -554,23 +562,125 @@ def by_code(design: Design) -> dict[str, Check]:
     }
 
 
+def told(each: Any) -> Any:
+    """What tells one thing from another: its value, or which it is."""
+    try:
+        hash(each)
+    except TypeError:
+        return id(each)
+    return each
+
+
+def once(calculate: Callable[..., Any]) -> Callable[..., Any]:
+    """A calculation that is made once of the same things: most inputs change few of them."""
+    made: dict[Any, tuple[Any, Any]] = {}
+
+    def found(*given: Any, **named: Any) -> Any:
+        things = (*given, *named, *named.values())
+        key = tuple(map(told, things))
+        if key not in made:
+            made[key] = calculate(*given, **named), things  # kept, as is what tells them
+        return made[key][0]
+
+    return found
+
+
+def of_the_same(plain: Any, things: Callable[[Any], tuple[Any, ...]]) -> Any:
+    """A derived value that is worked out once of the same things."""
+    calculate = getattr(plain, "func", None) or plain.calculate
+    made: dict[Any, tuple[Any, Any]] = {}
+
+    def found(results: Any) -> Any:
+        if (of := if_known(lambda: things(results))) is None:
+            return calculate(results)
+        key = tuple(map(told, of))
+        if key not in made:
+            made[key] = calculate(results), of
+        return made[key][0]
+
+    return type(plain)(found)
+
+
+def solved(found: Results) -> tuple[Any, ...]:
+    """What is solved over the turn, of whose forces."""
+    return (found.series if found.in_series else found.real, found.solved)
+
+
+ONCE: tuple[tuple[Any, str], ...] = (
+    (PinStresses, "strength"),
+    (SlopingContacts, "largest"),
+    (bearings, "largest_ratings_of_room"),
+    (crank_results, "crankshaft"),
+    (crank_results, "satellite_bearings"),
+    (losses, "pin_losses"),
+    (real_mechanism, "hertz"),
+    (results, "contact_compliance"),
+    (results, "first_yield_factor"),
+    (results, "pin_rollers"),
+    (results, "pin_stresses"),
+    (ring_results, "involute_load"),
+    (ring_results, "involute_pair"),
+    (ring_results, "mesh_over_turn"),
+    (ring_results, "pin_stresses"),
+    (ring_results, "ring_loss"),
+)
+"""Calculations that follow from what they are given alone."""
+
+OF_THE_SAME: tuple[tuple[type, str, Callable[[Any], tuple[Any, ...]]], ...] = (
+    (Results, "turn", solved),
+    (Results, "over_turn", solved),
+    (Results, "made", solved),
+    (
+        Results,
+        "sloping",
+        lambda found: (found.pin_stresses, found.design.pair.contact_length, found.compliance),
+    ),
+    (
+        RingResults,
+        "turn",
+        lambda found: (found.mesh, found.output.in_series and found.output.series),
+    ),
+    (RingResults, "on_pins", lambda found: (found.turn,)),
+)
+"""Values, each with what it follows from alone."""
+
+
+@contextmanager
+def solved_once() -> Iterator[None]:
+    """Within, what an input does not change is not solved again."""
+    with pytest.MonkeyPatch.context() as patch:
+        for place, name in ONCE:
+            patch.setattr(place, name, once(getattr(place, name)))
+        for kind, name, things in OF_THE_SAME:
+            shared = of_the_same(getattr(kind, name), things)
+            shared.__set_name__(kind, name)
+            patch.setattr(kind, name, shared)
+        yield
+
+
+def look(design: Design, found: dict[tuple[str, str], bool]) -> None:
+    """Move each input of a design, and see which checks move."""
+    before = by_code(design)
+    for name, change in moves(design):
+        try:
+            after = by_code(change())
+        except CalculationError:  # no such bearing, no such mesh
+            continue
+        for code in before.keys() & after.keys():
+            one, two = before[code], after[code]
+            values = (one.value, two.value), (one.limit, two.limit)
+            moves_it = one.warning != two.warning or any(differ(*each) for each in values)
+            pair = code, input_of(name)
+            found[pair] = found.get(pair, False) or moves_it
+
+
 @pytest.fixture(scope="module")
 def seen() -> dict[tuple[str, str], bool]:
     """Whether a check moves with an input, in any of the designs."""
     found: dict[tuple[str, str], bool] = {}
     for design in DESIGNS.values():
-        before = by_code(design)
-        for name, change in moves(design):
-            try:
-                after = by_code(change())
-            except CalculationError:  # no such bearing, no such mesh
-                continue
-            for code in before.keys() & after.keys():
-                one, two = before[code], after[code]
-                values = (one.value, two.value), (one.limit, two.limit)
-                moves_it = one.warning != two.warning or any(differ(*each) for each in values)
-                pair = code, input_of(name)
-                found[pair] = found.get(pair, False) or moves_it
+        with solved_once():
+            look(design, found)
     return found
 
 
@@ -638,6 +748,7 @@ def test_what_may_be_asked_is_an_input() -> None:
     for code, kind in CHECKS.items():
         asked = {kind.asks, f"requirements.{kind.asks}"}
         assert not kind.asks or asked & {*kind.inputs}, code
+        assert {*kind.requires, *kind.demands} <= {*kind.inputs}, code
         assert not kind.asks or hasattr(Requirements(), kind.asks), code
 
 
