@@ -118,8 +118,7 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
             bearing_distance=to_si("distance_mm", self.bearing_distance_mm),
             overhang=to_si("overhang_mm", self.overhang_mm),
             youngs_modulus=to_si("youngs_modulus_GPa", self.youngs_modulus_GPa),
-            shaft_diameter=to_si("diameter_mm", self.shaft_diameter_mm),
-            shaft_sections=self._sections(),
+            shaft_sections=self.sections(),
         )
 
     def solve(self) -> ShaftDeflection:
@@ -267,17 +266,14 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
             bearing_distance=to_si("distance_mm", self.bearing_distance_mm),
             overhang=to_si("overhang_mm", self.overhang_mm),
             youngs_modulus=to_si("youngs_modulus_GPa", self.youngs_modulus_GPa),
-            shaft_diameter=to_si("diameter_mm", self.shaft_diameter_mm),
-            shaft_sections=self._sections(),
+            shaft_sections=self.sections(),
         )
         return self.solve_shaft(load), diagram
 
     def sections(self) -> list[ShaftSection]:
         """Stretches of the shaft from C to the clamp; one where it has one diameter."""
-        given = self._sections()
-        if given is not None:
-            return given
-        assert self.shaft_diameter_mm is not None
+        if self.shaft_sections is not None:
+            return [ShaftSection(**each.to_core()) for each in self.shaft_sections]
         return [
             ShaftSection(
                 length=to_si("length_mm", self.bearing_distance_mm)
@@ -285,11 +281,6 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
                 diameter=to_si("diameter_mm", self.shaft_diameter_mm),
             )
         ]
-
-    def _sections(self) -> list[ShaftSection] | None:
-        if self.shaft_sections is None:
-            return None
-        return [ShaftSection(**each.to_core()) for each in self.shaft_sections]
 
 
 class DeflectionOut(ResponseModel):
