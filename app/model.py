@@ -1,6 +1,7 @@
 """What every request and answer shares: strictness, units, accuracy, warnings."""
 
 import math
+from abc import abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property, lru_cache
@@ -56,7 +57,7 @@ def no_dust(value: Any) -> Any:
     """Validator of quantities that may be 0 or negative: smaller sizes lose their digits."""
     if isinstance(value, list):
         return [*map(no_dust, value)]
-    if value is not None and 0 < abs(value) < SMALLEST:
+    if 0 < abs(value) < SMALLEST:
         raise PydanticCustomError("dust", "dust", {"limit": SMALLEST})
     return value
 
@@ -154,7 +155,7 @@ def _alternatives(model: type["RequestModel"]) -> tuple[_Alternative, ...]:
     )
 
 
-def _wrong_form(forms: Forms, named: set[str]) -> PydanticCustomError:
+def wrong_form(forms: Forms, named: set[str]) -> PydanticCustomError:
     """Why the fields that a request names are none of some forms."""
     given = [form for form in forms if not named.isdisjoint(form)]
     if not given:
@@ -165,6 +166,28 @@ def _wrong_form(forms: Forms, named: set[str]) -> PydanticCustomError:
     missing = next(name for name in given[0] if name not in named)
     other = next(name for name in given[0] if name != missing)
     return field_error(missing, "needed_beside", field=other)
+
+
+class Rule(NamedTuple):
+    """A rule between two fields, by their paths (``load/input_speed_rpm``): it reads as a sentence,
+    of the field that is refused where it does not hold, and the one that the refusal names.
+    """
+
+    field: str
+    rule: Literal["only_one", "needed_beside", "needed"]
+    other: str
+
+
+BROKEN = {"only_one": (True, True), "needed_beside": (False, True), "needed": (False, False)}
+"""Whether the field of a rule and the other are given where it does not hold: both; the other
+alone; none of both."""
+
+
+@cache
+def _between(model: type["RequestModel"]) -> tuple[Rule, ...]:
+    """Rules between the fields of a request and of all that it is made of."""
+    every = (vars(each).get("BETWEEN", ()) for each in reversed(model.__mro__))
+    return tuple(chain.from_iterable(every))
 
 
 def _only(form: tuple[str, ...], names: Iterable[str]) -> dict[str, Any]:
@@ -241,6 +264,9 @@ class RequestModel(BaseModel):
     KINDS: ClassVar[Kinds] = {}
     """What its kinds have; fields that no kind has are those of all. None: without a kind."""
 
+    BETWEEN: ClassVar[tuple[Rule, ...]] = ()
+    """Rules between its fields, and those of the models within; the JSON schema admits more."""
+
     RULES: ClassVar[tuple[dict[str, Any], ...]] = ()
     """What its JSON schema says besides, of which a validator says the same."""
 
@@ -267,10 +293,10 @@ class RequestModel(BaseModel):
     @cached_property
     def shape(self) -> "Shape":
         """Its model, and its fields that are given, with the shapes of the models in them."""
-        own, given = vars(self), []
-        for name, _, _ in _core_plan(type(self)):
-            if (value := own[name]) is not None:
-                given.append((name, value.shape if isinstance(value, RequestModel) else None))
+        given = [
+            (name, value.shape if isinstance(value, RequestModel) else None)
+            for name, value in self.given.items()
+        ]
         return type(self), tuple(given)
 
     @model_validator(mode="after")
@@ -279,36 +305,59 @@ class RequestModel(BaseModel):
             named = self.model_fields_set
             for forms, names, allowed in alternatives:
                 if names & named not in allowed:
-                    raise _wrong_form(forms, named)
+                    raise wrong_form(forms, named)
         if self.KINDS:
             self._refuse_other_kinds()
+        for field, rule, other in _between(type(self)):
+            of_field, of_other = BROKEN[rule]
+            if self.says(other) == of_other and self.says(field) == of_field:
+                raise field_error(field, rule, field=other.rpartition("/")[2])
         return self
 
     def _refuse_other_kinds(self) -> None:
         kind = getattr(self, self.KIND)
+        given = self.given
         for name in self.KINDS[kind][0]:
-            if getattr(self, name) is None:
+            if name not in given:
                 raise field_error(name, "needed_beside", field=self.KIND)
         for name in _of_other_kinds(type(self), kind):
-            if getattr(self, name) is not None:
+            if name in given:
                 raise field_error(name, "of_another_kind", kind=kind or "none")
+
+    def says(self, path: str) -> bool:
+        """Whether the field at a path is given.
+
+        Parameters
+        ----------
+        path : str
+            Names of the fields from this model on, by ``/``.
+
+        Returns
+        -------
+        bool
+        """
+        name, _, within = path.partition("/")
+        named = name in self.model_fields_set
+        return named and (not within or getattr(self, name).says(within))
+
+    @property
+    def given(self) -> "Values":
+        """The fields that have a value, by their names."""
+        own = vars(self)  # with what is worked out of them and kept
+        return {name: value for name in _core_plan(type(self)) if (value := own[name]) is not None}
 
     def to_core(self) -> dict[str, Any]:
         """The given fields as the core's arguments, in SI units."""
-        own = vars(self)
-        return {
-            core: value if convert is None else convert(value)
-            for name, core, convert in _core_plan(type(self))
-            if (value := own[name]) is not None
-        }
+        plan = _core_plan(type(self))
+        return {plan[name].core: plan[name].convert(value) for name, value in self.given.items()}
 
     ASSUMED: ClassVar[tuple[str, ...]] = ()
     """Fields whose default decides about the answer, which says so where they are not given."""
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """What is assumed, since it is not given: the path of each field, and its value."""
-        for name in self.ASSUMED:
-            if name not in self.model_fields_set and (value := getattr(self, name)) is not None:
+        for name, value in self.given.items():
+            if name in self.ASSUMED and name not in self.model_fields_set:
                 yield (name,), value
         for name, value in self:
             if isinstance(value, RequestModel):
@@ -339,10 +388,33 @@ class RequestModel(BaseModel):
         """
 
 
+class _InCore(NamedTuple):
+    """How a field is told to the core."""
+
+    core: str  # its name there
+    convert: Convert  # what takes its values to SI units
+
+
 @cache
-def _core_plan(model: type[RequestModel]) -> list[tuple[str, str, Convert | None]]:
-    """How a request is told to the core: name, core's name, what takes a value to SI units."""
-    return [(name, core_name(name), to_si_converter(name)) for name in model.model_fields]
+def _core_plan(model: type[RequestModel]) -> dict[str, _InCore]:
+    """How the fields of a request are told to the core."""
+    plan = {}
+    for name, field in model.model_fields.items():
+        part = any(issubclass(held, PartFields) for held, _ in _held(field.annotation))
+        plan[name] = _InCore(core_name(name), _section if part else to_si_converter(name))
+    return plan
+
+
+class PartFields(RequestModel):
+    """A part of a section, alone or in a list: the arguments of the core have it in SI units."""
+
+    @abstractmethod
+    def section(self) -> Any:
+        """The same in SI units."""
+
+
+def _section(part: Any) -> Any:
+    return tuple(map(_section, part)) if isinstance(part, list) else part.section()
 
 
 def quantity(
@@ -376,7 +448,7 @@ def quantity(
         Default and limits, as pydantic's `Field` takes them.
     """
     shown = {"symbol": symbol, "group": group, "step": step, "advanced": advanced or None}
-    extra = {f"x-{key}": value for key, value in shown.items() if value is not None}
+    extra = {f"x-{key}": value for key, value in present(shown).items()}
     return Field(
         title=title,
         description=help,
@@ -432,10 +504,12 @@ def core_paths(shape: Shape) -> dict[str, tuple[str, ...]]:
     """Paths of the fields of a request, by its shape; where a model is not given, as if it were. By
     its name alone a parameter is the first of that name that is given, or else the first.
     """
-    model, within = shape[0], {name: inner for name, inner in shape[1] if inner is not None}
+    model, within = shape[0], present(dict(shape[1]))
     plan = _core_plan(model)
-    found: dict[str, tuple[str, ...]] = {core: (name,) for name, core, _ in reversed(plan)}
-    for name, core, _ in plan:
+    found: dict[str, tuple[str, ...]] = {}
+    for name, (core, _) in reversed(plan.items()):
+        found[core] = (name,)
+    for name, (core, _) in plan.items():
         held = [within[name]] if name in within else _held(model.model_fields[name].annotation)
         for each in held:
             for parameter, path in core_paths(each).items():
@@ -451,10 +525,9 @@ def core_paths(shape: Shape) -> dict[str, tuple[str, ...]]:
 
 def given_paths(shape: Shape) -> Iterator[tuple[str, ...]]:
     """Paths of the fields that requests of a shape have given."""
-    for name, inner in shape[1]:
-        yield (name,)
-        if inner is not None:
-            yield from ((name, *path) for path in given_paths(inner))
+    yield from ((name,) for name, _ in shape[1])
+    for name, inner in present(dict(shape[1])).items():
+        yield from ((name, *path) for path in given_paths(inner))
 
 
 def _held(annotation: Any) -> list[Shape]:
@@ -466,6 +539,11 @@ def _held(annotation: Any) -> list[Shape]:
 
 Values = dict[str, Any]
 """An answer, or a part of it, as it is sent: what there is, by the names of its model."""
+
+
+def present(values: Mapping[str, Any]) -> Values:
+    """What there is of values: those that are not None."""
+    return {name: value for name, value in values.items() if value is not None}
 
 
 class ResponseModel(BaseModel):
@@ -495,14 +573,10 @@ class ResponseModel(BaseModel):
         **given
             Fields that are said here, not read from the result; absent where None.
         """
-        values: Values = {}
-        for name, value in given.items():
-            if value is not None:
-                values[name] = value
-        plan = _plan(cls, *given)
+        values, plan = present(given), _plan(cls, *given)
         for name, attribute, convert in plan.read:
             if (value := getattr(result, attribute)) is not None:
-                values[name] = value if convert is None else convert(value)
+                values[name] = convert(value)
         if plan.warns and result.notices:
             values["warnings"] = [warning(each) for each in result.notices]
         if plan.states_accuracy:
@@ -622,7 +696,7 @@ NEGLECTED = {
 class _Plan(NamedTuple):
     """How an answer is made of a core result."""
 
-    read: list[tuple[str, str, Convert | None]]
+    read: list[tuple[str, str, Convert]]
     """What is read from it: name, core's name, and what makes a value of it that is sent."""
     warns: bool
     states_accuracy: bool
@@ -749,6 +823,14 @@ class AssumingResponse(WorkedResponse):
     """An answer that says what it assumes."""
 
     assumed: Maybe[list[AssumedOut]] = assumptions()
+
+
+def notices_of(*results: Any) -> tuple[Notice, ...]:
+    """Notices of core results, of those that there are; one may be a notice itself."""
+    found: list[Notice] = []
+    for each in filter(None, results):
+        found += (each,) if isinstance(each, Notice) else each.notices
+    return tuple(found)
 
 
 REPLACED = "The code that this one replaces; for one release."

@@ -60,3 +60,22 @@ def if_known(calculate: Callable[[], Value]) -> Value | None:
         return calculate()
     except UNKNOWN:
         return None
+
+
+def is_known(calculate: Callable[[], object]) -> bool:
+    """Whether something is known.
+
+    Parameters
+    ----------
+    calculate : callable
+        What works it out.
+
+    Returns
+    -------
+    bool
+    """
+    try:
+        calculate()
+    except UNKNOWN:
+        return False
+    return True

@@ -67,8 +67,7 @@ def _members(body: CrankPlanetaryRequest) -> Values:
 
 def ideal_force(body: CrankPlanetaryRequest) -> ContactForce:
     """Contact force; without its own section only what the others need of it."""
-    assert body.load is not None
-    load = body.load
+    load = body.known_load
     if "contact_force" not in body.sections:
         load = load.model_copy(update={"include": []})
     return load.solve_for(body.design.driven, body.design.members)
@@ -84,8 +83,9 @@ def _load_sharing(body: CrankPlanetaryRequest) -> Values:
     forces = if_known(lambda: body.results.judged_forces)
     force_N = forces.force if isinstance(forces, RealForces) else None
     curves = None
-    if body.load is not None and body.load.curve_samples:
-        curves, _ = run(body, partial(real_curves, body, body.load.samples_of(body.built)))
+    load = body.known_load
+    if load.curve_samples:
+        curves, _ = run(body, partial(real_curves, body, load.samples_of(body.built)))
     drawn = curves and ForceCurvesOut.values(curves)
     ring = sharing.turn.ring if isinstance(sharing.turn, SeriesOverTurn) else None
     values = LoadSharingOut.values(
@@ -154,7 +154,6 @@ def _mesh(body: CrankPlanetaryRequest) -> Solved:
     """The mesh of the ring under the torque, in the direction of the larger pressure."""
     if body.design.gear.kind == "involute":
         return _involute_mesh(body)
-    assert body.load is not None
     turn, solved = body.results.ring.working[0], Solved()
     shown = TeethTurnOut if isinstance(turn, TeethInSeries) else MeshTurnOut
     mesh, members = turn.mesh, body.design.members
@@ -222,13 +221,13 @@ def _rollers(body: CrankPlanetaryRequest) -> Values:
 
 def _pins_and_holes(body: CrankPlanetaryRequest) -> tuple[PinGeometry, FloatArray]:
     """Pins and holes at the crank angle, and the force of each pair there, N."""
-    assert body.load is not None and body.contact is not None
+    load = body.known_load
     crank_angle = to_si("crank_angle_deg", body.crank_angle_deg)
-    sizes = body.contact.sizes_on(body.load.pin_circle_radius_mm)
+    sizes = body.given["contact"].sizes_on(load.pin_circle_radius_mm)
     sizes["eccentricity"] = pin_fit(pins=body.mechanism.pins, **sizes).eccentricity
     geometry = pin_geometry(mechanism=body.built, crank_angle=crank_angle, **sizes)
     if not body.results.solved:
-        forces = body.load.forces_at(body.design.driven, body.design.members, crank_angle)
+        forces = load.forces_at(body.design.driven, body.design.members, crank_angle)
     else:
         forces = np.array(body.results.forces_at(crank_angle))
     return geometry, forces

@@ -63,6 +63,11 @@ class RollersFields(NamedBearingFields, group="rollers"):
             return "ball" if named.kind == "ball" else "cylindrical"
         return super().said(named, quantity)
 
+    @property
+    def surface(self) -> dict[str, Any]:
+        """What pins have where they do not say it: their diameter, m, which is the bore."""
+        return {"diameter": self.to_core()["bore_diameter"]}
+
     def section(self, _: Any) -> Rollers:
         """The same in SI units."""
         return Rollers(**self.to_core())

@@ -20,6 +20,7 @@ from app.model import (
     Whole,
     field_error,
     no_dust,
+    notices_of,
     quantity,
     result,
     warning,
@@ -151,7 +152,7 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
         asked = self.fatigue
         if asked is not None and self.stress_concentration > 1:
             for name in NOTCHES:
-                if getattr(asked, name) is not None:
+                if name in asked.given:
                     raise field_error(f"fatigue/{name}", "only_one", field="stress_concentration")
         return self
 
@@ -449,7 +450,7 @@ def solve(body: RollerStrengthRequest) -> Values:
     judged, _ = run(body, lambda: body.judge(result, tired))
     cycle = CycleOut.values(tired) if isinstance(tired, CycleFatigue) else None
     values = RollerStrengthResponse.values(result, run_time_us, fatigue=cycle, **judged)
-    notices = (tired,) if isinstance(tired, Notice) else () if tired is None else tired.notices
+    notices = notices_of(tired)
     if notices:
         values["warnings"] = [*map(warning, notices), *values.get("warnings", ())]
     return values

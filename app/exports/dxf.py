@@ -101,11 +101,9 @@ class DxfRequest(RequestModel, group="drawing"):
 
     @model_validator(mode="after")
     def _no_lobe_left_out(self) -> Self:
-        given, gear = self.design.mechanism, self.design.gear
-        cycloid = gear is not None and gear.kind == "cycloid"
-        if cycloid and given.teeth_difference not in (None, 1):
-            assert given.satellite_teeth is not None
-            expected = given.satellite_teeth + 1
+        given = self.design.mechanism
+        if self.design.ring_kind == "cycloid" and given.teeth_difference not in (None, 1):
+            expected = given.given["satellite_teeth"] + 1
             raise field_error("design/mechanism/ring_teeth", "not_this_cycloid", expected=expected)
         return self
 
@@ -122,7 +120,7 @@ class DxfRequest(RequestModel, group="drawing"):
     @property
     def involute(self) -> bool:
         """Whether satellites and ring have involute teeth."""
-        return self.design.gear is not None and self.design.gear.kind == "involute"
+        return self.design.ring_kind == "involute"
 
     @property
     def satellites(self) -> tuple[int, ...]:
@@ -174,7 +172,7 @@ def _satellite(drawn: DrawnSatellite, design: Design) -> _Part:
         from_si("length_mm", each)
         for each in (drawn.chord_error, drawn.hole_radius, drawn.hole_circle_radius)
     )
-    bore = None if drawn.bore_radius is None else from_si("radius_mm", drawn.bore_radius)
+    bore = from_si("radius_mm", drawn.bore_radius)
     x, y = (round(from_si("centre_mm", each), DIGITS) + 0.0 for each in drawn.centre)
     if design.gear.kind == "involute":
         form = _teeth(design, design.lobes, design.involute.satellite_profile_shift)

@@ -34,15 +34,15 @@ def design_losses(*, results: Results, losses: PinLosses, crank_angle: FloatArra
     -------
     LossCurves
     """
-    turn, design = results.losses.turn, results.design
-    if turn is None:
+    design = results.design
+    if not results.solved:
         return loss_curves(
             losses=losses,
             mechanism=design.driven,
             force_exponent=design.load.force_exponent,
             crank_angle=crank_angle,
         )
-    wave = design.mechanism.built.wave_angle(crank_angle)
+    wave, turn = design.mechanism.built.wave_angle(crank_angle), results.losses.turn
     total = turn.at(wave=wave, values=turn.total[None])[0]
     loss = losses.mean_loss * total / turn.mean(turn.total)
     return LossCurves(crank_angle, loss, 1 / (1 + loss / losses.output_power))

@@ -556,17 +556,18 @@ class Design:
         """How often a pin of the ring is loaded over a life, s, once a turn of the crank against
         the ring; None without a speed, or without an end.
         """
-        speed = self.turning_speed
-        return None if speed is None or math.isinf(life) else speed * life / (2 * math.pi)
+        return self._loads(life, 2 * math.pi)
 
     def loads_over(self, life: float) -> float | None:
         """How often a place of pin or hole is loaded over a life, s, once a turn of the satellite
         against its crank; None without a speed, or without an end.
         """
+        return self._loads(life, self.mechanism.built.crank_angle_per_wave)
+
+    def _loads(self, life: float, angle: float) -> float | None:
+        """How often over a life, s, the crank turns by an angle, rad, against the ring."""
         speed = self.turning_speed
-        if speed is None or math.isinf(life):
-            return None
-        return speed * life / self.mechanism.built.crank_angle_per_wave
+        return None if speed is None or math.isinf(life) else speed * life / angle
 
     @cached_property
     def lasting(self) -> dict[Body, ElasticMaterial]:

@@ -126,7 +126,7 @@ class LossResults:
 
     def _of_pins(self) -> PinLosses:
         design, friction, load = self.design, self.design.output_friction, self.design.load
-        eccentricity, turn = design.known_eccentricity, self.turn
+        eccentricity, turns = design.known_eccentricity, self._turns
         speeds = design.known_speeds
         life = design.life_of(friction)
         found = pin_losses(
@@ -148,11 +148,11 @@ class LossResults:
         bare = design.sleeved and not friction.sleeve
         if bare and design.pin.diameter < 2 * design.contact.pair.pin_radius:
             found = replace(found, notices=(*found.notices, Notice("thin_without_sleeve")))
-        if turn is None:
+        if not turns:
             return found
         reference = design.pin_torque / load.pin_circle_radius
-        largest = max(float(np.abs(turn.on_pins).max()) for turn in self._turns)
-        return made_losses(losses=found, turn=turn, reference=reference, largest=largest)
+        largest = max(float(np.abs(turn.on_pins).max()) for turn in turns)
+        return made_losses(losses=found, turn=self.turn, reference=reference, largest=largest)
 
     @derived
     def _turns(self) -> list[SampledTurn]:
@@ -166,6 +166,6 @@ class LossResults:
         return [self.output.made(way * torque) for way in WAYS[load.torque_direction]]
 
     @derived
-    def turn(self) -> SampledTurn | None:
-        """Of these the ones with the larger losses."""
-        return max(self._turns, key=lambda turn: float(turn.mean(turn.total)), default=None)
+    def turn(self) -> SampledTurn:
+        """Of these the ones with the larger losses, where they are solved."""
+        return max(self._turns, key=lambda turn: float(turn.mean(turn.total)))

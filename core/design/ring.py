@@ -81,7 +81,7 @@ class OtherRing(AnyRing):
     one whose force along the crank is left out.
     """
 
-    kind: Literal["none"] | None = None
+    kind: Literal["none"] | None = None  # of none the force along the crank is left out
     radial_force_ratio: float | None = None  # force along the crank over that across it
 
     def mesh(self, *, eccentricity: float, ratio: float) -> RingMesh:
@@ -125,13 +125,13 @@ class CycloidRing(AnyRing):
         How discs and ring are made, by which what is not known of them is usual.
     """
 
-    kind: Literal["cycloid"] = "cycloid"
+    kind: Literal["cycloid"] = "cycloid"  # pins
     ring_pin_circle_radius: float  # R_p of the circle of the pins, m
     ring_pin_radius: float | None = None  # of these, m
     modification: Modification | None = None
     contact_law: ContactLaw | None = None
-    pin_material: ElasticMaterial | None = None
-    disc_material: ElasticMaterial | None = None
+    pin_material: ElasticMaterial | None = None  # of the pins
+    disc_material: ElasticMaterial | None = None  # of the discs
     pin_support: RingPinSupport = "seat"
     span: float | None = None  # distance of the two supports, m
     satellite_positions: tuple[float, ...] = ()
@@ -327,7 +327,7 @@ class InvoluteRing(AnyRing):
         Of that cutter, in modules.
     """
 
-    kind: Literal["involute"] = "involute"
+    kind: Literal["involute"] = "involute"  # teeth
     module: float  # m, m
     teeth_difference: int  # z_d
     reference_pressure_angle: float  # alpha, rad
@@ -342,8 +342,8 @@ class InvoluteRing(AnyRing):
     cutter_teeth: int | None = None
     cutter_profile_shift: float = 0.0
     cutter_addendum: float = DEDENDUM
-    satellite_material: ElasticMaterial | None = None
-    ring_material: ElasticMaterial | None = None
+    satellite_material: ElasticMaterial | None = None  # of the satellites' teeth
+    ring_material: ElasticMaterial | None = None  # of the ring's
     face_load_factor: float = 1.0  # on the force for stresses along the width
     pair_stiffness: float | None = None  # of a pair of teeth along the line of action, N/m
     root_strength: float | None = None  # what a satellite's root bears over the life, Pa

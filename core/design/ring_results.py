@@ -12,7 +12,7 @@ from core.design.document import Design
 from core.design.pin_fatigue import fatigue_of
 from core.design.refusals import named
 from core.design.sections import DesignPin
-from core.errors import InvalidInput, NotKnown
+from core.errors import InvalidInput, NotKnown, required
 from core.output.over_turn import OverTurn
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
@@ -85,16 +85,13 @@ class RingResults:
         or given shares of the torque.
         """
         design, gear = self.design, self.design.cycloid
-        change = gear.modification
-        if change is None:
-            raise NotKnown("modification_unknown", "gear.modification")
+        change = required(gear.modification, "modification_unknown", "gear.modification")
         if (difference := gear.teeth_difference or 1) > 1:
             raise NotKnown("cycloid_difference", difference=difference)
         if gear.every_second_pin:
             raise NotKnown("every_second_pin")
-        length, disc_material = design.ring_length, design.disc_material
-        if disc_material is None:
-            raise NotKnown("limit_unknown", "gear.disc_material")
+        length = design.ring_length
+        material = required(design.disc_material, "limit_unknown", "gear.disc_material")
         shares = design.support if isinstance(design.support, Shares) else RIGID_SUPPORT
         pairs = design.ring_pins * design.mechanism.satellites
         if pairs > MOST_RING_PAIRS:
@@ -107,7 +104,7 @@ class RingResults:
                 disc=disc,
                 crank_angles=design.mechanism.built.crank_angles,
                 contact_length=length,
-                disc_material=disc_material,
+                disc_material=material,
                 law=gear.law,
                 deviations=design.ring_deviations,
                 exact=change.rotation == 0,
@@ -168,8 +165,7 @@ class RingResults:
         """Forces and pressures of involute teeth under so many times the torque."""
         pair, loaded = self.pair, self.loaded_teeth(factor)
         for body in ("satellite", "ring"):
-            if loaded[f"{body}_material"] is None:
-                raise NotKnown("limit_unknown", f"gear.{body}_material")
+            required(loaded[f"{body}_material"], "limit_unknown", f"gear.{body}_material")
         return self._named(lambda: involute_load(pair=pair, **loaded))
 
     @derived

@@ -323,12 +323,12 @@ class DesignPin(PinSupport):
     material_path: str = "pin.material"
 
     @property
-    def thick(self) -> Notice | None:
+    def thick(self) -> tuple[Notice, ...]:
         """That it is thicker than its material's strengths hold for, where it is."""
         valid = self.valid_diameter
         if valid is None or self.diameter <= valid:
-            return None
-        return Notice("beyond_size", {"limit": valid * 1e3})
+            return ()
+        return (Notice("beyond_size", {"limit": valid * 1e3}),)
 
     def bolt_alone(self, bolt: PinBolt) -> "DesignPin":
         """The bolt as the pin: the spacer is only what touches the hole."""
@@ -617,10 +617,11 @@ class RollingBearing:
     seat: Seat = "housing"  # what one of the crankshaft sits in
 
     @property
-    def sizes(self) -> tuple[float, float, float] | None:
-        """Bore, outer diameter and width, where all are given, m."""
-        bore, outer, width = self.bore_diameter, self.outer_diameter, self.width
-        return None if bore is None or outer is None or width is None else (bore, outer, width)
+    def sizes(self) -> tuple[float, ...]:
+        """Bore, outer diameter and width, m; none where they are not all given."""
+        sizes = (self.bore_diameter, self.outer_diameter, self.width)
+        given = tuple(each for each in sizes if each is not None)
+        return given if len(given) == len(sizes) else ()
 
     def check_sizes(self, path: str) -> None:
         """Refuse a bore that is not smaller than the outside.

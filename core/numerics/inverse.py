@@ -11,12 +11,14 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import groupby, pairwise
-from typing import Literal
+from typing import Literal, get_args
 
 from core.errors import InvalidInput
 from core.precision import ROUNDING
 
 Sense = Literal["at_least", "at_most", "equals"]
+
+SENSES: tuple[Sense, ...] = get_args(Sense)
 Want = Literal["smallest", "largest"]
 SolveStatus = Literal["solved", "always", "infeasible", "several"]
 

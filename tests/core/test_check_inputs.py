@@ -638,6 +638,7 @@ def test_what_may_be_asked_is_an_input() -> None:
     for code, kind in CHECKS.items():
         asked = {kind.asks, f"requirements.{kind.asks}"}
         assert not kind.asks or asked & {*kind.inputs}, code
+        assert {*kind.requires, *kind.demands} <= {*kind.inputs}, code
         assert not kind.asks or hasattr(Requirements(), kind.asks), code
 
 

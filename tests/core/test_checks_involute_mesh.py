@@ -334,7 +334,7 @@ def test_satellites_carry_on_their_teeth_what_their_pins_do() -> None:
         deviations=Deviations(disc_phase=(2e-4, 0.0)),
     )
     results = Results(loose)
-    assert results.made is not None
+    assert results.solved
     most = abs(results.made(150.0).couple).max()
     found = check_of("ring_pressure_pin", loose)
     assert found.value == pytest.approx(one * math.sqrt(most / 150.0), rel=1e-9)
