@@ -86,14 +86,8 @@ class LineContactFields(RequestModel, group="line_contact"):
 _GEAR = ("roller_radius_mm", "roller_circle_radius_mm")
 """What a fix may change of the gear."""
 
-_OF_SHAFT = (
-    "bearing_distance",
-    "overhang",
-    "youngs_modulus",
-    "shaft_diameter",
-    "shaft_sections",
-)
-"""Arguments of the core that are the shaft's."""
+_OF_SHAFT = ("bearing_distance", "overhang", "youngs_modulus")
+"""Arguments of the core that are the shaft's, beside its stretches."""
 
 
 class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
@@ -142,7 +136,8 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
     @property
     def shaft(self) -> dict[str, Any]:
         """The shaft as the core's arguments."""
-        return {name: each for name, each in self.to_core().items() if name in _OF_SHAFT}
+        own = self.to_core()
+        return {name: own[name] for name in _OF_SHAFT} | {"shaft_sections": self.sections()}
 
     def solve(self) -> ShaftDeflection:
         """Reactions and deflection of the shaft."""
@@ -292,7 +287,7 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
 
     def sections(self) -> list[ShaftSection]:
         """Stretches of the shaft from C to the clamp; one where it has one diameter."""
-        match self.shaft:
+        match self.to_core():
             case {"shaft_sections": sections}:
                 return [*sections]
             case shaft:

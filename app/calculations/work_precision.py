@@ -50,7 +50,7 @@ from core.work_precision.precession import (
 )
 from core.work_precision.rollers import roller_sharing_study
 from core.work_precision.study import SETTINGS, Reference, WorkPoint, WorkPrecision
-from core.work_precision.tolerance import COST, tolerance_sampling_study
+from core.work_precision.tolerance import COST, Mean, Percentile, tolerance_sampling_study
 from core.work_precision.turns import carried_ends_study, least_room_study
 
 MAX_ROLLERS = 24
@@ -313,9 +313,10 @@ class ToleranceSamplingStudy(Study):
 
     def solve(self) -> WorkPrecision:
         """The study."""
+        asked = self.input.percentiles
         return tolerance_sampling_study(
             study=self.input.study(lambda share: None),
-            percent=max(self.input.percentiles, default=None),
+            statistic=Percentile(max(asked)) if asked else Mean(),
         )
 
 

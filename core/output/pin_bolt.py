@@ -97,8 +97,8 @@ class Grip:
 class PreloadedGrip(Grip):
     """The same under a preload."""
 
-    opening_moment: float
-    slip_force: float
+    opening_moment: float  # N*m
+    slip_force: float  # N
 
     @property
     def opens(self) -> bool:
