@@ -18,7 +18,7 @@ from starlette.types import Receive, Scope, Send
 from app import VERSION, theme
 from app.endpoint import COMPRESS_BYTES, JSON, takes_gzip
 from app.examples import EXAMPLES
-from app.model import NEGLECTED, SMALLEST, Calculation, Maybe, ResponseModel
+from app.model import NEGLECTED, SMALLEST, Calculation, Maybe, ResponseModel, present
 from app.problems import KINDS, RESPONSES, TEXTS
 from app.record import root_path
 from app.registry import CALCULATIONS
@@ -172,7 +172,7 @@ class MaterialOut(ResponseModel):
                 source=LIMIT_SOURCES[limit.source],
                 source_code=limit.source,
                 verified=limit.verified or "secondary",
-                **({} if limit.curve is None else {"life_curve": limit.curve}),
+                **present({"life_curve": limit.curve}),
             )
             for limit in entry.limits
         ]
@@ -211,7 +211,7 @@ class MaterialOut(ResponseModel):
             group_code=entry.group,
             limits=limits,
             source=entry.source,
-            **{name: value for name, value in known.items() if value is not None},
+            **present(known),
         )
 
 
@@ -268,7 +268,7 @@ class ProcessEntry(ResponseModel):
             least_clearance_mm=from_si("clearance_mm", least),
             largest_clearance_mm=from_si("clearance_mm", largest),
             source=each.source,
-            **{name: size for name, size in sizes.items() if size is not None},
+            **present(sizes),
         )
 
 

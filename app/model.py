@@ -1,7 +1,8 @@
 """What every request and answer shares: strictness, units, accuracy, warnings."""
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from abc import abstractmethod
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property, lru_cache
 from itertools import chain
@@ -29,6 +30,18 @@ from pydantic import (
 from pydantic.fields import FieldInfo
 from pydantic_core import CoreSchema, PydanticCustomError
 
+from app.rules import (
+    BROKEN,
+    Forms,
+    Kinds,
+    Rule,
+    alternatives,
+    between,
+    field_error,
+    of_other_kinds,
+    schema_rules,
+    wrong_form,
+)
 from app.settings import Settings
 from app.units import (
     Convert,
@@ -56,7 +69,7 @@ def no_dust(value: Any) -> Any:
     """Validator of quantities that may be 0 or negative: smaller sizes lose their digits."""
     if isinstance(value, list):
         return [*map(no_dust, value)]
-    if value is not None and 0 < abs(value) < SMALLEST:
+    if 0 < abs(value) < SMALLEST:
         raise PydanticCustomError("dust", "dust", {"limit": SMALLEST})
     return value
 
@@ -132,87 +145,10 @@ def _complete_schema(schema: dict[str, Any]) -> None:
                 field[theirs] = field.pop(ours)
 
 
-Forms = tuple[tuple[str, ...], ...]
-
-
-class _Alternative(NamedTuple):
-    """Forms of which one has to be given, their names, and which of these may stand together."""
-
-    forms: Forms
-    names: frozenset[str]
-    allowed: frozenset[frozenset[str]]
-
-
-@cache
-def _alternatives(model: type["RequestModel"]) -> tuple[_Alternative, ...]:
-    """Alternatives of a request and of all that it is made of."""
-    every = [vars(each).get("ALTERNATIVES", ()) for each in model.__mro__]
-    return tuple(
-        _Alternative(forms, frozenset(chain(*forms)), frozenset(map(frozenset, forms)))
-        for some in every
-        for forms in some
-    )
-
-
-def _wrong_form(forms: Forms, named: set[str]) -> PydanticCustomError:
-    """Why the fields that a request names are none of some forms."""
-    given = [form for form in forms if not named.isdisjoint(form)]
-    if not given:
-        return field_error(forms[0][0], "needed", field=forms[1][0])
-    if len(given) > 1:
-        first, second = (next(n for n in form if n in named) for form in given[:2])
-        return field_error(second, "only_one", field=first)
-    missing = next(name for name in given[0] if name not in named)
-    other = next(name for name in given[0] if name != missing)
-    return field_error(missing, "needed_beside", field=other)
-
-
-def _only(form: tuple[str, ...], names: Iterable[str]) -> dict[str, Any]:
-    """Schema of a form: its fields, and none of the others.
-
-    As requirements: generators of clients take no properties that are `false`.
-    """
-    others = [{"required": [name]} for name in names if name not in form]
-    return {"required": [*form], "not": {"anyOf": others}}
-
-
-Kinds = Mapping[Any, tuple[tuple[str, ...], tuple[str, ...]]]
-"""Of each kind, the fields that it needs, and those that it may have besides."""
-
-
-@cache
-def _of_other_kinds(model: type["RequestModel"], kind: Any) -> tuple[str, ...]:
-    """Fields that kinds of a request have, but not this one."""
-    own = {*chain(*model.KINDS[kind])}
-    every = dict.fromkeys(chain.from_iterable(chain(*names) for names in model.KINDS.values()))
-    return tuple(name for name in every if name not in own)
-
-
-def _kind_schema(model: type["RequestModel"], kind: Any) -> dict[str, Any]:
-    """What a kind needs, and that it takes nothing of the others."""
-    named: dict[str, Any] = {"required": [model.KIND]}
-    if kind is None:
-        named = {"not": named}
-    else:
-        default = kind == model.model_fields[model.KIND].default
-        named = {"properties": {model.KIND: {"const": kind}}} | ({} if default else named)
-    needed, others = model.KINDS[kind][0], _of_other_kinds(model, kind)
-    rule: dict[str, Any] = {"required": [*needed]} if needed else {}
-    if others:
-        rule["not"] = {"anyOf": [{"required": [name]} for name in others]}
-    return {"if": named, "then": rule}
-
-
 def request_schema(schema: dict[str, Any], model: type["RequestModel"]) -> None:
     """The schema of a request: units, and which of its fields exclude or need each other."""
     _complete_schema(schema)
-    rules = []
-    for forms, _, _ in _alternatives(model):
-        names = dict.fromkeys(name for form in forms for name in form)
-        rules.append({"oneOf": [_only(form, names) for form in forms]})
-    rules += model.RULES
-    rules += [rule for kind in model.KINDS if (rule := _kind_schema(model, kind))["then"]]
-    if rules:
+    if rules := schema_rules(model):
         schema["allOf"] = rules
 
 
@@ -241,6 +177,9 @@ class RequestModel(BaseModel):
     KINDS: ClassVar[Kinds] = {}
     """What its kinds have; fields that no kind has are those of all. None: without a kind."""
 
+    BETWEEN: ClassVar[tuple[Rule, ...]] = ()
+    """Rules between its fields, and those of the models within; the JSON schema admits more."""
+
     RULES: ClassVar[tuple[dict[str, Any], ...]] = ()
     """What its JSON schema says besides, of which a validator says the same."""
 
@@ -267,48 +206,71 @@ class RequestModel(BaseModel):
     @cached_property
     def shape(self) -> "Shape":
         """Its model, and its fields that are given, with the shapes of the models in them."""
-        own, given = vars(self), []
-        for name, _, _ in _core_plan(type(self)):
-            if (value := own[name]) is not None:
-                given.append((name, value.shape if isinstance(value, RequestModel) else None))
+        given = [
+            (name, value.shape if isinstance(value, RequestModel) else None)
+            for name, value in self.given.items()
+        ]
         return type(self), tuple(given)
 
     @model_validator(mode="after")
     def _one_form_and_kind(self) -> Self:
-        if alternatives := _alternatives(type(self)):
+        if choices := alternatives(type(self)):
             named = self.model_fields_set
-            for forms, names, allowed in alternatives:
+            for forms, names, allowed in choices:
                 if names & named not in allowed:
-                    raise _wrong_form(forms, named)
+                    raise wrong_form(forms, named)
         if self.KINDS:
             self._refuse_other_kinds()
+        for field, rule, other in between(type(self)):
+            of_field, of_other = BROKEN[rule]
+            if self.says(other) == of_other and self.says(field) == of_field:
+                raise field_error(field, rule, field=other.rpartition("/")[2])
         return self
 
     def _refuse_other_kinds(self) -> None:
         kind = getattr(self, self.KIND)
+        given = self.given
         for name in self.KINDS[kind][0]:
-            if getattr(self, name) is None:
+            if name not in given:
                 raise field_error(name, "needed_beside", field=self.KIND)
-        for name in _of_other_kinds(type(self), kind):
-            if getattr(self, name) is not None:
+        for name in of_other_kinds(type(self), kind):
+            if name in given:
                 raise field_error(name, "of_another_kind", kind=kind or "none")
+
+    def says(self, path: str) -> bool:
+        """Whether the field at a path is given.
+
+        Parameters
+        ----------
+        path : str
+            Names of the fields from this model on, by ``/``.
+
+        Returns
+        -------
+        bool
+        """
+        name, _, within = path.partition("/")
+        named = name in self.model_fields_set
+        return named and (not within or getattr(self, name).says(within))
+
+    @property
+    def given(self) -> "Values":
+        """The fields that have a value, by their names."""
+        own = vars(self)  # with what is worked out of them and kept
+        return {name: value for name in _core_plan(type(self)) if (value := own[name]) is not None}
 
     def to_core(self) -> dict[str, Any]:
         """The given fields as the core's arguments, in SI units."""
-        own = vars(self)
-        return {
-            core: value if convert is None else convert(value)
-            for name, core, convert in _core_plan(type(self))
-            if (value := own[name]) is not None
-        }
+        plan = _core_plan(type(self))
+        return {plan[name].core: plan[name].convert(value) for name, value in self.given.items()}
 
     ASSUMED: ClassVar[tuple[str, ...]] = ()
     """Fields whose default decides about the answer, which says so where they are not given."""
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """What is assumed, since it is not given: the path of each field, and its value."""
-        for name in self.ASSUMED:
-            if name not in self.model_fields_set and (value := getattr(self, name)) is not None:
+        for name, value in self.given.items():
+            if name in self.ASSUMED and name not in self.model_fields_set:
                 yield (name,), value
         for name, value in self:
             if isinstance(value, RequestModel):
@@ -339,10 +301,33 @@ class RequestModel(BaseModel):
         """
 
 
+class _InCore(NamedTuple):
+    """How a field is told to the core."""
+
+    core: str  # its name there
+    convert: Convert  # what takes its values to SI units
+
+
 @cache
-def _core_plan(model: type[RequestModel]) -> list[tuple[str, str, Convert | None]]:
-    """How a request is told to the core: name, core's name, what takes a value to SI units."""
-    return [(name, core_name(name), to_si_converter(name)) for name in model.model_fields]
+def _core_plan(model: type[RequestModel]) -> dict[str, _InCore]:
+    """How the fields of a request are told to the core."""
+    plan = {}
+    for name, field in model.model_fields.items():
+        part = any(issubclass(held, PartFields) for held, _ in _held(field.annotation))
+        plan[name] = _InCore(core_name(name), _section if part else to_si_converter(name))
+    return plan
+
+
+class PartFields(RequestModel):
+    """A part of a section, alone or in a list: the arguments of the core have it in SI units."""
+
+    @abstractmethod
+    def section(self) -> Any:
+        """The same in SI units."""
+
+
+def _section(part: Any) -> Any:
+    return tuple(map(_section, part)) if isinstance(part, list) else part.section()
 
 
 def quantity(
@@ -376,7 +361,7 @@ def quantity(
         Default and limits, as pydantic's `Field` takes them.
     """
     shown = {"symbol": symbol, "group": group, "step": step, "advanced": advanced or None}
-    extra = {f"x-{key}": value for key, value in shown.items() if value is not None}
+    extra = {f"x-{key}": value for key, value in present(shown).items()}
     return Field(
         title=title,
         description=help,
@@ -416,13 +401,6 @@ class WorkedFields(RequestModel):
         return own
 
 
-def field_error(name: str, code: str, **params: Any) -> PydanticCustomError:
-    """Refusal by a model's validator that belongs to one field, or ``model/field``; see
-    `app.problems.TEXTS`.
-    """
-    return PydanticCustomError("field_error", code, {"name": name, "code": code, "params": params})
-
-
 Shape = tuple[type[RequestModel], tuple[tuple[str, "Shape | None"], ...]]
 """Of a request, what the paths of its fields hang on, and which of them are given."""
 
@@ -432,10 +410,12 @@ def core_paths(shape: Shape) -> dict[str, tuple[str, ...]]:
     """Paths of the fields of a request, by its shape; where a model is not given, as if it were. By
     its name alone a parameter is the first of that name that is given, or else the first.
     """
-    model, within = shape[0], {name: inner for name, inner in shape[1] if inner is not None}
+    model, within = shape[0], present(dict(shape[1]))
     plan = _core_plan(model)
-    found: dict[str, tuple[str, ...]] = {core: (name,) for name, core, _ in reversed(plan)}
-    for name, core, _ in plan:
+    found: dict[str, tuple[str, ...]] = {}
+    for name, (core, _) in reversed(plan.items()):
+        found[core] = (name,)
+    for name, (core, _) in plan.items():
         held = [within[name]] if name in within else _held(model.model_fields[name].annotation)
         for each in held:
             for parameter, path in core_paths(each).items():
@@ -451,10 +431,9 @@ def core_paths(shape: Shape) -> dict[str, tuple[str, ...]]:
 
 def given_paths(shape: Shape) -> Iterator[tuple[str, ...]]:
     """Paths of the fields that requests of a shape have given."""
-    for name, inner in shape[1]:
-        yield (name,)
-        if inner is not None:
-            yield from ((name, *path) for path in given_paths(inner))
+    yield from ((name,) for name, _ in shape[1])
+    for name, inner in present(dict(shape[1])).items():
+        yield from ((name, *path) for path in given_paths(inner))
 
 
 def _held(annotation: Any) -> list[Shape]:
@@ -466,6 +445,11 @@ def _held(annotation: Any) -> list[Shape]:
 
 Values = dict[str, Any]
 """An answer, or a part of it, as it is sent: what there is, by the names of its model."""
+
+
+def present(values: Mapping[str, Any]) -> Values:
+    """What there is of values: those that are not None."""
+    return {name: value for name, value in values.items() if value is not None}
 
 
 class ResponseModel(BaseModel):
@@ -495,14 +479,10 @@ class ResponseModel(BaseModel):
         **given
             Fields that are said here, not read from the result; absent where None.
         """
-        values: Values = {}
-        for name, value in given.items():
-            if value is not None:
-                values[name] = value
-        plan = _plan(cls, *given)
+        values, plan = present(given), _plan(cls, *given)
         for name, attribute, convert in plan.read:
             if (value := getattr(result, attribute)) is not None:
-                values[name] = value if convert is None else convert(value)
+                values[name] = convert(value)
         if plan.warns and result.notices:
             values["warnings"] = [warning(each) for each in result.notices]
         if plan.states_accuracy:
@@ -622,7 +602,7 @@ NEGLECTED = {
 class _Plan(NamedTuple):
     """How an answer is made of a core result."""
 
-    read: list[tuple[str, str, Convert | None]]
+    read: list[tuple[str, str, Convert]]
     """What is read from it: name, core's name, and what makes a value of it that is sent."""
     warns: bool
     states_accuracy: bool
@@ -749,6 +729,14 @@ class AssumingResponse(WorkedResponse):
     """An answer that says what it assumes."""
 
     assumed: Maybe[list[AssumedOut]] = assumptions()
+
+
+def notices_of(*results: Any) -> tuple[Notice, ...]:
+    """Notices of core results, of those that there are; one may be a notice itself."""
+    found: list[Notice] = []
+    for each in filter(None, results):
+        found += (each,) if isinstance(each, Notice) else each.notices
+    return tuple(found)
 
 
 REPLACED = "The code that this one replaces; for one release."

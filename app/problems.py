@@ -13,7 +13,7 @@ from pydantic_core import ErrorDetails
 from starlette.exceptions import HTTPException
 
 from app.jobs import Busy, CannotRun, Stopped, TooLong
-from app.model import REPLACED, UNION_TAGS, Maybe, api_params
+from app.model import REPLACED, UNION_TAGS, Maybe, api_params, present
 from app.record import root_path
 from app.units import api_value
 from core.codes import CODES, REFUSALS, WAS
@@ -199,8 +199,7 @@ class FieldProblem:
 
     def body(self) -> dict[str, Any]:
         """The same as JSON."""
-        said = {each.name: getattr(self, each.name) for each in fields(self)}
-        return {name: value for name, value in said.items() if value is not None}
+        return present({each.name: getattr(self, each.name) for each in fields(self)})
 
 
 def wrong(pointer: str, code: str, **params: Any) -> FieldProblem:

@@ -48,63 +48,63 @@ AT_C = ("deflection_C", "error_C", "reaction_C", "slope_C")
 """Ends of names that speak of a place C, not of degrees Celsius."""
 
 
+PLAIN = ("", 1.0)
+"""The unit of what has none."""
+
+
 @cache
-def suffix(field: str) -> str | None:
-    """Unit suffix of an API name; None for a plain name."""
+def suffix(field: str) -> str:
+    """Unit suffix of an API name; empty for a plain name."""
     if field.endswith(AT_C):
-        return None
-    return next((unit for unit in UNITS if field.endswith(f"_{unit}")), None)
+        return ""
+    return next((unit for unit in UNITS if field.endswith(f"_{unit}")), "")
 
 
 @cache
 def core_name(field: str) -> str:
     """Name of the quantity in core: the API name without its unit."""
-    unit = suffix(field)
-    return field if unit is None else field[: -len(unit) - 1]
-
-
-@cache
-def unit_size(field: str) -> float | None:
-    """Size of its unit in SI units; None for a plain name."""
-    unit = suffix(field)
-    return None if unit is None else UNITS[unit][1]
+    return field.removesuffix(f"_{suffix(field)}")
 
 
 def shown_unit(field: str) -> str:
     """Unit as shown to people; empty for a plain name."""
-    unit = suffix(field)
-    return "" if unit is None else UNITS[unit][0]
+    return UNITS.get(suffix(field), PLAIN)[0]
+
+
+def _as_it_is(value: Any) -> Any:
+    return value
 
 
 def to_si(field: str, value: Any) -> Any:
-    """Value of an API field in SI units; lists element by element."""
-    convert = to_si_converter(field)
-    return value if convert is None or value is None else convert(value)
+    """Value of an API field in SI units; a list as the tuple of its elements, None as it is."""
+    return value if value is None else to_si_converter(field)(value)
 
 
 @cache
-def to_si_converter(field: str) -> Convert | None:
-    """What takes values of an API field to SI units; None for a plain name.
+def to_si_converter(field: str) -> Convert:
+    """What takes values of an API field to SI units: those of a plain name as they are.
 
     Dividing by the inverse keeps decimal inputs at the nearest double: 8 mm is 0.008 m.
     """
-    size = unit_size(field)
-    if size is None:
-        return None
+    unit = suffix(field)
+    if not unit:
+        return _as_it_is
+    size = UNITS[unit][1]
     times, over = (size, 1.0) if size >= 1 or size == DEGREE else (1.0, 1 / size)
 
     def convert(value: Any) -> Any:
         if not isinstance(value, float) and isinstance(value, (list, tuple)):
-            return [*map(convert, value)]
+            return tuple(map(convert, value))
         return value * times / over
 
     return convert
 
 
 def from_si(field: str, value: Any) -> Any:
-    """Value in SI units as an API field carries it; lists and arrays element by element."""
-    convert = from_si_converter(field)
-    return value if convert is None or value is None else convert(value)
+    """Value in SI units as an API field carries it; lists and arrays element by element, None as it
+    is.
+    """
+    return value if value is None else from_si_converter(field)(value)
 
 
 TRIFLE = 2.0**-51
@@ -112,11 +112,11 @@ TRIFLE = 2.0**-51
 
 
 @cache
-def from_si_converter(field: str) -> Convert | None:
-    """What takes values in SI units to the unit of an API field; None where it is the same."""
-    size = unit_size(field)
-    if size is None or size == 1:
-        return None
+def from_si_converter(field: str) -> Convert:
+    """What takes values in SI units to the unit of an API field, as they are where it is theirs."""
+    size = UNITS.get(suffix(field), PLAIN)[1]
+    if size == 1:
+        return _as_it_is
     times, over = (1.0, size) if size > 1 else (1 / size, 1.0)
 
     def convert(value: Any) -> Any:
@@ -154,6 +154,6 @@ QUANTITIES = {"angle": "deg", "position": "mm", "z": "mm", "force": "N", "length
 
 def api_value(name: str, value: float) -> tuple[str, float]:
     """API name and value of a core quantity in SI units, by the last word of its name."""
-    unit = QUANTITIES.get(name.rsplit("_", 1)[-1])
-    field = name if unit is None else f"{name}_{unit}"
+    unit = QUANTITIES.get(name.rsplit("_", 1)[-1], "")
+    field = f"{name}_{unit}".removesuffix("_")
     return field, from_si(field, value)

@@ -33,8 +33,8 @@ class derived(Generic[Value]):  # noqa: N801 - it is used as `property` is
         if instance is None:
             return self
         kept: dict[str, Any] = instance.__dict__  # which is looked at before this is
-        if (refusal := kept.get(self.refused)) is not None:
-            raise refusal.with_traceback(None)
+        if self.refused in kept:
+            raise kept[self.refused].with_traceback(None)
         try:
             value = kept[self.name] = self.calculate(instance)
         except CalculationError as why:
@@ -60,3 +60,22 @@ def if_known(calculate: Callable[[], Value]) -> Value | None:
         return calculate()
     except UNKNOWN:
         return None
+
+
+def is_known(calculate: Callable[[], object]) -> bool:
+    """Whether something is known.
+
+    Parameters
+    ----------
+    calculate : callable
+        What works it out.
+
+    Returns
+    -------
+    bool
+    """
+    try:
+        calculate()
+    except UNKNOWN:
+        return False
+    return True

@@ -338,7 +338,7 @@ def cycles_to_failure(
     mean: float,
     endurance: float,
     tensile_strength: float,
-    fraction: float | None = None,
+    fraction: float,
 ) -> float:
     """Cycles that a steel part stands: ``(sigma_rev/a)^(1/B)``.
 
@@ -352,8 +352,8 @@ def cycles_to_failure(
         Endurance limit Se, Pa.
     tensile_strength : float
         Tensile strength Rm, Pa.
-    fraction : float, optional
-        f, else `strength_fraction`.
+    fraction : float
+        f, see `strength_fraction`.
 
     Returns
     -------
@@ -373,8 +373,6 @@ def cycles_to_failure(
     ...                         tensile_strength=120.0, fraction=0.82))
     116193
     """
-    if fraction is None:
-        fraction = strength_fraction(tensile_strength=tensile_strength)
     left = 1 - max(mean, 0.0) / tensile_strength
     if left <= 0:
         return 0.0
@@ -395,7 +393,7 @@ def finite_strength(
     endurance: float,
     tensile_strength: float,
     cycles: float,
-    fraction: float | None = None,
+    fraction: float,
 ) -> float:
     """Reversed stress that a steel part stands for so many cycles: ``a*N^B``.
 
@@ -407,8 +405,8 @@ def finite_strength(
         Tensile strength Rm, Pa.
     cycles : float
         Cycles N, > 0; fewer than `LOW_CYCLES` count as these.
-    fraction : float, optional
-        f, else `strength_fraction`.
+    fraction : float
+        f, see `strength_fraction`.
 
     Returns
     -------
@@ -428,8 +426,6 @@ def finite_strength(
     ...                       fraction=0.82), 3)
     70.0
     """
-    if fraction is None:
-        fraction = strength_fraction(tensile_strength=tensile_strength)
     short = fraction * tensile_strength
     if short <= endurance or cycles >= ENDURING:
         return endurance
@@ -457,15 +453,19 @@ class FatigueStrength:
             raise InvalidInput("yield_strength", None, "needed", field="criterion")
 
     @property
+    def line(self) -> dict[str, float]:
+        """What its line of life goes through, as arguments of `cycles_to_failure`."""
+        tensile = self.tensile_strength
+        fraction = strength_fraction(tensile_strength=tensile)
+        ends = {"endurance": self.endurance_limit, "fraction": fraction}
+        return ends | {"tensile_strength": tensile}
+
+    @property
     def finite(self) -> float | None:
         """Strength for the cycles it has to stand, Pa; None where it is the endurance limit."""
         if self.cycles is None:
             return None
-        found = finite_strength(
-            endurance=self.endurance_limit,
-            tensile_strength=self.tensile_strength,
-            cycles=self.cycles,
-        )
+        found = finite_strength(cycles=self.cycles, **self.line)
         return found if found > self.endurance_limit else None
 
     def utilisation(self, amplitude: Number, mean: Number) -> Number:
@@ -519,12 +519,7 @@ def judge_cycle(*, strength: FatigueStrength, largest: float, least: float) -> C
     1.538462
     """
     amplitude, mean = (largest - least) / 2, (largest + least) / 2
-    cycles = cycles_to_failure(
-        amplitude=amplitude,
-        mean=mean,
-        endurance=strength.endurance_limit,
-        tensile_strength=strength.tensile_strength,
-    )
+    cycles = cycles_to_failure(amplitude=amplitude, mean=mean, **strength.line)
     finite = strength.finite
     notices = strength.notices
     if finite is not None or cycles < math.inf:  # the line counts

@@ -12,10 +12,12 @@ from app.calculations.real_mechanism import DeviationsFields, SatelliteCouplingF
 from app.calculations.ring import RING_PIN_LISTS as OF_RING
 from app.calculations.ring import RingPinDeviationsFields
 from app.calculations.ring_parts import CycloidRingFields
-from app.model import Kinds, Maybe, ResponseModel, Values, field_error, quantity, result
+from app.model import Maybe, ResponseModel, Values, quantity, result
 from app.problems import refusal
+from app.rules import Kinds, field_error
 from app.settings import Settings
 from app.units import from_si, to_si
+from core.design.ring import CycloidRing
 from core.errors import InvalidInput
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.satellite_support import RingInSeries, SatelliteSupport
@@ -115,12 +117,12 @@ class RingInSeriesFields(RealDesignFields):
     gear: Annotated[Maybe[CycloidRingFields], BeforeValidator(_no_involute)] = Field(
         default=None, description="Ring and discs, where both meshes are in series."
     )
-    satellite_coupling: Maybe[SeriesCouplingFields] = None
+    satellite_coupling: SeriesCouplingFields = Field(default_factory=SeriesCouplingFields)
 
     @property
     def in_series(self) -> bool:
         """Whether the mesh with the ring is in series."""
-        return self.satellite_coupling is not None and self.satellite_coupling.kind == "ring"
+        return self.satellite_coupling.kind == "ring"
 
     @property
     def known_in_first_order(self) -> bool:
@@ -129,28 +131,20 @@ class RingInSeriesFields(RealDesignFields):
 
     @model_validator(mode="after")
     def _ring_in_series(self) -> Self:
-        own, kind = self.mechanism, "rigid"
-        if self.satellite_coupling is not None:
-            kind = self.satellite_coupling.kind
-        if kind != "ring":
+        if not self.in_series:
             for path in ("gear", *self.of_a_ring):
-                value: Any = self
-                for name in path.split("/"):
-                    value = getattr(value, name, None)
-                if value is not None:
-                    raise field_error(path, "of_another_kind", kind=kind)
+                if self.says(path):
+                    raise field_error(path, "of_another_kind", kind=self.satellite_coupling.kind)
             return self
         if self.gear is None:
             raise field_error("gear", "needed_beside", field="satellite_coupling")
-        for name in ("satellite_teeth", "ring_teeth"):
-            if getattr(own, name) is None:
-                raise field_error(f"mechanism/{name}", "needed_beside", field="gear")
-        assert own.satellite_teeth is not None
-        if own.ring_teeth != own.satellite_teeth + 1:
-            more = {"expected": own.satellite_teeth + 1}
+        if self.mechanism.teeth is None:
+            raise field_error("mechanism/satellite_teeth", "needed_beside", field="gear")
+        satellite, ring = self.mechanism.teeth
+        if ring != satellite + 1:
+            more = {"expected": satellite + 1}
             raise field_error("mechanism/ring_teeth", "not_this_cycloid", **more)
-        change = self.gear.modification
-        if self.geometry == "exact" and change is not None and change.rotation_arcmin > 0:
+        if self.geometry == "exact" and self.gear.turned:
             raise field_error("geometry", "flanks_first_order", field="rotation_arcmin")
         return self
 
@@ -223,12 +217,10 @@ class RingInSeriesFields(RealDesignFields):
 
     @cached_property
     def _ring(self) -> CycloidMesh:
-        gear, own = self.gear, self.mechanism
-        assert gear is not None and own.satellite_teeth is not None
-        ring = gear.ring()
+        ring: CycloidRing = self.given["gear"].ring(CycloidRing)
         return ring.cycloid_mesh(
             disc=ring.disc(
-                satellite_teeth=own.satellite_teeth,
+                satellite_teeth=self.mechanism.given["satellite_teeth"],
                 eccentricity=to_si("eccentricity_mm", self.contact.eccentricity_mm),
             ),
             crank_angles=self.built.crank_angles,
@@ -243,7 +235,7 @@ class RingInSeriesFields(RealDesignFields):
 class SeriesFields(RingInSeriesFields):
     """The same of parts as they are made."""
 
-    deviations: Maybe[SeriesDeviationsFields] = None
+    deviations: SeriesDeviationsFields = Field(default_factory=SeriesDeviationsFields)
 
     RULES: ClassVar[tuple[dict[str, Any], ...]] = of_the_ring("deviations", OF_RING)
 
@@ -255,12 +247,12 @@ class SeriesFields(RingInSeriesFields):
     @property
     def ring_deviations(self) -> RingDeviations:
         """Deviations of the ring, in SI units."""
-        return RingDeviations() if self.deviations is None else self.deviations.of_ring()
+        return self.deviations.of_ring()
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse also lists that do not fit the ring."""
         super().refuse_beyond(settings)
-        if self.in_series and self.deviations is not None:
+        if self.in_series:
             self.deviations.refuse_other_ring(self.mechanism.ring_teeth)
 
 

@@ -19,6 +19,7 @@ from app.model import (
     api_params,
     core_paths,
     given_paths,
+    present,
     quantity,
     result,
 )
@@ -304,16 +305,18 @@ SOURCES = LIMIT_SOURCES | CHECK_SOURCES
 def _kind_values(code: str) -> Values:
     """What is the same of all checks of a kind."""
     kind, was = CHECKS[code], WAS["checks"].get(code)
-    return {
-        "code": code,
-        **({} if was is None else {"was": was}),
-        "title": kind.title,
-        "group": kind.group,
-        "unit": shown_unit(f"value_{kind.unit}"),
-        "keep": kind.keep,
-        "formula": kind.formula,
-        "why": kind.why,
-    }
+    return present(
+        {
+            "code": code,
+            "was": was,
+            "title": kind.title,
+            "group": kind.group,
+            "unit": shown_unit(f"value_{kind.unit}"),
+            "keep": kind.keep,
+            "formula": kind.formula,
+            "why": kind.why,
+        }
+    )
 
 
 @lru_cache(maxsize=64)
@@ -373,8 +376,7 @@ def check_values(check: Check, body: RequestModel, inputs: list[str]) -> Values:
         "missing": [pointer(path) for name in check.missing if (path := path_of(body, name))]
         or None,
     }
-    known = {name: value for name, value in values.items() if value is not None}
-    return _kind_values(check.code) | known
+    return _kind_values(check.code) | present(values)
 
 
 def _value(body: Any, path: tuple[str | int, ...]) -> Any:
@@ -393,6 +395,21 @@ SETS = {
 """What fixes of several fields set."""
 
 
+def _typed(body: RequestModel) -> dict[str, tuple[str | int, ...]]:
+    """Paths of what a size may say of another, as far as it is typed."""
+    every = (
+        "load.output_torque",
+        "contact.hole_radius",
+        "contact.hole_clearance",
+        "pin.diameter",
+    )
+    return {
+        name: path
+        for name in every
+        if (path := path_of(body, name)) and _value(body, path) is not None
+    }
+
+
 def _short(value: float) -> float:
     """Without the rounding of units and sums."""
     return float(f"{value:.12g}")
@@ -401,16 +418,13 @@ def _short(value: float) -> float:
 def _of_size(fix: Fix, body: RequestModel) -> tuple[tuple[str | int, ...], Values]:
     """Where a fix of a size is in a request, and its values with all that it sets there."""
     paths = [
-        path
-        for each in SETS.get(fix.variable, (fix.variable,))
-        if (path := path_of(body, each)) is not None
+        path for each in SETS.get(fix.variable, (fix.variable,)) if (path := path_of(body, each))
     ]
     path = paths[0]
+    typed = _typed(body)
     name = str(path[-1])
     before, to, exact = (from_si(name, each) for each in (fix.before, fix.after, fix.exact))
-    if (
-        fix.variable == "load.output_torque" and _value(body, path) is None
-    ):  # that of the input is given
+    if fix.variable == "load.output_torque" and fix.variable not in typed:  # the input's is given
         name = "input_torque_Nm"
         given_path = (*path[:-1], name)
         path, paths, given = given_path, [given_path], _value(body, given_path)
@@ -422,25 +436,19 @@ def _of_size(fix: Fix, body: RequestModel) -> tuple[tuple[str | int, ...], Value
     if to is not None and fix.after != fix.exact:  # a rounded size stays one in the field's unit
         to = _short(to)
     sets = {pointer(each): to for each in paths}
-    hole, clearance, pin = (
-        path_of(body, each)
-        for each in ("contact.hole_radius", "contact.hole_clearance", "pin.diameter")
-    )
-    follows = fix.variable in ("contact.pin_radius", "contact.eccentricity")
-    if follows and hole is not None and _value(body, hole) is not None:
-        sets[pointer(hole)] = _short(_value(body, hole) + to - before)
-    inside = _value(body, pin) if pin is not None else None
-    no_sleeve = inside is not None and math.isclose(float(inside), 2 * before, rel_tol=1e-12)
-    if fix.variable == "contact.pin_radius" and no_sleeve:
-        sets[pointer(pin)] = 2 * to  # type: ignore[arg-type]
-    loose = None if clearance is None else _value(body, clearance)
-    if fix.variable == "contact.hole_radius" and clearance is not None and loose is not None:
-        sets[pointer(clearance)] = _short(loose + to - before)
-        if _value(body, path) is None:  # the hole follows the clearance
-            del sets[pointer(path)]
+    match fix.variable, typed:
+        case "contact.pin_radius" | "contact.eccentricity", {"contact.hole_radius": hole}:
+            sets[pointer(hole)] = _short(_value(body, hole) + to - before)
+        case "contact.hole_radius", {"contact.hole_clearance": clearance}:
+            sets[pointer(clearance)] = _short(_value(body, clearance) + to - before)
+            if fix.variable not in typed:  # the hole follows the clearance
+                del sets[pointer(path)]
+    if fix.variable == "contact.pin_radius" and "pin.diameter" in typed:
+        pin = typed["pin.diameter"]
+        if math.isclose(float(_value(body, pin)), 2 * before, rel_tol=1e-12):  # without a sleeve
+            sets[pointer(pin)] = 2 * to
     for name, value in fix.beside.items():
-        place = path_of(body, name)
-        assert place is not None  # of the same section
+        place = body.core_paths[name]  # of the same section
         sets[pointer(place)] = _short(from_si(str(place[-1]), value))
     return path, {"from": before, "to": to, "exact": exact, "sets": sets}
 
@@ -466,21 +474,19 @@ def fix_values(fix: Fix, body: RequestModel) -> Values:
         "status": fix.status,
         "verdict": fix.verdict,
         "side_effects": [
-            {
-                name: value
-                for name, value in {
+            present(
+                {
                     "code": each.code,
                     "status_from": each.before.status,
                     "status_to": each.after.status,
                     "utilisation_from": each.before.utilisation,
                     "utilisation_to": each.after.utilisation,
-                }.items()
-                if value is not None
-            }
+                }
+            )
             for each in fix.side_effects
         ],
     }
-    return {name: value for name, value in values.items() if value is not None}
+    return present(values)
 
 
 def judgement(
@@ -531,7 +537,7 @@ def part_values(found: PartVerdict, body: RequestModel) -> Values:
         "detail": _reason(found, body)["detail"] if found.reason else None,
         "missing": [pointer(path) for path in paths] or None,
     }
-    return {name: value for name, value in values.items() if value is not None}
+    return present(values)
 
 
 def codes_to_fix(verdict: Verdict, which: FixesFor) -> list[str]:

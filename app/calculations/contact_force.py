@@ -12,7 +12,6 @@ from app.model import (
     AccuracyOut,
     AssumingResponse,
     Calculation,
-    Forms,
     Maybe,
     RequestModel,
     ResponseModel,
@@ -23,6 +22,7 @@ from app.model import (
     quantity,
     result,
 )
+from app.rules import Forms
 from app.running import run
 from app.settings import Settings
 from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018, ZYL
@@ -120,27 +120,33 @@ class TorqueFields(RequestModel, group="load"):
 
     def force_given(self, members: Members) -> dict[str, Any]:
         """The load as the worked steps of the force take it."""
-        driven_by = None
-        if self.input_torque_Nm is not None and self.efficiency is not None:
-            driven_by = self.input_torque_Nm, self.efficiency
         return {
             "members": members,
             "output_torque": self.torque(members),
             "pin_circle_radius": to_si("pin_circle_radius_mm", self.pin_circle_radius_mm),
             "force_exponent": self.force_exponent,
-            "driven_by": driven_by,
+            "driven_by": self._driven_by,
         }
+
+    @property
+    def _driven_by(self) -> tuple[float, float] | None:
+        """Torque on the crankshaft, N*m, and efficiency, where these are given."""
+        match self.given:
+            case {"input_torque_Nm": torque, "efficiency": efficiency}:
+                return torque, efficiency
+        return None
 
     def torque(self, members: Members) -> float:
         """Torque of the output, N*m."""
-        if self.output_torque_Nm is not None:
-            return self.output_torque_Nm
-        assert self.input_torque_Nm is not None and self.efficiency is not None
-        return output_torque_from_input(
-            input_torque=self.input_torque_Nm,
-            ratio=members.torque_ratio,
-            efficiency=self.efficiency,
-        )
+        match self.given:
+            case {"output_torque_Nm": torque}:
+                return float(torque)
+            case given:
+                return output_torque_from_input(
+                    input_torque=given["input_torque_Nm"],
+                    ratio=members.torque_ratio,
+                    efficiency=given["efficiency"],
+                )
 
     def pin_torque(self, members: Members) -> float:
         """Torque on the pins, N*m."""

@@ -3,7 +3,8 @@
 from typing import Any, ClassVar, Literal, get_args
 
 from app.calculations.hertz import material_of
-from app.model import Kinds, Maybe, RequestModel, Size, quantity
+from app.model import Maybe, PartFields, RequestModel, Size, quantity
+from app.rules import Kinds
 from core.output.contact_law import (
     MAX_EXPONENT,
     MIN_EXPONENT,
@@ -73,7 +74,7 @@ def law_by_materials(contact: Any) -> ContactLaw:
     return usual_law(pin=pin, hole=hole)
 
 
-class MeshLawFields(ContactLawFields, group="contact_law"):
+class MeshLawFields(ContactLawFields, PartFields, group="contact_law"):
     """How a pair gives under a force: the teeth do not wrap around the pins."""
 
     KINDS: ClassVar[Kinds] = {
@@ -86,6 +87,10 @@ class MeshLawFields(ContactLawFields, group="contact_law"):
     reference_depth_mm: Maybe[Size] = quantity("Reference depth", "t", step=1, advanced=True)
     """Depth to which Hertz counts the approach of pin and disc; the pin's radius where not
     given."""
+
+    def section(self, _: Any = None) -> ContactLaw | None:  # type: ignore[override]
+        """The law in SI units, where one is named."""
+        return self.named()
 
 
 assert {*get_args(Kind), None} == {*ContactLawFields.KINDS}

@@ -13,7 +13,7 @@ from app.calculations.fit_answer import FitOut
 from app.calculations.hertz import entry_of
 from app.calculations.reducer_fixes import fixes_of
 from app.calculations.shares_answer import SharesOut, shares_warnings
-from app.model import Calculation, Values, warning
+from app.model import Calculation, Values, notices_of, present, warning
 from app.running import run
 from app.sources import (
     ARCHARD_1953,
@@ -57,13 +57,12 @@ def _judged(body: CrankPlanetaryRequest) -> Values:
     )
     if "combined" in body.sections:
         values["combined"] = combined(body, found, fixes)
-    return {name: value for name, value in values.items() if value is not None}
+    return present(values)
 
 
 def _cold_values(body: CrankPlanetaryRequest, cold: ColdYield) -> Values:
     """When a plastic contact yields at once, and where its strength comes from."""
-    assert body.contact is not None
-    given = getattr(body.contact, f"{cold.body}_material")
+    given = getattr(body.given["contact"], f"{cold.body}_material")
     own = not isinstance(given, str) and (given.yield_strength_MPa or given.tensile_strength_MPa)
     entry = NOT_LISTED if own else entry_of(given)
     return ColdYieldOut.values(cold, source=entry.strength.source or None)
@@ -71,17 +70,14 @@ def _cold_values(body: CrankPlanetaryRequest, cold: ColdYield) -> Values:
 
 def _notices(body: CrankPlanetaryRequest) -> tuple[Notice, ...]:
     """What is to be said of the design, whichever sections are asked."""
-    results, found = body.results, tuple[Notice, ...]()
-    if (sizes := body.solve_fit()) is not None:
-        found += sizes.notices
+    results, found = body.results, notices_of(body.solve_fit())
     if body.contact is not None:
         found += body.contact.material_notices()
     if results.in_series:
         found += (Notice("both_meshes"),)
     elif forces := results.forces_in_series:
         found += (Notice("meshes_apart", {"forces": forces, "limit": MOST_IN_SERIES}),)
-    if (near := if_known(lambda: results.disc_of(results.hertz))) is not None:
-        found += (near,)
+    found += notices_of(if_known(lambda: results.disc_of(results.hertz)))
     if "pin_strength" not in body.sections:  # which tells it itself
         found += results.size_notices
     return found
@@ -94,10 +90,7 @@ def solve(body: CrankPlanetaryRequest) -> Values:
     Verdict and warnings are there whichever sections are asked.
     """
     asked, _ = run(body, lambda: body.sections)
-    sections: Values = {}
-    for name, answer in ANSWERS.items():
-        if name in asked and (values := answer(body)) is not None:
-            sections[name] = values
+    sections = present({name: answer(body) for name, answer in ANSWERS.items() if name in asked})
     notices, _ = run(body, partial(_notices, body))
     fit, _ = run(body, lambda: if_known(lambda: body.results.fit))
     if fit is not None:

@@ -48,7 +48,7 @@ def _mesh(body: CrankPlanetaryRequest) -> ShownMesh:
         name = "ratio" if own.ring_teeth is None else "ring_teeth"
         limit = {"limit": MAX_DRAWN_PAIRS // own.satellites, "satellites": own.satellites}
         raise refusal(f"/mechanism/{name}", "too_many_pairs", **limit)
-    return ShownMesh.of(turn, members=body.design.members)
+    return ShownMesh.at_peak(turn, body.design.members)
 
 
 def _pattern_figure(body: CrankPlanetaryRequest, theme: Theme) -> Figure:
@@ -65,8 +65,7 @@ def _pattern_figure(body: CrankPlanetaryRequest, theme: Theme) -> Figure:
 
 def _force_figure(body: CrankPlanetaryRequest, theme: Theme) -> Figure:
     """The forces; where they are solved with the largest ideal one as a thin line."""
-    load = body.load
-    assert load is not None
+    load = body.known_load
     (force, switching), _ = run(
         body, lambda: load.solve_for_drawing(body.carrying, body.design.members)
     )

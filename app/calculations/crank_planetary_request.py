@@ -16,12 +16,13 @@ from app.calculations.mechanism import MAX_PAIRS
 from app.calculations.output_efficiency import FrictionFields
 from app.calculations.ring import RING_PIN_LISTS, RingFields
 from app.calculations.satellite_bearing import BearingFields, CrankshaftFields
-from app.model import Angle, Maybe, Values, field_error, quantity
+from app.model import Angle, Maybe, Values, quantity
+from app.rules import field_error
 from app.settings import Settings
 from core.checks.check import Verdict
 from core.checks.largest_torque import crank_verdict
 from core.checks.usual_modification import UsualModification, usual_modification
-from core.derived import if_known
+from core.derived import if_known, is_known
 from core.design.crank_results import MOST_BEARING_PAIRS
 from core.design.results import MOST_PIN_PAIRS, Results
 from core.errors import CalculationError
@@ -181,18 +182,12 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
 
     def _needs(self, section: Section) -> tuple[str, ...]:
         """What a section of the answer needs; of involute teeth their shifts."""
-        involute = self.gear is not None and self.gear.kind == "involute"
-        teeth = section in ("ring_mesh", "ring_drawing") and involute
+        teeth = section in ("ring_mesh", "ring_drawing") and self.ring_kind == "involute"
         return INVOLUTE_NEEDS if teeth else _NEEDS[section]
 
     def _has(self, part: str) -> bool:
         """Whether a part of the request, or a field of one, is given; rollers have friction."""
-        if part == "friction" and self.rollers is not None:
-            return True
-        value: Any = self
-        for name in part.split("/"):
-            value = None if value is None else getattr(value, name)
-        return value is not None
+        return self.says(part) or (part == "friction" and self.says("rollers"))
 
     def notices(self) -> tuple[Notice, ...]:
         """Also that nothing is known of the clearance, where nobody says that it is none."""
@@ -204,10 +199,8 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
 
     def _of_ring(self) -> Iterator[Notice]:
         """What is not known of a ring whose mesh is judged."""
-        gear, made = self.gear, self.deviations
-        if gear is None or gear.modification is None:
-            return
-        if made is None or all(getattr(made, name) is None for name in RING_PIN_LISTS):
+        listed = any(self.says(f"deviations/{name}") for name in RING_PIN_LISTS)
+        if self.says("gear/modification") and not listed:
             yield Notice("ring_deviations_unknown")
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
@@ -227,13 +220,12 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
 
     def cost(self) -> float:
         """Points of its cyclogram and its ideal forces; what searches or solves has no end."""
-        include = self.include or ()
-        cranked = self.bearing is not None or self.crankshaft is not None
-        searches = self.pin is not None or (cranked and self.gear is not None)
-        lost_motion = self.requirements.max_lost_motion_arcmin is not None
-        in_series = self.gear is not None and self.gear.modification is not None
-        solves = self.as_made or in_series or "load_sharing" in include or lost_motion
-        loaded = self.load is not None and self.contact is not None
+        include, given = self.include or (), self.given.keys()
+        cranked = not given.isdisjoint(("bearing", "crankshaft"))
+        searches = "pin" in given or (cranked and "gear" in given)
+        solves = self.as_made or "load_sharing" in include
+        solves |= self.says("gear/modification") or self.says("requirements/max_lost_motion_arcmin")
+        loaded = given >= {"load", "contact"}
         if SEARCHED & {*include} or (loaded and (searches or solves)):
             return math.inf
         if self.load is None:
@@ -264,7 +256,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
             allowed.append("ring_mesh")
         if not self.results.solved or "hertz" not in allowed:
             return allowed
-        if if_known(lambda: self.results.judged_forces) is None:
+        if not is_known(lambda: self.results.judged_forces):
             return [each for each in allowed if each != "hertz" and each not in STRENGTH]
         return [each for each in (*allowed, "load_sharing") if not self._unfit(each)]
 
@@ -272,17 +264,16 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     def _draws_ring(self) -> bool:
         """Whether the mesh of the ring is answered where it is not named: it can be solved."""
         given, found = all(map(self._has, self._needs("ring_mesh"))), self.results
-        if self.gear is not None and self.gear.kind == "involute":
-            return given and if_known(lambda: found.ring.involute_load(1.0)) is not None
-        return given and if_known(lambda: found.ring.working) is not None
+        if self.ring_kind == "involute":
+            return given and is_known(lambda: found.ring.involute_load(1.0))
+        return given and is_known(lambda: found.ring.working)
 
     def _unfit(self, section: Section) -> bool:
         """Whether a section rests on forces of parts that cannot be put together."""
         made = section in ("load_sharing", "real_cyclogram") or (
             section in AS_MADE and self.results.solved
         )
-        fit = if_known(lambda: self.results.fit) if made else None
-        return fit is not None and fit.impossible
+        return made and bool(if_known(lambda: self.results.fit.impossible))
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse what exceeds the operator's limits in mechanism or load, and lists of deviations
@@ -301,11 +292,9 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         """Without pins where there is no contact: nothing loads them. Both meshes are in series
         where nothing else is stated of the satellites.
         """
-        given = {
-            name: part
-            for name, part in super().parts().items()
-            if name != "pin" or self.contact is not None
-        }
+        given = super().parts()
+        if "contact" not in given:
+            given.pop("pin", None)
         if "gear" in given and "crank_support" not in given:
             given.setdefault("satellite_coupling", _UsualCoupling())
         return given
@@ -323,7 +312,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     @cached_property
     def draws_real(self) -> bool:
         """Whether figures show the forces that are solved: where these are judged, and can be."""
-        return self.results.solved and if_known(lambda: self.results.real_forces) is not None
+        return self.results.solved and is_known(lambda: self.results.real_forces)
 
     @property
     def carrying(self) -> Mechanism:

@@ -67,8 +67,7 @@ def _members(body: CrankPlanetaryRequest) -> Values:
 
 def ideal_force(body: CrankPlanetaryRequest) -> ContactForce:
     """Contact force; without its own section only what the others need of it."""
-    assert body.load is not None
-    load = body.load
+    load = body.known_load
     if "contact_force" not in body.sections:
         load = load.model_copy(update={"include": []})
     return load.solve_for(body.design.driven, body.design.members)
@@ -84,8 +83,9 @@ def _load_sharing(body: CrankPlanetaryRequest) -> Values:
     forces = if_known(lambda: body.results.judged_forces)
     force_N = forces.force if isinstance(forces, RealForces) else None
     curves = None
-    if body.load is not None and body.load.curve_samples:
-        curves, _ = run(body, partial(real_curves, body, body.load.samples_of(body.built)))
+    load = body.known_load
+    if load.curve_samples:
+        curves, _ = run(body, partial(real_curves, body, load.samples_of(body.built)))
     drawn = curves and ForceCurvesOut.values(curves)
     ring = sharing.turn.ring if isinstance(sharing.turn, SeriesOverTurn) else None
     values = LoadSharingOut.values(
@@ -136,7 +136,7 @@ def _involute_mesh(body: CrankPlanetaryRequest) -> Solved:
     _ = results.ring.involute_load(factor)  # which needs materials
     asked = {"stresses"} | ({"shared_pairs"} if pair.on_involutes else set())
     solved = solved_pair(
-        ring=design.gear,
+        ring=design.involute,
         pair=pair,
         loaded=loaded,
         output_torque=design.pin_torque,
@@ -154,7 +154,6 @@ def _mesh(body: CrankPlanetaryRequest) -> Solved:
     """The mesh of the ring under the torque, in the direction of the larger pressure."""
     if body.design.gear.kind == "involute":
         return _involute_mesh(body)
-    assert body.load is not None
     turn, solved = body.results.ring.working[0], Solved()
     shown = TeethTurnOut if isinstance(turn, TeethInSeries) else MeshTurnOut
     mesh, members = turn.mesh, body.design.members
@@ -190,7 +189,7 @@ def _drawing(body: CrankPlanetaryRequest) -> Values | None:
     drawn = drawn_mesh(design=body.design, mesh=turn.mesh, chord_error=DRAWN_ERROR)
     if not isinstance(turn, TeethInSeries):
         return RingDrawingOut.of(drawn, MeshCurves(turn, DRAWN_RING))
-    curves = SeriesCurves(turn, angles=DRAWN_RING)
+    curves = SeriesCurves.over_period(turn, DRAWN_RING)
     many = pairs * len(curves.crank_angle) > MAX_DRAWN_PAIRS * (DRAWN_RING + 1)
     return RingDrawingOut.of(drawn, None if many else curves)
 
@@ -222,13 +221,13 @@ def _rollers(body: CrankPlanetaryRequest) -> Values:
 
 def _pins_and_holes(body: CrankPlanetaryRequest) -> tuple[PinGeometry, FloatArray]:
     """Pins and holes at the crank angle, and the force of each pair there, N."""
-    assert body.load is not None and body.contact is not None
+    load = body.known_load
     crank_angle = to_si("crank_angle_deg", body.crank_angle_deg)
-    sizes = body.contact.sizes_on(body.load.pin_circle_radius_mm)
+    sizes = body.given["contact"].sizes_on(load.pin_circle_radius_mm)
     sizes["eccentricity"] = pin_fit(pins=body.mechanism.pins, **sizes).eccentricity
     geometry = pin_geometry(mechanism=body.built, crank_angle=crank_angle, **sizes)
     if not body.results.solved:
-        forces = body.load.forces_at(body.design.driven, body.design.members, crank_angle)
+        forces = load.forces_at(body.design.driven, body.design.members, crank_angle)
     else:
         forces = np.array(body.results.forces_at(crank_angle))
     return geometry, forces

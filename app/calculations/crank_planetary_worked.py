@@ -5,7 +5,7 @@ from functools import partial
 
 from app.calculations.crank_planetary_request import CrankPlanetaryRequest, Section
 from app.calculations.crank_planetary_sections import ideal_force
-from app.model import Values
+from app.model import Values, present
 from app.running import run
 from app.worked import worked
 from core.derived import if_known
@@ -27,12 +27,11 @@ def _cyclogram(body: CrankPlanetaryRequest) -> list[Step]:
 
 def _contact_force(body: CrankPlanetaryRequest) -> list[Step]:
     """Those of the ideal force, which say so where others are judged."""
-    assert body.load is not None
     return force_steps(
         mechanism=body.design.driven,
         found=ideal_force(body),
         judged=not body.results.solved,
-        **body.load.force_given(body.design.members),
+        **body.known_load.force_given(body.design.members),
     )
 
 
@@ -72,10 +71,9 @@ def work(body: CrankPlanetaryRequest) -> list[Values]:
     if named:
         return worked(**{each: run(body, partial(WORKED[each], body))[0] for each in named})
     usual, _ = run(body, body.usual_sections)
-    found = {}
-    for each in usual:
-        if each in WORKED:
-            steps, _ = run(body, partial(if_known, partial(WORKED[each], body)))
-            if steps is not None:
-                found[each] = steps
-    return worked(**found)
+    found: Values = {
+        each: run(body, partial(if_known, partial(WORKED[each], body)))[0]
+        for each in usual
+        if each in WORKED
+    }
+    return worked(**present(found))

@@ -15,6 +15,7 @@ from app.model import (
     ResponseModel,
     Values,
     WarningOut,
+    present,
     result,
 )
 from app.running import run
@@ -106,7 +107,7 @@ class CrankshaftResponse(AssumingResponse):
             strict=True,
         ):
             row = {"peak_N": peak, "equivalent_N": equivalent}
-            rows.append(row if life is None else row | {"basic_life_h": from_si("life_h", life)})
+            rows.append(present(row | {"basic_life_h": from_si("life_h", life)}))
         return super().values(result, run_time_us, bearings=rows, **given)
 
 

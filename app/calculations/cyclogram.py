@@ -82,12 +82,10 @@ class CyclogramFields(MechanismFields, RangeFields):
         """The same of this mechanism under a torque: of the one whose pairs drive where its pairs
         carry.
         """
-        assembly = (
-            assembly_angles(mechanism=mechanism, satellite_teeth=self.satellite_teeth)
-            if self.satellite_teeth is not None
-            else None
-        )
-        return cyclogram(mechanism=mechanism, revolutions=self.revolutions), assembly
+        found = cyclogram(mechanism=mechanism, revolutions=self.revolutions)
+        if self.satellite_teeth is None:
+            return found, None
+        return found, assembly_angles(mechanism=mechanism, satellite_teeth=self.satellite_teeth)
 
 
 class CyclogramRequest(CyclogramFields, WorkedFields):
@@ -207,13 +205,14 @@ def cyclogram_figure(answer: Values, theme: Theme, real: Values | None = None) -
     """
     end = answer["driving_count"][-1]["to_deg"]
     satellites = max(pair["satellite"] for pair in answer["pairs"])
-    pairs = answer["pairs"] if real is None else real["pairs"]
-    count = answer["driving_count"] if real is None else real["loaded_count"]
+    if real is None:
+        pairs, count, counted, ideal = answer["pairs"], answer["driving_count"], "driving", []
+    else:
+        pairs, count, counted = real["pairs"], real["loaded_count"], "loaded"
+        ideal = [_outlines(answer["pairs"], theme), _ideal_count(answer["driving_count"], theme)]
     most = max(each["pairs"] for each in (*count, *answer["driving_count"]))
     data = [_bars(pairs, satellite, theme) for satellite in range(1, satellites + 1)]
-    data.append(_count(count, "driving_pairs" if real is None else "loaded_pairs", theme))
-    if real is not None:
-        data += [_outlines(answer["pairs"], theme), _ideal_count(answer["driving_count"], theme)]
+    data += [_count(count, f"{counted}_pairs", theme), *ideal]
     rows = [f"{pair['satellite']}.{pair['pin']}" for pair in answer["pairs"]]
     alert = INK[theme]["alert"]
     shapes = [
@@ -253,7 +252,7 @@ def cyclogram_figure(answer: Values, theme: Theme, real: Values | None = None) -
             theme,
             barmode="overlay",
             bargap=0.3,
-            showlegend=satellites > 1 or bool(answer["dead_centres_deg"]) or real is not None,
+            showlegend=satellites > 1 or bool(answer["dead_centres_deg"]) or bool(ideal),
             height=190 + 22 * len(rows),
             xaxis=axis(theme, text("crank_angle"), "°", range=[0, end], anchor="y2", **steps),
             yaxis=axis(
@@ -272,7 +271,7 @@ def cyclogram_figure(answer: Values, theme: Theme, real: Values | None = None) -
             ),
             yaxis2=axis(
                 theme,
-                text("driving" if real is None else "loaded"),
+                text(counted),
                 domain=[0, 0.22],
                 rangemode="tozero",
                 dtick=max(1, round(most / 4)),

@@ -3,6 +3,7 @@ load, contact, and the forces that follow.
 """
 
 import math
+from collections import ChainMap
 from collections.abc import Iterator
 from dataclasses import fields, replace
 from functools import cached_property, partial
@@ -17,12 +18,12 @@ from app.calculations.contact_force import (
     peak_torque,
 )
 from app.calculations.contact_law import ContactLawFields
-from app.calculations.hertz import MaterialFields
 from app.calculations.mechanism import MechanismFields
 from app.calculations.pin import PinBoltFields, pin_places, strengths_of
 from app.calculations.pin_contact import PinContactFields
 from app.calculations.pin_rollers import RollersFields
 from app.calculations.real_mechanism import (
+    GIVING,
     BentPinFields,
     DeviationsFields,
     GivingFields,
@@ -32,15 +33,16 @@ from app.calculations.real_mechanism import (
 from app.calculations.ring import RING_PIN_LISTS, RingPinDeviationsFields
 from app.model import (
     NO_DUST,
-    Forms,
     Maybe,
     RequestModel,
     Size,
-    field_error,
     no_dust,
+    notices_of,
+    present,
     quantity,
     result,
 )
+from app.rules import Forms, Rule, field_error
 from app.settings import Settings
 from app.units import to_si
 from core.arrays import FloatArray
@@ -127,11 +129,9 @@ class DesignPinFields(BentPinFields, group="pin"):
     bolt: Maybe[PinBoltFields] = None
 
     def section(self, whole: Any) -> DesignPin:
-        """The pin in SI units; what is not given is that of the contact."""
-        rollers = getattr(whole, "rollers", None)
-        bore = None if rollers is None else rollers.to_core().get("bore_diameter")
-        held = self.held(whole.contact, bore)
-        material: str | MaterialFields = self.material or whole.contact.pin_material
+        """The pin in SI units; what is not given is that of what is around it."""
+        held = self.held(*whole.around_pins)
+        own = ChainMap(self.to_core(), *whole.around_pins)
         return DesignPin(
             support=held.support,
             diameter=held.diameter,
@@ -141,8 +141,8 @@ class DesignPinFields(BentPinFields, group="pin"):
             ring_joint=held.ring_joint,
             contact_length=to_si("contact_length_mm", self.contact_length_mm),
             rotates=self.rotates,
-            bolt=None if self.bolt is None else self.bolt.section(),
-            **strengths_of(material),
+            bolt=own.get("bolt"),
+            **strengths_of(own["material"]),
         )
 
 
@@ -161,7 +161,7 @@ class DesignDeviationsFields(DeviationsFields, RingPinDeviationsFields, group="d
     @property
     def of_ring_alone(self) -> bool:
         """Whether nothing is stated but of the pins of the ring."""
-        given = {name for name, value in self if value is not None}
+        given = {*self.given}
         return bool(given) and given <= {*RING_PIN_LISTS}
 
 
@@ -174,6 +174,12 @@ class DesignFields(GivingFields):
     by the satellites.
     """
 
+    BETWEEN: ClassVar[tuple[Rule, ...]] = (
+        Rule("contact/pin_radius_mm", "needed_beside", "rollers"),
+        Rule("friction/coefficient", "only_one", "rollers/friction_coefficient"),
+        Rule("load/application_factor", "only_one", "contact/dynamic_factor"),
+    )
+
     mechanism: MechanismFields
     load: Maybe[DesignLoadFields] = None
     contact: Maybe[PinContactFields] = None
@@ -183,30 +189,9 @@ class DesignFields(GivingFields):
     rollers: Maybe[RollersFields] = None
 
     @model_validator(mode="after")
-    def _rollers_on_pins(self) -> Self:
-        if self.rollers is None:
-            return self
-        if self.contact is None or self.contact.pin_radius_mm is None:
-            raise field_error("contact/pin_radius_mm", "needed_beside", field="rollers")
-        friction = getattr(self, "friction", None)
-        if friction is not None and self.rollers.friction_coefficient is not None:
-            raise field_error("friction/coefficient", "only_one", field="friction_coefficient")
-        return self
-
-    @model_validator(mode="after")
-    def _one_factor(self) -> Self:
-        given = self.load is not None and self.load.application_factor is not None
-        if given and self.contact and "dynamic_factor" in self.contact.model_fields_set:
-            raise field_error("load/application_factor", "only_one", field="dynamic_factor")
-        return self
-
-    @model_validator(mode="after")
     def _of_a_coupling(self) -> Self:
         if self.mechanism.output == "coupling":
-            self.refuse_giving()
-            for name in RINGLESS:
-                if getattr(self, name, None) is not None:
-                    raise field_error(name, "of_other_output", output="coupling")
+            self.refuse_of_a_coupling(*GIVING, *RINGLESS)
         return self
 
     @model_validator(mode="after")
@@ -214,12 +199,13 @@ class DesignFields(GivingFields):
         load, both = self.load, self.mechanism.output == "both"
         if load is None:
             return self
-        given = [name for name in OF_BOTH if getattr(load, name) is not None]
+        given = [name for name in OF_BOTH if name in load.given]
+        driven = load.input_speed_rpm is not None
         if given and not both:
             raise field_error(f"load/{given[0]}", "of_other_output", output=self.mechanism.output)
-        if given and load.input_speed_rpm is None:
+        if given and not driven:
             raise field_error("load/input_speed_rpm", "needed_beside", field=given[0])
-        if both and not given and load.input_speed_rpm is not None:
+        if both and not given and driven:
             raise field_error(f"load/{OF_BOTH[0]}", "needed_beside", field="input_speed_rpm")
         return self
 
@@ -237,11 +223,10 @@ class DesignFields(GivingFields):
             gear.refuse_other_teeth(self.mechanism.teeth_difference)
             if self.contact is not None:
                 gear.refuse_other_discs(self.contact.hole_material)
-        listed = RING_PIN_LISTS if self.deviations is not None else ()
-        for name in listed if "gear" in type(self).model_fields else ():
-            given = getattr(self.deviations, name) is not None
-            if given and (gear is None or gear.kind != "cycloid"):
-                raise field_error("gear", "needed_beside", field=name)
+        listed = [name for name in RING_PIN_LISTS if self.says(f"deviations/{name}")]
+        of_ring = "gear" not in type(self).model_fields or self.ring_kind == "cycloid"
+        if listed and not of_ring:
+            raise field_error("gear", "needed_beside", field=listed[0])
         return self
 
     @model_validator(mode="after")
@@ -249,6 +234,17 @@ class DesignFields(GivingFields):
         if self.as_made and self.contact and self.contact.distribution_factor > 1:
             raise field_error("contact/distribution_factor", "with_real_forces")
         return self
+
+    @property
+    def ring_kind(self) -> str | None:
+        """Kind of the mesh with the ring, where there is one and says it."""
+        return getattr(getattr(self, "gear", None), "kind", None)
+
+    @property
+    def known_load(self) -> DesignLoadFields:
+        """The load, of what needs one."""
+        load: DesignLoadFields = self.given["load"]
+        return load
 
     @cached_property
     def as_made(self) -> bool:
@@ -260,7 +256,7 @@ class DesignFields(GivingFields):
     def _clearance_mm(self, contact: PinContactFields) -> float:
         """Radial clearance with what rollers add to one that is known."""
         given = contact.clearance_mm()
-        if self.rollers is None or contact.pin_radius_mm is None or contact.clearance_unknown:
+        if self.rollers is None or contact.clearance_unknown:
             return given
         return given + (self.rollers.radial_clearance_mm or 0.0) / 2
 
@@ -277,14 +273,13 @@ class DesignFields(GivingFields):
 
     def notices(self) -> tuple[Notice, ...]:
         """Also a ratio that no cycloid disc with one lobe less has."""
-        gear, ratio = getattr(self, "gear", None), self.mechanism.typed_ratio()
+        gear: Any = self.given.get("gear")
         found = super().notices()
-        bolt = None if self.pin is None else self.pin.bolt
-        if bolt is not None and bolt.tightening_torque_Nm is not None:
-            found += (Notice("nut_factor", {"preload": bolt.section().preload}),)
-        cycloid = gear is not None and gear.kind == "cycloid" and gear.teeth_difference in (None, 1)
-        if cycloid and ratio is not None and not ratio.is_integer():
-            found += (Notice("ratio_not_whole", {"ratio": ratio}),)
+        one_lobe_less = self.ring_kind == "cycloid" and gear.teeth_difference in (None, 1)
+        if one_lobe_less and self.mechanism.teeth is None:
+            ratio = self.mechanism.ratio_given()
+            if not ratio.is_integer():
+                found += (Notice("ratio_not_whole", {"ratio": ratio}),)
         return found
 
     @property
@@ -317,8 +312,7 @@ class DesignFields(GivingFields):
 
     def parts(self) -> dict[str, Any]:
         """The sections of the design that are given, by their names in it."""
-        given = ((each.name, getattr(self, each.name, None)) for each in fields(Design))
-        return {name: section for name, section in given if section is not None}
+        return present({each.name: getattr(self, each.name, None) for each in fields(Design)})
 
     @cached_property
     def design(self) -> Design:
@@ -333,8 +327,8 @@ class DesignFields(GivingFields):
 
     def with_fit(self, result: Result) -> Result:
         """A result with the notices of how pins and holes fit."""
-        fit, known = self.solve_fit(), cast(Any, result)
-        return result if fit is None else replace(known, notices=fit.notices + known.notices)
+        notices = notices_of(self.solve_fit(), result)
+        return cast(Result, replace(cast(Any, result), notices=notices))
 
     def drawn_angles(self) -> tuple[FloatArray, FloatArray]:
         """Crank angles of a figure's curves, and where ideal pairs switch, rad."""

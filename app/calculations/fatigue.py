@@ -2,7 +2,8 @@
 
 from typing import Any, ClassVar
 
-from app.model import Forms, Maybe, RequestModel, ResponseModel, Size, quantity, result
+from app.model import Maybe, PartFields, RequestModel, ResponseModel, Size, quantity, result
+from app.rules import Forms
 from app.units import to_si
 from core.design.sections import FatigueBasis
 from core.fatigue import Criterion, Edition, Surface
@@ -11,13 +12,17 @@ STEEL_GPA = 190.0, 220.0
 """Young's moduli of steels: for them only there is a rule of the endurance limit."""
 
 
-class NotchFields(RequestModel, group="fatigue"):
+class NotchFields(PartFields, group="fatigue"):
     """A notch of the part where it bends most."""
 
     theoretical_factor: float = quantity("Stress concentration", "K_t", step=0.1, ge=1, le=100)
     """Elastic stress concentration factor of the notch."""
     radius_mm: Size = quantity("Notch radius", "r", step=0.1)
     """Radius of the notch."""
+
+    def section(self) -> tuple[float, float]:
+        """Factor, and radius in SI units."""
+        return self.theoretical_factor, to_si("radius_mm", self.radius_mm)
 
 
 class FatigueFields(RequestModel, group="fatigue"):
@@ -53,11 +58,7 @@ class FatigueFields(RequestModel, group="fatigue"):
 
     def section(self, _: Any = None) -> FatigueBasis:
         """The same in SI units."""
-        own = self.to_core()
-        if self.notch is not None:
-            radius = to_si("radius_mm", self.notch.radius_mm)
-            own["notch"] = self.notch.theoretical_factor, radius
-        return FatigueBasis(**own)
+        return FatigueBasis(**self.to_core())
 
 
 class PinFatigueFields(FatigueFields, group="fatigue"):

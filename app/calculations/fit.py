@@ -37,14 +37,15 @@ from app.model import (
 from app.running import run
 from app.settings import Settings
 from app.sources import JOHNSON_1985
-from app.theme import INK, Amount, Figure, Theme, axis, curve, layout, marker, text
+from app.theme import INK, Amount, Figure, Text, Theme, axis, curve, layout, marker, text
 from app.units import from_si, to_si
 from app.worked import stated
+from core.arrays import FloatArray
 from core.errors import InvalidInput
 from core.output.fit import Fit
 from core.output.mechanism import Mechanism
 from core.output.pin_geometry import SLIPPED, slip_notices
-from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_mechanism import RealMechanism
 from core.output.room import POSITIONS
 from core.output.satellite_support import RIGID_SUPPORT
 from core.precision import ROUNDING
@@ -84,7 +85,7 @@ class FitRequest(RequestModel, group="positions"):
     mechanism: MechanismFields
     load: PinCircleFields
     contact: RealContactFields
-    deviations: Maybe[DeviationsFields] = None
+    deviations: DeviationsFields = Field(default_factory=DeviationsFields)
     crank_support: Maybe[CrankSupportFields] = None
     crank_angle_deg: list[Angle] = quantity(
         "Crank angles", "φ", default=[0.0], min_length=1, max_length=MAX_POSITIONS
@@ -110,8 +111,7 @@ class FitRequest(RequestModel, group="positions"):
         if self.mechanism.pairs > limit:
             most = self.mechanism.most_pins(limit)
             raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **most)
-        if self.deviations is not None:
-            self.deviations.refuse_other_lengths(self.mechanism.pins, self.mechanism.satellites)
+        self.deviations.refuse_other_lengths(self.mechanism.pins, self.mechanism.satellites)
 
     @cached_property
     def built(self) -> Mechanism:
@@ -128,7 +128,7 @@ class FitRequest(RequestModel, group="positions"):
                 pin_circle_radius=to_si("radius_mm", self.load.pin_circle_radius_mm),
                 **self.contact.sizes(),
                 law=law_by_materials(self.contact),
-                deviations=Deviations() if self.deviations is None else self.deviations.section(),
+                deviations=self.deviations.section(),
                 exact=not support.first_order,
                 support=support,
             )
@@ -202,14 +202,14 @@ def fit_figure(fit: Fit, theme: Theme) -> Figure:
     value, at = Amount("%{y:.5g}", "mm"), Amount("%{x:.2f}", "°")
     data = []
     several = range(mechanism.satellites) if mechanism.satellites > 1 else ()
-    for name, disc in ((text("room"), None), *((text("satellite", satellite=j + 1), j)
-                                               for j in several)):  # fmt: skip
-        heights = from_si("room_mm", rooms.rooms(wave, disc)[0])
+    curves: list[tuple[Text, FloatArray, Figure]] = [(text("room"), rooms.rooms(wave)[0], {})]
+    for disc in several:
+        name = text("satellite", satellite=disc + 1)
+        curves.append((name, rooms.rooms(wave, disc)[0], {"width": 1}))
+    for index, (name, heights, line) in enumerate(curves):
         hovered = text("at_angle", name=name, value=value, angle=at)
-        index = 0 if disc is None else disc + 1
-        trace = curve(name, shown, heights, index, theme, hovered)
-        if disc is not None:
-            trace["line"] |= {"width": 1}
+        trace = curve(name, shown, from_si("room_mm", heights), index, theme, hovered)
+        trace["line"] |= line
         data.append(trace)
     for place in least:
         name = text("least_room")

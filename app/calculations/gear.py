@@ -7,7 +7,8 @@ from typing import Annotated, ClassVar
 
 from pydantic import Field, field_validator
 
-from app.model import Angle, Forms, Maybe, RequestModel, Size, Whole, no_dust, quantity
+from app.model import Angle, Maybe, RequestModel, Size, Whole, no_dust, quantity
+from app.rules import Forms
 from app.units import to_si
 from core.errors import InvalidInput
 from core.precession.rollers import Roller, RollerByAngle, RollerByLength, wheel_rollers
@@ -107,8 +108,7 @@ class GearFields(RequestModel, group="gear"):
 
     def points(self, samples: int = 0) -> float:
         """Points of all contact lines: nodes, or those that are asked if these are more."""
-        count = self.wheel.rollers_total if self.wheel is not None else len(self.rollers or ())
-        return float(count * max(ROLLER_POINTS, samples))
+        return float(len(self.positions()) * max(ROLLER_POINTS, samples))
 
     def cost(self) -> float:
         """Points of the contact lines."""
@@ -116,10 +116,11 @@ class GearFields(RequestModel, group="gear"):
 
     def all_rollers(self) -> Sequence[Roller]:
         """The rollers in SI units."""
-        if self.rollers is not None:
-            return [each.roller() for each in self.rollers]
-        assert self.wheel is not None
-        return wheel_rollers(**self.wheel.to_core())
+        match self.given:
+            case {"wheel": wheel}:
+                return wheel_rollers(**wheel.to_core())
+            case given:
+                return [each.roller() for each in given["rollers"]]
 
     @property
     def by_angle(self) -> bool:
@@ -128,11 +129,12 @@ class GearFields(RequestModel, group="gear"):
 
     def positions(self) -> list[float]:
         """Position angles, rad, of all rollers of the wheel, in mesh or not; those of a list."""
-        if self.rollers is not None:
-            return [to_si("angle_deg", each.position_angle_deg) for each in self.rollers]
-        assert self.wheel is not None
-        total = self.wheel.rollers_total
-        return [2 * math.pi * index / total for index in range(total)]
+        match self.given:
+            case {"wheel": wheel}:
+                total = wheel.rollers_total
+                return [2 * math.pi * index / total for index in range(total)]
+            case given:
+                return [to_si("angle_deg", each.position_angle_deg) for each in given["rollers"]]
 
     def about_the_wheel(self, error: InvalidInput) -> InvalidInput:
         """A refusal of one roller, as one of the wheel where a wheel was given."""

@@ -1,5 +1,6 @@
 """Hertz contact of pin and hole: request, answer, figure."""
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from functools import lru_cache, partial
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
@@ -27,13 +28,14 @@ from app.model import (
     Values,
     WarningOut,
     WorkedFields,
-    field_error,
     no_dust,
+    present,
     quantity,
     request_schema,
     result,
     warning,
 )
+from app.rules import field_error
 from app.running import run
 from app.sources import JOHNSON_1985, PERSSON_1964, YANCHEVSKY_2018
 from app.theme import INK, Amount, Figure, Theme, axis, curve, hover, layout, text
@@ -101,10 +103,10 @@ def whole_name(given: object) -> object:
     return name
 
 
-def _refuse_missing(entry: TableMaterial, given: Any = None) -> None:
+def _refuse_missing(entry: TableMaterial, given: Collection[str] = ()) -> None:
     for missing in entry.missing:
         field = {"youngs_modulus": "youngs_modulus_GPa"}.get(missing, missing)
-        if getattr(given, field, None) is None:
+        if field not in given:
             raise field_error(field, "not_sourced", material=entry.name)
 
 
@@ -160,10 +162,10 @@ class MaterialFields(RequestModel, group="material"):
     @model_validator(mode="after")
     def _named_or_elastic(self) -> Self:
         if self.base is not NOT_LISTED:
-            _refuse_missing(self.base, self)
+            _refuse_missing(self.base, self.given)
             return self
         pair = ("youngs_modulus_GPa", "poissons_ratio")
-        missing = [name for name in pair if getattr(self, name) is None]
+        missing = [name for name in pair if name not in self.given]
         if len(missing) == 2:
             raise field_error(missing[0], "needed", field="name")
         if missing:
@@ -263,8 +265,8 @@ class ContactFields(RequestModel, group="contact"):
     def limits(self) -> list[tuple[str, float]]:
         """Body and limit of its pressure, Pa, of each body whose limit is known."""
         bodies = (("pin", self.pin_material), ("hole", self.hole_material))
-        limits = [(body, material_of(given).limit) for body, given in bodies]
-        return [(body, float(limit.pressure)) for body, limit in limits if limit is not None]
+        limits = present({body: material_of(given).limit for body, given in bodies})
+        return [(body, float(limit.pressure)) for body, limit in limits.items()]
 
     def material_notices(self) -> tuple[Notice, ...]:
         """What a name of a material does not say."""
@@ -388,7 +390,7 @@ def _judged_by(body: str, limit: ContactLimit) -> Values:
         "source_code": limit.source or None,
         "life": LifeOut.of(limit),
     }
-    return {name: value for name, value in values.items() if value is not None}
+    return present(values)
 
 
 class HertzResponse(AssumingResponse):

@@ -19,8 +19,9 @@ from app.calculations.involute_teeth import (
 from app.calculations.ring_mesh_answer import RingEfficiencyOut, SharedPairsOut
 from app.calculations.ring_mesh_figure import DrawnPath
 from app.calculations.solved import Solved
-from app.model import Forms, Maybe, Size, Values, quantity
-from core.design.ring import Ring
+from app.model import Maybe, Size, Values, quantity
+from app.rules import Forms
+from core.design.ring import InvoluteRing
 from core.errors import NotKnown
 from core.results import Notice
 from core.ring.involute import InvolutePair
@@ -67,7 +68,7 @@ class InvoluteRingFields(InvoluteTeethFields, group="gear"):
 
 def solved_pair(
     *,
-    ring: Ring,
+    ring: InvoluteRing,
     pair: InvolutePair,
     loaded: dict[str, Any],
     output_torque: float,
@@ -79,7 +80,7 @@ def solved_pair(
 
     Parameters
     ----------
-    ring : Ring
+    ring : InvoluteRing
         What is given of friction and stiffness.
     pair : InvolutePair
         The teeth.

@@ -43,7 +43,7 @@ from core.output.fit import solvable
 from core.output.loaded_position import loaded_position
 from core.output.over_turn import over_turn
 from core.output.real_curves import RealCurves, StiffnessCurve, real_curves, stiffness_curve
-from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_mechanism import RealMechanism
 from core.ring.series import MeshesInSeries, series_position
 from core.ring.series_turn import positions_in_series, series_over_turn
 
@@ -109,8 +109,7 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
         ):
             if section in self.include and pairs > limit:
                 self._refuse_pairs(limit)
-        if self.deviations is not None:
-            self.deviations.refuse_other_lengths(self.mechanism.pins, self.mechanism.satellites)
+        self.deviations.refuse_other_lengths(self.mechanism.pins, self.mechanism.satellites)
         if self.in_series:
             angles = {
                 "positions": len(self.crank_angle_deg),
@@ -147,7 +146,7 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
 
     def real(self) -> RealMechanism:
         """The mechanism as it is made, in SI units."""
-        return self.made(Deviations() if self.deviations is None else self.deviations.section())
+        return self.made(self.deviations.section())
 
     def stage(self, real: RealMechanism) -> RealMechanism | MeshesInSeries:
         """What the torque is handed on by: the output mechanism, or both meshes."""

@@ -5,18 +5,8 @@ from typing import Any, ClassVar, Literal, Self, cast
 
 from pydantic import model_validator
 
-from app.model import (
-    Angle,
-    Forms,
-    Kinds,
-    Maybe,
-    RequestModel,
-    ResponseModel,
-    Whole,
-    field_error,
-    quantity,
-    result,
-)
+from app.model import Angle, Maybe, RequestModel, ResponseModel, Whole, quantity, result
+from app.rules import Forms, Kinds, field_error
 from app.settings import Settings
 from app.units import to_si
 from core.design.sections import MechanismSection
@@ -41,6 +31,29 @@ PAIR_POINTS = 240
 
 OF_RINGS = ("ratio", "satellite_teeth", "ring_teeth", "crank_spacing_deg", "crank_angles_deg")
 """Fields of a mechanism that has a ring, and cranks."""
+
+
+def count_satellites(fields: Any) -> None:
+    """Let crank angles say the number of satellites where it is not given.
+
+    Parameters
+    ----------
+    fields : RequestModel
+        Satellites and crank angles, one for each.
+
+    Raises
+    ------
+    PydanticCustomError
+        If there is another number of them.
+    """
+    angles = fields.crank_angles_deg
+    if angles is None:
+        return
+    if "satellites" not in fields.model_fields_set:
+        fields.satellites = len(angles)
+    if len(angles) != fields.satellites:
+        count = {"expected": fields.satellites, "actual": len(angles)}
+        raise field_error("crank_angles_deg", "different_length", **count)
 
 
 class MechanismFields(RequestModel, group="mechanism"):
@@ -115,33 +128,33 @@ class MechanismFields(RequestModel, group="mechanism"):
 
     @model_validator(mode="after")
     def _reduces(self) -> Self:
-        ratio, teeth = self.ratio, self.satellite_teeth
+        ratio, teeth = self.ratio, self.teeth
         if self.output != "coupling" and {None} == {ratio, teeth, self.output_ratio}:
             raise field_error("ratio", "needed", field="satellite_teeth")
+        if ratio is not None:
+            self._refuse_ratio(ratio)
+        if teeth is not None:
+            satellite, ring = teeth
+            if ring > 2 * satellite:
+                more = {"limit": 2 * satellite, "field": "satellite_teeth"}
+                raise field_error("ring_teeth", "ratio_of_teeth", **more)
+        return self
+
+    def _refuse_ratio(self, ratio: float) -> None:
         if ratio == 0:
             raise field_error("ratio", "not_zero")
-        if ratio is not None and abs(ratio) < 1:
+        if abs(ratio) < 1:
             raise field_error("ratio", "ratio_below_one", limit=1, offered=1 / ratio)
-        if ratio is not None and ratio < 0 and self.output == "ring":
+        if ratio < 0 and self.output == "ring":
             raise field_error("ratio", "sign_of_ring", offered=-ratio)
-        if teeth is not None and self.ring_teeth is not None and self.ring_teeth > 2 * teeth:
-            raise field_error(
-                "ring_teeth", "ratio_of_teeth", limit=2 * teeth, field="satellite_teeth"
-            )
-        return self
 
     @model_validator(mode="after")
     def _counts(self) -> Self:
-        angles = self.crank_angles_deg
-        if angles is not None and "satellites" not in self.model_fields_set:
-            self.satellites = len(angles)
+        count_satellites(self)
         if self.output == "coupling":
             if "satellites" in self.model_fields_set and self.satellites > 1:
                 raise field_error("satellites", "one_of_coupling", limit=1)
             self.satellites = 1
-        if angles is not None and len(angles) != self.satellites:
-            count = {"expected": self.satellites, "actual": len(angles)}
-            raise field_error("crank_angles_deg", "different_length", **count)
         if self.pairs > MAX_PAIRS:
             raise field_error("pins", "too_many_pairs", **self.most_pins(MAX_PAIRS))
         return self
@@ -162,12 +175,9 @@ class MechanismFields(RequestModel, group="mechanism"):
 
     def cyclogram_given(self) -> dict[str, Any]:
         """The mechanism as the worked steps of the cyclogram take it."""
-        teeth = None
-        if self.satellite_teeth is not None and self.ring_teeth is not None:
-            teeth = self.satellite_teeth, self.ring_teeth
         return {
             "mechanism": self.mechanism(),
-            "teeth": teeth,
+            "teeth": self.teeth,
             "satellite_teeth": self.satellite_teeth,
         }
 
@@ -203,22 +213,25 @@ class MechanismFields(RequestModel, group="mechanism"):
             )
 
     @property
+    def teeth(self) -> tuple[int, int] | None:
+        """Teeth of a satellite and of the ring, where they are given."""
+        match self.given:
+            case {"satellite_teeth": satellite, "ring_teeth": ring}:
+                return satellite, ring
+        return None
+
+    @property
     def teeth_difference(self) -> int | None:
         """Teeth of the ring less those of a satellite, where they are given."""
-        if self.satellite_teeth is None or self.ring_teeth is None:
+        if self.teeth is None:
             return None
-        return self.ring_teeth - self.satellite_teeth
+        satellite, ring = self.teeth
+        return ring - satellite
 
     def notices(self) -> tuple[Notice, ...]:
         """A ratio with the sign of the output."""
         signed = self.ratio is not None and self.ratio < 0
         return (Notice("ratio_sign", {"ratio": self.ratio_given()}),) if signed else ()
-
-    def typed_ratio(self) -> float | None:
-        """Ratio u where it is typed as a number."""
-        if self.output_ratio is not None:
-            return self.output_ratio - 1
-        return None if self.ratio is None else abs(self.ratio)
 
     def ratio_given(self) -> float:
         """Ratio u, as such, by that of the ring or by the numbers of teeth; infinite of a coupling.
@@ -228,12 +241,14 @@ class MechanismFields(RequestModel, group="mechanism"):
         InvalidInput
             If no ratio has such teeth.
         """
-        if self.output == "coupling":
-            return math.inf
-        if (ratio := self.typed_ratio()) is not None:
-            return ratio
-        assert self.satellite_teeth is not None and self.ring_teeth is not None
-        return ratio_from_teeth(satellite_teeth=self.satellite_teeth, ring_teeth=self.ring_teeth)
+        match self.given:
+            case {"ratio": ratio}:
+                return float(abs(ratio))
+            case {"output_ratio": ratio}:
+                return float(ratio - 1)
+            case {"satellite_teeth": satellite, "ring_teeth": ring}:
+                return ratio_from_teeth(satellite_teeth=satellite, ring_teeth=ring)
+        return math.inf
 
     def section(self, _: Any = None) -> MechanismSection:
         """The same in SI units."""

@@ -6,7 +6,8 @@ from typing import Any, ClassVar, Self
 
 from pydantic import model_validator
 
-from app.model import Forms, RequestModel, field_error, quantity
+from app.model import RequestModel, present, quantity
+from app.rules import Forms, field_error
 from app.units import core_name, from_si
 from core.bearings import BEARINGS, NamedBearing, named_bearing, names_like
 
@@ -27,25 +28,27 @@ class NamedBearingFields(RequestModel):
 
     @model_validator(mode="after")
     def _known_name(self) -> Self:
-        name = getattr(self, "name", None)
-        if name is not None and named_bearing(name) is None:
-            near = ", ".join(names_like(name) or BEARINGS)
+        if "name" in self.given and self.named is None:
+            near = ", ".join(names_like(self.given["name"]) or BEARINGS)
             raise field_error("name", "no_such_bearing", near=near)
         return self
 
     @cached_property
+    def named(self) -> NamedBearing | None:
+        """The bearing that its name says."""
+        return named_bearing(self.given.get("name", ""))
+
+    @cached_property
     def filled(self) -> dict[str, Any]:
         """Fields that the name says, as they are not typed."""
-        name = getattr(self, "name", None)
-        named = None if name is None else named_bearing(name)
-        if named is None:
+        if self.named is None:
             return {}
-        return {
-            field: from_si(field, value)
+        said = {
+            field: from_si(field, self.said(self.named, core_name(field)))
             for field in type(self).model_fields
-            if field != "name" and getattr(self, field) is None
-            if (value := self.said(named, core_name(field))) is not None
+            if field not in self.given
         }
+        return present(said)
 
     def said(self, named: NamedBearing, quantity: str) -> Any:
         """What a bearing of the table says of a quantity, in SI units.

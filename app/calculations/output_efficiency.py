@@ -21,7 +21,6 @@ from app.model import (
     AccuracyOut,
     AssumingResponse,
     Calculation,
-    Forms,
     Maybe,
     RequestModel,
     ResponseModel,
@@ -31,6 +30,7 @@ from app.model import (
     no_dust,
     quantity,
 )
+from app.rules import Forms
 from app.running import run
 from app.sources import ARCHARD_1953, WANG_2016, YANCHEVSKIY_2021
 from app.theme import (

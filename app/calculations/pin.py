@@ -7,13 +7,15 @@ from typing import Any, ClassVar
 from app.calculations.fatigue import STEEL_GPA
 from app.calculations.hertz import MaterialFields
 from app.calculations.mechanism import MAX_SATELLITES
-from app.model import Forms, Kinds, Maybe, RequestModel, Size, quantity
+from app.model import Maybe, PartFields, RequestModel, Size, quantity
+from app.rules import Forms, Kinds
 from app.units import from_si, to_si
 from core.material_record import NOT_LISTED
 from core.material_table import MATERIALS
 from core.output.pin_beam import Support
 from core.output.pin_bolt import PinBolt, bolt_preload
 from core.output.tie_ring import RingJoint
+from core.results import Notice
 
 
 def strengths_of(given: str | MaterialFields) -> dict[str, Any]:
@@ -44,7 +46,7 @@ def strengths_of(given: str | MaterialFields) -> dict[str, Any]:
     }
 
 
-class PinBoltFields(RequestModel, group="pin"):
+class PinBoltFields(PartFields, group="pin"):
     """A bolt through the pin, which is its spacer then."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("preload_N",), ("tightening_torque_Nm",), ()),)
@@ -64,11 +66,17 @@ class PinBoltFields(RequestModel, group="pin"):
     )
     """Of the spacer on the carrier, which keeps it from slipping."""
 
+    def notices(self) -> tuple[Notice, ...]:
+        """That the preload is estimated from a torque."""
+        if self.tightening_torque_Nm is None:
+            return ()
+        return (Notice("nut_factor", {"preload": self.section().preload}),)
+
     def section(self) -> PinBolt:
         """The bolt in SI units."""
         own = self.to_core()
-        if (torque := own.pop("tightening_torque", None)) is not None:
-            core = own["core_diameter"]
+        if "tightening_torque" in own:
+            core, torque = own["core_diameter"], own.pop("tightening_torque")
             own["preload"] = bolt_preload(tightening_torque=torque, core_diameter=core)
         return PinBolt(**own)
 

@@ -16,7 +16,8 @@ from app.calculations.hertz import (
     material_of,
     pin_radius,
 )
-from app.model import Forms, Maybe, Size, field_error, quantity
+from app.model import Maybe, Size, quantity
+from app.rules import Rule, field_error
 from app.units import to_si
 from core.design.sections import Contact, SharedBy
 from core.output.pin_geometry import felt
@@ -46,7 +47,13 @@ class PinContactFields(ContactFields, group="contact"):
     third.
     """
 
-    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ()
+    BETWEEN: ClassVar[tuple[Rule, ...]] = (
+        Rule("hole_radius_mm", "only_one", "fit"),
+        Rule("hole_clearance_mm", "only_one", "fit"),
+        Rule("eccentricity_mm", "needed_beside", "fit"),
+        Rule("eccentricity_mm", "needed_beside", "hole_clearance_mm"),
+        Rule("hole_radius_mm", "needed", "eccentricity_mm"),
+    )
 
     hole_radius_mm: Maybe[Size] = hole_radius()  # type: ignore[assignment]
     eccentricity_mm: Maybe[Size] = eccentricity()
@@ -66,12 +73,6 @@ class PinContactFields(ContactFields, group="contact"):
     def _fit_says_the_clearance(self) -> Self:
         if self.fit is None:
             return self
-        for name in ("hole_radius_mm", "hole_clearance_mm"):
-            if getattr(self, name) is not None:
-                raise field_error(name, "only_one", field="fit")
-        for name in ("pin_radius_mm", "eccentricity_mm"):
-            if getattr(self, name) is None:
-                raise field_error(name, "needed_beside", field="fit")
         if not re.fullmatch(FIT, self.fit):
             raise field_error("fit", "no_fit")
         if 2 * float(self._sum(*RADII[:2])) > SIZES[-1]:
@@ -80,18 +81,10 @@ class PinContactFields(ContactFields, group="contact"):
 
     @model_validator(mode="after")
     def _radii_agree(self) -> Self:
-        hole, clearance = self.hole_radius_mm, self.hole_clearance_mm
-        if self.eccentricity_mm is None:
-            if clearance is not None:
-                raise field_error("eccentricity_mm", "needed_beside", field="hole_clearance_mm")
-            if hole is None:
-                raise field_error("hole_radius_mm", "needed", field="eccentricity_mm")
-        if hole is None or clearance is None or self.pin_radius_mm is None:
-            return self
-        off = Decimal(repr(hole)) - self._sum(*RADII)
-        if abs(off) > Decimal("1e-9") * Decimal(repr(hole)):
-            expected = float(Decimal(repr(hole)) - off)
-            raise field_error("hole_radius_mm", "hole_disagrees", expected_mm=expected)
+        if self.model_fields_set >= {"hole_radius_mm", "hole_clearance_mm", *RADII[:2]}:
+            hole, others = self._sum("hole_radius_mm"), self._sum(*RADII)
+            if abs(hole - others) > Decimal("1e-9") * hole:
+                raise field_error("hole_radius_mm", "hole_disagrees", expected_mm=float(others))
         return self
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
@@ -124,7 +117,7 @@ class PinContactFields(ContactFields, group="contact"):
 
     @property
     def _sized(self) -> bool:
-        return self.pin_radius_mm is not None and self.eccentricity_mm is not None
+        return self.given.keys() >= {"pin_radius_mm", "eccentricity_mm"}
 
     def notices(self) -> tuple[Notice, ...]:
         """Also that parts without clearance are perfect ones."""
@@ -142,10 +135,15 @@ class PinContactFields(ContactFields, group="contact"):
         """
         clearance = self.stated_clearance_mm
         if clearance is None:
-            if self.hole_radius_mm is None or self.eccentricity_mm is None:
-                return 0.0
-            clearance = float(Decimal(repr(self.hole_radius_mm)) - self._sum(*RADII[:2]))
+            typed = self.given.keys() >= {"hole_radius_mm", "eccentricity_mm"}
+            clearance = float(self._sum("hole_radius_mm") - self._sum(*RADII[:2])) if typed else 0.0
         return felt(clearance=clearance, hole_radius=self.hole_mm())
+
+    @property
+    def surface(self) -> dict[str, Any]:
+        """What pins have where they do not say it: diameter, m, and material."""
+        diameter = 2 * to_si("radius_mm", self.pin_radius_mm)
+        return {"diameter": diameter, "material": self.pin_material}
 
     def section(self, _: Any = None) -> Contact:
         """The same in SI units."""
@@ -174,8 +172,6 @@ class PinContactFields(ContactFields, group="contact"):
         }
 
 
-RADII_OF_HOLES = ("hole_radius_mm", "hole_clearance_mm", "fit")
-
 TOUCHING = ("pin_radius_mm", "contact_length_mm")
 """What pins have to have where their holes are given."""
 
@@ -183,25 +179,12 @@ TOUCHING = ("pin_radius_mm", "contact_length_mm")
 class CrankContactFields(PinContactFields, group="contact"):
     """The crank; pin and hole where the forces of real pins and holes are wanted."""
 
+    BETWEEN: ClassVar[tuple[Rule, ...]] = tuple(
+        Rule(name, "needed_beside", hole)
+        for hole in ("hole_radius_mm", "hole_clearance_mm", "fit")
+        for name in TOUCHING
+    )
+
     contact_length_mm: Maybe[Size] = contact_length()  # type: ignore[assignment]
     pin_radius_mm: Maybe[Size] = pin_radius()  # type: ignore[assignment]
     eccentricity_mm: Size = eccentricity()
-
-    @model_validator(mode="after")
-    def _holes_of_pins(self) -> Self:
-        for name in RADII_OF_HOLES:
-            if getattr(self, name) is not None:
-                self.refuse_without_pins(name)
-        return self
-
-    def refuse_without_pins(self, field: str, path: str = "") -> None:
-        """Refuse a field that needs pins, where they are not given.
-
-        Raises
-        ------
-        PydanticCustomError
-            If they are not.
-        """
-        for name in TOUCHING:
-            if getattr(self, name) is None:
-                raise field_error(path + name, "needed_beside", field=field)

@@ -3,7 +3,8 @@
 from typing import Any, ClassVar
 
 from app.calculations.named_bearing import NamedBearingFields, bearing_name
-from app.model import LARGEST, Forms, Maybe, Size, Whole, quantity
+from app.model import LARGEST, Maybe, Size, Whole, quantity
+from app.rules import Forms
 from core.bearings import NamedBearing
 from core.crank.pin_rollers import Ratings, RollerKind
 from core.design.sections import Rollers
@@ -62,6 +63,11 @@ class RollersFields(NamedBearingFields, group="rollers"):
         if quantity == "kind":
             return "ball" if named.kind == "ball" else "cylindrical"
         return super().said(named, quantity)
+
+    @property
+    def surface(self) -> dict[str, Any]:
+        """What pins have where they do not say it: their diameter, m, which is the bore."""
+        return {"diameter": self.to_core()["bore_diameter"]}
 
     def section(self, _: Any) -> Rollers:
         """The same in SI units."""

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
-from typing import Literal, Self
+from typing import ClassVar, Literal, Self
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -25,9 +25,9 @@ from app.model import (
     ResponseModel,
     Values,
     WarningOut,
-    field_error,
     result,
 )
+from app.rules import Rule, field_error
 from app.running import run
 from app.sources import SHIGLEY, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
@@ -55,24 +55,17 @@ class PinStrengthRequest(DesignFields):
     from it too.
     """
 
+    BETWEEN: ClassVar[tuple[Rule, ...]] = (
+        *(Rule(f"pin/{name}", "needed", "contact") for name in ALONE),
+        *(Rule("contact", "needed_beside", section) for section in TOUCHING),
+    )
+
     load: DesignLoadFields
     pin: DesignPinFields
     fatigue: Maybe[PinFatigueFields] = None
     include: list[Literal["deflection", "locus", "support_bounds", "worked"]] = Field(
         default=[], max_length=4, description="Optional results: what is not named is not computed."
     )
-
-    @model_validator(mode="after")
-    def _contact_or_alone(self) -> Self:
-        if self.contact is not None:
-            return self
-        for name in ALONE:
-            if getattr(self.pin, name) is None:
-                raise field_error(f"pin/{name}", "needed", field="contact")
-        for name in TOUCHING:
-            if getattr(self, name) is not None:
-                raise field_error("contact", "needed_beside", field=name)
-        return self
 
     @model_validator(mode="after")
     def _span_of_bounds(self) -> Self:

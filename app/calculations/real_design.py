@@ -10,17 +10,19 @@ from app.calculations.contact_law import ContactLawFields
 from app.calculations.mechanism import MechanismFields
 from app.calculations.pin_rollers import RollersFields
 from app.calculations.real_mechanism import (
+    GIVING,
     BentPinFields,
     GivingFields,
     RealContactFields,
     RealLoadFields,
     assumed_pin,
 )
-from app.model import Maybe, field_error, quantity
+from app.model import Maybe, quantity
+from app.rules import field_error
 from app.settings import Settings
 from app.units import to_si
 from core.errors import InvalidInput
-from core.output.contact_law import RIGID_PINS
+from core.output.contact_law import RIGID_PINS, PinSupport
 from core.output.mechanism import Mechanism
 from core.output.members import Members
 from core.output.real_mechanism import Deviations, RealMechanism
@@ -68,19 +70,18 @@ class RealDesignFields(GivingFields, group="contact_law"):
     @model_validator(mode="after")
     def _of_a_coupling(self) -> Self:
         if self.mechanism.output == "coupling":
-            self.refuse_giving()
+            self.refuse_of_a_coupling(*GIVING)
         return self
 
     @property
     def known_in_first_order(self) -> bool:
         """Whether what the satellites give is known in first order only."""
-        return self.coupled or self.crank_support is not None
+        return bool(self.giving)
 
     @model_validator(mode="after")
     def _first_order(self) -> Self:
         if self.geometry == "exact" and self.known_in_first_order:
-            beside = "satellite_coupling" if self.coupled else "crank_support"
-            raise field_error("geometry", "first_order_only", field=beside)
+            raise field_error("geometry", "first_order_only", field=self.giving[0])
         if self.geometry == "exact" and self.tied:
             raise field_error("geometry", "first_order_only", field="support")
         return self
@@ -121,19 +122,20 @@ class RealDesignFields(GivingFields, group="contact_law"):
 
     def made(self, deviations: Deviations) -> RealMechanism:
         """The mechanism as it is made, in SI units."""
-        sizes, inside, play = self.contact.sizes(), None, 0.0
+        sizes, play = self.contact.sizes(), 0.0
+        pin = RIGID_PINS if self.pin is None else self.pin.held(*self.around_pins)
         if self.rollers is not None:
             rollers = self.rollers.section(self)
-            given = None if self.pin is None else to_si("diameter_mm", self.pin.diameter_mm)
-            rollers.check(pin_radius=sizes["pin_radius"], pin_diameter=given)
-            inside, play = rollers.bore_diameter, rollers.play
+            diameter = pin.diameter if isinstance(pin, PinSupport) else None
+            rollers.check(pin_radius=sizes["pin_radius"], pin_diameter=diameter)
+            play = rollers.play
             sizes["contact_length"] = min(sizes["contact_length"], rollers.length)
         return RealMechanism(
             mechanism=self.built,
             pin_circle_radius=to_si("radius_mm", self.load.pin_circle_radius_mm),
             **sizes,
             law=self.contact_law.section(self),
-            pin=RIGID_PINS if self.pin is None else self.pin.held(self.contact, inside),
+            pin=pin,
             deviations=deviations,
             exact=self.geometry == "exact",
             support=self.support,

@@ -1,6 +1,7 @@
 """The output mechanism as it is made, as a request gives it."""
 
 import math
+from collections import ChainMap
 from collections.abc import Iterator
 from functools import cached_property, partial
 from typing import Annotated, Any, ClassVar, Literal, Self
@@ -12,20 +13,10 @@ from app.calculations.hertz import Material, distribution_factor, eccentricity, 
 from app.calculations.mechanism import MAX_SATELLITES
 from app.calculations.pin import HeldPinFields
 from app.calculations.pin_contact import Deviation, PinContactFields
-from app.model import (
-    LARGEST,
-    NO_DUST,
-    Kinds,
-    Maybe,
-    RequestModel,
-    Size,
-    field_error,
-    no_dust,
-    quantity,
-)
+from app.model import LARGEST, NO_DUST, Maybe, RequestModel, Size, no_dust, quantity
 from app.problems import invalid_input, refusal, wrong
+from app.rules import Kinds, field_error
 from app.units import to_si
-from core.materials import ElasticMaterial
 from core.output.contact_law import PinSupport
 from core.output.real_mechanism import Deviations
 from core.output.sampled_turn import Direction
@@ -106,22 +97,25 @@ class BentPinFields(HeldPinFields, group="pin"):
 
     _bore_size = field_validator("bore_diameter_mm")(no_dust)
 
-    def held(self, contact: PinContactFields | None, in_rollers: float | None = None) -> PinSupport:
-        """The pin in SI units; what is not given is that of the contact, or the bore of its
-        rollers, m.
+    def held(self, *around: dict[str, Any]) -> PinSupport:
+        """The pin in SI units.
+
+        Parameters
+        ----------
+        *around : dict
+            Diameter, m, and material of what is around it, the nearest first, which it has where
+            its own are not given.
+
+        Returns
+        -------
+        PinSupport
         """
-        own = self.to_core()
-        diameter, material = own.get("diameter", in_rollers), self.material
-        if contact is not None:
-            diameter = diameter or 2 * to_si("radius_mm", contact.pin_radius_mm)
-            material = material or contact.pin_material
-        assert diameter is not None and material is not None
-        given: ElasticMaterial = material_of(material)
+        own = ChainMap(self.to_core(), *around)
         return PinSupport(
             support=self.support,
-            diameter=diameter,
-            satellite_positions=tuple(own.get("satellite_positions", ())),
-            material=given,
+            diameter=own["diameter"],
+            satellite_positions=own.get("satellite_positions", ()),
+            material=material_of(own["material"]),
             span=own.get("span"),
             bore_diameter=own["bore_diameter"],
             ring_joint=self.ring_joint or "pinned",
@@ -147,6 +141,8 @@ class CrankSupportFields(RequestModel, group="crank_support"):
         "Clearance of a bearing", "G", default=0.0, step=0.005, ge=0, le=LARGEST
     )
     """Radial internal clearance, as catalogues give it: half of it to either side."""
+
+    gives: ClassVar[bool] = True
 
     def section(self, _: Any = None) -> CrankSupport:
         """The bearings in SI units."""
@@ -182,11 +178,23 @@ class SatelliteCouplingFields(RequestModel, group="satellite_coupling"):
             raise field_error("shares", "sum_not_one", sum=total)
         return self
 
+    @property
+    def gives(self) -> bool:
+        """Whether the satellites give by it."""
+        return self.kind != "rigid"
+
     def section(self, _: Any = None) -> SatelliteSupport:
         """The coupling in SI units."""
-        if self.stiffness_Nm_per_arcmin is not None:
-            return ElasticMesh(to_si("stiffness_Nm_per_arcmin", self.stiffness_Nm_per_arcmin))
-        return RIGID_SUPPORT if self.shares is None else Shares(tuple(self.shares))
+        match self.to_core():
+            case {"stiffness": stiffness}:
+                return ElasticMesh(stiffness)
+            case {"shares": shares}:
+                return Shares(tuple(shares))
+        return RIGID_SUPPORT
+
+
+GIVING = ("crank_support", "satellite_coupling")
+"""Sections that say what the satellites give."""
 
 
 class GivingFields(RequestModel):
@@ -197,43 +205,52 @@ class GivingFields(RequestModel):
 
     @model_validator(mode="after")
     def _gives_in_one_way(self) -> Self:
-        if self.coupled and self.crank_support is not None:
+        giving = self.giving
+        if len(giving) > 1:
             raise field_error("satellite_coupling", "only_one", field="crank_support")
-        beside = "satellite_coupling" if self.coupled else "crank_support"
-        if self.tied and (self.coupled or self.crank_support is not None):
-            raise field_error("pin/support", "only_one", field=beside)
+        if self.tied and giving:
+            raise field_error("pin/support", "only_one", field=giving[0])
         return self
 
-    def refuse_giving(self) -> None:
-        """Refuse satellites that give, of two shafts that pins couple: there are none.
+    @property
+    def around_pins(self) -> list[dict[str, Any]]:
+        """What pins have where they do not say it, by what is around them, the nearest first."""
+        given = self.given
+        return [given[name].surface for name in ("rollers", "contact") if name in given]
+
+    def refuse_of_a_coupling(self, *sections: str) -> None:
+        """Refuse sections that two shafts which pins couple have none of.
+
+        Parameters
+        ----------
+        *sections : str
+            Their names.
 
         Raises
         ------
         PydanticCustomError
             If any is given.
         """
-        for name in ("crank_support", "satellite_coupling"):
-            if getattr(self, name) is not None:
+        for name in sections:
+            if self.says(name):
                 raise field_error(name, "of_other_output", output="coupling")
 
     @property
     def tied(self) -> bool:
         """Whether a tie ring joins the pins."""
         pin = getattr(self, "pin", None)
-        return pin is not None and pin.support == "tie_ring"
+        return getattr(pin, "support", None) == "tie_ring"
 
     @property
-    def coupled(self) -> bool:
-        """Whether the coupling gives."""
-        return self.satellite_coupling is not None and self.satellite_coupling.kind != "rigid"
+    def giving(self) -> list[str]:
+        """Sections by which the satellites give."""
+        given = self.given
+        return [name for name in GIVING if name in given and given[name].gives]
 
     @cached_property
     def support(self) -> SatelliteSupport:
         """What the satellites give."""
-        if self.crank_support is not None:
-            return self.crank_support.section()
-        given = self.satellite_coupling
-        return RIGID_SUPPORT if given is None else given.section()
+        return next((self.given[name].section() for name in self.giving), RIGID_SUPPORT)
 
     def refuse_other_shares(self, satellites: int) -> None:
         """Refuse shares that are not one for each satellite.
@@ -311,8 +328,8 @@ class DeviationsFields(RequestModel, group="deviations"):
             raise invalid_input(errors)
 
     def _lengths(self, pins: int, satellites: int) -> Iterator[tuple[str, int, int]]:
-        for name, value in self:
-            if value is None or name.startswith("ring"):
+        for name, value in self.given.items():
+            if name.startswith("ring"):
                 continue
             if not name.startswith("hole"):
                 yield name, pins if name.startswith("pin") else satellites, len(value)

@@ -4,7 +4,7 @@ satellites along their cranks.
 
 from collections.abc import Iterator
 from functools import partial
-from typing import Annotated, Any, ClassVar, Self
+from typing import Annotated, Any, ClassVar, Self, TypeVar
 
 from pydantic import Field, field_validator, model_validator
 
@@ -15,19 +15,26 @@ from app.calculations.mechanism import MAX_SATELLITES
 from app.calculations.pin import strengths_of
 from app.model import (
     NO_DUST,
-    Forms,
-    Kinds,
     Maybe,
+    PartFields,
     RequestModel,
     Size,
     Whole,
-    field_error,
     no_dust,
+    present,
     quantity,
 )
 from app.problems import invalid_input, wrong
+from app.rules import Forms, Kinds, field_error
 from app.units import to_si
-from core.design.ring import Ring, RingClass, RingPinSupport
+from core.design.ring import (
+    CycloidRing,
+    InvoluteRing,
+    OtherRing,
+    Ring,
+    RingClass,
+    RingPinSupport,
+)
 from core.design.ring import RingKind as Kind
 from core.ring.profile import Modification
 
@@ -35,6 +42,16 @@ REFERENCE_ANGLE_DEG = 20.0
 
 PIN_MATERIAL, DISC_MATERIAL = "steel_bearing", "steel_through_hardened"
 """Of the ring's pins and of the discs, where they are not given."""
+
+Made = TypeVar("Made")
+
+RINGS: dict[Kind | None, type[CycloidRing] | type[InvoluteRing] | type[OtherRing]] = {
+    "cycloid": CycloidRing,
+    "involute": InvoluteRing,
+    "none": OtherRing,
+    None: OtherRing,
+}
+"""Rings by their kind, of one whose ratio of forces is given without one."""
 
 OF_SUPPORTS = ("span_mm", "satellite_positions_mm")
 """What ring pins have that bend."""
@@ -62,7 +79,7 @@ ring_pin_radius = partial(
 """Fields that may be left out in some requests, and not in others."""
 
 
-class ModificationFields(RequestModel, group="gear"):
+class ModificationFields(PartFields, group="gear"):
     """By what the tool that cuts the discs is set off from the ring's pins."""
 
     equidistant_mm: Change = quantity(
@@ -141,27 +158,20 @@ class RingPinsFields(RequestModel, group="gear"):
     def _held(self) -> Self:
         support = self.pin_support or "seat"
         for name in OF_SUPPORTS:
-            given = getattr(self, name) is not None
+            given = name in self.given
             if given and support == "seat":
                 raise field_error(name, "of_another_kind", kind="seat")
             if not given and support != "seat":
                 raise field_error(name, "needed_beside", field="pin_support")
         return self
 
-    def ring(self, **more: Any) -> Ring:
-        """The ring in SI units, with what else is known of it."""
-        if self.modification is not None:
-            more["modification"] = self.modification.section()
-        if self.contact_law is not None:
-            more["contact_law"] = self.contact_law.named()
-        if self.satellite_positions_mm is not None:
-            more["satellite_positions"] = tuple(to_si("positions_mm", self.satellite_positions_mm))
-        return ring_of(self, **more)
+    def ring(self, made: type[Made]) -> Made:
+        """The ring in SI units, of the kind that it is."""
+        return ring_of(self.to_core(), made)
 
 
-def ring_of(fields: RequestModel, **more: Any) -> Ring:
-    """The ring of a request in SI units, with what else is known of it."""
-    own = fields.to_core() | more
+def ring_of(own: dict[str, Any], made: type[Made]) -> Made:
+    """The ring in SI units, of the kind that it is, of what a request tells core of it."""
     if "pin_material" in own:
         held = strengths_of(own.pop("pin_material"))
         own["pin_material"] = held.pop("material")
@@ -169,7 +179,7 @@ def ring_of(fields: RequestModel, **more: Any) -> Ring:
     for name in ("disc_material", "satellite_material", "ring_material"):
         if name in own:
             own[name] = material_of(own[name])
-    return Ring(**own)
+    return made(**own)
 
 
 class RingPinDeviationsFields(RequestModel, group="deviations"):
@@ -292,15 +302,20 @@ class RingFields(RingPinsFields, InvoluteTeethFields, group="gear"):
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """Also the material of the ring, where its mesh is judged."""
         yield from super().assumed()
-        if self.modification is not None and self.pin_material is None:
-            yield ("pin_material",), PIN_MATERIAL
-        if self.toothed and self.ring_material is None:
-            yield ("ring_material",), RING_MATERIAL
+        if self.toothed or self.modification is not None:
+            for name, material in self._usual_materials().items():
+                if name not in self.given:
+                    yield (name,), material
+
+    def _usual_materials(self) -> dict[str, str]:
+        """Materials that are taken where they are not given."""
+        of_pins = {"pin_material": PIN_MATERIAL} if self.kind == "cycloid" else {}
+        return of_pins | ({"ring_material": RING_MATERIAL} if self.toothed else {})
 
     @property
     def toothed(self) -> bool:
         """Whether involute teeth are given with their profile shifts."""
-        return self.satellite_profile_shift is not None and self.ring_profile_shift is not None
+        return self.given.keys() >= {"satellite_profile_shift", "ring_profile_shift"}
 
     def refuse_other_teeth(self, difference: int | None) -> None:
         """Refuse involute teeth without a difference, or with another than the mechanism's.
@@ -333,20 +348,13 @@ class RingFields(RingPinsFields, InvoluteTeethFields, group="gear"):
             If it is.
         """
         for name in ("disc_material", "satellite_material"):
-            own = getattr(self, name)
-            if own is not None and material_of(own) != material_of(material):
+            if material_of(self.given.get(name, material)) != material_of(material):
                 raise field_error(f"gear/{name}", "discs_disagree", field="hole_material")
 
     def section(self, whole: Any) -> Ring:
         """The ring in SI units, with the difference of the mechanism's teeth where it has them."""
-        more: dict[str, Any] = {}
-        difference = whole.mechanism.teeth_difference
-        if difference is not None:
-            more["teeth_difference"] = difference
-        if self.kind == "involute" and self.reference_pressure_angle_deg is None:
-            more["reference_pressure_angle"] = to_si("angle_deg", REFERENCE_ANGLE_DEG)
-        if self.kind == "cycloid" and self.pin_material is None:
-            more["pin_material"] = PIN_MATERIAL
-        if self.toothed and self.ring_material is None:
-            more["ring_material"] = RING_MATERIAL
-        return self.ring(**more)
+        usual: dict[str, Any] = {**self._usual_materials()}
+        if self.kind == "involute":
+            usual["reference_pressure_angle"] = to_si("angle_deg", REFERENCE_ANGLE_DEG)
+        difference = present({"teeth_difference": whole.mechanism.teeth_difference})
+        return ring_of(usual | self.to_core() | difference, RINGS[self.kind])

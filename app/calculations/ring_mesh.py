@@ -33,29 +33,20 @@ from app.calculations.ring_parts import (
     RingTeethFields,
 )
 from app.calculations.solved import Solved
-from app.model import (
-    UNION_TAGS,
-    Angle,
-    Calculation,
-    Maybe,
-    RequestModel,
-    Size,
-    Values,
-    field_error,
-    quantity,
-)
+from app.model import UNION_TAGS, Angle, Calculation, Maybe, RequestModel, Size, Values, quantity
 from app.problems import refusal
+from app.rules import field_error
 from app.running import run
 from app.settings import Settings
 from app.sources import ISO_6336, JOHNSON_1985
 from app.theme import Figure, Theme
 from app.units import to_si
 from app.worked import worked
-from core.design.ring import Ring
+from core.design.ring import CycloidRing, InvoluteRing
 from core.errors import InvalidInput
 from core.output.contact_law import HertzLaw
 from core.output.real_curves import stiffness_curve
-from core.output.satellite_support import RIGID_SUPPORT, SatelliteSupport, Shares
+from core.output.satellite_support import SatelliteSupport, Shares
 from core.output.turn import Turn
 from core.ring.involute import InvolutePair, involute_pair
 from core.ring.loss import RingFriction, ring_loss, sliding_part
@@ -63,7 +54,6 @@ from core.ring.profile import CycloidDisc, outline_points
 from core.ring.sharing import (
     CycloidMesh,
     MeshTurn,
-    RingDeviations,
     mesh_over_turn,
     mesh_position,
 )
@@ -152,8 +142,8 @@ class RingMeshRequest(RequestModel, group="positions"):
         BeforeValidator(_of_its_kind),
     ]
     contact_law: MeshLawFields = Field(default_factory=MeshLawFields)
-    deviations: Maybe[RingDeviationsFields] = None
-    satellite_coupling: Maybe[MeshCouplingFields] = None
+    deviations: RingDeviationsFields = Field(default_factory=RingDeviationsFields)
+    satellite_coupling: MeshCouplingFields = Field(default_factory=MeshCouplingFields)
     geometry: Literal["exact", "first_order"] = quantity("Geometry", default="exact")
     """Exact, or first order in lag and deviations as in the papers."""
     lost_motion_torque_share: float = quantity(
@@ -203,10 +193,7 @@ class RingMeshRequest(RequestModel, group="positions"):
 
     @model_validator(mode="after")
     def _flanks(self) -> Self:
-        if self.gear.kind == "involute":
-            return self
-        own = self.gear.modification
-        if self.geometry == "exact" and own is not None and own.rotation_arcmin > 0:
+        if self.geometry == "exact" and self.gear.kind == "cycloid" and self.gear.turned:
             raise field_error("geometry", "flanks_first_order", field="rotation_arcmin")
         return self
 
@@ -224,8 +211,7 @@ class RingMeshRequest(RequestModel, group="positions"):
         if own.pairs > min(limits):
             most = {"limit": min(limits) // own.satellites, "satellites": own.satellites}
             raise InvalidInput("ring_teeth", own.ring_teeth, "too_many_pairs", **most)
-        if self.deviations is not None:
-            self.deviations.refuse_other_lengths(own.ring_teeth, own.satellites)
+        self.deviations.refuse_other_lengths(own.ring_teeth, own.satellites)
         if isinstance(self.support, Shares) and len(self.support.shares) != own.satellites:
             counts = {"expected": own.satellites, "actual": len(self.support.shares)}
             raise refusal("/satellite_coupling/shares", "different_length", **counts)
@@ -261,10 +247,11 @@ class RingMeshRequest(RequestModel, group="positions"):
         return involute_pair(teeth=teeth, eccentricity=self.eccentricity)
 
     @cached_property
-    def involute(self) -> Ring:
+    def involute(self) -> InvoluteRing:
         """The ring of involute teeth, in SI units."""
         assert isinstance(self.gear, InvoluteRingFields)
-        return ring_of(self.gear)
+        difference = self.mechanism.ring_teeth - self.mechanism.satellite_teeth
+        return ring_of(self.gear.to_core() | {"teeth_difference": difference}, InvoluteRing)
 
     @property
     def loaded_teeth(self) -> dict[str, Any]:
@@ -281,10 +268,7 @@ class RingMeshRequest(RequestModel, group="positions"):
     @property
     def support(self) -> SatelliteSupport:
         """Given shares of the torque."""
-        given = self.satellite_coupling
-        if given is None or given.shares is None:
-            return RIGID_SUPPORT
-        return Shares(tuple(given.shares))
+        return self.satellite_coupling.section()
 
     @cached_property
     def torque(self) -> float:
@@ -295,23 +279,23 @@ class RingMeshRequest(RequestModel, group="positions"):
     @cached_property
     def disc(self) -> CycloidDisc:
         """The discs, in SI units."""
-        gear, eccentricity = self.cycloid, self.eccentricity
-        assert eccentricity is not None  # cycloids need it
-        return gear.ring().disc(
-            satellite_teeth=self.mechanism.satellite_teeth, eccentricity=eccentricity
+        eccentricity = self.given["contact"].eccentricity_mm  # cycloids need it
+        return self.cycloid.ring(CycloidRing).disc(
+            satellite_teeth=self.mechanism.satellite_teeth,
+            eccentricity=to_si("eccentricity_mm", eccentricity),
         )
 
     @cached_property
     def mesh(self) -> CycloidMesh:
         """The mesh as it is made, in SI units."""
-        ring = self.cycloid.ring()
+        ring = self.cycloid.ring(CycloidRing)
         return ring.cycloid_mesh(
             disc=self.disc,
             contact_length=ring.contact_length,
             disc_material=ring.disc_material,
             crank_angles=self.mechanism.crank_angles,
             law=ring.contact_law or self.contact_law.named() or HertzLaw(),
-            deviations=(RingDeviations() if self.deviations is None else self.deviations.section()),
+            deviations=self.deviations.section(),
             exact=self.geometry == "exact",
             support=self.support,
         )
@@ -319,8 +303,9 @@ class RingMeshRequest(RequestModel, group="positions"):
     @property
     def friction(self) -> RingFriction:
         """What slides; without a coefficient as if it were 0."""
-        ring = self.cycloid.ring()
-        return ring.friction or RingFriction(0.0, ring.sleeve_bore_radius, ring.rolling)
+        ring = self.cycloid.ring(CycloidRing)
+        coefficient = ring.friction_coefficient or 0.0
+        return RingFriction(coefficient, ring.sleeve_bore_radius, ring.rolling)
 
     @property
     def input_speed(self) -> float | None:
@@ -442,7 +427,7 @@ class RingMeshRequest(RequestModel, group="positions"):
     def solve_for_drawing(self) -> ShownMesh:
         """All that the figure shows."""
         turn = MeshTurn(Turn(self.mesh, self.torque))
-        return ShownMesh.of(turn, crank_angle=self.angles[0])
+        return ShownMesh.at_angle(turn, self.angles[0])
 
 
 def work(body: RingMeshRequest) -> list[Values]:

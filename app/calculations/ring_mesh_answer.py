@@ -13,8 +13,10 @@ from app.model import (
     Maybe,
     ResponseModel,
     StepOut,
+    Values,
     WarningOut,
     assumptions,
+    present,
     result,
     worked_steps,
 )
@@ -282,11 +284,12 @@ class RingDrawingOut(ResponseModel):
     @classmethod
     def of(cls, drawn: DrawnMesh, curves: MeshCurves | SeriesCurves | None) -> dict[str, object]:
         """The values of discs and ring, and of what they do."""
-        own = {
+        own: Values = {
             "turn_deg": drawn.turns,
             "centre_mm": drawn.pin_centres,
             "radius_mm": drawn.pin_radii,
-        } | ({} if drawn.lobe is None else {"lobe_mm": drawn.lobe})
+            "lobe_mm": drawn.lobe,
+        }
         if curves is not None:
             own |= {
                 "crank_angle_deg": curves.crank_angle,
@@ -295,7 +298,7 @@ class RingDrawingOut(ResponseModel):
             }
         values = {
             name: rounded(from_si(name, np.array(value)), DRAWN_DIGITS).tolist()
-            for name, value in own.items()
+            for name, value in present(own).items()
         }
         sizes = zip(values.pop("centre_mm"), values.pop("radius_mm"), strict=True)
         values["ring_pins"] = [

@@ -1,7 +1,7 @@
 """Figures of the mesh of satellites with their ring: cycloid discs on pins, involute teeth."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Self
 
 import numpy as np
@@ -46,54 +46,70 @@ class ShownMesh:
     crank_angle: FloatArray  # of the curves
     largest: FloatArray  # force at these
     lag: FloatArray  # of the output at these
-    own_lag: FloatArray | None  # of each disc, where these have others
-    peak: tuple[float, float] | None  # crank angle and largest force over the turn, where known
+    own_lag: FloatArray  # of each disc, where these have others, shape (K or 0, n)
+    # Crank angle and largest force over the turn, where it is known.
+    peaks: tuple[tuple[float, float], ...] = ()
     # Lag of the first disc, and points of a disc, shape (n, 2), where it is drawn.
-    outline: tuple[float, FloatArray] | None = None
+    outlines: tuple[tuple[float, FloatArray], ...] = ()
 
     @classmethod
-    def of(
-        cls, turn: MeshTurn, *, crank_angle: float | None = None, members: Members | None = None
-    ) -> Self:
-        """A mesh at a crank angle, with a disc; without one at its peak, and without the disc.
+    def at_peak(cls, turn: MeshTurn, members: Members) -> Self:
+        """A mesh at its peak, without a disc.
 
         Parameters
         ----------
         turn : MeshTurn
             The mesh over the turn, by itself or in series.
-        crank_angle : float, optional
-            rad.
-        members : Members, optional
-            Which is the output; the pins where it is not given.
+        members : Members
+            Which is the output.
 
         Returns
         -------
         ShownMesh
         """
-        mesh, torque, outline, peak, own = turn.mesh, turn.turn.torque, None, None, None
-        angle = turn.peak_crank_angle if crank_angle is None else crank_angle
-        if crank_angle is None:
-            peak = angle, turn.peak_force
+        angle = turn.peak_crank_angle
+        shown, _ = cls._of(turn, angle)
+        lags = {name: members.angle_at_output(getattr(shown, name)) for name in ("lag", "own_lag")}
+        return replace(shown, peaks=((angle, turn.peak_force),), **lags)
+
+    @classmethod
+    def at_angle(cls, turn: MeshTurn, crank_angle: float) -> Self:
+        """A mesh by itself at a crank angle, with a disc.
+
+        Parameters
+        ----------
+        turn : MeshTurn
+            The mesh over the turn.
+        crank_angle : float
+            rad.
+
+        Returns
+        -------
+        ShownMesh
+        """
+        shown, lag = cls._of(turn, crank_angle)
+        points = outline_points(disc=turn.mesh.disc, chord_error=CHORD_ERROR).points
+        return replace(shown, outlines=((lag, points),))
+
+    @classmethod
+    def _of(cls, turn: MeshTurn, angle: float) -> tuple[Self, float]:
+        """A mesh at a crank angle, and the lag of the first disc there."""
+        mesh, torque = turn.mesh, turn.turn.torque
         curves: MeshCurves | SeriesCurves
         if isinstance(turn, TeethInSeries):  # the turn of the crank in which that is
             first = 2 * math.pi * (angle // (2 * math.pi))
             around = np.linspace(first, first + 2 * math.pi, ANGLES + 1)
             there, curves = SeriesCurves(turn, np.array([angle])), SeriesCurves(turn, around)
             force, gap, own = there.force[..., 0], there.gap[..., 0], curves.own_rotation
+            lag = float(there.own_rotation[0, 0])
         else:
             found = mesh_position(mesh=mesh, crank_angle=angle, output_torque=torque)
             gaps = mesh_gaps(mesh=mesh, crank_angle=angle, rotation=found.rotation)
             force, gap = np.array(found.force), np.maximum(gaps, 0.0)
-            curves = MeshCurves(turn, ANGLES)
-            if crank_angle is not None:
-                points = outline_points(disc=mesh.disc, chord_error=CHORD_ERROR).points
-                outline = found.rotation[0], points
+            curves, lag = MeshCurves(turn, ANGLES), found.rotation[0]
+            own = np.zeros((0, len(curves.crank_angle)))
         perfect = mesh_position(mesh=mesh.perfect, crank_angle=angle, output_torque=torque)
-
-        def at_output(lags: FloatArray) -> FloatArray:
-            return lags if members is None else members.angle_at_output(lags)
-
-        return cls(
+        shown = cls(
             mesh=mesh,
             at=angle,
             force=force,
@@ -101,11 +117,10 @@ class ShownMesh:
             gap=gap,
             crank_angle=curves.crank_angle,
             largest=curves.force.max(axis=(0, 1)),
-            lag=at_output(curves.rotation),
-            own_lag=None if own is None else at_output(own),
-            peak=peak,
-            outline=outline,
+            lag=curves.rotation,
+            own_lag=own,
         )
+        return shown, lag
 
 
 def ring_mesh_figure(shown: ShownMesh, theme: Theme) -> Figure:
@@ -150,11 +165,11 @@ def ring_mesh_figure(shown: ShownMesh, theme: Theme) -> Figure:
     )
     name = text("peak")
     hovered = text("at_angle", name=name, value=Amount("%{y:.5g}", "N"), angle=at)
-    if shown.peak is not None:
-        there, most = float(from_si("angle_deg", shown.peak[0])), shown.peak[1]
+    for peak_angle, most in shown.peaks:
+        there = float(from_si("angle_deg", peak_angle))
         data.append(marker(name, there, most, theme, hovered) | own | {"yaxis": "y3"})
     lags = [(text("lag"), shown.lag, 1)]
-    for j, row in enumerate(() if shown.own_lag is None else shown.own_lag):
+    for j, row in enumerate(shown.own_lag):
         lags.append((text("satellite_lag", satellite=j + 1), row, j))
     for index, (name, lag, colour) in enumerate(lags):
         hovered = text("at_angle", name=name, value=Amount("%{y:.5g}", "′"), angle=at)
@@ -164,8 +179,8 @@ def ring_mesh_figure(shown: ShownMesh, theme: Theme) -> Figure:
     force_at, gap_at, peak_at, lag_at = PANELS
     more: Figure = {"height": 760}
     below = 0.0
-    if shown.outline is not None:
-        data += _drawing(shown, *shown.outline, theme)
+    for outline in shown.outlines:
+        data += _drawing(shown, *outline, theme)
         below = 0.4
         more = {
             "height": 1180,

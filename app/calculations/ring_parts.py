@@ -7,7 +7,7 @@ from pydantic import model_validator
 from app.calculations.contact_force import application_factor
 from app.calculations.design import input_speed
 from app.calculations.hertz import Material, contact_length, eccentricity
-from app.calculations.mechanism import MAX_SATELLITES
+from app.calculations.mechanism import MAX_SATELLITES, count_satellites
 from app.calculations.real_mechanism import (
     PerSatellite,
     PhasePerSatellite,
@@ -21,18 +21,9 @@ from app.calculations.ring import (
     pin_circle_radius,
     ring_pin_radius,
 )
-from app.model import (
-    Angle,
-    Forms,
-    Kinds,
-    Maybe,
-    RequestModel,
-    Size,
-    Whole,
-    field_error,
-    quantity,
-)
+from app.model import Angle, Maybe, RequestModel, Size, Whole, quantity
 from app.problems import invalid_input, wrong
+from app.rules import Forms, Kinds
 from app.units import to_si
 from core.design.sections import MechanismSection
 from core.results import Notice
@@ -64,12 +55,7 @@ class RingTeethFields(RequestModel, group="mechanism"):
 
     @model_validator(mode="after")
     def _counts(self) -> Self:
-        angles = self.crank_angles_deg
-        if angles is not None and "satellites" not in self.model_fields_set:
-            self.satellites = len(angles)
-        if angles is not None and len(angles) != self.satellites:
-            count = {"expected": self.satellites, "actual": len(angles)}
-            raise field_error("crank_angles_deg", "different_length", **count)
+        count_satellites(self)
         return self
 
     @property
@@ -129,6 +115,11 @@ class CycloidRingFields(RingPinsFields, group="gear"):
     disc_material: Material = quantity("Disc material", default=DISC_MATERIAL)
     """A name of the table of materials, or values."""
 
+    @property
+    def turned(self) -> bool:
+        """Whether a modification turns the flanks."""
+        return self.modification is not None and self.modification.rotation_arcmin > 0
+
     def notices(self) -> tuple[Notice, ...]:
         """That nothing is known of the modification."""
         unknown = self.modification is None
@@ -164,8 +155,7 @@ class RingDeviationsFields(RingPinDeviationsFields, group="deviations"):
         """
         counts = [
             (name, pins if name.startswith("ring") else satellites, len(value))
-            for name, value in self
-            if value is not None
+            for name, value in self.given.items()
         ]
         errors = [
             wrong(f"/deviations/{name}", "different_length", expected=want, actual=have)

@@ -12,18 +12,18 @@ from app.calculations.fatigue import STEEL_GPA, CycleOut, FatigueFields
 from app.model import (
     AccuracyOut,
     Calculation,
-    Forms,
     Maybe,
     Size,
     Values,
     WarningOut,
     Whole,
-    field_error,
     no_dust,
+    notices_of,
     quantity,
     result,
     warning,
 )
+from app.rules import Forms, field_error
 from app.running import run
 from app.sources import OVSYANNIKOV_2019, SHIGLEY
 from app.theme import (
@@ -151,7 +151,7 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
         asked = self.fatigue
         if asked is not None and self.stress_concentration > 1:
             for name in NOTCHES:
-                if getattr(asked, name) is not None:
+                if name in asked.given:
                     raise field_error(f"fatigue/{name}", "only_one", field="stress_concentration")
         return self
 
@@ -449,7 +449,7 @@ def solve(body: RollerStrengthRequest) -> Values:
     judged, _ = run(body, lambda: body.judge(result, tired))
     cycle = CycleOut.values(tired) if isinstance(tired, CycleFatigue) else None
     values = RollerStrengthResponse.values(result, run_time_us, fatigue=cycle, **judged)
-    notices = (tired,) if isinstance(tired, Notice) else () if tired is None else tired.notices
+    notices = notices_of(tired)
     if notices:
         values["warnings"] = [*map(warning, notices), *values.get("warnings", ())]
     return values

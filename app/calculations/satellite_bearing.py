@@ -1,7 +1,7 @@
 """Load and life of the satellites' bearings: request, answer, figure."""
 
 from collections.abc import Iterator
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -14,7 +14,7 @@ from app.calculations.design import (
 )
 from app.calculations.mechanism import MAX_SATELLITES
 from app.calculations.named_bearing import NamedBearingFields, bearing_name
-from app.calculations.pin_contact import CrankContactFields
+from app.calculations.pin_contact import TOUCHING, CrankContactFields
 from app.calculations.ring import RingFields
 from app.model import (
     AccuracyOut,
@@ -22,16 +22,17 @@ from app.model import (
     AssumingResponse,
     Calculation,
     Maybe,
+    PartFields,
     RequestModel,
     ResponseModel,
     Size,
     Values,
     WarningOut,
     WorkedFields,
-    field_error,
     quantity,
     result,
 )
+from app.rules import Rule, field_error
 from app.running import run
 from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
@@ -93,7 +94,7 @@ MAX_WEIGHTS = 20
 """Counterweights at most."""
 
 
-class CounterweightFields(RequestModel, group="crankshaft"):
+class CounterweightFields(PartFields, group="crankshaft"):
     """A mass on the shaft that is off its axis."""
 
     unbalance_kg_mm: Unbalance = quantity("Unbalance", "U", step=0.1)
@@ -103,8 +104,12 @@ class CounterweightFields(RequestModel, group="crankshaft"):
     angle_deg: Angle = quantity("Direction", "β", default=180.0, step=15)
     """Counted as the crank angles are; 180° is opposite to a crank at 0°."""
 
+    def section(self) -> Counterweight:
+        """The same in SI units."""
+        return Counterweight(**self.to_core())
 
-class SeatedBearingFields(ShaftBearingFields, group="crankshaft"):
+
+class SeatedBearingFields(ShaftBearingFields, PartFields, group="crankshaft"):
     """A bearing of the crankshaft, and what it sits in."""
 
     seat: Seat = quantity("Sits in", alias="in", default="housing")
@@ -160,30 +165,21 @@ class CrankshaftFields(RequestModel, group="crankshaft"):
 
     def section(self, _: Any) -> Shaft:
         """The shaft in SI units."""
-        own = self.to_core()
-        for name in ("satellite_positions", "bearing_positions"):
-            own[name] = tuple(own[name])
-        own["counterweights"] = tuple(
-            Counterweight(**each.to_core()) for each in self.counterweights or ()
-        )
-        if self.bearings is not None:
-            own["bearings"] = tuple(each.section() for each in self.bearings)
-        return Shaft(**own)
+        return Shaft(**self.to_core())
 
 
 class CrankedRequest(DesignFields, WorkedFields):
     """Mechanism, load, crank and ring; pins and holes where the forces follow from them too."""
 
+    BETWEEN: ClassVar[tuple[Rule, ...]] = tuple(
+        Rule(f"contact/{name}", "needed_beside", section)
+        for section in OF_PINS
+        for name in TOUCHING
+    )
+
     load: DrivenLoadFields
     contact: CrankContactFields
     gear: RingFields
-
-    @model_validator(mode="after")
-    def _touching(self) -> Self:
-        for name in OF_PINS:
-            if getattr(self, name) is not None:
-                self.contact.refuse_without_pins(name, "contact/")
-        return self
 
 
 class SatelliteBearingRequest(CrankedRequest):

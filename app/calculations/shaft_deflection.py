@@ -1,6 +1,7 @@
 """Shaft of the precessional gear: request, answer, figure."""
 
 import math
+from collections.abc import Callable
 from typing import Any, ClassVar
 
 from app.calculations.checks import JudgedFields, JudgedResponse, codes_to_fix, judgement
@@ -10,24 +11,26 @@ from app.calculations.meshing_load import MeshFields
 from app.model import (
     AccuracyOut,
     Calculation,
-    Forms,
     Maybe,
+    PartFields,
     RequestModel,
     ResponseModel,
     Size,
     Values,
     WarningOut,
+    notices_of,
     quantity,
     result,
     warning,
 )
+from app.rules import Forms
 from app.running import run
 from app.sources import JOHNSON_1985, KHATETOVSKY_2020, SHIGLEY
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
 from app.units import core_name, from_si, to_si
 from app.worked import worked
 from core.checks.check import Verdict
-from core.checks.shaft import ShaftDesign, shaft_checks
+from core.checks.shaft import LINE_MATERIALS, ShaftDesign, shaft_checks
 from core.errors import NotKnown
 from core.fatigue import FatigueStrength
 from core.fixes.plain import plain_fixes
@@ -44,13 +47,17 @@ from core.worked.step import Step
 Plane = tuple[float, float]
 
 
-class ShaftSectionFields(RequestModel, group="shaft"):
+class ShaftSectionFields(PartFields, group="shaft"):
     """A stretch of the shaft with one diameter."""
 
     length_mm: Size = quantity("Length", step=1)
     """Length of this stretch of the shaft."""
     diameter_mm: Size = quantity("Diameter", step=1)
     """Diameter of the shaft there."""
+
+    def section(self) -> ShaftSection:
+        """The same in SI units."""
+        return ShaftSection(**self.to_core())
 
 
 class LineContactFields(RequestModel, group="line_contact"):
@@ -70,9 +77,17 @@ class LineContactFields(RequestModel, group="line_contact"):
         """Of roller and tooth."""
         return material_of(self.roller_material), material_of(self.mating_material)
 
+    def pressure_limits(self) -> dict[str, float]:
+        """Of roller and tooth, Pa, by their materials, as far as they are known."""
+        limits = zip(LINE_MATERIALS, (each.limit for each in self.materials()), strict=True)
+        return {name: float(each.pressure) for name, each in limits if each is not None}
+
 
 _GEAR = ("roller_radius_mm", "roller_circle_radius_mm")
 """What a fix may change of the gear."""
+
+_OF_SHAFT = ("bearing_distance", "overhang", "youngs_modulus")
+"""Arguments of the core that are the shaft's, beside its stretches."""
 
 
 class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
@@ -115,12 +130,14 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
             moment=load.moment,
             force_error=load.force_error,
             moment_error=load.moment_error,
-            bearing_distance=to_si("distance_mm", self.bearing_distance_mm),
-            overhang=to_si("overhang_mm", self.overhang_mm),
-            youngs_modulus=to_si("youngs_modulus_GPa", self.youngs_modulus_GPa),
-            shaft_diameter=to_si("diameter_mm", self.shaft_diameter_mm),
-            shaft_sections=self._sections(),
+            **self.shaft,
         )
+
+    @property
+    def shaft(self) -> dict[str, Any]:
+        """The shaft as the core's arguments."""
+        own = self.to_core()
+        return {name: own[name] for name in _OF_SHAFT} | {"shaft_sections": self.sections()}
 
     def solve(self) -> ShaftDeflection:
         """Reactions and deflection of the shaft."""
@@ -131,31 +148,38 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
         load = self.solve_load()
         return load, self.solve_shaft(load)
 
-    def fatigue_strength(self, diameter: float) -> FatigueStrength:
-        """What the fatigue of the shaft is judged by, where it is asked."""
-        assert self.fatigue is not None
-        return self.fatigue.section().of(
-            diameter=diameter,
-            tensile_strength=to_si("tensile_strength_MPa", self.tensile_strength_MPa),
-            yield_strength=to_si("yield_strength_MPa", self.yield_strength_MPa),
-            steel=STEEL_GPA[0] <= self.youngs_modulus_GPa <= STEEL_GPA[1],
-        )
+    def fatigue_strength(self) -> Callable[[float], FatigueStrength] | Notice | None:
+        """What the fatigue of the shaft is judged by, of its diameter, or why that is not known;
+        None where nobody asks.
+        """
+        if self.fatigue is None:
+            return None
+        basis = self.fatigue.section()
+
+        def strength(diameter: float) -> FatigueStrength:
+            return basis.of(
+                diameter=diameter,
+                tensile_strength=to_si("tensile_strength_MPa", self.tensile_strength_MPa),
+                yield_strength=to_si("yield_strength_MPa", self.yield_strength_MPa),
+                steel=STEEL_GPA[0] <= self.youngs_modulus_GPa <= STEEL_GPA[1],
+            )
+
+        try:
+            strength(1.0)
+        except NotKnown as why:
+            return Notice(why.code)
+        return strength
 
     def no_fatigue(self) -> Notice | None:
         """Why nothing is known of the shaft's fatigue; None where it is, or nobody asked."""
-        if self.fatigue is not None:
-            try:
-                self.fatigue_strength(1.0)
-            except NotKnown as why:
-                return Notice(why.code)
-        return None
+        found = self.fatigue_strength()
+        return found if isinstance(found, Notice) else None
 
     def strength(self, result: ShaftDeflection) -> ShaftStrength | None:
         """Bending strength of the shaft, where it is asked."""
-        asked = (self.yield_strength_MPa, self.tensile_strength_MPa, self.fatigue)
-        if all(each is None for each in asked):
+        if self.given.keys().isdisjoint(("yield_strength_MPa", "tensile_strength_MPa", "fatigue")):
             return None
-        judged = self.fatigue is not None and self.no_fatigue() is None
+        fatigue = self.fatigue_strength()
         return shaft_strength(
             reaction_B=result.reaction_B,
             reaction_C=result.reaction_C,
@@ -163,7 +187,7 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
             overhang=to_si("overhang_mm", self.overhang_mm),
             sections=self.sections(),
             yield_strength=to_si("yield_strength_MPa", self.yield_strength_MPa),
-            fatigue=self.fatigue_strength if judged else None,
+            fatigue=None if isinstance(fatigue, Notice) else fatigue,
             load_rotates_with_shaft=self.load_rotates_with_shaft,
         )
 
@@ -184,16 +208,6 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
     def steps(self) -> list[Step]:
         """Worked steps of the shaft."""
         load, found = self.solve_all()
-        contact, touching = self.contact(load), None
-        if contact is not None and self.line_contact is not None:
-            touching = (
-                contact,
-                {
-                    "roller_radius": to_si("radius_mm", self.roller_radius_mm),
-                    "mating_radius": to_si("radius_mm", self.line_contact.mating_radius_mm),
-                    "materials": self.line_contact.materials(),
-                },
-            )
         return shaft_steps(
             load=load,
             found=found,
@@ -207,45 +221,52 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
                 "tensile_strength": to_si("tensile_strength_MPa", self.tensile_strength_MPa),
                 "yield_strength": to_si("yield_strength_MPa", self.yield_strength_MPa),
             },
-            contact=touching,
+            contact=self._touching(load),
         )
+
+    def _touching(self, load: MeshingLoad) -> tuple[LineContact, dict[str, Any]] | None:
+        """Pressure along the contact lines, and what it follows from."""
+        contact = self.contact(load)
+        if contact is None:
+            return None
+        return contact, {
+            "roller_radius": to_si("radius_mm", self.roller_radius_mm),
+            "mating_radius": to_si("radius_mm", self.given["line_contact"].mating_radius_mm),
+            "materials": self.given["line_contact"].materials(),
+        }
+
+    def checks(self, load: MeshingLoad, result: ShaftDeflection) -> Verdict:
+        """Checks of a result."""
+        limits = {} if self.line_contact is None else self.line_contact.pressure_limits()
+        design = ShaftDesign(
+            result=result,
+            positions=self.positions(),
+            roller_circle_radius=to_si("radius_mm", self.roller_circle_radius_mm),
+            roller_radius=to_si("radius_mm", self.roller_radius_mm),
+            diameters=[each.diameter for each in self.sections()],
+            strength=self.strength(result),
+            yield_strength=to_si("yield_strength_MPa", self.yield_strength_MPa),
+            fatigue_asked=self.fatigue is not None,
+            no_fatigue=self.no_fatigue(),
+            contact=self.contact(load),
+            pressure_limits=limits,
+            requirements=self.requirements.section(self),
+        )
+        return shaft_checks(design)
 
     def judge(self, load: MeshingLoad, result: ShaftDeflection) -> dict[str, Any]:
         """Verdict of a result, and checks and fixes where asked."""
-        positions = self.positions()
-        limits: list[float | None] = []
-        if self.line_contact is not None:
-            bodies = self.line_contact.materials()
-            limits = [None if each.limit is None else each.limit.pressure for each in bodies]
 
-        def checks(changed: dict[str, Any], result: ShaftDeflection | None = None) -> Verdict:
+        def checks(changed: dict[str, Any]) -> Verdict:
             fields = {name: from_si(name, changed[core_name(name)]) for name in self._varied()}
             body = self.model_copy(update=fields)
             same_gear = all(getattr(body, name) == getattr(self, name) for name in _GEAR)
             own = load if same_gear else body.solve_load()
-            if result is None:
-                result = body.solve_shaft(own)
-            return shaft_checks(
-                ShaftDesign(
-                    result=result,
-                    positions=positions,
-                    roller_circle_radius=to_si("radius_mm", body.roller_circle_radius_mm),
-                    roller_radius=to_si("radius_mm", body.roller_radius_mm),
-                    diameters=[each.diameter for each in body.sections()],
-                    strength=body.strength(result),
-                    yield_strength=to_si("yield_strength_MPa", self.yield_strength_MPa),
-                    fatigue_asked=self.fatigue is not None,
-                    no_fatigue=self.no_fatigue(),
-                    contact=body.contact(own),
-                    pressure_limits=limits,
-                    requirements=self.requirements.section(self),
-                )
-            )
+            return body.checks(own, body.solve_shaft(own))
 
-        design = {core_name(name): to_si(name, getattr(self, name)) for name in self._varied()}
-        verdict = checks(design, result)
-        fixes = None
+        verdict, fixes = self.checks(load, result), None
         if "fixes" in self.include:
+            design = {core_name(name): to_si(name, getattr(self, name)) for name in self._varied()}
             codes = codes_to_fix(verdict, self.fixes_for)
             fixes = plain_fixes(design=design, codes=codes, current=verdict, checks=checks)
         return judgement(
@@ -261,35 +282,17 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
     def solve_diagram(self) -> tuple[ShaftDeflection, ShaftDiagram]:
         """Reactions and deflection, and the course of loads and deflection along the shaft."""
         load = self.solve_load()
-        diagram = shaft_diagram(
-            force=load.force,
-            moment=load.moment,
-            bearing_distance=to_si("distance_mm", self.bearing_distance_mm),
-            overhang=to_si("overhang_mm", self.overhang_mm),
-            youngs_modulus=to_si("youngs_modulus_GPa", self.youngs_modulus_GPa),
-            shaft_diameter=to_si("diameter_mm", self.shaft_diameter_mm),
-            shaft_sections=self._sections(),
-        )
+        diagram = shaft_diagram(force=load.force, moment=load.moment, **self.shaft)
         return self.solve_shaft(load), diagram
 
     def sections(self) -> list[ShaftSection]:
         """Stretches of the shaft from C to the clamp; one where it has one diameter."""
-        given = self._sections()
-        if given is not None:
-            return given
-        assert self.shaft_diameter_mm is not None
-        return [
-            ShaftSection(
-                length=to_si("length_mm", self.bearing_distance_mm)
-                + to_si("length_mm", self.overhang_mm),
-                diameter=to_si("diameter_mm", self.shaft_diameter_mm),
-            )
-        ]
-
-    def _sections(self) -> list[ShaftSection] | None:
-        if self.shaft_sections is None:
-            return None
-        return [ShaftSection(**each.to_core()) for each in self.shaft_sections]
+        match self.to_core():
+            case {"shaft_sections": sections}:
+                return [*sections]
+            case shaft:
+                length = shaft["bearing_distance"] + shaft["overhang"]
+                return [ShaftSection(length=length, diameter=shaft["shaft_diameter"])]
 
 
 class DeflectionOut(ResponseModel):
@@ -465,10 +468,7 @@ def solve(body: ShaftDeflectionRequest) -> Values:
         line_contact=contact and LineContactOut.values(contact),
         **judged,
     )
-    unknown = body.no_fatigue()
-    notices = (() if contact is None else contact.notices) + (() if unknown is None else (unknown,))
-    if strength is not None and strength.fatigue is not None:
-        notices += strength.fatigue.notices
+    notices = notices_of(contact, body.no_fatigue(), strength and strength.fatigue)
     if notices:
         values["warnings"] = [*map(warning, notices), *values.get("warnings", ())]
     return values

@@ -4,7 +4,7 @@ from typing import Any
 
 from pydantic import Field
 
-from app.model import Maybe, ResponseModel, Values, result, warning
+from app.model import Maybe, ResponseModel, Values, present, result, warning
 from app.units import from_si, shown_unit
 from core.checks.check import STATUSES, Check, Status
 from core.checks.records import CHECKS
@@ -72,8 +72,9 @@ class SharesOut(ResponseModel):
 
 def _compared(check: Check) -> Values:
     unit = f"value_{check.kind.unit}"
-    values: Values = {"check": check.code, "status": check.status, "unit": shown_unit(unit)}
-    return values if check.value is None else values | {"value": from_si(unit, check.value)}
+    value = from_si(unit, check.value)
+    values = {"check": check.code, "status": check.status, "unit": shown_unit(unit)}
+    return present(values | {"value": value})
 
 
 def shares_warnings(found: DiscShares) -> list[Values]:

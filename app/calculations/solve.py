@@ -19,7 +19,6 @@ from app.calculations.crank_planetary_request import SECTIONS, CrankPlanetaryReq
 from app.model import (
     AccuracyOut,
     Calculation,
-    Forms,
     Maybe,
     RequestModel,
     ResponseModel,
@@ -27,10 +26,12 @@ from app.model import (
     WorkedFields,
     WorkedResponse,
     accuracy_values,
+    present,
     result,
 )
 from app.pointers import holder, inner, keys, with_values
 from app.problems import Problem, refusal, wrong_fields
+from app.rules import Forms
 from app.running import named, run
 from app.settings import Settings
 from app.worked import stated
@@ -39,6 +40,7 @@ from core.fixes.fix import PIN_SIZES
 from core.numerics.inverse import (
     MOST_WHOLE,
     SAMPLES,
+    SENSES,
     TOLERANCE,
     Sense,
     Solution,
@@ -104,12 +106,8 @@ class TargetFields(RequestModel):
     @property
     def wanted(self) -> tuple[Sense, float]:
         """How it is compared, and with what."""
-        if self.at_least is not None:
-            return "at_least", self.at_least
-        if self.at_most is not None:
-            return "at_most", self.at_most
-        assert self.equals is not None
-        return "equals", self.equals
+        given = self.given
+        return next((sense, given[sense]) for sense in SENSES if sense in given)
 
 
 class SolveRequest(WorkedFields):
@@ -191,14 +189,14 @@ class SolveRequest(WorkedFields):
         long = math.isinf(self.asked.cost())
         parts = keys(self.variable.pointer)
         place = holder(self.input, parts)
-        if not isinstance(place, dict) or _number(place.get(parts[-1], 0)) is None:
+        if not isinstance(place, dict) or not _is_number(place.get(parts[-1], 0)):
             raise refusal("/variable/pointer", "not_there", field="input")
         target = keys(self.target.pointer)
         start: Any = place.get(parts[-1])
         hole = holder(self.input, keys(HOLE))
         linked = []
-        if self.variable.pointer in LINKED and hole and _number(start) is not None:
-            linked = [HOLE] if _number(hole.get("hole_radius_mm")) is not None else []
+        if self.variable.pointer in LINKED and hole and _is_number(start):
+            linked = [HOLE] if _is_number(hole.get("hole_radius_mm")) else []
 
         def setting(value: float) -> dict[str, float]:
             one = {self.variable.pointer: value}
@@ -272,8 +270,8 @@ def _refused(error: Exception) -> Exception:
     return problem.beneath("/input")
 
 
-def _number(value: Any) -> float | None:
-    return float(value) if isinstance(value, (int, float)) and not isinstance(value, bool) else None
+def _is_number(value: Any) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
 
 
 def _at(answer: Values, target: list[str]) -> float:
@@ -281,8 +279,7 @@ def _at(answer: Values, target: list[str]) -> float:
     found: Any = answer
     for part in target:
         found = inner(found, part)
-    number = _number(found)
-    return math.nan if number is None else number
+    return float(found) if _is_number(found) else math.nan
 
 
 class BestOut(ResponseModel):
@@ -336,13 +333,13 @@ def solve(body: SolveRequest) -> Values:
     if "worked" in body.include:
         name = body.variable.pointer.rpartition("/")[2]
         values["worked"] = stated("solve", {name: found.value}, "root")
-    return {name: value for name, value in values.items() if value is not None}
+    return present(values)
 
 
 def _standard(body: SolveRequest, found: Solution) -> float | None:
     if not body.variable.pointer.endswith("/pin_radius_mm") or found.value is None:
         return None
-    if (body.input.get("pin") or {}).get("diameter_mm") is not None:  # then it is a sleeve's
+    if "diameter_mm" in body.input.get("pin", {}):  # then it is a sleeve's
         return None
     radii = [size / 2 for size in PIN_SIZES]
     if body.want == "largest":

@@ -31,11 +31,11 @@ from app.model import (
     Values,
     Whole,
     accuracy_values,
-    field_error,
     quantity,
     warning,
 )
 from app.problems import refusal, unavailable
+from app.rules import Rule, field_error
 from app.running import run
 from app.settings import Settings, current
 from app.sources import ISO_286, JANSEN_1999, YANCHEVSKIY_2021
@@ -126,6 +126,10 @@ OF_RING_PINS = ("ring_peak_force_N", "ring_max_pressure_MPa")
 class ToleranceStudyRequest(RingInSeriesFields, group="study"):
     """Mechanism, load and contact, what the parts are made to, and which results are wanted."""
 
+    BETWEEN: ClassVar[tuple[Rule, ...]] = tuple(
+        Rule(f"tolerances/{name}", "only_one", "contact/fit") for name in DIAMETERS
+    )
+
     RULES: ClassVar[tuple[dict[str, Any], ...]] = of_the_ring("tolerances", OF_THE_RING)
 
     load: OneWayLoadFields
@@ -156,7 +160,7 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
         "Percentiles", default=[50.0, 95.0], max_length=20
     )
     """Percentages of the percentiles; a rare one needs many samples: 95 % takes 72, 99 % 368."""
-    limits: Maybe[LimitsFields] = None
+    limits: LimitsFields = Field(default_factory=LimitsFields)
     include: list[Literal["histogram", "contributions", "worked"]] = Field(
         default=[],
         max_length=3,
@@ -164,34 +168,30 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
         "2·G + 2 times as many pieces more.",
     )
 
-    @model_validator(mode="after")
-    def _fit_says_the_diameters(self) -> Self:
-        for name in DIAMETERS:
-            if self.contact.fit is not None and getattr(self.tolerances, name) is not None:
-                raise field_error(f"tolerances/{name}", "only_one", field="fit")
-        return self
-
     @cached_property
     def spread(self) -> TolerancesFields:
         """What the parts are made to, with the guides of processes: of a fit the classes of both
         diameters.
         """
+        classes = self._classes_of_fit
+        return self.tolerances.filled(without=classes).model_copy(update=classes)
+
+    @property
+    def _classes_of_fit(self) -> Values:
+        """Diameters that a fit says."""
         if self.contact.fit is None:
-            return self.tolerances.filled()
+            return {}
         hole, pin = self.contact.fit.split("/")
-        classes: Values = {
+        return {
             "hole_diameter": HoleDiameterFields.model_validate({"class": hole}),
             "pin_diameter": PinDiameterFields.model_validate({"class": pin}),
         }
-        return self.tolerances.filled(without=DIAMETERS).model_copy(update=classes)
 
     @cached_property
     def basic(self) -> RealContactFields:
         """The contact by its nominal sizes: a fit's classes are about a hole of just the pin and
         the eccentricity.
         """
-        if self.contact.fit is None:
-            return self.contact
         return self.contact.model_copy(update={"fit": None})
 
     def made(self, deviations: Deviations) -> RealMechanism:
@@ -288,8 +288,7 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
     @cached_property
     def given_limits(self) -> dict[str, float]:
         """Limits by the name of their quantity."""
-        limits = {} if self.limits is None else dict(self.limits)
-        return {name: limit for name, limit in limits.items() if limit is not None}
+        return self.limits.given
 
     def study(self, report: Report) -> Study:
         """The study in SI units, which tells how much of it is done; on the operator's cluster,
@@ -356,8 +355,7 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
             "cannot_assemble": _estimate(found.cannot_assemble),
             "cannot_work": int((np.isnan(found.values[:, 0]) & found.fits).sum()),
         }
-        if (process := self.process()) is not None:
-            values["process"] = process
+        values |= self._process()
         if "contributions" in self.include:
             if share < MOST_FIT:
                 values["fit_contributions"] = self._contributions(study, to_fit=True)
@@ -380,8 +378,8 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
     @property
     def guided(self) -> Values:
         """What processes fill, by the names of tolerances."""
-        said = DIAMETERS if self.contact.fit is not None else ()
-        return {name: each for name, each in self.tolerances.guides.items() if name not in said}
+        said, guides = self._classes_of_fit, self.tolerances.guides
+        return {name: each for name, each in guides.items() if name not in said}
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """Also what processes fill."""
@@ -394,22 +392,23 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
         guides = (Notice("guide_tolerances"),) if self.guided else ()
         return (*super().notices(), *guides)
 
-    def process(self) -> Values | None:
-        """How the parts are made, and what of that is taken; None where it is not said."""
-        made = [self.tolerances.process_of(part) for part in ("hole", "pin")]
-        known = [each for each in made if each is not None]
+    def _process(self) -> Values:
+        """How the parts are made, and what of that is taken, where it is said."""
+        made = self.tolerances.processes
+        known = [made[part] for part in ("hole", "pin") if part in made]
         if not known:
-            return None
+            return {}
         first, last = known[0], known[-1]
         other = {"pin_code": last.code, "pin_source": last.source} if last != first else {}
         more = self.spread.tolerances(self.basic).mean_clearance
-        return {
+        said = {
             "code": first.code,
             "source": first.source,
             **other,
             "filled": [f"/tolerances/{name}" for name in self.guided],
             "mean_clearance_mm": from_si("clearance_mm", self.basic.sizes()["clearance"] + more),
         }
+        return {"process": said}
 
     def _few(self, found: ToleranceStudy) -> tuple[Notice, ...]:
         """Percentiles that are left out since too few pieces fit."""
@@ -447,8 +446,8 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
             values["nominal"] = self.seen(name, found.nominal[quantity])
         if len(column):
             values["mean"] = self.seen(name, float(column.mean()))
-        limit = self.given_limits.get(name)
-        if limit is not None:
+        if name in self.given_limits:
+            limit = self.given_limits[name]
             asked: dict[str, Any] = {"quantity": quantity, "limit": to_si(name, limit) / factor}
             values["yield"] = {"limit": limit} | _estimate(found.yield_within(**asked))
             if found.fits.any():

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Collection, Iterator
 from functools import cached_property, partial
-from typing import Annotated, Any, Literal, Self, get_args
+from typing import Annotated, Any, ClassVar, Literal, Self, get_args
 
 from pydantic import ConfigDict, Discriminator, Field, Tag, model_validator
 
@@ -16,12 +16,12 @@ from app.model import (
     RequestModel,
     Size,
     Values,
-    field_error,
     quantity,
     request_schema,
 )
 from app.problems import refusal
-from app.units import from_si, to_si
+from app.rules import field_error, wrong_form
+from app.units import core_name, from_si, to_si
 from core.errors import InvalidInput
 from core.tolerance.draws import Distribution, Spread
 from core.tolerance.iso286 import SIZES, Limits, class_limits
@@ -42,7 +42,7 @@ class _OneSpreadFields(RequestModel, group="tolerances"):
 
     def _refuse_reversed(self, unit: str) -> None:
         lower, upper = getattr(self, f"lower_{unit}"), getattr(self, f"upper_{unit}")
-        if lower is not None and upper is not None and lower > upper:
+        if lower > upper:
             raise field_error(f"lower_{unit}", "at_most", field=f"upper_{unit}", limit=upper)
 
     def _spread(self, lower: float, upper: float) -> Spread:
@@ -107,8 +107,15 @@ def _size_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
     ]
 
 
+SIZE_FORMS = (("class",), ("lower_mm", "upper_mm"))
+"""What says a diameter's deviations, by names in JSON."""
+
+
 class _DiameterFields(_SpreadFields, group="tolerances"):
     """A diameter's class or limits."""
+
+    CLASSES: ClassVar[str]
+    """Pattern of its classes."""
 
     tolerance_class: Maybe[str] = None
     lower_mm: Maybe[Deviation] = _lower()
@@ -118,20 +125,20 @@ class _DiameterFields(_SpreadFields, group="tolerances"):
 
     @model_validator(mode="after")
     def _class_or_limits(self) -> Self:
-        if self.tolerance_class is not None:
-            for name in ("lower_mm", "upper_mm"):
-                if getattr(self, name) is not None:
-                    raise field_error(name, "only_one", field="class")
-            pattern = class_pattern(isinstance(self, PinDiameterFields))
-            if not re.fullmatch(pattern, self.tolerance_class):
-                raise field_error("class", "no_class")
-        elif self.lower_mm is None and self.upper_mm is None:
-            raise field_error("class", "needed", field="lower_mm")
-        elif self.lower_mm is None or self.upper_mm is None:
-            absent, given = ("lower_mm", "upper_mm")[:: 1 if self.lower_mm is None else -1]
-            raise field_error(absent, "needed_beside", field=given)
-        self._refuse_reversed("mm")
+        size = self.given.keys() & {"lower_mm", "upper_mm"}
+        named = size | ({"class"} if self.by_class else set())
+        if named not in map(set, SIZE_FORMS):
+            raise wrong_form(SIZE_FORMS, named)
+        if not self.by_class:
+            self._refuse_reversed("mm")
+        elif not re.fullmatch(self.CLASSES, self.given["tolerance_class"]):
+            raise field_error("class", "no_class")
         return self
+
+    @property
+    def by_class(self) -> bool:
+        """Whether a class says its limits."""
+        return self.tolerance_class is not None
 
     def spread(self, diameter: float) -> Spread:
         """Deviation of the radius in SI units, of a nominal diameter.
@@ -141,8 +148,8 @@ class _DiameterFields(_SpreadFields, group="tolerances"):
         InvalidInput
             If no class is known of such a diameter.
         """
-        if self.tolerance_class is not None:
-            limits = class_limits(size=diameter, tolerance_class=self.tolerance_class)
+        if self.by_class:
+            limits = class_limits(size=diameter, tolerance_class=self.given["tolerance_class"])
             return self._spread(limits.lower / 2, limits.upper / 2)
         lower, upper = to_si("lower_mm", self.lower_mm), to_si("upper_mm", self.upper_mm)
         return self._spread(lower / 2, upper / 2)
@@ -151,8 +158,10 @@ class _DiameterFields(_SpreadFields, group="tolerances"):
 class PinDiameterFields(_DiameterFields, group="pin_diameter"):
     """Class or limits of the pins' diameter."""
 
+    CLASSES: ClassVar[str] = class_pattern(True)
+
     tolerance_class: Maybe[str] = quantity(
-        "Class", alias="class", schema={"pattern": f"^{class_pattern(True)}$"}
+        "Class", alias="class", schema={"pattern": f"^{CLASSES}$"}
     )
     """ISO 286 class, as m6 of a shaft, instead of limits."""
 
@@ -160,8 +169,10 @@ class PinDiameterFields(_DiameterFields, group="pin_diameter"):
 class HoleDiameterFields(_DiameterFields, group="hole_diameter"):
     """Class or limits of the holes' diameter."""
 
+    CLASSES: ClassVar[str] = class_pattern(False)
+
     tolerance_class: Maybe[str] = quantity(
-        "Class", alias="class", schema={"pattern": f"^{class_pattern(False)}$"}
+        "Class", alias="class", schema={"pattern": f"^{CLASSES}$"}
     )
     """ISO 286 class, as H7 of a hole, instead of limits."""
 
@@ -234,26 +245,25 @@ class TolerancesFields(RequestModel, group="tolerances"):
     )
     """The same of its circle: plus or minus so much, or limits."""
 
-    def process_of(self, part: Part) -> Process | None:
-        """How pins, or holes, are made; None where that is not said."""
-        own: ProcessName | None = getattr(self, f"{part}_process") or self.process
-        return None if own is None else PROCESSES[own]
+    @property
+    def processes(self) -> dict[Part, Process]:
+        """How pins and holes are made, as far as that is said."""
+        said = {part: self.given.get(f"{part}_process", self.process) for part in PARTS}
+        return {part: PROCESSES[name] for part, name in said.items() if name in PROCESSES}
 
     @cached_property
     def guides(self) -> Values:
         """What processes fill: the values of fields that are not given."""
         found: Values = {}
-        for part in PARTS:
-            if (process := self.process_of(part)) is None:
-                continue
+        for part, process in self.processes.items():
             found[f"{part}_position_mm"] = from_si("position_mm", process.position)
-            size = process.size(part)
-            if isinstance(size, Limits):
-                ends = {end: from_si("size_mm", getattr(size, end)) for end in ("lower", "upper")}
-                found[f"{part}_diameter"] = {f"{end}_mm": value for end, value in ends.items()}
-            elif size is not None:
-                found[f"{part}_diameter"] = {"class": size}
-        return {name: value for name, value in found.items() if getattr(self, name) is None}
+            match process.size(part):
+                case Limits(lower, upper):
+                    ends = {"lower_mm": lower, "upper_mm": upper}
+                    found[f"{part}_diameter"] = {end: from_si(end, ends[end]) for end in ends}
+                case str() as size:
+                    found[f"{part}_diameter"] = {"class": size}
+        return {name: value for name, value in found.items() if name not in self.given}
 
     def filled(self, without: Collection[str] = ()) -> "TolerancesFields":
         """The same with the guides of their processes, but for fields that are said elsewhere."""
@@ -263,8 +273,7 @@ class TolerancesFields(RequestModel, group="tolerances"):
 
     def spreads(self) -> list[str]:
         """Names of what varies."""
-        others = ("process", "pin_process", "hole_process", "guides")
-        return [name for name, given in self if given is not None and name not in others]
+        return [name for name in self.given if "process" not in name]
 
     def tolerances(self, contact: RealContactFields, ring_pin_diameter: float = 0.0) -> Tolerances:
         """The same in SI units, for a contact's sizes, and the diameter of the pins of a ring.
@@ -277,37 +286,37 @@ class TolerancesFields(RequestModel, group="tolerances"):
         sizes = contact.sizes()
         pin = 2 * sizes["pin_radius"]
         hole = pin + 2 * (sizes["eccentricity"] + sizes["clearance"])
+        diameters = {"pin": pin, "hole": hole, "ring_pin": ring_pin_diameter}
+        radii = {
+            f"{part}_radius": _of_diameter(name, self.given[name], diameter)
+            for part, diameter in diameters.items()
+            if (name := f"{part}_diameter") in self.given
+        }
         return Tolerances(
             pin_position=to_si("position_mm", self.pin_position_mm),
             hole_position=to_si("position_mm", self.hole_position_mm),
-            pin_radius=_of_diameter("pin_diameter", self.pin_diameter, pin),
-            hole_radius=_of_diameter("hole_diameter", self.hole_diameter, hole),
             ring_pin_position=to_si("position_mm", self.ring_pin_position_mm),
-            ring_pin_radius=_of_diameter(
-                "ring_pin_diameter", self.ring_pin_diameter, ring_pin_diameter
-            ),
+            **radii,
             **dict(self._spreads()),
         )
 
     def _spreads(self) -> Iterator[tuple[str, Spread]]:
-        for name, unit in (
-            ("eccentricity", "mm"),
-            ("crank_phase", "deg"),
-            ("disc_phase", "deg"),
-            ("equidistant", "mm"),
-            ("modification_pin_circle", "mm"),
+        for name in (
+            "eccentricity_mm",
+            "crank_phase_deg",
+            "disc_phase_deg",
+            "equidistant_mm",
+            "modification_pin_circle_mm",
         ):
-            given = getattr(self, f"{name}_{unit}")
-            if isinstance(given, float):
-                size = to_si(f"{name}_{unit}", given)
-                yield name, Spread(-size, size)
-            elif given is not None:
-                yield name, given.spread()
+            match self.given.get(name):
+                case float() as given:
+                    size = to_si(name, given)
+                    yield core_name(name), Spread(-size, size)
+                case ToolSpreadFields() | PhaseSpreadFields() as limits:
+                    yield core_name(name), limits.spread()
 
 
-def _of_diameter(name: str, given: _DiameterFields | None, diameter: float) -> Spread | None:
-    if given is None:
-        return None
+def _of_diameter(name: str, given: _DiameterFields, diameter: float) -> Spread:
     try:
         return given.spread(diameter)
     except InvalidInput as error:

@@ -2,7 +2,7 @@
 
 from pydantic import Field
 
-from app.model import Maybe, ResponseModel, Values, result
+from app.model import Maybe, ResponseModel, Values, present, result
 from app.units import from_si
 from core.checks.check import Verdict
 from core.checks.part import Outcome
@@ -37,7 +37,7 @@ class UsualFitOut(ResponseModel):
             "largest_torque_Nm": _largest_torque(results, judged),
             "verdict": judged.verdict,
         }
-        return {name: value for name, value in values.items() if value is not None}
+        return present(values)
 
 
 def _largest_torque(results: Results, judged: Verdict) -> float | None:
@@ -93,13 +93,12 @@ class UsualModificationOut(ResponseModel):
         def spread(name: str, median: float, percent_90: float) -> Values:
             return {"median": from_si(name, median), "percent_90": from_si(name, percent_90)}
 
-        torque = _largest_torque(found.results, found.verdict)
         values = cls.values(
             found,
             peak_force_N=spread("force_N", *found.peak_force),
             max_pressure_MPa=spread("pressure_MPa", *found.max_pressure),
             backlash_arcmin=spread("angle_arcmin", *map(at_output, found.backlash)),
             verdict=found.verdict.verdict,
-            **({} if torque is None else {"largest_torque_Nm": torque}),
+            largest_torque_Nm=_largest_torque(found.results, found.verdict),
         )
         return {"class": values.pop("ring_class"), **values}

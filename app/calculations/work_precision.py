@@ -20,7 +20,8 @@ from app.calculations.roller_strength import RollerStrengthRequest
 from app.calculations.satellite_bearing import SatelliteBearingRequest
 from app.calculations.shaft_deflection import ShaftDeflectionRequest
 from app.calculations.tolerance_study import ToleranceStudyRequest
-from app.model import Calculation, RequestModel, ResponseModel, Values, field_error, result
+from app.model import Calculation, RequestModel, ResponseModel, Values, result
+from app.rules import field_error
 from app.running import run
 from app.settings import Settings
 from app.theme import DASHES, Amount, Figure, Theme, axis, curve, layout, marker, text
@@ -49,7 +50,7 @@ from core.work_precision.precession import (
 )
 from core.work_precision.rollers import roller_sharing_study
 from core.work_precision.study import SETTINGS, Reference, WorkPoint, WorkPrecision
-from core.work_precision.tolerance import COST, tolerance_sampling_study
+from core.work_precision.tolerance import COST, Mean, Percentile, tolerance_sampling_study
 from core.work_precision.turns import carried_ends_study, least_room_study
 
 MAX_ROLLERS = 24
@@ -312,9 +313,10 @@ class ToleranceSamplingStudy(Study):
 
     def solve(self) -> WorkPrecision:
         """The study."""
+        asked = self.input.percentiles
         return tolerance_sampling_study(
             study=self.input.study(lambda share: None),
-            percent=max(self.input.percentiles, default=None),
+            statistic=Percentile(max(asked)) if asked else Mean(),
         )
 
 

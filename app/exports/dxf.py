@@ -12,8 +12,9 @@ from pydantic import Field, model_validator
 from app import VERSION
 from app.calculations.crank_planetary_request import CrankPlanetaryRequest
 from app.calculations.mechanism import MAX_SATELLITES
-from app.model import Export, File, RequestModel, field_error, quantity
+from app.model import Export, File, RequestModel, quantity
 from app.problems import Problem, pointer, refusal
+from app.rules import field_error
 from app.running import path_of, run
 from app.settings import Settings
 from app.units import from_si, to_si
@@ -101,11 +102,9 @@ class DxfRequest(RequestModel, group="drawing"):
 
     @model_validator(mode="after")
     def _no_lobe_left_out(self) -> Self:
-        given, gear = self.design.mechanism, self.design.gear
-        cycloid = gear is not None and gear.kind == "cycloid"
-        if cycloid and given.teeth_difference not in (None, 1):
-            assert given.satellite_teeth is not None
-            expected = given.satellite_teeth + 1
+        given = self.design.mechanism
+        if self.design.ring_kind == "cycloid" and given.teeth_difference not in (None, 1):
+            expected = given.given["satellite_teeth"] + 1
             raise field_error("design/mechanism/ring_teeth", "not_this_cycloid", expected=expected)
         return self
 
@@ -122,7 +121,7 @@ class DxfRequest(RequestModel, group="drawing"):
     @property
     def involute(self) -> bool:
         """Whether satellites and ring have involute teeth."""
-        return self.design.gear is not None and self.design.gear.kind == "involute"
+        return self.design.ring_kind == "involute"
 
     @property
     def satellites(self) -> tuple[int, ...]:
@@ -174,12 +173,12 @@ def _satellite(drawn: DrawnSatellite, design: Design) -> _Part:
         from_si("length_mm", each)
         for each in (drawn.chord_error, drawn.hole_radius, drawn.hole_circle_radius)
     )
-    bore = None if drawn.bore_radius is None else from_si("radius_mm", drawn.bore_radius)
+    bore = from_si("radius_mm", drawn.bore_radius)
     x, y = (round(from_si("centre_mm", each), DIGITS) + 0.0 for each in drawn.centre)
     if design.gear.kind == "involute":
-        form = _teeth(design, design.lobes, design.gear.satellite_profile_shift)
+        form = _teeth(design, design.lobes, design.involute.satellite_profile_shift)
     else:
-        own, disc = design.gear.changed, drawn_disc(design=design)
+        own, disc = design.cycloid.changed, drawn_disc(design=design)
         tool, circle = (from_si("length_mm", each) for each in (own.equidistant, own.pin_circle))
         form = (
             f"{disc.satellite_teeth} lobes",
@@ -209,9 +208,9 @@ def _satellite(drawn: DrawnSatellite, design: Design) -> _Part:
 
 def _teeth(design: Design, teeth: int, shift: float | None) -> tuple[str, str]:
     """What is said of involute teeth."""
-    own = design.gear
-    module = from_si("module_mm", own.module or 0.0)
-    angle = from_si("angle_deg", own.reference_pressure_angle or 0.0)
+    own = design.involute
+    module = from_si("module_mm", own.module)
+    angle = from_si("angle_deg", own.reference_pressure_angle)
     return (
         f"{teeth} involute teeth of module {module:.9g} mm",
         f"Pressure angle {angle:.9g} deg, profile shift {shift or 0.0:+.6g}",
@@ -220,7 +219,7 @@ def _teeth(design: Design, teeth: int, shift: float | None) -> tuple[str, str]:
 
 def _ring(drawn: DrawnRing, design: Design) -> _Part:
     outline, error = from_si("points_mm", drawn.outline), from_si("length_mm", drawn.chord_error)
-    count, rack = _teeth(design, drawn.teeth, design.gear.ring_profile_shift)
+    count, rack = _teeth(design, drawn.teeth, design.involute.ring_profile_shift)
     return _Part(
         reach=float(np.hypot(*outline.T).max()),
         outline=outline,

@@ -73,15 +73,17 @@ def _possible(kind: Kind, bearing: RollingBearing, bounds: Bounds) -> Check:
     return found
 
 
-def _known_sizes(bearing: RollingBearing, *paths: str) -> tuple[float, float, float]:
+def _known_sizes(bearing: RollingBearing, *paths: str) -> tuple[float, ...]:
     """Its sizes, which have to be given."""
-    return required(bearing.sizes, "envelope_unknown", *paths)
+    if not bearing.sizes:
+        raise NotKnown("envelope_unknown", *paths)
+    return bearing.sizes
 
 
 def _bounds(design: Design) -> Bounds:
     """Largest ratings of the satellites' bearings, by their sizes or by the room for them."""
     bearing, outer = design.bearing, _seat(design)
-    if bearing.sizes is None and math.isfinite(outer):
+    if not bearing.sizes and math.isfinite(outer):
         least = _least_bore(design)
         if least < outer:  # else there is no room, as `bearing_fits` says
             return largest_ratings_of_room(
@@ -130,7 +132,7 @@ def _least_bore(design: Design) -> float:
 )
 def bearing_rating(design: Design, results: Results) -> Check:
     found = _possible(bearing_rating, design.bearing, _bounds(design))
-    if design.bearing.sizes is None and not found.reason:  # by the room for them
+    if not (design.bearing.sizes or found.reason):  # by the room for them
         return found._replace(reason="envelope_unknown", missing=_SIZES)
     return found
 
@@ -140,7 +142,7 @@ def _room(design: Design) -> float:
     that there is no room for any.
     """
     least, seat = _least_bore(design), _seat(design)
-    if design.bearing.sizes is None and seat <= least:
+    if not design.bearing.sizes and seat <= least:
         return seat - least
     bore, outer, _ = _known_sizes(design.bearing, *_SIZES)
     return min(bore - least, seat + PRESSED - outer)

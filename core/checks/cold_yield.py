@@ -64,7 +64,7 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
         factor *= seen.reserve
         if abs(seen.reserve - 1) <= NEAR:
             break
-    limits = cold_limits(results, results.static_contact)
+    limits = cold_limits(results=results, contact=results.static_contact)
     body = min(limits, key=limits.__getitem__)
     strength = design.lasting[body].loaded_strength(body)
     assert strength is not None

@@ -113,12 +113,10 @@ def pressure_angle(design: Design, results: Results) -> Check:
     not_of=partial(other_ring, of=("involute",)),
 )
 def mesh_possible(design: Design, results: Results) -> Check:
-    gear = design.gear
+    gear = design.involute
     eccentricity, _ = design.known_eccentricity, results.ring.force  # which refuses base circles
     if not gear.unknown_teeth:
         return Check(mesh_possible, "not_applicable", reason="teeth_given")
-    assert gear.module is not None and gear.teeth_difference is not None
-    assert gear.reference_pressure_angle is not None
     low, high = STANDARD_ANGLES
     if gear.teeth_difference > MOST_DIFFERENCE or not low <= gear.reference_pressure_angle <= high:
         raise NotKnown("outside_method")

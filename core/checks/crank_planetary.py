@@ -200,10 +200,11 @@ def _lacks(design: Design, part: Part, own: list[Check]) -> Iterator[NotKnown]:
         if gear and gear.kind == "cycloid":
             if gear.modification is None:
                 yield NotKnown("modification_unknown", "gear.modification")
-        elif gear and gear.kind != "involute":
+        elif gear and gear.kind == "involute":
+            if gear.unknown_teeth:
+                yield NotKnown("teeth_not_judged", *gear.unknown_teeth)
+        elif gear:
             yield NotKnown("teeth_not_judged")
-        elif gear and gear.unknown_teeth:
-            yield NotKnown("teeth_not_judged", *gear.unknown_teeth)
     elif "gear" in part.sections and gear and gear.kind == "none":
         yield NotKnown("no_ring_force", "gear.kind")
     for check in own:

@@ -81,7 +81,7 @@ def involute_pressed(*, results: Results, factor: float) -> Pressed:
     load = results.ring.involute_load(factor)
     pressure = required(load.pressure_start, "off_involutes")
     error = float(load.accuracy.relative_error) + results.ring.satellite_torque_error(factor)
-    return Pressed(pressure, error, results.made is not None, {})
+    return Pressed(pressure, error, results.solved, {})
 
 
 def refused(*, results: Results, kind: Kind, names: tuple[str, ...]) -> Check | None:
@@ -248,7 +248,7 @@ def mesh_tip_thickness(design: Design, results: Results) -> Check:
 )
 def mesh_root_stress(design: Design, results: Results) -> Check:
     """The whole force at the tip of one tooth."""
-    stress, given = results.ring.root_stress.stress, design.gear.root_strength
+    stress, given = results.ring.root_stress.stress, design.involute.root_strength
     strength = judged_by(given, "root_strength_unknown", "gear.root_strength", value=stress)
     limit = strength / design.requirements.fatigue_safety
     factor = design.load_factor
@@ -259,7 +259,7 @@ def mesh_root_stress(design: Design, results: Results) -> Check:
         reserve=limit / stress,
         error=results.ring.pair.accuracy.relative_error
         + results.ring.satellite_torque_error(factor),
-        rough=results.made is not None,
+        rough=results.solved,
         limit_source="user",
     )
 

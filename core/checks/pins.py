@@ -34,9 +34,9 @@ def _of_size(pin: DesignPin, check: Check) -> Check:
     """A check by the strengths of the material: of thicker pins these are less than known, so that
     only what fails is certain, but not by how much.
     """
-    thick = pin.thick
-    if thick is None:
+    if not pin.thick:
         return check
+    (thick,) = pin.thick
     if check.status == "fail":
         return check._replace(torque_reserve=None)
     return check._replace(

@@ -72,7 +72,7 @@ def contact_static_cold(design: Design, results: Results) -> Check:
     raise Unjudged(first.code, *first.missing, value=pressure, at=found.at)
 
 
-def cold_limits(results: Results, contact: HertzContact) -> dict[Body, float]:
+def cold_limits(*, results: Results, contact: HertzContact) -> dict[Body, float]:
     """Pressures at which plastic bodies of a contact yield at once, as far as they are known.
 
     Parameters
@@ -105,7 +105,7 @@ def _yielding(
     """
 
     def limit(there: HertzContact) -> float:
-        strengths = cold_limits(results, there)
+        strengths = cold_limits(results=results, contact=there)
         return min(one * lasting[body] if lasting else one for body, one in strengths.items())
 
     def left(factor: float) -> float:

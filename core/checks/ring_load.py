@@ -248,8 +248,9 @@ def ring_transmission_error(design: Design, results: Results) -> Check | Measure
 
 def _not_bent(design: Design, results: Results) -> str:
     """Why a check is none of pins of the ring that bend; empty where they do."""
-    seated = design.gear.pin_support == "seat"
-    return other_ring(design, results, of=CYCLOID) or ("pins_in_seats" if seated else "")
+    if other := other_ring(design, results, of=CYCLOID):
+        return other
+    return "pins_in_seats" if design.cycloid.pin_support == "seat" else ""
 
 
 _bent = partial(_check, not_of=_not_bent)
@@ -257,14 +258,17 @@ _bent = partial(_check, not_of=_not_bent)
 
 def _not_seated(design: Design, results: Results) -> str:
     """Why a check is none of pins of the ring in seats; empty where they are."""
-    bends = design.gear.pin_support != "seat"
-    return other_ring(design, results, of=CYCLOID) or ("pins_bend" if bends else "")
+    if other := other_ring(design, results, of=CYCLOID):
+        return other
+    return "" if design.cycloid.pin_support == "seat" else "pins_bend"
 
 
 def _no_sleeves(design: Design, results: Results) -> str:
     """Why a check is none of sleeves that slide on the pins of the ring; empty where they do."""
-    slides = design.gear.sleeve_bore_radius and not design.gear.rolling
-    return other_ring(design, results, of=CYCLOID) or ("" if slides else "no_bush")
+    if other := other_ring(design, results, of=CYCLOID):
+        return other
+    ring = design.cycloid
+    return "" if ring.sleeve_bore_radius and not ring.rolling else "no_bush"
 
 
 def _pins(results: Results) -> BentPins:

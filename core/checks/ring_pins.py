@@ -9,7 +9,7 @@ from core.design.document import Design
 from core.design.refusals import named
 from core.design.results import Results
 from core.design.ring import RingKind
-from core.errors import NotKnown, required
+from core.errors import NotKnown
 from core.precision import AS_TYPED
 from core.ring.profile import CycloidDisc
 
@@ -35,24 +35,14 @@ _PATH = (
 )
 
 
-def _circle(design: Design) -> float:
-    """Radius of the circle of the ring's pins, m."""
-    circle = design.gear.ring_pin_circle_radius
-    assert circle is not None  # of a cycloid
-    return circle
-
-
-def _pin_radius(design: Design) -> float:
-    """Radius of the ring's pins, m."""
-    return required(design.gear.ring_pin_radius, "size_missing", "gear.ring_pin_radius")
-
-
 def _disc(design: Design) -> CycloidDisc:
     """A disc; of a larger difference the flanks near the tips are cut off, and nothing is known."""
     lobes, difference = design.lobes, design.gear.teeth_difference or 1
     if difference > 1:
         raise NotKnown("cycloid_difference", difference=difference)
-    made = partial(design.gear.disc, satellite_teeth=lobes, eccentricity=design.known_eccentricity)
+    made = partial(
+        design.cycloid.disc, satellite_teeth=lobes, eccentricity=design.known_eccentricity
+    )
     return named(design, "gear", made)
 
 
@@ -89,7 +79,7 @@ def ring_undercut(design: Design, results: Results) -> Check:
 )
 def ring_valley_tool(design: Design, results: Results) -> Check:
     """Not asked where no tool is given, nor of discs that are nowhere concave."""
-    tool = judged_by(design.gear.tool_radius, "no_tool", "gear.tool_radius", status="not_asked")
+    tool = judged_by(design.cycloid.tool_radius, "no_tool", "gear.tool_radius", status="not_asked")
     concave = _disc(design).min_concave_radius
     if concave is None:
         return Check(ring_valley_tool, "not_applicable", reason="no_valley")
@@ -116,9 +106,9 @@ def ring_valley_tool(design: Design, results: Results) -> Check:
     not_of=lambda design, results: "" if design.gear.kind in CYCLOID else NOT_OF["cycloid"],
 )
 def ring_pin_room(design: Design, results: Results) -> Check:
-    pins = design.ring_pins // (2 if design.gear.every_second_pin else 1)
-    size = _pin_radius(design)
-    width = 2 * _circle(design) * math.sin(math.pi / pins) - 2 * size
+    pins = design.ring_pins // (2 if design.cycloid.every_second_pin else 1)
+    size, circle = design.cycloid.known_pin_radius, design.cycloid.ring_pin_circle_radius
+    width = 2 * circle * math.sin(math.pi / pins) - 2 * size
     return wall(ring_pin_room, width=width, size=size, guide=2 * BETWEEN_PINS * size)
 
 

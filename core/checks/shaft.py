@@ -1,8 +1,8 @@
 """Checks of a precessional gear and its shaft: room, deflection, slope."""
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from itertools import pairwise
 
 from core.checks.check import (
@@ -52,14 +52,24 @@ class ShaftDesign:
     fatigue_asked: bool = False
     no_fatigue: Notice | None = None  # why that is not known
     contact: LineContact | None = None
-    pressure_limits: Sequence[float | None] = (None, None)  # of roller and tooth, Pa
+    # Of roller and tooth, Pa, by the paths of their materials, as far as they are known.
+    pressure_limits: Mapping[str, float] = field(default_factory=dict)
     requirements: Requirements = Requirements()
+
+    @property
+    def bent(self) -> ShaftStrength:
+        """Its strength, of a shaft whose checks need it."""
+        assert self.strength is not None
+        return self.strength
 
     @property
     def error(self) -> float:
         """Relative error of deflection, slope and stress that checks allow for."""
         return 4 * float(self.result.accuracy.relative_error)
 
+
+LINE_MATERIALS = ("line_contact.roller_material", "line_contact.mating_material")
+"""Materials of what touches along the contact lines."""
 
 _LINES = (
     "torque",
@@ -169,8 +179,7 @@ def shaft_slope(design: ShaftDesign) -> Measure:
     needs=("strength",),
 )
 def shaft_static(design: ShaftDesign) -> Check:
-    assert design.strength is not None
-    stress = design.strength.peak_stress
+    stress = design.bent.peak_stress
     strength = judged_by(design.yield_strength, "yield_unknown", "yield_strength", value=stress)
     limit = strength / design.requirements.bending_safety
     reserve = limit / stress if stress > 0 else None
@@ -197,8 +206,7 @@ def shaft_static(design: ShaftDesign) -> Check:
 )
 def shaft_fatigue(design: ShaftDesign) -> Check:
     """Its reversed bending; a load that turns with the shaft bends it one way."""
-    assert design.strength is not None
-    fatigue = design.no_fatigue or design.strength.fatigue
+    fatigue = design.no_fatigue or design.bent.fatigue
     safety = design.requirements.fatigue_safety
     if fatigue is None:
         return Check(shaft_fatigue, "not_applicable", reason="steady_load")
@@ -230,11 +238,9 @@ def line_pressure(design: ShaftDesign) -> Check:
     """Against the lower of both limits, where both are known."""
     assert design.contact is not None
     pressure, limits = design.contact.max_pressure, design.pressure_limits
-    bodies = ("line_contact.roller_material", "line_contact.mating_material")
-    missing = tuple(name for name, each in zip(bodies, limits, strict=True) if each is None)
+    missing = tuple(name for name in LINE_MATERIALS if name not in limits)
     error = 4 * float(design.contact.accuracy.relative_error)
-    least = min((each for each in limits if each is not None), default=math.inf)
-    limit = least / design.requirements.pitting_safety
+    limit = min(limits.values(), default=math.inf) / design.requirements.pitting_safety
     found = judged(line_pressure, pressure, limit, reserve=(limit / pressure) ** 2, error=error)
     if missing and found.status != "fail":
         return Check(

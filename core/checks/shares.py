@@ -125,7 +125,6 @@ def _by_forces(results: Results) -> Sharing | None:
     if not results.solved or (_alike(results) and not results.in_series):
         return None
     forces, torque = results.real_forces, design.pin_torque
-    assert results.made is not None  # of forces that are solved
     turn = results.made(forces.way * torque)
     means = turn.mean(turn.couple)
     wave = design.mechanism.built.wave_angle(forces.turn.peak_crank_angle)

@@ -128,7 +128,7 @@ def within_roots(*, design: Design, kind: Kind, solid: bool = False) -> Check:
 def _rim_guide(design: Design) -> float | None:
     """Least wall to the rim that is usual, m: within involute teeth 1.2 times their height."""
     gear = design.gear
-    if gear and gear.kind == "involute" and gear.module is not None:
+    if gear and gear.kind == "involute":
         return RIM * gear.module
     return design.wall_guide
 

@@ -88,7 +88,7 @@ def ring_class_of(design: Design) -> RingClass:
     {"ground", "machined", "printed"}
     """
     usual: RingClass = "printed" if soft(design.disc_material) else "ground"
-    return design.gear.ring_class or usual
+    return design.cycloid.ring_class or usual
 
 
 def usual_sizes(*, ring_class: RingClass, circle_radius: float) -> tuple[float, float]:
@@ -161,7 +161,6 @@ def _looked_at(mesh: CycloidMesh, torques: list[float]) -> _Piece | None:
         return None
     play = rows[0]["high"] - rows[0]["low"]
     pressure = mesh.pressure(max(float(each["pressure"].max()) for each in rows))
-    assert pressure is not None  # of known materials, by whose law they give
     return _Piece(
         peak_force=max(float(each["force"].max()) for each in rows),
         max_pressure=pressure,
@@ -192,7 +191,6 @@ def usual_modification(design: Design) -> UsualModification | None:
     if gear.modification is not None and placed:
         return None
     circle, ring_class = gear.ring_pin_circle_radius, ring_class_of(design)
-    assert circle is not None
     equidistant, zone = usual_sizes(ring_class=ring_class, circle_radius=circle)
     if gear.modification is None:
         design = changed(design, {"gear.modification": Modification(equidistant=equidistant)})
@@ -256,10 +254,10 @@ def usual_clearance_too(
     tuple of str, Results and Verdict, or None
         As `core.checks.usual_fit.usual_fit`.
     """
-    if ring is None or design.gear.modification is not None:
+    if ring is None or design.cycloid.modification is not None:
         return usual_fit(design)
     if design.clearance_unknown and ring.results.design.contact.clearance:
         return usual_clearance(design)[0], ring.results, ring.verdict
     made = ring.results.design
-    own = {"gear.modification": made.gear.modification, "deviations": made.deviations}
+    own = {"gear.modification": made.cycloid.modification, "deviations": made.deviations}
     return usual_fit(changed(design, own))

@@ -8,10 +8,11 @@ from core.crank.balance import Balance, balance
 from core.crank.crankshaft import Crankshaft, crankshaft
 from core.crank.satellite_bearing import SatelliteBearings, satellite_bearings
 from core.derived import derived
-from core.design.document import Design
+from core.design.document import Design, value_at
 from core.design.refusals import named
 from core.design.ring_results import RingResults
-from core.errors import NotKnown
+from core.errors import NotKnown, required
+from core.output.real_mechanism import Deviations
 
 MOST_BEARING_PAIRS = 2000
 """Most pairs of which the forces on the satellites are integrated over the turn."""
@@ -129,10 +130,10 @@ class CrankResults:
     @derived
     def balance(self) -> Balance:
         """Balance of the crankshaft at its speed, whatever the forces are."""
-        design, made = self.design, self.design.deviations
-        if not design.crankshaft or design.crankshaft.satellite_mass is None:
-            raise NotKnown("mass_unknown", "crankshaft.satellite_mass")
-        if made is not None and any((*made.eccentricity, *made.crank_phase)):
+        design, made = self.design, self.design.deviations or Deviations()
+        mass = "crankshaft.satellite_mass"
+        required(value_at(design, mass), "mass_unknown", mass)
+        if any((*made.eccentricity, *made.crank_phase)):
             raise NotKnown("cranks_deviate")
         speed, eccentricity = design.known_speed, design.known_eccentricity
         return named(

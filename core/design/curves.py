@@ -34,15 +34,15 @@ def design_losses(*, results: Results, losses: PinLosses, crank_angle: FloatArra
     -------
     LossCurves
     """
-    turn, design = results.losses.turn, results.design
-    if turn is None:
+    design = results.design
+    if not results.solved:
         return loss_curves(
             losses=losses,
             mechanism=design.driven,
             force_exponent=design.load.force_exponent,
             crank_angle=crank_angle,
         )
-    wave = design.mechanism.built.wave_angle(crank_angle)
+    wave, turn = design.mechanism.built.wave_angle(crank_angle), results.losses.turn
     total = turn.at(wave=wave, values=turn.total[None])[0]
     loss = losses.mean_loss * total / turn.mean(turn.total)
     return LossCurves(crank_angle, loss, 1 / (1 + loss / losses.output_power))
@@ -54,11 +54,11 @@ def _load_curves(
     """Load of the satellites' bearings by the mechanism at crank angles in each direction of the
     torque, and by each row of shares over 1/K, of ideal forces.
     """
-    design, load, made = results.design, results.design.load, results.made
+    design, load = results.design, results.design.load
     eccentricity, rho = design.known_eccentricity, float(results.ring.force.radial_force_ratio)
     ways = WAYS[load.torque_direction]
     curves = []
-    if made is None:
+    if not results.solved:
         for way in ways:
             found = bearing_curves(
                 mechanism=design.mechanism.built,
@@ -76,7 +76,7 @@ def _load_curves(
     arm = eccentricity * design.mechanism.ratio
     wave = design.mechanism.built.wave_angle(crank_angle)
     for way in ways:
-        turn = made(way * design.pin_torque)
+        turn = results.made(way * design.pin_torque)
         parts = made_parts(turn=turn, arm=arm, radial_force_ratio=rho)
         curves.append(_of_loads(crank_angle, turn.at(wave=wave, values=parts.load).T))
     return curves
@@ -131,7 +131,7 @@ def design_reactions(*, results: Results, crank_angle: FloatArray) -> ReactionCu
     """
     design, shaft, load = results.design, results.design.crankshaft, results.design.load
     cranks = design.mechanism.built.crank_angles
-    if results.made is not None:
+    if results.solved:
         torque = WAYS[load.torque_direction][0] * design.pin_torque
         cranks = results.made(torque).crank_angles
     shares = uneven_shares(

@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import Any, TypeVar, cast
 
 from core.derived import if_known
-from core.design.ring import Ring, RingBody
+from core.design.ring import CycloidRing, InvoluteRing, Ring, RingBody
 from core.design.sections import (
     Contact,
     DesignPin,
@@ -26,7 +26,7 @@ from core.design.sections import (
     SharedBy,
     Temperatures,
 )
-from core.errors import InvalidInput, NotKnown
+from core.errors import InvalidInput, NotKnown, required
 from core.materials import Body, ElasticMaterial, Plastic
 from core.output.contact_law import ContactLaw
 from core.output.mechanism import Mechanism
@@ -175,7 +175,7 @@ class Design:
     def _check_ring_pins(self) -> None:
         """Each satellite has its place on the pins of the ring, whose sleeves are wider."""
         ring = self.gear
-        if not ring:
+        if not isinstance(ring, CycloidRing):
             return
         places, satellites = ring.satellite_positions, self.mechanism.satellites
         if places and len(places) != satellites:
@@ -297,6 +297,22 @@ class Design:
         )
 
     @property
+    def cycloid(self) -> CycloidRing:
+        """The ring, of pins."""
+        ring = self.gear
+        if ring.kind != "cycloid":
+            raise NotKnown("no_ring_pins")
+        return ring
+
+    @property
+    def involute(self) -> InvoluteRing:
+        """The ring, of involute teeth."""
+        ring = self.gear
+        if ring.kind != "involute":
+            raise NotKnown("no_involute")
+        return ring
+
+    @property
     def lobes(self) -> int:
         """Lobes of a cycloid disc, which a ratio that is typed need not have."""
         ratio = self.mechanism.ratio
@@ -317,15 +333,13 @@ class Design:
         """
         of_output = self.contact.contact_length if self.contact else None
         length = self.gear.contact_length or of_output
-        if length is None:
-            raise NotKnown("size_missing", "gear.contact_length")
-        return length
+        return required(length, "size_missing", "gear.contact_length")
 
     @property
     def disc_material(self) -> ElasticMaterial | None:
         """Material of discs, or of satellites with involute teeth: that of their holes."""
         of_holes = self.contact.hole_material if self.contact else None
-        return self.gear.disc_material or self.gear.satellite_material or of_holes
+        return self.gear.of_satellites or of_holes
 
     @cached_property
     def lasting_teeth(self) -> dict[RingBody, ElasticMaterial]:
@@ -335,7 +349,7 @@ class Design:
         """
         life = self.requirements.life
         loads: dict[RingBody, tuple[ElasticMaterial | None, float | None]] = {
-            "pin": (self.gear.pin_material or self.gear.ring_material, self.turns_over(life)),
+            "pin": (self.gear.of_ring, self.turns_over(life)),
             "disc": (self.disc_material, self.loads_over(life)),
         }
         return {
@@ -427,24 +441,20 @@ class Design:
         shaft = self.crankshaft
         if shaft.rotor_mass is not None:
             return float(shaft.rotor_mass)
-        if shaft.satellite_mass is None:
-            raise NotKnown("mass_unknown", "crankshaft.satellite_mass")
-        return float(self.mechanism.satellites * shaft.satellite_mass)
+        mass = required(shaft.satellite_mass, "mass_unknown", "crankshaft.satellite_mass")
+        return float(self.mechanism.satellites * mass)
 
     @property
     def known_eccentricity(self) -> float:
         """The eccentricity, which has to be given, m."""
         eccentricity = self.contact.eccentricity if self.contact else None
-        if eccentricity is None:
-            raise NotKnown("eccentricity_assumed", "contact.eccentricity")
-        return eccentricity
+        return required(eccentricity, "eccentricity_assumed", "contact.eccentricity")
 
     @property
     def known_clearance(self) -> float:
         """The clearance, which needs the eccentricity, m."""
-        clearance = self.contact.clearance
-        if clearance is None:
-            raise NotKnown("eccentricity_assumed", "contact.eccentricity")
+        name = "contact.eccentricity"
+        clearance = required(self.contact.clearance, "eccentricity_assumed", name)
         if self.clearance_unknown:
             raise NotKnown("clearance_unknown", "contact.hole_clearance")
         return clearance
@@ -453,9 +463,7 @@ class Design:
     def known_speed(self) -> float:
         """The speed of the crank, which has to be given, rad/s."""
         speed = self.load.input_speed if self.load else None
-        if speed is None:
-            raise NotKnown("speed_missing", "load.input_speed")
-        return speed
+        return required(speed, "speed_missing", "load.input_speed")
 
     @property
     def members(self) -> Members:
@@ -477,9 +485,7 @@ class Design:
         """These, which have to be given."""
         crank, load = self.known_speed, self.load
         speeds = self.members.speeds(crank=crank, ring=load.ring_speed, carrier=load.carrier_speed)
-        if speeds is None:
-            raise NotKnown("speed_missing", "load.ring_speed")
-        return speeds
+        return required(speeds, "speed_missing", "load.ring_speed")
 
     @property
     def turning_speed(self) -> float | None:
@@ -487,6 +493,21 @@ class Design:
         or they turn as one.
         """
         return (self.speeds and self.speeds.turning) or None
+
+    def life_of(self, part: FatigueBasis | Friction) -> float:
+        """Time in which a part tires or wears: its own, or the required life.
+
+        Parameters
+        ----------
+        part : FatigueBasis or Friction
+            The section.
+
+        Returns
+        -------
+        float
+            s; infinite where none is asked.
+        """
+        return self.requirements.life if part.life is None else part.life
 
     def too_many(self, most: int) -> NotKnown:
         """What is not calculated of so many pairs.
@@ -535,17 +556,18 @@ class Design:
         """How often a pin of the ring is loaded over a life, s, once a turn of the crank against
         the ring; None without a speed, or without an end.
         """
-        speed = self.turning_speed
-        return None if speed is None or math.isinf(life) else speed * life / (2 * math.pi)
+        return self._loads(life, 2 * math.pi)
 
     def loads_over(self, life: float) -> float | None:
         """How often a place of pin or hole is loaded over a life, s, once a turn of the satellite
         against its crank; None without a speed, or without an end.
         """
+        return self._loads(life, self.mechanism.built.crank_angle_per_wave)
+
+    def _loads(self, life: float, angle: float) -> float | None:
+        """How often over a life, s, the crank turns by an angle, rad, against the ring."""
         speed = self.turning_speed
-        if speed is None or math.isinf(life):
-            return None
-        return speed * life / self.mechanism.built.crank_angle_per_wave
+        return None if speed is None or math.isinf(life) else speed * life / angle
 
     @cached_property
     def lasting(self) -> dict[Body, ElasticMaterial]:
@@ -632,8 +654,9 @@ class Design:
         of the ring's pin circle, or of the least that the roots of the satellite sweep; None where
         neither is known.
         """
-        circle = self.gear.ring_pin_circle_radius if self.gear else None
-        if circle is None:
+        if isinstance(self.gear, CycloidRing):
+            circle = self.gear.ring_pin_circle_radius
+        else:
             low, high = self.roots
             circle = (low or high) + (self.contact.eccentricity or 0.0)
         return WALL_GUIDE * 2 * circle if math.isfinite(circle) else None

@@ -24,7 +24,7 @@ from core.arrays import ComplexArray, FloatArray
 from core.design.document import Design
 from core.design.refusals import named
 from core.design.results import Results
-from core.errors import ImpossibleMechanism, InvalidInput, NotKnown
+from core.errors import ImpossibleMechanism, InvalidInput, NotKnown, required
 from core.output.pin_geometry import pin_geometry
 from core.ring.involute import InvolutePair
 from core.ring.profile import MOST_POINTS, CycloidDisc, outline_points
@@ -118,10 +118,8 @@ def drawn_disc(*, design: Design) -> CycloidDisc:
     gear = design.gear
     if gear.kind != "cycloid":
         raise InvalidInput("gear.kind", gear.kind, "no_tooth_form")
-    if gear.modification is None:
-        raise NotKnown("section_missing", "gear.modification")
-    if gear.modification.rotation > 0:
-        turned = gear.modification.rotation
+    turned = required(gear.modification, "section_missing", "gear.modification").rotation
+    if turned > 0:
         raise InvalidInput("gear.modification.rotation", turned, "flanks_not_drawn")
     difference = gear.teeth_difference or 1
     if difference > 1:  # the tips are cut off
@@ -264,7 +262,7 @@ def drawn_ring_pins(*, design: Design) -> DrawnRingPins:
         If no disc rolls on them.
     """
     disc, start = drawn_disc(design=design), design.mechanism.built.initial_crank_angle
-    step = 2 if design.gear.every_second_pin else 1
+    step = 2 if design.cycloid.every_second_pin else 1
     around = 2 * math.pi * np.arange(0, disc.pins, step) / disc.pins - start
     return DrawnRingPins(
         circle_radius=disc.ring_pin_circle_radius,

@@ -12,7 +12,7 @@ from core.design.document import Design
 from core.design.refusals import named
 from core.design.ring_results import RingResults
 from core.errors import NotKnown
-from core.output.losses import PinLosses, pin_losses
+from core.output.losses import BarePins, PinLosses, Sleeves, pin_losses
 from core.output.members import MemberLoads
 from core.output.sampled_turn import WAYS, Made, SampledTurn
 from core.results import Accuracy, Notice
@@ -67,6 +67,8 @@ def made_losses(
 class OutputForces(Protocol):
     """What friction takes of the forces on the output's pins and of the ring."""
 
+    solved: bool
+
     @property
     def ring(self) -> RingResults:
         """What follows about the ring."""
@@ -76,8 +78,8 @@ class OutputForces(Protocol):
         """Torques, speeds and powers of crank, pins and ring, without losses."""
 
     @property
-    def made(self) -> Made | None:
-        """The forces on pins and satellites; None where the ideal ones are judged."""
+    def made(self) -> Made:
+        """The forces on pins and satellites, where they are solved."""
 
 
 class LossResults:
@@ -106,25 +108,27 @@ class LossResults:
     def efficiency(self) -> float:
         """Of the output, and of the ring where friction on its pins is given."""
         output, gear = float(self.pins.efficiency), self.design.gear
-        if not gear or gear.friction is None:
+        if not gear or gear.friction_coefficient is None:
             return output
         lost, power = self.output.ring.loss.mean_loss, self.output.member_loads.output_power
         assert lost is not None and power is not None  # at a speed, which the output needs
         return 1 / (1 / output + lost / power)
 
     @property
-    def _rubbing_diameter(self) -> float | None:
-        """Diameter at which rollers or sleeves turn on their pins, m."""
+    def _rubbing(self) -> BarePins | Sleeves:
+        """What slides: rollers or sleeves on their pins, or pins in their holes."""
         design = self.design
         if design.rollers:
-            return design.rollers.bore_diameter
-        return design.pin.diameter if design.friction.sleeve and design.pin else None
+            return Sleeves(design.rollers.bore_diameter)
+        if design.friction.sleeve and design.pin:
+            return Sleeves(design.pin.diameter)
+        return BarePins(design.contact.hole_radius)
 
     def _of_pins(self) -> PinLosses:
         design, friction, load = self.design, self.design.output_friction, self.design.load
-        eccentricity, turn = design.known_eccentricity, self.turn
+        eccentricity, turns = design.known_eccentricity, self._turns
         speeds = design.known_speeds
-        life = design.requirements.life if friction.life is None else friction.life
+        life = design.life_of(friction)
         found = pin_losses(
             mechanism=design.driven,
             force_exponent=load.force_exponent,
@@ -133,11 +137,10 @@ class LossResults:
             input_speed=speeds.turning,
             eccentricity=eccentricity,
             pin_radius=design.contact.pin_radius,
-            hole_radius=design.contact.hole_radius,
             contact_length=design.contact.contact_length,
             friction_coefficient=friction.coefficient,
             distribution_factor=design.distribution_factor,
-            diameter=self._rubbing_diameter,
+            rubbing=self._rubbing,
             wear_rate=friction.wear_rate,
             life=None if friction.wear_rate is None else life,
             output_power=self.output.member_loads.output_power,
@@ -145,24 +148,24 @@ class LossResults:
         bare = design.sleeved and not friction.sleeve
         if bare and design.pin.diameter < 2 * design.contact.pair.pin_radius:
             found = replace(found, notices=(*found.notices, Notice("thin_without_sleeve")))
-        if turn is None:
+        if not turns:
             return found
         reference = design.pin_torque / load.pin_circle_radius
-        largest = max(float(np.abs(turn.on_pins).max()) for turn in self._turns)
-        return made_losses(losses=found, turn=turn, reference=reference, largest=largest)
+        largest = max(float(np.abs(turn.on_pins).max()) for turn in turns)
+        return made_losses(losses=found, turn=self.turn, reference=reference, largest=largest)
 
     @derived
     def _turns(self) -> list[SampledTurn]:
         """Forces of the mechanism as it is made, in each direction of the torque; none where the
         ideal ones are judged.
         """
-        if self.output.made is None:
+        if not self.output.solved:
             return []
         load = self.design.load
         torque = self.design.pin_torque
         return [self.output.made(way * torque) for way in WAYS[load.torque_direction]]
 
     @derived
-    def turn(self) -> SampledTurn | None:
-        """Of these the ones with the larger losses."""
-        return max(self._turns, key=lambda turn: float(turn.mean(turn.total)), default=None)
+    def turn(self) -> SampledTurn:
+        """Of these the ones with the larger losses, where they are solved."""
+        return max(self._turns, key=lambda turn: float(turn.mean(turn.total)))

@@ -6,7 +6,7 @@ from dataclasses import replace
 from core.design.document import Design
 from core.design.refusals import named
 from core.design.sections import DesignPin
-from core.errors import NotKnown
+from core.errors import required
 from core.output.pin_fatigue import FatigueStrength
 
 
@@ -36,10 +36,10 @@ def fatigue_of(
         See `core.fatigue`.
     """
     basis = design.fatigue
-    if basis.criterion == "soderberg" and pin.material.yield_strength is None:
-        raise NotKnown("yield_unknown", f"{pin.material_path}.yield_strength")
+    if basis.criterion == "soderberg":
+        path = f"{pin.material_path}.yield_strength"
+        required(pin.material.yield_strength, "yield_unknown", path)
     found = named(design, "fatigue", lambda: basis.strength(pin))
     if not pin.steel or pin.rotates:  # then no cycles are counted
         return found
-    life = design.requirements.life if basis.life is None else basis.life
-    return replace(found, cycles=loads(life))
+    return replace(found, cycles=loads(design.life_of(basis)))

@@ -10,7 +10,7 @@ from typing import Any
 from core.arrays import Number
 from core.conformal import first_yield_factor
 from core.crank.pin_rollers import PinRollers, pin_rollers
-from core.derived import derived, if_known
+from core.derived import derived, if_known, is_known
 from core.design.contact import OVALS, disc_error, shakedown
 from core.design.crank_results import MOST_BEARING_PAIRS, CrankResults
 from core.design.document import Design, changed, value_at
@@ -20,7 +20,7 @@ from core.design.real_forces import RealForces
 from core.design.refusals import named
 from core.design.ring_results import RingResults
 from core.design.sections import DesignPin
-from core.errors import InvalidInput, NotKnown
+from core.errors import InvalidInput, NotKnown, required
 from core.first_yield import first_yield
 from core.hertz import HertzContact, force_factor, hertz
 from core.materials import Body
@@ -111,11 +111,12 @@ class Results:
     @cached_property
     def forces_in_series(self) -> int:
         """Number of forces over the turns of both meshes in series; 0 where they are not."""
-        if not self.design.in_series or (ring := if_known(lambda: self.ring.mesh)) is None:
+        if not (self.design.in_series and is_known(lambda: self.ring.mesh)):
             return 0
+        ring = self.ring.mesh
         pairs = self.design.mechanism.pairs + ring.disc.pins * self.design.mechanism.satellites
-        pitches = None if not ring.pins_alike else ring.disc.satellite_teeth
         lobes = ring.disc.satellite_teeth
+        pitches = lobes if ring.pins_alike else None
         return positions_in_series(lobes=lobes, pitches=pitches) * pairs
 
     @derived
@@ -215,8 +216,7 @@ class Results:
     @property
     def _by_flanks(self) -> bool:
         """Whether flanks of discs in series are turned, which is known in first order only."""
-        change = self.design.gear.modification if self.in_series else None
-        return change is not None and change.rotation > 0
+        return self.in_series and self.design.cycloid.changed.rotation > 0
 
     @cached_property
     def law(self) -> ContactLaw:
@@ -230,14 +230,13 @@ class Results:
         torque, as the spacer carries them.
         """
         pin = self.design.pin
-        if not pin or pin.bolt is None:
-            raise NotKnown("section_missing", "pin")
+        bolt = required(pin.bolt, "section_missing", "pin")
         spacer = Results(
             changed(self.design, {"pin.bolt": None}), equal=self.shared_equally
         ).pin_loads
         peak = max(1.0, spacer.static_stress / spacer.peak_equivalent_stress)
         return grip(
-            bolt=pin.bolt,
+            bolt=bolt,
             diameter=pin.diameter,
             bore=pin.bore_diameter,
             moment=peak * spacer.peak_moment,
@@ -328,12 +327,8 @@ class Results:
         return loaded_position(real=solved.real, **given).force
 
     @derived
-    def made(self) -> Made | None:
-        """The forces on pins and satellites that are solved over the turn, of a torque likewise;
-        None where the ideal ones are judged.
-        """
-        if not self.solved:
-            return None
+    def made(self) -> Made:
+        """The forces on pins and satellites that are solved over the turn, of a torque likewise."""
         if self.in_series:
             return cache(lambda torque: sampled_in_series(self.turn(torque)))  # type: ignore[arg-type]
         return cache(lambda torque: sampled(self.turn(torque)))
@@ -365,7 +360,7 @@ class Results:
             "output_torque": self.design.pin_torque,
             "pin_circle_radius": load.pin_circle_radius,
             "torque_direction": load.torque_direction,
-            "made": self.made,
+            "made": self.made if self.solved else None,
         }
 
     @property
@@ -379,7 +374,7 @@ class Results:
 
     def limit_pairs(self, most: int) -> None:
         """Refuse more pairs than ideal forces are integrated of."""
-        if self.made is None and self.design.mechanism.pairs > most:
+        if not self.solved and self.design.mechanism.pairs > most:
             raise self.design.too_many(most)
 
     @derived
@@ -450,7 +445,7 @@ class Results:
     def static_pin_force(self) -> float:
         """Largest force of a satellite on a pin under the torque of static strength, N."""
         design = self.design
-        if self.made is None:
+        if not self.solved:
             share = design.static_torque * design.distribution_factor / design.pin_torque
             return float(self.contact_force.peak_force * share)
         ways = WAYS[design.load.torque_direction]
@@ -482,8 +477,7 @@ class Results:
     @property
     def size_notices(self) -> tuple[Notice, ...]:
         """Whether the pin is thicker than its material's strengths hold for."""
-        thick = self.design.pin.thick if self.design.pin else None
-        return () if thick is None else (thick,)
+        return self.design.pin.thick if self.design.pin else ()
 
     @derived
     def hertz(self) -> HertzContact:
@@ -556,8 +550,7 @@ class Results:
         material = self.design.lasting[body]
         strength, name = material.loaded_strength(body), f"contact.{body}_material"
         if strength is None:
-            if material.yield_strength is None:
-                raise NotKnown("yield_unknown", f"{name}.yield_strength", name)
+            required(material.yield_strength, "yield_unknown", f"{name}.yield_strength", name)
             raise NotKnown("direction_unknown", f"{name}.layers", name)
         friction = self.design.hole_friction or 0.0
         ratio = float(material.poissons_ratio)

@@ -12,7 +12,7 @@ from core.design.document import Design
 from core.design.pin_fatigue import fatigue_of
 from core.design.refusals import named
 from core.design.sections import DesignPin
-from core.errors import InvalidInput, NotKnown
+from core.errors import InvalidInput, NotKnown, required
 from core.output.over_turn import OverTurn
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
@@ -36,6 +36,8 @@ MOST_RING_PAIRS = 300
 class OutputForces(Protocol):
     """What the mesh of the ring takes of the forces on the output's pins."""
 
+    solved: bool
+
     @property
     def in_series(self) -> bool:
         """Whether both meshes are solved in series."""
@@ -45,8 +47,8 @@ class OutputForces(Protocol):
         """Extremes over the turn, of a torque, N*m, negative in reverse."""
 
     @property
-    def made(self) -> Made | None:
-        """The forces on pins and satellites; None where the ideal ones are judged."""
+    def made(self) -> Made:
+        """The forces on pins and satellites, where they are solved."""
 
 
 class RingResults:
@@ -82,19 +84,14 @@ class RingResults:
         known: in exact geometry where flanks are not turned. All discs have one lag,
         or given shares of the torque.
         """
-        design, gear = self.design, self.design.gear
-        if gear.kind != "cycloid":
-            raise NotKnown("no_ring_pins")
-        change = gear.modification
-        if change is None:
-            raise NotKnown("modification_unknown", "gear.modification")
+        design, gear = self.design, self.design.cycloid
+        change = required(gear.modification, "modification_unknown", "gear.modification")
         if (difference := gear.teeth_difference or 1) > 1:
             raise NotKnown("cycloid_difference", difference=difference)
         if gear.every_second_pin:
             raise NotKnown("every_second_pin")
-        length, disc_material = design.ring_length, design.disc_material
-        if disc_material is None:
-            raise NotKnown("limit_unknown", "gear.disc_material")
+        length = design.ring_length
+        material = required(design.disc_material, "limit_unknown", "gear.disc_material")
         shares = design.support if isinstance(design.support, Shares) else RIGID_SUPPORT
         pairs = design.ring_pins * design.mechanism.satellites
         if pairs > MOST_RING_PAIRS:
@@ -107,7 +104,7 @@ class RingResults:
                 disc=disc,
                 crank_angles=design.mechanism.built.crank_angles,
                 contact_length=length,
-                disc_material=disc_material,
+                disc_material=material,
                 law=gear.law,
                 deviations=design.ring_deviations,
                 exact=change.rotation == 0,
@@ -118,13 +115,10 @@ class RingResults:
     @derived
     def pair(self) -> InvolutePair:
         """A satellite of involute teeth in its ring, where its shifts and heights are known."""
-        design, gear = self.design, self.design.gear
-        if gear.kind != "involute":
-            raise NotKnown("no_involute")
+        design, gear = self.design, self.design.involute
         if gear.unknown_teeth:
             raise NotKnown("teeth_not_judged", *gear.unknown_teeth)
         eccentricity, _ = design.known_eccentricity, self.force  # which refuses base circles
-        assert gear.teeth_difference is not None and gear.reference_pressure_angle is not None
         low, high = STANDARD_ANGLES
         usual = low <= gear.reference_pressure_angle <= high
         if gear.teeth_difference > MOST_DIFFERENCE or not usual:
@@ -142,7 +136,7 @@ class RingResults:
         factor, N*m: its couple with the pins is that with an involute ring.
         """
         design = self.design
-        if self.output.made is None:
+        if not self.output.solved:
             return design.pin_torque * design.disc_factor / design.mechanism.satellites
         torque = design.pin_torque * factor
         ways = WAYS[design.load.torque_direction]
@@ -150,7 +144,7 @@ class RingResults:
 
     def satellite_torque_error(self, factor: float) -> float:
         """Estimate of the relative error of that torque."""
-        if self.output.made is None:
+        if not self.output.solved:
             return 0.0
         torque = self.design.pin_torque * factor
         ways = WAYS[self.design.load.torque_direction]
@@ -158,7 +152,7 @@ class RingResults:
 
     def loaded_teeth(self, factor: float) -> dict[str, Any]:
         """What involute teeth carry under so many times the torque, as arguments."""
-        design, gear = self.design, self.design.gear
+        design, gear = self.design, self.design.involute
         return {
             "torque": self.satellite_torque(factor),
             "contact_length": design.ring_length,
@@ -171,8 +165,7 @@ class RingResults:
         """Forces and pressures of involute teeth under so many times the torque."""
         pair, loaded = self.pair, self.loaded_teeth(factor)
         for body in ("satellite", "ring"):
-            if loaded[f"{body}_material"] is None:
-                raise NotKnown("limit_unknown", f"gear.{body}_material")
+            required(loaded[f"{body}_material"], "limit_unknown", f"gear.{body}_material")
         return self._named(lambda: involute_load(pair=pair, **loaded))
 
     @derived
@@ -235,7 +228,7 @@ class RingResults:
     @property
     def pin(self) -> DesignPin:
         """A pin of the ring that bends."""
-        return self.design.gear.bent_pin
+        return self.design.cycloid.bent_pin
 
     @cached_property
     def on_pins(self) -> Callable[[float], PinForces]:
@@ -273,7 +266,7 @@ class RingResults:
     def pin_strength(self) -> PinStrength:
         """Their strength, with the fatigue where it is known."""
         return self.pin_stresses.strength(
-            rotates=self.design.gear.rotates,
+            rotates=self.design.cycloid.rotates,
             fatigue=if_known(lambda: self.pin_fatigue_strength),
             deflection=True,
         )
@@ -281,11 +274,7 @@ class RingResults:
     @property
     def _friction(self) -> RingFriction:
         """What slides on the ring."""
-        gear = self.design.gear
-        friction = gear.friction if gear else None
-        if friction is None:
-            raise NotKnown("ring_friction_unknown", "gear.friction_coefficient")
-        return friction
+        return self.design.gear.friction
 
     def _losses(self, torque: float) -> list[RingLoss]:
         """Friction of cycloid discs on the pins in each direction of a torque, N*m."""

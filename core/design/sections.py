@@ -10,7 +10,7 @@ from typing import Literal, NamedTuple, get_args
 from core.crank.balance import Counterweight
 from core.crank.bearing_life import Bearing
 from core.crank.pin_rollers import FRICTION, Ratings, RollerKind
-from core.errors import InvalidInput, NotKnown
+from core.errors import InvalidInput, required
 from core.fatigue import (
     NOTCH_STRENGTHS,
     SIZES,
@@ -124,6 +124,11 @@ class Load:
     ring_speed: float | None = None  # where both are the output, in the sense of the crank, rad/s
     carrier_speed: float | None = None  # the same of the pins, instead, rad/s
 
+    @property
+    def by_ring(self) -> bool:
+        """Whether the speed of the ring is given, not that of the pins."""
+        return self.ring_speed is not None
+
 
 class PairSizes(NamedTuple):
     """Sizes of a pair of pin and hole that touch, m."""
@@ -153,10 +158,12 @@ class Contact:
     @cached_property
     def pair(self) -> PairSizes:
         """Sizes of a pair, where there are pins."""
-        length, pin, hole = self.contact_length, self.pin_radius, self.hole_radius
-        if length is None or pin is None or hole is None:
-            raise NotKnown("section_missing", "contact")
-        return PairSizes(length, pin, hole)
+        lacks = ("section_missing", "contact")
+        return PairSizes(
+            contact_length=required(self.contact_length, *lacks),
+            pin_radius=required(self.pin_radius, *lacks),
+            hole_radius=required(self.hole_radius, *lacks),
+        )
 
     @property
     def clearance_unknown(self) -> bool:
@@ -316,12 +323,12 @@ class DesignPin(PinSupport):
     material_path: str = "pin.material"
 
     @property
-    def thick(self) -> Notice | None:
+    def thick(self) -> tuple[Notice, ...]:
         """That it is thicker than its material's strengths hold for, where it is."""
         valid = self.valid_diameter
         if valid is None or self.diameter <= valid:
-            return None
-        return Notice("beyond_size", {"limit": valid * 1e3})
+            return ()
+        return (Notice("beyond_size", {"limit": valid * 1e3}),)
 
     def bolt_alone(self, bolt: PinBolt) -> "DesignPin":
         """The bolt as the pin: the spacer is only what touches the hole."""
@@ -425,18 +432,19 @@ class FatigueBasis:
         NotKnown
             If it needs another value that is not given.
         """
-        tensile, yields = tensile_strength, yield_strength
-        if tensile is None:
-            raise NotKnown("endurance_unknown", f"{material_path}.tensile_strength")
-        if self.endurance_limit is None and not steel:
-            raise NotKnown("endurance_unknown", "fatigue.endurance_limit")
+        name, yields = f"{material_path}.tensile_strength", yield_strength
+        tensile = required(tensile_strength, "endurance_unknown", name)
+        if not steel:
+            required(self.endurance_limit, "endurance_unknown", "fatigue.endurance_limit")
         if self.criterion == "soderberg" and yields is None:
             raise InvalidInput("yield_strength", None, "needed_beside", field="criterion")
         if self.endurance_limit is not None:
             return FatigueStrength(self.endurance_limit, tensile, yields, self.criterion)
         beyond = beyond_range(code="size_beyond_range", value=diameter * 1e3, ends=SIZES)
-        notch = self.fatigue_notch_factor
-        if self.notch is not None:
+        if self.notch is None:
+            name = "fatigue.fatigue_notch_factor"
+            notch = required(self.fatigue_notch_factor, "notch_unknown", name)
+        else:
             theoretical, radius = self.notch
             strength = tensile / 1e6
             beyond += beyond_range(
@@ -447,13 +455,11 @@ class FatigueBasis:
                     theoretical_factor=theoretical, radius=radius, tensile_strength=tensile
                 )
             )
-        if notch is None:
-            raise NotKnown("notch_unknown", "fatigue.fatigue_notch_factor")
         surface = self.surface_factor
         if surface is None:
-            assert self.surface is not None
+            finish: Surface = required(self.surface, "endurance_unknown", "fatigue.surface")
             surface = float(
-                surface_factor(tensile_strength=tensile, surface=self.surface, edition=self.edition)
+                surface_factor(tensile_strength=tensile, surface=finish, edition=self.edition)
             )
         reliability = self.reliability_factor
         if reliability is None:
@@ -611,10 +617,11 @@ class RollingBearing:
     seat: Seat = "housing"  # what one of the crankshaft sits in
 
     @property
-    def sizes(self) -> tuple[float, float, float] | None:
-        """Bore, outer diameter and width, where all are given, m."""
-        bore, outer, width = self.bore_diameter, self.outer_diameter, self.width
-        return None if bore is None or outer is None or width is None else (bore, outer, width)
+    def sizes(self) -> tuple[float, ...]:
+        """Bore, outer diameter and width, m; none where they are not all given."""
+        sizes = (self.bore_diameter, self.outer_diameter, self.width)
+        given = tuple(each for each in sizes if each is not None)
+        return given if len(given) == len(sizes) else ()
 
     def check_sizes(self, path: str) -> None:
         """Refuse a bore that is not smaller than the outside.

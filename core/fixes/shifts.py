@@ -135,26 +135,24 @@ def _choices(results: Results, teeth: InvoluteTeeth) -> Iterator[tuple[str, dict
         yield ECCENTRICITY, {ECCENTRICITY: round(step, 9)} | values
 
 
-def _values(
-    results: Results, teeth: InvoluteTeeth, *, lower: float | None = None
-) -> dict[str, Any]:
+def _values(results: Results, teeth: InvoluteTeeth, *, lower: float = 0.0) -> dict[str, Any]:
     """Shifts of teeth and, so much lower, their heights; of tips that are given by their radii
     these.
     """
-    gear, scale = results.design.gear, 10**DIGITS
+    gear, scale = results.design.involute, 10**DIGITS
     # a ring a trifle larger leaves backlash, and tips apart
     ring = math.ceil(teeth.ring_profile_shift * scale - 1e-6) / scale
     values = {SHIFT: round(teeth.satellite_profile_shift, DIGITS), "gear.ring_profile_shift": ring}
     own = {"satellite": teeth.satellite_addendum, "ring": teeth.ring_addendum}
     numbers = {"satellite": teeth.satellite_teeth, "ring": teeth.ring_teeth}
     for body, addendum in own.items():
-        height = math.floor((addendum - (lower or 0.0)) * scale + 1e-6) / scale
+        height = math.floor((addendum - lower) * scale + 1e-6) / scale
         height = min(max(height, HEIGHTS[0]), HEIGHTS[1])
         if getattr(gear, f"{body}_addendum") is None:
             outwards = 1 if body == "satellite" else -1
             shift = values[SHIFT] if body == "satellite" else ring
             tip = numbers[body] / 2 + shift + outwards * height
             values[f"gear.{body}_tip_radius"] = gear.module * tip
-        elif lower is not None:
+        elif lower > 0:
             values[f"gear.{body}_addendum"] = height
     return values

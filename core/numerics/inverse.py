@@ -10,13 +10,15 @@ made finer.
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
-from typing import Literal
+from itertools import groupby, pairwise
+from typing import Literal, get_args
 
 from core.errors import InvalidInput
 from core.precision import ROUNDING
 
 Sense = Literal["at_least", "at_most", "equals"]
+
+SENSES: tuple[Sense, ...] = get_args(Sense)
 Want = Literal["smallest", "largest"]
 SolveStatus = Literal["solved", "always", "infeasible", "several"]
 
@@ -271,26 +273,22 @@ def _stretches(
     """Stretches where the target is met, each end with the neighbours that it lies between."""
     intervals: Intervals = []
     brackets: Brackets = []
-    start: float | None = None
-    left: tuple[float, float] | None = None
-    for index, place in enumerate(places):
-        met = excess(place) >= 0
-        if met and start is None:
-            start, left = place, None
-            if index and not integer:
-                start, beyond = edge(inside=place, outside=places[index - 1], excess=excess)
-                left = (beyond, start)
-        if not met and start is not None:
-            end, right = places[index - 1], None
-            if not integer:
-                end, beyond = edge(inside=end, outside=place, excess=excess)
-                right = (end, beyond)
-            intervals.append((start, end))
-            brackets.append((left, right))
-            start = None
-    if start is not None:
-        intervals.append((start, places[-1]))
-        brackets.append((left, None))
+    left: tuple[float, float] | None
+    right: tuple[float, float] | None
+    for met, stretch in groupby(range(len(places)), key=lambda index: excess(places[index]) >= 0):
+        held = [*stretch]
+        if not met:
+            continue
+        first, last = held[0], held[-1]
+        start, left, end, right = places[first], None, places[last], None
+        if first > 0 and not integer:
+            start, beyond = edge(inside=start, outside=places[first - 1], excess=excess)
+            left = (beyond, start)
+        if last + 1 < len(places) and not integer:
+            end, beyond = edge(inside=end, outside=places[last + 1], excess=excess)
+            right = (end, beyond)
+        intervals.append((start, end))
+        brackets.append((left, right))
     return intervals, brackets
 
 

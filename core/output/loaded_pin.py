@@ -44,7 +44,6 @@ class PinLoads:
     error: float = NEAR  # relative, of samples, at which a search of them ends
     alternates: bool = False  # whether they also act the other way
     pin: int = 1  # from 1
-    wave: FloatArray | None = None  # wave angles of samples, rad
 
     @property
     def one_by_one(self) -> bool:
@@ -81,14 +80,14 @@ class LoadedPin:
         """Ends of loads and supports."""
         half = self.beam.contact_length / 2
         ends = np.concatenate(([0.0], self.positions - half, self.positions + half))
-        if self.beam.span is not None:
+        if not self.rooted:
             ends = np.clip(np.append(ends, self.beam.span), None, self.beam.span)
         return np.unique(np.maximum(ends, 0.0))
 
     @property
     def rooted(self) -> bool:
         """Whether it bends most at its root: a cantilever, whose satellites all push it one way."""
-        return self.beam.span is None
+        return self.beam.rooted
 
     @cached_property
     def bent(self) -> FloatArray:

@@ -259,6 +259,49 @@ def _rounding(parts: list[_Sums], phases: WavePhases, extremes: list[Extreme]) -
 
 
 @dataclass(frozen=True, slots=True)
+class BarePins:
+    """Pins that slide in their holes."""
+
+    hole_radius: Number  # r_out, m
+
+    def slowed(self, pin_radius: Number) -> Number:
+        """Sliding speed over that of a pin in its hole, of a radius r that touches this, m."""
+        return 1.0
+
+    def sleeve_speed(self, sliding: Number, pin_radius: Number) -> Number | None:
+        """Of sleeves against their pins, rad/s, by the speed of a pin in its hole, m/s."""
+        return None
+
+    def hole_wear(self, worn: Number) -> Number | None:
+        """Depth of wear of the hole by its area of wear, m^2."""
+        return worn / self.hole_radius
+
+
+@dataclass(frozen=True, slots=True)
+class Sleeves:
+    """Sleeves on the pins, or rolling bearings, which roll in the holes and do not wear these."""
+
+    diameter: Number  # 2*r_p of the pin in them, m, < 2*r_s
+
+    def slowed(self, pin_radius: Number) -> Number:
+        """The diameter of the pin over that of the sleeve."""
+        check_positive(diameter=self.diameter)
+        room = self.diameter < 2 * pin_radius
+        if not every(room):
+            than = {"field": "pin_radius", "limit": 2 * pin_radius}
+            refuse("diameter", self.diameter, room, "no_sleeve", **than)
+        return self.diameter / (2 * pin_radius)
+
+    def sleeve_speed(self, sliding: Number, pin_radius: Number) -> Number | None:
+        """As fast as the sleeve rolls."""
+        return sliding / pin_radius
+
+    def hole_wear(self, worn: Number) -> Number | None:
+        """None: nothing slides there."""
+        return None
+
+
+@dataclass(frozen=True, slots=True)
 class PinLosses:
     """Friction of the pins in the holes, or on their sleeves."""
 
@@ -294,9 +337,8 @@ def pin_losses(
     pin_radius: Number,
     contact_length: Number,
     friction_coefficient: Number,
+    rubbing: BarePins | Sleeves,
     distribution_factor: Number = 1.0,
-    diameter: Number | None = None,
-    hole_radius: Number | None = None,
     wear_rate: Number | None = None,
     life: Number | None = None,
     output_power: Number | None = None,
@@ -333,13 +375,11 @@ def pin_losses(
         Length b of the contact, m, > 0.
     friction_coefficient : float or array
         Friction coefficient mu of the surfaces that slide, >= 0.
+    rubbing : BarePins or Sleeves
+        What slides: the pins in their holes, or in their sleeves.
     distribution_factor : float or array
         Factor K_alpha on the largest force, by an uneven share, >= 1: of pv and wear where they are
         largest; the loss is that of all forces together.
-    diameter : float or array, optional
-        Diameter 2*r_p of the pin in its sleeve, m, < 2*r_s; without it there are no sleeves.
-    hole_radius : float or array, optional
-        Radius r_out of the holes, m; without it ``r + e``.
     wear_rate : float or array, optional
         Wear rate k: volume over force and distance, m^2/N.
     life : float or array, optional
@@ -372,7 +412,8 @@ def pin_losses(
     >>> m = Mechanism.evenly_spaced(pins=6, satellites=2, ratio=20.0)
     >>> found = pin_losses(mechanism=m, output_torque=500.0, pin_circle_radius=0.05,
     ...                    input_speed=50*math.pi, eccentricity=0.002, pin_radius=0.008,
-    ...                    contact_length=0.02, friction_coefficient=0.08)
+    ...                    contact_length=0.02, friction_coefficient=0.08,
+    ...                    rubbing=BarePins(0.010))
     >>> round(found.mean_loss, 3), round(found.efficiency, 6), round(found.min_efficiency, 6)
     (336.0, 0.921182, 0.917768)
     """
@@ -385,14 +426,7 @@ def pin_losses(
         distribution_factor=distribution_factor,
     )
     check_not_negative(friction_coefficient=friction_coefficient, input_speed=input_speed)
-    slows: Number = 1.0
-    if diameter is not None:
-        check_positive(diameter=diameter)
-        room = diameter < 2 * pin_radius
-        if not every(room):
-            than = {"field": "pin_radius", "limit": 2 * pin_radius}
-            refuse("diameter", diameter, room, "no_sleeve", **than)
-        slows = diameter / (2 * pin_radius)
+    slows = rubbing.slowed(pin_radius)
     total = total_force(mechanism=mechanism, force_exponent=force_exponent)
     peak = force_peak(mechanism, force_exponent)
     ratio = mechanism.ratio
@@ -414,15 +448,13 @@ def pin_losses(
         check_not_negative(wear_rate=wear_rate, life=life)
         turns = relative_speed * life / (2 * math.pi)
         worn = wear_rate * peak_force * eccentricity * turns / contact_length
-        if diameter is None:
-            hole_worn = worn / (pin_radius + eccentricity if hole_radius is None else hole_radius)
-        worn = worn / pin_radius
+        worn, hole_worn = worn / pin_radius, rubbing.hole_wear(worn)
     error = max(total.accuracy.relative_error, peak.accuracy.relative_error) + 24 * ROUNDING
     accuracy = Accuracy(total.accuracy.method, error, total.accuracy.evaluations)
     return PinLosses(
         relative_speed=relative_speed,
         sliding_speed=sliding_speed,
-        sleeve_speed=None if diameter is None else sliding / pin_radius,
+        sleeve_speed=rubbing.sleeve_speed(sliding, pin_radius),
         output_power=output_power,
         mean_total_force_ratio=total.mean,
         mean_loss=loss * total.mean,

@@ -211,13 +211,14 @@ class OverTurn:
         return self.real.contact(self._peak.pair, self.peak_force)
 
     @derived
-    def _pressed(self) -> Summit | None:
-        """Where the largest pressure is, of pairs that are not alike; None where it is at the peak
-        of the force.
-        """
+    def _curved_alike(self) -> bool:
+        """Whether all pairs are, so that the largest pressure is at the peak of the force."""
         curved = self.real.pairs.curved
-        if not max(curved) > min(curved) * (1 + SAME):
-            return None
+        return not max(curved) > min(curved) * (1 + SAME)
+
+    @derived
+    def _pressed(self) -> Summit:
+        """Where the largest pressure is."""
         grid = self._grid(self.turn.fine, "pressure")
         tops = summits(grid=grid, narrow=self.turn.narrow(PRESSURE))
         top = max(tops, key=lambda summit: summit.height)
@@ -232,7 +233,7 @@ class OverTurn:
     def hardest(self) -> tuple[int, float]:
         """The pair with the largest pressure, and its force then, N."""
         if self._wraps:
-            if self._pressed is None:
+            if self._curved_alike:
                 return self._peak.pair, self.peak_force
             forces = self.turn.poses([self._pressed.place])["forces"][0].tolist()
             pair = self.real.hardest_pair(forces)
@@ -256,7 +257,7 @@ class OverTurn:
     def _hertz_pressure(self) -> float:
         """Largest of Hertz's pressures."""
         pressure = float(self._contact.max_pressure)
-        if self._pressed is not None:
+        if not self._curved_alike:
             at_peak = self.peak_force * self.real.pairs.curved[self._peak.pair]
             pressure *= math.sqrt(self._pressed.height / at_peak)
         return pressure

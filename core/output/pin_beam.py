@@ -123,6 +123,11 @@ class PinBeam:
         shear = turned * (diameter**2 + bore_diameter**2) / 8
         return cls(support, contact_length, youngs_modulus * section.inertia, shear, span)
 
+    @property
+    def rooted(self) -> bool:
+        """Whether nothing holds its other end."""
+        return self.span is None
+
     def _integral(self, times: Literal[1, 2, 3, 4], x: Number, z: Number) -> Number:
         """Integral of the load from 0 to x, so many times."""
         b, half = self.contact_length, self.contact_length / 2

@@ -3,7 +3,6 @@ bend, else the bolt bends alone.
 """
 
 from dataclasses import dataclass
-from typing import NamedTuple
 
 from core.arrays import check_positive
 from core.errors import InvalidInput
@@ -64,32 +63,57 @@ def bolt_preload(*, tightening_torque: float, core_diameter: float) -> float:
     return tightening_torque / (NUT_FACTOR * THREAD * core_diameter)
 
 
-class Grip(NamedTuple):
-    """A bolt and its spacer under the largest loads of the root."""
+@dataclass(frozen=True, slots=True)
+class Grip:
+    """A bolt and its spacer under the largest loads of the root; of no preload that is known, under
+    which nothing is known to open, to slip or to hold.
+    """
 
     moment: float  # M of the root, N*m
     shear_force: float  # V of the root, N
-    opening_moment: float | None  # at which the spacer opens, N*m; None without a preload
-    slip_force: float | None  # at which it slips, N; likewise
     bending_amplitude: float  # of the bolt while the spacer holds, Pa
     alone_stress: float  # bending stress of the bolt where it bends alone, Pa
-    squeeze: float  # of the spacer by the preload, Pa; 0 without
+    opening_moment: float | None = None  # at which the spacer opens, N*m
+    slip_force: float | None = None  # at which it slips, N
+    squeeze: float = 0.0  # of the spacer by the preload, Pa
 
     @property
     def opens(self) -> bool:
         """Whether the spacer opens at its root."""
-        return self.opening_moment is not None and self.moment > self.opening_moment
+        return False
 
     @property
     def slips(self) -> bool:
         """Whether it slips there, with its safety."""
-        slip = self.slip_force
-        return slip is not None and self.shear_force > slip / SLIP_SAFETY
+        return False
 
     @property
     def holds(self) -> bool:
         """Whether the spacer carries: it neither opens nor slips under a preload that is known."""
-        return self.opening_moment is not None and not (self.opens or self.slips)
+        return False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PreloadedGrip(Grip):
+    """The same under a preload."""
+
+    opening_moment: float  # N*m
+    slip_force: float  # N
+
+    @property
+    def opens(self) -> bool:
+        """Beyond the opening moment."""
+        return self.moment > self.opening_moment
+
+    @property
+    def slips(self) -> bool:
+        """Beyond the slip force over its safety."""
+        return self.shear_force > self.slip_force / SLIP_SAFETY
+
+    @property
+    def holds(self) -> bool:
+        """Where it does neither."""
+        return not (self.opens or self.slips)
 
 
 def grip(*, bolt: PinBolt, diameter: float, bore: float, moment: float, shear_force: float) -> Grip:
@@ -123,18 +147,19 @@ def grip(*, bolt: PinBolt, diameter: float, bore: float, moment: float, shear_fo
     (False, 1.3223, 1130.3)
     """
     spacer, core = PinSection(diameter, bore), PinSection(bolt.core_diameter)
-    opening = slip = None
-    if bolt.preload is not None:
-        least = bolt.preload / bolt.preload_scatter
-        opening = least * (diameter**2 + bore**2) / (8 * diameter)
-        slip = bolt.friction_coefficient * least
     shared = moment * core.inertia / (core.inertia + spacer.inertia)
-    return Grip(
-        moment=moment,
-        shear_force=shear_force,
-        opening_moment=opening,
-        slip_force=slip,
-        bending_amplitude=shared / core.modulus,
-        alone_stress=moment / core.modulus,
-        squeeze=(bolt.preload or 0.0) / spacer.area,
+    found = {
+        "moment": moment,
+        "shear_force": shear_force,
+        "bending_amplitude": shared / core.modulus,
+        "alone_stress": moment / core.modulus,
+    }
+    if bolt.preload is None:
+        return Grip(**found)
+    least = bolt.preload / bolt.preload_scatter
+    return PreloadedGrip(
+        **found,
+        opening_moment=least * (diameter**2 + bore**2) / (8 * diameter),
+        slip_force=bolt.friction_coefficient * least,
+        squeeze=bolt.preload / spacer.area,
     )

@@ -105,9 +105,9 @@ def pin_fit(
     if not hole_radius > pin_radius:
         than = {"field": "pin_radius", "limit": pin_radius}
         raise InvalidInput("hole_radius", hole_radius, "larger_than", **than)
-    assumed = eccentricity is None
+    assumed = False
     if eccentricity is None:
-        eccentricity = hole_radius - pin_radius
+        assumed, eccentricity = True, hole_radius - pin_radius
     check_positive(eccentricity=eccentricity)
     tolerance = AS_TYPED * hole_radius
     clearance = felt(clearance=hole_radius - pin_radius - eccentricity, hole_radius=hole_radius)

@@ -142,22 +142,21 @@ class PinStresses:
         worst = max(found, key=lambda each: each.equivalent)
         most, mean_shear = worst.equivalent, max(each.mean_shear for each in found)
         static = self.static * most
-        cycle, seen = None, worst.place
+        cycle, seen, chi = None, worst.place, None
         notices: list[Notice] = []
         if fatigue is not None:
             worst, cycle = _fatigue(pin, found, fatigue, rotates)
-            seen = cycle.position
-            if input_speed is not None and cycle.cycles is not None:
-                frequency = input_speed * (1 + 1 / mechanism.ratio) / (2 * math.pi)
-                cycle = replace(cycle, life=cycle.cycles / frequency)
+            seen, chi = cycle.position, cycle.direction
             notices += cycle.notices
-            if cycle.cycles is not None and cycle.cycles < LOW_CYCLES:
-                notices.append(Notice("low_cycle_fatigue"))
+            if cycle.cycles is not None:
+                notices += [Notice("low_cycle_fatigue")] if cycle.cycles < LOW_CYCLES else []
+                if input_speed is not None:
+                    frequency = input_speed * (1 + 1 / mechanism.ratio) / (2 * math.pi)
+                    cycle = replace(cycle, life=cycle.cycles / frequency)
         if min(positions) < pin.diameter / 2:
             notices.append(Notice("short_pin"))
         if isinstance(pin, TiedPin) and pin.ring.joint == "pinned":
             notices.append(Notice("ring_clearance_left_out"))
-        chi = None if cycle is None else cycle.direction
         accuracy = Accuracy(self.method, self.error, self.evaluations)
         strength = self.material.yield_strength
         return PinStrength(
@@ -283,7 +282,7 @@ def pin_stresses(
         poissons_ratio=material.poissons_ratio,
         span=span if support != "cantilever" else None,
     )
-    _check_positions(mechanism, satellite_positions, contact_length, beam.span)
+    _check_positions(mechanism, satellite_positions, beam)
     pin = LoadedPin(beam, diameter, np.array(satellite_positions), bore_diameter)
     tie_ring: TieRingLoad | None = None
     if support == "tie_ring":
@@ -397,11 +396,10 @@ def _made_cases(turns: list[PinForces]) -> list[PinLoads]:
     wave = np.concatenate([turn.wave for turn in turns])
     return [
         PinLoads(
-            turn=PinSamples(np.concatenate([turn.on_pins[:, n] for turn in turns], axis=1)),
+            turn=PinSamples(np.concatenate([turn.on_pins[:, n] for turn in turns], axis=1), wave),
             unit=1.0,
             pin=n + 1,
             error=max(turn.error for turn in turns),
-            wave=wave,
         )
         for n in range(turns[0].unlike)
     ]
@@ -477,10 +475,9 @@ def _fatigue(
     return worst[0]
 
 
-def _check_positions(
-    mechanism: Mechanism, positions: tuple[float, ...], length: float, span: float | None
-) -> None:
+def _check_positions(mechanism: Mechanism, positions: tuple[float, ...], beam: PinBeam) -> None:
     """Refuse satellites whose contact is not on the pin."""
+    length, span = float(beam.contact_length), beam.span
     name = "satellite_positions"
     if len(positions) != mechanism.satellites:
         count = {"expected": mechanism.satellites, "actual": len(positions)}
@@ -490,7 +487,7 @@ def _check_positions(
         if not z >= length / 2 * (1 - slack):
             least = {"field": "contact_length", "limit": length / 2}
             raise InvalidInput(f"{name}[{index}]", z, "in_carrier", **least)
-        if span is not None and not z + length / 2 <= span * (1 + slack):
+        if not beam.rooted and not z + length / 2 <= span * (1 + slack):
             most = span - length / 2
             raise InvalidInput(f"{name}[{index}]", z, "beyond_support", limit=most, field="span")
 
@@ -510,9 +507,8 @@ def _locus(
             places, forces = np.roll(places, -first), np.roll(forces, -first, axis=1)
         angles = places * mechanism.crank_angle_per_wave
     else:
-        assert case.wave is not None
         forces = case.turn.forces
-        angles = (case.wave - mechanism.initial_crank_angle) / (1 + 1 / mechanism.ratio)
+        angles = (case.turn.wave - mechanism.initial_crank_angle) / (1 + 1 / mechanism.ratio)
     stress = combine(arms=arms, forces=forces)[0]
     if chi is None:
         chi = float(np.angle(stress[np.abs(stress).argmax()]))
@@ -529,7 +525,7 @@ def _of_two_supports(beam: PinBeam, positions: tuple[float, ...]) -> float:
     """What is lost where a support is near all satellites: there the deflection is small beside its
     parts, by the cube of the distance.
     """
-    if beam.span is None:
+    if beam.rooted:
         return 0.0
     near = max(min(z, beam.span - z) for z in positions)
     found: float = ROUNDING * (beam.span / near) ** 3

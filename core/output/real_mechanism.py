@@ -164,8 +164,8 @@ class RealMechanism(Stage):
     eccentricity: float  # e, m, > 0
     contact_length: float  # b, m, > 0
     law: ContactLaw  # of contact of each pair
-    pin_material: ElasticMaterial
-    hole_material: ElasticMaterial
+    pin_material: ElasticMaterial  # of the pins, or of what is on them
+    hole_material: ElasticMaterial  # of the satellites
     clearance: float = 0.0  # radial, c, m: hole less pin radius less e; < 0 is interference
     pin: Pins = RIGID_PINS  # how they are held
     deviations: Deviations = field(default_factory=Deviations)

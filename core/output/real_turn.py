@@ -124,8 +124,13 @@ def over_periods(*, turn: Turn, force: FloatArray) -> FloatArray:
     return np.concatenate(moved).reshape(-1, force.shape[1])
 
 
+def _nothing(rows: Rows) -> FloatArray:
+    """Nothing besides the forces."""
+    return np.zeros(len(rows["wave"]))
+
+
 def refined(
-    *, turn: Turn, near: float = JUDGED, besides: Callable[[Rows], FloatArray] | None = None
+    *, turn: Turn, near: float = JUDGED, besides: Callable[[Rows], FloatArray] = _nothing
 ) -> Rows:
     """Positions of a period, as closely as the forces need.
 
@@ -135,7 +140,7 @@ def refined(
         The mechanism under the torque.
     near : float
         How far they may lie off the straight lines between samples, as a part of the largest.
-    besides : callable, optional
+    besides : callable
         What else may lie off no farther, as such parts: of positions, shape (n,).
 
     Returns
@@ -146,9 +151,7 @@ def refined(
     for _ in range(HALVINGS):
         wave = rows["wave"]
         felt = np.maximum(near * rows["forces"].max(), FELT * rows["force_error"])
-        rough = off(turn=turn, rows=rows) > felt
-        if besides is not None:
-            rough |= besides(rows) > near
+        rough = (off(turn=turn, rows=rows) > felt) | (besides(rows) > near)
         gaps = np.diff(wave, append=wave[0] + turn.period)
         between = (wave + gaps / 2)[rough | np.roll(rough, -1)]
         if not len(between):

@@ -116,6 +116,7 @@ class PinSamples:
     """Forces of the satellites on one pin, N, as `SampledTurn.on_pins`."""
 
     forces: ComplexArray  # at samples, shape (K, n)
+    wave: FloatArray  # wave angles of these, rad, shape (n,)
 
 
 PinsMade = Callable[[float], PinForces]

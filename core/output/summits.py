@@ -93,9 +93,9 @@ def summits(
             break
         low = float(places[i - 1]) - (turn if i == 0 else 0)
         high = float(places[i + 1]) if i + 1 < count else float(places[0]) + turn
-        same = next((each for each in known if low <= each.place <= high), None)
-        if same is not None:
-            found.append(same)
+        same = [each for each in known if low <= each.place <= high]
+        if same:
+            found.append(same[0])
             continue
         place, height, error = hill(
             place=float(places[i]), height=float(heights[i]), low=low, high=high, narrow=narrow

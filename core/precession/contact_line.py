@@ -171,6 +171,7 @@ def _contact_line(
         if isinstance(roller, RollerByLength)
         else _limits_in_phi(curve, roller, index)
     )
+    loaded = torque_sign is not None
     start, end, *_ = limits
     angles = curve.polar_angle(np.array([start.z, end.z])).tolist()
     arm_sign, flank = 1 if start.z * curve.sine > 0 else -1, 0
@@ -182,10 +183,10 @@ def _contact_line(
         angles = [angle + flank * math.pi for angle in angles]
     arm_sign *= -1 if flank % 2 else 1
     if start.z <= start.error and end.z >= -end.error:
-        if torque_sign is not None:
+        if loaded:
             raise ImpossibleMechanism("no_lever", {"roller": index + 1, "z": 0.0})
         arm_sign = 0
-    places = curve.places(limits, loaded=torque_sign is not None)
+    places = curve.places(limits, loaded=loaded)
     length = math.fsum(places.ds.tolist())
     return ContactLine(
         curve=curve,

@@ -82,8 +82,7 @@ def shaft_stretches(
     bearing_distance: float,
     overhang: float,
     youngs_modulus: float,
-    shaft_diameter: float | None,
-    shaft_sections: Sequence[ShaftSection] | None,
+    shaft_sections: Sequence[ShaftSection],
 ) -> list[ShaftSection]:
     """Check the shaft's sizes and give it as a list of sections.
 
@@ -93,10 +92,8 @@ def shaft_stretches(
         Distances a and b, m; a has been checked with the reactions.
     youngs_modulus : float
         Young's modulus E, Pa.
-    shaft_diameter : float or None
-        Diameter of a shaft of one diameter, m.
-    shaft_sections : sequence of ShaftSection or None
-        The sections of a stepped shaft, from C to the clamp.
+    shaft_sections : sequence of ShaftSection
+        The sections of the shaft from C to the clamp; one where it has one diameter.
 
     Returns
     -------
@@ -105,21 +102,12 @@ def shaft_stretches(
     Raises
     ------
     InvalidInput
-        If a size is not positive, not exactly one of diameter and sections is given, or the
-        lengths of the sections do not add up to a + b.
+        If a size is not positive, or the lengths of the sections do not add up to a + b.
     """
     for name, value in (("overhang", overhang), ("youngs_modulus", youngs_modulus)):
         if not value > 0:
             raise InvalidInput(name, value, "greater_than", limit=0)
     length = bearing_distance + overhang
-    if shaft_sections is None:
-        if shaft_diameter is None:
-            raise InvalidInput("shaft_diameter", None, "needed", field="shaft_sections")
-        if not shaft_diameter > 0:
-            raise InvalidInput("shaft_diameter", shaft_diameter, "greater_than", limit=0)
-        return [ShaftSection(length, shaft_diameter)]
-    if shaft_diameter is not None:
-        raise InvalidInput("shaft_sections", shaft_sections, "only_one", field="shaft_diameter")
     for index, section in enumerate(shaft_sections):
         for name, value in (("length", section.length), ("diameter", section.diameter)):
             if not value > 0:
@@ -214,8 +202,7 @@ def shaft_diagram(
     bearing_distance: float,
     overhang: float,
     youngs_modulus: float,
-    shaft_diameter: float | None = None,
-    shaft_sections: Sequence[ShaftSection] | None = None,
+    shaft_sections: Sequence[ShaftSection],
     samples: int = 101,
 ) -> ShaftDiagram:
     """Shear force, bending moment and deflected shape along the shaft, for drawing.
@@ -228,9 +215,7 @@ def shaft_diagram(
         Distances a and b, m.
     youngs_modulus : float
         Young's modulus E, Pa.
-    shaft_diameter : float, optional
-        Diameter of the shaft, m; this or `shaft_sections`.
-    shaft_sections : sequence of ShaftSection, optional
+    shaft_sections : sequence of ShaftSection
         The shaft's stretches from C to the clamp.
     samples : int
         Number of places, at least 2, besides B and the ends of the sections.
@@ -251,7 +236,6 @@ def shaft_diagram(
         bearing_distance=bearing_distance,
         overhang=overhang,
         youngs_modulus=youngs_modulus,
-        shaft_diameter=shaft_diameter,
         shaft_sections=shaft_sections,
     )
     pieces = shaft_pieces(sections=sections, bearing_distance=bearing_distance, overhang=overhang)

@@ -60,8 +60,7 @@ def shaft_deflection(
     bearing_distance: float,
     overhang: float,
     youngs_modulus: float,
-    shaft_diameter: float | None = None,
-    shaft_sections: Sequence[ShaftSection] | None = None,
+    shaft_sections: Sequence[ShaftSection],
     force_error: float = 0.0,
     moment_error: float = 0.0,
 ) -> ShaftDeflection:
@@ -89,9 +88,7 @@ def shaft_deflection(
         Distance b from B to the clamp, m.
     youngs_modulus : float
         Young's modulus E, Pa.
-    shaft_diameter : float, optional
-        Diameter of the shaft, m; this or `shaft_sections`.
-    shaft_sections : sequence of ShaftSection, optional
+    shaft_sections : sequence of ShaftSection
         The shaft's stretches from C to the clamp; their lengths add up to a + b.
     force_error, moment_error : float
         Bounds of the error of force and moment, N and N*m, if known.
@@ -103,8 +100,7 @@ def shaft_deflection(
     Raises
     ------
     InvalidInput
-        If a size is not positive, not exactly one of diameter and sections is given, or the
-        lengths of the sections do not add up.
+        If a size is not positive, or the lengths of the sections do not add up.
 
     Notes
     -----
@@ -119,7 +115,7 @@ def shaft_deflection(
     >>> result = shaft_deflection(
     ...     force=(168.756146705, -337.606954169, 0.0),
     ...     moment=(-0.0316199045437, -0.0724918335263, 10.0), bearing_distance=0.03,
-    ...     overhang=0.04, shaft_diameter=0.02, youngs_modulus=210e9)
+    ...     overhang=0.04, shaft_sections=[ShaftSection(0.07, 0.02)], youngs_modulus=210e9)
     >>> [round(component, 8) for component in result.reaction_B]
     [2.41639445, -1.05399682]
     >>> result.simplified_deflection_C is None
@@ -132,7 +128,6 @@ def shaft_deflection(
         bearing_distance=bearing_distance,
         overhang=overhang,
         youngs_modulus=youngs_modulus,
-        shaft_diameter=shaft_diameter,
         shaft_sections=shaft_sections,
     )
     length = bearing_distance + overhang

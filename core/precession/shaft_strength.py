@@ -84,14 +84,14 @@ def shaft_strength(
             stress = bent * 32 / math.pi / piece.diameter**3
             places.append((stress, start + end, piece.diameter))
     stress, worst_bent, _ = max(places)
-    worst: CycleFatigue | None = None
-    worst_place = None
+    cycles: list[tuple[CycleFatigue, float]] = []
     if fatigue is not None and not load_rotates_with_shaft:
-        for each, place, diameter in places:
-            if each > 0:
-                found = judge_cycle(strength=fatigue(diameter), largest=each, least=-each)
-                if worst is None or found.safety_factor < worst.safety_factor:
-                    worst, worst_place = found, place
+        cycles = [
+            (judge_cycle(strength=fatigue(diameter), largest=each, least=-each), place)
+            for each, place, diameter in places
+            if each > 0
+        ]
+    worst, worst_place = min(cycles, key=lambda cycle: cycle[0].safety_factor, default=(None, None))
     static = None if yield_strength is None or not stress else yield_strength / stress
     return ShaftStrength(
         bending_moment_B=moment(a, 0.0),

@@ -6,7 +6,7 @@ tip and root circles larger. Heights are in modules.
 
 import math
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from typing import NamedTuple
 
 from core.arrays import Number, check_finite, check_positive
@@ -450,15 +450,19 @@ def involute_pair(*, teeth: InvoluteTeeth, eccentricity: float | None = None) ->
         shift = teeth.ring_profile_shift
         raise InvalidInput("ring_profile_shift", shift, "greater_than", limit=least)
     without = teeth.module * difference * math.cos(alpha) / (2 * math.cos(angle_of(spaces)))
-    line = LineOfAction.of(
+    line_at = partial(
+        LineOfAction.of,
         satellite_teeth=teeth.satellite_teeth,
         ring_teeth=teeth.ring_teeth,
         module=teeth.module,
         pressure_angle=alpha,
-        eccentricity=without if eccentricity is None else eccentricity,
     )
-    closer = difference * (own - float(involute(line.angle)))
-    backlash = 0.0 if eccentricity is None else teeth.module * math.cos(alpha) * (wider + closer)
+    if eccentricity is None:
+        line, backlash = line_at(eccentricity=without), 0.0
+    else:
+        line = line_at(eccentricity=eccentricity)
+        closer = difference * (own - float(involute(line.angle)))
+        backlash = teeth.module * math.cos(alpha) * (wider + closer)
     return InvolutePair(
         teeth=teeth,
         line=line,

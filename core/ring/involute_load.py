@@ -324,15 +324,16 @@ def involute_loss(
     """
     each = mean_loss_ratio(pair=pair, friction=1.0)
     lost, teeth = friction * each, pair.teeth
-    turning = None
+    mean_loss = None
     if input_speed is not None:
         turning = input_speed * teeth.difference / teeth.satellite_teeth
+        mean_loss = lost * (turning * output_torque)
     return RingLoss(
         loss_per_friction=each,
         loss_ratio=lost,
         efficiency=1 / (1 + lost),
         loss_error=float(pair.accuracy.relative_error),
-        mean_loss=None if turning is None else lost * (turning * output_torque),
+        mean_loss=mean_loss,
         peak_pv=None,
         ideal_loss_ratio=None,
     )

@@ -110,15 +110,11 @@ class SeriesCurves:
     ----------
     teeth : TeethInSeries
         The teeth under a torque.
-    crank_angle : array, shape (M,), optional
-        The angles, rad; where they are not given, those from 0 until all repeats.
-    angles : int
-        How many these are, at least, and over a turn.
+    crank_angle : array, shape (M,)
+        The angles, rad.
     """
 
-    def __init__(
-        self, teeth: TeethInSeries, crank_angle: FloatArray | None = None, *, angles: int = 0
-    ) -> None:
+    def __init__(self, teeth: TeethInSeries, crank_angle: FloatArray) -> None:
         turn = teeth.series.turn
         assert isinstance(turn, SeriesTurn)
         self.turn, self.mesh = turn, teeth.mesh
@@ -126,10 +122,26 @@ class SeriesCurves:
         """After how much of the crank's turning, rad, all repeats, with `further`."""
         self.further = turn.pitches % self.mesh.disc.pins
         """By how many pins further: a period later a pin feels what that one does."""
-        if crank_angle is None:
-            steps = math.ceil(angles * max(1.0, turn.period / (2 * math.pi)))
-            crank_angle = np.linspace(0.0, turn.period, steps + 1)
         self.crank_angle = crank_angle
+
+    @classmethod
+    def over_period(cls, teeth: TeethInSeries, angles: int) -> "SeriesCurves":
+        """At even angles from 0 until all repeats.
+
+        Parameters
+        ----------
+        teeth : TeethInSeries
+            The teeth under a torque.
+        angles : int
+            How many these are, at least, and over a turn.
+
+        Returns
+        -------
+        SeriesCurves
+        """
+        period: float = teeth.series.turn.period
+        steps = math.ceil(angles * max(1.0, period / (2 * math.pi)))
+        return cls(teeth, np.linspace(0.0, period, steps + 1))
 
     @derived
     def _rows(self) -> Rows:

@@ -86,8 +86,9 @@ class SeriesStudy(Study):
             for disc in self._extreme_discs():
                 disc.refuse_undercut()
         except InvalidInput as error:
-            if (name := NAMES.get(error.parameter)) is None:
+            if error.parameter not in NAMES:
                 raise
+            name = NAMES[error.parameter]
             off = error.value - getattr(own, error.parameter)
             params = error.params | {"limit": error.params["limit"] - (error.value - off)}
             raise InvalidInput(f"tolerances.{name}", off, error.code, **params) from error

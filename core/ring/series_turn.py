@@ -23,7 +23,6 @@ from core.output.real_turn import refined
 from core.output.sampled_turn import off_straight
 from core.output.summits import Summit
 from core.output.turn import LOOKED_AGAIN, POSITIONS, Rows, Turn
-from core.precision import SAME
 from core.results import Notice, poorly_known
 from core.ring.series import MeshesInSeries
 from core.ring.series_kernel import MESH_FORCE, MESH_PRESSURE, SeriesPoses
@@ -282,10 +281,7 @@ class SeriesOverTurn(OverTurn):
         return found[0], found[1]
 
     @derived
-    def _pressed(self) -> Summit | None:
-        curved = self.real.pairs.curved
-        if not max(curved) > min(curved) * (1 + SAME):
-            return None
+    def _pressed(self) -> Summit:
         return self._top("pressure", PRESSURE)[0]
 
     @property

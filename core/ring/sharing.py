@@ -115,8 +115,8 @@ class CycloidMesh(Stage):
     crank_angles: tuple[float, ...]  # alpha_j of the K discs, rad
     contact_length: float  # b of a disc on a pin, m, > 0
     law: ContactLaw  # of contact of each pair
-    pin_material: ElasticMaterial
-    disc_material: ElasticMaterial
+    pin_material: ElasticMaterial  # of the ring's pins
+    disc_material: ElasticMaterial  # of the discs
     pin: Pins = RIGID_PINS  # how ring pins bend; not at all in their seats
     seat_stiffness: float = math.inf  # of a pin in its bore and what holds that, N/m
     deviations: RingDeviations = field(default_factory=RingDeviations)  # of this piece

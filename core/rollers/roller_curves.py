@@ -57,9 +57,10 @@ def roller_curves(**design: Any) -> RollerCurves:
     delta = own.relative_position_error
     errors = np.linspace(0.0, max(2 * limit, 1.25 * delta), SAMPLES)
     gaps, factors = design.get("gaps"), (0.5, 1.0, 1.5, 2.0)
-    scales_gaps = gaps is not None and delta > 0
     family: dict[float, dict[str, Any]]
-    if gaps is not None and scales_gaps:
+    scales_gaps = False
+    if gaps is not None and delta > 0:
+        scales_gaps = True
         family = {each: {"gaps": [each * gap for gap in gaps]} for each in factors}
     else:
         tolerance = design.get("position_tolerance")

@@ -367,12 +367,12 @@ def modulus_ratio(
     InvalidInput
         If not exactly one of the two is given, or it is out of range.
     """
-    if shear_modulus is None and poissons_ratio is None:
-        raise InvalidInput("poissons_ratio", None, "needed", field="shear_modulus")
-    if shear_modulus is None and poissons_ratio is not None:
+    if shear_modulus is None:
+        if poissons_ratio is None:
+            raise InvalidInput("poissons_ratio", None, "needed", field="shear_modulus")
         check_poissons_ratio(poissons_ratio)
         return 2 * (1 + poissons_ratio)
-    if poissons_ratio is not None or shear_modulus is None:
+    if poissons_ratio is not None:
         raise InvalidInput("shear_modulus", shear_modulus, "only_one", field="poissons_ratio")
     check_positive(shear_modulus=shear_modulus)
     return youngs_modulus / shear_modulus

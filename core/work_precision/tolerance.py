@@ -35,6 +35,39 @@ FEWEST_POSITIONS = 3
 
 
 @dataclass(frozen=True, slots=True)
+class Mean:
+    """The mean of the pieces."""
+
+    @property
+    def fewest(self) -> int:
+        """Fewest pieces that it is taken of."""
+        return 2
+
+    def of(self, values: FloatArray) -> float:
+        """Of the pieces that can work."""
+        return float(values.mean())
+
+
+@dataclass(frozen=True, slots=True)
+class Percentile:
+    """A percentile of the pieces."""
+
+    percent: float  # between 0 and 100
+
+    @property
+    def fewest(self) -> int:
+        """Fewest pieces of which it has an interval."""
+        return fewest(self.percent)
+
+    def of(self, values: FloatArray) -> float:
+        """Of the pieces that can work."""
+        return percentile(values=values, percent=self.percent).value
+
+
+Statistic = Mean | Percentile
+
+
+@dataclass(frozen=True, slots=True)
 class _Sampled:
     """The pieces at one grid: its values, the estimate from all, and what it took, s."""
 
@@ -43,35 +76,33 @@ class _Sampled:
     run_time: float
 
 
-def _estimate(values: FloatArray, percent: float | None) -> float:
-    """Percentile of the pieces that can work, their mean where no percent is asked."""
+def _estimate(values: FloatArray, statistic: Statistic) -> float:
+    """Of the pieces that can work."""
     known = values[~np.isnan(values)]
     if not len(known):
         raise InvalidInput("samples", len(values), "too_few", limit=len(values) + 1)
-    return (
-        float(known.mean()) if percent is None else percentile(values=known, percent=percent).value
-    )
+    return statistic.of(known)
 
 
-def _sampled(study: Study, positions: int, percent: float | None) -> _Sampled:
+def _sampled(study: Study, positions: int, statistic: Statistic) -> _Sampled:
     own = replace(study, asked=replace(study.asked, positions=positions))
     pieces = own.pieces()
     began = time.perf_counter_ns()
     values = own.values(pieces)[0][:, 0]
     spent = (time.perf_counter_ns() - began) * 1e-9
-    return _Sampled(values, _estimate(values, percent), spent)
+    return _Sampled(values, _estimate(values, statistic), spent)
 
 
-def _scatter(grid: _Sampled, blocks: int, percent: float | None) -> float:
+def _scatter(grid: _Sampled, blocks: int, statistic: Statistic) -> float:
     """Root mean square deviation of the estimates from smaller samples. Blocks of the same pieces
     lie closer to their whole than to the truth.
     """
-    found = [_estimate(block, percent) for block in np.array_split(grid.values, blocks)]
+    found = [_estimate(block, statistic) for block in np.array_split(grid.values, blocks)]
     square = float(np.mean((np.array(found) - grid.estimate) ** 2))
     return math.sqrt(square / (1 - 1 / blocks))
 
 
-def tolerance_sampling_study(*, study: Study, percent: float | None) -> WorkPrecision:
+def tolerance_sampling_study(*, study: Study, statistic: Statistic) -> WorkPrecision:
     """Error against run time of a percentile over many pieces.
 
     The number of pieces makes a scatter that falls with its root, whatever the positions; the
@@ -82,8 +113,8 @@ def tolerance_sampling_study(*, study: Study, percent: float | None) -> WorkPrec
     ----------
     study : Study
         Design, tolerances, number of pieces and of positions; its first quantity is taken.
-    percent : float or None
-        Which percentile; the mean where it is None.
+    statistic : Mean or Percentile
+        What is taken of the pieces.
 
     Returns
     -------
@@ -98,9 +129,9 @@ def tolerance_sampling_study(*, study: Study, percent: float | None) -> WorkPrec
         If the pieces are too few for the percentile, quartered.
     """
     asked = study.asked.positions
-    exact = _sampled(study, FINEST * asked, percent).estimate
+    exact = _sampled(study, FINEST * asked, statistic).estimate
     lines = {
-        method: _line(method, study, round(times * asked), percent, exact)
+        method: _line(method, study, round(times * asked), statistic, exact)
         for method, times in GRIDS.items()
         if round(times * asked) >= FEWEST_POSITIONS
     }
@@ -114,17 +145,17 @@ def tolerance_sampling_study(*, study: Study, percent: float | None) -> WorkPrec
 
 
 def _line(
-    method: str, study: Study, positions: int, percent: float | None, exact: float
+    method: str, study: Study, positions: int, statistic: Statistic, exact: float
 ) -> list[WorkPoint]:
     """Smaller samples and all pieces at one grid."""
-    grid, count = _sampled(study, positions, percent), study.samples
+    grid, count = _sampled(study, positions, statistic), study.samples
     scatters: dict[int, float] = {}
     for blocks in BLOCKS:
         with suppress(InvalidInput):  # of blocks that are too small for it
-            scatters[count // blocks] = _scatter(grid, blocks, percent)
+            scatters[count // blocks] = _scatter(grid, blocks, statistic)
     if count // BLOCKS[-1] not in scatters:
-        least = 2 if percent is None else fewest(percent)
-        raise InvalidInput("samples", count, "too_few", limit=BLOCKS[-1] * least)
+        least = BLOCKS[-1] * statistic.fewest
+        raise InvalidInput("samples", count, "too_few", limit=least)
     scatters[count] = scatters[count // BLOCKS[-1]] / 2
     return [
         WorkPoint(

@@ -11,12 +11,12 @@ from core.crank.bearing_life import EXPONENTS, Bearing
 from core.crank.satellite_bearing import SatelliteBearings
 from core.design.results import Results
 from core.output.sampled_turn import WAYS
-from core.precision import AS_TYPED, SAME
+from core.precision import AS_TYPED
 from core.worked.members import take_speed, take_torque
 from core.worked.pins import static_step
 from core.worked.sharing import Shares, ideal_turn
 from core.worked.step import MOST_TERMS, Sheet, Step, total
-from core.worked.turn import IdealTurn, Measure, Position, is_at
+from core.worked.turn import IdealTurn, Measure, Position, first_largest, is_at
 
 MOST_SATELLITES = 4
 """Satellites whose forces on the crankshaft are worked."""
@@ -254,15 +254,15 @@ def shaft_steps(results: Results) -> list[Step]:
         peak, equivalent = float(found.peak_reaction[i]), float(found.equivalent_reaction[i])
         if turn is None or not _reaction(sheet, results, turn, i, peak):
             sheet.state("peak", f"R_{letter}", peak, "reaction")
-        kind: Bearing = "ball" if shaft.bearings is None else shaft.bearings[i].kind
         load = f"P_{letter}"
         sheet.state("equivalent", load, equivalent, "equivalent_reaction")
         if shaft.bearings is not None:
-            rating, speed = shaft.bearings[i].dynamic_rating, "n_1"
-            if shaft.bearings[i].seat != "housing":
+            bearing, speed = shaft.bearings[i], "n_1"
+            if bearing.seat != "housing":
                 speed = f"n_{letter}"
-                sheet.take(speed, "bearing_speed", speeds.against(shaft.bearings[i].seat))
-            _life(sheet, kind, rating, found.basic_life[i], load, speed)
+                sheet.take(speed, "bearing_speed", speeds.against(bearing.seat))
+            rating, life = bearing.dynamic_rating, found.basic_life[i]
+            _life(sheet, bearing.kind, rating, life, load, speed)
     if found.balance is not None:
         _balance(sheet, results, found.balance)
     return sheet.steps
@@ -301,15 +301,9 @@ def _reaction(sheet: Sheet, results: Results, turn: IdealTurn, i: int, peak: flo
     def measure(way: float) -> Measure:
         return lambda at: np.abs(_summed(loads, at, carried * cranks, rho, way, still))
 
-    best: tuple[float, float, Position] | None = None
-    for way in WAYS[results.design.load.torque_direction]:
-        size = measure(way)
-        at = turn.worst(size)
-        value = float(size(at)[0])
-        if best is None or value > best[0] * (1 + SAME):
-            best = value, way, at
-    assert best is not None
-    _, way, at = best
+    ways = WAYS[results.design.load.torque_direction]
+    tops = ((way, turn.worst(measure(way))) for way in ways)
+    way, at = first_largest((float(measure(way)(at)[0]), (way, at)) for way, at in tops)
     written = is_at(at, measure=measure(way), value=peak)
     if not written or mechanism.satellites > MOST_SATELLITES:
         return False

@@ -10,6 +10,7 @@ from core.fatigue import (
     LOW_CYCLES,
     NOTCH_STRENGTHS,
     SURFACES,
+    Criterion,
     CycleFatigue,
     EnduranceFactors,
     strength_fraction,
@@ -17,6 +18,9 @@ from core.fatigue import (
 from core.worked.step import Sheet
 
 SHIGLEY = {"source": "shigley"}
+
+STRAIGHT: dict[Criterion, str] = {"goodman": "R_m", "soderberg": "R_e"}
+"""Strengths at which the mean stress ends, of criteria by which both add up."""
 
 
 def _surface(sheet: Sheet, basis: FatigueBasis, factor: float) -> None:
@@ -169,10 +173,10 @@ def cycle_steps(
         sheet.work("endurance_limit", "S_e", cycle.endurance_limit, formula, **SHIGLEY)
     finite()
     lasting = "S_e" if cycle.finite_strength is None else "S_f"
-    bears = {"goodman": "R_m", "soderberg": "R_e"}.get(basis.criterion)
-    if bears is None:
-        sheet.state("fatigue_safety_factor", "n", cycle.safety_factor, "criterion")
-    else:
+    if basis.criterion in STRAIGHT:
+        bears = STRAIGHT[basis.criterion]
         formula = f"1/(sigma_a/{lasting}+max(sigma_m,0)/{bears})"
         sheet.work("fatigue_safety_factor", "n", cycle.safety_factor, formula, **SHIGLEY)
+    else:
+        sheet.state("fatigue_safety_factor", "n", cycle.safety_factor, "criterion")
     sheet.state("cycles", "N", cycle.cycles, "finite_life")

@@ -168,8 +168,7 @@ def _safety(
             params = {"criterion": limit.criterion, "source": limit.source}
             said = {"note": "limit", "params": params}
         sheet.work(f"safety_{each.body}", f"S_{index}", each.safety_factor, formula, **said)
-    if found.safety_factor is not None:
-        sheet.work("safety_factor", "S", found.safety_factor, "min(S_1,S_2)", note="smaller")
+    sheet.work("safety_factor", "S", found.safety_factor, "min(S_1,S_2)", note="smaller")
 
 
 def _life(

@@ -19,9 +19,7 @@ def loss_steps(results: Results) -> list[Step]:
     """
     sheet, found, design = Sheet(), results.losses.pins, results.design
     load, contact, friction = design.load, design.contact, design.output_friction
-    rolled = design.rollers.bore_diameter if design.rollers else None
-    radius = "r_in" if found.sleeve_speed is None else "r_s"
-    slow = "" if found.sleeve_speed is None else "*r_p/r_s"
+    radius, slow = ("r_in", "") if found.sleeve_speed is None else ("r_s", "*r_p/r_s")
     wave = sheet.take_ratio(design.mechanism.ratio)
     take_speed(sheet, results=results)
     sheet.take("e", "eccentricity", contact.eccentricity)
@@ -29,14 +27,16 @@ def loss_steps(results: Results) -> list[Step]:
     take_torque(sheet, members=design.members, output_torque=load.output_torque)
     sheet.take("b", "contact_length", contact.contact_length)
     sheet.take(radius, "pin_radius", contact.pin_radius)
-    inner = design.pin.diameter if rolled is None and design.pin else rolled
-    sheet.take("r_p", "bolt_radius", None if inner is None else inner / 2)
+    if design.rollers:
+        sheet.take("r_p", "bolt_radius", design.rollers.bore_diameter / 2)
+    elif design.pin:
+        sheet.take("r_p", "bolt_radius", design.pin.diameter / 2)
     sheet.take("r_out", "hole_radius", contact.hole_radius)
     sheet.take("mu", "coefficient", friction.coefficient)
     sheet.take("N", "pins", design.mechanism.pins)
     sheet.take("K", "satellites", design.mechanism.satellites)
     sheet.take("k", "wear_rate", friction.wear_rate)
-    sheet.take("t", "life", design.requirements.life if friction.life is None else friction.life)
+    sheet.take("t", "life", design.life_of(friction))
     turns = {"note": "turns_in_radians"}
     sheet.work_wave("relative_speed", "n", found.relative_speed, f"n_1{wave}")
     sheet.work("sliding_speed", "v", found.sliding_speed, f"e*n{slow}", **turns)

@@ -56,7 +56,7 @@ def take_speed(sheet: Sheet, *, results: Results) -> None:
     sheet.take("n_r", "ring_speed", load.ring_speed)
     sheet.take("n_c", "carrier_speed", load.carrier_speed)
     sheet.take("u", "ratio", design.members.ratio)
-    given = "ring_speed" if load.ring_speed is not None else "carrier_speed"
+    given = "ring_speed" if load.by_ring else "carrier_speed"
     formula = TURNING["ring" if output == "ring" else given]
     sheet.work("turning_speed", "n_1", speeds.turning, formula)
 
@@ -103,7 +103,7 @@ def member_steps(results: Results) -> list[Step]:
     if speeds is None:
         return sheet.steps
     sheet.take("n_in", "input_speed", speeds.crank)
-    by_ring = members.output == "pins" or load.ring_speed is not None
+    by_ring = members.output == "pins" or load.by_ring
     sheet.take("n_r", "ring_speed", speeds.ring)
     sheet.take("n_c", "carrier_speed", speeds.carrier)
     if by_ring:

@@ -4,6 +4,7 @@ import numpy as np
 
 from core.arrays import FloatArray
 from core.design.results import Results
+from core.errors import required
 from core.output.pin_strength import PinDeflection, PinStrength
 from core.worked.fatigue import cycle_steps, finite_life
 from core.worked.members import take_speed, take_torque
@@ -101,7 +102,6 @@ def _fatigue(sheet: Sheet, results: Results, found: PinStrength) -> None:
     cycle, pin, basis = found.fatigue, results.bent_pin, results.design.fatigue
     if cycle is None or not basis:
         return
-    assert pin.tensile_strength is not None
     sheet.state("position", "x", cycle.position, "worst_cycle")
     sheet.state("direction", "chi", cycle.direction, "worst_cycle")
     sheet.state("max_stress", "sigma_max", cycle.max_stress, "worst_cycle")
@@ -110,7 +110,7 @@ def _fatigue(sheet: Sheet, results: Results, found: PinStrength) -> None:
 
     def finite() -> None:
         if speed is not None:
-            life = results.design.requirements.life if basis.life is None else basis.life
+            life = results.design.life_of(basis)
             cycles = speed * life / results.design.mechanism.built.crank_angle_per_wave
             take_speed(sheet, results=results)
             finite_life(sheet, cycle=cycle, ratio=ratio, life=life, cycles=cycles)
@@ -120,7 +120,7 @@ def _fatigue(sheet: Sheet, results: Results, found: PinStrength) -> None:
         cycle=cycle,
         basis=basis,
         diameter=pin.diameter,
-        tensile_strength=pin.tensile_strength,
+        tensile_strength=required(pin.tensile_strength, "endurance_unknown"),
         yield_strength=pin.material.yield_strength,
         finite=finite,
     )

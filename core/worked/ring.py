@@ -102,7 +102,7 @@ def ideal_ring_steps(*, disc: CycloidDisc, output_torque: float, satellites: int
 
 
 def pressure_steps(
-    *, mesh: CycloidMesh, crank_angle: float, force: ArrayLike, pressure: float | None
+    *, mesh: CycloidMesh, crank_angle: float, force: ArrayLike, pressure: float
 ) -> list[Step]:
     """Steps of the largest pressure of a mesh at a crank angle.
 
@@ -114,17 +114,14 @@ def pressure_steps(
         Crank angle, rad.
     force : array, K x z_p
         Forces of all pairs there, N.
-    pressure : float or None
+    pressure : float
         The pressure, Pa.
 
     Returns
     -------
     list of Step
-        Empty where no pressure is known.
     """
     first, second = mesh.pin_material, mesh.disc_material
-    if pressure is None or first is None or second is None:
-        return []
     sheet, disc = Sheet(), mesh.disc
     _disc(sheet, disc)
     _tool(sheet, disc)

@@ -100,7 +100,6 @@ def unit_steps(sheet: Sheet, *, results: Results, at: int, by: int) -> tuple[str
         Symbols of both.
     """
     pin, beam = results.bent_pin, beam_of(results)
-    assert pin is not None
     x, z = pin.satellite_positions[at], pin.satellite_positions[by]
     sheet.take(f"z_{at + 1}", "satellite_position", x)
     sheet.take(f"z_{by + 1}", "satellite_position", z)

@@ -5,9 +5,10 @@ pairs drive. All pins pass through one pitch of it, which is all that is looked 
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import TypeVar
 
 import numpy as np
 
@@ -55,6 +56,8 @@ class Position:
         return found
 
 
+Found = TypeVar("Found")
+
 Measure = Callable[[Position], FloatArray]
 
 FOUND = 1e-10
@@ -79,6 +82,30 @@ def is_at(at: Position, *, measure: Measure, value: float) -> bool:
     bool
     """
     return len(at.pin) <= MOST_TERMS and math.isclose(float(measure(at)[0]), value, rel_tol=FOUND)
+
+
+def first_largest(found: Iterable[tuple[float, Found]]) -> Found:
+    """What has the largest value, the first of those that differ by rounding.
+
+    Parameters
+    ----------
+    found : iterable of tuple
+        Values, and what has them.
+
+    Returns
+    -------
+    object
+
+    Examples
+    --------
+    >>> first_largest([(1.0, "a"), (2.0, "b"), (2.0, "c")])
+    'b'
+    """
+    (most, best), *others = found
+    for value, each in others:
+        if value > most * (1 + SAME):
+            most, best = value, each
+    return best
 
 
 class IdealTurn:
@@ -140,7 +167,10 @@ class IdealTurn:
         Position
             Of one place.
         """
-        best: tuple[float, Position] | None = None
+        return first_largest(self._tops(measure))
+
+    def _tops(self, measure: Measure) -> Iterator[tuple[float, Position]]:
+        """The largest value of each segment, and its position."""
         for low, high in self.segments:
             middle = (low + high) / 2
 
@@ -156,7 +186,4 @@ class IdealTurn:
                 low=low,
                 high=high,
             )
-            if best is None or value[0] > best[0] * (1 + SAME):
-                best = float(value[0]), self.at(place, middle)
-        assert best is not None
-        return best[1]
+            yield float(value[0]), self.at(place, middle)

@@ -10,6 +10,7 @@ from app.calculations.involute_teeth import (
     RootStressOut,
 )
 from app.calculations.ring import ring_of
+from core.design.ring import InvoluteRing
 from core.materials import ElasticMaterial
 from core.ring.involute import involute_pair
 from core.ring.involute_load import involute_load, root_stress
@@ -26,7 +27,10 @@ def gear_of(case):
 def teeth_of(gear, case):
     mechanism = case["body"]["mechanism"]
     numbers = {name: mechanism[name] for name in ("satellite_teeth", "ring_teeth")}
-    return ring_of(InvoluteRingFields.model_validate(gear)).involute_teeth(**numbers)
+    difference = {"teeth_difference": numbers["ring_teeth"] - numbers["satellite_teeth"]}
+    given = InvoluteRingFields.model_validate(gear).to_core()
+    ring = ring_of(given | difference, InvoluteRing)
+    return ring.involute_teeth(**numbers)
 
 
 def pair_of(case):

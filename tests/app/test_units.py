@@ -38,7 +38,7 @@ def test_the_suffix_is_the_unit(field, core, unit):
         ("a_MPa", 1000, 1e9),
         ("a_GPa", 210, 210e9),
         ("a_deg", 180, math.pi),
-        ("a_deg", [0, 90, 360], [0, math.pi / 2, 2 * math.pi]),
+        ("a_deg", [0, 90, 360], (0, math.pi / 2, 2 * math.pi)),
         ("a_Nm", 500, 500),
         ("a", "steel", "steel"),
         ("a_mm", None, None),

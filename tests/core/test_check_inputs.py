@@ -22,7 +22,7 @@ from core.derived import if_known
 from core.design import crank_results, losses, results, ring_results
 from core.design.document import Design
 from core.design.results import Results
-from core.design.ring import Ring
+from core.design.ring import CycloidRing
 from core.design.ring_results import RingResults
 from core.design.sections import (
     FatigueBasis,
@@ -208,7 +208,7 @@ DESIGNS = {
         ALL,
         output_torque=1.0,
         input_speed=1000.0,
-        gear=Ring(kind="cycloid", ring_pin_circle_radius=0.085, ring_pin_radius=0.005),
+        gear=CycloidRing(ring_pin_circle_radius=0.085, ring_pin_radius=0.005),
     ),
     "few loads": having(
         ALL,
@@ -249,7 +249,7 @@ DESIGNS = {
     ),
     "cycloid": having(
         ALL,
-        gear=Ring(kind="cycloid", ring_pin_circle_radius=0.085, ring_pin_radius=0.005),
+        gear=CycloidRing(ring_pin_circle_radius=0.085, ring_pin_radius=0.005),
         root_radius=None,
     ),
     "cycloid of a ratio that stays whole where it grows by a fiftieth": design_of(
@@ -257,8 +257,7 @@ DESIGNS = {
         satellites=2,
         ratio=50.0,
         eccentricity=0.002,
-        gear=Ring(
-            kind="cycloid",
+        gear=CycloidRing(
             ring_pin_circle_radius=0.2,
             ring_pin_radius=0.005,
             teeth_difference=1,
@@ -305,7 +304,7 @@ DESIGNS |= {
         ROLLED,
         max_unbalance_share=1e-4,
         crank_spacing=2.0,
-        gear=Ring(kind="cycloid", ring_pin_circle_radius=0.085, ring_pin_radius=0.005),
+        gear=CycloidRing(ring_pin_circle_radius=0.085, ring_pin_radius=0.005),
     ),
     "peak torque of a ring, stated sharing": having(
         ALL, output="ring", output_torque=100.0, peak_torque=200.0, distribution_factor=1.2
@@ -341,8 +340,7 @@ TOOTHED = design_of(
     min_ring_efficiency=0.5,
     fatigue=TIRED,
     scope=("teeth", "body", "losses"),
-    gear=Ring(
-        kind="cycloid",
+    gear=CycloidRing(
         ring_pin_circle_radius=0.045,
         ring_pin_radius=0.004,
         modification=Modification(equidistant=1e-4, pin_circle=-1e-5, rotation=1e-4),
@@ -409,8 +407,7 @@ DESIGNS |= {
     "teeth of a ratio that stays whole where it grows by a fiftieth": MANY,
     "such teeth that press": having(
         MANY,
-        gear=Ring(
-            kind="cycloid",
+        gear=CycloidRing(
             ring_pin_circle_radius=0.045,
             ring_pin_radius=0.0015,
             modification=Modification(equidistant=-1e-5, pin_circle=-5e-6),
@@ -420,8 +417,7 @@ DESIGNS |= {
     ),
 }
 
-RINGED = Ring(
-    kind="cycloid",
+RINGED = CycloidRing(
     ring_pin_circle_radius=0.085,
     ring_pin_radius=0.005,
     teeth_difference=1,
@@ -752,6 +748,7 @@ def test_what_may_be_asked_is_an_input() -> None:
     for code, kind in CHECKS.items():
         asked = {kind.asks, f"requirements.{kind.asks}"}
         assert not kind.asks or asked & {*kind.inputs}, code
+        assert {*kind.requires, *kind.demands} <= {*kind.inputs}, code
         assert not kind.asks or hasattr(Requirements(), kind.asks), code
 
 

@@ -12,7 +12,7 @@ from core.checks.crank_planetary import CRANK_CHECKS, crank_checks, crank_codes
 from core.checks.space import pins_apart
 from core.design.real_forces import RealForces
 from core.design.results import Results
-from core.design.ring import Ring
+from core.design.ring import CycloidRing, InvoluteRing
 from core.design.sections import RollingBearing
 from core.errors import NotKnown
 from core.output.contact_force import ContactForce
@@ -131,8 +131,8 @@ def test_walls_are_as_thick_as_usual_where_nobody_asks() -> None:
     """0.03 of the diameter of the ring's pin circle, of the roots with the eccentricity, or 2.7
     modules below involute roots; as a demand the same numbers fail.
     """
-    cycloid = Ring(kind="cycloid", ring_pin_circle_radius=0.080, ring_pin_radius=0.004)
-    involute = Ring(kind="involute", module=3e-3, teeth_difference=2)
+    cycloid = CycloidRing(ring_pin_circle_radius=0.080, ring_pin_radius=0.004)
+    involute = InvoluteRing(module=3e-3, teeth_difference=2, reference_pressure_angle=0.35)
     for code, changes, width, guide in (
         ("wall_holes", {"gear": cycloid}, 0.030, 0.0048),
         ("wall_holes", {"gear": cycloid, "hole_radius": 0.0228}, 0.0044, 0.0048),
@@ -178,11 +178,11 @@ def test_a_wall_to_teeth_of_which_only_the_tips_are_known() -> None:
     thick = having(tips, min_wall=0.0049)
     says(check_of("wall_rim", thick), status="not_checked", limit=0.0049, **unknown)
     # or as the ring leaves them: 42 teeth of 3 mm, 63 - 3.75 mm, and a cycloid disc's
-    involute = Ring(kind="involute", module=3e-3, teeth_difference=2)
+    involute = InvoluteRing(module=3e-3, teeth_difference=2, reference_pressure_angle=0.35)
     for ratio, status in ((21.0, "not_checked"), (24.0, "pass"), (20.0, "fail")):
         found = check_of("wall_rim", having(tips, gear=involute, ratio=ratio, outer_radius=None))
         assert found.status == status
-    pins = Ring(kind="cycloid", ring_pin_circle_radius=0.070, ring_pin_radius=0.004)
+    pins = CycloidRing(ring_pin_circle_radius=0.070, ring_pin_radius=0.004)
     found = check_of("wall_rim", having(tips, gear=pins, min_wall=0.0041))
     assert (found.status, found.limit_source) == ("fail", "roots")
     assert found.value == pytest.approx(0.064 - 0.060, rel=1e-12)

@@ -15,7 +15,7 @@ from core.checks.largest_torque import crank_verdict
 from core.contact_life import life_factor
 from core.design.document import Design
 from core.design.results import Results
-from core.design.ring import Ring
+from core.design.ring import CycloidRing, OtherRing
 from core.design.ring_results import MOST_RING_PAIRS
 from core.design.sections import FatigueBasis, Friction
 from core.errors import InvalidInput
@@ -41,8 +41,7 @@ A7 = design_of(
     eccentricity=0.0015,
     pin_material=HARD,
     hole_material=SOFT,
-    gear=Ring(
-        kind="cycloid",
+    gear=CycloidRing(
         ring_pin_circle_radius=0.082,
         ring_pin_radius=0.005,
         modification=Modification(equidistant=2e-5, pin_circle=-1e-5),
@@ -60,8 +59,7 @@ FEW = design_of(
     pin_circle_radius=0.03,
     contact_length=0.01,
     eccentricity=0.0025,
-    gear=Ring(
-        kind="cycloid",
+    gear=CycloidRing(
         ring_pin_circle_radius=0.05,
         ring_pin_radius=0.005,
         modification=Modification(equidistant=6e-5),
@@ -244,8 +242,7 @@ def test_backlash_is_that_of_the_published_disc() -> None:
         ratio=18.0,
         eccentricity=0.0015,
         max_ring_backlash=3 * ARCMIN,
-        gear=Ring(
-            kind="cycloid",
+        gear=CycloidRing(
             ring_pin_circle_radius=0.034,
             ring_pin_radius=0.0025,
             modification=Modification(equidistant=1e-5),
@@ -524,7 +521,7 @@ def test_teeth_are_judged_by_all_that_they_need() -> None:
 
 
 def test_only_a_ring_of_pins_has_these() -> None:
-    other = having(A7, gear=Ring(kind="none"))
+    other = having(A7, gear=OtherRing(kind="none"))
     for check in crank_checks(Results(other)).checks:
         assert not check.code.startswith("ring_") or check.status == "not_applicable"
     for code in ("ring_pin_stress", "ring_pin_slope", "ring_pin_fatigue"):

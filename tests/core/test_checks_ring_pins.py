@@ -13,7 +13,7 @@ from core.checks.crank_planetary import crank_checks
 from core.design.document import Design
 from core.design.drawings import drawn_ring_pins
 from core.design.results import Results
-from core.design.ring import Ring
+from core.design.ring import CycloidRing
 from core.errors import InvalidInput
 from core.ring.profile import CycloidDisc, Modification
 from tests.inputs.checks import REF, check_of, having
@@ -27,8 +27,7 @@ def on_pins(
     *, lobes: int, shortening: float, radius: float | None = 0.005, difference: int | None = None
 ) -> Design:
     """A design whose ring has pins on 84 mm."""
-    ring = Ring(
-        kind="cycloid",
+    ring = CycloidRing(
         ring_pin_circle_radius=CIRCLE,
         ring_pin_radius=radius,
         teeth_difference=difference,

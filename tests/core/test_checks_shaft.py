@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from core.checks.check import Verdict
-from core.checks.shaft import ShaftDesign, shaft_checks
+from core.checks.shaft import LINE_MATERIALS, ShaftDesign, shaft_checks
 from core.fatigue import FatigueStrength, judge_cycle
 from core.results import Notice
 from tests.inputs.checks import says, with_requirements
@@ -134,19 +134,19 @@ def test_fatigue_of_the_shaft() -> None:
 def test_pressure_along_the_lines() -> None:
     accuracy = SimpleNamespace(relative_error=1e-14)
     contact: Any = SimpleNamespace(max_pressure=1000e6, accuracy=accuracy)
+    roller, mating = LINE_MATERIALS
     for lower, status in ((1400e6, "pass"), (1210e6, "marginal"), (1190e6, "fail")):
-        for limits in ((lower, 2000e6), (2000e6, lower)):
+        for limits in ({roller: lower, mating: 2000e6}, {roller: 2000e6, mating: lower}):
             verdict = shaft(contact=contact, pressure_limits=limits)
             found = verdict["line_pressure"]
             assert (found.status, found.limit) == (status, lower / 1.2)
             assert found.torque_reserve == pytest.approx((lower / 1200e6) ** 2)
             assert "line_pressure" not in verdict.not_considered
-    roller, mating = "line_contact.roller_material", "line_contact.mating_material"
     for limits, missing in (
-        ((1.3e9, None), (mating,)), ((None, 1.3e9), (roller,)), ((None, None), (roller, mating))
+        ({roller: 1.3e9}, (mating,)), ({mating: 1.3e9}, (roller,)), ({}, (roller, mating))
     ):  # fmt: skip
         unknown = shaft(contact=contact, pressure_limits=limits)["line_pressure"]
         assert (unknown.status, unknown.reason) == ("not_checked", "limit_unknown")
         assert (unknown.value, unknown.missing) == (1000e6, missing)
-    for limits in ((1.1e9, None), (None, 1.1e9)):  # too much for the one that is known
+    for limits in ({roller: 1.1e9}, {mating: 1.1e9}):  # too much for the one that is known
         assert shaft(contact=contact, pressure_limits=limits)["line_pressure"].status == "fail"

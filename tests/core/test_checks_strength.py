@@ -17,7 +17,7 @@ from core.checks.largest_torque import crank_verdict
 from core.checks.ring_pins import RING_PINS
 from core.design.document import Design
 from core.design.results import Results
-from core.design.ring import Ring
+from core.design.ring import CycloidRing, InvoluteRing, OtherRing
 from core.design.sections import RollingBearing, Shaft
 from core.errors import InvalidInput
 from core.fixes.changes import value_of, vary
@@ -367,7 +367,7 @@ MISSING: dict[str, tuple[Design, tuple[str, ...], tuple[str, ...]]] = {
         having(
             WHOLE,
             eccentricity=None,
-            gear=Ring(kind="cycloid", ring_pin_circle_radius=0.084, ring_pin_radius=0.004),
+            gear=CycloidRing(ring_pin_circle_radius=0.084, ring_pin_radius=0.004),
         ),
         ("gear_room", "ring_undercut"),
         ("contact.eccentricity",),
@@ -416,11 +416,14 @@ def test_ring() -> None:
     steep = check_of("pressure_angle", part(WHOLE, "gear", module=1.15e-3))
     assert (steep.status, steep.reason) == ("marginal", "steep_mesh")
     for ring, codes in (
-        (Ring(kind="none"), ("pressure_angle", "mesh_possible", "gear_room", *PINNED)),
-        (Ring(radial_force_ratio=0.3), ("pressure_angle", "mesh_possible", "gear_room", *PINNED)),
+        (OtherRing(kind="none"), ("pressure_angle", "mesh_possible", "gear_room", *PINNED)),
+        (
+            OtherRing(radial_force_ratio=0.3),
+            ("pressure_angle", "mesh_possible", "gear_room", *PINNED),
+        ),
         (WHOLE.gear, PINNED),
         (
-            Ring(kind="cycloid", ring_pin_circle_radius=0.084),
+            CycloidRing(ring_pin_circle_radius=0.084),
             ("pressure_angle", "mesh_possible"),
         ),
     ):
@@ -432,8 +435,7 @@ def test_teeth_that_can_mesh() -> None:
     """By module, teeth and eccentricity alone; never a green word of the teeth."""
 
     def teeth(module: float, difference: int, eccentricity: float, degrees: float = 20) -> Design:
-        ring = Ring(
-            kind="involute",
+        ring = InvoluteRing(
             module=module,
             teeth_difference=difference,
             reference_pressure_angle=math.radians(degrees),
@@ -489,7 +491,7 @@ def test_holes_within_a_cycloid_disc() -> None:
     rolled = np.linspace(0, 2 * math.pi, 21 * 100, endpoint=False)[:, None]
     places = 0.084 * np.exp(2j * math.pi * np.arange(21) / 21)
     nearest = float(np.abs(places - 2e-3 * np.exp(1j * rolled)).min())
-    ring = Ring(kind="cycloid", ring_pin_circle_radius=0.084, teeth_difference=1)
+    ring = CycloidRing(ring_pin_circle_radius=0.084, teeth_difference=1)
     own = part(having(WHOLE, gear=ring), "gear", ring_pin_radius=0.005)
     for width in (1e-4, -1e-4):
         design = having(own, pin_circle_radius=nearest - 0.005 - 0.010 - width)
@@ -579,9 +581,7 @@ def test_a_sharing_that_is_stated_is_not_solved() -> None:
         assert Results(design).solved == solved
 
 
-ON_PINS = having(
-    WHOLE, gear=Ring(kind="cycloid", ring_pin_circle_radius=0.084, ring_pin_radius=0.005)
-)
+ON_PINS = having(WHOLE, gear=CycloidRing(ring_pin_circle_radius=0.084, ring_pin_radius=0.005))
 
 FAILING: dict[str, Design] = {
     "contact_pressure_hole": WHOLE,

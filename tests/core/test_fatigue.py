@@ -197,8 +197,8 @@ def test_life_on_its_line():
     assert life(1.0, mean=1000.0) == life(1.0, mean=1200.0) == 0
     assert life(801.0, endurance=800.0) == 0
     assert life(799.0, endurance=800.0) == math.inf
-    own = {"fraction": None, "tensile_strength": 1000e6, "endurance": 300e6}
     f = strength_fraction(tensile_strength=1000e6)
+    own = {"fraction": f, "tensile_strength": 1000e6, "endurance": 300e6}
     assert life(f * 1000e6, **own) == pytest.approx(1e3, rel=1e-12)
 
 
@@ -213,8 +213,8 @@ def test_strength_on_the_line_of_life():
         assert stands(cycles) == pytest.approx(strength, rel=1e-12)
     assert stands(1.0) == stands(1e3) and stands(1e9) == 300.0
     assert stands(1e4, endurance=800.0) == 800.0 and stands(1e4, endurance=900.0) == 900.0
-    own = {"fraction": None, "tensile_strength": 1000e6, "endurance": 300e6}
     f = strength_fraction(tensile_strength=1000e6)
+    own = {"fraction": f, "tensile_strength": 1000e6, "endurance": 300e6}
     assert stands(1e3, **own) == pytest.approx(f * 1000e6, rel=1e-12)
 
 
@@ -256,7 +256,7 @@ def test_a_cycle_is_judged():
     assert (found.max_stress, found.min_stress) == (500.0, -100.0)
     assert found.safety_factor == pytest.approx(1 / (1 + 200 / 800))
     assert found.cycles == pytest.approx(
-        cycles_to_failure(amplitude=300.0, mean=200.0, endurance=300.0, tensile_strength=1000.0)
+        cycles_to_failure(amplitude=300.0, mean=200.0, **strength.line)
     )
     assert judge_cycle(strength=strength, largest=100.0, least=-100.0).cycles is None
     for name in ("endurance_limit", "tensile_strength"):

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.numerics.quadrature import tanh_sinh_rule
-from core.output.losses import TotalForce, loss_curves, pin_losses, total_force
+from core.output.losses import BarePins, Sleeves, TotalForce, loss_curves, pin_losses, total_force
 from core.output.mechanism import Mechanism
 from core.output.pin_forces import force_ratios
 from core.output.pin_geometry import pin_geometry
@@ -25,6 +25,7 @@ REFERENCE = {
     "friction_coefficient": 0.08,
     "wear_rate": 1e-17,
     "life": 3000 * 3600.0,
+    "rubbing": BarePins(0.010),
 }
 SIX_PINS = Mechanism.evenly_spaced(pins=6, satellites=2, ratio=20.0)
 
@@ -66,7 +67,7 @@ def test_the_reference_design() -> None:
 
 def test_the_reference_design_with_sleeves() -> None:
     bare = pin_losses(mechanism=SIX_PINS, **REFERENCE)
-    found = pin_losses(mechanism=SIX_PINS, **REFERENCE, diameter=0.011)
+    found = pin_losses(mechanism=SIX_PINS, **REFERENCE | {"rubbing": Sleeves(0.011)})
     assert found.mean_loss == pytest.approx(231.0, rel=1e-14)
     assert round(found.efficiency, 6) == 0.944444
     assert found.sleeve_speed == pytest.approx(bare.relative_speed / 4, rel=1e-15)
@@ -78,7 +79,7 @@ def test_the_reference_design_with_sleeves() -> None:
 
 def test_a_given_hole_is_worn_over_its_own_circumference() -> None:
     bare = pin_losses(mechanism=SIX_PINS, **REFERENCE)
-    found = pin_losses(mechanism=SIX_PINS, **REFERENCE, hole_radius=0.0105)
+    found = pin_losses(mechanism=SIX_PINS, **REFERENCE | {"rubbing": BarePins(0.0105)})
     assert found.hole_wear / bare.hole_wear == pytest.approx(10 / 10.5, rel=1e-14)
 
 
@@ -209,7 +210,7 @@ def test_how_the_loss_grows(
     )
     assert speed.efficiency == one.efficiency
     assert speed.peak_pv == pytest.approx(factor * one.peak_pv, rel=1e-14)
-    sleeved = pin_losses(mechanism=mechanism, **design, diameter=0.016 * share)
+    sleeved = pin_losses(mechanism=mechanism, **design | {"rubbing": Sleeves(0.016 * share)})
     assert sleeved.mean_loss == pytest.approx(share * one.mean_loss, rel=1e-14)
     assert sleeved.sliding_speed == pytest.approx(share * one.sliding_speed, rel=1e-14)
     assert sleeved.friction_couple == pytest.approx(share * one.friction_couple, rel=1e-14)
@@ -248,13 +249,15 @@ def test_arrays_of_designs_are_their_single_ones() -> None:
     radii, lengths = np.array([0.04, 0.05, 0.06])[:, None], np.array([0.01, 0.02])
     many = pin_losses(
         mechanism=SIX_PINS,
-        **REFERENCE | {"pin_circle_radius": radii, "contact_length": lengths},
-        diameter=np.array([0.010, 0.012]),
+        **REFERENCE
+        | {"pin_circle_radius": radii, "contact_length": lengths}
+        | {"rubbing": Sleeves(np.array([0.010, 0.012]))},
     )
     for i, radius in enumerate(radii[:, 0]):
         for j, length in enumerate(lengths):
             sizes = {"pin_circle_radius": float(radius), "contact_length": float(length)}
-            one = pin_losses(mechanism=SIX_PINS, **REFERENCE | sizes, diameter=(0.010, 0.012)[j])
+            own = {"rubbing": Sleeves((0.010, 0.012)[j])}
+            one = pin_losses(mechanism=SIX_PINS, **REFERENCE | sizes | own)
             for name in ("mean_loss", "efficiency", "peak_pv", "pin_wear", "sleeve_speed"):
                 value = getattr(many, name)
                 assert np.broadcast_to(value, (3, 2))[i, j] == getattr(one, name), name
@@ -262,12 +265,15 @@ def test_arrays_of_designs_are_their_single_ones() -> None:
 
 def test_what_cannot_be_is_refused() -> None:
     with pytest.raises(InvalidInput) as refusal:
-        pin_losses(mechanism=SIX_PINS, **REFERENCE, diameter=0.016)
+        pin_losses(mechanism=SIX_PINS, **REFERENCE | {"rubbing": Sleeves(0.016)})
     assert (refusal.value.parameter, refusal.value.code) == ("diameter", "no_sleeve")
     with pytest.raises(InvalidInput) as refusal:
-        pin_losses(mechanism=SIX_PINS, **REFERENCE, diameter=np.array([0.01, 0.017]))
+        pin_losses(mechanism=SIX_PINS, **REFERENCE | {"rubbing": Sleeves(np.array([0.01, 0.017]))})
     assert refusal.value.parameter == "diameter[1]"
-    wrong = {"friction_coefficient": -0.1, "input_speed": -1.0, "life": -1.0, "diameter": 0.0}
+    with pytest.raises(InvalidInput) as refusal:
+        pin_losses(mechanism=SIX_PINS, **REFERENCE | {"rubbing": Sleeves(0.0)})
+    assert refusal.value.parameter == "diameter"
+    wrong = {"friction_coefficient": -0.1, "input_speed": -1.0, "life": -1.0}
     for name, value in wrong.items():
         with pytest.raises(InvalidInput) as refusal:
             pin_losses(mechanism=SIX_PINS, **REFERENCE | {name: value})

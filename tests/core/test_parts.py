@@ -12,7 +12,7 @@ from core.checks.part import PARTS, PartStatus, PartVerdict, whole
 from core.checks.usual_fit import usual_fit
 from core.design.document import Design
 from core.design.results import Results
-from core.design.ring import Ring
+from core.design.ring import CycloidRing, OtherRing
 from core.design.sections import PART_NAMES, RollingBearing
 from core.material_table import MATERIALS
 from core.materials import ContactLimit, ElasticMaterial
@@ -36,8 +36,7 @@ SOUND = having(
     WHOLE,
     hole_radius=0.01002,
     output_torque=60.0,
-    gear=Ring(
-        kind="cycloid",
+    gear=CycloidRing(
         ring_pin_circle_radius=0.1,
         ring_pin_radius=0.004,
         modification=Modification(equidistant=5e-6),
@@ -150,11 +149,11 @@ def test_a_material_without_a_limit_opens_the_contact() -> None:
 
 
 def test_a_ring_without_teeth_leaves_them_out_and_opens_the_bearings() -> None:
-    toothless = having(SOUND, gear=Ring(kind="none"))
+    toothless = having(SOUND, gear=OtherRing(kind="none"))
     assert statuses(toothless)["teeth"] == "left_out"
     bearings = {"satellite_bearing": "no_ring_force", "crank_bearings": "no_ring_force"}
     assert reasons(toothless) == bearings
-    assert reasons(having(SOUND, gear=Ring(radial_force_ratio=0.3))) == {
+    assert reasons(having(SOUND, gear=OtherRing(radial_force_ratio=0.3))) == {
         "teeth": "teeth_not_judged"
     }
 

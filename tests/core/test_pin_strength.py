@@ -152,9 +152,8 @@ def test_the_direction_of_an_alternating_cycle_is_that_of_the_largest_moment(
 def test_life() -> None:
     weak = FatigueStrength(endurance_limit=150e6, tensile_strength=1000e6)
     found = pin_strength(**REFERENCE | {"fatigue": weak}, input_speed=50 * math.pi).fatigue
-    assert found.cycles == cycles_to_failure(
-        amplitude=found.amplitude, mean=found.mean, endurance=150e6, tensile_strength=1000e6
-    )
+    cycle = {"amplitude": found.amplitude, "mean": found.mean}
+    assert found.cycles == cycles_to_failure(**cycle, **weak.line)
     assert 1e5 < found.cycles < 1e6
     assert found.life == pytest.approx(found.cycles / (1575 / 60), rel=1e-14)
     lasting = pin_strength(**REFERENCE, input_speed=50 * math.pi).fatigue

@@ -29,6 +29,10 @@ LENGTHS = st.floats(1e-3, 1.0)
 DIAMETERS = st.floats(1e-3, 0.2)
 
 
+def plain(diameter: float) -> list[ShaftSection]:
+    return [ShaftSection(SHAFT["bearing_distance"] + SHAFT["overhang"], diameter)]
+
+
 def loaded(b: float, c: float, a: float) -> dict[str, Any]:
     """Mesh loads that press on the shaft with b at B and c at C, in x."""
     return {"force": (b + c, 0.0, 0.0), "moment": (0.0, b * a, 0.0)}
@@ -82,7 +86,7 @@ def test_what_acts_along_the_shaft_bends_nothing_and_blurs_nothing() -> None:
 
 
 def test_one_diameter_in_pieces_is_one_diameter() -> None:
-    whole = shaft_deflection(**LOAD, **SHAFT, shaft_diameter=0.02)
+    whole = shaft_deflection(**LOAD, **SHAFT, shaft_sections=plain(0.02))
     pieces = shaft_deflection(
         **LOAD,
         **SHAFT,
@@ -96,7 +100,7 @@ def test_one_diameter_in_pieces_is_one_diameter() -> None:
 
 def test_the_smallest_diameter_everywhere_exaggerates() -> None:
     result = shaft_deflection(**LOAD, **SHAFT, shaft_sections=STEPPED)
-    simplified = shaft_deflection(**LOAD, **SHAFT, shaft_diameter=0.01)
+    simplified = shaft_deflection(**LOAD, **SHAFT, shaft_sections=plain(0.01))
     assert result.simplified_deflection_B == simplified.deflection_B
     assert result.simplified_deflection_C == simplified.deflection_C
     assert result.simplification_error_C == pytest.approx(
@@ -243,7 +247,7 @@ def test_an_overhang_far_shorter_than_the_bearing_distance_keeps_its_digits() ->
 
 def test_a_deflection_that_is_hardly_known_is_noticed() -> None:
     for error, codes in ((1.0, []), (10.0, ["hardly_known"])):
-        result = shaft_deflection(**LOAD, **SHAFT, shaft_diameter=0.02, force_error=error)
+        result = shaft_deflection(**LOAD, **SHAFT, shaft_sections=plain(0.02), force_error=error)
         assert [notice.code for notice in result.notices] == codes
 
 
@@ -281,30 +285,28 @@ def test_diagram() -> None:
         ("bearing_distance", {"bearing_distance": 0.0}),
         ("overhang", {"overhang": 0.0}),
         ("youngs_modulus", {"youngs_modulus": 0.0}),
-        ("shaft_diameter", {"shaft_diameter": 0.0}),
-        ("shaft_diameter", {"shaft_diameter": None}),
-        ("shaft_sections", {"shaft_sections": STEPPED}),
-        ("shaft_sections", {"shaft_sections": STEPPED[:2], "shaft_diameter": None}),
-        ("shaft_sections", {"shaft_sections": [], "shaft_diameter": None}),
+        ("shaft_sections[0].diameter", {"shaft_sections": [ShaftSection(0.1, 0.0)]}),
+        ("shaft_sections", {"shaft_sections": STEPPED[:2]}),
+        ("shaft_sections", {"shaft_sections": []}),
         (
             "shaft_sections[1].diameter",
-            {"shaft_sections": [STEPPED[0], ShaftSection(0.06, 0.0)], "shaft_diameter": None},
+            {"shaft_sections": [STEPPED[0], ShaftSection(0.06, 0.0)]},
         ),
         (
             "shaft_sections[0].length",
-            {"shaft_sections": [ShaftSection(-0.01, 0.1)], "shaft_diameter": None},
+            {"shaft_sections": [ShaftSection(-0.01, 0.1)]},
         ),
     ],
 )
 def test_refusals(parameter: str, changes: dict[str, Any]) -> None:
     with pytest.raises(InvalidInput) as caught:
-        shaft_deflection(**LOAD, **SHAFT | {"shaft_diameter": 0.02} | changes)
+        shaft_deflection(**LOAD, **SHAFT | {"shaft_sections": STEPPED} | changes)
     assert caught.value.parameter == parameter
 
 
 def test_notices() -> None:
     def codes(diameter: float) -> list[str]:
-        result = shaft_deflection(**LOAD, **SHAFT, shaft_diameter=diameter)
+        result = shaft_deflection(**LOAD, **SHAFT, shaft_sections=plain(diameter))
         return [notice.code for notice in result.notices]
 
     assert codes(0.02) == []

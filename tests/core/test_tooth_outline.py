@@ -9,7 +9,7 @@ import pytest
 from core.arrays import ComplexArray, FloatArray
 from core.design.drawings import drawn_ring, drawn_satellites
 from core.design.results import Results
-from core.design.ring import Ring
+from core.design.ring import InvoluteRing
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.ring.involute import Cutter, InvolutePair, InvoluteTeeth, Rack, involute_pair
 from core.ring.tooth_outline import ring_outline, satellite_outline
@@ -165,8 +165,7 @@ def test_teeth_that_are_put_together_do_not_cross() -> None:
         pin_radius=0.007,
         hole_radius=0.0107,
         eccentricity=0.00368,
-        gear=Ring(
-            kind="involute",
+        gear=InvoluteRing(
             module=3e-3,
             teeth_difference=2,
             reference_pressure_angle=math.radians(20),

@@ -20,7 +20,7 @@ from core.checks.usual_modification import (
 )
 from core.design.document import Design
 from core.design.results import Results
-from core.design.ring import Ring
+from core.design.ring import CycloidRing, OtherRing
 from core.materials import ContactLimit, ElasticMaterial
 from core.output.real_mechanism import Deviations
 from core.ring.profile import Modification
@@ -38,8 +38,7 @@ FEW = design_of(
     contact_length=0.01,
     eccentricity=0.0025,
     scope=("teeth",),
-    gear=Ring(
-        kind="cycloid",
+    gear=CycloidRing(
         ring_pin_circle_radius=0.06,
         ring_pin_radius=0.005,
         pin_material=HARD,
@@ -153,7 +152,7 @@ def test_what_is_known_stays() -> None:
     assert usual_modification(having(modified, deviations=off)) is None
     assert usual_modification(ringed(ring_pin_radius=None)) is None
     assert usual_modification(having(FEW, scope=("contact",))) is None
-    assert usual_modification(having(FEW, gear=Ring(kind="none"))) is None
+    assert usual_modification(having(FEW, gear=OtherRing(kind="none"))) is None
 
 
 def test_each_takes_the_usual_value_of_the_other() -> None:

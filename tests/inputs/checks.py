@@ -12,7 +12,7 @@ from core.checks.crank_planetary import crank_check
 from core.checks.largest_torque import crank_verdict
 from core.design.document import Design, changed
 from core.design.results import Results
-from core.design.ring import Ring
+from core.design.ring import InvoluteRing
 from core.design.sections import (
     Contact,
     DesignPin,
@@ -122,8 +122,7 @@ WHOLE = having(
     ),
     fatigue=FatigueBasis(endurance_limit=300e6),
     friction=Friction(coefficient=0.08, wear_rate=1e-17, life=3000 * 3600.0),
-    gear=Ring(
-        kind="involute",
+    gear=InvoluteRing(
         module=1.75e-3,
         teeth_difference=2,
         reference_pressure_angle=math.radians(20),

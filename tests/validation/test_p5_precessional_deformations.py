@@ -13,7 +13,7 @@ import pytest
 from core.precession.contact_line import contact_lines, contact_points
 from core.precession.meshing_load import meshing_load
 from core.precession.rollers import RollerByLength, wheel_rollers
-from core.precession.shaft import bearing_reactions
+from core.precession.shaft import ShaftSection, bearing_reactions
 from core.precession.shaft_deflection import shaft_deflection
 
 R_C, RHO, M1 = 0.05, 0.004, 10.0
@@ -171,7 +171,7 @@ def derived_deflections(
         moment=(-load_b[1] * a, load_b[0] * a, 0.0),
         bearing_distance=a,
         overhang=b,
-        shaft_diameter=diameter,
+        shaft_sections=[ShaftSection(a + b, diameter)],
         youngs_modulus=modulus,
     )
     rigidity = modulus * math.pi * diameter**4 / 64

@@ -8,7 +8,7 @@ import math
 
 import pytest
 
-from core.output.losses import pin_losses
+from core.output.losses import Sleeves, pin_losses
 from core.output.mechanism import Mechanism
 
 K1, PIN, SLEEVE, RING, HOLES, TEETH, FRICTION = 0.77495208, 14.0, 2.0, 140.0, 90.0, 44, 0.02
@@ -22,7 +22,7 @@ def test_efficiency_of_xw3() -> None:
         input_speed=100.0,
         eccentricity=K1 * RING / (2 * TEETH) / 1000,
         pin_radius=(PIN / 2 + SLEEVE) / 1000,
-        diameter=PIN / 1000,
+        rubbing=Sleeves(PIN / 1000),
         contact_length=0.01,
         friction_coefficient=FRICTION,
     )

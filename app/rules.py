@@ -1,0 +1,120 @@
+"""Rules between the fields of a request: forms of which one is given, what belongs to a kind, and
+what two fields have to do with each other; their refusals, and what the JSON schema says of them.
+"""
+
+from collections.abc import Iterable, Mapping
+from functools import cache
+from itertools import chain
+from typing import Any, Literal, NamedTuple
+
+from pydantic_core import PydanticCustomError
+
+
+def field_error(name: str, code: str, **params: Any) -> PydanticCustomError:
+    """Refusal by a model's validator that belongs to one field, or ``model/field``; see
+    `app.problems.TEXTS`.
+    """
+    return PydanticCustomError("field_error", code, {"name": name, "code": code, "params": params})
+
+
+Forms = tuple[tuple[str, ...], ...]
+
+
+class Alternative(NamedTuple):
+    """Forms of which one has to be given, their names, and which of these may stand together."""
+
+    forms: Forms
+    names: frozenset[str]
+    allowed: frozenset[frozenset[str]]
+
+
+@cache
+def alternatives(model: Any) -> tuple[Alternative, ...]:
+    """Alternatives of a request and of all that it is made of."""
+    every = [vars(each).get("ALTERNATIVES", ()) for each in model.__mro__]
+    return tuple(
+        Alternative(forms, frozenset(chain(*forms)), frozenset(map(frozenset, forms)))
+        for some in every
+        for forms in some
+    )
+
+
+def wrong_form(forms: Forms, named: set[str]) -> PydanticCustomError:
+    """Why the fields that a request names are none of some forms."""
+    given = [form for form in forms if not named.isdisjoint(form)]
+    if not given:
+        return field_error(forms[0][0], "needed", field=forms[1][0])
+    if len(given) > 1:
+        first, second = (next(n for n in form if n in named) for form in given[:2])
+        return field_error(second, "only_one", field=first)
+    missing = next(name for name in given[0] if name not in named)
+    other = next(name for name in given[0] if name != missing)
+    return field_error(missing, "needed_beside", field=other)
+
+
+class Rule(NamedTuple):
+    """A rule between two fields, by their paths (``load/input_speed_rpm``): it reads as a sentence,
+    of the field that is refused where it does not hold, and the one that the refusal names.
+    """
+
+    field: str
+    rule: Literal["only_one", "needed_beside", "needed"]
+    other: str
+
+
+BROKEN = {"only_one": (True, True), "needed_beside": (False, True), "needed": (False, False)}
+"""Whether the field of a rule and the other are given where it does not hold: both; the other
+alone; none of both."""
+
+
+@cache
+def between(model: Any) -> tuple[Rule, ...]:
+    """Rules between the fields of a request and of all that it is made of."""
+    every = (vars(each).get("BETWEEN", ()) for each in reversed(model.__mro__))
+    return tuple(chain.from_iterable(every))
+
+
+def _only(form: tuple[str, ...], names: Iterable[str]) -> dict[str, Any]:
+    """Schema of a form: its fields, and none of the others.
+
+    As requirements: generators of clients take no properties that are `false`.
+    """
+    others = [{"required": [name]} for name in names if name not in form]
+    return {"required": [*form], "not": {"anyOf": others}}
+
+
+Kinds = Mapping[Any, tuple[tuple[str, ...], tuple[str, ...]]]
+"""Of each kind, the fields that it needs, and those that it may have besides."""
+
+
+@cache
+def of_other_kinds(model: Any, kind: Any) -> tuple[str, ...]:
+    """Fields that kinds of a request have, but not this one."""
+    own = {*chain(*model.KINDS[kind])}
+    every = dict.fromkeys(chain.from_iterable(chain(*names) for names in model.KINDS.values()))
+    return tuple(name for name in every if name not in own)
+
+
+def _kind_schema(model: Any, kind: Any) -> dict[str, Any]:
+    """What a kind needs, and that it takes nothing of the others."""
+    named: dict[str, Any] = {"required": [model.KIND]}
+    if kind is None:
+        named = {"not": named}
+    else:
+        default = kind == model.model_fields[model.KIND].default
+        named = {"properties": {model.KIND: {"const": kind}}} | ({} if default else named)
+    needed, others = model.KINDS[kind][0], of_other_kinds(model, kind)
+    rule: dict[str, Any] = {"required": [*needed]} if needed else {}
+    if others:
+        rule["not"] = {"anyOf": [{"required": [name]} for name in others]}
+    return {"if": named, "then": rule}
+
+
+def schema_rules(model: Any) -> list[dict[str, Any]]:
+    """What the JSON schema of a request says of its forms and kinds, and what it says besides."""
+    rules: list[dict[str, Any]] = []
+    for forms, _, _ in alternatives(model):
+        names = dict.fromkeys(name for form in forms for name in form)
+        rules.append({"oneOf": [_only(form, names) for form in forms]})
+    rules += model.RULES
+    return rules + [rule for kind in model.KINDS if (rule := _kind_schema(model, kind))["then"]]
