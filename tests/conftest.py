@@ -27,6 +27,7 @@ SLOW = {
         "app/test_jobs.py",
         "app/test_openapi_conformance.py",
         "app/test_processes.py",
+        "app/test_ring_design_api.py",
         "app/test_tolerance_study_api.py",
         "app/test_work_precision_api.py",
         "core/test_check_inputs.py",
