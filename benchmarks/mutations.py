@@ -30,6 +30,8 @@ from typing import Any, NamedTuple
 import hypothesis
 import pytest
 
+from app.compiled import SOURCES
+
 ROOT = Path(__file__).parent.parent
 COUNT, SEED, FIRST = 60, 33, 40
 """Mutations, the seed, and how many tests are tried before the files of all others are read."""
@@ -39,7 +41,7 @@ ELSEWHERE = ("architecture", "benchmarks", "browser", "service")
 ASKS_OTHERS = "tests/app/"
 """Tests of what no test reaches in its own process: another one may, for it."""
 
-COMPILED, ITS_DOOR = "_kernel.py", "return _at_hand"
+COMPILED, ITS_DOOR = {each.name for each in SOURCES}, "return _at_hand"
 """What is compiled notes nothing: its tests are those that fetch it by this line."""
 
 OTHER: dict[type, type] = {
@@ -145,9 +147,9 @@ def noting(tree: Path, chosen: list[Mutation]) -> dict[str, bytes]:
     note, files = '(__import__("reached").SEEN.update({}) or (', dict[str, bytes]()
     inserted = list[tuple[str, int, str]]()
     for index, each in enumerate(chosen):
-        if not each.file.endswith(COMPILED):
+        if Path(each.file).name not in COMPILED:
             inserted += (each.file, each.start, note.format([index])), (each.file, each.end, "))")
-    compiled = [n for n, each in enumerate(chosen) if each.file.endswith(COMPILED)]
+    compiled = [n for n, each in enumerate(chosen) if Path(each.file).name in COMPILED]
     for path in (tree / "core").rglob("compiled.py") if compiled else ():
         at = path.read_bytes().index(ITS_DOOR.encode()) + len("return ")
         file = str(path.relative_to(tree))
@@ -226,7 +228,7 @@ class Trial:
         order, asked = sorted(tests, key=lambda test: tests[test]), self.folder / "asked.json"
         cache = self.folder / "numba"
         shutil.rmtree(cache, ignore_errors=True)
-        kernel = {"NUMBA_CACHE_DIR": str(cache)} if each.file.endswith(COMPILED) else {}
+        kernel = {"NUMBA_CACHE_DIR": str(cache)} if Path(each.file).name in COMPILED else {}
         for some in filter(None, (order[:FIRST], order[FIRST:])):
             asked.write_text(json.dumps({test: tests[test] for test in some}))
             files = sorted({test.split("::")[0] for test in some})

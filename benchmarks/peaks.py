@@ -25,7 +25,13 @@ from core.output.loop_rows import FORCE
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_mechanism import Deviations, RealMechanism
-from core.output.satellite_support import CrankSupport, ElasticMesh, SatelliteSupport, Shares
+from core.output.satellite_support import (
+    RIGID_SUPPORT,
+    CrankSupport,
+    ElasticMesh,
+    SatelliteSupport,
+    Shares,
+)
 from core.output.turn import Turn
 from tests.inputs.real_mechanisms import STEEL
 
@@ -78,7 +84,7 @@ def design(seed: int) -> tuple[RealMechanism, float]:
     if hard:  # what is left of the clearance of two pins is next to nothing
         for pin in r.sample(range(pins), 2):
             radial[pin] = -clearance * (1 - 10 ** r.uniform(-4, -1))
-    support: SatelliteSupport | None = None
+    support: SatelliteSupport = RIGID_SUPPORT
     if seed % 5 == 0:
         shares = (0.5, 0.3, 0.2)[:satellites]
         support = r.choice(
@@ -103,7 +109,7 @@ def design(seed: int) -> tuple[RealMechanism, float]:
             hole_tangential=tuple(row(pins) for _ in range(satellites)),
             disc_phase=tuple(each / 0.040 for each in row(satellites)),
         ),
-        exact=support is None and r.random() < 0.5,
+        exact=not support.first_order and r.random() < 0.5,
         support=support,
     )
     return real, 10 ** (r.uniform(-3, 1) if hard else r.uniform(1, 2.5))

@@ -33,7 +33,7 @@ from core.materials import ElasticMaterial
 from core.numerics.inverse import solve_for
 from core.output.contact_force import contact_force
 from core.output.cyclogram import cyclogram
-from core.output.losses import pin_losses
+from core.output.losses import BarePins, pin_losses
 from core.output.mechanism import Mechanism
 from core.output.peak_force import peak_force
 from core.output.pin_beam import PinBeam, face_load_factor
@@ -132,6 +132,7 @@ def _losses(radius: Any) -> object:
     return pin_losses(
         **LOADED | {"pin_circle_radius": radius}, input_speed=157.0, eccentricity=0.002,
         pin_radius=0.008, contact_length=0.02, friction_coefficient=0.08,
+        rubbing=BarePins(0.01),
     )  # fmt: skip
 
 

@@ -13,10 +13,12 @@ import pytest
 
 from core.materials import ElasticMaterial
 from core.output.contact_law import (
+    RIGID_PINS,
     ContactLaw,
     HertzLaw,
     LinearLaw,
     PalmgrenLaw,
+    Pins,
     PinSupport,
     PowerLaw,
 )
@@ -31,9 +33,9 @@ ARCMIN = math.pi / 180 / 60
 UNITS = {"mm": 1e-3, "deg": math.pi / 180}
 
 
-def _material(given: dict[str, float] | None) -> ElasticMaterial | None:
-    if given is None:
-        return None
+def _material(given: dict[str, float] | None) -> ElasticMaterial:
+    if given is None:  # its pressures are not looked at
+        return STEEL
     return ElasticMaterial(
         youngs_modulus=given["youngs_modulus_GPa"] * 1e9, poissons_ratio=given["poissons_ratio"]
     )
@@ -67,7 +69,7 @@ def mechanism(body: dict[str, Any]) -> tuple[RealMechanism, float]:
     """What a request means, and its torque."""
     sizes, contact, load = body["mechanism"], body["contact"], body["load"]
     spacing = sizes.get("crank_spacing_deg")
-    pin = None
+    pin: Pins = RIGID_PINS
     if "pin" in body:
         given = body["pin"]
         pin = PinSupport(
