@@ -15,9 +15,11 @@ from core.design.document import Design
 from core.design.results import Results
 from core.design.ring import InvoluteRing, OtherRing
 from core.design.sections import Friction
+from core.errors import NotKnown
 from core.materials import ContactLimit, ElasticMaterial
 from core.output.real_mechanism import Deviations
 from core.output.satellite_support import Shares
+from core.ring.involute import HEIGHTS
 from tests.inputs.checks import REF, check_of, design_of, having
 from tests.oracles import involute as oracle
 
@@ -405,6 +407,17 @@ def test_a_path_that_starts_off_the_involute_has_no_pressure() -> None:
     check = check_of("ring_pressure_pin", early)
     assert (check.status, check.reason) == ("not_checked", "off_involutes")
     assert teeth_of(having(early, scope=("teeth",)))[0] == "fail"
+
+
+@pytest.mark.parametrize(
+    ("addendum", "code", "limit"), [(0.1, "greater_than_equal", 0), (9.0, "less_than_equal", 1)]
+)
+def test_heights_that_no_tooth_has_are_refused(addendum: float, code: str, limit: int) -> None:
+    with pytest.raises(NotKnown) as refusal:
+        _ = Results(geared(of(FORTY), ring_addendum=addendum)).ring.pair
+    assert refusal.value.refusal is not None
+    assert (refusal.value.code, refusal.value.refusal.parameter) == (code, "gear.ring_addendum")
+    assert refusal.value.refusal.params == {"limit": HEIGHTS[limit]}
 
 
 def test_only_involute_teeth_have_these() -> None:
