@@ -272,7 +272,7 @@ class RequestModel(BaseModel):
         for name, value in self.given.items():
             if name in self.ASSUMED and name not in self.model_fields_set:
                 yield (name,), value
-        for name, value in self:
+        for name, value in self.given.items():
             if isinstance(value, RequestModel):
                 yield from (((name, *path), inner) for path, inner in value.assumed())
 
@@ -282,8 +282,8 @@ class RequestModel(BaseModel):
 
     def notices(self) -> tuple[Notice, ...]:
         """What of the request is taken otherwise than it is typed."""
-        within = (value.notices() for _, value in self if isinstance(value, RequestModel))
-        return tuple(chain.from_iterable(within))
+        parts = (each for each in self.given.values() if isinstance(each, RequestModel))
+        return tuple(chain.from_iterable(each.notices() for each in parts))
 
     def cost(self) -> float:
         """How many points are calculated, which says where (`app.endpoint.LIGHT_COST`): of what
@@ -734,8 +734,11 @@ class AssumingResponse(WorkedResponse):
 def notices_of(*results: Any) -> tuple[Notice, ...]:
     """Notices of core results, of those that there are; one may be a notice itself."""
     found: list[Notice] = []
-    for each in filter(None, results):
-        found += (each,) if isinstance(each, Notice) else each.notices
+    for each in results:
+        if isinstance(each, Notice):
+            found.append(each)
+        elif each is not None:
+            found += each.notices
     return tuple(found)
 
 

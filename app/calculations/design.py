@@ -38,7 +38,6 @@ from app.model import (
     Size,
     no_dust,
     notices_of,
-    present,
     quantity,
     result,
 )
@@ -238,7 +237,7 @@ class DesignFields(GivingFields):
     @property
     def ring_kind(self) -> str | None:
         """Kind of the mesh with the ring, where there is one and says it."""
-        return getattr(getattr(self, "gear", None), "kind", None)
+        return getattr(self.given.get("gear"), "kind", None)
 
     @property
     def known_load(self) -> DesignLoadFields:
@@ -251,7 +250,7 @@ class DesignFields(GivingFields):
         """Whether clearance, deviations, a law of contact or satellites that give are given."""
         loose = self.contact is not None and self._clearance_mm(self.contact) > 0
         made = self.deviations is not None and not self.deviations.of_ring_alone
-        return loose or made or self.support.first_order or self.contact_law is not None
+        return loose or made or bool(self.giving) or self.contact_law is not None
 
     def _clearance_mm(self, contact: PinContactFields) -> float:
         """Radial clearance with what rollers add to one that is known."""
@@ -312,7 +311,8 @@ class DesignFields(GivingFields):
 
     def parts(self) -> dict[str, Any]:
         """The sections of the design that are given, by their names in it."""
-        return present({each.name: getattr(self, each.name, None) for each in fields(Design)})
+        given = self.given
+        return {each.name: given[each.name] for each in fields(Design) if each.name in given}
 
     @cached_property
     def design(self) -> Design:

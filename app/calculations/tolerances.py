@@ -107,6 +107,9 @@ def _size_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
     ]
 
 
+SAID_BY_PROCESS = ("process", "pin_process", "hole_process")
+"""Fields that fill others, and vary nothing themselves."""
+
 SIZE_FORMS = (("class",), ("lower_mm", "upper_mm"))
 """What says a diameter's deviations, by names in JSON."""
 
@@ -249,7 +252,7 @@ class TolerancesFields(RequestModel, group="tolerances"):
     def processes(self) -> dict[Part, Process]:
         """How pins and holes are made, as far as that is said."""
         said = {part: self.given.get(f"{part}_process", self.process) for part in PARTS}
-        return {part: PROCESSES[name] for part, name in said.items() if name in PROCESSES}
+        return {part: PROCESSES[name] for part, name in said.items() if name is not None}
 
     @cached_property
     def guides(self) -> Values:
@@ -273,7 +276,7 @@ class TolerancesFields(RequestModel, group="tolerances"):
 
     def spreads(self) -> list[str]:
         """Names of what varies."""
-        return [name for name in self.given if "process" not in name]
+        return [name for name in self.given if name not in SAID_BY_PROCESS]
 
     def tolerances(self, contact: RealContactFields, ring_pin_diameter: float = 0.0) -> Tolerances:
         """The same in SI units, for a contact's sizes, and the diameter of the pins of a ring.

@@ -211,7 +211,7 @@ def make_check(kind: Kind, *design: Any) -> Check:
     except UNKNOWN as why:
         found = not_checked(kind, why)
         demanded = [value_at(design[0], path) is not None for path in kind.demands]
-        asked = not demanded or any(demanded)
+        asked = any(demanded) or not (kind.demands and isinstance(why, NotKnown))
         found = found._replace(**kind.known(*design) if asked else {"status": "not_asked"})
     if kind.asks:
         return _asked(kind, found, getattr(design[0].requirements, kind.asks))

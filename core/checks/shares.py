@@ -120,9 +120,9 @@ def _by_factor(results: Results) -> Sharing:
 
 
 def _by_forces(results: Results) -> Sharing | None:
-    """By the forces that are solved; None where these are ideal, or all satellites alike."""
+    """By the forces that are solved; None where all satellites are alike."""
     design = results.design
-    if not results.solved or (_alike(results) and not results.in_series):
+    if _alike(results) and not results.in_series:
         return None
     forces, torque = results.real_forces, design.pin_torque
     turn = results.made(forces.way * torque)

@@ -2,13 +2,14 @@
 the crankshaft, each worked out when it is asked for, once, or why it is not known.
 """
 
-from typing import Any, Protocol
+from typing import Any
 
 from core.crank.balance import Balance, balance
 from core.crank.crankshaft import Crankshaft, crankshaft
 from core.crank.satellite_bearing import SatelliteBearings, satellite_bearings
 from core.derived import derived
-from core.design.document import Design, value_at
+from core.design.document import value_at
+from core.design.output_forces import OutputForces
 from core.design.refusals import named
 from core.design.ring_results import RingResults
 from core.errors import NotKnown, required
@@ -18,36 +19,19 @@ MOST_BEARING_PAIRS = 2000
 """Most pairs of which the forces on the satellites are integrated over the turn."""
 
 
-class OutputForces(Protocol):
-    """What the crank takes of the forces on the output's pins and of the ring."""
-
-    solved: bool
-
-    @property
-    def ring(self) -> RingResults:
-        """What follows about the ring."""
-
-    @property
-    def turning(self) -> dict[str, Any]:
-        """What the forces follow from, and what turns, as arguments."""
-
-    def limit_pairs(self, most: int) -> None:
-        """Refuse more pairs than ideal forces are integrated of."""
-
-
 class CrankResults:
     """What follows from a design about its crank; SI units. What is not known raises `NotKnown`.
 
     Parameters
     ----------
-    design : Design
-        The design.
     output : OutputForces
-        The forces on the output's pins.
+        The design and the forces on the pins of its output.
+    ring : RingResults
+        What follows about its ring.
     """
 
-    def __init__(self, design: Design, output: OutputForces) -> None:
-        self.design, self.output = design, output
+    def __init__(self, output: OutputForces, ring: RingResults) -> None:
+        self.design, self.output, self.ring = output.design, output, ring
 
     @property
     def uneven_growth(self) -> bool:
@@ -64,7 +48,7 @@ class CrankResults:
         bearing = self.design.bearing
         if not bearing:
             raise NotKnown("section_missing", "bearing")
-        mesh = self.output.ring.force
+        mesh = self.ring.force
         self.output.limit_pairs(MOST_BEARING_PAIRS)
         return named(
             self.design,
@@ -100,7 +84,7 @@ class CrankResults:
         own = self.design.crankshaft
         if not own:
             raise NotKnown("section_missing", "crankshaft")
-        mesh, speeds = self.output.ring.force, self.design.known_speeds
+        mesh, speeds = self.ring.force, self.design.known_speeds
         self.output.limit_pairs(MOST_BEARING_PAIRS)
         given = self.output.turning | self._on_shaft | {"input_speed": speeds.crank} | other
         if own.bearings is not None:

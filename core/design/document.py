@@ -581,6 +581,26 @@ class Design:
         }
         return {body: each.lasting(loads) for body, each in given.items() if each is not None}
 
+    def known_material(self, body: Body) -> ElasticMaterial:
+        """That of pin or hole, which has to be given.
+
+        Parameters
+        ----------
+        body : Body
+            Pin or hole.
+
+        Returns
+        -------
+        ElasticMaterial
+            Its limit is that for the loads over the life.
+
+        Raises
+        ------
+        NotKnown
+            If it is not.
+        """
+        return required(self.lasting.get(body), "section_missing", f"contact.{body}_material")
+
     @cached_property
     def plastics(self) -> dict[Body, Plastic]:
         """Which of pin and hole are plastic, and what is known of that."""

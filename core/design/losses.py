@@ -3,18 +3,16 @@ is asked for, once, or why it is not known.
 """
 
 from dataclasses import replace
-from typing import Protocol
 
 import numpy as np
 
 from core.derived import derived
-from core.design.document import Design
+from core.design.output_forces import OutputForces
 from core.design.refusals import named
 from core.design.ring_results import RingResults
 from core.errors import NotKnown
 from core.output.losses import BarePins, PinLosses, Sleeves, pin_losses
-from core.output.members import MemberLoads
-from core.output.sampled_turn import WAYS, Made, SampledTurn
+from core.output.sampled_turn import WAYS, SampledTurn
 from core.results import Accuracy, Notice
 
 
@@ -64,38 +62,20 @@ def made_losses(
     )
 
 
-class OutputForces(Protocol):
-    """What friction takes of the forces on the output's pins and of the ring."""
-
-    solved: bool
-
-    @property
-    def ring(self) -> RingResults:
-        """What follows about the ring."""
-
-    @property
-    def member_loads(self) -> MemberLoads:
-        """Torques, speeds and powers of crank, pins and ring, without losses."""
-
-    @property
-    def made(self) -> Made:
-        """The forces on pins and satellites, where they are solved."""
-
-
 class LossResults:
     """What follows from a design about friction of its pins; SI units. What is not known raises
     `NotKnown`.
 
     Parameters
     ----------
-    design : Design
-        The design.
     output : OutputForces
-        The forces on the output's pins.
+        The design and the forces on the pins of its output.
+    ring : RingResults
+        What follows about its ring.
     """
 
-    def __init__(self, design: Design, output: OutputForces) -> None:
-        self.design, self.output = design, output
+    def __init__(self, output: OutputForces, ring: RingResults) -> None:
+        self.design, self.output, self.ring = output.design, output, ring
 
     @derived
     def pins(self) -> PinLosses:
@@ -110,7 +90,7 @@ class LossResults:
         output, gear = float(self.pins.efficiency), self.design.gear
         if not gear or gear.friction_coefficient is None:
             return output
-        lost, power = self.output.ring.loss.mean_loss, self.output.member_loads.output_power
+        lost, power = self.ring.loss.mean_loss, self.output.member_loads.output_power
         assert lost is not None and power is not None  # at a speed, which the output needs
         return 1 / (1 / output + lost / power)
 

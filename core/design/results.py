@@ -127,17 +127,17 @@ class Results:
     @cached_property
     def ring(self) -> RingResults:
         """What follows about the ring."""
-        return RingResults(self.design, self)
+        return RingResults(self)
 
     @cached_property
     def losses(self) -> LossResults:
         """What follows about friction and wear of the pins."""
-        return LossResults(self.design, self)
+        return LossResults(self, self.ring)
 
     @cached_property
     def crank(self) -> CrankResults:
         """What follows about the crank."""
-        return CrankResults(self.design, self)
+        return CrankResults(self, self.ring)
 
     @cached_property
     def equal(self) -> "Results":
@@ -202,8 +202,8 @@ class Results:
             contact_length=pair.contact_length,
             law=self.law,
             clearance=design.contact.clearance or 0.0,
-            pin_material=design.lasting["pin"],
-            hole_material=design.lasting["hole"],
+            pin_material=design.known_material("pin"),
+            hole_material=design.known_material("hole"),
             pin=pin,
             deviations=design.output_deviations or Deviations(),
             exact=not design.support.first_order
@@ -221,8 +221,8 @@ class Results:
     @cached_property
     def law(self) -> ContactLaw:
         """The law of contact of pins in holes: as given, or by their materials."""
-        bodies = self.design.lasting
-        return self.design.contact_law or usual_law(pin=bodies["pin"], hole=bodies["hole"])
+        known = self.design.known_material
+        return self.design.contact_law or usual_law(pin=known("pin"), hole=known("hole"))
 
     @derived
     def grip(self) -> Grip:
@@ -336,7 +336,7 @@ class Results:
     @cached_property
     def compliance(self) -> Callable[[Number], Number]:
         """Approach of a contact over its force, m/N, of forces, N."""
-        bodies = self.design.lasting
+        known = self.design.known_material
         length, pin_radius, hole_radius = self.design.pair
         if not hole_radius > pin_radius:
             than = {"field": "pin_radius", "limit": pin_radius}
@@ -346,8 +346,8 @@ class Results:
             contact_length=length,
             pin_radius=pin_radius,
             hole_radius=hole_radius,
-            pin=bodies["pin"],
-            hole=bodies["hole"],
+            pin=known("pin"),
+            hole=known("hole"),
         )
 
     @property
@@ -518,8 +518,8 @@ class Results:
         return hertz(
             **self.design.pair._asdict(),
             force=force.peak_force * factor,
-            pin_material=self.design.lasting["pin"],
-            hole_material=self.design.lasting["hole"],
+            pin_material=self.design.known_material("pin"),
+            hole_material=self.design.known_material("hole"),
             dynamic_factor=self.design.load_factor,
             distribution_factor=self.design.distribution_factor,
         )
@@ -547,7 +547,7 @@ class Results:
         which it is loaded, the less the further a contact wraps around its pin; without friction
         where that is not known, which is more.
         """
-        material = self.design.lasting[body]
+        material = self.design.known_material(body)
         strength, name = material.loaded_strength(body), f"contact.{body}_material"
         if strength is None:
             required(material.yield_strength, "yield_unknown", f"{name}.yield_strength", name)

@@ -174,7 +174,7 @@ class CycloidRing(AnyRing):
     @property
     def known_pin_material(self) -> ElasticMaterial:
         """Material of the pins, which has to be given."""
-        return required(self.pin_material, "limit_unknown", "gear.pin_material")
+        return required(self.pin_material, "section_missing", "gear.pin_material")
 
     @property
     def bent_pin(self) -> DesignPin:

@@ -4,19 +4,18 @@ result worked out when it is asked for, once, or why it is not known.
 
 from collections.abc import Callable
 from functools import cache, cached_property
-from typing import Any, Protocol, TypeVar
+from typing import Any, TypeVar
 
 from core.crank.ring_mesh import RingMesh
 from core.derived import derived, if_known
-from core.design.document import Design
+from core.design.output_forces import OutputForces
 from core.design.pin_fatigue import fatigue_of
 from core.design.refusals import named
 from core.design.sections import DesignPin
 from core.errors import InvalidInput, NotKnown, required
-from core.output.over_turn import OverTurn
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
-from core.output.sampled_turn import WAYS, Made, PinForces
+from core.output.sampled_turn import WAYS, PinForces
 from core.output.satellite_support import RIGID_SUPPORT, Shares
 from core.ring.bent_pins import forces_on_ring
 from core.ring.involute import MOST_DIFFERENCE, STANDARD_ANGLES, InvolutePair, involute_pair
@@ -33,37 +32,17 @@ MOST_RING_PAIRS = 300
 """Most pairs of discs and pins of a ring over the turn."""
 
 
-class OutputForces(Protocol):
-    """What the mesh of the ring takes of the forces on the output's pins."""
-
-    solved: bool
-
-    @property
-    def in_series(self) -> bool:
-        """Whether both meshes are solved in series."""
-
-    @property
-    def over_turn(self) -> Callable[[float], OverTurn]:
-        """Extremes over the turn, of a torque, N*m, negative in reverse."""
-
-    @property
-    def made(self) -> Made:
-        """The forces on pins and satellites, where they are solved."""
-
-
 class RingResults:
     """What follows from a design about its ring; SI units. What is not known raises `NotKnown`.
 
     Parameters
     ----------
-    design : Design
-        The design.
     output : OutputForces
-        The forces on the output's pins.
+        The design and the forces on the pins of its output.
     """
 
-    def __init__(self, design: Design, output: OutputForces) -> None:
-        self.design, self.output = design, output
+    def __init__(self, output: OutputForces) -> None:
+        self.design, self.output = output.design, output
 
     @derived
     def force(self) -> RingMesh:
@@ -91,15 +70,15 @@ class RingResults:
         if gear.every_second_pin:
             raise NotKnown("every_second_pin")
         length = design.ring_length
-        material = required(design.disc_material, "limit_unknown", "gear.disc_material")
+        material = required(design.disc_material, "section_missing", "gear.disc_material")
         shares = design.support if isinstance(design.support, Shares) else RIGID_SUPPORT
         pairs = design.ring_pins * design.mechanism.satellites
         if pairs > MOST_RING_PAIRS:
             raise NotKnown("too_many_ring_pairs", pairs=pairs, limit=MOST_RING_PAIRS)
-        disc = self._named(
+        disc = self._of_ring(
             lambda: gear.disc(satellite_teeth=design.lobes, eccentricity=design.known_eccentricity)
         )
-        return self._named(
+        return self._of_ring(
             lambda: gear.cycloid_mesh(
                 disc=disc,
                 crank_angles=design.mechanism.built.crank_angles,
@@ -124,7 +103,7 @@ class RingResults:
         if gear.teeth_difference > MOST_DIFFERENCE or not usual:
             raise NotKnown("outside_method")
         satellite, ring = design.lobes, design.ring_pins
-        return self._named(
+        return self._of_ring(
             lambda: involute_pair(
                 teeth=gear.involute_teeth(satellite_teeth=satellite, ring_teeth=ring),
                 eccentricity=eccentricity,
@@ -166,16 +145,16 @@ class RingResults:
         pair, loaded = self.pair, self.loaded_teeth(factor)
         for body in ("satellite", "ring"):
             required(loaded[f"{body}_material"], "limit_unknown", f"gear.{body}_material")
-        return self._named(lambda: involute_load(pair=pair, **loaded))
+        return self._of_ring(lambda: involute_load(pair=pair, **loaded))
 
     @derived
     def root_stress(self) -> RootStress:
         """Bending of the roots of satellites' involute teeth under the dynamic load."""
         pair, loaded = self.pair, self.loaded_teeth(self.design.load_factor)
         forces = {name: loaded[name] for name in ("torque", "contact_length", "load_factor")}
-        return self._named(lambda: tooth_root(pair=pair, **forces))
+        return self._of_ring(lambda: tooth_root(pair=pair, **forces))
 
-    def _named(self, calculation: Callable[[], Calculated]) -> Calculated:
+    def _of_ring(self, calculation: Callable[[], Calculated]) -> Calculated:
         """A result about the ring; what it refuses is not known of the design."""
         try:
             return named(self.design, "gear", calculation)
@@ -190,8 +169,8 @@ class RingResults:
 
         def turn(torque: float) -> MeshTurn:
             if self.output.in_series:
-                return self._named(lambda: self._teeth_in_series(torque))
-            return self._named(lambda: mesh_over_turn(mesh=self.mesh, output_torque=torque))
+                return self._of_ring(lambda: self._teeth_in_series(torque))
+            return self._of_ring(lambda: mesh_over_turn(mesh=self.mesh, output_torque=torque))
 
         return cache(turn)
 
@@ -239,7 +218,7 @@ class RingResults:
     def pin_stresses(self) -> PinStresses:
         """Stresses of the pins of the ring that bend, under the dynamic load."""
         design, mesh, pin = self.design, self.mesh, self.pin
-        return self._named(
+        return self._of_ring(
             lambda: pin_stresses(
                 mechanism=mesh.mechanism,
                 output_torque=design.pin_torque * design.ring_factor,
@@ -280,7 +259,7 @@ class RingResults:
         """Friction of cycloid discs on the pins in each direction of a torque, N*m."""
         friction, speed = self._friction, self.design.turning_speed
         return [
-            self._named(
+            self._of_ring(
                 lambda turn=turn: ring_loss(turn=turn, friction=friction, input_speed=speed)  # type: ignore[misc]
             )
             for turn in self.turns(torque)

@@ -617,11 +617,10 @@ class RollingBearing:
     seat: Seat = "housing"  # what one of the crankshaft sits in
 
     @property
-    def sizes(self) -> tuple[float, ...]:
+    def sizes(self) -> tuple[float, float, float] | tuple[()]:
         """Bore, outer diameter and width, m; none where they are not all given."""
-        sizes = (self.bore_diameter, self.outer_diameter, self.width)
-        given = tuple(each for each in sizes if each is not None)
-        return given if len(given) == len(sizes) else ()
+        bore, outer, width = self.bore_diameter, self.outer_diameter, self.width
+        return () if bore is None or outer is None or width is None else (bore, outer, width)
 
     def check_sizes(self, path: str) -> None:
         """Refuse a bore that is not smaller than the outside.

@@ -121,7 +121,7 @@ class CycloidMesh(Stage):
     seat_stiffness: float = math.inf  # of a pin in its bore and what holds that, N/m
     deviations: RingDeviations = field(default_factory=RingDeviations)  # of this piece
     exact: bool = True  # geometry; else first order in lag and deviations
-    # Given shares of the torque; else all discs have one lag.
+    # Given shares of the torque; of rigid satellites all discs have one lag. Nothing else gives.
     support: SatelliteSupport = RIGID_SUPPORT
 
     def __post_init__(self) -> None:
@@ -137,6 +137,8 @@ class CycloidMesh(Stage):
             raise InvalidInput(
                 "reference_depth", self.reference_depth, "less_than_equal", limit=high
             )
+        if self.support.first_order and not self.support.given_shares:
+            raise InvalidInput("support", self.support, "not_in_table", values="given shares")
         self.support.check(len(self.crank_angles))
         if self.exact and self.disc.modification.rotation > 0:
             raise InvalidInput("exact", self.exact, "flanks_first_order", field="rotation")

@@ -98,19 +98,21 @@ def work_precision(
     -------
     WorkPrecision
     """
-    chosen, points = list[WorkPoint](), list[WorkPoint]()
+    chosen, points = None, list[WorkPoint]()
     for method in methods:
         for setting in method.settings:
             found = _measured(method, setting, exact)
-            points += found
+            if found is None:
+                continue
+            points.append(found)
             if method.chosen:
                 chosen = found
-    (point,) = chosen
-    return WorkPrecision(reference, tuple(points), point)
+    assert chosen is not None  # one is chosen, and always gives a number
+    return WorkPrecision(reference, tuple(points), chosen)
 
 
-def _measured(method: Method, setting: Setting, exact: Sequence[Any]) -> list[WorkPoint]:
-    """A method at a setting, compared and timed; nothing where it gives no finite number."""
+def _measured(method: Method, setting: Setting, exact: Sequence[Any]) -> WorkPoint | None:
+    """A method at a setting, compared and timed; None where it gives no finite number."""
     import mpmath
 
     times: list[float] = []
@@ -122,19 +124,18 @@ def _measured(method: Method, setting: Setting, exact: Sequence[Any]) -> list[Wo
         times.append((time.perf_counter_ns() - start) * 1e-9)
     components = [value] if isinstance(value, (int, float)) else list(value)
     if not all(math.isfinite(each) for each in components):
-        return []
+        return None
     size = mpmath.sqrt(sum(each**2 for each in exact))
     off = mpmath.sqrt(
         sum((mpmath.mpf(got) - want) ** 2 for got, want in zip(components, exact, strict=True))
     )
-    point = WorkPoint(
+    return WorkPoint(
         method=method.code,
         setting=setting,
         relative_error=float(off / size),
         run_time=statistics.median(times),
         evaluations=evaluations,
     )
-    return [point]
 
 
 def refuse_many_pairs(*, mechanism: Mechanism, limit: int, pins: str = "pins") -> None:

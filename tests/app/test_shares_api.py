@@ -43,6 +43,17 @@ ALONE = {
 }
 """One disc, whose pins share unevenly."""
 
+IN_SERIES = STATED | {
+    "gear": {
+        "kind": "cycloid",
+        "ring_pin_circle_radius_mm": 70.0,
+        "ring_pin_radius_mm": 5.0,
+        "modification": {"equidistant_mm": 0.02},
+    },
+    "satellite_coupling": {"kind": "ring"},
+}
+"""Discs that find their own share, by what is stated."""
+
 
 async def answered(api, body, path=PATH):
     response = await api.post(path, json=body)
@@ -90,6 +101,7 @@ async def test_two_discs_of_which_one_carries_more(api, factor, pressure, bendin
         (ALONE, {"distribution_of": "discs"}, "more_than_whole"),
         (STATED, {"distribution_factor": 0.9}, "greater_than_equal"),
         (STATED, {"hole_clearance_mm": 0.02}, "with_real_forces"),
+        (IN_SERIES, {"distribution_factor": 1.5}, "with_real_forces"),
     ],
 )
 async def test_what_no_share_can_be_is_refused(api, body, more, code):

@@ -97,6 +97,18 @@ async def test_the_first_pieces(api):
     assert nominal == pytest.approx(2308.33, abs=5e-3)
 
 
+async def test_what_is_assumed_and_warned_of_is_of_the_request(api):
+    """Not of what a fit or the middles of the tolerances make of it."""
+    contact = {"contact_length_mm": 12, "pin_radius_mm": 5, "eccentricity_mm": 2, "fit": "H7/f7"}
+    asked = {"contact": contact, "tolerances": {"pin_position_mm": 0.01}}
+    answer = await answered(api, CHECKED | FEW | asked)
+    codes = [each["code"] for each in answer.get("warnings", ())]
+    assert "perfect_parts" not in codes and len(codes) == len({*codes})
+    pointers = [each["pointer"] for each in answer["assumed"]]
+    assert {pointer.split("/")[1] for pointer in pointers} <= {*ToleranceStudyRequest.model_fields}
+    assert len(pointers) == len({*pointers})
+
+
 async def test_the_whole_run(api):
     """Its four pieces that do not fit are left out of the percentiles, whose ranks move by two."""
     answer = await answered(api, CHECKED | {"samples": 4096})

@@ -5,7 +5,7 @@ or whether it warns in some design, and to move another one never does.
 import importlib
 import math
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import fields, replace
 from functools import partial
 from pkgutil import iter_modules
@@ -43,6 +43,7 @@ from core.output.pin_strength import PinStresses
 from core.output.satellite_support import RingInSeries
 from core.ring.profile import Modification
 from tests.inputs.checks import WHOLE, design_of, having
+from tests.oracles.seeds import TIMES
 
 assert WHOLE.pin and WHOLE.bearing and WHOLE.crankshaft and WHOLE.friction and WHOLE.gear
 STEEL = MATERIALS["steel_case_hardened"].material
@@ -647,7 +648,9 @@ OF_THE_SAME: tuple[tuple[type, str, Callable[[Any], tuple[Any, ...]]], ...] = (
 
 @contextmanager
 def solved_once() -> Iterator[None]:
-    """Within, what an input does not change is not solved again."""
+    """Within, what an input does not change is not solved again. What `OF_THE_SAME` says of what a
+    value follows from is believed there; `make accuracy` solves all again.
+    """
     with pytest.MonkeyPatch.context() as patch:
         for place, name in ONCE:
             patch.setattr(place, name, once(getattr(place, name)))
@@ -679,7 +682,7 @@ def seen() -> dict[tuple[str, str], bool]:
     """Whether a check moves with an input, in any of the designs."""
     found: dict[tuple[str, str], bool] = {}
     for design in DESIGNS.values():
-        with solved_once():
+        with nullcontext() if TIMES > 1 else solved_once():
             look(design, found)
     return found
 

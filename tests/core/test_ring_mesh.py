@@ -10,7 +10,7 @@ import pytest
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.output import compiled
 from core.output.contact_law import HertzLaw, LinearLaw, PinSupport, PowerLaw, pin_compliance
-from core.output.satellite_support import Shares
+from core.output.satellite_support import CrankSupport, Shares
 from core.output.turn import Turn
 from core.ring import approach
 from core.ring.loss import RingFriction, ring_loss
@@ -286,6 +286,7 @@ def test_the_reference_depth_is_the_pin_s_radius() -> None:
         ({"law": HertzLaw(0.002)}, "reference_depth", "greater_than_equal"),
         ({"law": HertzLaw(0.011)}, "reference_depth", "less_than_equal"),
         ({"support": Shares((1.0,))}, "shares", "different_length"),
+        ({"support": CrankSupport(1e8), "exact": False}, "support", "not_in_table"),
         ({"support": Shares((0.6, 0.6))}, "shares", "sum_not_one"),
         ({"deviations": RingDeviations(pin_radial=(1e-6,))}, "pin_radial", "different_length"),
         ({"deviations": RingDeviations(crank_phase=(0.0,))}, "crank_phase", "different_length"),
