@@ -10,9 +10,9 @@ from core.checks.check import MARGIN, Check, judged, verdict
 from core.checks.crank_planetary import crank_checks
 from core.checks.records import CHECKS
 from core.checks.rollers import RollerDesign, roller_checks
-from core.design.contact import SHAKEDOWN
 from core.design.document import Design, value_at
 from core.design.results import Results
+from core.first_yield import SHAKEDOWN
 from core.fixes.changes import vary
 from core.fixes.fix import PIN_SIZES
 from core.fixes.fix import WHOLE as WHOLE_NUMBERS

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from core.checks.crank_planetary import crank_checks
-from core.design.contact import disc_error
+from core.conformal import disc_error
 from core.design.document import Design
 from core.design.results import Results
 from core.first_yield import first_yield

@@ -6,8 +6,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from core.design.contact import SHAKEDOWN, shakedown
-from core.first_yield import first_yield, squared_stress
+from core.first_yield import SHAKEDOWN, first_yield, shakedown, squared_stress
 from tests.oracles import sliding
 
 TABLE = {
