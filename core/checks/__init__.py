@@ -8,14 +8,12 @@ Modules, in reading order (each may use those above it)
 -------------------------------------------------------
 inputs              inputs that checks of several elements depend on
 check               a check and its record, a value against its limit, the verdict of parts and all
-cranks              dead centres, satellites that differ
 pin_contact         pressure, shakedown and yield where pin and hole touch
 plastics            plastic pins and holes: what is necessary, and never enough
 pins                static strength, fatigue, deflection and slope of the pins
 friction            efficiency, sliding speed, pv and wear
-play                backlash and lost motion of the output
-fit                 room of the pins in their holes, clearance
-space               walls between holes, to rim and bore; space between pins, for satellites
+fit                 room of the pins in their holes, clearance; backlash, lost motion
+layout              dead centres, satellites alike; walls and space between pins and holes
 crank               ring, bearings of the satellites, crankshaft
 ring_pins           cycloid discs on the pins of a ring: what geometry alone says
 involute_mesh       involute teeth: path of contact, tips, undercut, roots

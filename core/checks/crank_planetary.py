@@ -8,18 +8,16 @@ from core.checks.balance import BALANCE
 from core.checks.bearings import BEARINGS
 from core.checks.check import Check, PartVerdict, Verdict, make_check, rank, verdict
 from core.checks.crank import CRANK
-from core.checks.cranks import CRANKS
-from core.checks.fit import FIT
+from core.checks.fit import FIT, PLAY
 from core.checks.friction import FRICTION
 from core.checks.involute_mesh import INVOLUTE_MESH
+from core.checks.layout import CRANKS, SPACE
 from core.checks.pin_contact import CONTACT, life_considered
 from core.checks.pin_rollers import PIN_ROLLERS
 from core.checks.pins import PINS
 from core.checks.plastics import PLASTICS
-from core.checks.play import PLAY
 from core.checks.ring_load import RING_LOAD
 from core.checks.ring_pins import RING_PINS
-from core.checks.space import SPACE
 from core.design.document import Design
 from core.design.results import Results
 from core.errors import NotKnown
