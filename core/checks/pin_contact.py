@@ -7,11 +7,11 @@ from typing import Any, get_args
 
 from core.checks.check import Check, Kind, Unjudged, design_check, judged, judged_by
 from core.checks.inputs import LIFE, LOADED, SLIDING
-from core.derived import if_known
+from core.derived import if_known, is_known
 from core.design.contact import SLIDING as KNOWN_SLIDING
 from core.design.document import Design
 from core.design.results import Results
-from core.errors import required
+from core.errors import NotKnown, required
 from core.hertz import HertzContact, force_factor
 from core.materials import Body, ContactLimit, ElasticMaterial
 
@@ -151,10 +151,10 @@ def over_life(*, found: Check, limit: ContactLimit) -> Check:
     """
     if found.reason:
         return found
-    if limit.curve is None:
-        return found._replace(reason="no_life_curve")
-    if limit.loads is None:
-        return found._replace(reason="life_without_speed", missing=("load.input_speed",))
+    try:
+        _ = limit.life
+    except NotKnown as why:
+        return found._replace(reason=why.code, missing=why.missing)
     return found._replace(reason="life_of_teeth")
 
 
@@ -354,7 +354,7 @@ def life_considered(*, design: Design, body: Body) -> bool:
     bool
     """
     limit = design.lasting[body].limit
-    return limit is None or limit.life_factor is not None
+    return not limit or is_known(lambda: limit.life)
 
 
 CONTACT = (

@@ -348,7 +348,7 @@ class Design:
         against the ring, and against the satellite.
         """
         life = self.requirements.life
-        loads: dict[RingBody, tuple[ElasticMaterial | None, float | None]] = {
+        loads: dict[RingBody, tuple[ElasticMaterial | None, float]] = {
             "pin": (self.gear.of_ring, self.turns_over(life)),
             "disc": (self.disc_material, self.loads_over(life)),
         }
@@ -552,22 +552,21 @@ class Design:
             return built
         return replace(built, initial_crank_angle=built.initial_crank_angle + math.pi)
 
-    def turns_over(self, life: float) -> float | None:
+    def turns_over(self, life: float) -> float:
         """How often a pin of the ring is loaded over a life, s, once a turn of the crank against
-        the ring; None without a speed, or without an end.
+        the ring; infinite without a speed, or without an end.
         """
         return self._loads(life, 2 * math.pi)
 
-    def loads_over(self, life: float) -> float | None:
+    def loads_over(self, life: float) -> float:
         """How often a place of pin or hole is loaded over a life, s, once a turn of the satellite
-        against its crank; None without a speed, or without an end.
+        against its crank; infinite without a speed, or without an end.
         """
         return self._loads(life, self.mechanism.built.crank_angle_per_wave)
 
-    def _loads(self, life: float, angle: float) -> float | None:
+    def _loads(self, life: float, angle: float) -> float:
         """How often over a life, s, the crank turns by an angle, rad, against the ring."""
-        speed = self.turning_speed
-        return None if speed is None or math.isinf(life) else speed * life / angle
+        return (self.turning_speed or math.inf) * life / angle
 
     @cached_property
     def lasting(self) -> dict[Body, ElasticMaterial]:
