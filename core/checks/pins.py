@@ -129,9 +129,9 @@ def pin_static(design: Design, results: Results) -> Check:
 
 def _section(design: Design, position: float) -> dict[str, str]:
     """Which end of a pin that a tie ring holds a section is, where it is one."""
-    if not design.tied or design.pin.span is None:
+    if not design.tied:
         return {}
-    end = section_of(position=position, span=design.pin.span)
+    end = section_of(position=position, span=design.pin.known_span)
     return {"section": end} if end else {}
 
 

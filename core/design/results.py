@@ -201,7 +201,7 @@ class Results:
             eccentricity=eccentricity,
             contact_length=pair.contact_length,
             law=self.law,
-            clearance=design.contact.clearance or 0.0,
+            clearance=design.contact.play,
             pin_material=design.known_material("pin"),
             hole_material=design.known_material("hole"),
             pin=pin,

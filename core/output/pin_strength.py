@@ -288,7 +288,7 @@ def pin_stresses(
         contact_length=contact_length,
         youngs_modulus=material.youngs_modulus,
         poissons_ratio=material.poissons_ratio,
-        span=span if support != "cantilever" else None,
+        span=span if support != "cantilever" else math.inf,
     )
     _check_positions(mechanism, satellite_positions, beam)
     pin = LoadedPin(beam, diameter, np.array(satellite_positions), bore_diameter)

@@ -1,7 +1,6 @@
 """Worked steps of rolling bearings as rollers on the pins."""
 
 import math
-from functools import partial
 
 from core.crank.bearing_life import EXPONENTS
 from core.crank.pin_rollers import KINDS, UNKNOWN_ELEMENTS
