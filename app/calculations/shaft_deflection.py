@@ -462,8 +462,9 @@ def shaft_figure(diagram: ShaftDiagram, bearing_distance_mm: float, theme: Theme
 def solve(body: ShaftDeflectionRequest) -> Values:
     """Reactions of the shaft and its deflection at the bearings B and C, in both planes."""
     (load, result), run_time_us = run(body, body.solve_all)
-    strength, contact = body.strength(result), body.contact(load)
+    strength = body.strength(result)
     judged, _ = run(body, lambda: body.judge(load, result, strength))
+    contact = body.contact(load)
     values = ShaftDeflectionResponse.values(
         result,
         run_time_us,

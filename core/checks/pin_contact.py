@@ -5,7 +5,7 @@ are in `core.checks.plastics`.
 from functools import partial
 from typing import Any, get_args
 
-from core.checks.check import Check, Kind, Unjudged, design_check, judged, judged_by
+from core.checks.check import Check, Kind, design_check, judged, judged_by
 from core.checks.inputs import LIFE, LOADED, SLIDING
 from core.derived import if_known, is_known
 from core.design.contact import SLIDING as KNOWN_SLIDING
@@ -188,16 +188,14 @@ def _pressure(body: Body) -> Kind:
 
     def limit_of(design: Design, results: Results) -> ContactLimit:
         """That of the material, which has to have one."""
-        limit = design.lasting[body].limit
-        if limit is None:
-            contact = if_known(lambda: results.hertz)
-            raise Unjudged(
-                "plastic_limit_unknown" if body in design.plastics else "limit_unknown",
-                f"contact.{body}_material.allowable_pressure",
-                value=contact and contact.governing_pressure,
-                at=if_known(lambda: results.peak) or {},
-            )
-        return limit
+        contact = if_known(lambda: results.hertz)
+        return judged_by(
+            design.lasting[body].limit,
+            "plastic_limit_unknown" if body in design.plastics else "limit_unknown",
+            f"contact.{body}_material.allowable_pressure",
+            value=contact and contact.governing_pressure,
+            at=if_known(lambda: results.peak) or {},
+        )
 
     def known(design: Design, results: Results) -> dict[str, Any]:
         limit = limit_of(design, results)

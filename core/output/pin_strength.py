@@ -7,6 +7,7 @@ section's edge goes from ``-h(chi + pi)/W`` to ``h(chi)/W``, ``W = pi*d^3/32`` o
 """
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
@@ -154,7 +155,8 @@ class PinStresses:
         cycle, seen, chi = None, worst.place, None
         notices: list[Notice] = []
         if fatigue is not None:
-            worst, cycle = _fatigue(pin, found, fatigue, rotates)
+            cycles = _cycles(pin, found, fatigue, rotates)
+            worst, cycle = min(cycles, key=lambda each: each[1].safety_factor)
             seen, chi = cycle.position, cycle.direction
             notices += cycle.notices
             if cycle.cycles is not None:
@@ -456,11 +458,13 @@ def _stresses(pin: LoadedPin, loads: PinLoads, beyond: float) -> _Stresses:
     )
 
 
-def _fatigue(
+def _cycles(
     pin: LoadedPin, cases: list[_Stresses], strength: FatigueStrength, rotates: bool
-) -> tuple[_Stresses, PinFatigue]:
-    """The worst cycle of all cases; none is worse than its largest stress, fully reversed."""
-    worst, least = list[tuple[_Stresses, PinFatigue]](), math.inf  # safety factor
+) -> Iterator[tuple[_Stresses, PinFatigue]]:
+    """Cycles of cases of which one may be the worst; none is worse than its largest stress, fully
+    reversed.
+    """
+    least = math.inf  # safety factor
     for case in sorted(cases, key=lambda each: -each.bent):
         reversed_use = strength.utilisation(case.bent, 0.0)
         if reversed_use * least <= 1:
@@ -476,9 +480,8 @@ def _fatigue(
                 top, bottom, seen, angle = seen_cycle
             chi = _turned(angle)
         cycle = judged(strength=strength, direction=chi, position=seen, largest=top, least=bottom)
-        if not worst or cycle.safety_factor < least:
-            worst, least = [(case, cycle)], cycle.safety_factor
-    return worst[0]
+        least = min(least, cycle.safety_factor)
+        yield case, cycle
 
 
 def _check_positions(mechanism: Mechanism, positions: tuple[float, ...], beam: PinBeam) -> None:
