@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, TypeVar, cast
 
-from core.derived import if_known
+from core.derived import if_known, is_known
 from core.design.ring import CycloidRing, InvoluteRing, Ring, RingBody
 from core.design.sections import (
     Contact,
@@ -73,8 +73,18 @@ class NotGiven:
         raise NotKnown("section_missing", self.section)
 
 
-def _optional(section: str) -> Any:
-    """Default of a section that need not be given."""
+def not_given(section: str) -> Any:
+    """Default of a section that need not be given.
+
+    Parameters
+    ----------
+    section : str
+        Its path.
+
+    Returns
+    -------
+    NotGiven
+    """
     return NotGiven(section)
 
 
@@ -103,21 +113,21 @@ class Design:
     """
 
     mechanism: MechanismSection  # pins, satellites, cranks, ratio
-    load: Load = _optional("load")
-    contact: Contact = _optional("contact")
+    load: Load = not_given("load")
+    contact: Contact = not_given("contact")
     contact_law: ContactLaw | None = None
     deviations: Deviations | None = None
     crank_support: SatelliteSupport = RIGID_SUPPORT
     satellite_coupling: SatelliteSupport = RIGID_SUPPORT
-    pin: DesignPin = _optional("pin")  # how it is held, bends and breaks
-    fatigue: FatigueBasis = _optional("fatigue")  # what that of the pins is judged by
-    friction: Friction = _optional("friction")
-    rollers: Rollers = _optional("rollers")  # rolling bearings on the pins
-    gear: Ring = _optional("gear")  # teeth or pins of the ring
-    bearing: RollingBearing = _optional("bearing")  # of a satellite on its crank
-    crankshaft: Shaft = _optional("crankshaft")  # places of satellites and bearings
-    satellite_body: SatelliteBody = _optional("satellite_body")
-    temperatures: Temperatures = _optional("temperatures")
+    pin: DesignPin = not_given("pin")  # how it is held, bends and breaks
+    fatigue: FatigueBasis = not_given("fatigue")  # what that of the pins is judged by
+    friction: Friction = not_given("friction")
+    rollers: Rollers = not_given("rollers")  # rolling bearings on the pins
+    gear: Ring = not_given("gear")  # teeth or pins of the ring
+    bearing: RollingBearing = not_given("bearing")  # of a satellite on its crank
+    crankshaft: Shaft = not_given("crankshaft")  # places of satellites and bearings
+    satellite_body: SatelliteBody = not_given("satellite_body")
+    temperatures: Temperatures = not_given("temperatures")
     requirements: Requirements = Requirements()
 
     def __post_init__(self) -> None:
@@ -244,7 +254,7 @@ class Design:
             or gear.modification is None
         ):
             return False
-        known = self.touching and contact.clearance is not None and not self.clearance_unknown
+        known = self.touching and is_known(lambda: self.known_clearance)
         return known and not self.tied and contact.distribution_factor == 1
 
     @property
@@ -268,7 +278,7 @@ class Design:
         both meshes are in series.
         """
         stated = (self.contact_law, self.output_deviations)
-        clearance = (self.contact.clearance or 0.0) if self.contact else 0.0
+        clearance = self.contact.play if self.contact else 0.0
         if self.touching and not self.clearance_unknown:
             clearance += self.roller_play
         given = clearance > 0 or self.support.first_order
@@ -348,7 +358,7 @@ class Design:
         against the ring, and against the satellite.
         """
         life = self.requirements.life
-        loads: dict[RingBody, tuple[ElasticMaterial | None, float | None]] = {
+        loads: dict[RingBody, tuple[ElasticMaterial | None, float]] = {
             "pin": (self.gear.of_ring, self.turns_over(life)),
             "disc": (self.disc_material, self.loads_over(life)),
         }
@@ -438,23 +448,26 @@ class Design:
     @property
     def rotor_mass(self) -> float:
         """Mass of all that turns with the crankshaft, as far as it is known, kg."""
-        shaft = self.crankshaft
-        if shaft.rotor_mass is not None:
-            return float(shaft.rotor_mass)
-        mass = required(shaft.satellite_mass, "mass_unknown", "crankshaft.satellite_mass")
-        return float(self.mechanism.satellites * mass)
+        mass = self.crankshaft.rotor_mass
+        return self.mechanism.satellites * self.satellite_mass if mass is None else mass
+
+    @property
+    def satellite_mass(self) -> float:
+        """Mass of a satellite with its bearing, which has to be given, kg."""
+        mass = self.crankshaft.satellite_mass if self.crankshaft else None
+        return required(mass, "mass_unknown", "crankshaft.satellite_mass")
 
     @property
     def known_eccentricity(self) -> float:
         """The eccentricity, which has to be given, m."""
-        eccentricity = self.contact.eccentricity if self.contact else None
-        return required(eccentricity, "eccentricity_assumed", "contact.eccentricity")
+        if not self.contact:
+            raise NotKnown("eccentricity_assumed", "contact.eccentricity")
+        return self.contact.known_eccentricity
 
     @property
     def known_clearance(self) -> float:
         """The clearance, which needs the eccentricity, m."""
-        name = "contact.eccentricity"
-        clearance = required(self.contact.clearance, "eccentricity_assumed", name)
+        clearance = self.contact.clearance
         if self.clearance_unknown:
             raise NotKnown("clearance_unknown", "contact.hole_clearance")
         return clearance
@@ -552,22 +565,21 @@ class Design:
             return built
         return replace(built, initial_crank_angle=built.initial_crank_angle + math.pi)
 
-    def turns_over(self, life: float) -> float | None:
+    def turns_over(self, life: float) -> float:
         """How often a pin of the ring is loaded over a life, s, once a turn of the crank against
-        the ring; None without a speed, or without an end.
+        the ring; infinite without a speed, or without an end.
         """
         return self._loads(life, 2 * math.pi)
 
-    def loads_over(self, life: float) -> float | None:
+    def loads_over(self, life: float) -> float:
         """How often a place of pin or hole is loaded over a life, s, once a turn of the satellite
-        against its crank; None without a speed, or without an end.
+        against its crank; infinite without a speed, or without an end.
         """
         return self._loads(life, self.mechanism.built.crank_angle_per_wave)
 
-    def _loads(self, life: float, angle: float) -> float | None:
+    def _loads(self, life: float, angle: float) -> float:
         """How often over a life, s, the crank turns by an angle, rad, against the ring."""
-        speed = self.turning_speed
-        return None if speed is None or math.isinf(life) else speed * life / angle
+        return (self.turning_speed or math.inf) * life / angle
 
     @cached_property
     def lasting(self) -> dict[Body, ElasticMaterial]:

@@ -200,7 +200,7 @@ class Results:
             eccentricity=eccentricity,
             contact_length=pair.contact_length,
             law=self.law,
-            clearance=design.contact.clearance or 0.0,
+            clearance=design.contact.play,
             pin_material=design.known_material("pin"),
             hole_material=design.known_material("hole"),
             pin=pin,
@@ -411,7 +411,7 @@ class Results:
     @derived
     def pin_loads(self) -> PinStrength:
         """Strength of the pins without their fatigue, with their deflection."""
-        return self.pin_stresses.strength(deflection=True)
+        return self.pin_stresses.strength()
 
     @derived
     def pin_strength(self) -> PinStrength:
@@ -420,22 +420,19 @@ class Results:
 
     def judged_pins(self, *, locus: bool = False) -> PinStrength:
         """The same, at will with the locus of the moment."""
-        found, notices = self.pin_loads, tuple[Notice, ...]()
-        fatigue: FatigueStrength | None = None
+        fatigue, notices = None, tuple[Notice, ...]()
         try:
             fatigue = self.fatigue_strength
         except NotKnown as why:
             if self.design.fatigue:
                 unknown = "notch_unknown" if why.code == "notch_unknown" else "endurance_unknown"
                 notices = (Notice(unknown),)
-        if locus or fatigue is not None:
-            found = self.pin_stresses.strength(
-                rotates=self.design.pin.rotates,
-                fatigue=fatigue,
-                input_speed=self.design.turning_speed,
-                deflection=True,
-                locus=locus,
-            )
+        found = self.pin_stresses.strength(
+            rotates=self.design.pin.rotates,
+            fatigue=fatigue,
+            input_speed=self.design.turning_speed,
+            locus=locus,
+        )
         if self.design.bolted:
             found = self._bolted(found)
         return replace(found, notices=notices + self.size_notices + found.notices)
@@ -463,14 +460,11 @@ class Results:
         """The same of a bolt through a spacer: what is held is squeezed besides."""
         if not self.grip.holds:
             return replace(found, bolt=self.grip, notices=(Notice("bolt_alone"), *found.notices))
-        static = found.static_stress + self.grip.squeeze
-        strength = self.design.pin.material.yield_strength
         return replace(
             found,
             bolt=self.grip,
             peak_equivalent_stress=found.peak_equivalent_stress + self.grip.squeeze,
-            static_stress=static,
-            static_safety_factor=None if strength is None else strength / static,
+            static_stress=found.static_stress + self.grip.squeeze,
         )
 
     @property
@@ -663,10 +657,9 @@ class Results:
     @property
     def rollers(self) -> "RollersOnPins":
         """The same with loss, clearance and tilt, as far as these are known."""
-        deflection = if_known(lambda: self.pin_loads.deflection)
         return RollersOnPins(
             loads=self.roller_loads,
             loss=if_known(lambda: float(self.losses.pins.mean_loss)),
             added_clearance=self.design.roller_play,
-            tilt=None if deflection is None else deflection.slope,
+            tilt=if_known(lambda: self.pin_loads.deflection.slope),
         )

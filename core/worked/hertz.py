@@ -3,11 +3,12 @@
 import math
 from typing import Any
 
-from core.contact_life import CURVES, LifeCurve
+from core.contact_life import CURVES
+from core.derived import if_known
 from core.design.real_forces import RealForces
 from core.design.results import Results
 from core.hertz import SHEAR_DEPTH, SHEAR_RATIO, HertzContact
-from core.materials import ElasticMaterial
+from core.materials import ElasticMaterial, LimitLife
 from core.precision import AS_TYPED
 from core.worked.step import Sheet, Step
 
@@ -45,7 +46,7 @@ def hertz_steps(
     dynamic_factor: float = 1.0,
     distribution_factor: float = 1.0,
     line_load_factor: float = 1.0,
-    turning: tuple[float, float, float] | None = None,
+    turning: tuple[float | None, float, float] = (None, math.inf, math.inf),
 ) -> list[Step]:
     """Steps of the contact.
 
@@ -149,7 +150,7 @@ def _conformal(sheet: Sheet, found: HertzContact) -> None:
 def _safety(
     sheet: Sheet,
     found: HertzContact,
-    turning: tuple[float, float, float] | None,
+    turning: tuple[float | None, float, float],
 ) -> None:
     """Each body with a limit by this, under the pressure that governs; the smaller of both."""
     if found.governing_pressure is None:
@@ -159,8 +160,8 @@ def _safety(
     for each in found.safety:
         index, limit = (1 if each.body == "pin" else 2), each.limit
         formula = f"p_P{index}/p_g"
-        if limit.curve is not None and limit.loads is not None and turning is not None:
-            _life(sheet, index, limit.curve, limit.loads, turning)
+        if life := if_known(lambda limit=limit: limit.life):  # type: ignore[misc]
+            _life(sheet, index, life, turning)
             formula = f"p_P{index}*Z_NT{index}/p_g"
         sheet.take(f"p_P{index}", "limit", float(limit.pressure))
         said: dict[str, Any] = {"note": "limit_given"}
@@ -172,24 +173,22 @@ def _safety(
 
 
 def _life(
-    sheet: Sheet, index: int, curve: LifeCurve, loads: float, turning: tuple[float, float, float]
+    sheet: Sheet, index: int, life: LimitLife, turning: tuple[float | None, float, float]
 ) -> None:
     """How the limit of a body falls over the life."""
-    speed, life, ratio = turning
+    speed, time, ratio = turning
     sheet.take("n_1", "turning_speed", speed)
-    sheet.take("L", "life", life)
+    sheet.take("L", "life", time)
     formula = f"n_1{sheet.take_ratio(ratio)}*L/(2*pi)"
-    sheet.work("loads", "N_L", loads, formula, note="turns_over_life")
-    line = CURVES[curve]
+    sheet.work("loads", "N_L", life.loads, formula, note="turns_over_life")
+    line = CURVES[life.curve]
     sheet.take("Z_m", "factor", line.most)
     sheet.take("N_k", "loads", line.knee)
-    power = line.before if loads < line.knee else line.beyond
-    sheet.take("m", "exponent", power)
-    factor = min(line.most, (line.knee / loads) ** power)
+    sheet.take("m", "exponent", line.before if life.loads < line.knee else line.beyond)
     sheet.work(
         "life_factor",
         f"Z_NT{index}",
-        factor,
+        life.factor,
         "min(Z_m,(N_k/N_L)^m)",
         source="iso6336",
         note="life_of_teeth",
@@ -209,18 +208,13 @@ def judged_steps(results: Results) -> list[Step]:
     list of Step
     """
     design, found, force = results.design, results.hertz, results.judged_forces
-    contact, life = design.contact, design.requirements.life
-    length, radius, hole = contact.pair
+    length, radius, hole = design.contact.pair
     real = isinstance(force, RealForces)
     if real:  # with what deviates of them
         own = float(found.half_width / found.half_width_ratio)
         wide = float(found.reduced_radius * own / (found.reduced_radius - own))
         radius = radius if math.isclose(radius, own, rel_tol=AS_TYPED) else own
         hole = hole if math.isclose(hole, wide, rel_tol=AS_TYPED) else wide
-    turning = None
-    speed = design.turning_speed
-    if speed is not None and math.isfinite(life):
-        turning = speed, life, design.mechanism.ratio
     return hertz_steps(
         found=found,
         force=force.force if isinstance(force, RealForces) else force.peak_force,
@@ -232,5 +226,5 @@ def judged_steps(results: Results) -> list[Step]:
         dynamic_factor=1.0 if real else design.load_factor,
         distribution_factor=1.0 if real else design.distribution_factor,
         line_load_factor=results.line_load_factor if design.pin else 1.0,
-        turning=turning,
+        turning=(design.turning_speed, design.requirements.life, design.mechanism.ratio),
     )
