@@ -13,7 +13,7 @@ from core.checks.plastics import PLASTICS
 from core.design.document import Design
 from core.design.results import Results
 from core.design.sections import DesignPin, Friction, SatelliteBody, Temperatures
-from core.errors import InvalidInput
+from core.errors import InvalidInput, NotKnown
 from core.hertz import hertz
 from core.material_record import by_values
 from core.material_table import ALIASES, ELASTOMERS, MATERIALS, NAMES, SEVERAL, plain_name
@@ -170,7 +170,8 @@ def test_friction_that_is_not_known_fails_only_what_fails_without() -> None:
     check = check_of("contact_static_cold", design)
     assert (check.status, check.reason) == ("not_checked", "friction_unknown")
     assert check.missing == ("friction.coefficient",)
-    assert cold_yield(results=Results(design), found=crank_verdict(Results(design))) is None
+    with pytest.raises(NotKnown):
+        cold_yield(results=Results(design), found=crank_verdict(Results(design)))
     weak = having(design, hole_material=replace(quiet, yield_strength=1e6))
     assert check_of("contact_static_cold", weak).status == "fail"
     assert Results(SOFT).design.hole_friction == 0.76
