@@ -48,6 +48,14 @@ ERROR = 5e-9
 TERMS = 32
 """Odd sine terms of the pressure; the error falls with the fourth power of their number."""
 
+OVALS = 2.0
+"""Distance of the hole's axis from the nearest edge of the disc, over its radius, below which the
+disc gives as a ring around the pin: nothing is known of the pressure of a contact that wraps."""
+
+DISC_ERRORS = ((3.0, 0.15), (4.0, 0.08), (5.0, 0.05))
+"""That distance, and how far the pressure is off below it that is of an infinite plane: finite
+elements of a hole in a disc around it, its rim free or clamped, docs/theory.md, section 4."""
+
 _DEPTHS, _WIDTHS = 10, 16
 """Chebyshev nodes in beta, and in sin(eps/2)."""
 
@@ -348,6 +356,27 @@ def pressure_over_angle(*, angles: FloatArray, tangent: float, beta: float) -> F
     phi = np.arccos(places / tangent)
     odd = 2 * np.arange(len(weights)) + 1
     return np.asarray((np.sin(np.outer(phi, odd)) @ weights) / (np.sin(odd * np.pi / 2) @ weights))
+
+
+def disc_error(distance: float) -> float:
+    """How far the pressure of a conformal contact may be off because the disc ends.
+
+    Parameters
+    ----------
+    distance : float
+        Of the hole's axis from the nearest edge of the disc, over the radius of the hole.
+
+    Returns
+    -------
+    float
+        Relative error.
+
+    Examples
+    --------
+    >>> disc_error(3.5), disc_error(6.0)
+    (0.08, 0.0)
+    """
+    return next((error for below, error in DISC_ERRORS if distance < below), 0.0)
 
 
 def edge_tension(*, mean_pressure: Number, tangent: Number, poissons_ratio: Number) -> Number:

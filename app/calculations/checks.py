@@ -26,8 +26,16 @@ from app.model import (
 from app.problems import pointer, sentence
 from app.running import named, path_of
 from app.units import from_si, shown_unit
-from core.checks.check import STATUSES, Check, Status, Verdict
-from core.checks.part import PARTS, Outcome, PartStatus, PartVerdict
+from core.checks.check import (
+    STATUSES,
+    Check,
+    Outcome,
+    PartStatus,
+    PartVerdict,
+    Status,
+    Verdict,
+)
+from core.checks.crank_planetary import PARTS
 from core.checks.records import CHECKS
 from core.checks.words import CHECK_SOURCES, GROUPS, NOT_CONSIDERED
 from core.codes import CODES, WAS

@@ -8,6 +8,7 @@ from typing import Any, TypeVar, get_args
 
 from core.checks.check import Check, Kind, Measure, design_check, judged, judged_by
 from core.checks.crank import other_ring
+from core.checks.fit import of_both
 from core.checks.inputs import (
     FATIGUE,
     INVOLUTE_TEETH,
@@ -23,7 +24,6 @@ from core.checks.inputs import (
 from core.checks.involute_mesh import Pressed, involute_pressed, refused
 from core.checks.pin_contact import over_life, static_limit, whence
 from core.checks.pins import BentPins
-from core.checks.play import of_both
 from core.checks.ring_pins import CYCLOID
 from core.design.document import Design
 from core.design.results import Results

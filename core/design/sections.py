@@ -49,7 +49,7 @@ PartName = Literal[
 ]
 
 PART_NAMES: tuple[PartName, ...] = get_args(PartName)
-"""Parts of a reducer: `core.checks.part`."""
+"""Parts of a reducer: `PARTS` of `core.checks.crank_planetary`."""
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -9,6 +9,7 @@ import pytest
 from core.checks.check import Check, Status, Verdict, judged, verdict
 from core.checks.records import CHECKS
 from core.errors import NotKnown
+from core.precision import CONVERGED
 
 
 @pytest.mark.parametrize(
@@ -38,7 +39,9 @@ def test_judging(changes: dict[str, Any], status: str, reason: str) -> None:
     more = {name: each for name, each in changes.items() if name not in ("limit", "code")}
     found = judged(CHECKS[code], 1.0, limit, **more)
     assert (found.status, found.reason) == (status, reason)
-    assert found.utilisation == pytest.approx(limit if "code" in changes else 1 / limit, rel=1e-15)
+    assert found.utilisation == pytest.approx(
+        limit if "code" in changes else 1 / limit, rel=CONVERGED
+    )
     assert found.torque_reserve == changes.get("reserve")
     assert found.warning == ("warning" in changes)
 

@@ -14,6 +14,7 @@ from core.design.document import changed
 from core.design.results import Results
 from core.design.sections import RollingBearing
 from core.output.members import Members, Output
+from core.precision import CONVERGED, EXACT, SAME, SEARCHED
 from tests.inputs.checks import WHOLE, having
 
 RATIOS = st.floats(1.0, 200.0)
@@ -59,14 +60,14 @@ def test_torques_and_powers_close(
     found = members.loads(output_torque=torque, speeds=speeds)
     # moments of the pins' couple and of the ring's force, u eccentricities away, on a satellite
     across = found.pin_torque / ratio
-    assert found.crank_torque == pytest.approx(across, rel=1e-14)
-    assert found.ring_torque == pytest.approx(-across * (ratio + 1), rel=1e-14)
+    assert found.crank_torque == pytest.approx(across, rel=CONVERGED)
+    assert found.ring_torque == pytest.approx(-across * (ratio + 1), rel=CONVERGED)
     total = found.crank_torque + found.pin_torque + found.ring_torque
     assert abs(total) <= 1e-14 * abs(found.ring_torque)
     moved = max(map(abs, (found.crank_power, found.carrier_power, 1e-9)))
     assert abs(found.power_balance) <= 1e-12 * (moved + abs(found.ring_power))
     typed = -found.ring_torque if output == "ring" else found.pin_torque
-    assert typed == pytest.approx(torque, rel=1e-14)
+    assert typed == pytest.approx(torque, rel=CONVERGED)
 
 
 @pytest.mark.parametrize("output", ["pins", "ring"])
@@ -75,10 +76,10 @@ def test_the_ratio_is_that_of_the_speeds_and_of_the_torques(output: Output) -> N
     speeds = members.speeds(crank=150.0)
     assert speeds is not None and members.output_ratio is not None
     driven = speeds.carrier if output == "pins" else speeds.ring
-    assert speeds.crank / driven == pytest.approx(members.output_ratio, rel=1e-14)
+    assert speeds.crank / driven == pytest.approx(members.output_ratio, rel=CONVERGED)
     found = members.loads(output_torque=500.0, speeds=speeds)
-    assert 500.0 / found.crank_torque == pytest.approx(members.torque_ratio, rel=1e-14)
-    assert found.output_power == pytest.approx(500.0 * abs(driven), rel=1e-14)
+    assert 500.0 / found.crank_torque == pytest.approx(members.torque_ratio, rel=CONVERGED)
+    assert found.output_power == pytest.approx(500.0 * abs(driven), rel=CONVERGED)
 
 
 def test_a_coupling_drives_without_a_crank() -> None:
@@ -140,8 +141,8 @@ def test_speeds_of_crank_bearings_are_those_against_their_seat() -> None:
         lives[seat] = Results(design).crank.shaft.basic_life[0]
     u = WHOLE.mechanism.ratio
     assert lives["housing"] and lives["carrier"] and lives["ring"]
-    assert lives["carrier"] == pytest.approx(lives["housing"], rel=1e-14)  # which stands still
-    assert lives["ring"] == pytest.approx(lives["housing"] * (u + 1) / u, rel=1e-14)
+    assert lives["carrier"] == pytest.approx(lives["housing"], rel=CONVERGED)  # which stands still
+    assert lives["ring"] == pytest.approx(lives["housing"] * (u + 1) / u, rel=CONVERGED)
 
 
 @pytest.mark.parametrize("code", ["backlash", "lost_motion"])
@@ -152,7 +153,7 @@ def test_play_is_seen_at_the_output(code: str) -> None:
     pins = crank_check(code, Results(changed(made, {"load.output_torque": torque * u / (u + 1)})))
     ring = crank_check(code, Results(changed(made, {"mechanism.output": "ring"})))
     assert pins.value and ring.value
-    assert ring.value == pytest.approx(pins.value * u / (u + 1), rel=1e-9)
+    assert ring.value == pytest.approx(pins.value * u / (u + 1), rel=EXACT)
 
 
 def test_where_the_ratio_grows_ring_and_pins_are_alike() -> None:
@@ -168,7 +169,7 @@ def test_where_the_ratio_grows_ring_and_pins_are_alike() -> None:
         ]
         forces = [each.contact_force.peak_force for each in found]
         lost = [1 / each.losses.pins.efficiency - 1 for each in found]
-        assert forces[0] / forces[1] - 1 == pytest.approx(1 / ratio, rel=1e-6)
+        assert forces[0] / forces[1] - 1 == pytest.approx(1 / ratio, rel=SEARCHED)
         assert lost[0] / lost[1] - 1 == pytest.approx(1 / ratio, rel=1e-2)
 
 
@@ -193,7 +194,7 @@ def test_the_peak_torque_is_that_of_the_output_too() -> None:
         values = {"load.output_torque": torque * more, "load.peak_torque": 2 * torque * more}
         results = Results(changed(WHOLE, {"mechanism.output": output} | values))
         safeties.append(results.crank.bearings.static_safety_factor)
-    assert safeties[1] == pytest.approx(safeties[0], rel=1e-9)
+    assert safeties[1] == pytest.approx(safeties[0], rel=EXACT)
 
 
 def test_bearings_turn_by_the_members_speeds() -> None:
@@ -202,10 +203,10 @@ def test_bearings_turn_by_the_members_speeds() -> None:
     u = WHOLE.mechanism.ratio
     for output, speed in (("pins", crank * (u + 1) / u), ("ring", crank)):
         results = Results(changed(WHOLE, {"mechanism.output": output}))
-        assert crank_check("bearing_speed", results).value == pytest.approx(speed, rel=1e-12)
+        assert crank_check("bearing_speed", results).value == pytest.approx(speed, rel=SAME)
     ball = RollingBearing(kind="ball", dynamic_rating=50e3, limiting_speed=2 * crank)
     for seat, speed in (("housing", crank), ("ring", crank * u / (u + 1))):
         shaft = replace(WHOLE.crankshaft, bearings=(replace(ball, seat=seat),) * 2)
         design = changed(WHOLE, {"mechanism.output": "ring", "crankshaft": shaft})
         found = crank_check("crank_bearing_speed", Results(design))
-        assert (found.value, found.limit) == (pytest.approx(speed, rel=1e-12), 2 * crank)
+        assert (found.value, found.limit) == (pytest.approx(speed, rel=SAME), 2 * crank)

@@ -12,6 +12,7 @@ from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.compiled import in_place_of
 from core.output.contact_law import PinSupport
 from core.output.real_mechanism import Deviations
+from core.precision import EXACT
 from core.ring.profile import Modification
 from core.ring.series import MeshesInSeries, series_position
 from core.ring.series_study import SeriesStudy
@@ -155,9 +156,9 @@ def test_pieces_are_those_of_their_streams_solved_one_by_one(seed: int, exact: b
     places = study.places(POSITIONS)
     for sample, row in enumerate(values):
         expected = solved_one_by_one(piece_by_hand(series, sample), torque, places)
-        assert dict(zip(names, row, strict=True)) == pytest.approx(expected, rel=1e-9)
+        assert dict(zip(names, row, strict=True)) == pytest.approx(expected, rel=EXACT)
         own = solved_one_by_one(study.piece(study.pieces(), sample), torque, places)
-        assert own == pytest.approx(expected, rel=1e-9)
+        assert own == pytest.approx(expected, rel=EXACT)
 
 
 def test_a_piece_hangs_on_no_other_and_on_no_other_tolerance() -> None:
