@@ -494,8 +494,7 @@ class Design:
     def known_speeds(self) -> MemberSpeeds:
         """These, which have to be given."""
         crank, load = self.known_speed, self.load
-        speeds = self.members.speeds(crank=crank, ring=load.ring_speed, carrier=load.carrier_speed)
-        return required(speeds, "speed_missing", "load.ring_speed")
+        return self.members.speeds(crank=crank, ring=load.ring_speed, carrier=load.carrier_speed)
 
     @property
     def turning_speed(self) -> float | None:
