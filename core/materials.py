@@ -146,15 +146,13 @@ class ElasticMaterial:
         return replace(self, limit=replace(self.limit, loads=loads))
 
     @property
-    def elastic_pressure(self) -> float | None:
+    def elastic_pressure(self) -> float:
         """Contact pressure up to which nothing is set for good, Pa: the static limit, else first
-        yield below the surface; None where neither is known, as of plastics, of which the least
-        strength is no proof.
+        yield below the surface; not known of plastics, of which the least strength is no proof.
         """
-        known = self.static_pressure is not None or self.plastic is not None
-        if known or self.yield_strength is None:
-            return self.static_pressure
-        return FIRST_YIELD * self.yield_strength
+        if self.plastic or self.static_pressure is not None:
+            return required(self.static_pressure, "plastic_rules")
+        return FIRST_YIELD * required(self.yield_strength, "yield_unknown")
 
     @property
     def softest(self) -> Self:

@@ -110,7 +110,7 @@ def in_disc(
         if disc.code == "disc_ovals" and pressure <= limit:
             said = {"reason": disc.code, "params": disc.params, "at": more.get("at", {})}
             return Check(kind, "not_checked", value=pressure, limit=limit, **said)
-    rough = results.solved or results.edge is not None
+    rough = results.solved or bool(results.design.pin)
     return judged(kind, pressure, limit, error=error, rough=rough, **more)
 
 

@@ -103,15 +103,13 @@ def pin_roller_static(design: Design, results: Results) -> Check:
 )
 def pin_roller_max_load(design: Design, results: Results) -> Check:
     own, found = design.rollers, results.roller_loads
-    loads = (
-        (found.peak_load * design.load_factor, own.max_radial_load),
-        (found.static_load, own.max_static_radial_load),
+    value = max(
+        found.peak_load * design.load_factor / own.max_radial_load,
+        found.static_load / own.max_static_radial_load,
     )
-    used = [load / limit for load, limit in loads if limit is not None]
-    if not used:
+    if value == 0:
         missing = ("rollers.max_radial_load", "rollers.max_static_radial_load")
         return Check(pin_roller_max_load, "not_asked", reason="no_limit", missing=missing)
-    value = max(used)
     return judged(
         pin_roller_max_load,
         value,

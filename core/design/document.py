@@ -4,6 +4,7 @@ is the JSON pointer less the unit (`contact.pin_radius`).
 
 import math
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, TypeVar, cast
@@ -152,13 +153,10 @@ class Design:
         on_shaft = self.crankshaft.satellite_positions if self.crankshaft else ()
         if not (on_pins or on_shaft):
             return
-        width = self.contact.contact_length if self.contact else None
-        if self.pin and self.pin.contact_length is not None:
-            width = self.pin.contact_length
-        if width is not None:
+        with suppress(NotKnown):
             for section, places in (("pin", on_pins), ("crankshaft", on_shaft)):
                 name = f"{section}.satellite_positions"
-                check_apart(name=name, positions=places, width=width)
+                check_apart(name=name, positions=places, width=self.pin_length)
         if not on_pins or len(on_pins) != len(on_shaft):
             return
         away = [place - on_shaft[0] for place in on_shaft]
@@ -191,15 +189,18 @@ class Design:
         if places and len(places) != satellites:
             counts = {"expected": satellites, "actual": len(places)}
             raise InvalidInput("gear.satellite_positions", places, "different_length", **counts)
-        if (width := if_known(lambda: self.ring_length)) is not None:
+        with suppress(NotKnown):
+            width = self.ring_length
             check_apart(name="gear.satellite_positions", positions=places, width=width)
-        pins = if_known(lambda: self.ring_pins) if ring.every_second_pin else None
-        if pins is not None and pins % 2:
-            raise InvalidInput("gear.every_second_pin", True, "odd_ring_pins", pins=pins)
-        bore, radius = ring.sleeve_bore_radius, ring.ring_pin_radius
-        if bore is not None and radius is not None and not bore < radius:
-            than = {"field": "ring_pin_radius", "limit": radius}
-            raise InvalidInput("gear.sleeve_bore_radius", bore, "smaller_than", **than)
+        with suppress(NotKnown):
+            if ring.every_second_pin and self.ring_pins % 2:
+                pins = self.ring_pins
+                raise InvalidInput("gear.every_second_pin", True, "odd_ring_pins", pins=pins)
+        with suppress(NotKnown):
+            bore, radius = ring.sleeve_bore_radius, ring.known_pin_radius
+            if not bore < radius:
+                than = {"field": "ring_pin_radius", "limit": radius}
+                raise InvalidInput("gear.sleeve_bore_radius", bore, "smaller_than", **than)
 
     def _check_rollers(self) -> None:
         """Rollers fit onto their pins and are what touches the holes; no sleeve is beside them."""
@@ -227,11 +228,9 @@ class Design:
             raise InvalidInput(name, factor, "more_than_whole", limit=most)
 
     def _check_peak(self) -> None:
-        peak = self.load.peak_torque if self.load else None
-        if peak is None:
-            return
-        working = self.load.output_torque * self.load_factor
-        if peak < working * (1 - AS_TYPED):
+        if self.load and self.static_share < 1 - AS_TYPED:
+            working = self.load.output_torque * self.load_factor
+            peak = self.load.peak_torque
             raise InvalidInput("load.peak_torque", peak, "below_working", limit=working)
 
     @property
@@ -277,13 +276,11 @@ class Design:
         """Whether clearance, deviations, a law of contact or satellites that give are stated, or
         both meshes are in series.
         """
-        stated = (self.contact_law, self.output_deviations)
         clearance = self.contact.play if self.contact else 0.0
         if self.touching and not self.clearance_unknown:
             clearance += self.roller_play
         given = clearance > 0 or self.support.first_order
-        given = given or any(each is not None for each in stated)
-        return given or self.in_series
+        return given or bool(self.contact_law or self.output_deviations) or self.in_series
 
     @property
     def output_deviations(self) -> Deviations | None:
@@ -497,8 +494,7 @@ class Design:
     def known_speeds(self) -> MemberSpeeds:
         """These, which have to be given."""
         crank, load = self.known_speed, self.load
-        speeds = self.members.speeds(crank=crank, ring=load.ring_speed, carrier=load.carrier_speed)
-        return required(speeds, "speed_missing", "load.ring_speed")
+        return self.members.speeds(crank=crank, ring=load.ring_speed, carrier=load.carrier_speed)
 
     @property
     def turning_speed(self) -> float | None:
@@ -631,21 +627,16 @@ class Design:
         return self.friction.coefficient if given else 0.0
 
     @property
-    def hole_friction(self) -> float | None:
-        """The same for plastics, of which it is that of `dry_friction` where none is given; None
-        where that is not known.
-        """
+    def hole_friction(self) -> float:
+        """The same for plastics, of which it is that of `dry_friction` where none is given."""
         dry = self.plastics and not (self.friction or self.sleeved or self.rollers)
         return self.dry_friction if dry else self.sliding_friction
 
     @property
-    def dry_friction(self) -> float | None:
-        """Largest friction coefficient that was seen of the plastics that touch, dry; None where it
-        is not known of one of them.
-        """
-        found = [each.friction for each in self.plastics.values()]
-        known = [each for each in found if each is not None]
-        return max(known, default=None) if len(known) == len(found) else None
+    def dry_friction(self) -> float:
+        """Largest friction coefficient that was seen of the plastics that touch, dry."""
+        lacks = ("friction_unknown", "friction.coefficient")
+        return max(required(each.friction, *lacks) for each in self.plastics.values())
 
     @cached_property
     def roots(self) -> tuple[float, float]:
@@ -696,8 +687,10 @@ class Design:
     @property
     def pin_length(self) -> float:
         """Length of the contact along the pin, m."""
-        length = self.pin.contact_length
-        return self.contact.pair.contact_length if length is None else length
+        length = self.pin.contact_length if self.pin else None
+        if length is None:
+            length = required(self.contact.contact_length, "section_missing", "contact")
+        return length
 
     @property
     def sleeved(self) -> bool:

@@ -482,26 +482,25 @@ class Results:
         """Largest line load of a contact over the mean one of the largest force: by the slope of
         bent pins at that angle.
         """
-        judged, edge = self.judged_forces, self.edge
-        if edge is None:
+        judged = self.judged_forces
+        if not self.design.pin:
             return 1.0
+        edge = self.edge
         if isinstance(judged, RealForces):
             return edge.force / judged.force
         uneven = self.design.load_factor * self.design.distribution_factor
         return edge.force / (uneven * judged.peak_force)
 
     @derived
-    def sloping(self) -> SlopingContacts | None:
-        """The contacts of pins that slope; None without pins."""
-        if not self.design.pin:
-            return None
+    def sloping(self) -> SlopingContacts:
+        """The contacts of pins that slope."""
         stresses, length = self.pin_stresses, self.design.pair.contact_length
         return SlopingContacts(stresses.pin, stresses.loads, length, self.compliance)
 
     @derived
-    def edge(self) -> EdgeLoad | None:
-        """The contact with that line load; None without pins."""
-        return None if self.sloping is None else self.sloping.largest()
+    def edge(self) -> EdgeLoad:
+        """The contact with that line load."""
+        return self.sloping.largest()
 
     def contact_at(self, factor: float) -> HertzContact:
         """The contact under so many times its force."""
@@ -545,7 +544,7 @@ class Results:
         if strength is None:
             required(material.yield_strength, "yield_unknown", f"{name}.yield_strength", name)
             raise NotKnown("direction_unknown", f"{name}.layers", name)
-        friction = self.design.hole_friction or 0.0
+        friction = if_known(lambda: self.design.hole_friction) or 0.0
         ratio = float(material.poissons_ratio)
         factor = first_yield(poissons_ratio=ratio, friction=friction)
         if body == "hole" and contact.conformal_half_angle is not None:
@@ -610,8 +609,9 @@ class Results:
     def peak(self) -> dict[str, float]:
         """Where the largest pressure is reached."""
         force = self.judged_forces
-        if edge := self.edge:
-            at: dict[str, float] = {"satellite": edge.satellite}
+        if self.design.pin:
+            edge, at = self.edge, dict[str, float]()
+            at["satellite"] = edge.satellite
             if edge.pin is not None:
                 at["pin"] = edge.pin
             if isinstance(force, RealForces) and at.items() <= force.place.items():

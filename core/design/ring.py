@@ -140,7 +140,7 @@ class CycloidRing(AnyRing):
     pin_steel: bool = False
     pin_valid_diameter: float | None = None
     seat_stiffness: float = math.inf
-    sleeve_bore_radius: float | None = None  # of sleeves on the pins, m
+    sleeve_bore_radius: float = 0.0  # of sleeves on the pins, m; 0 without them
     rolling: bool = False  # whether rolling elements carry them
     tool_radius: float | None = None  # of what grinds or cuts the flanks of the discs, m
     every_second_pin: bool = False  # whether every second pin is left out

@@ -532,8 +532,8 @@ class Rollers:
     dynamic_rating: float | None = None  # C of one, N
     static_rating: float | None = None  # C0, N
     rolling_elements: int | None = None  # Z
-    max_radial_load: float | None = None  # F_r that its maker allows, N
-    max_static_radial_load: float | None = None  # F_0r likewise, N
+    max_radial_load: float = math.inf  # F_r that its maker allows, N; infinite where not given
+    max_static_radial_load: float = math.inf  # F_0r likewise, N
     radial_clearance: float | None = None  # G_r
     friction_coefficient: float | None = None  # mu_b, at the bore
     limiting_speed: float | None = None  # of the outer ring on the pin, rad/s

@@ -175,7 +175,7 @@ class Members:
 
     def speeds(
         self, *, crank: float, ring: float | None = None, carrier: float | None = None
-    ) -> MemberSpeeds | None:
+    ) -> MemberSpeeds:
         """Speeds of all members.
 
         Parameters
@@ -187,8 +187,12 @@ class Members:
 
         Returns
         -------
-        MemberSpeeds or None
-            None where both are the output and no speed of them is given.
+        MemberSpeeds
+
+        Raises
+        ------
+        NotKnown
+            Where both are the output and no speed of them is given.
 
         Examples
         --------
@@ -204,9 +208,8 @@ class Members:
             carrier = 0.0
         if ring is not None:
             return MemberSpeeds(crank, ((u + 1) * ring - crank) / u, ring)
-        if carrier is not None:
-            return MemberSpeeds(crank, carrier, (crank + u * carrier) / (u + 1))
-        return None
+        own = required(carrier, "speed_missing", "load.ring_speed")
+        return MemberSpeeds(crank, own, (crank + u * own) / (u + 1))
 
     def loads(self, *, output_torque: float, speeds: MemberSpeeds | None = None) -> MemberLoads:
         """Torques and powers of all members.

@@ -20,7 +20,7 @@ class RingFriction:
     """What slides on the ring's pins."""
 
     coefficient: float  # mu, >= 0
-    sleeve_bore_radius: float | None = None  # r_i of sleeves on the pins, m, < r
+    sleeve_bore_radius: float = 0.0  # r_i of sleeves on the pins, m, < r; 0 without them
     rolling: bool = False  # whether rolling elements carry the sleeves: nothing slides
 
 
@@ -50,7 +50,7 @@ def sliding_part(*, disc: CycloidDisc, friction: RingFriction) -> float:
     bore = friction.sleeve_bore_radius
     if friction.rolling:
         return 0.0
-    if bore is None:
+    if bore == 0:
         return 1.0
     check_positive(sleeve_bore_radius=bore)
     if not bore < disc.ring_pin_radius:
@@ -103,7 +103,7 @@ class SlidingLoss(RingLoss):
         """
         turn, mesh = self.turn, self.turn.mesh
         speed = self.speed / mesh.disc.satellite_teeth
-        if self.friction.sleeve_bore_radius is not None:
+        if self.friction.sleeve_bore_radius > 0:
             return turn.hardest_rub * speed / (2 * mesh.disc.ring_pin_radius * mesh.contact_length)
         return math.pi / 4 * turn.hardest_pressed_rub * speed
 

@@ -1,12 +1,14 @@
 """Worked steps of the contact of pin and hole."""
 
 import math
+from contextlib import suppress
 from typing import Any
 
 from core.contact_life import CURVES
-from core.derived import if_known
+from core.derived import UNKNOWN, if_known
 from core.design.real_forces import RealForces
 from core.design.results import Results
+from core.errors import required
 from core.hertz import SHEAR_DEPTH, SHEAR_RATIO, HertzContact
 from core.materials import ElasticMaterial, LimitLife
 from core.precision import AS_TYPED
@@ -92,9 +94,10 @@ def hertz_steps(
     sheet.work("max_shear", "tau", found.max_shear, "k_tau*p_0", **JOHNSON)
     sheet.take("k_z", "factor", SHEAR_DEPTH)
     sheet.work("max_shear_depth", "z", found.max_shear_depth, "k_z*a", **JOHNSON)
-    if found.conformal_half_angle is not None:
+    with suppress(*UNKNOWN):
         _conformal(sheet, found)
-    _safety(sheet, found, turning)
+    with suppress(*UNKNOWN):
+        _safety(sheet, found, turning)
     return sheet.steps
 
 
@@ -102,6 +105,9 @@ def _conformal(sheet: Sheet, found: HertzContact) -> None:
     """The conformal contact: its angle is the root of an equation, and of materials whose beta is
     not 0 its pressure follows from another.
     """
+    angle = float(required(found.conformal_half_angle, "conformal_solution"))
+    pressure = required(found.conformal_pressure, "conformal_solution")
+    tension = required(found.edge_tension, "conformal_solution")
     known = {name: each.value for name, each in sheet.known.items()}
     difference, load, modulus = known["r_out"] - known["r_in"], known["w"], known["E_star"]
     formula = "E_star*(r_out-r_in)/w"
@@ -111,12 +117,9 @@ def _conformal(sheet: Sheet, found: HertzContact) -> None:
     sheet.work("mismatch_alpha", "alpha", alpha, formula, **JOHNSON)
     formula = "E_star/2*((1-2*nu_2)*(1+nu_2)/E_2-(1-2*nu_1)*(1+nu_1)/E_1)"
     sheet.work("mismatch_beta", "beta", beta, formula, **JOHNSON)
-    assert found.conformal_half_angle is not None and found.conformal_pressure is not None
-    angle, pressure = float(found.conformal_half_angle), found.conformal_pressure
     radius = math.sqrt(known["r_in"] * known["r_out"])
-    assert found.edge_tension is not None
     share = (3 - 4 * known["nu_2"]) / (2 * math.pi * (1 - known["nu_2"]))
-    mean = (found.edge_tension / load * radius - share * math.cos(angle)) / 2
+    mean = (tension / load * radius - share * math.cos(angle)) / 2
     method = "integral_equation" if beta else "conformal_angle"
     sheet.state("conformal_half_angle", "eps", angle, method, **PERSSON)
     t, b = "tan(eps/2)", math.tan(angle / 2)
@@ -153,10 +156,9 @@ def _safety(
     turning: tuple[float | None, float, float],
 ) -> None:
     """Each body with a limit by this, under the pressure that governs; the smaller of both."""
-    if found.governing_pressure is None:
-        return
+    pressure = required(found.governing_pressure, "contact_wraps")
     by = "governs_hertz" if found.conformal_pressure is None else "governs_conformal"
-    sheet.state("governing_pressure", "p_g", found.governing_pressure, by)
+    sheet.state("governing_pressure", "p_g", pressure, by)
     for each in found.safety:
         index, limit = (1 if each.body == "pin" else 2), each.limit
         formula = f"p_P{index}/p_g"

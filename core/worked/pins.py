@@ -111,14 +111,13 @@ def _fatigue(sheet: Sheet, results: Results, found: PinStrength) -> None:
     sheet.state("direction", "chi", cycle.direction, "worst_cycle")
     sheet.state("max_stress", "sigma_max", cycle.max_stress, "worst_cycle")
     sheet.state("min_stress", "sigma_min", cycle.min_stress, "worst_cycle")
-    speed, ratio = results.design.turning_speed, results.design.mechanism.ratio
+    ratio = results.design.mechanism.ratio
 
     def finite() -> None:
-        if speed is not None:
-            life = results.design.life_of(basis)
-            cycles = speed * life / results.design.mechanism.built.crank_angle_per_wave
-            take_speed(sheet, results=results)
-            finite_life(sheet, cycle=cycle, ratio=ratio, life=life, cycles=cycles)
+        life = results.design.life_of(basis)
+        take_speed(sheet, results=results)
+        cycles = results.design.loads_over(life)
+        finite_life(sheet, cycle=cycle, ratio=ratio, life=life, cycles=cycles)
 
     cycle_steps(
         sheet,
