@@ -1,6 +1,7 @@
 """The parallel-crank mechanism as a request gives it."""
 
 import math
+from functools import cached_property
 from typing import Any, ClassVar, Literal, Self, cast
 
 from pydantic import model_validator
@@ -250,7 +251,8 @@ class MechanismFields(RequestModel, group="mechanism"):
                 return ratio_from_teeth(satellite_teeth=satellite, ring_teeth=ring)
         return math.inf
 
-    def section(self, _: Any = None) -> MechanismSection:
+    @cached_property
+    def in_si(self) -> MechanismSection:
         """The same in SI units."""
         angles = to_si("crank_angles_deg", self.crank_angles_deg)
         return MechanismSection(
@@ -264,14 +266,18 @@ class MechanismFields(RequestModel, group="mechanism"):
             satellite_teeth=self.satellite_teeth,
         )
 
+    def section(self, _: Any) -> MechanismSection:
+        """The same in SI units."""
+        return self.in_si
+
     def mechanism(self) -> Mechanism:
         """The mechanism in SI units."""
-        return self.section().built
+        return self.in_si.built
 
     @property
     def members(self) -> Members:
         """Crank, pins and ring, one of which is the output."""
-        return self.section().members
+        return self.in_si.members
 
 
 class PairOut(ResponseModel):
