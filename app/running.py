@@ -1,4 +1,4 @@
-"""Run a calculation for a request: time it, and say its refusals in the request's own names."""
+"""A calculation for a request, timed; its refusals in the request's own names."""
 
 import re
 import time
@@ -37,13 +37,19 @@ COMPARING = frozenset(
 """Refusals whose `limit` is a value of the refused field, in its unit."""
 
 
-def run(body: RequestModel, calculation: Callable[[], Result]) -> tuple[Result, float]:
-    """Result of a calculation and its run time, microseconds to a tenth; a refusal names the body's
-    fields.
-    """
+def timed(calculation: Callable[[], Result]) -> tuple[Result, float]:
+    """Result of a calculation and its run time, microseconds to a tenth."""
     start = time.perf_counter_ns()
+    result = calculation()
+    return result, (time.perf_counter_ns() - start) // 100 / 10
+
+
+def calculated(body: RequestModel, calculation: Callable[[], Result]) -> Result:
+    """What is calculated of a request, whose record has how long it took; a refusal names the
+    body's fields.
+    """
     try:
-        result = calculation()
+        result, run_time_us = timed(calculation)
     except InvalidInput as error:
         raise named(error, body) from error
     except NotKnown as error:
@@ -55,11 +61,9 @@ def run(body: RequestModel, calculation: Callable[[], Result]) -> tuple[Result, 
             raise
         place = pointer(path_of(body, error.parameter) or ())
         raise impossible(error, place) from error
-    run_time_us = (time.perf_counter_ns() - start) // 100 / 10
-    record = at_hand.get()
-    if record is not None:
+    if record := at_hand.get():
         record.calculation_took(run_time_us)
-    return result, run_time_us
+    return result
 
 
 def named(error: InvalidInput, body: RequestModel) -> Problem:

@@ -24,7 +24,7 @@ from app.model import (
     warning,
 )
 from app.rules import Forms, field_error
-from app.running import run
+from app.running import timed
 from app.sources import OVSYANNIKOV_2019, SHIGLEY
 from app.theme import (
     Amount,
@@ -444,9 +444,9 @@ def roller_figure(
 
 def solve(body: RollerStrengthRequest) -> Values:
     """Stiffness, load sharing and bending stress of swinging rollers."""
-    result, run_time_us = run(body, body.solve)
-    tired, _ = run(body, lambda: body.tired(result, body.design["diameter"]))
-    judged, _ = run(body, lambda: body.judge(result, tired))
+    result, run_time_us = timed(body.solve)
+    tired = body.tired(result, body.design["diameter"])
+    judged = body.judge(result, tired)
     cycle = CycleOut.values(tired) if isinstance(tired, CycleFatigue) else None
     values = RollerStrengthResponse.values(result, run_time_us, fatigue=cycle, **judged)
     notices = notices_of(tired)
@@ -457,14 +457,13 @@ def solve(body: RollerStrengthRequest) -> Values:
 
 def figure(body: RollerStrengthRequest, theme: Theme = "light") -> Figure:
     """Stiffness, non-uniformity and stress as curves through this design."""
-    curves, _ = run(body, body.solve_curves)
+    curves = body.solve_curves()
     return roller_figure(curves, body.design["diameter"], body.design["youngs_modulus"], theme)
 
 
 def work(body: RollerStrengthRequest) -> list[Values]:
     """Worked steps of the rollers."""
-    steps, _ = run(body, body.steps)
-    return worked(roller_strength=steps)
+    return worked(roller_strength=body.steps())
 
 
 CALCULATION = Calculation(

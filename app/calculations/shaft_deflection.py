@@ -24,7 +24,7 @@ from app.model import (
     warning,
 )
 from app.rules import Forms
-from app.running import run
+from app.running import timed
 from app.sources import JOHNSON_1985, KHATETOVSKY_2020, SHIGLEY
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
 from app.units import core_name, from_si, to_si
@@ -458,8 +458,8 @@ def shaft_figure(diagram: ShaftDiagram, bearing_distance_mm: float, theme: Theme
 
 def solve(body: ShaftDeflectionRequest) -> Values:
     """Reactions of the shaft and its deflection at the bearings B and C, in both planes."""
-    (load, result), run_time_us = run(body, body.solve_all)
-    judged, _ = run(body, lambda: body.judge(load, result))
+    (load, result), run_time_us = timed(body.solve_all)
+    judged = body.judge(load, result)
     strength, contact = body.strength(result), body.contact(load)
     values = ShaftDeflectionResponse.values(
         result,
@@ -476,14 +476,13 @@ def solve(body: ShaftDeflectionRequest) -> Values:
 
 def figure(body: ShaftDeflectionRequest, theme: Theme = "light") -> Figure:
     """Shear force, bending moment and deflection along the shaft, in both planes."""
-    (_, diagram), _ = run(body, body.solve_diagram)
+    _, diagram = body.solve_diagram()
     return shaft_figure(diagram, body.bearing_distance_mm, theme)
 
 
 def work(body: ShaftDeflectionRequest) -> list[Values]:
     """Worked steps of reactions, deflections, strength and contact."""
-    steps, _ = run(body, body.steps)
-    return worked(shaft_deflection=steps)
+    return worked(shaft_deflection=body.steps())
 
 
 CALCULATION = Calculation(
