@@ -52,6 +52,7 @@ from app.units import (
     to_si_converter,
 )
 from core.codes import WARNINGS, WAS
+from core.errors import NotKnown
 from core.results import METHODS, Accuracy, Notice
 
 SMALLEST = 1e-12
@@ -484,7 +485,8 @@ class ResponseModel(BaseModel):
 
     @classmethod
     def values(cls, result: Any, run_time_us: float | None = None, **given: Any) -> Values:
-        """Values of an answer from a core result; arrays stay arrays.
+        """Values of an answer from a core result, without what is not known of it; arrays stay
+        arrays.
 
         Parameters
         ----------
@@ -497,7 +499,11 @@ class ResponseModel(BaseModel):
         """
         values, plan = present(given), _plan(cls, *given)
         for name, attribute, convert in plan.read:
-            if (value := getattr(result, attribute)) is not None:
+            try:
+                value = getattr(result, attribute)
+            except NotKnown:
+                continue
+            if value is not None:
                 values[name] = convert(value)
         if plan.warns and result.notices:
             values["warnings"] = [warning(each) for each in result.notices]

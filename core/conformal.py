@@ -73,9 +73,9 @@ class ConformalContact(NamedTuple):
     evaluations: int  # Newton steps, of an array by the slowest
 
 
-class _Closed:
-    """What beta = 0 leaves of the closed forms: all of them. Of s = sin(eps/2), and of what s has
-    as its derivative, each factor and its derivative.
+class _Factors:
+    """Factors on the closed forms, and their derivatives, of s = sin(eps/2) and of what s has as
+    its own: all 1 for beta = 0, as here.
     """
 
     precise = 2 * ROUNDING  # step of Newton's method at which it ends
@@ -101,11 +101,13 @@ class _Closed:
         return 0.0
 
 
-_CLOSED = _Closed()
+_CLOSED = _Factors()
 
 
-class _Factors(_Closed):
-    """The same of a beta: what it adds is a sum of powers of `_at(s)` with these coefficients."""
+class _OfBeta(_Factors):
+    """The same of another beta: what it adds to 1 is a sum of powers of `_at(s)` with these
+    coefficients.
+    """
 
     precise = 64 * ROUNDING
 
@@ -509,7 +511,7 @@ def _powers(coefficients: list[Number], s: Number) -> tuple[Number, Number]:
     return value, turn * (2 / _HALF_SINE)
 
 
-def _factors(beta: Number) -> _Closed:
+def _factors(beta: Number) -> _Factors:
     """Factors of a beta, or of each of an array."""
     if isinstance(beta, float):
         return _factors_of(float(beta)) if beta else _CLOSED
@@ -517,15 +519,15 @@ def _factors(beta: Number) -> _Closed:
 
 
 @lru_cache(maxsize=256)
-def _factors_of(beta: float) -> _Factors:
+def _factors_of(beta: float) -> _OfBeta:
     return _factors_at(beta)
 
 
-def _factors_at(beta: Number) -> _Factors:
+def _factors_at(beta: Number) -> _OfBeta:
     found = ([*(beta * chebyshev.chebval(2 * beta, table))] for table in _tables())
     if isinstance(beta, float):
         found = ([float(each) for each in row] for row in found)
-    return _Factors(*found)
+    return _OfBeta(*found)
 
 
 @cache

@@ -1,5 +1,7 @@
 """The crank-planetary reducer as one job: request, answer, figure."""
 
+from functools import partial
+
 from app.calculations.checks import codes_to_fix, judgement
 from app.calculations.combined import combined
 from app.calculations.crank_planetary_answer import ColdYieldOut, CrankPlanetaryResponse
@@ -42,7 +44,8 @@ def _judged(body: CrankPlanetaryRequest) -> Values:
         codes = codes_to_fix(found, body.fixes_for)
         fixes = fixes_of(body, codes, found)
     values: Values = {}
-    if body.design.plastics and (cold := cold_yield(results=body.results, found=found)):
+    judged = partial(cold_yield, results=body.results, found=found)
+    if body.design.plastics and (cold := if_known(judged)):
         values["cold_yield"] = _cold_values(body, cold)
     values |= judgement(
         found,

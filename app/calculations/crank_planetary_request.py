@@ -211,7 +211,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         except CalculationError:  # of which a solution is asked: a size that makes none yet
             return
         dry = design.plastics and not (design.friction or design.sleeved or design.rollers)
-        if dry and design.dry_friction is not None:
+        if dry and is_known(lambda: design.dry_friction):
             yield ("friction", "coefficient"), design.dry_friction
 
     def without(self, path: tuple[str, ...]) -> Values:

@@ -169,7 +169,7 @@ class PinContactFields(ContactFields, group="contact"):
         """The same in SI units."""
         return self.in_si
 
-    def sizes_on(self, pin_circle_radius_mm: float | None) -> dict[str, Any]:
+    def sizes_on(self, pin_circle_radius_mm: float) -> dict[str, Any]:
         """Sizes of pins and holes on their circle in SI units, None for what is not given."""
         return {
             "pin_radius": to_si("pin_radius_mm", self.pin_radius_mm),

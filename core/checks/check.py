@@ -149,12 +149,10 @@ class Check(NamedTuple):
         return self.kind.code
 
     @property
-    def margin(self) -> float | None:
-        """What is left to the limit, below 0 beyond it, in SI units."""
-        if self.value is None or self.limit is None:
-            return None
-        over = self.value - self.limit
-        return -over if self.kind.keep == "below" else over
+    def margin(self) -> float:
+        """What is left to the limit, below 0 beyond it, in SI units; `NotKnown` as `compared`."""
+        value, limit = self.compared
+        return limit - value if self.kind.keep == "below" else value - limit
 
     @property
     def compared(self) -> tuple[float, float]:

@@ -72,8 +72,7 @@ def interference(design: Design, results: Results) -> Check:
     if fit.room.binding:
         pair = fit.room.binding[0]
         at = {"satellite": pair.satellite, "pin": pair.pin}
-    if fit.room.crank_angle is not None:
-        at["crank_angle"] = fit.room.crank_angle
+    at |= fit.room.where
     misfit = fit.misfit
     status: Status = "fail"
     if not misfit or misfit == "fits_by_bearing_clearance":

@@ -219,7 +219,7 @@ def ring_backlash(design: Design, results: Results) -> Check | Measure:
     """Of the ring alone; not looked for where nobody asks. Of involute teeth known at once."""
     if design.gear.kind == "involute":
         return Measure(design.members.angle_at_output(max(results.ring.pair.backlash, 0.0)))
-    judged_by(design.requirements.max_ring_backlash, "no_limit")  # else it is not looked for
+    judged_by(design.requirements.max_ring_backlash, "no_limit")
     play = results.ring.working[0].play_in_ring
     return Measure(design.members.angle_at_output(play), reason=ring_alone(results))
 
@@ -407,8 +407,7 @@ def ring_efficiency(design: Design, results: Results) -> Check | Measure:
     needed=False,
 )
 def ring_pv(design: Design, results: Results) -> Check | Measure:
-    value = required(results.ring.pv, "speed_missing")  # of sleeves at a speed
-    return Measure(value, error=_error(results.ring.working[0]), rough=True)
+    return Measure(results.ring.pv, error=_error(results.ring.working[0]), rough=True)
 
 
 RING_LOAD = (

@@ -191,8 +191,7 @@ def test_the_slope_concentrates_the_pressure() -> None:
     )
     assert found.value is not None
     loads = Results(bent).pin_loads
-    assert loads is not None and loads.deflection is not None  # type: ignore[union-attr]
-    factor = math.sqrt(2 * loads.deflection.slope * 0.02 * 1e9 / Results(bent).judged_forces.force)  # type: ignore[union-attr]
+    factor = math.sqrt(2 * loads.deflection.slope * 0.02 * 1e9 / Results(bent).judged_forces.force)
     assert found.value / even == pytest.approx(math.sqrt(factor), rel=1e-4)
     assert found.at["satellite"] == 1
 

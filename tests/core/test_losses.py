@@ -7,6 +7,7 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
+from core.derived import is_known
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.numerics.quadrature import tanh_sinh_rule
 from core.output.losses import BarePins, Sleeves, TotalForce, loss_curves, pin_losses, total_force
@@ -76,7 +77,7 @@ def test_the_reference_design_with_sleeves() -> None:
     assert found.sleeve_speed == pytest.approx(bare.relative_speed / 4, rel=CONVERGED)
     assert found.peak_pv == bare.peak_pv  # whatever the bore
     assert found.pin_wear == bare.pin_wear
-    assert found.hole_wear is None
+    assert not is_known(lambda: found.hole_wear)
     assert found.notices == ()
 
 

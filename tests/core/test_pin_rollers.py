@@ -146,15 +146,15 @@ def test_ratings_of_a_roller_are_taken_as_they_are() -> None:
 def test_rollers_side_by_side_share_the_force() -> None:
     one, two = pin_rollers(**SMALL), pin_rollers(**SMALL | {"per_satellite": 2})
     assert two.peak_load == one.peak_load / 2
-    assert two.life == pytest.approx(8 * one.life)  # type: ignore[operator]
-    assert two.static_safety_factor == pytest.approx(2 * one.static_safety_factor)  # type: ignore[operator]
+    assert two.life == pytest.approx(8 * one.life)
+    assert two.static_safety_factor == pytest.approx(2 * one.static_safety_factor)
 
 
 def test_the_peak_torque_is_for_the_static_safety_alone() -> None:
     one, more = pin_rollers(**SMALL), pin_rollers(**SMALL | {"peak_torque": 8.1})
     assert (more.peak_load, more.life) == (one.peak_load, one.life)
     assert more.static_load == 2 * one.static_load
-    assert more.static_safety_factor == one.static_safety_factor / 2  # type: ignore[operator]
+    assert more.static_safety_factor == one.static_safety_factor / 2
 
 
 def test_the_slope_of_a_pin_under_a_force_at_a_point() -> None:

@@ -45,7 +45,7 @@ def spaced(pins: int, satellites: int, degrees: float | None = None) -> Mechanis
 
 
 def test_the_reference_design() -> None:
-    found = pin_strength(**REFERENCE, deflection=True)
+    found = pin_strength(**REFERENCE)
     assert f"{found.peak_force:.4f}" == "3333.3333"
     assert found.peak_moment == pytest.approx(10000 / 3 * 0.037, rel=CONVERGED)
     assert f"{found.peak_bending_stress / 1e6:.6f}" == "306.704838"
@@ -340,8 +340,8 @@ def test_stresses_grow_with_the_torque(
         "force_exponent": exponent,
         "satellite_positions": positions(mechanism),
     } | PIN
-    one = pin_strength(**design, deflection=True)
-    other = pin_strength(**design | {"output_torque": 500.0 * factor}, deflection=True)
+    one = pin_strength(**design)
+    other = pin_strength(**design | {"output_torque": 500.0 * factor})
     for name in ("peak_moment", "peak_bending_stress", "peak_shear_stress"):
         assert getattr(other, name) == pytest.approx(factor * getattr(one, name), rel=CONVERGED)
     assert other.peak_equivalent_stress == pytest.approx(
@@ -630,7 +630,7 @@ def test_cranks_that_are_even_but_for_rounding_are_as_good_as_even(pins: int) ->
             material=MATERIALS["steel_bearing"].material,
             support="fixed",
             span=0.1,
-        ).strength(fatigue=FatigueStrength(300e6, 1000e6, 800e6, "goodman"), deflection=True)
+        ).strength(fatigue=FatigueStrength(300e6, 1000e6, 800e6, "goodman"))
 
     with np.errstate(invalid="raise", divide="raise"):
         nearly = strength(1e-8)

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from core.derived import is_known
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.output import compiled
 from core.output.contact_law import HertzLaw, LinearLaw, PinSupport, PowerLaw, pin_compliance
@@ -481,8 +482,8 @@ def test_over_a_turn_friction_costs_what_slides() -> None:
     rolling = ring_loss(
         turn=turn, friction=RingFriction(0.05, 0.003, rolling=True), input_speed=9.0
     )
-    assert (rolling.efficiency, rolling.mean_loss, rolling.peak_pv) == (1.0, 0.0, None)
-    assert plain.peak_pv is not None and plain.peak_pv > 0
+    assert (rolling.efficiency, rolling.mean_loss) == (1.0, 0.0)
+    assert plain.peak_pv > 0 and not is_known(lambda: rolling.peak_pv)
     for friction, name in (
         (RingFriction(-0.1), "coefficient"),
         (RingFriction(0.1, 0.005), "sleeve_bore_radius"),
