@@ -59,7 +59,7 @@ def calculated(body: RequestModel, calculation: Callable[[], Result]) -> Result:
     except ImpossibleMechanism as error:
         if not error.parameter:
             raise
-        place = pointer(path_of(body, error.parameter) or ())
+        place = pointer(path_of(body, error.parameter))
         raise impossible(error, place) from error
     if record := at_hand.get():
         record.calculation_took(run_time_us)
@@ -68,7 +68,7 @@ def calculated(body: RequestModel, calculation: Callable[[], Result]) -> Result:
 
 def named(error: InvalidInput, body: RequestModel) -> Problem:
     """A refusal of the core in the names of a request's fields."""
-    path = path_of(body, error.parameter) or ()
+    path = path_of(body, error.parameter)
     params = api_params(error.params)
     if error.code in COMPARING:
         field = next((part for part in reversed(path) if isinstance(part, str)), "")
@@ -76,18 +76,18 @@ def named(error: InvalidInput, body: RequestModel) -> Problem:
     return refusal(pointer(path), error.code, **params)
 
 
-def path_of(body: RequestModel, parameter: str) -> tuple[str | int, ...] | None:
-    """Path of the field of a core parameter in a request, ``rollers[2].z_max`` included; None where
-    it has none.
+def path_of(body: RequestModel, parameter: str) -> tuple[str | int, ...]:
+    """Path of the field of a core parameter in a request, ``rollers[2].z_max`` included; empty
+    where it has none.
     """
-    path = body.core_paths.get(parameter)
-    if path is not None or "[" not in parameter:
+    path = body.core_paths.get(parameter, ())
+    if path or "[" not in parameter:
         return path
     parts = re.findall(r"[^.\[\]]+", parameter)
     own = [part for part in parts if not part.isdigit()]
-    path = body.core_paths.get(".".join(own))
-    if path is None:
-        return None
+    path = body.core_paths.get(".".join(own), ())
+    if not path:
+        return path
     above = len(path) - len(own)
     names = iter(path[above:])
     return (*path[:above], *(int(part) if part.isdigit() else next(names) for part in parts))

@@ -2,7 +2,7 @@
 
 from functools import partial
 
-from app.calculations.checks import codes_to_fix, judgement
+from app.calculations.checks import codes_to_fix, fix_values, judgement
 from app.calculations.combined import combined
 from app.calculations.crank_planetary_answer import ColdYieldOut, CrankPlanetaryResponse
 from app.calculations.crank_planetary_figure import figure
@@ -50,10 +50,11 @@ def _judged(body: CrankPlanetaryRequest) -> Values:
     values |= judgement(
         found,
         body,
-        torque=body.design.load.output_torque if body.design.load else None,
+        torque=body.design.load.output_torque if body.design.load else 0.0,
         checks="checks" in body.sections,
-        fixes=fixes if "fixes" in body.sections else None,
     )
+    if "fixes" in body.sections:
+        values["fixes"] = [fix_values(each, body) for each in fixes]
     if "combined" in body.sections:
         values["combined"] = combined(body, found, fixes)
     return present(values)
@@ -69,7 +70,7 @@ def _cold_values(body: CrankPlanetaryRequest, cold: ColdYield) -> Values:
 
 def _notices(body: CrankPlanetaryRequest) -> tuple[Notice, ...]:
     """What is to be said of the design, whichever sections are asked."""
-    results, found = body.results, notices_of(body.solve_fit())
+    results, found = body.results, notices_of(if_known(body.solve_fit))
     if body.contact is not None:
         found += body.contact.material_notices()
     if results.in_series:

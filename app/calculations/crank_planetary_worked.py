@@ -36,7 +36,6 @@ def _contact_force(body: CrankPlanetaryRequest) -> list[Step]:
 
 def _clearance(body: CrankPlanetaryRequest) -> list[Step]:
     fit, pair = body.solve_fit(), body.design.contact.pair
-    assert fit is not None
     return clearance_steps(
         clearance=fit.clearance,
         pin_radius=pair.pin_radius,

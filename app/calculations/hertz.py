@@ -176,7 +176,7 @@ class MaterialFields(RequestModel, group="material"):
     @property
     def base(self) -> TableMaterial:
         """The material of the table whose values are taken where none are given."""
-        return NOT_LISTED if self.name is None else MATERIALS[self.name]
+        return MATERIALS.get(self.name or "", NOT_LISTED)
 
     def material(self) -> ElasticMaterial:
         """The material in SI units."""

@@ -129,16 +129,16 @@ class MechanismFields(RequestModel, group="mechanism"):
 
     @model_validator(mode="after")
     def _reduces(self) -> Self:
-        ratio, teeth = self.ratio, self.teeth
-        if self.output != "coupling" and {None} == {ratio, teeth, self.output_ratio}:
-            raise field_error("ratio", "needed", field="satellite_teeth")
-        if ratio is not None:
-            self._refuse_ratio(ratio)
-        if teeth is not None:
-            satellite, ring = teeth
-            if ring > 2 * satellite:
+        match self.given:
+            case {"ratio": ratio}:
+                self._refuse_ratio(ratio)
+            case {"satellite_teeth": satellite, "ring_teeth": ring} if ring > 2 * satellite:
                 more = {"limit": 2 * satellite, "field": "satellite_teeth"}
                 raise field_error("ring_teeth", "ratio_of_teeth", **more)
+            case {"output_ratio": _} | {"ring_teeth": _} | {"output": "coupling"}:
+                pass
+            case _:
+                raise field_error("ratio", "needed", field="satellite_teeth")
         return self
 
     def _refuse_ratio(self, ratio: float) -> None:
@@ -231,7 +231,7 @@ class MechanismFields(RequestModel, group="mechanism"):
 
     def notices(self) -> tuple[Notice, ...]:
         """A ratio with the sign of the output."""
-        signed = self.ratio is not None and self.ratio < 0
+        signed = (self.ratio or 0) < 0
         return (Notice("ratio_sign", {"ratio": self.ratio_given()}),) if signed else ()
 
     def ratio_given(self) -> float:

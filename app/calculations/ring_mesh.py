@@ -219,9 +219,7 @@ class RingMeshRequest(RequestModel, group="positions"):
     @property
     def asked(self) -> list[Section]:
         """Sections of the answer."""
-        if self.include is not None:
-            return self.include
-        return ["stresses"] if self.gear.kind == "involute" else ["positions"]
+        return self.include or ["stresses" if self.gear.kind == "involute" else "positions"]
 
     @property
     def cycloid(self) -> CycloidRingFields:

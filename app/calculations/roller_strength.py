@@ -7,7 +7,13 @@ from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import Field, field_validator, model_validator
 
-from app.calculations.checks import JudgedFields, JudgedResponse, codes_to_fix, judgement
+from app.calculations.checks import (
+    JudgedFields,
+    JudgedResponse,
+    codes_to_fix,
+    fix_values,
+    judgement,
+)
 from app.calculations.fatigue import STEEL_GPA, CycleOut, FatigueFields
 from app.model import (
     AccuracyOut,
@@ -234,17 +240,13 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
             return checked(changed, result, self.tired(result, changed["diameter"]))
 
         verdict = checked(self.design, result, tired)
-        fixes = None
+        asked = "checks" in self.include
+        judged = judgement(verdict, self, torque=self.output_torque_Nm, checks=asked)
         if "fixes" in self.include:
             codes = codes_to_fix(verdict, self.fixes_for)
             fixes = plain_fixes(design=self.design, codes=codes, current=verdict, checks=checks)
-        return judgement(
-            verdict,
-            self,
-            torque=self.output_torque_Nm,
-            checks="checks" in self.include,
-            fixes=fixes,
-        )
+            judged["fixes"] = [fix_values(each, self) for each in fixes]
+        return judged
 
     def solve_curves(self) -> RollerCurves:
         """Curves of stiffness, non-uniformity and stress through this design."""

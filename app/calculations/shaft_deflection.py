@@ -5,7 +5,13 @@ from collections.abc import Callable
 from functools import cached_property
 from typing import Any, ClassVar
 
-from app.calculations.checks import JudgedFields, JudgedResponse, codes_to_fix, judgement
+from app.calculations.checks import (
+    JudgedFields,
+    JudgedResponse,
+    codes_to_fix,
+    fix_values,
+    judgement,
+)
 from app.calculations.fatigue import STEEL_GPA, CycleOut, FatigueFields
 from app.calculations.hertz import Material, material_of
 from app.calculations.meshing_load import MeshFields
@@ -276,14 +282,15 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
             found = body.solve_shaft(own)
             return body.checks(own, found, body.strength(found))
 
-        verdict, fixes = self.checks(load, result, strength), None
+        verdict = self.checks(load, result, strength)
+        asked = "checks" in self.include
+        judged = judgement(verdict, self, torque=self.torque_Nm, checks=asked)
         if "fixes" in self.include:
             design = {core_name(name): to_si(name, getattr(self, name)) for name in self._varied()}
             codes = codes_to_fix(verdict, self.fixes_for)
             fixes = plain_fixes(design=design, codes=codes, current=verdict, checks=checks)
-        return judgement(
-            verdict, self, torque=self.torque_Nm, checks="checks" in self.include, fixes=fixes
-        )
+            judged["fixes"] = [fix_values(each, self) for each in fixes]
+        return judged
 
     def _varied(self) -> tuple[str, ...]:
         """What a fix may change: nothing of a shaft with steps, as their lengths add up."""

@@ -267,7 +267,7 @@ def write(body: DxfRequest) -> File:
         parts = calculated(body, body.drawn)
     except NotKnown as error:
         missing = error.missing[0] if error.missing else "gear"
-        raise refusal(pointer(path_of(body, missing) or ()), "needed_to_draw") from error
+        raise refusal(pointer(path_of(body, missing)), "needed_to_draw") from error
     files = {part.said["part"]: _file(part) for part in parts}
     if len(files) == 1:
         ((name, content),) = files.items()
