@@ -61,7 +61,7 @@ class MechanismSection:
     ratio: float  # u; infinite of a coupling
     output: Output = "pins"
     crank_spacing: float | None = None  # between neighbours, rad; None for an even spacing
-    crank_angles: tuple[float, ...] | None = None  # of each crank, rad, instead of a spacing
+    crank_angles: tuple[float, ...] = ()  # of each crank, rad, instead of a spacing
     initial_crank_angle: float = 0.0  # wave angle at crank angle 0, rad
     satellite_teeth: int | None = None  # z2
 
@@ -83,7 +83,7 @@ class MechanismSection:
 
 @lru_cache(maxsize=1024)
 def _built(given: MechanismSection) -> Mechanism:
-    if given.crank_angles is not None:
+    if given.crank_angles:
         return Mechanism(
             pins=given.pins,
             crank_angles=given.crank_angles,
