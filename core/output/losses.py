@@ -324,7 +324,7 @@ class PinLosses:
     wear_rate: Number | None  # k, m^2/N, where it is given
     rubbed: Number  # way that rubs over the life, over 2*pi and the length of the contact
     pin_radius: Number  # that touches the hole, m
-    rubbing: BarePins | Sleeves
+    rubbing: BarePins | Sleeves  # bare pins in their holes, or on sleeves
     accuracy: Accuracy
     notices: tuple[Notice, ...]  # that the pressure is not that of a bush
 

@@ -72,7 +72,7 @@ class MemberLoads:
     pin_torque: float  # T_c, N*m, as all torques positive in the sense of the crank
     crank_torque: float  # T_1, N*m
     ring_torque: float  # T_r, N*m
-    given_speeds: MemberSpeeds | None = None
+    given_speeds: MemberSpeeds | None = None  # of all members, where one is known
     accuracy: Accuracy = CLOSED
 
     @property

@@ -78,7 +78,7 @@ class PinStrength:
     static_stress: float  # the same under the peak torque, Pa
     yield_strength: float | None  # Re of the pin, Pa, where it is known
     cycle: PinFatigue | None  # the worst stress cycle, where asked
-    deflection: PinDeflection
+    deflection: PinDeflection  # largest in each satellite, and slopes
     # Of the section of the worst cycle, else of the largest moment, where it was asked.
     locus: MomentLocus | None
     pin: int  # the pin of which it is, from 1; those of an ideal mechanism are alike
