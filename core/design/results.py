@@ -576,9 +576,9 @@ class Results:
         """Whether the disc ends so near to its holes that the pressure of a contact is off by it,
         or is not known: of one that wraps around its pin.
         """
-        distance = self.design.disc_distance
-        if contact.conformal_pressure is None or distance is None:
+        if contact.conformal_pressure is None:
             return None
+        distance = self.design.disc_distance
         if distance < OVALS:
             return Notice("disc_ovals", {"distance": distance})
         error = disc_error(distance)
