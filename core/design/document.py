@@ -142,7 +142,7 @@ class Design:
         self._check_ring_pins()
         if self.bearing:
             self.bearing.check_sizes("bearing")
-        for index, each in enumerate((self.crankshaft and self.crankshaft.bearings) or ()):
+        for index, each in enumerate(self.crankshaft.bearings if self.crankshaft else ()):
             each.check_sizes(f"crankshaft.bearings[{index}]")
 
     def _check_places(self) -> None:
