@@ -26,11 +26,20 @@ from app.model import (
 from app.problems import pointer, sentence
 from app.running import named, path_of
 from app.units import from_si, shown_unit
-from core.checks.check import STATUSES, Check, Status, Verdict
-from core.checks.part import PARTS, Outcome, PartStatus, PartVerdict
+from core.checks.check import (
+    STATUSES,
+    Check,
+    Outcome,
+    PartStatus,
+    PartVerdict,
+    Status,
+    Verdict,
+)
+from core.checks.crank_planetary import PARTS
 from core.checks.records import CHECKS
 from core.checks.words import CHECK_SOURCES, GROUPS, NOT_CONSIDERED
 from core.codes import CODES, WAS
+from core.derived import if_known
 from core.design.sections import PART_NAMES, PartName, Requirements
 from core.fixes.fix import Fix, FixStatus
 from core.materials import LIMIT_SOURCES, Criterion, Verified
@@ -363,7 +372,7 @@ def check_values(check: Check, body: RequestModel, inputs: list[str]) -> Values:
         "value": from_si(unit, check.value),
         "limit": from_si(unit, check.limit),
         "utilisation": check.utilisation,
-        "margin": from_si(unit, check.margin),
+        "margin": from_si(unit, if_known(lambda: check.margin)),
         "torque_reserve": check.torque_reserve,
         "reason": _reason(check, body) if check.reason else None,
         "source": SOURCES[source or "user"],

@@ -45,8 +45,8 @@ def _judged(body: CrankPlanetaryRequest) -> Values:
         codes = codes_to_fix(found, body.fixes_for)
         fixes = fixes_of(body, codes, found)
     values: Values = {}
-    cold = cold_yield(results=body.results, found=found) if body.design.plastics else None
-    if cold is not None:
+    judged = partial(cold_yield, results=body.results, found=found)
+    if body.design.plastics and (cold := if_known(judged)):
         values["cold_yield"] = _cold_values(body, cold)
     values |= judgement(
         found,

@@ -54,7 +54,7 @@ WORKED: dict[Section, Callable[[CrankPlanetaryRequest], list[Step]]] = {
     "geometry": _clearance,
     "ring_mesh": lambda body: ring_steps(body.results),
     "pin_strength": lambda body: strength_steps(
-        results=body.results, found=body.results.pin_strength
+        results=body.results, found=body.results.pin_strength, deflection=True
     ),
     "output_efficiency": lambda body: loss_steps(body.results),
     "satellite_bearing": lambda body: bearing_steps(body.results),

@@ -274,7 +274,7 @@ class DesignFields(GivingFields):
         """Also a ratio that no cycloid disc with one lobe less has."""
         gear: Any = self.given.get("gear")
         found = super().notices()
-        one_lobe_less = self.ring_kind == "cycloid" and gear.teeth_difference in (None, 1)
+        one_lobe_less = self.ring_kind == "cycloid" and (gear.teeth_difference or 1) == 1
         if one_lobe_less and self.mechanism.teeth is None:
             ratio = self.mechanism.ratio_given()
             if not ratio.is_integer():
@@ -339,7 +339,7 @@ class DesignFields(GivingFields):
         """How pins and holes fit, as far as their sizes are given."""
         if self.contact is None or self.contact.pin_radius_mm is None:
             return None
-        radius = None if self.load is None else self.load.pin_circle_radius_mm
+        radius = self.load.pin_circle_radius_mm if self.load else math.inf
         return pin_fit(pins=self.mechanism.pins, **self.contact.sizes_on(radius))
 
 

@@ -196,7 +196,7 @@ def fit_figure(fit: Fit, theme: Theme) -> Figure:
     end = mechanism.crank_angle_per_wave
     blocked = rooms.blocked() if room.state == "binds_in_turning" else ()
     edges = np.array([each % end for ends in blocked for each in ends])
-    least = [] if room.crank_angle is None else [room.crank_angle]
+    least = [*room.where.values()]
     angle = np.unique(np.concatenate((np.linspace(0.0, end, DRAWN_ANGLES), edges, least)))
     wave, shown = mechanism.wave_angle(angle), from_si("angle_deg", angle)
     value, at = Amount("%{y:.5g}", "mm"), Amount("%{x:.2f}", "°")

@@ -43,6 +43,7 @@ from app.units import from_si, to_si
 from app.worked import worked
 from core.arrays import FloatArray
 from core.contact_life import CURVES, LifeCurve
+from core.derived import if_known
 from core.hertz import (
     BodySafety,
     HertzContact,
@@ -340,16 +341,14 @@ class LifeOut(ResponseModel):
     @classmethod
     def of(cls, limit: ContactLimit) -> Values | None:
         """The same of a limit; None where nothing is known of its life."""
-        if limit.curve is None or limit.loads is None:
+        life = if_known(lambda: limit.life)
+        if not life:
             return None
-        line = CURVES[limit.curve]
-        return {
-            "curve": limit.curve,
-            "loads": limit.loads,
+        line = CURVES[life.curve]
+        return life._asdict() | {
             "knee_loads": line.knee,
-            "exponent": line.before if limit.loads < line.knee else line.beyond,
+            "exponent": line.before if life.loads < line.knee else line.beyond,
             "largest_factor": line.most,
-            "factor": limit.life_factor,
         }
 
 

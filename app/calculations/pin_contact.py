@@ -162,7 +162,7 @@ class PinContactFields(ContactFields, group="contact"):
             **{name: material_of(each) for name, each in given.items()},
         )
 
-    def sizes_on(self, pin_circle_radius_mm: float | None) -> dict[str, Any]:
+    def sizes_on(self, pin_circle_radius_mm: float) -> dict[str, Any]:
         """Sizes of pins and holes on their circle in SI units, None for what is not given."""
         return {
             "pin_radius": to_si("pin_radius_mm", self.pin_radius_mm),

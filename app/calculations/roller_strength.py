@@ -225,7 +225,9 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
             design: dict[str, Any], result: RollerStrength, tired: CycleFatigue | Notice | None
         ) -> Verdict:
             shared: dict[str, Any] = {name: design.get(name) for name in _CHECKED}
-            return roller_checks(RollerDesign(result=result, fatigue=tired, **shared, **limits))
+            if tired:
+                shared["fatigue"] = tired
+            return roller_checks(RollerDesign(result=result, **shared, **limits))
 
         def checks(changed: dict[str, Any]) -> Verdict:
             result = roller_strength(**changed)

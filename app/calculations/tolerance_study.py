@@ -130,6 +130,10 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
         Rule(f"tolerances/{name}", "only_one", "contact/fit") for name in DIAMETERS
     )
 
+    OF_A_RING: ClassVar[tuple[str, ...]] = (
+        *(f"tolerances/{name}" for name in OF_THE_RING),
+        *(f"limits/{name}" for name in OF_RING_PINS),
+    )
     RULES: ClassVar[tuple[dict[str, Any], ...]] = of_the_ring("tolerances", OF_THE_RING)
 
     load: OneWayLoadFields
@@ -197,12 +201,6 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
     def made(self, deviations: Deviations) -> RealMechanism:
         """The mechanism of nominal sizes, in SI units."""
         return replace(super().made(deviations), clearance=self.basic.sizes()["clearance"])
-
-    @property
-    def of_a_ring(self) -> tuple[str, ...]:
-        """Paths of fields that only a ring in series has."""
-        limits = (f"limits/{name}" for name in OF_RING_PINS)
-        return (*(f"tolerances/{name}" for name in OF_THE_RING), *limits)
 
     @model_validator(mode="after")
     def _asks_of_its_ring(self) -> Self:
@@ -288,7 +286,7 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
     @cached_property
     def given_limits(self) -> dict[str, float]:
         """Limits by the name of their quantity."""
-        return self.limits.given
+        return {**self.limits.given}
 
     def study(self, report: Report) -> Study:
         """The study in SI units, which tells how much of it is done; on the operator's cluster,

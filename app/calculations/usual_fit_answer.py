@@ -4,8 +4,7 @@ from pydantic import Field
 
 from app.model import Maybe, ResponseModel, Values, present, result
 from app.units import from_si
-from core.checks.check import Verdict
-from core.checks.part import Outcome
+from core.checks.check import Outcome, Verdict
 from core.checks.usual_modification import UsualModification
 from core.derived import if_known
 from core.design.real_forces import RealForces

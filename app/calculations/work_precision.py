@@ -238,10 +238,7 @@ class ShaftDeflectionStudy(Study):
         return shaft_deflection_study(
             force=load.force,
             moment=load.moment,
-            bearing_distance=to_si("distance_mm", self.input.bearing_distance_mm),
-            overhang=to_si("overhang_mm", self.input.overhang_mm),
-            youngs_modulus=to_si("youngs_modulus_GPa", self.input.youngs_modulus_GPa),
-            sections=self.input.sections(),
+            **self.input.shaft,
         )
 
 

@@ -260,7 +260,8 @@ def _under_margin(check: Check, holds: bool) -> Check:
     sure = check.status in ("pass", "marginal") and check.reason not in DOUBTS
     if check.warning or not sure:
         return check
-    reserve = check.torque_reserve
-    if reserve is not None:
-        reserve = max(reserve, MARGIN) if holds else min(reserve, MARGIN)
-    return check._replace(status="pass" if holds else "marginal", torque_reserve=reserve)
+    found = check._replace(status="pass" if holds else "marginal")
+    if not check.by_torque:
+        return found
+    nearer = max if holds else min
+    return found._replace(torque_reserve=nearer(check.reserve, MARGIN))

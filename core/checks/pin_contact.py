@@ -5,13 +5,13 @@ are in `core.checks.plastics`.
 from functools import partial
 from typing import Any, get_args
 
-from core.checks.check import Check, Kind, Unjudged, design_check, judged, judged_by
+from core.checks.check import Check, Kind, design_check, judged, judged_by
 from core.checks.inputs import LIFE, LOADED, SLIDING
-from core.derived import if_known
-from core.design.contact import SLIDING as KNOWN_SLIDING
+from core.derived import if_known, is_known
 from core.design.document import Design
 from core.design.results import Results
-from core.errors import required
+from core.errors import NotKnown, required
+from core.first_yield import SLIDING as KNOWN_SLIDING
 from core.hertz import HertzContact, force_factor
 from core.materials import Body, ContactLimit, ElasticMaterial
 
@@ -110,7 +110,7 @@ def in_disc(
         if disc.code == "disc_ovals" and pressure <= limit:
             said = {"reason": disc.code, "params": disc.params, "at": more.get("at", {})}
             return Check(kind, "not_checked", value=pressure, limit=limit, **said)
-    rough = results.solved or results.edge is not None
+    rough = results.solved or bool(results.design.pin)
     return judged(kind, pressure, limit, error=error, rough=rough, **more)
 
 
@@ -151,10 +151,10 @@ def over_life(*, found: Check, limit: ContactLimit) -> Check:
     """
     if found.reason:
         return found
-    if limit.curve is None:
-        return found._replace(reason="no_life_curve")
-    if limit.loads is None:
-        return found._replace(reason="life_without_speed", missing=("load.input_speed",))
+    try:
+        _ = limit.life
+    except NotKnown as why:
+        return found._replace(reason=why.code, missing=why.missing)
     return found._replace(reason="life_of_teeth")
 
 
@@ -188,16 +188,14 @@ def _pressure(body: Body) -> Kind:
 
     def limit_of(design: Design, results: Results) -> ContactLimit:
         """That of the material, which has to have one."""
-        limit = design.lasting[body].limit
-        if limit is None:
-            contact = if_known(lambda: results.hertz)
-            raise Unjudged(
-                "plastic_limit_unknown" if body in design.plastics else "limit_unknown",
-                f"contact.{body}_material.allowable_pressure",
-                value=contact and contact.governing_pressure,
-                at=if_known(lambda: results.peak) or {},
-            )
-        return limit
+        contact = if_known(lambda: results.hertz)
+        return judged_by(
+            design.lasting[body].limit,
+            "plastic_limit_unknown" if body in design.plastics else "limit_unknown",
+            f"contact.{body}_material.allowable_pressure",
+            value=contact and contact.governing_pressure,
+            at=if_known(lambda: results.peak) or {},
+        )
 
     def known(design: Design, results: Results) -> dict[str, Any]:
         limit = limit_of(design, results)
@@ -354,7 +352,7 @@ def life_considered(*, design: Design, body: Body) -> bool:
     bool
     """
     limit = design.lasting[body].limit
-    return limit is None or limit.life_factor is not None
+    return not limit or is_known(lambda: limit.life)
 
 
 CONTACT = (

@@ -24,9 +24,6 @@ DEEP = 3.0
 """Depth of solid material below a contact over its half-width: there the pressure has fallen to a
 third, and the largest stress lies at 0.75."""
 
-FRICTION_UNKNOWN = ("friction_unknown", "friction.coefficient")
-"""That nothing is known of the friction in the holes."""
-
 _check = partial(
     design_check,
     group="plastic",
@@ -47,8 +44,11 @@ _check = partial(
 )
 def contact_static_cold(design: Design, results: Results) -> Check:
     """Of the weaker body; where its friction is not known it fails where it would without."""
-    unknown = [] if design.hole_friction is not None else [NotKnown(*FRICTION_UNKNOWN)]
-    limits, contact = list[float](), results.static_contact
+    limits, unknown, contact = list[float](), list[NotKnown](), results.static_contact
+    try:
+        _ = design.hole_friction
+    except NotKnown as why:
+        unknown.append(why)
     for body in design.plastics:
         try:
             limits.append(results.cold_limit(body, contact))
@@ -200,7 +200,7 @@ def creep(design: Design, results: Results) -> Check:
     for body, plastic in design.plastics.items():
         path = f"contact.{body}_material.long_term_factor"
         lasting[body] = required(plastic.long_term_factor, "creep_unknown", path)
-    required(design.hole_friction, *FRICTION_UNKNOWN)
+    _ = design.hole_friction
     contact, largest = results.hertz, results.line_load_factor
     limit = min(share * results.cold_limit(body, contact) for body, share in lasting.items())
     pressure = pressed(contact)

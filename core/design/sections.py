@@ -10,6 +10,7 @@ from typing import Literal, NamedTuple, get_args
 from core.crank.balance import Counterweight
 from core.crank.bearing_life import Bearing
 from core.crank.pin_rollers import FRICTION, Ratings, RollerKind
+from core.derived import derived, if_known
 from core.errors import InvalidInput, required
 from core.fatigue import (
     NOTCH_STRENGTHS,
@@ -48,7 +49,7 @@ PartName = Literal[
 ]
 
 PART_NAMES: tuple[PartName, ...] = get_args(PartName)
-"""Parts of a reducer: `core.checks.part`."""
+"""Parts of a reducer: `PARTS` of `core.checks.crank_planetary`."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -170,17 +171,27 @@ class Contact:
         """Whether nothing is known of the clearance: none is stated, as of perfect parts, and the
         sizes leave none.
         """
-        return not (self.clearance_stated or self.clearance)
+        return not (self.clearance_stated or self.play)
 
-    @cached_property
-    def clearance(self) -> float | None:
+    @derived
+    def clearance(self) -> float:
         """Hole radius less pin radius and eccentricity, m: interference below 0, and 0 within
-        `core.precision.AS_TYPED`; None where they are not all given.
+        `core.precision.AS_TYPED`.
         """
-        if self.pin_radius is None or self.hole_radius is None or self.eccentricity is None:
-            return None
-        clearance = self.hole_radius - (self.pin_radius + self.eccentricity)
-        return felt(clearance=clearance, hole_radius=self.hole_radius)
+        pin = required(self.pin_radius, "section_missing", "contact")
+        hole = required(self.hole_radius, "section_missing", "contact")
+        clearance = hole - (pin + self.known_eccentricity)
+        return felt(clearance=clearance, hole_radius=hole)
+
+    @property
+    def play(self) -> float:
+        """The same where it is known, else 0, m."""
+        return if_known(lambda: self.clearance) or 0.0
+
+    @property
+    def known_eccentricity(self) -> float:
+        """The eccentricity, which has to be given, m."""
+        return required(self.eccentricity, "eccentricity_assumed", "contact.eccentricity")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -521,8 +532,8 @@ class Rollers:
     dynamic_rating: float | None = None  # C of one, N
     static_rating: float | None = None  # C0, N
     rolling_elements: int | None = None  # Z
-    max_radial_load: float | None = None  # F_r that its maker allows, N
-    max_static_radial_load: float | None = None  # F_0r likewise, N
+    max_radial_load: float = math.inf  # F_r that its maker allows, N; infinite where not given
+    max_static_radial_load: float = math.inf  # F_0r likewise, N
     radial_clearance: float | None = None  # G_r
     friction_coefficient: float | None = None  # mu_b, at the bore
     limiting_speed: float | None = None  # of the outer ring on the pin, rad/s

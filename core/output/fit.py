@@ -1,12 +1,13 @@
 """Whether a mechanism goes together and turns, and what of a misfit its elasticity takes up."""
 
 import math
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property, partial
 from itertools import chain
 from typing import Literal
 
-from core.errors import ImpossibleMechanism
+from core.errors import ImpossibleMechanism, NotKnown
 from core.hertz import force_factor
 from core.output.contact_kernel import alone
 from core.output.real_mechanism import RealMechanism
@@ -118,9 +119,10 @@ class Fit:
         """Force of each pair under which the pressure is at what the weaker body stands at rest, N,
         satellite by satellite; none where that is known of neither.
         """
-        real = self.real
-        limits = [real.pin_material.elastic_pressure, real.hole_material.elastic_pressure]
-        known = [each for each in limits if each is not None]
+        real, known = self.real, list[float]()
+        for material in (real.pin_material, real.hole_material):
+            with suppress(NotKnown):
+                known.append(material.elastic_pressure)
         if not known:
             return ()
         found: dict[tuple[float, float], float] = {}
@@ -222,10 +224,8 @@ class Fit:
         -------
         ImpossibleMechanism
         """
-        room, where, pair = self.room, {}, Binding(1, 1, "radial")  # where all do alike: any
-        if room.crank_angle is not None:
-            where = {"crank_angle": room.crank_angle}
-            (pair, *_) = room.binding
+        room, where = self.room, self.room.where
+        (pair, *_) = room.binding if where else (Binding(1, 1, "radial"),)  # all alike: any
         return ImpossibleMechanism(
             "cannot_assemble",
             where,

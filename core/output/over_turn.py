@@ -249,8 +249,7 @@ class OverTurn:
     def max_pressure(self) -> float | None:
         """Largest pressure, Pa, where it is known."""
         if self._wraps:
-            known = self.real.contact(*self.hardest).governing_pressure
-            return None if known is None else float(known)
+            return self.real.contact(*self.hardest).governing_pressure
         return self._hertz_pressure
 
     @derived

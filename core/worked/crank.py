@@ -105,7 +105,7 @@ def _ring(sheet: Sheet, results: Results, found: SatelliteBearings) -> None:
         else:
             sheet.state("radial_force_ratio", "rho", ratio, "shortened")
         return
-    if gear.kind != "involute" or found.operating_pressure_angle is None:
+    if gear.kind != "involute":
         sheet.state("radial_force_ratio", "rho", ratio, "given")
         return
     sheet.take("m", "module", gear.module)

@@ -205,7 +205,7 @@ def shaft_steps(
     *,
     load: MeshingLoad,
     found: ShaftDeflection,
-    sections: Sequence[ShaftSection],
+    shaft_sections: Sequence[ShaftSection],
     bearing_distance: float,
     overhang: float,
     youngs_modulus: float,
@@ -221,7 +221,7 @@ def shaft_steps(
         The load of the mesh.
     found : ShaftDeflection
         Reactions and deflections.
-    sections : sequence of ShaftSection
+    shaft_sections : sequence of ShaftSection
         The shaft from C to the clamp.
     bearing_distance, overhang, youngs_modulus : float
         a and b, m, and E, Pa.
@@ -236,7 +236,7 @@ def shaft_steps(
     -------
     list of Step
     """
-    sheet, shaft = Sheet(), _Shaft(sections, bearing_distance, overhang)
+    sheet, shaft = Sheet(), _Shaft(shaft_sections, bearing_distance, overhang)
     sheet.take("a", "bearing_distance", bearing_distance)
     sheet.take("b", "overhang", overhang)
     sheet.take("E", "youngs_modulus", youngs_modulus)
@@ -255,13 +255,13 @@ def shaft_steps(
         ("B", found.simplified_deflection_B, found.simplification_error_B),
         ("C", found.simplified_deflection_C, found.simplification_error_C),
     ):
-        if simple is not None:
+        if simple:
             _deflection(sheet, shaft, at, simple, simplified=True)
             code, formula = f"simplification_error_{at}", f"Delta_prime_{at}/Delta_{at}-1"
             sheet.work(code, f"epsilon_{at}", error, formula)
-    if strength is not None:
+    if strength:
         _strength(sheet, shaft, strength, judged or {})
-    if contact is not None:
+    if contact:
         _contact(sheet, load, contact[0], **contact[1])
     return sheet.steps
 

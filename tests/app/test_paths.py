@@ -6,6 +6,7 @@ import pytest
 
 from app.calculations.checks import judgement
 from app.calculations.crank_planetary_request import CrankPlanetaryRequest
+from app.calculations.mechanism import MechanismFields
 from app.running import path_of
 from core.checks.crank_planetary import crank_checks
 
@@ -39,6 +40,15 @@ PIN = {"satellite_positions_mm": [15.0, 37.0]}
 def test_the_path_of_a_parameter(given: dict[str, Any], parameter: str, path: Any) -> None:
     """The same whether the section is given, so that a refusal can name what is missing."""
     assert path_of(CrankPlanetaryRequest.model_validate(BODY | given), parameter) == path
+
+
+def test_what_is_kept_of_a_request_is_of_the_fields_that_it_has() -> None:
+    angles = {"pins": 6, "ratio": 20.0, "crank_angles_deg": [0.0, 120.0, 240.0]}
+    assert MechanismFields.model_validate(angles).given["satellites"] == 3
+    body = CrankPlanetaryRequest.model_validate(BODY)
+    assert body.given.keys() >= {"load", "contact"}
+    assert body.design.contact
+    assert not body.model_copy(update={"contact": None}).design.contact
 
 
 def inputs(**changes: Any) -> set[str]:
