@@ -295,7 +295,7 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
             curves=curves.at_output(members),
             ideal=ideal.force,
             pairs=[(pair.satellite, pair.pin) for pair in ideal.pairs],
-            pressure=np.array([each.governing_pressure for each in hardest], float),
+            pressure=np.array([each.governing for each in hardest], float),
             lag_curve=self.lag_curve(stage).at_output(members),
             play=play and tuple(map(members.angle_at_output, play)),
         )

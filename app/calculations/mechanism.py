@@ -261,7 +261,7 @@ class MechanismFields(RequestModel, group="mechanism"):
             ratio=self.ratio_given(),
             output=cast(Output, self.output),
             crank_spacing=to_si("spacing_deg", self.crank_spacing_deg),
-            crank_angles=angles and tuple(angles),
+            crank_angles=tuple(angles or ()),
             initial_crank_angle=to_si("initial_crank_angle_deg", self.initial_crank_angle_deg),
             satellite_teeth=self.satellite_teeth,
         )

@@ -38,6 +38,7 @@ from app.units import core_name, from_si, to_si
 from app.worked import worked
 from core.checks.check import Verdict
 from core.checks.shaft import LINE_MATERIALS, ShaftDesign, shaft_checks
+from core.derived import if_known
 from core.design.document import not_given
 from core.errors import NotKnown
 from core.fatigue import FatigueStrength
@@ -478,7 +479,9 @@ def solve(body: ShaftDeflectionRequest) -> Values:
         line_contact=contact and LineContactOut.values(contact),
         **judged,
     )
-    notices = notices_of(contact, body.no_fatigue(), strength and strength.fatigue)
+    notices = notices_of(
+        contact, body.no_fatigue(), strength and if_known(lambda: strength.fatigue)
+    )
     if notices:
         values["warnings"] = [*map(warning, notices), *values.get("warnings", ())]
     return values

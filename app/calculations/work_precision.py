@@ -164,7 +164,7 @@ class CrankshaftStudy(Study):
         """The study."""
         shaft = self.input.design.crankshaft
         kinds: dict[str, Any] = {}
-        if shaft.bearings is not None:
+        if shaft.bearings:
             kinds["kinds"] = (shaft.bearings[0].kind, shaft.bearings[1].kind)
         return equivalent_reaction_study(
             **_turning(self.input.results),
