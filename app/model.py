@@ -179,7 +179,8 @@ class RequestModel(BaseModel):
     """What its kinds have; fields that no kind has are those of all. None: without a kind."""
 
     BETWEEN: ClassVar[tuple[Rule, ...]] = ()
-    """Rules between its fields, and those of the models within; the JSON schema admits more."""
+    """Rules between its fields, and those of the models within, of which the JSON schema knows
+    none."""
 
     RULES: ClassVar[tuple[dict[str, Any], ...]] = ()
     """What its JSON schema says besides, of which a validator says the same."""
