@@ -52,6 +52,7 @@ from app.units import (
     to_si_converter,
 )
 from core.codes import WARNINGS, WAS
+from core.errors import NotKnown
 from core.results import METHODS, Accuracy, Notice
 
 SMALLEST = 1e-12
@@ -168,8 +169,8 @@ class RequestModel(BaseModel):
     )
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ()
-    """Forms of which just one has to be given, each the names of its fields; an empty one says that
-    none need be."""
+    """Forms of which just one has to be given, each its names in JSON; an empty one says that none
+    need be."""
 
     KIND: ClassVar[str] = "kind"
     """The field that says of which kind it is."""
@@ -216,9 +217,9 @@ class RequestModel(BaseModel):
     def _one_form_and_kind(self) -> Self:
         if choices := alternatives(type(self)):
             named = self.model_fields_set
-            for forms, names, allowed in choices:
-                if names & named not in allowed:
-                    raise wrong_form(forms, named)
+            for forms, fields, allowed in choices:
+                if fields & named not in allowed:
+                    raise wrong_form(type(self), forms, named)
         if self.KINDS:
             self._refuse_other_kinds()
         for field, rule, other in between(type(self)):
@@ -253,11 +254,27 @@ class RequestModel(BaseModel):
         named = name in self.model_fields_set
         return named and (not within or getattr(self, name).says(within))
 
-    @property
-    def given(self) -> "Values":
+    @cached_property
+    def given(self) -> "Mapping[str, Any]":
         """The fields that have a value, by their names."""
         own = vars(self)  # with what is worked out of them and kept
         return {name: value for name in _core_plan(type(self)) if (value := own[name]) is not None}
+
+    def model_copy(self, *, update: "Mapping[str, Any] | None" = None, deep: bool = False) -> Self:
+        """The same with other fields; what is worked out and kept is of the former ones."""
+        copy = super().model_copy(update=update, deep=deep)
+        copy._forget()
+        return copy
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        super().__setattr__(name, value)
+        if name in type(self).model_fields:
+            self._forget()
+
+    def _forget(self) -> None:
+        own = vars(self)
+        for name in own.keys() - type(self).model_fields.keys():
+            del own[name]
 
     def to_core(self) -> dict[str, Any]:
         """The given fields as the core's arguments, in SI units."""
@@ -468,7 +485,8 @@ class ResponseModel(BaseModel):
 
     @classmethod
     def values(cls, result: Any, run_time_us: float | None = None, **given: Any) -> Values:
-        """Values of an answer from a core result; arrays stay arrays.
+        """Values of an answer from a core result, without what is not known of it; arrays stay
+        arrays.
 
         Parameters
         ----------
@@ -481,7 +499,11 @@ class ResponseModel(BaseModel):
         """
         values, plan = present(given), _plan(cls, *given)
         for name, attribute, convert in plan.read:
-            if (value := getattr(result, attribute)) is not None:
+            try:
+                value = getattr(result, attribute)
+            except NotKnown:
+                continue
+            if value is not None:
                 values[name] = convert(value)
         if plan.warns and result.notices:
             values["warnings"] = [warning(each) for each in result.notices]
@@ -523,21 +545,21 @@ class Calculation:
     # to 1.
     reporting: Callable[[Any, Callable[[float], None]], Values] | None = None
 
-    def answered(self, body: Any, report: Callable[[float], None] | None = None) -> Values:
+    def answered(self, body: Any, *report: Callable[[float], None]) -> Values:
         """Values of the answer to a request, with what was assumed and taken otherwise than typed.
 
         Parameters
         ----------
         body : RequestModel
             The request.
-        report : callable, optional
-            What is told how much is done, from 0 to 1.
+        *report : callable
+            Of a study what is told how much is done, from 0 to 1, if anything is.
 
         Returns
         -------
         dict
         """
-        values = self.solve(body) if report is None else cast(Any, self.reporting)(body, report)
+        values: Values = cast(Any, self.reporting if report else self.solve)(body, *report)
         if assumed := [
             {"pointer": "/" + "/".join(path), "value": value} | body.without(path)
             for path, value in body.assumed()

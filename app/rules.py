@@ -21,26 +21,36 @@ Forms = tuple[tuple[str, ...], ...]
 
 
 class Alternative(NamedTuple):
-    """Forms of which one has to be given, their names, and which of these may stand together."""
+    """Forms of which one has to be given, their fields, and which of these may stand together."""
 
     forms: Forms
-    names: frozenset[str]
+    fields: frozenset[str]
     allowed: frozenset[frozenset[str]]
+
+
+def _name(model: Any, field: str) -> str:
+    """Name of a field in JSON."""
+    return model.model_fields[field].alias or field
 
 
 @cache
 def alternatives(model: Any) -> tuple[Alternative, ...]:
     """Alternatives of a request and of all that it is made of."""
-    every = [vars(each).get("ALTERNATIVES", ()) for each in model.__mro__]
+    fields = {_name(model, field): field for field in model.model_fields}
+    every = chain.from_iterable(vars(each).get("ALTERNATIVES", ()) for each in model.__mro__)
     return tuple(
-        Alternative(forms, frozenset(chain(*forms)), frozenset(map(frozenset, forms)))
-        for some in every
-        for forms in some
+        Alternative(
+            forms,
+            frozenset(fields[name] for name in chain(*forms)),
+            frozenset(frozenset(fields[name] for name in form) for form in forms),
+        )
+        for forms in every
     )
 
 
-def wrong_form(forms: Forms, named: set[str]) -> PydanticCustomError:
+def wrong_form(model: Any, forms: Forms, stated: set[str]) -> PydanticCustomError:
     """Why the fields that a request names are none of some forms."""
+    named = {_name(model, field) for field in stated}
     given = [form for form in forms if not named.isdisjoint(form)]
     if not given:
         return field_error(forms[0][0], "needed", field=forms[1][0])

@@ -76,7 +76,9 @@ def _as_it_is(value: Any) -> Any:
 
 
 def to_si(field: str, value: Any) -> Any:
-    """Value of an API field in SI units; a list as the tuple of its elements, None as it is."""
+    """Value of an API field in SI units: a list of quantities as a tuple, None and what has no unit
+    as it is.
+    """
     return value if value is None else to_si_converter(field)(value)
 
 

@@ -89,7 +89,7 @@ def _shaft_deflection(r: random.Random) -> WorkPrecision:
         bearing_distance=length / 2,
         overhang=length / 2,
         youngs_modulus=210e9,
-        sections=sections,
+        shaft_sections=sections,
     )
 
 

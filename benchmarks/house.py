@@ -92,15 +92,16 @@ def entered() -> tuple[int, int]:
     """Files and functions of this project that the smallest request enters, once all is loaded."""
     from pydantic import TypeAdapter
 
-    from app.endpoint import encoded, read_body
+    from app.endpoint import answered, encoded, read_body
     from app.registry import CALCULATIONS
     from app.settings import Settings
 
     calculation, sent = CALCULATIONS["crank-planetary"], json.dumps(SMALLEST).encode()
+    settings = Settings()  # which the service reads once
     assert TypeAdapter(calculation.request).validate_json(sent)
 
     def answer() -> bytes:
-        return encoded(calculation.answered(read_body(calculation, sent, Settings())))
+        return encoded(answered(calculation, read_body(calculation, sent, settings)))
 
     seen: Counter[tuple[str, str, int]] = Counter()
 

@@ -48,6 +48,14 @@ ERROR = 5e-9
 TERMS = 32
 """Odd sine terms of the pressure; the error falls with the fourth power of their number."""
 
+OVALS = 2.0
+"""Distance of the hole's axis from the nearest edge of the disc, over its radius, below which the
+disc gives as a ring around the pin: nothing is known of the pressure of a contact that wraps."""
+
+DISC_ERRORS = ((3.0, 0.15), (4.0, 0.08), (5.0, 0.05))
+"""That distance, and how far the pressure is off below it that is of an infinite plane: finite
+elements of a hole in a disc around it, its rim free or clamped, docs/theory.md, section 4."""
+
 _DEPTHS, _WIDTHS = 10, 16
 """Chebyshev nodes in beta, and in sin(eps/2)."""
 
@@ -65,9 +73,9 @@ class ConformalContact(NamedTuple):
     evaluations: int  # Newton steps, of an array by the slowest
 
 
-class _Closed:
-    """What beta = 0 leaves of the closed forms: all of them. Of s = sin(eps/2), and of what s has
-    as its derivative, each factor and its derivative.
+class _Factors:
+    """Factors on the closed forms, and their derivatives, of s = sin(eps/2) and of what s has as
+    its own: all 1 for beta = 0, as here.
     """
 
     precise = 2 * ROUNDING  # step of Newton's method at which it ends
@@ -93,11 +101,13 @@ class _Closed:
         return 0.0
 
 
-_CLOSED = _Closed()
+_CLOSED = _Factors()
 
 
-class _Factors(_Closed):
-    """The same of a beta: what it adds is a sum of powers of `_at(s)` with these coefficients."""
+class _OfBeta(_Factors):
+    """The same of another beta: what it adds to 1 is a sum of powers of `_at(s)` with these
+    coefficients.
+    """
 
     precise = 64 * ROUNDING
 
@@ -348,6 +358,27 @@ def pressure_over_angle(*, angles: FloatArray, tangent: float, beta: float) -> F
     return np.asarray((np.sin(np.outer(phi, odd)) @ weights) / (np.sin(odd * np.pi / 2) @ weights))
 
 
+def disc_error(distance: float) -> float:
+    """How far the pressure of a conformal contact may be off because the disc ends.
+
+    Parameters
+    ----------
+    distance : float
+        Of the hole's axis from the nearest edge of the disc, over the radius of the hole.
+
+    Returns
+    -------
+    float
+        Relative error.
+
+    Examples
+    --------
+    >>> disc_error(3.5), disc_error(6.0)
+    (0.08, 0.0)
+    """
+    return next((error for below, error in DISC_ERRORS if distance < below), 0.0)
+
+
 def edge_tension(*, mean_pressure: Number, tangent: Number, poissons_ratio: Number) -> Number:
     """Hoop tension in the rim of the hole at the ends of the contact, over Q/R.
 
@@ -480,7 +511,7 @@ def _powers(coefficients: list[Number], s: Number) -> tuple[Number, Number]:
     return value, turn * (2 / _HALF_SINE)
 
 
-def _factors(beta: Number) -> _Closed:
+def _factors(beta: Number) -> _Factors:
     """Factors of a beta, or of each of an array."""
     if isinstance(beta, float):
         return _factors_of(float(beta)) if beta else _CLOSED
@@ -488,15 +519,15 @@ def _factors(beta: Number) -> _Closed:
 
 
 @lru_cache(maxsize=256)
-def _factors_of(beta: float) -> _Factors:
+def _factors_of(beta: float) -> _OfBeta:
     return _factors_at(beta)
 
 
-def _factors_at(beta: Number) -> _Factors:
+def _factors_at(beta: Number) -> _OfBeta:
     found = ([*(beta * chebyshev.chebval(2 * beta, table))] for table in _tables())
     if isinstance(beta, float):
         found = ([float(each) for each in row] for row in found)
-    return _Factors(*found)
+    return _OfBeta(*found)
 
 
 @cache

@@ -442,7 +442,7 @@ class FatigueStrength:
     yield_strength: float | None = None  # Re, Pa
     criterion: Criterion = "goodman"  # how the mean stress counts
     factors: EnduranceFactors | None = None  # what the limit was made of; None where given
-    cycles: float | None = None  # that the part has to stand; None: however many there are
+    cycles: float = math.inf  # that the part has to stand
     notices: tuple[Notice, ...] = ()  # ranges of formulas that the limit is outside of
 
     def __post_init__(self) -> None:
@@ -461,19 +461,16 @@ class FatigueStrength:
         return ends | {"tensile_strength": tensile}
 
     @property
-    def finite(self) -> float | None:
-        """Strength for the cycles it has to stand, Pa; None where it is the endurance limit."""
-        if self.cycles is None:
-            return None
-        found = finite_strength(cycles=self.cycles, **self.line)
-        return found if found > self.endurance_limit else None
+    def lasting(self) -> float:
+        """Strength for the cycles it has to stand, Pa: at least the endurance limit."""
+        return finite_strength(cycles=self.cycles, **self.line)
 
     def utilisation(self, amplitude: Number, mean: Number) -> Number:
         """Share of the strength that a cycle takes."""
         return utilisation(
             amplitude=amplitude,
             mean=mean,
-            endurance=self.finite or self.endurance_limit,
+            endurance=self.lasting,
             tensile_strength=self.tensile_strength,
             yield_strength=self.yield_strength,
             criterion=self.criterion,
@@ -489,11 +486,12 @@ class CycleFatigue:
     amplitude: float  # Pa
     mean: float  # Pa
     endurance_limit: float  # Se, Pa
-    finite_strength: float | None  # for the cycles that it has to stand, Pa, where more than Se
+    finite_strength: float | None  # for the cycles that it has to stand, Pa, where it is `short`
     factors: EnduranceFactors | None  # what the limit was made of
     safety_factor: float  # by the criterion: all stresses may grow by this factor
     cycles: float | None  # that it stands; None, within the endurance limit: however many
     notices: tuple[Notice, ...] = ()  # ranges of formulas that it is outside of
+    short: bool = False  # whether it has to stand so few cycles that its strength is above Se
 
 
 def judge_cycle(*, strength: FatigueStrength, largest: float, least: float) -> CycleFatigue:
@@ -520,9 +518,9 @@ def judge_cycle(*, strength: FatigueStrength, largest: float, least: float) -> C
     """
     amplitude, mean = (largest - least) / 2, (largest + least) / 2
     cycles = cycles_to_failure(amplitude=amplitude, mean=mean, **strength.line)
-    finite = strength.finite
+    short = strength.lasting > strength.endurance_limit
     notices = strength.notices
-    if finite is not None or cycles < math.inf:  # the line counts
+    if short or cycles < math.inf:  # the line counts
         tensile = strength.tensile_strength / 1e6
         notices += beyond_range(code="life_beyond_strength", value=tensile, ends=LINE_STRENGTHS)
     return CycleFatigue(
@@ -531,9 +529,10 @@ def judge_cycle(*, strength: FatigueStrength, largest: float, least: float) -> C
         amplitude=amplitude,
         mean=mean,
         endurance_limit=strength.endurance_limit,
-        finite_strength=finite,
+        finite_strength=strength.lasting if short else None,
         factors=strength.factors,
         safety_factor=1 / float(strength.utilisation(amplitude, mean)),
         cycles=cycles if cycles < math.inf else None,
         notices=notices,
+        short=short,
     )

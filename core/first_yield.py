@@ -1,4 +1,4 @@
-"""First yield of a sliding line contact: by which pressure, over the yield strength.
+"""First yield and shakedown of a sliding line contact: by which pressure, over the yield strength.
 
 Hertz's pressure and its friction ``q = mu*p`` stress a half-plane in plane strain. Without friction
 it yields first below the surface; from a friction of some 0.3 on at the surface, under less.
@@ -13,6 +13,14 @@ from core.arrays import FloatArray
 
 PLACES, ZOOMS, CLOSER = 25, 9, 6
 """Places along each side of the field that is searched, how often it is narrowed, and how far."""
+
+SHAKEDOWN = 4 / math.sqrt(3)
+"""Largest pressure of elastic shakedown over the yield strength, without friction: the largest
+orthogonal shear, a quarter of it, is the shear yield strength ``Re/sqrt(3)``."""
+
+SLIDING, SLIDING_SHAKEDOWN = 0.1, 2.06
+"""The largest friction for which it is known, and what it is there (Johnson 1985: 3.565 times the
+shear yield strength)."""
 
 
 def squared_stress(
@@ -94,3 +102,26 @@ def first_yield(*, poissons_ratio: float, friction: float = 0.0) -> float:
         below, x, z = max(below, float(stress[i, j])), float(across[i]), float(down[j])
         wide, deep = wide / CLOSER, deep / CLOSER
     return 1 / math.sqrt(max(at_surface, below))
+
+
+def shakedown(friction: float) -> float:
+    """Largest pressure of elastic shakedown over the yield strength, with friction.
+
+    Parameters
+    ----------
+    friction : float
+        Friction coefficient of the pair that slides, >= 0.
+
+    Returns
+    -------
+    float
+        In between by a straight line; beyond, the last known one, above which it fails for certain,
+        as friction only lowers it.
+
+    Examples
+    --------
+    >>> [round(shakedown(mu), 3) for mu in (0.0, 0.05, 0.1, 0.5)]
+    [2.309, 2.185, 2.06, 2.06]
+    """
+    part = min(friction / SLIDING, 1.0)
+    return SHAKEDOWN + part * (SLIDING_SHAKEDOWN - SHAKEDOWN)

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Literal
+from typing import Literal, TypedDict, Unpack, cast
 
 from core.errors import InvalidInput
 from core.materials import ContactLimit, ElasticMaterial, Layers, Plastic
@@ -65,6 +65,13 @@ ELASTIC = ("youngs_modulus", "poissons_ratio")
 """Names of E and v."""
 
 
+class Moduli(TypedDict, total=False):
+    """E and v, as far as they are given."""
+
+    youngs_modulus: float  # E, Pa
+    poissons_ratio: float  # v
+
+
 @dataclass(frozen=True)
 class TableMaterial:
     """A material of the table."""
@@ -104,7 +111,7 @@ class TableMaterial:
         """
         return self.having()
 
-    def having(self, **given: float) -> ElasticMaterial:
+    def having(self, **given: Unpack[Moduli]) -> ElasticMaterial:
         """The material with a modulus, Pa, or a Poisson's ratio that is given.
 
         Parameters
@@ -126,7 +133,7 @@ class TableMaterial:
         match self.facts.get("youngs_modulus"):
             case Range(low=low, high=high) if "youngs_modulus" not in given:
                 known["youngs_modulus"], least = high, {"least_modulus": low}
-        known |= given
+        known |= cast(dict[str, float], given)
         for name in ELASTIC:
             if name not in known:
                 raise InvalidInput(name, None, "not_sourced", material=self.name)
@@ -169,7 +176,7 @@ def by_values(
     yield_strength: float | None = None,
     layers: Layers | None = None,
     long_term_factor: float | None = None,
-    **moduli: float,
+    **moduli: Unpack[Moduli],
 ) -> ElasticMaterial:
     """A material by values.
 

@@ -1,10 +1,13 @@
 """Elastic materials of pins, holes, rollers and shafts, and what two of them make together."""
 
+import math
 from dataclasses import dataclass, replace
-from typing import Literal, Self
+from typing import Literal, NamedTuple, Self
 
 from core.arrays import Number, check_not_negative, check_positive, every, refuse
 from core.contact_life import LifeCurve, life_factor
+from core.derived import if_known
+from core.errors import NotKnown, required
 
 Criterion = Literal["endurance", "endurance_mean", "static", "given"]
 """What a limit of the contact pressure guards against: pitting in the long run (judged by the mean
@@ -58,6 +61,14 @@ LIMITS_VERIFIED: dict[str, Verified] = {"iso_76": "standard"}
 """Sources of limits that were read in the standard itself; of the others two secondary ones."""
 
 
+class LimitLife(NamedTuple):
+    """How a limit of the contact pressure falls over the life."""
+
+    curve: LifeCurve  # whose curve
+    loads: float  # over the life
+    factor: float  # Z_NT of so many loads
+
+
 @dataclass(frozen=True, slots=True)
 class ContactLimit:
     """Limit of the contact pressure of a material, by one criterion."""
@@ -66,20 +77,26 @@ class ContactLimit:
     pressure: Number  # the limit, Pa, > 0; NaN in an array where none is known
     source: str = ""  # a key of `LIMIT_SOURCES`; empty where it is given
     curve: LifeCurve | None = None  # how it falls with the number of loads; None where not known
-    loads: float | None = None  # over the life that it is wanted for; None where not known
+    loads: float = math.inf  # over the life that it is wanted for; infinite where not known
+
+    @property
+    def life(self) -> LimitLife:
+        """How it falls over the life; `NotKnown` without its curve or the loads."""
+        curve: LifeCurve = required(self.curve, "no_life_curve")
+        if math.isinf(self.loads):
+            raise NotKnown("life_without_speed", "load.input_speed")
+        factor = float(life_factor(curve=curve, loads=self.loads))
+        return LimitLife(curve, self.loads, factor)
 
     @property
     def life_factor(self) -> float | None:
         """Factor Z_NT of the loads over the life; None where they or the curve are not known."""
-        if self.curve is None or self.loads is None:
-            return None
-        return float(life_factor(curve=self.curve, loads=self.loads))
+        return if_known(lambda: self.life.factor)
 
     @property
     def allowable(self) -> Number:
         """The limit over the life, Pa: as it stands where no life factor is known."""
-        factor = self.life_factor
-        return self.pressure if factor is None else self.pressure * factor
+        return self.pressure * (self.life_factor or 1.0)
 
     @property
     def verified(self) -> Verified | None:
@@ -122,22 +139,20 @@ class ElasticMaterial:
         if self.yield_strength is not None:
             check_positive(yield_strength=self.yield_strength)
 
-    def lasting(self, loads: float | None) -> Self:
+    def lasting(self, loads: float) -> Self:
         """The material, its limit wanted for so many loads."""
         if self.limit is None:
             return self
         return replace(self, limit=replace(self.limit, loads=loads))
 
     @property
-    def elastic_pressure(self) -> float | None:
+    def elastic_pressure(self) -> float:
         """Contact pressure up to which nothing is set for good, Pa: the static limit, else first
-        yield below the surface; None where neither is known, as of plastics, of which the least
-        strength is no proof.
+        yield below the surface; not known of plastics, of which the least strength is no proof.
         """
-        known = self.static_pressure is not None or self.plastic is not None
-        if known or self.yield_strength is None:
-            return self.static_pressure
-        return FIRST_YIELD * self.yield_strength
+        if self.plastic or self.static_pressure is not None:
+            return required(self.static_pressure, "plastic_rules")
+        return FIRST_YIELD * required(self.yield_strength, "yield_unknown")
 
     @property
     def softest(self) -> Self:

@@ -114,6 +114,9 @@ class RingInSeriesFields(RealDesignFields):
     ring.
     """
 
+    OF_A_RING: ClassVar[tuple[str, ...]] = ()
+    """Paths of fields that only a ring in series has."""
+
     gear: Annotated[Maybe[CycloidRingFields], BeforeValidator(_no_involute)] = Field(
         default=None, description="Ring and discs, where both meshes are in series."
     )
@@ -132,7 +135,7 @@ class RingInSeriesFields(RealDesignFields):
     @model_validator(mode="after")
     def _ring_in_series(self) -> Self:
         if not self.in_series:
-            for path in ("gear", *self.of_a_ring):
+            for path in ("gear", *self.OF_A_RING):
                 if self.says(path):
                     raise field_error(path, "of_another_kind", kind=self.satellite_coupling.kind)
             return self
@@ -206,11 +209,6 @@ class RingInSeriesFields(RealDesignFields):
         return MeshesInSeries(ring, output)
 
     @property
-    def of_a_ring(self) -> tuple[str, ...]:
-        """Paths of fields that only a ring in series has."""
-        return ()
-
-    @property
     def ring_deviations(self) -> RingDeviations:
         """Deviations of the ring, in SI units."""
         return RingDeviations()
@@ -237,12 +235,8 @@ class SeriesFields(RingInSeriesFields):
 
     deviations: SeriesDeviationsFields = Field(default_factory=SeriesDeviationsFields)
 
+    OF_A_RING: ClassVar[tuple[str, ...]] = tuple(f"deviations/{name}" for name in OF_RING)
     RULES: ClassVar[tuple[dict[str, Any], ...]] = of_the_ring("deviations", OF_RING)
-
-    @property
-    def of_a_ring(self) -> tuple[str, ...]:
-        """Paths of fields that only a ring in series has."""
-        return tuple(f"deviations/{name}" for name in OF_RING)
 
     @property
     def ring_deviations(self) -> RingDeviations:

@@ -9,9 +9,8 @@ from pydantic import Field
 from app.calculations.checks import FixOut, codes_to_fix, fix_values
 from app.calculations.reducer_fixes import fixes_of, reposted
 from app.model import ResponseModel, Values
-from core.checks.check import Verdict
+from core.checks.check import Outcome, Verdict
 from core.checks.largest_torque import crank_verdict
-from core.checks.part import Outcome
 from core.fixes.fix import Fix
 
 MOST = 4

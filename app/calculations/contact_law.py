@@ -20,8 +20,8 @@ from core.output.contact_law import (
 Kind = Literal["hertz", "conformal", "palmgren", "linear", "power"]
 
 
-class ContactLawFields(RequestModel, group="contact_law"):
-    """How a pair gives under a force."""
+class LawFields(RequestModel, group="contact_law"):
+    """How a pair gives under a force, by a law that is named."""
 
     KINDS: ClassVar[Kinds] = {
         None: ((), ("reference_depth_mm",)),
@@ -47,10 +47,6 @@ class ContactLawFields(RequestModel, group="contact_law"):
     reference_approach_mm: Maybe[Size] = quantity("Reference approach", "δ_ref", step=0.001)
     """The approach under the reference force."""
 
-    def section(self, body: Any) -> ContactLaw:
-        """The law in SI units, where none is named that of the materials in the body's contact."""
-        return self.named() or law_by_materials(body.contact)
-
     def named(self) -> ContactLaw | None:
         """The law in SI units, where one is named."""
         own = self.to_core()
@@ -66,19 +62,27 @@ class ContactLawFields(RequestModel, group="contact_law"):
         return kinds[own.pop("kind", "hertz")](**own)  # type: ignore[no-any-return]
 
 
+class ContactLawFields(LawFields, group="contact_law"):
+    """How a pair gives under a force."""
+
+    def section(self, body: Any) -> ContactLaw:
+        """The law in SI units, where none is named that of the materials in the body's contact."""
+        return self.named() or law_by_materials(body.contact)
+
+
 def law_by_materials(contact: Any) -> ContactLaw:
     """The law of contact where none is named; without a contact, which is refused, any."""
-    if contact is None:
+    if not contact:
         return HertzLaw()
     pin, hole = material_of(contact.pin_material), material_of(contact.hole_material)
     return usual_law(pin=pin, hole=hole)
 
 
-class MeshLawFields(ContactLawFields, PartFields, group="contact_law"):
+class MeshLawFields(LawFields, PartFields, group="contact_law"):
     """How a pair gives under a force: the teeth do not wrap around the pins."""
 
     KINDS: ClassVar[Kinds] = {
-        kind: rules for kind, rules in ContactLawFields.KINDS.items() if kind != "conformal"
+        kind: rules for kind, rules in LawFields.KINDS.items() if kind != "conformal"
     }
 
     kind: Maybe[Literal["hertz", "palmgren", "linear", "power"]] = quantity("Law of contact")
@@ -88,9 +92,9 @@ class MeshLawFields(ContactLawFields, PartFields, group="contact_law"):
     """Depth to which Hertz counts the approach of pin and disc; the pin's radius where not
     given."""
 
-    def section(self, _: Any = None) -> ContactLaw | None:  # type: ignore[override]
+    def section(self) -> ContactLaw | None:
         """The law in SI units, where one is named."""
         return self.named()
 
 
-assert {*get_args(Kind), None} == {*ContactLawFields.KINDS}
+assert {*get_args(Kind), None} == {*LawFields.KINDS}

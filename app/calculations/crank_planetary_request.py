@@ -60,7 +60,7 @@ _TOUCHING = ("load", "contact")
 _MESHING = ("load", "contact/eccentricity_mm", "gear/modification")
 _TURNING = (*_TOUCHING, "load/input_speed_rpm", "contact/eccentricity_mm")
 
-_NEEDS: dict[Section, tuple[str, ...]] = {
+NEEDS: dict[Section, tuple[str, ...]] = {
     "cyclogram": (),
     "members": ("load",),
     "contact_force": ("load",),
@@ -147,7 +147,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     """Crank angle of the section geometry."""
     include: Maybe[list[Section]] = Field(
         min_length=1,
-        max_length=len(_NEEDS),
+        max_length=len(NEEDS),
         description="Sections of the answer: what is not named is not computed. Where it is "
         "absent: all but real_cyclogram, geometry, usual_fit, usual_modification, checks, fixes "
         "and combined, as far as their input is given; members where others than the pins are the "
@@ -183,7 +183,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     def _needs(self, section: Section) -> tuple[str, ...]:
         """What a section of the answer needs; of involute teeth their shifts."""
         teeth = section in ("ring_mesh", "ring_drawing") and self.ring_kind == "involute"
-        return INVOLUTE_NEEDS if teeth else _NEEDS[section]
+        return INVOLUTE_NEEDS if teeth else NEEDS[section]
 
     def _has(self, part: str) -> bool:
         """Whether a part of the request, or a field of one, is given; rollers have friction."""
@@ -211,7 +211,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         except CalculationError:  # of which a solution is asked: a size that makes none yet
             return
         dry = design.plastics and not (design.friction or design.sleeved or design.rollers)
-        if dry and design.dry_friction is not None:
+        if dry and is_known(lambda: design.dry_friction):
             yield ("friction", "coefficient"), design.dry_friction
 
     def without(self, path: tuple[str, ...]) -> Values:
@@ -239,16 +239,15 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     @cached_property
     def sections(self) -> list[Section]:
         """Sections of the answer."""
-        if self.include is not None:
-            return [each for each in self.include if not self._unfit(each)]
-        return self.usual_sections()
+        named = [each for each in self.include or () if not self._unfit(each)]
+        return named if self.include else self.usual_sections()
 
     def usual_sections(self) -> list[Section]:
         """Sections where none are named."""
         usual: tuple[Section, ...] = ("cyclogram", "contact_force", "hertz", *STRENGTH)
         if self.mechanism.output != "pins":
             usual = ("members", *usual)
-        allowed = [each for each in usual if all(map(self._has, _NEEDS[each]))]
+        allowed = [each for each in usual if all(map(self._has, NEEDS[each]))]
         allowed = [
             each for each in allowed if self.mechanism.pairs <= MOST_PAIRS.get(each, MAX_PAIRS)
         ]

@@ -36,13 +36,14 @@ from app.model import (
     warning,
 )
 from app.rules import field_error
-from app.running import run
+from app.running import timed
 from app.sources import JOHNSON_1985, PERSSON_1964, YANCHEVSKY_2018
 from app.theme import INK, Amount, Figure, Theme, axis, curve, hover, layout, text
 from app.units import from_si, to_si
 from app.worked import worked
 from core.arrays import FloatArray
 from core.contact_life import CURVES, LifeCurve
+from core.derived import if_known
 from core.hertz import (
     BodySafety,
     HertzContact,
@@ -175,7 +176,7 @@ class MaterialFields(RequestModel, group="material"):
     @property
     def base(self) -> TableMaterial:
         """The material of the table whose values are taken where none are given."""
-        return NOT_LISTED if self.name is None else MATERIALS[self.name]
+        return MATERIALS.get(self.name or "", NOT_LISTED)
 
     def material(self) -> ElasticMaterial:
         """The material in SI units."""
@@ -340,16 +341,14 @@ class LifeOut(ResponseModel):
     @classmethod
     def of(cls, limit: ContactLimit) -> Values | None:
         """The same of a limit; None where nothing is known of its life."""
-        if limit.curve is None or limit.loads is None:
+        life = if_known(lambda: limit.life)
+        if not life:
             return None
-        line = CURVES[limit.curve]
-        return {
-            "curve": limit.curve,
-            "loads": limit.loads,
+        line = CURVES[life.curve]
+        return life._asdict() | {
             "knee_loads": line.knee,
-            "exponent": line.before if limit.loads < line.knee else line.beyond,
+            "exponent": line.before if life.loads < line.knee else line.beyond,
             "largest_factor": line.most,
-            "factor": limit.life_factor,
         }
 
 
@@ -529,7 +528,7 @@ def hertz_figure(curves: list[PressureCurve], limits_MPa: dict[str, float], them
 
 def solve(body: HertzRequest) -> Values:
     """Hertz stress of pin and hole, its validity, and the conformal pressure where it applies."""
-    answer = HertzResponse.values(*run(body, body.solve))
+    answer = HertzResponse.values(*timed(body.solve))
     notices = body.material_notices()
     if notices:
         answer["warnings"] = [*answer.get("warnings", ()), *map(warning, notices)]
@@ -538,7 +537,7 @@ def solve(body: HertzRequest) -> Values:
 
 def figure(body: HertzRequest, theme: Theme = "light") -> Figure:
     """Pressure across the contact as a Plotly figure, ready for Plotly.js."""
-    profiles, _ = run(body, body.solve_profiles)
+    profiles = body.solve_profiles()
     return hertz_figure(
         [
             PressureCurve(name, from_si("place_mm", place), from_si("pressure_MPa", pressure))
@@ -551,8 +550,7 @@ def figure(body: HertzRequest, theme: Theme = "light") -> Figure:
 
 def work(body: HertzRequest) -> list[Values]:
     """Worked steps of the contact."""
-    steps, _ = run(body, body.steps)
-    return worked(hertz=steps)
+    return worked(hertz=body.steps())
 
 
 CALCULATION = Calculation(

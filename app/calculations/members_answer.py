@@ -64,8 +64,9 @@ class MembersOut(ResponseModel):
     def values(cls, result: MemberLoads, run_time_us: float | None = None, **given: Any) -> Values:
         """Values of the core's loads; `output` is given."""
         speeds = {
-            name: None if result.speeds is None else from_si(name, getattr(result.speeds, each))
+            name: from_si(name, getattr(found, each))
             for name, each in SPEEDS.items()
+            if (found := result.given_speeds)
         }
         return super().values(result, run_time_us, **speeds, **given)
 

@@ -2,9 +2,8 @@
 
 import math
 from collections.abc import Iterator
-from dataclasses import replace
 from functools import partial
-from typing import ClassVar, Literal, Self
+from typing import Any, ClassVar, Literal, Self
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -28,11 +27,12 @@ from app.model import (
     result,
 )
 from app.rules import Rule, field_error
-from app.running import run
+from app.running import timed
 from app.sources import SHIGLEY, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si
 from app.worked import worked
+from core.derived import if_known
 from core.design.document import changed
 from core.design.results import Results
 from core.output.pin_beam import Support
@@ -75,26 +75,28 @@ class PinStrengthRequest(DesignFields):
 
     def solve(self, *, locus: bool = False) -> PinStrength:
         """Strength of the pin."""
-        found = self.results.judged_pins(locus=locus or "locus" in self.include)
-        return self._asked(self.with_fit(found))
+        return self.with_fit(self.results.judged_pins(locus=locus or "locus" in self.include))
 
     def steps(self) -> list[Step]:
         """Worked steps of the strength."""
-        return strength_steps(results=self.results, found=self.solve())
+        deflection = "deflection" in self.include
+        return strength_steps(results=self.results, found=self.solve(), deflection=deflection)
 
-    def _asked(self, strength: PinStrength) -> PinStrength:
-        return strength if "deflection" in self.include else replace(strength, deflection=None)
+    @property
+    def left_out(self) -> dict[str, None]:
+        """What is not asked, as an answer says it."""
+        return {} if "deflection" in self.include else {"deflection": None}
 
     def solve_held(self, support: Support) -> PinStrength:
         """Strength of the pin in other supports, under the forces that these make."""
         held = Results(changed(self.design, {"pin.support": support}), equal=True)
-        return self._asked(held.pin_strength)
+        return held.pin_strength
 
     def bounds(self) -> Iterator[Values]:
         """Strength of the pin in the supports between which the truth of a cage lies."""
         for support in BOUNDS:
-            found = run(self, partial(self.solve_held, support))
-            yield SupportBoundOut.values(*found, support=support)
+            found = timed(partial(self.solve_held, support))
+            yield SupportBoundOut.values(*found, support=support, **self.left_out)
 
 
 class PinFatigueOut(ResponseModel):
@@ -255,8 +257,7 @@ def strength_figure(found: PinStrength, theme: Theme) -> Figure:
     )
     data = [curve(text("moment_locus"), locus.tangential, locus.radial, 0, theme, hovered)]
     largest = float(np.hypot(locus.tangential, locus.radial).max())
-    if found.fatigue is not None and found.fatigue.direction is not None:
-        chi = found.fatigue.direction
+    if (chi := if_known(lambda: found.fatigue.direction)) is not None:
         ends = np.array([-largest, largest])
         worst = text("worst_direction")
         hovered = text("mean_hover", name=worst, value=Amount(math.degrees(chi), "°", 5))
@@ -287,22 +288,22 @@ def strength_figure(found: PinStrength, theme: Theme) -> Figure:
 
 def solve(body: PinStrengthRequest) -> Values:
     """Strength of the pins: bending, shear, static safety, fatigue by the true stress cycle."""
-    strength = run(body, body.solve)
+    strength = timed(body.solve)
     bounds = [*body.bounds()] if "support_bounds" in body.include else None
-    return PinStrengthResponse.values(*strength, forces=body.forces, support_bounds=bounds)
+    said: dict[str, Any] = {"forces": body.forces, "support_bounds": bounds} | body.left_out
+    return PinStrengthResponse.values(*strength, **said)
 
 
 def figure(body: PinStrengthRequest, theme: Theme = "light") -> Figure:
     """Locus of the moment and stress over the turn as a Plotly figure, ready for Plotly.js."""
-    run(body, body.mechanism.refuse_undrawable)
-    found, _ = run(body, lambda: body.solve(locus=True))
+    body.mechanism.refuse_undrawable()
+    found = body.solve(locus=True)
     return strength_figure(found, theme)
 
 
 def work(body: PinStrengthRequest) -> list[Values]:
     """Worked steps of the strength of the pins."""
-    steps, _ = run(body, body.steps)
-    return worked(pin_strength=steps)
+    return worked(pin_strength=body.steps())
 
 
 CALCULATION = Calculation(

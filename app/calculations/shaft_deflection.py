@@ -2,9 +2,16 @@
 
 import math
 from collections.abc import Callable
+from functools import cached_property
 from typing import Any, ClassVar
 
-from app.calculations.checks import JudgedFields, JudgedResponse, codes_to_fix, judgement
+from app.calculations.checks import (
+    JudgedFields,
+    JudgedResponse,
+    codes_to_fix,
+    fix_values,
+    judgement,
+)
 from app.calculations.fatigue import STEEL_GPA, CycleOut, FatigueFields
 from app.calculations.hertz import Material, material_of
 from app.calculations.meshing_load import MeshFields
@@ -24,13 +31,15 @@ from app.model import (
     warning,
 )
 from app.rules import Forms
-from app.running import run
+from app.running import timed
 from app.sources import JOHNSON_1985, KHATETOVSKY_2020, SHIGLEY
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
 from app.units import core_name, from_si, to_si
 from app.worked import worked
 from core.checks.check import Verdict
 from core.checks.shaft import LINE_MATERIALS, ShaftDesign, shaft_checks
+from core.derived import if_known
+from core.design.document import not_given
 from core.errors import NotKnown
 from core.fatigue import FatigueStrength
 from core.fixes.plain import plain_fixes
@@ -137,7 +146,14 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
     def shaft(self) -> dict[str, Any]:
         """The shaft as the core's arguments."""
         own = self.to_core()
-        return {name: own[name] for name in _OF_SHAFT} | {"shaft_sections": self.sections()}
+        whole = {name: own[name] for name in _OF_SHAFT}
+        match own:
+            case {"shaft_sections": sections}:
+                return whole | {"shaft_sections": [*sections]}
+            case _:
+                length = own["bearing_distance"] + own["overhang"]
+                one = ShaftSection(length=length, diameter=own["shaft_diameter"])
+                return whole | {"shaft_sections": [one]}
 
     def solve(self) -> ShaftDeflection:
         """Reactions and deflection of the shaft."""
@@ -148,6 +164,7 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
         load = self.solve_load()
         return load, self.solve_shaft(load)
 
+    @cached_property
     def fatigue_strength(self) -> Callable[[float], FatigueStrength] | Notice | None:
         """What the fatigue of the shaft is judged by, of its diameter, or why that is not known;
         None where nobody asks.
@@ -172,20 +189,20 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
 
     def no_fatigue(self) -> Notice | None:
         """Why nothing is known of the shaft's fatigue; None where it is, or nobody asked."""
-        found = self.fatigue_strength()
+        found = self.fatigue_strength
         return found if isinstance(found, Notice) else None
 
     def strength(self, result: ShaftDeflection) -> ShaftStrength | None:
         """Bending strength of the shaft, where it is asked."""
         if self.given.keys().isdisjoint(("yield_strength_MPa", "tensile_strength_MPa", "fatigue")):
             return None
-        fatigue = self.fatigue_strength()
+        fatigue, shaft = self.fatigue_strength, self.shaft
         return shaft_strength(
             reaction_B=result.reaction_B,
             reaction_C=result.reaction_C,
-            bearing_distance=to_si("distance_mm", self.bearing_distance_mm),
-            overhang=to_si("overhang_mm", self.overhang_mm),
-            sections=self.sections(),
+            bearing_distance=shaft["bearing_distance"],
+            overhang=shaft["overhang"],
+            sections=shaft["shaft_sections"],
             yield_strength=to_si("yield_strength_MPa", self.yield_strength_MPa),
             fatigue=None if isinstance(fatigue, Notice) else fatigue,
             load_rotates_with_shaft=self.load_rotates_with_shaft,
@@ -193,7 +210,7 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
 
     def contact(self, load: MeshingLoad) -> LineContact | None:
         """Pressure along the contact lines, where the curvature of the teeth is given."""
-        if self.line_contact is None:
+        if not self.line_contact:
             return None
         roller, mating = self.line_contact.materials()
         return line_contact(
@@ -211,10 +228,7 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
         return shaft_steps(
             load=load,
             found=found,
-            sections=self.sections(),
-            bearing_distance=to_si("distance_mm", self.bearing_distance_mm),
-            overhang=to_si("overhang_mm", self.overhang_mm),
-            youngs_modulus=to_si("youngs_modulus_GPa", self.youngs_modulus_GPa),
+            **self.shaft,
             strength=self.strength(found),
             judged={
                 "basis": self.fatigue and self.fatigue.section(),
@@ -226,35 +240,39 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
 
     def _touching(self, load: MeshingLoad) -> tuple[LineContact, dict[str, Any]] | None:
         """Pressure along the contact lines, and what it follows from."""
-        contact = self.contact(load)
-        if contact is None:
+        contact, lines = self.contact(load), self.line_contact
+        if not (contact and lines):
             return None
         return contact, {
             "roller_radius": to_si("radius_mm", self.roller_radius_mm),
-            "mating_radius": to_si("radius_mm", self.given["line_contact"].mating_radius_mm),
-            "materials": self.given["line_contact"].materials(),
+            "mating_radius": to_si("radius_mm", lines.mating_radius_mm),
+            "materials": lines.materials(),
         }
 
-    def checks(self, load: MeshingLoad, result: ShaftDeflection) -> Verdict:
+    def checks(
+        self, load: MeshingLoad, result: ShaftDeflection, strength: ShaftStrength | None
+    ) -> Verdict:
         """Checks of a result."""
-        limits = {} if self.line_contact is None else self.line_contact.pressure_limits()
+        limits = self.line_contact.pressure_limits() if self.line_contact else {}
         design = ShaftDesign(
             result=result,
             positions=self.positions(),
             roller_circle_radius=to_si("radius_mm", self.roller_circle_radius_mm),
             roller_radius=to_si("radius_mm", self.roller_radius_mm),
-            diameters=[each.diameter for each in self.sections()],
-            strength=self.strength(result),
+            diameters=[each.diameter for each in self.shaft["shaft_sections"]],
+            strength=strength or not_given("strength"),
             yield_strength=to_si("yield_strength_MPa", self.yield_strength_MPa),
-            fatigue_asked=self.fatigue is not None,
+            fatigue_asked=bool(self.fatigue),
             no_fatigue=self.no_fatigue(),
-            contact=self.contact(load),
+            contact=self.contact(load) or not_given("contact"),
             pressure_limits=limits,
             requirements=self.requirements.section(self),
         )
         return shaft_checks(design)
 
-    def judge(self, load: MeshingLoad, result: ShaftDeflection) -> dict[str, Any]:
+    def judge(
+        self, load: MeshingLoad, result: ShaftDeflection, strength: ShaftStrength | None
+    ) -> dict[str, Any]:
         """Verdict of a result, and checks and fixes where asked."""
 
         def checks(changed: dict[str, Any]) -> Verdict:
@@ -262,16 +280,18 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
             body = self.model_copy(update=fields)
             same_gear = all(getattr(body, name) == getattr(self, name) for name in _GEAR)
             own = load if same_gear else body.solve_load()
-            return body.checks(own, body.solve_shaft(own))
+            found = body.solve_shaft(own)
+            return body.checks(own, found, body.strength(found))
 
-        verdict, fixes = self.checks(load, result), None
+        verdict = self.checks(load, result, strength)
+        asked = "checks" in self.include
+        judged = judgement(verdict, self, torque=self.torque_Nm, checks=asked)
         if "fixes" in self.include:
             design = {core_name(name): to_si(name, getattr(self, name)) for name in self._varied()}
             codes = codes_to_fix(verdict, self.fixes_for)
             fixes = plain_fixes(design=design, codes=codes, current=verdict, checks=checks)
-        return judgement(
-            verdict, self, torque=self.torque_Nm, checks="checks" in self.include, fixes=fixes
-        )
+            judged["fixes"] = [fix_values(each, self) for each in fixes]
+        return judged
 
     def _varied(self) -> tuple[str, ...]:
         """What a fix may change: nothing of a shaft with steps, as their lengths add up."""
@@ -284,15 +304,6 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
         load = self.solve_load()
         diagram = shaft_diagram(force=load.force, moment=load.moment, **self.shaft)
         return self.solve_shaft(load), diagram
-
-    def sections(self) -> list[ShaftSection]:
-        """Stretches of the shaft from C to the clamp; one where it has one diameter."""
-        match self.to_core():
-            case {"shaft_sections": sections}:
-                return [*sections]
-            case shaft:
-                length = shaft["bearing_distance"] + shaft["overhang"]
-                return [ShaftSection(length=length, diameter=shaft["shaft_diameter"])]
 
 
 class DeflectionOut(ResponseModel):
@@ -458,9 +469,9 @@ def shaft_figure(diagram: ShaftDiagram, bearing_distance_mm: float, theme: Theme
 
 def solve(body: ShaftDeflectionRequest) -> Values:
     """Reactions of the shaft and its deflection at the bearings B and C, in both planes."""
-    (load, result), run_time_us = run(body, body.solve_all)
-    judged, _ = run(body, lambda: body.judge(load, result))
+    (load, result), run_time_us = timed(body.solve_all)
     strength, contact = body.strength(result), body.contact(load)
+    judged = body.judge(load, result, strength)
     values = ShaftDeflectionResponse.values(
         result,
         run_time_us,
@@ -468,7 +479,9 @@ def solve(body: ShaftDeflectionRequest) -> Values:
         line_contact=contact and LineContactOut.values(contact),
         **judged,
     )
-    notices = notices_of(contact, body.no_fatigue(), strength and strength.fatigue)
+    notices = notices_of(
+        contact, body.no_fatigue(), strength and if_known(lambda: strength.fatigue)
+    )
     if notices:
         values["warnings"] = [*map(warning, notices), *values.get("warnings", ())]
     return values
@@ -476,14 +489,13 @@ def solve(body: ShaftDeflectionRequest) -> Values:
 
 def figure(body: ShaftDeflectionRequest, theme: Theme = "light") -> Figure:
     """Shear force, bending moment and deflection along the shaft, in both planes."""
-    (_, diagram), _ = run(body, body.solve_diagram)
+    _, diagram = body.solve_diagram()
     return shaft_figure(diagram, body.bearing_distance_mm, theme)
 
 
 def work(body: ShaftDeflectionRequest) -> list[Values]:
     """Worked steps of reactions, deflections, strength and contact."""
-    steps, _ = run(body, body.steps)
-    return worked(shaft_deflection=steps)
+    return worked(shaft_deflection=body.steps())
 
 
 CALCULATION = Calculation(

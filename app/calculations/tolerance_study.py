@@ -36,7 +36,7 @@ from app.model import (
 )
 from app.problems import refusal, unavailable
 from app.rules import Rule, field_error
-from app.running import run
+from app.running import timed
 from app.settings import Settings, current
 from app.sources import ISO_286, JANSEN_1999, YANCHEVSKIY_2021
 from app.theme import Figure, Theme
@@ -130,6 +130,10 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
         Rule(f"tolerances/{name}", "only_one", "contact/fit") for name in DIAMETERS
     )
 
+    OF_A_RING: ClassVar[tuple[str, ...]] = (
+        *(f"tolerances/{name}" for name in OF_THE_RING),
+        *(f"limits/{name}" for name in OF_RING_PINS),
+    )
     RULES: ClassVar[tuple[dict[str, Any], ...]] = of_the_ring("tolerances", OF_THE_RING)
 
     load: OneWayLoadFields
@@ -197,12 +201,6 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
     def made(self, deviations: Deviations) -> RealMechanism:
         """The mechanism of nominal sizes, in SI units."""
         return replace(super().made(deviations), clearance=self.basic.sizes()["clearance"])
-
-    @property
-    def of_a_ring(self) -> tuple[str, ...]:
-        """Paths of fields that only a ring in series has."""
-        limits = (f"limits/{name}" for name in OF_RING_PINS)
-        return (*(f"tolerances/{name}" for name in OF_THE_RING), *limits)
 
     @model_validator(mode="after")
     def _asks_of_its_ring(self) -> Self:
@@ -288,7 +286,7 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
     @cached_property
     def given_limits(self) -> dict[str, float]:
         """Limits by the name of their quantity."""
-        return self.limits.given
+        return {**self.limits.given}
 
     def study(self, report: Report) -> Study:
         """The study in SI units, which tells how much of it is done; on the operator's cluster,
@@ -515,7 +513,7 @@ def _histogram(values: FloatArray) -> Values:
 def reporting(body: ToleranceStudyRequest, report: Report) -> Values:
     """The same as `solve`, which tells how much of it is done."""
     try:
-        (values, accuracy), run_time_us = run(body, lambda: body.solve(report))
+        (values, accuracy), run_time_us = timed(lambda: body.solve(report))
     except Lost as error:
         raise unavailable("The cluster of this study is lost") from error
     values["accuracy"] |= accuracy_values(accuracy, run_time_us)
@@ -536,7 +534,7 @@ def figure(body: ToleranceStudyRequest, theme: Theme = "light") -> Figure:
     """Histogram of the first quantity with its percentiles; with `contributions`, these ranked."""
     if "contributions" not in body.include:
         body = body.model_copy(update={"include": ["histogram"]})
-    (values, _), _ = run(body, body.solve)
+    values, _ = body.solve()
     name = body.names[0]
     shown = values["quantities"][name]
     if "fit_contributions" in values:

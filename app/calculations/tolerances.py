@@ -5,7 +5,7 @@ from collections.abc import Collection, Iterator
 from functools import cached_property, partial
 from typing import Annotated, Any, ClassVar, Literal, Self, get_args
 
-from pydantic import ConfigDict, Discriminator, Field, Tag, model_validator
+from pydantic import Discriminator, Field, Tag, model_validator
 
 from app.calculations.pin_contact import Deviation, class_pattern
 from app.calculations.real_mechanism import Phase, RealContactFields
@@ -17,10 +17,9 @@ from app.model import (
     Size,
     Values,
     quantity,
-    request_schema,
 )
 from app.problems import refusal
-from app.rules import field_error, wrong_form
+from app.rules import Forms, field_error
 from app.units import core_name, from_si, to_si
 from core.errors import InvalidInput
 from core.tolerance.draws import Distribution, Spread
@@ -97,25 +96,14 @@ class PhaseSpreadFields(_SpreadFields, group="tolerances"):
         return self._spread(to_si("lower_deg", self.lower_deg), to_si("upper_deg", self.upper_deg))
 
 
-def _size_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """A class, or both limits."""
-    request_schema(schema, model)
-    limits = ["lower_mm", "upper_mm"]
-    schema["oneOf"] = [
-        {"required": ["class"], "not": {"anyOf": [{"required": [each]} for each in limits]}},
-        {"required": limits, "not": {"required": ["class"]}},
-    ]
-
-
 SAID_BY_PROCESS = ("process", "pin_process", "hole_process")
 """Fields that fill others, and vary nothing themselves."""
-
-SIZE_FORMS = (("class",), ("lower_mm", "upper_mm"))
-"""What says a diameter's deviations, by names in JSON."""
 
 
 class _DiameterFields(_SpreadFields, group="tolerances"):
     """A diameter's class or limits."""
+
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("class",), ("lower_mm", "upper_mm")),)
 
     CLASSES: ClassVar[str]
     """Pattern of its classes."""
@@ -124,14 +112,8 @@ class _DiameterFields(_SpreadFields, group="tolerances"):
     lower_mm: Maybe[Deviation] = _lower()
     upper_mm: Maybe[Deviation] = _upper()
 
-    model_config = ConfigDict(json_schema_extra=_size_schema)
-
     @model_validator(mode="after")
-    def _class_or_limits(self) -> Self:
-        size = self.given.keys() & {"lower_mm", "upper_mm"}
-        named = size | ({"class"} if self.by_class else set())
-        if named not in map(set, SIZE_FORMS):
-            raise wrong_form(SIZE_FORMS, named)
+    def _known_or_in_order(self) -> Self:
         if not self.by_class:
             self._refuse_reversed("mm")
         elif not re.fullmatch(self.CLASSES, self.given["tolerance_class"]):
@@ -141,7 +123,7 @@ class _DiameterFields(_SpreadFields, group="tolerances"):
     @property
     def by_class(self) -> bool:
         """Whether a class says its limits."""
-        return self.tolerance_class is not None
+        return "tolerance_class" in self.given
 
     def spread(self, diameter: float) -> Spread:
         """Deviation of the radius in SI units, of a nominal diameter.

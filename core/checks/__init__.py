@@ -6,18 +6,14 @@ it is called, depends on, needs, asks. Nothing passes by absence: what is asked 
 
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------
-part                parts of the reducer, of whose verdicts the design's is made
-words               groups of checks, sources, what is left out
 inputs              inputs that checks of several elements depend on
-check               a check and its record, a value against its limit, the verdict of all checks
-cranks              dead centres, satellites that differ
+check               a check and its record, a value against its limit, the verdict of parts and all
 pin_contact         pressure, shakedown and yield where pin and hole touch
 plastics            plastic pins and holes: what is necessary, and never enough
 pins                static strength, fatigue, deflection and slope of the pins
 friction            efficiency, sliding speed, pv and wear
-play                backlash and lost motion of the output
-fit                 room of the pins in their holes, clearance
-space               walls between holes, to rim and bore; space between pins, for satellites
+fit                 room of the pins in their holes, clearance; backlash, lost motion
+layout              dead centres, satellites alike; walls and space between pins and holes
 crank               ring, bearings of the satellites, crankshaft
 ring_pins           cycloid discs on the pins of a ring: what geometry alone says
 involute_mesh       involute teeth: path of contact, tips, undercut, roots
@@ -25,7 +21,8 @@ ring_load           satellites in their ring under load: pressure, play, bending
 bearings            bearings as they are bought: ratings that can be, room, speed, least load
 pin_rollers         bearings as rollers on the pins: life, load, speed, room, tilt
 balance             what turns with the crankshaft and is not balanced
-crank_planetary     all checks of the reducer
+crank_planetary     all checks of the reducer, and its parts, of whose verdicts its own is made
+words               groups of checks, sources, what is left out
 largest_torque      the largest torque of the reducer as it is made
 shares              which satellite carries how much, and what hangs on it
 cold_yield          the torque at which a plastic contact yields at once

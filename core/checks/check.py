@@ -1,11 +1,10 @@
-"""A check and its record, a value judged against its limit, and the verdict of all checks."""
+"""A check and its record, a value against its limit, the verdict of parts and of all checks."""
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Set
 from dataclasses import dataclass, field
 from typing import Any, Literal, NamedTuple, TypeVar, get_args
 
-from core.checks.part import Outcome, PartVerdict, whole
 from core.derived import UNKNOWN
 from core.design.document import value_at
 from core.errors import ImpossibleMechanism, InvalidInput, NotKnown, required
@@ -14,6 +13,10 @@ from core.precision import AS_TYPED, ROUNDING
 Status = Literal["pass", "marginal", "fail", "not_checked", "not_asked", "not_applicable"]
 
 STATUSES: tuple[Status, ...] = get_args(Status)
+
+Outcome = Literal["pass", "marginal", "fail", "incomplete"]
+
+PartStatus = Literal["pass", "marginal", "fail", "open", "left_out", "not_asked"]
 
 MARGIN = 1.1
 """Torque reserve below which a check is marginal."""
@@ -146,12 +149,10 @@ class Check(NamedTuple):
         return self.kind.code
 
     @property
-    def margin(self) -> float | None:
-        """What is left to the limit, below 0 beyond it, in SI units."""
-        if self.value is None or self.limit is None:
-            return None
-        over = self.value - self.limit
-        return -over if self.kind.keep == "below" else over
+    def margin(self) -> float:
+        """What is left to the limit, below 0 beyond it, in SI units; `NotKnown` as `compared`."""
+        value, limit = self.compared
+        return limit - value if self.kind.keep == "below" else value - limit
 
     @property
     def compared(self) -> tuple[float, float]:
@@ -333,7 +334,7 @@ def judged(
     Examples
     --------
     >>> from core.checks.pins import pin_static
-    >>> from core.checks.space import wall_holes
+    >>> from core.checks.layout import wall_holes
     >>> judged(pin_static, 90.0, 100.0, reserve=1.2).status
     'pass'
     >>> judged(pin_static, 99.0, 100.0, reserve=1.02).status
@@ -501,6 +502,57 @@ def wall(
     if guide is not None:
         return judged(kind, width, guide, warning="thin_wall")._replace(limit_source="guide")
     return found._replace(status="not_checked", reason="no_sourced_limit")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PartVerdict:
+    """What a part comes to.
+
+    Attributes
+    ----------
+    status : PartStatus
+        `fail` where one of its checks fails; else `open` where what it needs is not known or
+        nothing of it is judged; else `marginal` or `pass`. `left_out` where the design's scope
+        leaves it out, `not_asked` where nobody asks for it.
+    """
+
+    code: str  # which part, a key of `PARTS`
+    status: PartStatus
+    governing: str | None = None  # code of the check that decides of it
+    reason: str = ""  # why it is open, a key of `core.codes.CODES`
+    params: Mapping[str, Any] = field(default_factory=dict)  # what its words name, in SI units
+    refusal: InvalidInput | None = None  # the reason as a refusal, where it is one
+    missing: tuple[str, ...] = ()  # core names of inputs that would have to be given
+
+    @property
+    def judged(self) -> bool:
+        """Whether it passes or fails."""
+        return self.status in ("pass", "marginal", "fail")
+
+
+def whole(parts: Iterable[PartVerdict]) -> Outcome:
+    """What parts come to together.
+
+    Parameters
+    ----------
+    parts : iterable of PartVerdict
+        The parts.
+
+    Returns
+    -------
+    Outcome
+
+    Examples
+    --------
+    >>> whole([PartVerdict(code="pins", status="pass"), PartVerdict(code="body", status="open")])
+    'incomplete'
+    """
+    statuses = {part.status for part in parts}
+    if "fail" in statuses:
+        return "fail"
+    if "open" in statuses or not statuses & {"marginal", "pass"}:
+        return "incomplete"
+    return "marginal" if "marginal" in statuses else "pass"
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,6 +7,7 @@ from core.checks.crank_planetary import crank_check
 from core.checks.largest_torque import under
 from core.checks.plastics import PLASTICS, cold_limits
 from core.design.results import Results
+from core.errors import required
 from core.materials import Body
 
 LOOKS, NEAR = 6, 1e-4
@@ -45,8 +46,13 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
     Returns
     -------
     ColdYield or None
-        None where no plastic touches, where its strength or friction is not known, and where the
-        parts do not go together.
+        None where no plastic touches, where its strength is not known, and where the parts do not
+        go together.
+
+    Raises
+    ------
+    NotKnown
+        If its friction is not known.
     """
     design, checks = results.design, {each.code: each for each in found.checks}
     check = checks.get("contact_static_cold")
@@ -54,8 +60,6 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
     if check is None or found.impossible or misfits or not check.by_torque:
         return None
     friction, factor = design.hole_friction, check.reserve
-    if friction is None:
-        return None
     for _ in range(LOOKS if check.rough or results.solved else 0):
         there = Results(under(design=design, factor=factor), equal=results.shared_equally)
         seen = crank_check(check.code, there)
@@ -66,8 +70,7 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
             break
     limits = cold_limits(results=results, contact=results.static_contact)
     body = min(limits, key=limits.__getitem__)
-    strength = design.lasting[body].loaded_strength(body)
-    assert strength is not None
+    strength = required(design.lasting[body].loaded_strength(body), "yield_unknown")
     judged = [kind.code for kind in PLASTICS if kind is not check.kind]
     unknown = (
         code

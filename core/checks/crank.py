@@ -9,7 +9,7 @@ import numpy as np
 from core.arrays import FloatArray
 from core.checks.check import Check, design_check, judged
 from core.checks.inputs import BEARING_LOAD, LIFE, OF_DISCS, RING, ROOTS
-from core.checks.space import within_roots
+from core.checks.layout import within_roots
 from core.crank.bearing_life import EXPONENTS, PEAK_SAFETY, STATIC_SAFETY, Bearing
 from core.crank.ring_mesh import STEEP
 from core.crank.satellite_bearing import SatelliteBearings
@@ -87,8 +87,7 @@ def pressure_angle(design: Design, results: Results) -> Check:
     if_known(lambda: results.ring.force)  # a ring that cannot be is refused, of whatever kind
     if design.gear and design.gear.kind != "involute":
         return Check(pressure_angle, "not_applicable", reason="no_involute")
-    angle = results.ring.force.operating_pressure_angle
-    assert angle is not None  # of an involute
+    angle = required(results.ring.force.operating_pressure_angle, "no_teeth")
     return judged(pressure_angle, float(angle), STEEP, warning="steep_mesh")
 
 
@@ -329,7 +328,7 @@ def system_life(design: Design, results: Results) -> Check:
 )
 def crank_bearing_life(design: Design, results: Results) -> Check:
     kind, limit = crank_bearing_life, design.requirements.life
-    bearings = required(design.crankshaft.bearings, "rating_unknown", "crankshaft.bearings")
+    bearings = design.crankshaft.known_bearings
     for each in bearings:
         required(each.dynamic_rating, "rating_unknown", "crankshaft.bearings")
     found = results.crank.shaft

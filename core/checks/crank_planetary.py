@@ -1,26 +1,23 @@
-"""All checks of a crank-planetary reducer, and its verdict."""
+"""All checks of a crank-planetary reducer, its parts, and its verdict."""
 
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cache
 
 from core.checks.balance import BALANCE
 from core.checks.bearings import BEARINGS
-from core.checks.check import Check, Verdict, make_check, rank, verdict
+from core.checks.check import Check, PartVerdict, Verdict, make_check, rank, verdict
 from core.checks.crank import CRANK
-from core.checks.cranks import CRANKS
-from core.checks.fit import FIT
+from core.checks.fit import FIT, PLAY
 from core.checks.friction import FRICTION
 from core.checks.involute_mesh import INVOLUTE_MESH
-from core.checks.part import PARTS, Part, PartVerdict
+from core.checks.layout import CRANKS, SPACE
 from core.checks.pin_contact import CONTACT, life_considered
 from core.checks.pin_rollers import PIN_ROLLERS
 from core.checks.pins import PINS
 from core.checks.plastics import PLASTICS
-from core.checks.play import PLAY
 from core.checks.ring_load import RING_LOAD
 from core.checks.ring_pins import RING_PINS
-from core.checks.space import SPACE
 from core.design.document import Design
 from core.design.results import Results
 from core.errors import NotKnown
@@ -49,6 +46,55 @@ CRANK_CHECKS = {
 
 _NEEDS = tuple(dict.fromkeys(need for kind in CRANK_CHECKS.values() for need in kind.needs))
 _ASKED_ALONE = tuple(kind.asks for kind in CRANK_CHECKS.values() if kind.asked_alone)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Part:
+    """A part of a reducer."""
+
+    code: str  # its name in requests and answers
+    title: str  # its name in English
+    sections: tuple[str, ...]  # of a design that its checks need
+    by_forces: bool = True  # whether these read the pins' forces
+    demands: tuple[str, ...] = ()  # without its section or one of these nobody asks for it
+
+
+PARTS = {
+    part.code: part
+    for part in (
+        Part(code="contact", title="pins in holes", sections=("load", "contact")),
+        Part(code="pins", title="pins", sections=("load", "contact", "pin")),
+        Part(
+            code="teeth",
+            title="teeth of satellite and ring",
+            sections=("load", "contact", "gear"),
+            by_forces=False,
+        ),
+        Part(
+            code="satellite_bearing",
+            title="bearings of the satellites",
+            sections=("load", "contact", "gear", "bearing"),
+        ),
+        Part(
+            code="crank_bearings",
+            title="bearings and balance of the crankshaft",
+            sections=("load", "contact", "gear", "crankshaft"),
+        ),
+        Part(
+            code="body",
+            title="body of the satellite",
+            sections=("load", "contact", "satellite_body"),
+            by_forces=False,
+        ),
+        Part(
+            code="losses",
+            title="friction, wear and efficiency",
+            sections=("load", "contact", "friction"),
+            demands=("min_efficiency", "max_sliding_speed", "max_pv", "max_wear"),
+        ),
+    )
+}
+"""By code, in the order in which they are shown."""
 
 UNCOVERED = ("crankshaft", "output_bearing", "housing", "lubrication", "dynamics")
 """What no part covers."""

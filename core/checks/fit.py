@@ -1,10 +1,19 @@
-"""Checks of the fit of pin and hole: room over the turn, clearance."""
+"""Checks of pins in their holes: the room over the turn, and the play it leaves the output, against
+what is asked.
+"""
 
 from functools import partial
 
-from core.checks.check import Check, Status, design_check, judged, make_check, not_checked
-from core.checks.inputs import HOLE
-from core.checks.play import backlash, lost_motion
+from core.checks.check import (
+    Check,
+    Measure,
+    Status,
+    design_check,
+    judged,
+    make_check,
+    not_checked,
+)
+from core.checks.inputs import HOLE, RING_GIVES, SHARING
 from core.design.document import Design
 from core.design.results import Results
 from core.errors import NotKnown
@@ -13,16 +22,24 @@ MOST_PLAY = 0.75
 """Clearance over the eccentricity above which a design is marginal: the play is a large part of
 what the mechanism moves by."""
 
-_check = partial(
-    design_check,
-    group="geometry",
-    part="contact",
-    fixes=("contact.hole_radius", "contact.fit"),
-    needs=("touching",),
+OF_TEETH = (
+    "gear.kind",
+    "gear.ring_pin_circle_radius",
+    "gear.teeth_difference",
+    "gear.modification.equidistant",
+    "gear.modification.pin_circle",
+    "gear.modification.rotation",
+)
+"""Of the play of teeth that are in series."""
+
+_check = partial(design_check, part="contact", fixes=("contact.hole_radius", "contact.fit"))
+_of_room = partial(_check, group="geometry", needs=("touching",))
+_of_play = partial(
+    _check, group="play", unit="arcmin", source="load_sharing", needs=("touching", "load")
 )
 
 
-@_check(
+@_of_room(
     "interference",
     title="Room of the pins in their holes",
     unit="mm",
@@ -55,8 +72,7 @@ def interference(design: Design, results: Results) -> Check:
     if fit.room.binding:
         pair = fit.room.binding[0]
         at = {"satellite": pair.satellite, "pin": pair.pin}
-    if fit.room.crank_angle is not None:
-        at["crank_angle"] = fit.room.crank_angle
+    at |= fit.room.where
     misfit = fit.misfit
     status: Status = "fail"
     if not misfit or misfit == "fits_by_bearing_clearance":
@@ -73,7 +89,90 @@ def interference(design: Design, results: Results) -> Check:
     )
 
 
-@_check(
+def of_both(results: Results) -> str | None:
+    """Why a value is of both meshes, where it is.
+
+    Parameters
+    ----------
+    results : Results
+        Results of a design.
+
+    Returns
+    -------
+    str or None
+        The reason.
+    """
+    return "both_meshes" if results.in_series else None
+
+
+@_of_play(
+    "backlash",
+    title="Backlash of the output mechanism",
+    formula="max(θ₊ − θ₋) ≤ Δφ",
+    why="Otherwise the unloaded output turns by more than is asked.",
+    inputs=(
+        "mechanism.pins",
+        "mechanism.satellites",
+        "mechanism.crank_spacing",
+        "mechanism.crank_angles",
+        "mechanism.ratio",
+        "load.pin_circle_radius",
+        *HOLE,
+        "contact.eccentricity",
+        "deviations",
+        "crank_support",
+        "rollers.radial_clearance",
+        "requirements.max_backlash",
+        "contact.distribution_factor",  # which no meshes in series have
+        *OF_TEETH,
+    ),
+    asks="max_backlash",
+)
+def backlash(design: Design, results: Results) -> Measure:
+    of_fit = design.known_clearance and 0.0  # none, or interference
+    play = results.loading.turn.backlash_max if results.solved else of_fit
+    return Measure(design.members.angle_at_output(play), reason=of_both(results))
+
+
+@_of_play(
+    "lost_motion",
+    title="Lost motion of the output mechanism",
+    formula="θ(+3 % T) − θ(−3 % T) ≤ Δφ",
+    why="Otherwise the output gives way by more than is asked when the torque turns.",
+    inputs=tuple(
+        dict.fromkeys(
+            (
+                "load.output_torque",
+                "contact.distribution_factor",  # which no meshes in series have
+                "load.pin_circle_radius",
+                "mechanism.pins",
+                "mechanism.satellites",
+                "mechanism.crank_spacing",
+                "mechanism.crank_angles",
+                "mechanism.ratio",
+                *SHARING,
+                "requirements.max_lost_motion",
+                *RING_GIVES,
+                "gear.modification.rotation",
+            )
+        )
+    ),
+    asks="max_lost_motion",
+)
+def lost_motion(design: Design, results: Results) -> Measure:
+    """At the torque itself, of which it takes a share; not solved for where nobody asks. Asked, it
+    is that of the softest material that sources allow.
+    """
+    solved = results.solved and design.load_factor == 1
+    asked, _ = design.requirements.asked("max_lost_motion"), design.known_clearance
+    if not (solved or asked):
+        raise NotKnown("no_limit")
+    made = results.softest if asked else results
+    lost = made.real_forces.turn.lost_motion
+    return Measure(design.members.angle_at_output(lost), reason=of_both(results))
+
+
+@_of_room(
     "clearance",
     title="Clearance over eccentricity",
     formula="(r_out − r_in − e)/e ≤ 0.75",
@@ -95,3 +194,4 @@ def clearance(design: Design, results: Results) -> Check:
 
 
 FIT = (interference, clearance)
+PLAY = (backlash, lost_motion)

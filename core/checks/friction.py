@@ -4,9 +4,9 @@ from functools import partial
 
 from core.checks.check import Check, Measure, design_check
 from core.checks.inputs import FORCES, INVOLUTE_TEETH, LIFE, SPEEDS
+from core.derived import if_known
 from core.design.document import Design
 from core.design.results import Results
-from core.errors import NotKnown
 
 _check = partial(design_check, group="friction", part="losses", needs=("touching", "load", "rubs"))
 
@@ -140,10 +140,8 @@ def wear(design: Design, results: Results) -> Check | Measure:
     if design.rollers:
         return Check(wear, "not_applicable", reason="rollers_roll")
     losses = results.losses.pins
-    depths = [float(each) for each in (losses.pin_wear, losses.hole_wear) if each is not None]
-    if not depths:
-        raise NotKnown("wear_unknown", "friction.wear_rate")
-    return _with_torque(results, max(depths))
+    hole = if_known(lambda: losses.hole_wear) or 0.0
+    return _with_torque(results, float(max(losses.pin_wear, hole)))
 
 
 FRICTION = (efficiency, sliding_speed, pv, wear)

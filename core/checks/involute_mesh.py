@@ -166,12 +166,10 @@ def mesh_involute(design: Design, results: Results) -> Check:
     if within := refused(results=results, kind=mesh_involute, names=HEIGHTS):
         return within  # a tip that lies within its base circle
     pair = results.ring.pair
-    left = [pair.start_roll - pair.form_roll_satellite]
-    if pair.form_roll_ring is not None:
-        left.append(pair.form_roll_ring - pair.end_roll_ring)
-    value = min(left)
+    of_ring = pair.ring_flank.form_roll - pair.end_roll_ring
+    value = min(pair.start_roll - pair.form_roll_satellite, of_ring)
     found = judged(mesh_involute, 0.0 if abs(value) <= AS_TYPED else value, 0.0)
-    if pair.form_roll_ring is not None or found.status == "fail":
+    if pair.teeth.cutter or found.status == "fail":
         return found
     return found._replace(reason="ring_flank_unknown", missing=("gear.cutter_teeth",))
 
@@ -208,7 +206,7 @@ def mesh_tip_clearance(design: Design, results: Results) -> Check:
     pair = results.ring.pair
     least = min(pair.tip_clearance_satellite, pair.tip_clearance_ring) / pair.teeth.module
     found = _usual(mesh_tip_clearance, least, least=0.0, guide=LEAST_CLEARANCE, impossible=True)
-    if pair.teeth.cutter is not None or found.reason or found.status == "fail":
+    if pair.teeth.cutter or found.reason or found.status == "fail":
         return found
     return found._replace(reason="ring_root_assumed", missing=("gear.cutter_teeth",))
 

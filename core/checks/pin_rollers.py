@@ -43,7 +43,7 @@ _check = partial(
 def pin_roller_life(design: Design, results: Results) -> Check:
     design.known_speed  # noqa: B018 - of which the life is a matter
     found, power = results.roller_loads, EXPONENTS[KINDS[design.rollers.kind]]
-    limit, value = design.requirements.life, required(found.life, "rating_unknown")
+    limit, value = design.requirements.life, found.life
     return judged(
         pin_roller_life,
         value,
@@ -80,7 +80,7 @@ def _static_limit(design: Design) -> float:
 )
 def pin_roller_static(design: Design, results: Results) -> Check:
     found, limit = results.roller_loads, _static_limit(design)
-    value = required(found.static_safety_factor, "rating_unknown")
+    value = found.static_safety_factor
     return judged(
         pin_roller_static,
         value,
@@ -103,15 +103,13 @@ def pin_roller_static(design: Design, results: Results) -> Check:
 )
 def pin_roller_max_load(design: Design, results: Results) -> Check:
     own, found = design.rollers, results.roller_loads
-    loads = (
-        (found.peak_load * design.load_factor, own.max_radial_load),
-        (found.static_load, own.max_static_radial_load),
+    value = max(
+        found.peak_load * design.load_factor / own.max_radial_load,
+        found.static_load / own.max_static_radial_load,
     )
-    used = [load / limit for load, limit in loads if limit is not None]
-    if not used:
+    if value == 0:
         missing = ("rollers.max_radial_load", "rollers.max_static_radial_load")
         return Check(pin_roller_max_load, "not_asked", reason="no_limit", missing=missing)
-    value = max(used)
     return judged(
         pin_roller_max_load,
         value,
@@ -219,7 +217,6 @@ def pin_roller_fits(design: Design, results: Results) -> Check:
 )
 def pin_roller_tilt(design: Design, results: Results) -> Check:
     found = results.pin_loads
-    assert found.deflection is not None
     return judged(
         pin_roller_tilt,
         found.deflection.slope,

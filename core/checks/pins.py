@@ -87,23 +87,20 @@ class BentPins:
     @property
     def cycle(self) -> PinFatigue:
         """The cycle of their fatigue, whose strength is known."""
-        cycle = self.found.fatigue
-        assert cycle is not None
-        return cycle
+        return self.found.fatigue
 
     def fatigue(self, kind: Kind, *, safety: float, at: Mapping[str, Any]) -> Check:
         """Fatigue, of which there is a cycle, with a safety that is required, where it is least."""
         cycle = self.cycle
         check = self.judged(kind, cycle.safety_factor, safety, at=at)
-        lasts = cycle.finite_strength is not None and not check.reason
-        return _of_size(self.pin, check._replace(reason="finite_life") if lasts else check)
+        short = cycle.short and not check.reason
+        return _of_size(self.pin, check._replace(reason="finite_life") if short else check)
 
     def bent(self, name: str, at: str) -> Measure:
         """The largest deflection or slope in a satellite, by the names of these and of where that
         is.
         """
         deflection = self.found.deflection
-        assert deflection is not None
         return Measure(
             float(getattr(deflection, name)),
             error=self.error,
@@ -132,9 +129,9 @@ def pin_static(design: Design, results: Results) -> Check:
 
 def _section(design: Design, position: float) -> dict[str, str]:
     """Which end of a pin that a tie ring holds a section is, where it is one."""
-    if not design.tied or design.pin.span is None:
+    if not design.tied:
         return {}
-    end = section_of(position=position, span=design.pin.span)
+    end = section_of(position=position, span=design.pin.known_span)
     return {"section": end} if end else {}
 
 

@@ -4,14 +4,13 @@ A plastic creeps, wears and goes soft, and no source says what pressure a contac
 long. So each check here may fail, and none passes: what holds is `necessary_only`.
 """
 
-import math
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from functools import partial
 
 from core.checks.check import Check, Unjudged, design_check, judged, judged_by, necessary
 from core.checks.inputs import LOADED, SLIDING
-from core.checks.pin_contact import FIXES, in_disc, pressed
+from core.checks.pin_contact import FIXES, in_disc
 from core.derived import UNKNOWN
 from core.design.document import Design, value_at
 from core.design.results import Results
@@ -23,9 +22,6 @@ from core.numerics.inverse import edge
 DEEP = 3.0
 """Depth of solid material below a contact over its half-width: there the pressure has fallen to a
 third, and the largest stress lies at 0.75."""
-
-FRICTION_UNKNOWN = ("friction_unknown", "friction.coefficient")
-"""That nothing is known of the friction in the holes."""
 
 _check = partial(
     design_check,
@@ -47,8 +43,11 @@ _check = partial(
 )
 def contact_static_cold(design: Design, results: Results) -> Check:
     """Of the weaker body; where its friction is not known it fails where it would without."""
-    unknown = [] if design.hole_friction is not None else [NotKnown(*FRICTION_UNKNOWN)]
-    limits, contact = list[float](), results.static_contact
+    limits, unknown, contact = list[float](), list[NotKnown](), results.static_contact
+    try:
+        _ = design.hole_friction
+    except NotKnown as why:
+        unknown.append(why)
     for body in design.plastics:
         try:
             limits.append(results.cold_limit(body, contact))
@@ -56,7 +55,7 @@ def contact_static_cold(design: Design, results: Results) -> Check:
             unknown.append(why)
     if not limits:
         raise unknown[0]
-    pressure, limit = pressed(contact), min(limits)
+    pressure, limit = contact.governing_pressure, min(limits)
     found = in_disc(
         kind=contact_static_cold,
         results=results,
@@ -110,8 +109,7 @@ def _yielding(
 
     def left(factor: float) -> float:
         there = contact_at(factor)
-        pressure = there.governing_pressure
-        return math.nan if pressure is None else limit(there) - float(pressure)
+        return limit(there) - float(there.governing)
 
     first = force_factor(contact=contact, contact_at=contact_at, limit=limit(contact))
     inside, outside = sorted((1.0, first))
@@ -200,10 +198,10 @@ def creep(design: Design, results: Results) -> Check:
     for body, plastic in design.plastics.items():
         path = f"contact.{body}_material.long_term_factor"
         lasting[body] = required(plastic.long_term_factor, "creep_unknown", path)
-    required(design.hole_friction, *FRICTION_UNKNOWN)
+    _ = design.hole_friction
     contact, largest = results.hertz, results.line_load_factor
     limit = min(share * results.cold_limit(body, contact) for body, share in lasting.items())
-    pressure = pressed(contact)
+    pressure = contact.governing_pressure
     found = in_disc(
         kind=creep,
         results=results,

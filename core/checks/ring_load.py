@@ -8,6 +8,7 @@ from typing import Any, TypeVar, get_args
 
 from core.checks.check import Check, Kind, Measure, design_check, judged, judged_by
 from core.checks.crank import other_ring
+from core.checks.fit import of_both
 from core.checks.inputs import (
     FATIGUE,
     INVOLUTE_TEETH,
@@ -23,7 +24,6 @@ from core.checks.inputs import (
 from core.checks.involute_mesh import Pressed, involute_pressed, refused
 from core.checks.pin_contact import over_life, static_limit, whence
 from core.checks.pins import BentPins
-from core.checks.play import of_both
 from core.checks.ring_pins import CYCLOID
 from core.design.document import Design
 from core.design.results import Results
@@ -219,7 +219,7 @@ def ring_backlash(design: Design, results: Results) -> Check | Measure:
     """Of the ring alone; not looked for where nobody asks. Of involute teeth known at once."""
     if design.gear.kind == "involute":
         return Measure(design.members.angle_at_output(max(results.ring.pair.backlash, 0.0)))
-    judged_by(design.requirements.max_ring_backlash, "no_limit")  # else it is not looked for
+    judged_by(design.requirements.max_ring_backlash, "no_limit")
     play = results.ring.working[0].play_in_ring
     return Measure(design.members.angle_at_output(play), reason=ring_alone(results))
 
@@ -407,8 +407,7 @@ def ring_efficiency(design: Design, results: Results) -> Check | Measure:
     needed=False,
 )
 def ring_pv(design: Design, results: Results) -> Check | Measure:
-    value = required(results.ring.pv, "speed_missing")  # of sleeves at a speed
-    return Measure(value, error=_error(results.ring.working[0]), rough=True)
+    return Measure(results.ring.pv, error=_error(results.ring.working[0]), rough=True)
 
 
 RING_LOAD = (

@@ -17,6 +17,7 @@ from core.checks.check import (
     verdict,
 )
 from core.checks.inputs import FATIGUE
+from core.design.document import not_given
 from core.design.sections import Requirements
 from core.fatigue import CycleFatigue
 from core.results import Notice
@@ -40,8 +41,8 @@ class RollerDesign:
     ----------
     position_tolerance, gaps : as of `roller_strength`
         One of them.
-    fatigue : CycleFatigue, Notice or None
-        Fatigue of the rollers, or why it is not known; None where nobody asked.
+    fatigue : CycleFatigue or Notice
+        Fatigue of the rollers, or why it is not known, where that is asked.
     """
 
     result: RollerStrength  # their load sharing and strength
@@ -55,7 +56,7 @@ class RollerDesign:
     gaps: Sequence[float] | None = None
     yield_strength: float | None = None  # R_e, Pa
     eccentricity: float | None = None  # e of the crank, m
-    fatigue: CycleFatigue | Notice | None = None
+    fatigue: CycleFatigue | Notice = not_given("fatigue")
     requirements: Requirements = Requirements()
 
     def reserve(self, growth: float) -> float:
@@ -165,7 +166,6 @@ def cycle_check(
 )
 def roller_fatigue(design: RollerDesign) -> Check:
     fatigue, safety, reserve = design.fatigue, design.requirements.fatigue_safety, None
-    assert fatigue is not None
     if isinstance(fatigue, CycleFatigue):
         reserve = design.reserve(fatigue.safety_factor / safety)
     return cycle_check(

@@ -18,6 +18,8 @@ from core.checks.check import (
 )
 from core.checks.inputs import FATIGUE
 from core.checks.rollers import cycle_check
+from core.derived import if_known
+from core.design.document import not_given
 from core.design.sections import Requirements
 from core.precession.line_contact import LineContact
 from core.precession.shaft_deflection import ShaftDeflection
@@ -34,11 +36,11 @@ class ShaftDesign:
     ----------
     positions : sequence of float
         Position angles of the wheel's rollers, rad; the same one twice is one roller.
-    strength : ShaftStrength or None
+    strength : ShaftStrength
         Its bending strength, where that is asked.
     fatigue_asked : bool
         Whether its fatigue is asked; without a cycle in `strength` the load is steady.
-    contact : LineContact or None
+    contact : LineContact
         Pressure along the contact lines, where the curvature of the teeth is given.
     """
 
@@ -47,20 +49,14 @@ class ShaftDesign:
     roller_circle_radius: float  # R_C, m
     roller_radius: float  # rho, m
     diameters: Sequence[float]  # of the shaft, m
-    strength: ShaftStrength | None = None
+    strength: ShaftStrength = not_given("strength")
     yield_strength: float | None = None  # R_e of the shaft, Pa
     fatigue_asked: bool = False
     no_fatigue: Notice | None = None  # why that is not known
-    contact: LineContact | None = None
+    contact: LineContact = not_given("contact")
     # Of roller and tooth, Pa, by the paths of their materials, as far as they are known.
     pressure_limits: Mapping[str, float] = field(default_factory=dict)
     requirements: Requirements = Requirements()
-
-    @property
-    def bent(self) -> ShaftStrength:
-        """Its strength, of a shaft whose checks need it."""
-        assert self.strength is not None
-        return self.strength
 
     @property
     def error(self) -> float:
@@ -179,7 +175,7 @@ def shaft_slope(design: ShaftDesign) -> Measure:
     needs=("strength",),
 )
 def shaft_static(design: ShaftDesign) -> Check:
-    stress = design.bent.peak_stress
+    stress = design.strength.peak_stress
     strength = judged_by(design.yield_strength, "yield_unknown", "yield_strength", value=stress)
     limit = strength / design.requirements.bending_safety
     reserve = limit / stress if stress > 0 else None
@@ -206,9 +202,9 @@ def shaft_static(design: ShaftDesign) -> Check:
 )
 def shaft_fatigue(design: ShaftDesign) -> Check:
     """Its reversed bending; a load that turns with the shaft bends it one way."""
-    fatigue = design.no_fatigue or design.bent.fatigue
+    fatigue = design.no_fatigue or if_known(lambda: design.strength.fatigue)
     safety = design.requirements.fatigue_safety
-    if fatigue is None:
+    if not fatigue:
         return Check(shaft_fatigue, "not_applicable", reason="steady_load")
     reserve = None if isinstance(fatigue, Notice) else fatigue.safety_factor / safety
     return cycle_check(
@@ -236,7 +232,6 @@ def shaft_fatigue(design: ShaftDesign) -> Check:
 )
 def line_pressure(design: ShaftDesign) -> Check:
     """Against the lower of both limits, where both are known."""
-    assert design.contact is not None
     pressure, limits = design.contact.max_pressure, design.pressure_limits
     missing = tuple(name for name in LINE_MATERIALS if name not in limits)
     error = 4 * float(design.contact.accuracy.relative_error)

@@ -190,7 +190,5 @@ def _governed(results: Results, found: Verdict) -> tuple[Governed, ...]:
     return tuple(
         Governed(check, None if even is None else crank_check(check.code, even))
         for check in found.checks
-        if check.code in decide
-        and check.torque_reserve is not None
-        and "satellite_coupling" in check.kind.inputs
+        if check.code in decide and check.by_torque and "satellite_coupling" in check.kind.inputs
     )

@@ -2,6 +2,7 @@
 
 from core.checks.check import Verdict
 from core.checks.largest_torque import crank_verdict
+from core.derived import if_known, is_known
 from core.design.document import Design, changed
 from core.design.results import Results
 from core.errors import InvalidInput
@@ -79,7 +80,7 @@ def usual_fit(design: Design) -> tuple[str, Results, Verdict] | None:
         The fit, the results with it and the verdict; None where the design has a clearance, or is
         beyond the sizes of the fit.
     """
-    if design.contact.clearance != 0:
+    if if_known(lambda: design.contact.clearance) != 0:
         return None
     try:
         name, clearance = usual_clearance(design)
@@ -102,7 +103,7 @@ def with_usual_clearance(design: Design) -> Design:
     Design
         As it is where it has a clearance, or none that is usual is known.
     """
-    if not design.clearance_unknown or design.contact.eccentricity is None:
+    if not (design.clearance_unknown and is_known(lambda: design.known_eccentricity)):
         return design
     try:
         return _cleared(design, usual_clearance(design)[1])

@@ -2,7 +2,7 @@
 verdict leaves out. Those of one check stand at its function.
 """
 
-from core.checks.part import PARTS
+from core.checks.crank_planetary import PARTS
 
 GROUPS = {
     "mechanism": "Mechanism",

@@ -13,6 +13,7 @@ import numpy as np
 
 from core.arrays import check_positive
 from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
+from core.errors import required
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
 from core.output.pin_turn import COARSEST, pin_turn
@@ -83,20 +84,49 @@ def unsupported_shares(*, kind: Bearing, elements: int | None) -> tuple[float, f
 
 @dataclass(frozen=True, slots=True)
 class PinRollers:
-    """Rollers on the pins: the one that is loaded most."""
+    """Rollers on the pins: the one that is loaded most. What rests on a rating or a speed that is
+    not given raises `NotKnown`.
+    """
 
-    speed: float | None  # n_s of the outer ring on its pin, rad/s, where the crank's is known
+    elements: Bearing  # what rolls
+    given_speed: float | None  # of the outer ring on its pin, rad/s, where the crank's is given
     peak_load: float  # F of a roller over the turn, N
     static_load: float  # the same at the peak torque, N
     equivalent_load: float  # <F^p>^(1/p) over the turn, N
-    dynamic_rating_as_roller: float | None  # C_w, N
-    static_rating_as_roller: float | None  # C_0w, N
-    life: float | None  # that 90 % of such rollers reach, s
-    static_safety_factor: float | None  # C_0w over the largest load at the peak torque
+    shares: tuple[float, float]  # what is left of both ratings
+    dynamic_rating: float | None  # C, N
+    static_rating: float | None  # C0, N
     satellite: int  # of the equivalent load, from 1
     pin: int  # from 1
     accuracy: Accuracy  # of the loads; of the life p times that
     notices: tuple[Notice, ...]
+
+    @property
+    def speed(self) -> float:
+        """n_s of the outer ring on its pin, rad/s."""
+        return required(self.given_speed, "speed_missing", "load.input_speed")
+
+    @property
+    def dynamic_rating_as_roller(self) -> float:
+        """C_w, N."""
+        return self.shares[0] * required(self.dynamic_rating, "rating_unknown")
+
+    @property
+    def static_rating_as_roller(self) -> float:
+        """C_0w, N."""
+        return self.shares[1] * required(self.static_rating, "rating_unknown")
+
+    @property
+    def life(self) -> float:
+        """Time that 90 % of such rollers reach, s."""
+        rating = self.dynamic_rating_as_roller
+        turns = 1e6 * rating_life(load=self.equivalent_load, rating=rating, kind=self.elements)
+        return float(turns * 2 * math.pi / self.speed)
+
+    @property
+    def static_safety_factor(self) -> float:
+        """C_0w over the largest load at the peak torque."""
+        return self.static_rating_as_roller / self.static_load
 
 
 @dataclass(frozen=True, slots=True)
@@ -223,29 +253,22 @@ def pin_rollers(
     if ratings == "bearing":
         shares = unsupported_shares(kind=elements, elements=rolling_elements)
         notices.append(Notice("outer_ring_not_supported", {"dynamic": shares[0]}))
-    dynamic, still = (
-        None if rating is None else share * rating
-        for share, rating in zip(shares, (dynamic_rating, static_rating), strict=True)
-    )
     peak, static, equivalent = (
         each / per_satellite for each in (loads.peak, static, loads.equivalent)
     )
-    speed = life = None
+    speed = None
     if input_speed is not None:
         check_positive(input_speed=input_speed)
         speed = input_speed * (1 + 1 / mechanism.ratio) * eccentricity / pin_radius
-        if dynamic is not None:
-            turns = 1e6 * rating_life(load=equivalent, rating=dynamic, kind=elements)
-            life = float(turns * 2 * math.pi / speed)
     return PinRollers(
-        speed=speed,
+        elements=elements,
+        given_speed=speed,
         peak_load=peak,
         static_load=static,
         equivalent_load=equivalent,
-        dynamic_rating_as_roller=dynamic,
-        static_rating_as_roller=still,
-        life=life,
-        static_safety_factor=None if still is None else still / static,
+        shares=shares,
+        dynamic_rating=dynamic_rating,
+        static_rating=static_rating,
         satellite=loads.satellite,
         pin=loads.pin,
         accuracy=loads.accuracy,

@@ -10,7 +10,6 @@ ring                its teeth or pins
 document            the design of these, paths in it, and the design with other values
 refusals            refusals of calculations with the section of the field
 real_forces         forces with clearance, deviations and elasticity, in each direction
-contact             the force at which a contact is at a limit
 output_forces       what the results below take of the forces on the output's pins
 pin_fatigue         what the fatigue of a pin is judged by
 ring_results        what follows about the ring

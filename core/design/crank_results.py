@@ -7,12 +7,11 @@ from typing import Any
 from core.crank.balance import Balance, balance
 from core.crank.crankshaft import Crankshaft, crankshaft
 from core.crank.satellite_bearing import SatelliteBearings, satellite_bearings
-from core.derived import derived
-from core.design.document import value_at
+from core.derived import derived, if_known
 from core.design.output_forces import OutputForces
 from core.design.refusals import named
 from core.design.ring_results import RingResults
-from core.errors import NotKnown, required
+from core.errors import NotKnown
 from core.output.real_mechanism import Deviations
 
 MOST_BEARING_PAIRS = 2000
@@ -87,7 +86,7 @@ class CrankResults:
         mesh, speeds = self.ring.force, self.design.known_speeds
         self.output.limit_pairs(MOST_BEARING_PAIRS)
         given = self.output.turning | self._on_shaft | {"input_speed": speeds.crank} | other
-        if own.bearings is not None:
+        if own.bearings:
             given |= {
                 "bearing_speeds": tuple(speeds.against(each.seat) for each in own.bearings),
                 "kinds": tuple(each.kind for each in own.bearings),
@@ -115,8 +114,7 @@ class CrankResults:
     def balance(self) -> Balance:
         """Balance of the crankshaft at its speed, whatever the forces are."""
         design, made = self.design, self.design.deviations or Deviations()
-        mass = "crankshaft.satellite_mass"
-        required(value_at(design, mass), "mass_unknown", mass)
+        _ = design.satellite_mass
         if any((*made.eccentricity, *made.crank_phase)):
             raise NotKnown("cranks_deviate")
         speed, eccentricity = design.known_speed, design.known_eccentricity
@@ -136,9 +134,9 @@ class CrankResults:
         """Centrifugal force of a satellite, N, which relieves its bearing; 0 where mass or speed is
         not known.
         """
-        shaft, speed = self.design.crankshaft, self.design.load.input_speed
-        mass = shaft.satellite_mass if shaft else None
-        eccentricity = self.design.contact.eccentricity
-        if mass is None or speed is None or eccentricity is None:
-            return 0.0
-        return mass * eccentricity * speed**2
+        return if_known(self._pull) or 0.0
+
+    def _pull(self) -> float:
+        """That force, as far as it is known."""
+        design = self.design
+        return design.satellite_mass * design.known_eccentricity * design.known_speed**2

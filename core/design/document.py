@@ -4,11 +4,12 @@ is the JSON pointer less the unit (`contact.pin_radius`).
 
 import math
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, TypeVar, cast
 
-from core.derived import if_known
+from core.derived import if_known, is_known
 from core.design.ring import CycloidRing, InvoluteRing, Ring, RingBody
 from core.design.sections import (
     Contact,
@@ -73,8 +74,18 @@ class NotGiven:
         raise NotKnown("section_missing", self.section)
 
 
-def _optional(section: str) -> Any:
-    """Default of a section that need not be given."""
+def not_given(section: str) -> Any:
+    """Default of a section that need not be given.
+
+    Parameters
+    ----------
+    section : str
+        Its path.
+
+    Returns
+    -------
+    NotGiven
+    """
     return NotGiven(section)
 
 
@@ -103,21 +114,21 @@ class Design:
     """
 
     mechanism: MechanismSection  # pins, satellites, cranks, ratio
-    load: Load = _optional("load")
-    contact: Contact = _optional("contact")
+    load: Load = not_given("load")
+    contact: Contact = not_given("contact")
     contact_law: ContactLaw | None = None
     deviations: Deviations | None = None
     crank_support: SatelliteSupport = RIGID_SUPPORT
     satellite_coupling: SatelliteSupport = RIGID_SUPPORT
-    pin: DesignPin = _optional("pin")  # how it is held, bends and breaks
-    fatigue: FatigueBasis = _optional("fatigue")  # what that of the pins is judged by
-    friction: Friction = _optional("friction")
-    rollers: Rollers = _optional("rollers")  # rolling bearings on the pins
-    gear: Ring = _optional("gear")  # teeth or pins of the ring
-    bearing: RollingBearing = _optional("bearing")  # of a satellite on its crank
-    crankshaft: Shaft = _optional("crankshaft")  # places of satellites and bearings
-    satellite_body: SatelliteBody = _optional("satellite_body")
-    temperatures: Temperatures = _optional("temperatures")
+    pin: DesignPin = not_given("pin")  # how it is held, bends and breaks
+    fatigue: FatigueBasis = not_given("fatigue")  # what that of the pins is judged by
+    friction: Friction = not_given("friction")
+    rollers: Rollers = not_given("rollers")  # rolling bearings on the pins
+    gear: Ring = not_given("gear")  # teeth or pins of the ring
+    bearing: RollingBearing = not_given("bearing")  # of a satellite on its crank
+    crankshaft: Shaft = not_given("crankshaft")  # places of satellites and bearings
+    satellite_body: SatelliteBody = not_given("satellite_body")
+    temperatures: Temperatures = not_given("temperatures")
     requirements: Requirements = Requirements()
 
     def __post_init__(self) -> None:
@@ -131,7 +142,7 @@ class Design:
         self._check_ring_pins()
         if self.bearing:
             self.bearing.check_sizes("bearing")
-        for index, each in enumerate((self.crankshaft and self.crankshaft.bearings) or ()):
+        for index, each in enumerate(self.crankshaft.bearings if self.crankshaft else ()):
             each.check_sizes(f"crankshaft.bearings[{index}]")
 
     def _check_places(self) -> None:
@@ -142,13 +153,10 @@ class Design:
         on_shaft = self.crankshaft.satellite_positions if self.crankshaft else ()
         if not (on_pins or on_shaft):
             return
-        width = self.contact.contact_length if self.contact else None
-        if self.pin and self.pin.contact_length is not None:
-            width = self.pin.contact_length
-        if width is not None:
+        with suppress(NotKnown):
             for section, places in (("pin", on_pins), ("crankshaft", on_shaft)):
                 name = f"{section}.satellite_positions"
-                check_apart(name=name, positions=places, width=width)
+                check_apart(name=name, positions=places, width=self.pin_length)
         if not on_pins or len(on_pins) != len(on_shaft):
             return
         away = [place - on_shaft[0] for place in on_shaft]
@@ -181,15 +189,18 @@ class Design:
         if places and len(places) != satellites:
             counts = {"expected": satellites, "actual": len(places)}
             raise InvalidInput("gear.satellite_positions", places, "different_length", **counts)
-        if (width := if_known(lambda: self.ring_length)) is not None:
+        with suppress(NotKnown):
+            width = self.ring_length
             check_apart(name="gear.satellite_positions", positions=places, width=width)
-        pins = if_known(lambda: self.ring_pins) if ring.every_second_pin else None
-        if pins is not None and pins % 2:
-            raise InvalidInput("gear.every_second_pin", True, "odd_ring_pins", pins=pins)
-        bore, radius = ring.sleeve_bore_radius, ring.ring_pin_radius
-        if bore is not None and radius is not None and not bore < radius:
-            than = {"field": "ring_pin_radius", "limit": radius}
-            raise InvalidInput("gear.sleeve_bore_radius", bore, "smaller_than", **than)
+        with suppress(NotKnown):
+            if ring.every_second_pin and self.ring_pins % 2:
+                pins = self.ring_pins
+                raise InvalidInput("gear.every_second_pin", True, "odd_ring_pins", pins=pins)
+        with suppress(NotKnown):
+            bore, radius = ring.sleeve_bore_radius, ring.known_pin_radius
+            if not bore < radius:
+                than = {"field": "ring_pin_radius", "limit": radius}
+                raise InvalidInput("gear.sleeve_bore_radius", bore, "smaller_than", **than)
 
     def _check_rollers(self) -> None:
         """Rollers fit onto their pins and are what touches the holes; no sleeve is beside them."""
@@ -217,11 +228,9 @@ class Design:
             raise InvalidInput(name, factor, "more_than_whole", limit=most)
 
     def _check_peak(self) -> None:
-        peak = self.load.peak_torque if self.load else None
-        if peak is None:
-            return
-        working = self.load.output_torque * self.load_factor
-        if peak < working * (1 - AS_TYPED):
+        if self.load and self.static_share < 1 - AS_TYPED:
+            working = self.load.output_torque * self.load_factor
+            peak = self.load.peak_torque
             raise InvalidInput("load.peak_torque", peak, "below_working", limit=working)
 
     @property
@@ -244,7 +253,7 @@ class Design:
             or gear.modification is None
         ):
             return False
-        known = self.touching and contact.clearance is not None and not self.clearance_unknown
+        known = self.touching and is_known(lambda: self.known_clearance)
         return known and not self.tied and contact.distribution_factor == 1
 
     @property
@@ -267,13 +276,11 @@ class Design:
         """Whether clearance, deviations, a law of contact or satellites that give are stated, or
         both meshes are in series.
         """
-        stated = (self.contact_law, self.output_deviations)
-        clearance = (self.contact.clearance or 0.0) if self.contact else 0.0
+        clearance = self.contact.play if self.contact else 0.0
         if self.touching and not self.clearance_unknown:
             clearance += self.roller_play
         given = clearance > 0 or self.support.first_order
-        given = given or any(each is not None for each in stated)
-        return given or self.in_series
+        return given or bool(self.contact_law or self.output_deviations) or self.in_series
 
     @property
     def output_deviations(self) -> Deviations | None:
@@ -348,7 +355,7 @@ class Design:
         against the ring, and against the satellite.
         """
         life = self.requirements.life
-        loads: dict[RingBody, tuple[ElasticMaterial | None, float | None]] = {
+        loads: dict[RingBody, tuple[ElasticMaterial | None, float]] = {
             "pin": (self.gear.of_ring, self.turns_over(life)),
             "disc": (self.disc_material, self.loads_over(life)),
         }
@@ -438,23 +445,26 @@ class Design:
     @property
     def rotor_mass(self) -> float:
         """Mass of all that turns with the crankshaft, as far as it is known, kg."""
-        shaft = self.crankshaft
-        if shaft.rotor_mass is not None:
-            return float(shaft.rotor_mass)
-        mass = required(shaft.satellite_mass, "mass_unknown", "crankshaft.satellite_mass")
-        return float(self.mechanism.satellites * mass)
+        mass = self.crankshaft.rotor_mass
+        return self.mechanism.satellites * self.satellite_mass if mass is None else mass
+
+    @property
+    def satellite_mass(self) -> float:
+        """Mass of a satellite with its bearing, which has to be given, kg."""
+        mass = self.crankshaft.satellite_mass if self.crankshaft else None
+        return required(mass, "mass_unknown", "crankshaft.satellite_mass")
 
     @property
     def known_eccentricity(self) -> float:
         """The eccentricity, which has to be given, m."""
-        eccentricity = self.contact.eccentricity if self.contact else None
-        return required(eccentricity, "eccentricity_assumed", "contact.eccentricity")
+        if not self.contact:
+            raise NotKnown("eccentricity_assumed", "contact.eccentricity")
+        return self.contact.known_eccentricity
 
     @property
     def known_clearance(self) -> float:
         """The clearance, which needs the eccentricity, m."""
-        name = "contact.eccentricity"
-        clearance = required(self.contact.clearance, "eccentricity_assumed", name)
+        clearance = self.contact.clearance
         if self.clearance_unknown:
             raise NotKnown("clearance_unknown", "contact.hole_clearance")
         return clearance
@@ -484,8 +494,7 @@ class Design:
     def known_speeds(self) -> MemberSpeeds:
         """These, which have to be given."""
         crank, load = self.known_speed, self.load
-        speeds = self.members.speeds(crank=crank, ring=load.ring_speed, carrier=load.carrier_speed)
-        return required(speeds, "speed_missing", "load.ring_speed")
+        return self.members.speeds(crank=crank, ring=load.ring_speed, carrier=load.carrier_speed)
 
     @property
     def turning_speed(self) -> float | None:
@@ -552,22 +561,21 @@ class Design:
             return built
         return replace(built, initial_crank_angle=built.initial_crank_angle + math.pi)
 
-    def turns_over(self, life: float) -> float | None:
+    def turns_over(self, life: float) -> float:
         """How often a pin of the ring is loaded over a life, s, once a turn of the crank against
-        the ring; None without a speed, or without an end.
+        the ring; infinite without a speed, or without an end.
         """
         return self._loads(life, 2 * math.pi)
 
-    def loads_over(self, life: float) -> float | None:
+    def loads_over(self, life: float) -> float:
         """How often a place of pin or hole is loaded over a life, s, once a turn of the satellite
-        against its crank; None without a speed, or without an end.
+        against its crank; infinite without a speed, or without an end.
         """
         return self._loads(life, self.mechanism.built.crank_angle_per_wave)
 
-    def _loads(self, life: float, angle: float) -> float | None:
+    def _loads(self, life: float, angle: float) -> float:
         """How often over a life, s, the crank turns by an angle, rad, against the ring."""
-        speed = self.turning_speed
-        return None if speed is None or math.isinf(life) else speed * life / angle
+        return (self.turning_speed or math.inf) * life / angle
 
     @cached_property
     def lasting(self) -> dict[Body, ElasticMaterial]:
@@ -619,21 +627,16 @@ class Design:
         return self.friction.coefficient if given else 0.0
 
     @property
-    def hole_friction(self) -> float | None:
-        """The same for plastics, of which it is that of `dry_friction` where none is given; None
-        where that is not known.
-        """
+    def hole_friction(self) -> float:
+        """The same for plastics, of which it is that of `dry_friction` where none is given."""
         dry = self.plastics and not (self.friction or self.sleeved or self.rollers)
         return self.dry_friction if dry else self.sliding_friction
 
     @property
-    def dry_friction(self) -> float | None:
-        """Largest friction coefficient that was seen of the plastics that touch, dry; None where it
-        is not known of one of them.
-        """
-        found = [each.friction for each in self.plastics.values()]
-        known = [each for each in found if each is not None]
-        return max(known, default=None) if len(known) == len(found) else None
+    def dry_friction(self) -> float:
+        """Largest friction coefficient that was seen of the plastics that touch, dry."""
+        lacks = ("friction_unknown", "friction.coefficient")
+        return max(required(each.friction, *lacks) for each in self.plastics.values())
 
     @cached_property
     def roots(self) -> tuple[float, float]:
@@ -652,21 +655,25 @@ class Design:
         return min(low, outer), min(high, outer)
 
     @property
-    def bore_radius(self) -> float | None:
+    def bore_radius(self) -> float:
         """Radius of a satellite's bore, or of the bearing in it, m."""
         given = self.satellite_body.bore_radius if self.satellite_body else None
-        outer = self.bearing.outer_diameter if self.bearing else None
-        return outer / 2 if given is None and outer is not None else given
+        if given is None:
+            outer = self.bearing.outer_diameter if self.bearing else None
+            return required(outer, "size_missing", "satellite_body.bore_radius") / 2
+        return given
 
     @property
-    def disc_distance(self) -> float | None:
+    def disc_distance(self) -> float:
         """Distance of a hole's axis from the nearest edge of the disc, its bore or the roots of its
-        teeth, over the hole's radius; None where neither is known.
+        teeth, over the hole's radius; infinite where neither is known.
         """
-        bore, (low, _) = self.bore_radius, self.roots
+        low, _ = self.roots
         circle, hole = self.load.pin_circle_radius, self.contact.pair.hole_radius
-        known = ([] if bore is None else [circle - bore]) + ([low - circle] if low else [])
-        return min(known) / hole if known else None
+        known = [low - circle] if low else []
+        with suppress(NotKnown):
+            known.append(circle - self.bore_radius)
+        return min(known, default=math.inf) / hole
 
     @property
     def wall_guide(self) -> float | None:
@@ -684,8 +691,10 @@ class Design:
     @property
     def pin_length(self) -> float:
         """Length of the contact along the pin, m."""
-        length = self.pin.contact_length
-        return self.contact.pair.contact_length if length is None else length
+        length = self.pin.contact_length if self.pin else None
+        if length is None:
+            length = required(self.contact.contact_length, "section_missing", "contact")
+        return length
 
     @property
     def sleeved(self) -> bool:

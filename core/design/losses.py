@@ -41,16 +41,11 @@ def made_losses(
     peak = largest / float(losses.peak_force)
     part = mean / float(losses.mean_total_force_ratio)
     share = (1 / float(losses.efficiency) - 1) / float(losses.mean_total_force_ratio)
-    pin, hole = (
-        None if each is None else each * peak for each in (losses.pin_wear, losses.hole_wear)
-    )
     error = turn.error + losses.accuracy.relative_error
     return replace(
         losses,
         peak_force=losses.peak_force * peak,
         peak_pv=losses.peak_pv * peak,
-        pin_wear=pin,
-        hole_wear=hole,
         mean_total_force_ratio=mean,
         mean_loss=losses.mean_loss * part,
         efficiency=1 / (1 + share * mean),
@@ -91,7 +86,6 @@ class LossResults:
         if not gear or gear.friction_coefficient is None:
             return output
         lost, power = self.ring.loss.mean_loss, self.output.member_loads.output_power
-        assert lost is not None and power is not None  # at a speed, which the output needs
         return 1 / (1 / output + lost / power)
 
     @property
@@ -108,7 +102,6 @@ class LossResults:
         design, friction, load = self.design, self.design.output_friction, self.design.load
         eccentricity, turns = design.known_eccentricity, self._turns
         speeds = design.known_speeds
-        life = design.life_of(friction)
         found = pin_losses(
             mechanism=design.driven,
             force_exponent=load.force_exponent,
@@ -122,7 +115,7 @@ class LossResults:
             distribution_factor=design.distribution_factor,
             rubbing=self._rubbing,
             wear_rate=friction.wear_rate,
-            life=None if friction.wear_rate is None else life,
+            life=design.life_of(friction),
             output_power=self.output.member_loads.output_power,
         )
         bare = design.sleeved and not friction.sleeve

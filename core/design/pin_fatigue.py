@@ -11,7 +11,7 @@ from core.output.pin_fatigue import FatigueStrength
 
 
 def fatigue_of(
-    *, design: Design, pin: DesignPin, loads: Callable[[float], float | None]
+    *, design: Design, pin: DesignPin, loads: Callable[[float], float]
 ) -> FatigueStrength:
     """What the fatigue of a pin is judged by.
 

@@ -8,10 +8,9 @@ from functools import cache, cached_property
 from typing import Any
 
 from core.arrays import Number
-from core.conformal import first_yield_factor
+from core.conformal import OVALS, disc_error, first_yield_factor
 from core.crank.pin_rollers import PinRollers, pin_rollers
 from core.derived import derived, if_known, is_known
-from core.design.contact import OVALS, disc_error, shakedown
 from core.design.crank_results import MOST_BEARING_PAIRS, CrankResults
 from core.design.document import Design, changed, value_at
 from core.design.losses import LossResults
@@ -21,7 +20,7 @@ from core.design.refusals import named
 from core.design.ring_results import RingResults
 from core.design.sections import DesignPin
 from core.errors import InvalidInput, NotKnown, required
-from core.first_yield import first_yield
+from core.first_yield import first_yield, shakedown
 from core.hertz import HertzContact, force_factor, hertz
 from core.materials import Body
 from core.output.contact_force import ContactForce, contact_force
@@ -201,7 +200,7 @@ class Results:
             eccentricity=eccentricity,
             contact_length=pair.contact_length,
             law=self.law,
-            clearance=design.contact.clearance or 0.0,
+            clearance=design.contact.play,
             pin_material=design.known_material("pin"),
             hole_material=design.known_material("hole"),
             pin=pin,
@@ -412,7 +411,7 @@ class Results:
     @derived
     def pin_loads(self) -> PinStrength:
         """Strength of the pins without their fatigue, with their deflection."""
-        return self.pin_stresses.strength(deflection=True)
+        return self.pin_stresses.strength()
 
     @derived
     def pin_strength(self) -> PinStrength:
@@ -421,22 +420,19 @@ class Results:
 
     def judged_pins(self, *, locus: bool = False) -> PinStrength:
         """The same, at will with the locus of the moment."""
-        found, notices = self.pin_loads, tuple[Notice, ...]()
-        fatigue: FatigueStrength | None = None
+        fatigue, notices = None, tuple[Notice, ...]()
         try:
             fatigue = self.fatigue_strength
         except NotKnown as why:
             if self.design.fatigue:
                 unknown = "notch_unknown" if why.code == "notch_unknown" else "endurance_unknown"
                 notices = (Notice(unknown),)
-        if locus or fatigue is not None:
-            found = self.pin_stresses.strength(
-                rotates=self.design.pin.rotates,
-                fatigue=fatigue,
-                input_speed=self.design.turning_speed,
-                deflection=True,
-                locus=locus,
-            )
+        found = self.pin_stresses.strength(
+            rotates=self.design.pin.rotates,
+            fatigue=fatigue,
+            input_speed=self.design.turning_speed,
+            locus=locus,
+        )
         if self.design.bolted:
             found = self._bolted(found)
         return replace(found, notices=notices + self.size_notices + found.notices)
@@ -464,14 +460,11 @@ class Results:
         """The same of a bolt through a spacer: what is held is squeezed besides."""
         if not self.grip.holds:
             return replace(found, bolt=self.grip, notices=(Notice("bolt_alone"), *found.notices))
-        static = found.static_stress + self.grip.squeeze
-        strength = self.design.pin.material.yield_strength
         return replace(
             found,
             bolt=self.grip,
             peak_equivalent_stress=found.peak_equivalent_stress + self.grip.squeeze,
-            static_stress=static,
-            static_safety_factor=None if strength is None else strength / static,
+            static_stress=found.static_stress + self.grip.squeeze,
         )
 
     @property
@@ -489,26 +482,25 @@ class Results:
         """Largest line load of a contact over the mean one of the largest force: by the slope of
         bent pins at that angle.
         """
-        judged, edge = self.judged_forces, self.edge
-        if edge is None:
+        judged = self.judged_forces
+        if not self.design.pin:
             return 1.0
+        edge = self.edge
         if isinstance(judged, RealForces):
             return edge.force / judged.force
         uneven = self.design.load_factor * self.design.distribution_factor
         return edge.force / (uneven * judged.peak_force)
 
     @derived
-    def sloping(self) -> SlopingContacts | None:
-        """The contacts of pins that slope; None without pins."""
-        if not self.design.pin:
-            return None
+    def sloping(self) -> SlopingContacts:
+        """The contacts of pins that slope."""
         stresses, length = self.pin_stresses, self.design.pair.contact_length
         return SlopingContacts(stresses.pin, stresses.loads, length, self.compliance)
 
     @derived
-    def edge(self) -> EdgeLoad | None:
-        """The contact with that line load; None without pins."""
-        return None if self.sloping is None else self.sloping.largest()
+    def edge(self) -> EdgeLoad:
+        """The contact with that line load."""
+        return self.sloping.largest()
 
     def contact_at(self, factor: float) -> HertzContact:
         """The contact under so many times its force."""
@@ -552,7 +544,7 @@ class Results:
         if strength is None:
             required(material.yield_strength, "yield_unknown", f"{name}.yield_strength", name)
             raise NotKnown("direction_unknown", f"{name}.layers", name)
-        friction = self.design.hole_friction or 0.0
+        friction = if_known(lambda: self.design.hole_friction) or 0.0
         ratio = float(material.poissons_ratio)
         factor = first_yield(poissons_ratio=ratio, friction=friction)
         if body == "hole" and contact.conformal_half_angle is not None:
@@ -567,27 +559,26 @@ class Results:
     @derived
     def contact_reserves(self) -> dict[str, float]:
         """Factors on the force of the contact under which it is at its limits, by the code of their
-        check, where its pressure is known. Ideal forces on level pins grow with the torque.
+        check, whose pressure has to be known. Ideal forces on level pins grow with the torque.
         """
-        contact = self.hertz
-        factors = dict[str, float]()
-        if contact.governing_pressure is not None:
-            largest = self.line_load_factor
-            for code, limit in self.pressure_limits.items():
-                factors[code] = force_factor(
-                    contact=contact,
-                    contact_at=lambda factor: self.contact_at(factor * largest),
-                    limit=limit,
-                )
-        return factors
+        contact, largest = self.hertz, self.line_load_factor
+        _ = contact.governing_pressure
+        return {
+            code: force_factor(
+                contact=contact,
+                contact_at=lambda factor: self.contact_at(factor * largest),
+                limit=limit,
+            )
+            for code, limit in self.pressure_limits.items()
+        }
 
     def disc_of(self, contact: HertzContact) -> Notice | None:
         """Whether the disc ends so near to its holes that the pressure of a contact is off by it,
         or is not known: of one that wraps around its pin.
         """
-        distance = self.design.disc_distance
-        if contact.conformal_pressure is None or distance is None:
+        if contact.conformal_pressure is None:
             return None
+        distance = self.design.disc_distance
         if distance < OVALS:
             return Notice("disc_ovals", {"distance": distance})
         error = disc_error(distance)
@@ -617,8 +608,9 @@ class Results:
     def peak(self) -> dict[str, float]:
         """Where the largest pressure is reached."""
         force = self.judged_forces
-        if edge := self.edge:
-            at: dict[str, float] = {"satellite": edge.satellite}
+        if self.design.pin:
+            edge, at = self.edge, dict[str, float]()
+            at["satellite"] = edge.satellite
             if edge.pin is not None:
                 at["pin"] = edge.pin
             if isinstance(force, RealForces) and at.items() <= force.place.items():
@@ -664,10 +656,9 @@ class Results:
     @property
     def rollers(self) -> "RollersOnPins":
         """The same with loss, clearance and tilt, as far as these are known."""
-        deflection = if_known(lambda: self.pin_loads.deflection)
         return RollersOnPins(
             loads=self.roller_loads,
             loss=if_known(lambda: float(self.losses.pins.mean_loss)),
             added_clearance=self.design.roller_play,
-            tilt=None if deflection is None else deflection.slope,
+            tilt=if_known(lambda: self.pin_loads.deflection.slope),
         )

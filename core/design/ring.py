@@ -140,7 +140,7 @@ class CycloidRing(AnyRing):
     pin_steel: bool = False
     pin_valid_diameter: float | None = None
     seat_stiffness: float = math.inf
-    sleeve_bore_radius: float | None = None  # of sleeves on the pins, m
+    sleeve_bore_radius: float = 0.0  # of sleeves on the pins, m; 0 without them
     rolling: bool = False  # whether rolling elements carry them
     tool_radius: float | None = None  # of what grinds or cuts the flanks of the discs, m
     every_second_pin: bool = False  # whether every second pin is left out
@@ -361,13 +361,13 @@ class InvoluteRing(AnyRing):
     @property
     def unknown_teeth(self) -> tuple[str, ...]:
         """What is not given of involute teeth, of which how they mesh hangs: paths of a design."""
-        heights = {
-            "gear.satellite_profile_shift": self.satellite_profile_shift,
-            "gear.ring_profile_shift": self.ring_profile_shift,
-            "gear.satellite_addendum": self.satellite_addendum or self.satellite_tip_radius,
-            "gear.ring_addendum": self.ring_addendum or self.ring_tip_radius,
+        ways = {
+            "gear.satellite_profile_shift": (self.satellite_profile_shift,),
+            "gear.ring_profile_shift": (self.ring_profile_shift,),
+            "gear.satellite_addendum": (self.satellite_addendum, self.satellite_tip_radius),
+            "gear.ring_addendum": (self.ring_addendum, self.ring_tip_radius),
         }
-        return tuple(name for name, value in heights.items() if value is None)
+        return tuple(name for name, own in ways.items() if all(each is None for each in own))
 
     def involute_teeth(self, *, satellite_teeth: int, ring_teeth: int) -> InvoluteTeeth:
         """Involute teeth of which all is given.
@@ -387,11 +387,7 @@ class InvoluteRing(AnyRing):
             If there is no such rack, or an addendum is none of `core.ring.involute.HEIGHTS`.
         """
         module, angle = self.module, self.reference_pressure_angle
-        given = {"satellite": self.satellite_profile_shift, "ring": self.ring_profile_shift}
-        shifts = {
-            body: required(shift, "teeth_not_judged", f"gear.{body}_profile_shift")
-            for body, shift in given.items()
-        }
+        shifts = {body: getattr(self, f"{body}_profile_shift") for body in ("satellite", "ring")}
         rack = rack_of(
             pressure_angle=angle, dedendum=self.dedendum, tip_radius=self.rack_tip_radius
         )

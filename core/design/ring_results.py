@@ -247,7 +247,6 @@ class RingResults:
         return self.pin_stresses.strength(
             rotates=self.design.cycloid.rotates,
             fatigue=if_known(lambda: self.pin_fatigue_strength),
-            deflection=True,
         )
 
     @property
@@ -279,10 +278,9 @@ class RingResults:
         return max(self._losses(torque), key=lambda each: each.loss_ratio)
 
     @derived
-    def pv(self) -> float | None:
+    def pv(self) -> float:
         """Largest product of pressure and sliding speed on the pins of the ring, Pa*m/s, of the
-        satellite with most of the torque where an uneven share is stated, in either direction; None
-        where no speed is known, or nothing slides.
+        satellite with most of the torque where an uneven share is stated, in either direction.
         """
         found = self._losses(self.design.pin_torque * self.design.ring_factor)
-        return max((each.peak_pv for each in found if each.peak_pv is not None), default=None)
+        return max(each.peak_pv for each in found)

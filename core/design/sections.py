@@ -10,7 +10,8 @@ from typing import Literal, NamedTuple, get_args
 from core.crank.balance import Counterweight
 from core.crank.bearing_life import Bearing
 from core.crank.pin_rollers import FRICTION, Ratings, RollerKind
-from core.errors import InvalidInput, required
+from core.derived import derived, if_known
+from core.errors import InvalidInput, NotKnown, required
 from core.fatigue import (
     NOTCH_STRENGTHS,
     SIZES,
@@ -48,7 +49,7 @@ PartName = Literal[
 ]
 
 PART_NAMES: tuple[PartName, ...] = get_args(PartName)
-"""Parts of a reducer: `core.checks.part`."""
+"""Parts of a reducer: `PARTS` of `core.checks.crank_planetary`."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -60,7 +61,7 @@ class MechanismSection:
     ratio: float  # u; infinite of a coupling
     output: Output = "pins"
     crank_spacing: float | None = None  # between neighbours, rad; None for an even spacing
-    crank_angles: tuple[float, ...] | None = None  # of each crank, rad, instead of a spacing
+    crank_angles: tuple[float, ...] = ()  # of each crank, rad, instead of a spacing
     initial_crank_angle: float = 0.0  # wave angle at crank angle 0, rad
     satellite_teeth: int | None = None  # z2
 
@@ -82,7 +83,7 @@ class MechanismSection:
 
 @lru_cache(maxsize=1024)
 def _built(given: MechanismSection) -> Mechanism:
-    if given.crank_angles is not None:
+    if given.crank_angles:
         return Mechanism(
             pins=given.pins,
             crank_angles=given.crank_angles,
@@ -170,17 +171,27 @@ class Contact:
         """Whether nothing is known of the clearance: none is stated, as of perfect parts, and the
         sizes leave none.
         """
-        return not (self.clearance_stated or self.clearance)
+        return not (self.clearance_stated or self.play)
 
-    @cached_property
-    def clearance(self) -> float | None:
+    @derived
+    def clearance(self) -> float:
         """Hole radius less pin radius and eccentricity, m: interference below 0, and 0 within
-        `core.precision.AS_TYPED`; None where they are not all given.
+        `core.precision.AS_TYPED`.
         """
-        if self.pin_radius is None or self.hole_radius is None or self.eccentricity is None:
-            return None
-        clearance = self.hole_radius - (self.pin_radius + self.eccentricity)
-        return felt(clearance=clearance, hole_radius=self.hole_radius)
+        pin = required(self.pin_radius, "section_missing", "contact")
+        hole = required(self.hole_radius, "section_missing", "contact")
+        clearance = hole - (pin + self.known_eccentricity)
+        return felt(clearance=clearance, hole_radius=hole)
+
+    @property
+    def play(self) -> float:
+        """The same where it is known, else 0, m."""
+        return if_known(lambda: self.clearance) or 0.0
+
+    @property
+    def known_eccentricity(self) -> float:
+        """The eccentricity, which has to be given, m."""
+        return required(self.eccentricity, "eccentricity_assumed", "contact.eccentricity")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -521,8 +532,8 @@ class Rollers:
     dynamic_rating: float | None = None  # C of one, N
     static_rating: float | None = None  # C0, N
     rolling_elements: int | None = None  # Z
-    max_radial_load: float | None = None  # F_r that its maker allows, N
-    max_static_radial_load: float | None = None  # F_0r likewise, N
+    max_radial_load: float = math.inf  # F_r that its maker allows, N; infinite where not given
+    max_static_radial_load: float = math.inf  # F_0r likewise, N
     radial_clearance: float | None = None  # G_r
     friction_coefficient: float | None = None  # mu_b, at the bore
     limiting_speed: float | None = None  # of the outer ring on the pin, rad/s
@@ -657,8 +668,8 @@ class Shaft:
         Masses on the shaft besides them.
     rotor_mass : float or None
         Mass of all that turns with the shaft, kg; that of the satellites where not given.
-    bearings : tuple of RollingBearing or None
-        Both bearings, where they are given.
+    bearings : tuple of RollingBearing
+        Both bearings; none where they are not given.
     """
 
     satellite_positions: tuple[float, ...]
@@ -666,6 +677,13 @@ class Shaft:
     satellite_mass: float | None = None
     counterweights: tuple[Counterweight, ...] = ()
     rotor_mass: float | None = None
-    bearings: tuple[RollingBearing, RollingBearing] | None = None
+    bearings: tuple[RollingBearing, ...] = ()
     eccentric_diameter: float | None = None  # of the crank in its bearing, m
     shaft_diameter: float | None = None  # between the cranks, m
+
+    @property
+    def known_bearings(self) -> tuple[RollingBearing, ...]:
+        """Both bearings, which have to be given."""
+        if not self.bearings:
+            raise NotKnown("rating_unknown", "crankshaft.bearings")
+        return self.bearings

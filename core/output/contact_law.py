@@ -182,7 +182,7 @@ class PinSupport(Pins):
 
     @property
     def bends(self) -> bool:
-        """Whether no ring joins them."""
+        """Whether each bends for itself: no tie ring joins them."""
         return not self.tied
 
     @property

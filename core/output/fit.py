@@ -1,12 +1,14 @@
 """Whether a mechanism goes together and turns, and what of a misfit its elasticity takes up."""
 
 import math
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property, partial
 from itertools import chain
 from typing import Literal
 
-from core.errors import ImpossibleMechanism
+from core.derived import if_known
+from core.errors import ImpossibleMechanism, NotKnown
 from core.hertz import force_factor
 from core.output.contact_kernel import alone
 from core.output.real_mechanism import RealMechanism
@@ -118,9 +120,10 @@ class Fit:
         """Force of each pair under which the pressure is at what the weaker body stands at rest, N,
         satellite by satellite; none where that is known of neither.
         """
-        real = self.real
-        limits = [real.pin_material.elastic_pressure, real.hole_material.elastic_pressure]
-        known = [each for each in limits if each is not None]
+        real, known = self.real, list[float]()
+        for material in (real.pin_material, real.hole_material):
+            with suppress(NotKnown):
+                known.append(material.elastic_pressure)
         if not known:
             return ()
         found: dict[tuple[float, float], float] = {}
@@ -212,7 +215,9 @@ class Fit:
             limit=limit,
             limit_force=force,
             force_without_load=max(forces, default=None),
-            pressure_without_load=self.real.hardest(forces).governing_pressure if forces else None,
+            pressure_without_load=if_known(lambda: self.real.hardest(forces).governing_pressure)
+            if forces
+            else None,
         )
 
     def refusal(self) -> ImpossibleMechanism:
@@ -222,10 +227,8 @@ class Fit:
         -------
         ImpossibleMechanism
         """
-        room, where, pair = self.room, {}, Binding(1, 1, "radial")  # where all do alike: any
-        if room.crank_angle is not None:
-            where = {"crank_angle": room.crank_angle}
-            (pair, *_) = room.binding
+        room, where = self.room, self.room.where
+        (pair, *_) = room.binding if where else (Binding(1, 1, "radial"),)  # all alike: any
         return ImpossibleMechanism(
             "cannot_assemble",
             where,

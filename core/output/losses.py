@@ -14,6 +14,7 @@ from functools import cached_property, lru_cache
 import numpy as np
 
 from core.arrays import FloatArray, Number, check_not_negative, check_positive, every, refuse
+from core.errors import NotKnown, required
 from core.numerics.extremes import zoom
 from core.numerics.quadrature import tanh_sinh_rule
 from core.output.contact_force import force_peak
@@ -272,7 +273,7 @@ class BarePins:
         """Of sleeves against their pins, rad/s, by the speed of a pin in its hole, m/s."""
         return None
 
-    def hole_wear(self, worn: Number) -> Number | None:
+    def hole_wear(self, worn: Number) -> Number:
         """Depth of wear of the hole by its area of wear, m^2."""
         return worn / self.hole_radius
 
@@ -296,9 +297,9 @@ class Sleeves:
         """As fast as the sleeve rolls."""
         return sliding / pin_radius
 
-    def hole_wear(self, worn: Number) -> Number | None:
-        """None: nothing slides there."""
-        return None
+    def hole_wear(self, worn: Number) -> Number:
+        """Nothing slides there: not known."""
+        raise NotKnown("wear_unknown")
 
 
 @dataclass(frozen=True, slots=True)
@@ -317,13 +318,32 @@ class PinLosses:
     peak_force: Number  # N
     peak_pv: Number  # pressure on projected area times speed, under the largest force, Pa*m/s
     mean_pv: Number  # the same under the mean force of all pairs over the turn, Pa*m/s
-    pin_wear: Number | None  # depth where it is deepest, m, where wear rate and life are given
-    hole_wear: Number | None  # the same, without sleeves only, in which pins roll
     # Couple of the friction over the output torque, which it helps to carry: about the share by
     # which the loss is too large.
     friction_couple: Number
+    wear_rate: Number | None  # k, m^2/N, where it is given
+    rubbed: Number  # way that rubs over the life, over 2*pi and the length of the contact
+    pin_radius: Number  # that touches the hole, m
+    rubbing: BarePins | Sleeves  # bare pins in their holes, or on sleeves
     accuracy: Accuracy
     notices: tuple[Notice, ...]  # that the pressure is not that of a bush
+
+    @property
+    def pin_wear(self) -> Number:
+        """Depth of wear of the pin where it is deepest, m; `NotKnown` without a wear rate."""
+        return self._worn / self.pin_radius
+
+    @property
+    def hole_wear(self) -> Number:
+        """The same of the hole; `NotKnown` of sleeves, which roll in it."""
+        return self.rubbing.hole_wear(self._worn)
+
+    @property
+    def _worn(self) -> Number:
+        """Area that is worn away under the largest force, m^2."""
+        rate = required(self.wear_rate, "wear_unknown", "friction.wear_rate")
+        check_not_negative(wear_rate=rate)
+        return rate * self.peak_force * self.rubbed
 
 
 def pin_losses(
@@ -340,7 +360,7 @@ def pin_losses(
     rubbing: BarePins | Sleeves,
     distribution_factor: Number = 1.0,
     wear_rate: Number | None = None,
-    life: Number | None = None,
+    life: Number = math.inf,
     output_power: Number | None = None,
 ) -> PinLosses:
     """Sliding speed, loss, efficiency, pv and wear of the pins in the holes.
@@ -382,8 +402,8 @@ def pin_losses(
         largest; the loss is that of all forces together.
     wear_rate : float or array, optional
         Wear rate k: volume over force and distance, m^2/N.
-    life : float or array, optional
-        Time in which it wears, s.
+    life : float or array
+        Time in which it wears, s, >= 0.
     output_power : float or array, optional
         Power of the output, W, > 0; ``T*w_in/u``, that of the pins, where not given.
 
@@ -425,7 +445,9 @@ def pin_losses(
         contact_length=contact_length,
         distribution_factor=distribution_factor,
     )
-    check_not_negative(friction_coefficient=friction_coefficient, input_speed=input_speed)
+    check_not_negative(
+        friction_coefficient=friction_coefficient, input_speed=input_speed, life=life
+    )
     slows = rubbing.slowed(pin_radius)
     total = total_force(mechanism=mechanism, force_exponent=force_exponent)
     peak = force_peak(mechanism, force_exponent)
@@ -443,12 +465,6 @@ def pin_losses(
         share = loss / output_power
     peak_force = distribution_factor * reference * peak.peak_force_ratio
     pv = sliding / (2 * pin_radius * contact_length)
-    worn = hole_worn = None
-    if wear_rate is not None and life is not None:
-        check_not_negative(wear_rate=wear_rate, life=life)
-        turns = relative_speed * life / (2 * math.pi)
-        worn = wear_rate * peak_force * eccentricity * turns / contact_length
-        worn, hole_worn = worn / pin_radius, rubbing.hole_wear(worn)
     error = max(total.accuracy.relative_error, peak.accuracy.relative_error) + 24 * ROUNDING
     accuracy = Accuracy(total.accuracy.method, error, total.accuracy.evaluations)
     return PinLosses(
@@ -464,8 +480,10 @@ def pin_losses(
         peak_force=peak_force,
         peak_pv=pv * peak_force,
         mean_pv=pv * reference * (total.mean / (mechanism.pins * mechanism.satellites)),
-        pin_wear=worn,
-        hole_wear=hole_worn,
+        wear_rate=wear_rate,
+        rubbed=sliding * life / (2 * math.pi) / contact_length,
+        pin_radius=pin_radius,
+        rubbing=rubbing,
         friction_couple=friction_coefficient
         * slows
         * (pin_radius / pin_circle_radius)

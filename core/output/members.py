@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from core.arrays import Number
+from core.errors import required
 from core.precision import ROUNDING
 from core.results import Accuracy
 
@@ -64,20 +65,49 @@ class MemberSpeeds:
 @dataclass(frozen=True, slots=True)
 class MemberLoads:
     """Torques on the members from outside, and the power that enters by each, without losses; under
-    the torque in its driving sense.
+    the torque in its driving sense. Without speeds the powers raise `NotKnown`.
     """
 
     output_ratio: float | None  # i = w_1/w_out, negative where they turn apart; None of both
     pin_torque: float  # T_c, N*m, as all torques positive in the sense of the crank
     crank_torque: float  # T_1, N*m
     ring_torque: float  # T_r, N*m
-    speeds: MemberSpeeds | None = None  # where they are known
-    crank_power: float | None = None  # W
-    carrier_power: float | None = None  # W, negative where it leaves
-    ring_power: float | None = None  # W
-    power_balance: float | None = None  # sum of the powers, W: 0 but for rounding
-    output_power: float | None = None  # that leaves, W
+    given_speeds: MemberSpeeds | None = None  # of all members, where one is known
     accuracy: Accuracy = CLOSED
+
+    @property
+    def speeds(self) -> MemberSpeeds:
+        """Those of the members."""
+        return required(self.given_speeds, "speed_missing", "load.input_speed")
+
+    @property
+    def crank_power(self) -> float:
+        """By the crank, W."""
+        return self.crank_torque * self.speeds.crank
+
+    @property
+    def carrier_power(self) -> float:
+        """By the pins, W, negative where it leaves."""
+        return self.pin_torque * self.speeds.carrier
+
+    @property
+    def ring_power(self) -> float:
+        """By the ring, W."""
+        return self.ring_torque * self.speeds.ring
+
+    @property
+    def power_balance(self) -> float:
+        """Sum of the powers, W: 0 but for rounding."""
+        return math.fsum(self._powers)
+
+    @property
+    def output_power(self) -> float:
+        """That leaves, W."""
+        return -math.fsum(min(each, 0.0) for each in self._powers)
+
+    @property
+    def _powers(self) -> tuple[float, float, float]:
+        return self.crank_power, self.carrier_power, self.ring_power
 
 
 @dataclass(frozen=True, slots=True)
@@ -145,7 +175,7 @@ class Members:
 
     def speeds(
         self, *, crank: float, ring: float | None = None, carrier: float | None = None
-    ) -> MemberSpeeds | None:
+    ) -> MemberSpeeds:
         """Speeds of all members.
 
         Parameters
@@ -157,8 +187,12 @@ class Members:
 
         Returns
         -------
-        MemberSpeeds or None
-            None where both are the output and no speed of them is given.
+        MemberSpeeds
+
+        Raises
+        ------
+        NotKnown
+            Where both are the output and no speed of them is given.
 
         Examples
         --------
@@ -174,9 +208,8 @@ class Members:
             carrier = 0.0
         if ring is not None:
             return MemberSpeeds(crank, ((u + 1) * ring - crank) / u, ring)
-        if carrier is not None:
-            return MemberSpeeds(crank, carrier, (crank + u * carrier) / (u + 1))
-        return None
+        own = required(carrier, "speed_missing", "load.ring_speed")
+        return MemberSpeeds(crank, own, (crank + u * own) / (u + 1))
 
     def loads(self, *, output_torque: float, speeds: MemberSpeeds | None = None) -> MemberLoads:
         """Torques and powers of all members.
@@ -204,16 +237,4 @@ class Members:
             pins = -pins
         crank = pins / self.ratio
         ring = -(pins + crank)
-        if speeds is None:
-            return MemberLoads(self.output_ratio, pins, crank, ring)
-        powers = crank * speeds.crank, pins * speeds.carrier, ring * speeds.ring
-        return MemberLoads(
-            self.output_ratio,
-            pins,
-            crank,
-            ring,
-            speeds,
-            *powers,
-            power_balance=math.fsum(powers),
-            output_power=-math.fsum(min(each, 0.0) for each in powers),
-        )
+        return MemberLoads(self.output_ratio, pins, crank, ring, speeds)

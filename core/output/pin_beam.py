@@ -75,7 +75,7 @@ class PinBeam:
     contact_length: Number  # b of each load, m, > 0
     rigidity: Number  # E*I, N*m^2, > 0
     shear_area: Number  # k*E*I/(G*A), m^2, > 0: what shear adds
-    span: Number = None  # L of the two supports, m; None of a cantilever
+    span: Number = math.inf  # L of the two supports, m; infinite of a cantilever
 
     @classmethod
     def round(
@@ -86,7 +86,7 @@ class PinBeam:
         contact_length: Number,
         youngs_modulus: Number,
         poissons_ratio: Number,
-        span: Number | None = None,
+        span: Number = math.inf,
         bore_diameter: Number = 0.0,
     ) -> "PinBeam":
         """A pin of one diameter.
@@ -103,8 +103,8 @@ class PinBeam:
             Young's modulus E, Pa, > 0.
         poissons_ratio : float or array
             Poisson's ratio.
-        span : float or array, optional
-            Distance L of the two supports, m, > 0; needed but for a cantilever.
+        span : float or array
+            Distance L of the two supports, m, > 0; not of a cantilever.
         bore_diameter : float or array
             Diameter of its bore, m, from 0 on, smaller than d.
 
@@ -113,10 +113,11 @@ class PinBeam:
         PinBeam
         """
         check_positive(
-            diameter=diameter, contact_length=contact_length, youngs_modulus=youngs_modulus
+            diameter=diameter,
+            contact_length=contact_length,
+            youngs_modulus=youngs_modulus,
+            span=span,
         )
-        if span is not None:
-            check_positive(span=span)
         section = PinSection(diameter, bore_diameter)
         # I/A = (d^2 + d_i^2)/16, E/G = 2*(1 + v)
         turned = section.shear_coefficient(poissons_ratio) * (1 + poissons_ratio)
@@ -126,7 +127,7 @@ class PinBeam:
     @property
     def rooted(self) -> bool:
         """Whether nothing holds its other end."""
-        return self.span is None
+        return self.support == "cantilever"
 
     def _integral(self, times: Literal[1, 2, 3, 4], x: Number, z: Number) -> Number:
         """Integral of the load from 0 to x, so many times."""

@@ -56,7 +56,7 @@ def pin_fit(
     pin_radius: float,
     hole_radius: float,
     eccentricity: float | None = None,
-    pin_circle_radius: float | None = None,
+    pin_circle_radius: float = math.inf,
 ) -> PinFit:
     """How pins and holes fit: clearance ``r_out - r_in - e``, and what is left between neighbours.
 
@@ -111,11 +111,8 @@ def pin_fit(
     check_positive(eccentricity=eccentricity)
     tolerance = AS_TYPED * hole_radius
     clearance = felt(clearance=hole_radius - pin_radius - eccentricity, hole_radius=hole_radius)
-    apart = math.inf
-    if pin_circle_radius is not None:
-        check_positive(pin_circle_radius=pin_circle_radius)
-        if pins > 1:
-            apart = 2 * pin_circle_radius * math.sin(math.pi / pins)
+    check_positive(pin_circle_radius=pin_circle_radius)
+    apart = 2 * pin_circle_radius * math.sin(math.pi / pins) if pins > 1 else math.inf
     between_holes, between_pins = apart - 2 * hole_radius, apart - 2 * pin_radius
 
     strained = {

@@ -7,6 +7,7 @@ section's edge goes from ``-h(chi + pi)/W`` to ``h(chi)/W``, ``W = pi*d^3/32`` o
 """
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
@@ -14,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from core.arrays import FloatArray, check_positive, check_single
-from core.errors import InvalidInput
+from core.errors import InvalidInput, required
 from core.fatigue import LOW_CYCLES
 from core.materials import ElasticMaterial
 from core.output.contact_force import force_peak
@@ -75,9 +76,9 @@ class PinStrength:
     peak_shear_stress: float  # largest, 4/3 of its mean, Pa
     peak_equivalent_stress: float  # largest of any section (Mises), Pa
     static_stress: float  # the same under the peak torque, Pa
-    static_safety_factor: float | None  # Re over it, where that is known
-    fatigue: PinFatigue | None  # the worst stress cycle, where asked
-    deflection: PinDeflection | None  # where asked
+    yield_strength: float | None  # Re of the pin, Pa, where it is known
+    cycle: PinFatigue | None  # the worst stress cycle, where asked
+    deflection: PinDeflection  # largest in each satellite, and slopes
     # Of the section of the worst cycle, else of the largest moment, where it was asked.
     locus: MomentLocus | None
     pin: int  # the pin of which it is, from 1; those of an ideal mechanism are alike
@@ -88,6 +89,16 @@ class PinStrength:
     accuracy: Accuracy
     notices: tuple[Notice, ...]
     bolt: Grip | None = None  # and its spacer, where the pin is one
+
+    @property
+    def static_safety_factor(self) -> float:
+        """Re over the largest stress under the peak torque; `NotKnown` without it."""
+        return required(self.yield_strength, "yield_unknown") / self.static_stress
+
+    @property
+    def fatigue(self) -> PinFatigue:
+        """The worst stress cycle; `NotKnown` where nothing is known of it."""
+        return required(self.cycle, "endurance_unknown")
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,7 +126,6 @@ class PinStresses:
         rotates: bool = False,
         fatigue: FatigueStrength | None = None,
         input_speed: float | None = None,
-        deflection: bool = False,
         locus: bool = False,
     ) -> PinStrength:
         """Strength by these stresses.
@@ -129,8 +139,8 @@ class PinStresses:
             What its fatigue is judged by.
         input_speed : float, optional
             Speed w_in of the crank, rad/s, > 0, for the life.
-        deflection, locus : bool
-            Whether the deflection, or the locus of the moment, is wanted.
+        locus : bool
+            Whether the locus of the moment is wanted.
 
         Returns
         -------
@@ -145,7 +155,8 @@ class PinStresses:
         cycle, seen, chi = None, worst.place, None
         notices: list[Notice] = []
         if fatigue is not None:
-            worst, cycle = _fatigue(pin, found, fatigue, rotates)
+            cycles = _cycles(pin, found, fatigue, rotates)
+            worst, cycle = min(cycles, key=lambda each: each[1].safety_factor)
             seen, chi = cycle.position, cycle.direction
             notices += cycle.notices
             if cycle.cycles is not None:
@@ -158,7 +169,6 @@ class PinStresses:
         if isinstance(pin, TiedPin) and pin.ring.joint == "pinned":
             notices.append(Notice("ring_clearance_left_out"))
         accuracy = Accuracy(self.method, self.error, self.evaluations)
-        strength = self.material.yield_strength
         return PinStrength(
             peak_force=float(max(each.forces.max() for each in found)),
             peak_moment=bent.bent * pin.modulus,
@@ -168,9 +178,9 @@ class PinStresses:
             peak_shear_stress=4 / 3 * mean_shear,
             peak_equivalent_stress=most,
             static_stress=static,
-            static_safety_factor=None if strength is None else strength / static,
-            fatigue=cycle,
-            deflection=_deflection(found) if deflection else None,
+            yield_strength=self.material.yield_strength,
+            cycle=cycle,
+            deflection=_deflection(found),
             locus=_locus(pin, worst.loads, mechanism, seen, chi) if locus else None,
             pin=worst.loads.pin,
             tie_ring=self.tie_ring,
@@ -280,7 +290,7 @@ def pin_stresses(
         contact_length=contact_length,
         youngs_modulus=material.youngs_modulus,
         poissons_ratio=material.poissons_ratio,
-        span=span if support != "cantilever" else None,
+        span=span if support != "cantilever" else math.inf,
     )
     _check_positions(mechanism, satellite_positions, beam)
     pin = LoadedPin(beam, diameter, np.array(satellite_positions), bore_diameter)
@@ -339,7 +349,6 @@ def pin_strength(
     rotates: bool = False,
     fatigue: FatigueStrength | None = None,
     input_speed: float | None = None,
-    deflection: bool = False,
     locus: bool = False,
     **loaded: Any,
 ) -> PinStrength:
@@ -354,8 +363,8 @@ def pin_strength(
         What its fatigue is judged by.
     input_speed : float, optional
         Speed w_in of the crank, rad/s, > 0, for the life.
-    deflection, locus : bool
-        Whether the deflection, or the locus of the moment, is wanted.
+    locus : bool
+        Whether the locus of the moment is wanted.
     **loaded
         What `pin_stresses` takes.
 
@@ -386,7 +395,6 @@ def pin_strength(
         rotates=rotates,
         fatigue=fatigue,
         input_speed=input_speed,
-        deflection=deflection,
         locus=locus,
     )
 
@@ -450,11 +458,13 @@ def _stresses(pin: LoadedPin, loads: PinLoads, beyond: float) -> _Stresses:
     )
 
 
-def _fatigue(
+def _cycles(
     pin: LoadedPin, cases: list[_Stresses], strength: FatigueStrength, rotates: bool
-) -> tuple[_Stresses, PinFatigue]:
-    """The worst cycle of all cases; none is worse than its largest stress, fully reversed."""
-    worst, least = list[tuple[_Stresses, PinFatigue]](), math.inf  # safety factor
+) -> Iterator[tuple[_Stresses, PinFatigue]]:
+    """Cycles of cases of which one may be the worst; none is worse than its largest stress, fully
+    reversed.
+    """
+    least = math.inf  # safety factor
     for case in sorted(cases, key=lambda each: -each.bent):
         reversed_use = strength.utilisation(case.bent, 0.0)
         if reversed_use * least <= 1:
@@ -470,9 +480,8 @@ def _fatigue(
                 top, bottom, seen, angle = seen_cycle
             chi = _turned(angle)
         cycle = judged(strength=strength, direction=chi, position=seen, largest=top, least=bottom)
-        if not worst or cycle.safety_factor < least:
-            worst, least = [(case, cycle)], cycle.safety_factor
-    return worst[0]
+        least = min(least, cycle.safety_factor)
+        yield case, cycle
 
 
 def _check_positions(mechanism: Mechanism, positions: tuple[float, ...], beam: PinBeam) -> None:

@@ -92,6 +92,11 @@ class TurnRoom:
     crank_angle: float | None  # where it is least, rad; None where it is the same at all
     binding: tuple[Binding, ...]  # the pairs that limit it there; none where all do alike
 
+    @property
+    def where(self) -> dict[str, float]:
+        """That crank angle by its name; nothing where it is the same at all."""
+        return {} if self.crank_angle is None else {"crank_angle": self.crank_angle}
+
 
 class _Extreme(NamedTuple):
     """A largest or least value over the turn."""

@@ -48,7 +48,8 @@ class Rack:
         return land * math.cos(self.pressure_angle) / (1 - math.sin(self.pressure_angle))
 
     def form_roll(self, *, teeth: int, shift: Number) -> Number:
-        """Roll angle from which on the satellite's flank is an involute; below 0 it is undercut.
+        """Roll angle from which on the satellite's flank is an involute, rad; below 0 it is
+        undercut.
 
         ``tan(alpha_F) = tan(alpha) - 4*(h' - x_s)/(z_s*sin(2*alpha))``, h' how far the rack is
         straight.
@@ -63,6 +64,7 @@ class Rack:
         Returns
         -------
         float or array
+            rad.
         """
         alpha = self.pressure_angle
         return math.tan(alpha) - 4 * (self.straight - shift) / (teeth * math.sin(2 * alpha))
@@ -258,7 +260,7 @@ class RingFlank(NamedTuple):
     """A flank of the ring as it is made."""
 
     root: float  # r_fr, m
-    form_roll: float  # roll angle up to which it is an involute: all along without a cutter
+    form_roll: float  # roll angle up to which it is an involute, rad; infinite without a cutter
 
 
 @dataclass(frozen=True)
@@ -304,7 +306,7 @@ class InvolutePair:
 
     @property
     def form_roll_satellite(self) -> float:
-        """Roll angle from which on the satellite's flank is an involute; below 0: undercut."""
+        """Roll angle from which on the satellite's flank is an involute, rad; below 0: undercut."""
         shift = self.teeth.satellite_profile_shift
         return float(self.teeth.rack.form_roll(teeth=self.teeth.satellite_teeth, shift=shift))
 
@@ -326,7 +328,7 @@ class InvolutePair:
 
     @property
     def form_roll_ring(self) -> float | None:
-        """Roll angle of the ring up to which its flank is an involute; None without a cutter."""
+        """Roll angle of the ring up to which its flank is one, rad; None without a cutter."""
         return self.ring_flank.form_roll if self.ring_flank.form_roll < math.inf else None
 
     @cached_property
@@ -342,12 +344,16 @@ class InvolutePair:
         return bool(self.crossing.overlap)
 
     def tips_apart(self, room: float) -> bool:
-        """Whether the tip circles cross, and the tips leave so much room there.
+        """Whether the tip circles cross, and the tips leave so much room where they do.
 
         Parameters
         ----------
         room : float
-            Interference G that is to be left.
+            Least `tip_interference`, dimensionless.
+
+        Returns
+        -------
+        bool
         """
         return float(self.crossing.interference) >= room
 

@@ -324,18 +324,13 @@ def involute_loss(
     """
     each = mean_loss_ratio(pair=pair, friction=1.0)
     lost, teeth = friction * each, pair.teeth
-    mean_loss = None
-    if input_speed is not None:
-        turning = input_speed * teeth.difference / teeth.satellite_teeth
-        mean_loss = lost * (turning * output_torque)
     return RingLoss(
         loss_per_friction=each,
         loss_ratio=lost,
         efficiency=1 / (1 + lost),
         loss_error=float(pair.accuracy.relative_error),
-        mean_loss=mean_loss,
-        peak_pv=None,
-        ideal_loss_ratio=None,
+        lost_torque=lost * output_torque * teeth.difference / teeth.satellite_teeth,
+        input_speed=input_speed,
     )
 
 

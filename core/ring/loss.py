@@ -7,9 +7,10 @@ as much slower as its bore is smaller. Friction does not change the forces here.
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 from core.arrays import check_positive, check_single
-from core.errors import InvalidInput
+from core.errors import InvalidInput, NotKnown, required
 from core.ring.profile import CycloidDisc
 from core.ring.sharing import MeshTurn
 
@@ -19,7 +20,7 @@ class RingFriction:
     """What slides on the ring's pins."""
 
     coefficient: float  # mu, >= 0
-    sleeve_bore_radius: float | None = None  # r_i of sleeves on the pins, m, < r
+    sleeve_bore_radius: float = 0.0  # r_i of sleeves on the pins, m, < r; 0 without them
     rolling: bool = False  # whether rolling elements carry the sleeves: nothing slides
 
 
@@ -49,7 +50,7 @@ def sliding_part(*, disc: CycloidDisc, friction: RingFriction) -> float:
     bore = friction.sleeve_bore_radius
     if friction.rolling:
         return 0.0
-    if bore is None:
+    if bore == 0:
         return 1.0
     check_positive(sleeve_bore_radius=bore)
     if not bore < disc.ring_pin_radius:
@@ -66,11 +67,45 @@ class RingLoss:
     loss_ratio: float  # loss over output, mean over the turn
     efficiency: float  # of the mesh alone
     loss_error: float  # estimate of the error of both, over the loss
-    mean_loss: float | None  # W, where the speed is known
-    # Largest product of pressure and sliding speed, Pa*m/s: of a sleeve's bore by its projected
-    # area, of a contact by the mean of its Hertz pressure; where the speed is known.
-    peak_pv: float | None
-    ideal_loss_ratio: float | None  # of perfect parts on many pins, where no pin reaches its pole
+    lost_torque: float  # loss over the speed of the crank, N*m
+    input_speed: float | None  # of the crank, rad/s, where it is known
+    ideal_loss_ratio: float | None = None  # on many perfect pins, none of which reaches its pole
+
+    @property
+    def speed(self) -> float:
+        """That speed, which has to be known, whatever its sign."""
+        return abs(required(self.input_speed, "speed_missing"))
+
+    @property
+    def mean_loss(self) -> float:
+        """Power that friction takes, W."""
+        return self.lost_torque * self.speed
+
+    @property
+    def peak_pv(self) -> float:
+        """Largest product of pressure and sliding speed, Pa*m/s; not known of flanks, and of
+        sleeves that roll.
+        """
+        raise NotKnown("no_bush")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SlidingLoss(RingLoss):
+    """The same of discs that slide on the pins, or whose sleeves do."""
+
+    turn: MeshTurn  # the mesh
+    friction: RingFriction  # what slides
+
+    @property
+    def peak_pv(self) -> float:
+        """By the projected area of a sleeve's bore, or of a contact by the mean of its Hertz
+        pressure.
+        """
+        turn, mesh = self.turn, self.turn.mesh
+        speed = self.speed / mesh.disc.satellite_teeth
+        if self.friction.sleeve_bore_radius > 0:
+            return turn.hardest_rub * speed / (2 * mesh.disc.ring_pin_radius * mesh.contact_length)
+        return math.pi / 4 * turn.hardest_pressed_rub * speed
 
 
 def ring_loss(
@@ -117,30 +152,23 @@ def ring_loss(
     >>> round(found.efficiency, 4), round(found.ideal_loss_ratio, 4)
     (0.8889, 0.125)
     """
-    mesh, mu = turn.mesh, friction.coefficient
-    disc = mesh.disc
+    mu, disc = friction.coefficient, turn.mesh.disc
     part = sliding_part(disc=disc, friction=friction)
     each = part * turn.sliding_loss
     ratio = mu * each
-    loss = pv = None
-    if input_speed is not None:
-        speed = abs(input_speed) / disc.satellite_teeth
-        loss = ratio * abs(turn.turn.torque) * speed
-        if friction.sleeve_bore_radius is not None:
-            pv = turn.hardest_rub * speed / (2 * disc.ring_pin_radius * mesh.contact_length)
-        else:
-            pv = math.pi / 4 * turn.hardest_pressed_rub * speed
-        pv = None if friction.rolling else pv
     ideal = None
     if disc.ring_pin_radius < disc.ring_pin_circle_radius * (1 - disc.shortening_coefficient):
         ideal = 4 * (disc.ring_pin_circle_radius - disc.ring_pin_radius) / math.pi
         ideal *= mu * part / (disc.eccentricity * disc.satellite_teeth)
-    return RingLoss(
-        loss_per_friction=each,
-        loss_ratio=ratio,
-        efficiency=1 / (1 + ratio),
-        loss_error=turn.sliding_error / turn.sliding_loss if turn.sliding_loss else 0.0,
-        mean_loss=loss,
-        peak_pv=pv,
-        ideal_loss_ratio=ideal,
-    )
+    found: dict[str, Any] = {
+        "loss_per_friction": each,
+        "loss_ratio": ratio,
+        "efficiency": 1 / (1 + ratio),
+        "loss_error": turn.sliding_error / turn.sliding_loss if turn.sliding_loss else 0.0,
+        "lost_torque": ratio * abs(turn.turn.torque) / disc.satellite_teeth,
+        "input_speed": input_speed,
+        "ideal_loss_ratio": ideal,
+    }
+    if friction.rolling:
+        return RingLoss(**found)
+    return SlidingLoss(**found, turn=turn, friction=friction)

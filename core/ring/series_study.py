@@ -19,10 +19,8 @@ from core.ring.series import MeshesInSeries
 from core.ring.series_pieces import MeshErrors, SeriesPieces
 from core.ring.series_turn import SeriesTurn
 from core.ring.sharing import LOST, RingDeviations
-from core.tolerance.study import QUANTITIES, Study
+from core.tolerance.study import Study
 from core.tolerance.tolerances import Drawn, RingRows
-
-SERIES_QUANTITIES = (*QUANTITIES, "ring_peak_force", "ring_max_pressure")
 
 FINER = 8
 """How many times as many positions show what those asked miss."""

@@ -205,7 +205,7 @@ def shaft_deflection_study(
     bearing_distance: float,
     overhang: float,
     youngs_modulus: float,
-    sections: Sequence[ShaftSection],
+    shaft_sections: Sequence[ShaftSection],
 ) -> WorkPrecision:
     """Error against run time of the deflection at C, both planes.
 
@@ -217,7 +217,7 @@ def shaft_deflection_study(
         Distances a and b, m.
     youngs_modulus : float
         Young's modulus E, Pa.
-    sections : sequence of ShaftSection
+    shaft_sections : sequence of ShaftSection
         Stretches of the shaft from C to the clamp.
 
     Returns
@@ -225,9 +225,9 @@ def shaft_deflection_study(
     WorkPrecision
     """
     end = bearing_distance + overhang
-    ends = np.cumsum([section.length for section in sections])
+    ends = np.cumsum([section.length for section in shaft_sections])
     stiffness = np.array(
-        [youngs_modulus * np.pi * section.diameter**4 / 64 for section in sections]
+        [youngs_modulus * np.pi * section.diameter**4 / 64 for section in shaft_sections]
     )
     at_b, at_c = bearing_reactions(force=force, moment=moment, bearing_distance=bearing_distance)
 
@@ -248,13 +248,13 @@ def shaft_deflection_study(
             bearing_distance=bearing_distance,
             overhang=overhang,
             youngs_modulus=youngs_modulus,
-            shaft_sections=sections,
+            shaft_sections=shaft_sections,
         )
         return [result.deflection_C.x, result.deflection_C.y], 1
 
     return work_precision(
         reference=Reference("multiple_closed_form"),
-        exact=_exact_deflection(force, moment, bearing_distance, youngs_modulus, sections),
+        exact=_exact_deflection(force, moment, bearing_distance, youngs_modulus, shaft_sections),
         methods=[
             *(by_rule(rule=rule, code=f"{rule.code}_shaft", value=by) for rule in rules()),
             Method("closed_form", DEFAULT, closed_form, chosen=True),

@@ -105,7 +105,7 @@ def _ring(sheet: Sheet, results: Results, found: SatelliteBearings) -> None:
         else:
             sheet.state("radial_force_ratio", "rho", ratio, "shortened")
         return
-    if gear.kind != "involute" or found.operating_pressure_angle is None:
+    if gear.kind != "involute":
         sheet.state("radial_force_ratio", "rho", ratio, "given")
         return
     sheet.take("m", "module", gear.module)
@@ -256,7 +256,7 @@ def shaft_steps(results: Results) -> list[Step]:
             sheet.state("peak", f"R_{letter}", peak, "reaction")
         load = f"P_{letter}"
         sheet.state("equivalent", load, equivalent, "equivalent_reaction")
-        if shaft.bearings is not None:
+        if shaft.bearings:
             bearing, speed = shaft.bearings[i], "n_1"
             if bearing.seat != "housing":
                 speed = f"n_{letter}"

@@ -104,7 +104,7 @@ def finite_life(
     cycles : float
         Turns of a satellite against its crank in that time.
     """
-    if cycle.finite_strength is None:
+    if not cycle.short:
         return
     wave = sheet.take_ratio(ratio)
     sheet.take("L", "life", life)
@@ -172,7 +172,7 @@ def cycle_steps(
         formula = "k_a*k_b*k_e*min(R_m/2,S)/K_f"
         sheet.work("endurance_limit", "S_e", cycle.endurance_limit, formula, **SHIGLEY)
     finite()
-    lasting = "S_e" if cycle.finite_strength is None else "S_f"
+    lasting = "S_f" if cycle.short else "S_e"
     if basis.criterion in STRAIGHT:
         bears = STRAIGHT[basis.criterion]
         formula = f"1/(sigma_a/{lasting}+max(sigma_m,0)/{bears})"

@@ -1,13 +1,16 @@
 """Worked steps of the contact of pin and hole."""
 
 import math
+from contextlib import suppress
 from typing import Any
 
-from core.contact_life import CURVES, LifeCurve
+from core.contact_life import CURVES
+from core.derived import UNKNOWN, if_known
 from core.design.real_forces import RealForces
 from core.design.results import Results
+from core.errors import required
 from core.hertz import SHEAR_DEPTH, SHEAR_RATIO, HertzContact
-from core.materials import ElasticMaterial
+from core.materials import ElasticMaterial, LimitLife
 from core.precision import AS_TYPED
 from core.worked.step import Sheet, Step
 
@@ -45,7 +48,7 @@ def hertz_steps(
     dynamic_factor: float = 1.0,
     distribution_factor: float = 1.0,
     line_load_factor: float = 1.0,
-    turning: tuple[float, float, float] | None = None,
+    turning: tuple[float | None, float, float] = (None, math.inf, math.inf),
 ) -> list[Step]:
     """Steps of the contact.
 
@@ -91,9 +94,10 @@ def hertz_steps(
     sheet.work("max_shear", "tau", found.max_shear, "k_tau*p_0", **JOHNSON)
     sheet.take("k_z", "factor", SHEAR_DEPTH)
     sheet.work("max_shear_depth", "z", found.max_shear_depth, "k_z*a", **JOHNSON)
-    if found.conformal_half_angle is not None:
+    with suppress(*UNKNOWN):
         _conformal(sheet, found)
-    _safety(sheet, found, turning)
+    with suppress(*UNKNOWN):
+        _safety(sheet, found, turning)
     return sheet.steps
 
 
@@ -101,6 +105,9 @@ def _conformal(sheet: Sheet, found: HertzContact) -> None:
     """The conformal contact: its angle is the root of an equation, and of materials whose beta is
     not 0 its pressure follows from another.
     """
+    angle = float(required(found.conformal_half_angle, "conformal_solution"))
+    pressure = required(found.conformal_pressure, "conformal_solution")
+    tension = required(found.edge_tension, "conformal_solution")
     known = {name: each.value for name, each in sheet.known.items()}
     difference, load, modulus = known["r_out"] - known["r_in"], known["w"], known["E_star"]
     formula = "E_star*(r_out-r_in)/w"
@@ -110,12 +117,9 @@ def _conformal(sheet: Sheet, found: HertzContact) -> None:
     sheet.work("mismatch_alpha", "alpha", alpha, formula, **JOHNSON)
     formula = "E_star/2*((1-2*nu_2)*(1+nu_2)/E_2-(1-2*nu_1)*(1+nu_1)/E_1)"
     sheet.work("mismatch_beta", "beta", beta, formula, **JOHNSON)
-    assert found.conformal_half_angle is not None and found.conformal_pressure is not None
-    angle, pressure = float(found.conformal_half_angle), found.conformal_pressure
     radius = math.sqrt(known["r_in"] * known["r_out"])
-    assert found.edge_tension is not None
     share = (3 - 4 * known["nu_2"]) / (2 * math.pi * (1 - known["nu_2"]))
-    mean = (found.edge_tension / load * radius - share * math.cos(angle)) / 2
+    mean = (tension / load * radius - share * math.cos(angle)) / 2
     method = "integral_equation" if beta else "conformal_angle"
     sheet.state("conformal_half_angle", "eps", angle, method, **PERSSON)
     t, b = "tan(eps/2)", math.tan(angle / 2)
@@ -149,18 +153,17 @@ def _conformal(sheet: Sheet, found: HertzContact) -> None:
 def _safety(
     sheet: Sheet,
     found: HertzContact,
-    turning: tuple[float, float, float] | None,
+    turning: tuple[float | None, float, float],
 ) -> None:
     """Each body with a limit by this, under the pressure that governs; the smaller of both."""
-    if found.governing_pressure is None:
-        return
+    pressure = found.governing_pressure
     by = "governs_hertz" if found.conformal_pressure is None else "governs_conformal"
-    sheet.state("governing_pressure", "p_g", found.governing_pressure, by)
+    sheet.state("governing_pressure", "p_g", pressure, by)
     for each in found.safety:
         index, limit = (1 if each.body == "pin" else 2), each.limit
         formula = f"p_P{index}/p_g"
-        if limit.curve is not None and limit.loads is not None and turning is not None:
-            _life(sheet, index, limit.curve, limit.loads, turning)
+        if life := if_known(lambda limit=limit: limit.life):  # type: ignore[misc]
+            _life(sheet, index, life, turning)
             formula = f"p_P{index}*Z_NT{index}/p_g"
         sheet.take(f"p_P{index}", "limit", float(limit.pressure))
         said: dict[str, Any] = {"note": "limit_given"}
@@ -172,24 +175,22 @@ def _safety(
 
 
 def _life(
-    sheet: Sheet, index: int, curve: LifeCurve, loads: float, turning: tuple[float, float, float]
+    sheet: Sheet, index: int, life: LimitLife, turning: tuple[float | None, float, float]
 ) -> None:
     """How the limit of a body falls over the life."""
-    speed, life, ratio = turning
+    speed, time, ratio = turning
     sheet.take("n_1", "turning_speed", speed)
-    sheet.take("L", "life", life)
+    sheet.take("L", "life", time)
     formula = f"n_1{sheet.take_ratio(ratio)}*L/(2*pi)"
-    sheet.work("loads", "N_L", loads, formula, note="turns_over_life")
-    line = CURVES[curve]
+    sheet.work("loads", "N_L", life.loads, formula, note="turns_over_life")
+    line = CURVES[life.curve]
     sheet.take("Z_m", "factor", line.most)
     sheet.take("N_k", "loads", line.knee)
-    power = line.before if loads < line.knee else line.beyond
-    sheet.take("m", "exponent", power)
-    factor = min(line.most, (line.knee / loads) ** power)
+    sheet.take("m", "exponent", line.before if life.loads < line.knee else line.beyond)
     sheet.work(
         "life_factor",
         f"Z_NT{index}",
-        factor,
+        life.factor,
         "min(Z_m,(N_k/N_L)^m)",
         source="iso6336",
         note="life_of_teeth",
@@ -209,18 +210,13 @@ def judged_steps(results: Results) -> list[Step]:
     list of Step
     """
     design, found, force = results.design, results.hertz, results.judged_forces
-    contact, life = design.contact, design.requirements.life
-    length, radius, hole = contact.pair
+    length, radius, hole = design.contact.pair
     real = isinstance(force, RealForces)
     if real:  # with what deviates of them
         own = float(found.half_width / found.half_width_ratio)
         wide = float(found.reduced_radius * own / (found.reduced_radius - own))
         radius = radius if math.isclose(radius, own, rel_tol=AS_TYPED) else own
         hole = hole if math.isclose(hole, wide, rel_tol=AS_TYPED) else wide
-    turning = None
-    speed = design.turning_speed
-    if speed is not None and math.isfinite(life):
-        turning = speed, life, design.mechanism.ratio
     return hertz_steps(
         found=found,
         force=force.force if isinstance(force, RealForces) else force.peak_force,
@@ -232,5 +228,5 @@ def judged_steps(results: Results) -> list[Step]:
         dynamic_factor=1.0 if real else design.load_factor,
         distribution_factor=1.0 if real else design.distribution_factor,
         line_load_factor=results.line_load_factor if design.pin else 1.0,
-        turning=turning,
+        turning=(design.turning_speed, design.requirements.life, design.mechanism.ratio),
     )

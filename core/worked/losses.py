@@ -1,5 +1,6 @@
 """Worked steps of friction and wear of the pins."""
 
+from core.derived import if_known
 from core.design.results import Results
 from core.worked.members import output_power_of, take_speed, take_torque
 from core.worked.step import Sheet, Step
@@ -56,10 +57,10 @@ def loss_steps(results: Results) -> list[Step]:
     sheet.work("mean_pv", "p_m", found.mean_pv, f"f*T/(R*N*K)/(2*{radius}*b)*e*n")
     worn = {"source": "archard", **turns}
     for code, symbol, depth, swept in (
-        ("pin_wear", "h_in", found.pin_wear, radius),
-        ("hole_wear", "h_out", found.hole_wear, "r_out"),
+        ("pin_wear", "h_in", lambda: found.pin_wear, radius),
+        ("hole_wear", "h_out", lambda: found.hole_wear, "r_out"),
     ):
-        sheet.work(code, symbol, depth, f"k*F/(b*{swept})*e*n*t/(2*pi)", **worn)
+        sheet.work(code, symbol, if_known(depth), f"k*F/(b*{swept})*e*n*t/(2*pi)", **worn)
     couple = f"mu*f*{radius}/R{slow}"
     sheet.work("friction_couple", "c", found.friction_couple, couple, note="couple")
     return sheet.steps

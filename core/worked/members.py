@@ -2,8 +2,11 @@
 the pins come to their torque and speed.
 """
 
+from contextlib import suppress
+
+from core.derived import UNKNOWN
 from core.design.results import Results
-from core.output.members import Members
+from core.output.members import MemberLoads, Members
 from core.worked.step import Sheet, Step
 
 TURNING = {
@@ -47,7 +50,7 @@ def take_speed(sheet: Sheet, *, results: Results) -> None:
     """
     design = results.design
     speeds, load, output = design.speeds, design.load, design.members.output
-    if speeds is None:
+    if not speeds:
         return
     if output in ("pins", "coupling"):
         sheet.take("n_1", "input_speed", load.input_speed)
@@ -91,7 +94,7 @@ def member_steps(results: Results) -> list[Step]:
     list of Step
     """
     sheet, found, design = Sheet(), results.member_loads, results.design
-    members, load, speeds = design.members, design.load, found.speeds
+    members, load = design.members, design.load
     if members.output == "coupling":
         return []
     sheet.take_ratio(members.ratio)
@@ -100,10 +103,15 @@ def member_steps(results: Results) -> list[Step]:
     sheet.work("ring_torque", "T_3", found.ring_torque, "-(T+T_1)")
     ratio = {"pins": "-T/T_1", "ring": "-T_3/T_1"}.get(members.output, "")
     sheet.work("output_ratio", "i", found.output_ratio, ratio)
-    if speeds is None:
-        return sheet.steps
+    with suppress(*UNKNOWN):
+        _turning(sheet, found, by_ring=members.output == "pins" or load.by_ring)
+    return sheet.steps
+
+
+def _turning(sheet: Sheet, found: MemberLoads, *, by_ring: bool) -> None:
+    """Speeds and powers, by the speed of the ring or by that of the pins."""
+    speeds = found.speeds
     sheet.take("n_in", "input_speed", speeds.crank)
-    by_ring = members.output == "pins" or load.by_ring
     sheet.take("n_r", "ring_speed", speeds.ring)
     sheet.take("n_c", "carrier_speed", speeds.carrier)
     if by_ring:
@@ -119,4 +127,3 @@ def member_steps(results: Results) -> list[Step]:
         ("ring_power", "P_r", found.ring_power, "T_3*n_r"),
     ):
         sheet.work(code, symbol, power, formula, **turns)
-    return sheet.steps

@@ -4,6 +4,7 @@ import math
 
 from core.crank.bearing_life import EXPONENTS
 from core.crank.pin_rollers import KINDS, UNKNOWN_ELEMENTS
+from core.derived import if_known
 from core.design.results import Results
 from core.worked.members import take_speed
 from core.worked.pins import static_step
@@ -37,7 +38,7 @@ def roller_steps(results: Results) -> list[Step]:
     sheet.take("C", "dynamic_rating", own.dynamic_rating)
     sheet.take("C_0", "static_rating", own.static_rating)
     sheet.take("Z", "rolling_elements", own.rolling_elements)
-    sheet.work("speed", "n_s", found.speed, f"n_1{wave}*e/r_s")
+    sheet.work("speed", "n_s", found.given_speed, f"n_1{wave}*e/r_s")
     sheet.state("peak_load", "F", found.peak_load, "shared")
     where = {"params": {"satellite": found.satellite}}
     sheet.state("equivalent_load", "P", found.equivalent_load, "equivalent_load", **where)
@@ -47,22 +48,28 @@ def roller_steps(results: Results) -> list[Step]:
         for symbol, share in zip(left, UNKNOWN_ELEMENTS[elements], strict=True):
             sheet.take(symbol, "rating_share", share)
     for code, symbol, rating, formula in (
-        ("dynamic_rating_as_roller", "C_w", found.dynamic_rating_as_roller, f"C*{left[0]}"),
-        ("static_rating_as_roller", "C_0w", found.static_rating_as_roller, f"C_0*{left[1]}"),
+        ("dynamic_rating_as_roller", "C_w", lambda: found.dynamic_rating_as_roller, f"C*{left[0]}"),
+        (
+            "static_rating_as_roller",
+            "C_0w",
+            lambda: found.static_rating_as_roller,
+            f"C_0*{left[1]}",
+        ),
     ):
         if own.ratings == "roller":
-            sheet.state(code, symbol, rating, "given")
+            sheet.state(code, symbol, if_known(rating), "given")
         else:
-            sheet.work(code, symbol, rating, formula)
+            sheet.work(code, symbol, if_known(rating), formula)
     power = "10/3" if math.isclose(EXPONENTS[elements], 10 / 3) else "3"
     formula = f"2*pi*10^6*(C_w/P)^({power})/n_s"
-    sheet.work("life", "L", found.life, formula, source="iso281", note="turns_in_radians")
+    said = {"source": "iso281", "note": "turns_in_radians"}
+    sheet.work("life", "L", if_known(lambda: found.life), formula, **said)
     static_step(
         sheet,
         results=results,
         code="static_safety_factor",
         symbol="S_0",
-        value=found.static_safety_factor,
+        value=if_known(lambda: found.static_safety_factor),
         limit="C_0w",
         load="F",
         share=design.static_torque / design.pin_torque,

@@ -1,8 +1,11 @@
 """Worked steps of the strength of the pins."""
 
+from contextlib import suppress
+
 import numpy as np
 
 from core.arrays import FloatArray
+from core.derived import UNKNOWN, if_known
 from core.design.results import Results
 from core.errors import required
 from core.output.pin_strength import PinDeflection, PinStrength
@@ -53,7 +56,7 @@ def static_step(
         sheet.work(code, symbol, value, f"{limit}/(k*{load})", note="peak_torque", **said)
 
 
-def strength_steps(*, results: Results, found: PinStrength) -> list[Step]:
+def strength_steps(*, results: Results, found: PinStrength, deflection: bool) -> list[Step]:
     """Steps of the strength of the pins.
 
     Parameters
@@ -62,6 +65,8 @@ def strength_steps(*, results: Results, found: PinStrength) -> list[Step]:
         Results of a design with a pin.
     found : PinStrength
         Its strength.
+    deflection : bool
+        Whether its deflection is wanted.
 
     Returns
     -------
@@ -87,33 +92,32 @@ def strength_steps(*, results: Results, found: PinStrength) -> list[Step]:
         results=results,
         code="static_safety_factor",
         symbol="S",
-        value=found.static_safety_factor,
+        value=if_known(lambda: found.static_safety_factor),
         limit="R_e",
         load="sigma_v",
         share=results.design.static_share,
     )
-    _fatigue(sheet, results, found)
-    if found.deflection is not None:
+    if results.design.fatigue:
+        with suppress(*UNKNOWN):
+            _fatigue(sheet, results, found)
+    if deflection:
         _deflection(sheet, results, found.deflection)
     return sheet.steps
 
 
 def _fatigue(sheet: Sheet, results: Results, found: PinStrength) -> None:
     cycle, pin, basis = found.fatigue, results.bent_pin, results.design.fatigue
-    if cycle is None or not basis:
-        return
     sheet.state("position", "x", cycle.position, "worst_cycle")
     sheet.state("direction", "chi", cycle.direction, "worst_cycle")
     sheet.state("max_stress", "sigma_max", cycle.max_stress, "worst_cycle")
     sheet.state("min_stress", "sigma_min", cycle.min_stress, "worst_cycle")
-    speed, ratio = results.design.turning_speed, results.design.mechanism.ratio
+    ratio = results.design.mechanism.ratio
 
     def finite() -> None:
-        if speed is not None:
-            life = results.design.life_of(basis)
-            cycles = speed * life / results.design.mechanism.built.crank_angle_per_wave
-            take_speed(sheet, results=results)
-            finite_life(sheet, cycle=cycle, ratio=ratio, life=life, cycles=cycles)
+        life = results.design.life_of(basis)
+        take_speed(sheet, results=results)
+        cycles = results.design.loads_over(life)
+        finite_life(sheet, cycle=cycle, ratio=ratio, life=life, cycles=cycles)
 
     cycle_steps(
         sheet,

@@ -2,8 +2,10 @@
 
 import math
 from collections.abc import Sequence
+from contextlib import suppress
 from typing import Any
 
+from core.derived import UNKNOWN, if_known
 from core.design.sections import FatigueBasis
 from core.materials import ElasticMaterial
 from core.precession.contact_line import ContactLine, ContactLines
@@ -205,7 +207,7 @@ def shaft_steps(
     *,
     load: MeshingLoad,
     found: ShaftDeflection,
-    sections: Sequence[ShaftSection],
+    shaft_sections: Sequence[ShaftSection],
     bearing_distance: float,
     overhang: float,
     youngs_modulus: float,
@@ -221,7 +223,7 @@ def shaft_steps(
         The load of the mesh.
     found : ShaftDeflection
         Reactions and deflections.
-    sections : sequence of ShaftSection
+    shaft_sections : sequence of ShaftSection
         The shaft from C to the clamp.
     bearing_distance, overhang, youngs_modulus : float
         a and b, m, and E, Pa.
@@ -236,7 +238,7 @@ def shaft_steps(
     -------
     list of Step
     """
-    sheet, shaft = Sheet(), _Shaft(sections, bearing_distance, overhang)
+    sheet, shaft = Sheet(), _Shaft(shaft_sections, bearing_distance, overhang)
     sheet.take("a", "bearing_distance", bearing_distance)
     sheet.take("b", "overhang", overhang)
     sheet.take("E", "youngs_modulus", youngs_modulus)
@@ -255,13 +257,13 @@ def shaft_steps(
         ("B", found.simplified_deflection_B, found.simplification_error_B),
         ("C", found.simplified_deflection_C, found.simplification_error_C),
     ):
-        if simple is not None:
+        if simple:
             _deflection(sheet, shaft, at, simple, simplified=True)
             code, formula = f"simplification_error_{at}", f"Delta_prime_{at}/Delta_{at}-1"
             sheet.work(code, f"epsilon_{at}", error, formula)
-    if strength is not None:
+    if strength:
         _strength(sheet, shaft, strength, judged or {})
-    if contact is not None:
+    if contact:
         _contact(sheet, load, contact[0], **contact[1])
     return sheet.steps
 
@@ -302,10 +304,24 @@ def _strength(sheet: Sheet, shaft: _Shaft, found: ShaftStrength, judged: dict[st
         formula = "32*max(M_B,M_A)/(pi*d^3)"
         sheet.work("peak_stress", "sigma", found.peak_stress, formula)
     sheet.take("R_e", "yield_strength", judged.get("yield_strength"))
-    sheet.work("static_safety_factor", "S", found.static_safety_factor, "R_e/sigma")
-    cycle, basis = found.fatigue, judged.get("basis")
-    if cycle is None or found.cycle_position is None or not isinstance(basis, FatigueBasis):
-        return
+    safety = if_known(lambda: found.static_safety_factor)
+    sheet.work("static_safety_factor", "S", safety, "R_e/sigma")
+    if isinstance(judged.get("basis"), FatigueBasis):
+        with suppress(*UNKNOWN):
+            _fatigue(sheet, shaft, found, **judged)
+
+
+def _fatigue(
+    sheet: Sheet,
+    shaft: _Shaft,
+    found: ShaftStrength,
+    *,
+    basis: FatigueBasis,
+    tensile_strength: float,
+    yield_strength: float | None,
+) -> None:
+    """The cycle of the section of least safety."""
+    cycle = found.fatigue
     sheet.state("cycle_position", "x", found.cycle_position, "worst_section")
     sheet.state("max_stress", "sigma_max", cycle.max_stress, "worst_section")
     sheet.take("r_s", "stress_ratio", -1.0)
@@ -315,8 +331,8 @@ def _strength(sheet: Sheet, shaft: _Shaft, found: ShaftStrength, judged: dict[st
         cycle=cycle,
         basis=basis,
         diameter=shaft.diameter_at(found.cycle_position),
-        tensile_strength=judged["tensile_strength"],
-        yield_strength=judged.get("yield_strength"),
+        tensile_strength=tensile_strength,
+        yield_strength=yield_strength,
     )
 
 

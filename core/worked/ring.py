@@ -1,11 +1,12 @@
 """Worked steps of cycloid discs on the pins of their ring, and of involute teeth in theirs."""
 
 import math
+from contextlib import suppress
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from core.derived import if_known
+from core.derived import UNKNOWN
 from core.design.results import Results
 from core.materials import effective_modulus
 from core.ring.involute import InvolutePair
@@ -190,7 +191,8 @@ def ring_loss_steps(
     sheet.state("loss_per_friction", "q", loss.loss_per_friction, "over_turn")
     sheet.work("loss_ratio", "L", loss.loss_ratio, "mu*q")
     sheet.work("efficiency", "eta", loss.efficiency, "1/(1+mu*q)")
-    sheet.work("mean_loss", "P", loss.mean_loss, "L*T*n_1/z", note="turns_in_radians")
+    with suppress(*UNKNOWN):
+        sheet.work("mean_loss", "P", loss.mean_loss, "L*T*n_1/z", note="turns_in_radians")
     return sheet.steps
 
 
@@ -266,11 +268,10 @@ def ring_steps(results: Results) -> list[Step]:
         pressure=turn.max_pressure,
     )
     steps += [each for each in pressed if each not in steps]
-    loss, coefficient = if_known(lambda: results.ring.loss), design.gear.friction_coefficient
-    if loss is not None and coefficient is not None:
+    with suppress(*UNKNOWN):
         steps += ring_loss_steps(
-            loss=loss,
-            coefficient=coefficient,
+            loss=results.ring.loss,
+            coefficient=design.gear.friction.coefficient,
             torque=abs(design.pin_torque),
             teeth=turn.mesh.disc.satellite_teeth,
             input_speed=design.turning_speed and abs(design.turning_speed),

@@ -68,10 +68,9 @@ stress_concentration, position_tolerance, gaps : as of `core.rollers.roller_stre
         ("K_sigma", "stress_concentration", stress_concentration),
     ):
         sheet.take(symbol, quantity, value)
-    if shear_modulus is None and poissons_ratio is not None:
-        shear_modulus = youngs_modulus / (2 * (1 + poissons_ratio))
-        sheet.work("shear_modulus", "G", shear_modulus, "E/(2*(1+mu))", source=SOURCE)
-    assert shear_modulus is not None
+    if poissons_ratio is not None:  # instead of a shear modulus
+        sheared = youngs_modulus / (2 * (1 + poissons_ratio))
+        sheet.work("shear_modulus", "G", sheared, "E/(2*(1+mu))", source=SOURCE)
     _compliance(sheet, found)
     sheet.work("mean_force", "F_m", found.mean_force, "T/(2*R*n)", source=SOURCE, equation="2")
     sheet.state("loaded_rollers", "m", found.loaded_rollers, "sharing", source=SOURCE, equation="5")
@@ -92,7 +91,7 @@ stress_concentration, position_tolerance, gaps : as of `core.rollers.roller_stre
     )
     equation = {"source": SOURCE, "equation": "12"}
     sheet.work("relative_stress", "sigma_r", found.relative_stress, "sigma/E", **equation)
-    if cycle is not None and judged is not None:
+    if cycle and judged:
         _fatigue(sheet, cycle, diameter, stress_concentration, **judged)
     return sheet.steps
 

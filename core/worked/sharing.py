@@ -1,5 +1,7 @@
 """Worked steps of a pin as a beam under a unit force, and of ideal forces on it."""
 
+import math
+
 from core.design.results import Results
 from core.output.pin_beam import PinBeam, Support
 from core.worked.step import Sheet, total
@@ -59,7 +61,7 @@ def beam_of(results: Results) -> PinBeam:
         contact_length=results.design.pin_length,
         youngs_modulus=pin.material.youngs_modulus,
         poissons_ratio=pin.material.poissons_ratio,
-        span=None if pin.support == "cantilever" else pin.span,
+        span=math.inf if pin.support == "cantilever" else pin.span,
     )
 
 

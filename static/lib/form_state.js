@@ -201,7 +201,7 @@ export function readState(model, state) {
   }
   for (const field of shownFields(model, state).filter(({ path, follows }) => follows && readings[path].problem === "required")) {
     const value = field.follows(filled);
-    if (value.length === 0 || !value.every(Number.isFinite)) continue;
+    if ([value].flat().length === 0 || ![value].flat().every(Number.isFinite)) continue;
     readings[field.path] = { value, followed: true };
     put(input, placeOf(field), value);
     put(filled, placeOf(field), value);
@@ -221,7 +221,7 @@ export function withLinks(model, state) {
     if (texts[path] !== "" && Math.abs(readings[path]?.value - linked) <= 1e-12 * Math.abs(linked)) texts[path] = "";
   }
   for (const { path, follows } of model.fields.values()) {
-    if (follows && readings[path] && follows(filled).join() === readings[path].value?.join()) texts[path] = "";
+    if (follows && readings[path] && String(follows(filled)) === String(readings[path].value)) texts[path] = "";
   }
   return { ...state, texts };
 }

@@ -15,6 +15,7 @@ from app.main import PRELOAD, create_app
 from app.middleware import PART_BYTES
 from app.record import Record
 from app.settings import Settings
+from core.precision import CONVERGED, SAME
 from tests.app import jobs_to_run
 
 pytestmark = pytest.mark.anyio
@@ -41,7 +42,7 @@ def same(one, other, name=""):
         return len(one) == len(other) and all(map(same, one, other))
     if isinstance(one, float):  # a smooth peak is known much better than its place
         place = 1e-8 if name == "peak_crank_angle_deg" else 1e-13
-        return one == pytest.approx(other, rel=1e-13, abs=place)
+        return one == pytest.approx(other, rel=CONVERGED, abs=place)
     return one == other
 
 
@@ -91,7 +92,7 @@ async def test_answers_come_line_by_line_where_that_is_asked(api):
     pressures = [line["result"]["max_pressure_MPa"] for line in lines]
     assert len(pressures) == 400
     # p0 grows with the root of the force
-    assert pressures[-1] / pressures[0] == pytest.approx(20, rel=1e-12)
+    assert pressures[-1] / pressures[0] == pytest.approx(20, rel=SAME)
 
 
 async def test_names_of_requests_come_back_with_their_answers(api):

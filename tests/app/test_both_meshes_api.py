@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from core.precision import EXACT, SAME
 from tests.oracles.held import close
 
 pytestmark = pytest.mark.anyio
@@ -40,7 +41,7 @@ async def test_case(api, case):
     assert set(answer) == {"positions", "fit", "accuracy", "warnings"}
     (position,) = answer["positions"]
     behind = [position["rotation_arcmin"] - own for own in position["ring"]["rotation_arcmin"]]
-    assert position["satellite_rotation_arcmin"] == pytest.approx(behind, rel=1e-12)
+    assert position["satellite_rotation_arcmin"] == pytest.approx(behind, rel=SAME)
     assert [each["code"] for each in answer["warnings"]] == ["seat_rigid"]
 
 
@@ -117,9 +118,9 @@ async def test_over_all_turns(api):
     one, other = (await answered(api, at_peak))["positions"]
     pair, tooth = turn["peak_pair"], ring["peak_pair"]
     force = one["force_N"][pair["satellite"] - 1][pair["pin"] - 1]
-    assert force == pytest.approx(turn["peak_force_N"], rel=1e-9)
+    assert force == pytest.approx(turn["peak_force_N"], rel=EXACT)
     force = other["ring"]["force_N"][tooth["satellite"] - 1][tooth["pin"] - 1]
-    assert force == pytest.approx(ring["peak_force_N"], rel=1e-9)
+    assert force == pytest.approx(ring["peak_force_N"], rel=EXACT)
     alone = changed(without=[("gear",), ("satellite_coupling",)], include=["over_turn"])
     for name in ("ring_pin_radial_mm", "ring_pin_tangential_mm", "ring_pin_radius_mm"):
         del alone["deviations"][name]

@@ -5,6 +5,7 @@ from typing import Any
 import pytest
 
 from app.examples import REQUESTS
+from core.precision import EXACT, SAME
 
 pytestmark = pytest.mark.anyio
 
@@ -90,12 +91,12 @@ async def test_forces_and_pressures_are_those_of_the_whole_design(
     sharing = await answered(api, "load-sharing", given | asked)
     turn, (position,) = sharing["over_turn"], sharing["positions"]
     whole = await answered(api, "crank-planetary", given | {"include": ["load_sharing", "hertz"]})
-    assert whole["load_sharing"]["peak_force_N"] == pytest.approx(turn["peak_force_N"], rel=1e-12)
+    assert whole["load_sharing"]["peak_force_N"] == pytest.approx(turn["peak_force_N"], rel=SAME)
     judged = whole["hertz"].get("conformal_pressure_MPa", whole["hertz"]["max_pressure_MPa"])
-    assert turn["max_pressure_MPa"] == pytest.approx(judged, rel=1e-9)
+    assert turn["max_pressure_MPa"] == pytest.approx(judged, rel=EXACT)
     assert ("conformal_pressure_MPa" in whole["hertz"]) == (contact == WRAPS)
     pressures = [each for row in position["pressure_MPa"] for each in row]
-    assert position["max_pressure_MPa"] == pytest.approx(max(pressures), rel=1e-12)
+    assert position["max_pressure_MPa"] == pytest.approx(max(pressures), rel=SAME)
     study = await answered(
         api,
         "tolerance-study",
@@ -133,7 +134,7 @@ async def test_a_wide_contact_of_metals_has_the_pressure_that_is_judged(api: Any
         },
     )
     assert contact["conformal_pressure_MPa"] > 1.01 * contact["max_pressure_MPa"]
-    assert turn["max_pressure_MPa"] == pytest.approx(contact["conformal_pressure_MPa"], rel=1e-9)
+    assert turn["max_pressure_MPa"] == pytest.approx(contact["conformal_pressure_MPa"], rel=EXACT)
 
 
 async def test_a_pressure_that_is_not_known_is_left_out_and_said(api: Any) -> None:

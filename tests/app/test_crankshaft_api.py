@@ -6,6 +6,7 @@ from copy import deepcopy
 import pytest
 
 from app.examples import REQUESTS
+from core.precision import EXACT, SAME
 
 pytestmark = pytest.mark.anyio
 
@@ -26,7 +27,7 @@ async def test_the_reference_design(api):
     first, last = answer["bearings"]
     assert f"{first['peak_N']:.3f}" == f"{last['peak_N']:.3f}" == "4487.098"
     life = (30_000 / first["equivalent_N"]) ** 3 * 1e6 / 60 / 1500
-    assert first["basic_life_h"] == pytest.approx(life, rel=1e-12)
+    assert first["basic_life_h"] == pytest.approx(life, rel=SAME)
     body["crankshaft"]["satellite_mass_kg"] = mass
     answer = (await api.post(PATH, json=body)).json()
     relieved = [each["peak_N"] for each in answer["bearings"]]
@@ -35,9 +36,9 @@ async def test_the_reference_design(api):
     assert f"{balance['couple_Nm']:.6f}" == "1.628485"
     assert balance["unbalance_kg_mm"] == pytest.approx(0, abs=1e-12)
     sizes = [each["unbalance_kg_mm"] for each in balance["corrections"]]
-    assert sizes == pytest.approx([3 * 22 / 62] * 2, rel=1e-12)
+    assert sizes == pytest.approx([3 * 22 / 62] * 2, rel=SAME)
     angles = [each["angle_deg"] for each in balance["corrections"]]
-    assert abs(angles[0] - angles[1]) == pytest.approx(180, rel=1e-12)
+    assert abs(angles[0] - angles[1]) == pytest.approx(180, rel=SAME)
 
 
 async def test_only_what_is_known_is_answered(api):
@@ -123,12 +124,12 @@ def weighted(*weights, **shaft):
 async def test_counterweights_are_in_the_balance(api, weights, force, couple, bearings):
     answer = (await api.post(PATH, json=weighted(*weights))).json()
     balance = answer["balance"]
-    assert balance["force_N"] == pytest.approx(force, rel=1e-9, abs=1e-9)
-    assert balance["couple_Nm"] == pytest.approx(couple, rel=1e-9, abs=1e-9)
-    assert balance["bearing_force_N"] == pytest.approx(bearings, rel=1e-9, abs=1e-9)
+    assert balance["force_N"] == pytest.approx(force, rel=EXACT, abs=1e-9)
+    assert balance["couple_Nm"] == pytest.approx(couple, rel=EXACT, abs=1e-9)
+    assert balance["bearing_force_N"] == pytest.approx(bearings, rel=EXACT, abs=1e-9)
     speed = 1500 * math.pi / 30
     grade = force / speed / 1.5 * 1e3
-    assert balance["grade_mm_per_s"] == pytest.approx(grade, rel=1e-9, abs=1e-9)
+    assert balance["grade_mm_per_s"] == pytest.approx(grade, rel=EXACT, abs=1e-9)
 
 
 async def test_what_corrects_it_leaves_nothing(api):
@@ -145,7 +146,7 @@ async def test_what_corrects_it_leaves_nothing(api):
 async def test_the_grade_is_of_what_turns(api):
     own = (await api.post(PATH, json=weighted())).json()["balance"]["grade_mm_per_s"]
     whole = (await api.post(PATH, json=weighted(rotor_mass_kg=6.0))).json()["balance"]
-    assert whole["grade_mm_per_s"] == pytest.approx(own / 4, rel=1e-12)
+    assert whole["grade_mm_per_s"] == pytest.approx(own / 4, rel=SAME)
 
 
 @pytest.mark.parametrize(

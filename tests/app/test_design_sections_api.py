@@ -8,6 +8,7 @@ import pytest
 
 from app.endpoint import LIGHT_COST
 from app.registry import CALCULATIONS
+from core.precision import EXACT, JUDGED
 
 pytestmark = pytest.mark.anyio
 
@@ -197,8 +198,8 @@ async def test_the_life_of_the_contact(api, material, limit, factor, rpm):
         body.pop(section, None)
     answer = await answered(api, body)
     (check,) = (each for each in answer["checks"] if each["code"] == "contact_pressure_hole")
-    assert check.get("life_factor") == (factor and pytest.approx(factor, rel=1e-5))
-    assert check["limit"] == pytest.approx(limit * (factor or 1) / 1.2, rel=1e-5)
+    assert check.get("life_factor") == (factor and pytest.approx(factor, rel=JUDGED))
+    assert check["limit"] == pytest.approx(limit * (factor or 1) / 1.2, rel=JUDGED)
     assert check["torque_reserve"] == pytest.approx((check["limit"] / check["value"]) ** 2)
     assert "/requirements/life_h" in check["inputs"] and "/mechanism/ratio" in check["inputs"]
     assert ("/load/input_speed_rpm" in check["inputs"]) == (rpm is not None)
@@ -211,7 +212,7 @@ async def test_the_life_of_the_contact(api, material, limit, factor, rpm):
         life = safety["life"]
         assert life["loads"] == pytest.approx(4.725e8) and life["factor"] == check["life_factor"]
         by_hand = (life["knee_loads"] / life["loads"]) ** life["exponent"]
-        assert by_hand == pytest.approx(factor, rel=1e-5) and life["largest_factor"] > 1
+        assert by_hand == pytest.approx(factor, rel=JUDGED) and life["largest_factor"] > 1
     known = (isinstance(material, str) and material != "steel_bearing") or "life_curve" in material
     if rpm is None and known:
         assert check["reason"]["code"] == "life_without_speed"
@@ -606,7 +607,7 @@ async def test_roots_that_are_missing_are_pointed_to(api, gear, name):
     answer = await answered(api, body | {section: body.get(section, {}) | {field: known}})
     check = next(each for each in answer["checks"] if each["code"] == "gear_room")
     assert check["status"] == "pass"
-    assert check["value"] == pytest.approx({34.0: 1.0, 4.0: 45.0}[known], rel=1e-9)
+    assert check["value"] == pytest.approx({34.0: 1.0, 4.0: 45.0}[known], rel=EXACT)
     assert f"/{name}" in check["inputs"]
 
 
@@ -727,8 +728,8 @@ async def test_curves_and_figures_are_of_the_forces_that_are_answered(api):
     path, body = single("output_efficiency", few)
     answer = await answered(api, body | {"include": ["curves"], "samples": 2001}, path)
     efficiency = answer["curves"]["efficiency"]
-    assert min(efficiency) == pytest.approx(answer["min_efficiency"], rel=1e-5)
-    assert max(efficiency) == pytest.approx(answer["max_efficiency"], rel=1e-5)
+    assert min(efficiency) == pytest.approx(answer["min_efficiency"], rel=JUDGED)
+    assert max(efficiency) == pytest.approx(answer["max_efficiency"], rel=JUDGED)
     path, body = single("satellite_bearing", few)
     answer = await answered(api, body, path)
     figure = await answered(api, body, f"{path}/chart")

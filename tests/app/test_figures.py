@@ -10,6 +10,7 @@ import pytest
 from app.calculations.load_sharing import MAX_TURN_PAIRS
 from app.calculations.mechanism import MAX_DRAWN_PAIRS, MAX_PAIRS
 from app.theme import SERIES
+from core.precision import JUDGED, SEARCHED
 
 pytestmark = pytest.mark.anyio
 
@@ -195,7 +196,7 @@ async def test_the_shaft_diagram_ends_where_the_answer_does(api):
     figure = (await api.post("precession/shaft-deflection/chart", json=SHAFT)).json()
     deflections = [trace for trace in figure["data"] if trace["yaxis"] == "y3"]
     for trace, axis in zip(deflections, "xy", strict=True):
-        assert trace["y"][0] == pytest.approx(answer["deflection_C_mm"][axis], rel=1e-5)
+        assert trace["y"][0] == pytest.approx(answer["deflection_C_mm"][axis], rel=JUDGED)
         assert trace["y"][-1] == 0.0
 
 
@@ -216,7 +217,7 @@ async def test_the_rollers_figure_can_be_held_against_its_source(api):
     ]
     for trace in stresses:
         relative = [stress / 210e3 for stress in trace["y"]]
-        assert trace["customdata"] == pytest.approx(relative, rel=1e-6)
+        assert trace["customdata"] == pytest.approx(relative, rel=SEARCHED)
     assert figure["layout"]["xaxis2"]["range"] == [0, 2]
 
 

@@ -11,6 +11,7 @@ from itertools import pairwise
 
 import pytest
 
+from core.precision import EXACT, SEARCHED
 from tests.oracles.room import Sizes, room
 
 pytestmark = pytest.mark.anyio
@@ -199,10 +200,10 @@ async def test_what_elasticity_takes_up(api):
     found = await fit_of(api, PRESSED, "elastic")
     assert found["state"] == "does_not_fit" and found["misfit"] == "pressed_without_load"
     assert found["elastic"] == {
-        "limit_mm": pytest.approx(0.035671122444567174, rel=1e-9),
-        "limit_force_N": pytest.approx(45027.03351387924, rel=1e-9),
-        "force_without_load_N": pytest.approx(22529.45260215064, rel=1e-9),
-        "pressure_without_load_MPa": pytest.approx(1012.9352157308101, rel=1e-9),
+        "limit_mm": pytest.approx(0.035671122444567174, rel=EXACT),
+        "limit_force_N": pytest.approx(45027.03351387924, rel=EXACT),
+        "force_without_load_N": pytest.approx(22529.45260215064, rel=EXACT),
+        "pressure_without_load_MPa": pytest.approx(1012.9352157308101, rel=EXACT),
     }
     beyond = asked(
         6, 2, 20, 50, 8, 2, -0.036, contact={key: PRESSED["contact"][key] for key in
@@ -381,7 +382,7 @@ async def test_the_figure_shows_the_room_and_what_is_blocked(api):
         assert (mark["x"], mark["y"]) == (
             [found["least_room_crank_angle_deg"]], [found["least_room_mm"]]
         )  # fmt: skip
-        assert min(whole["y"]) == pytest.approx(found["least_room_mm"], rel=1e-6)
+        assert min(whole["y"]) == pytest.approx(found["least_room_mm"], rel=SEARCHED)
         assert max(whole["y"]) == pytest.approx(found["greatest_room_mm"], abs=1e-3)
         for disc in discs:
             rooms = zip(disc["y"], whole["y"], strict=True)

@@ -6,6 +6,7 @@ from typing import Any
 import pytest
 
 from app.examples import EXAMPLES
+from core.precision import SEARCHED
 from tests.inputs.failing import failing
 from tests.oracles.seeds import TIMES
 
@@ -102,7 +103,7 @@ async def test_a_fix_keeps_the_fit_or_chooses_another(api: Any) -> None:
         for effect in fix["side_effects"]:
             assert there[effect["code"]]["status"] == effect["status_to"]
             if "utilisation_to" in effect:
-                used = pytest.approx(effect["utilisation_to"], rel=1e-6)
+                used = pytest.approx(effect["utilisation_to"], rel=SEARCHED)
                 assert there[effect["code"]]["utilisation"] == used
 
 

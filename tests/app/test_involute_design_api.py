@@ -10,6 +10,7 @@ import pytest
 
 from app.calculations.crank_planetary_request import CrankPlanetaryRequest
 from app.examples import EXAMPLES
+from core.precision import JUDGED
 
 pytestmark = pytest.mark.anyio
 
@@ -58,7 +59,7 @@ async def test_their_drawing_stands_as_their_files_do(api: Any) -> None:
         ("ring_lobe_mm", (pair.teeth.ring_tip, pair.ring_root)),
     ):
         far = [math.hypot(*point) for point in drawn[name]]
-        assert (min(far), max(far)) == pytest.approx([1e3 * e for e in ends], rel=1e-5)
+        assert (min(far), max(far)) == pytest.approx([1e3 * e for e in ends], rel=JUDGED)
         assert drawn[name][0][0] == pytest.approx(0, abs=1e-4)
     assert drawn["ring_turn_deg"] == -30.0
     assert drawn["turn_deg"] == pytest.approx([4.5 - 30.0, 4.5 + 180 / 20 - 30.0])

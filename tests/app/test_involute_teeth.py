@@ -12,6 +12,7 @@ from app.calculations.involute_teeth import (
 from app.calculations.ring import ring_of
 from core.design.ring import InvoluteRing
 from core.materials import ElasticMaterial
+from core.precision import CONVERGED
 from core.ring.involute import involute_pair
 from core.ring.involute_load import involute_load, root_stress
 from tests.inputs.involute import CASES
@@ -70,7 +71,7 @@ def test_tip_radii_stand_for_addenda():
     gear |= {"satellite_tip_radius_mm": 62.4, "ring_tip_radius_mm": 61.68}
     found = teeth_of(gear, case)
     for name in ("satellite_tip", "ring_tip"):
-        assert getattr(found, name) == pytest.approx(getattr(pair.teeth, name), rel=1e-14)
+        assert getattr(found, name) == pytest.approx(getattr(pair.teeth, name), rel=CONVERGED)
     with pytest.raises(ValidationError, match="only_one"):
         teeth_of(gear | {"ring_addendum": 0.8}, case)
 

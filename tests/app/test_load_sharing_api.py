@@ -15,6 +15,7 @@ from app.examples import REQUESTS
 from core.output.loop_rows import FORCE, LOST_MOTION
 from core.output.over_turn import over_turn
 from core.output.turn import Turn
+from core.precision import CONVERGED, EXACT, JUDGED, SAME
 from tests.oracles.held import close
 
 pytestmark = pytest.mark.anyio
@@ -55,8 +56,8 @@ async def test_what_others_found(api):
     assert round(turn["peak_force_N"], 4) == 957.1068
     without = math.sqrt((1 / 3 - 1 / 4.5) / (1 / 3 - 1 / 4.52))
     # Its modulus is rounded to 115385 MPa.
-    assert turn["max_pressure_MPa"] * without == pytest.approx(624.9693, rel=2e-6)
-    assert turn["backlash_max_arcmin"] * math.pi / 10800 == pytest.approx(2.1647844e-3, rel=1e-8)
+    assert turn["max_pressure_MPa"] * without == pytest.approx(624.9693, rel=JUDGED)
+    assert turn["backlash_max_arcmin"] * math.pi / 10800 == pytest.approx(2.1647844e-3, rel=EXACT)
 
 
 async def test_only_what_is_asked_is_sent(api):
@@ -76,7 +77,7 @@ async def test_only_what_is_asked_is_sent(api):
         "accuracy",
     }
     turn = answer["over_turn"]
-    assert max(map(max, turn["pressure_MPa"])) == pytest.approx(turn["max_pressure_MPa"], rel=1e-9)
+    assert max(map(max, turn["pressure_MPa"])) == pytest.approx(turn["max_pressure_MPa"], rel=EXACT)
     ideal = answer["ideal"]
     assert ideal["ratio"] == pytest.approx(turn["peak_force_N"] / ideal["peak_force_N"])
 
@@ -109,7 +110,7 @@ async def test_the_peak_of_the_ideal_is_that_of_the_contact_force(api):
     body = changed(include=["ideal"], contact_law=law)
     ideal = (await api.post(PATH, json=body)).json()["ideal"]
     force = await api.post("contact-force", json=body["mechanism"] | body["load"])
-    assert ideal == {"peak_force_N": pytest.approx(force.json()["peak_force_N"], rel=1e-14)}
+    assert ideal == {"peak_force_N": pytest.approx(force.json()["peak_force_N"], rel=CONVERGED)}
 
 
 async def test_the_clearance_follows_from_the_radii_without_loss(api):
@@ -216,7 +217,7 @@ async def test_ten_thousand_pairs_at_one_position(api):
     body = changed(mechanism={"pins": 5000}, load={"pin_circle_radius_mm": 20_000})
     del body["deviations"]
     answer = (await api.post(PATH, json=body)).json()
-    assert sum(answer["positions"][0]["satellite_torque_Nm"]) == pytest.approx(200, rel=1e-9)
+    assert sum(answer["positions"][0]["satellite_torque_Nm"]) == pytest.approx(200, rel=EXACT)
 
 
 async def test_a_turn_of_a_thousand_pairs(api):
@@ -246,7 +247,7 @@ async def test_satellites_that_give(api):
     body = changed(contact_law=linear, **FIRST)
     body["deviations"] = {"disc_phase_deg": [0.0, 0.02]}
     rigid = (await api.post(PATH, json=body)).json()["positions"][0]
-    assert rigid["rotation_arcmin"] == pytest.approx(3.992063361476, rel=1e-12)
+    assert rigid["rotation_arcmin"] == pytest.approx(3.992063361476, rel=SAME)
     assert "satellite_rotation_arcmin" not in rigid
 
     async def position(**sections):
@@ -255,20 +256,20 @@ async def test_satellites_that_give(api):
     arcmin = math.pi / 10800
     mesh = {"kind": "elastic", "stiffness_Nm_per_arcmin": 1e5 * arcmin}
     found = await position(satellite_coupling=mesh)
-    assert found["satellite_torque_Nm"] == pytest.approx([88.01503654, 111.9849635], rel=1e-9)
-    assert found["rotation_arcmin"] == pytest.approx(7.446788891, rel=1e-9)
+    assert found["satellite_torque_Nm"] == pytest.approx([88.01503654, 111.9849635], rel=EXACT)
+    assert found["rotation_arcmin"] == pytest.approx(7.446788891, rel=EXACT)
     discs = zip(found["satellite_torque_Nm"], found["satellite_rotation_arcmin"], strict=True)
     for torque, own in discs:
-        assert own == pytest.approx(found["rotation_arcmin"] - torque / 1e5 / arcmin, rel=1e-12)
+        assert own == pytest.approx(found["rotation_arcmin"] - torque / 1e5 / arcmin, rel=SAME)
     shared = await position(satellite_coupling={"kind": "shares", "shares": [0.55, 0.45]})
-    assert shared["satellite_torque_Nm"] == pytest.approx([110, 90], rel=1e-12)
+    assert shared["satellite_torque_Nm"] == pytest.approx([110, 90], rel=SAME)
     own = shared["satellite_rotation_arcmin"]
-    assert shared["rotation_arcmin"] == pytest.approx(0.55 * own[0] + 0.45 * own[1], rel=1e-12)
+    assert shared["rotation_arcmin"] == pytest.approx(0.55 * own[0] + 0.45 * own[1], rel=SAME)
     held = await position(crank_support=BEARINGS)
     assert held["rotation_arcmin"] > rigid["rotation_arcmin"] + 1.5
     assert await position(satellite_coupling={"kind": "rigid"}) == rigid
     nothing = await position(crank_support={})
-    assert nothing["rotation_arcmin"] == pytest.approx(rigid["rotation_arcmin"], rel=1e-12)
+    assert nothing["rotation_arcmin"] == pytest.approx(rigid["rotation_arcmin"], rel=SAME)
 
 
 async def test_every_section_of_satellites_that_give(api):

@@ -4,6 +4,8 @@ import math
 
 import pytest
 
+from core.precision import CONVERGED, EXACT, SAME, SEARCHED
+
 pytestmark = pytest.mark.anyio
 
 CONTACT = {"eccentricity_mm": 2.0, "pin_radius_mm": 8.0, "contact_length_mm": 20.0}
@@ -85,7 +87,7 @@ async def test_members_of_designs_that_are_known(api, name):
         losses["efficiency"],
     ]
     for one, two in zip(found, expected, strict=True):
-        assert two is None or one == pytest.approx(two, rel=1e-6, abs=1e-6)
+        assert two is None or one == pytest.approx(two, rel=SEARCHED, abs=1e-6)
     assert members["power_balance_W"] == pytest.approx(0.0, abs=1e-6)
 
 
@@ -137,41 +139,43 @@ async def test_one_design_run_with_pins_and_with_the_ring_as_output(api, section
     ring = await answered(api, PATH, of("ring", load=load) | {"include": sections})
     for answer, output, speed in ((pins, -75.0, 1500.0), (ring, 75.0, 1575.0)):
         members = answer["members"]
-        assert members["output_ratio"] == pytest.approx(speed / output, rel=1e-12)
+        assert members["output_ratio"] == pytest.approx(speed / output, rel=SAME)
         powers = [members[f"{name}_power_W"] for name in ("crank", "carrier", "ring")]
         assert sum(powers) == pytest.approx(0, abs=1e-9) == members["power_balance_W"]
         out = answer["output_efficiency"]["output_power_W"]
-        assert out == pytest.approx(powers[0], rel=1e-12) == -min(powers)
+        assert out == pytest.approx(powers[0], rel=SAME) == -min(powers)
     assert ring["members"]["carrier_speed_rpm"] == pins["members"]["ring_speed_rpm"] == 0
-    assert ring["members"]["relative_speed_rpm"] == pytest.approx(1575, rel=1e-12)
+    assert ring["members"]["relative_speed_rpm"] == pytest.approx(1575, rel=SAME)
 
     one, two = pins["load_sharing"], ring["load_sharing"]
-    assert two["peak_force_N"] == pytest.approx(one["peak_force_N"], rel=1e-9)
+    assert two["peak_force_N"] == pytest.approx(one["peak_force_N"], rel=EXACT)
     for name in ("backlash_max_arcmin", "backlash_min_arcmin", "lost_motion_arcmin",
                  "transmission_error_arcmin"):  # fmt: skip
-        assert two[name] == pytest.approx(one[name] * u / (u + 1), rel=1e-6), name
+        assert two[name] == pytest.approx(one[name] * u / (u + 1), rel=SEARCHED), name
     for name in ("stiffness_min_Nm_per_arcmin", "stiffness_max_Nm_per_arcmin"):
-        assert two[name] == pytest.approx(one[name] * ((u + 1) / u) ** 2, rel=1e-6), name
-    assert two["input_torque_ripple_Nm"] == pytest.approx(one["input_torque_ripple_Nm"], rel=1e-6)
+        assert two[name] == pytest.approx(one[name] * ((u + 1) / u) ** 2, rel=SEARCHED), name
+    assert two["input_torque_ripple_Nm"] == pytest.approx(
+        one["input_torque_ripple_Nm"], rel=SEARCHED
+    )
 
     same = ("mean_loss_W", "sliding_speed_m_per_s", "relative_speed_rpm", "peak_pv_MPa_m_per_s")
     for name in same:
         first, second = (each["output_efficiency"][name] for each in (pins, ring))
-        assert second == pytest.approx(first, rel=1e-9), name
+        assert second == pytest.approx(first, rel=EXACT), name
     lost = [1 / each["output_efficiency"]["efficiency"] - 1 for each in (pins, ring)]
-    assert lost[1] == pytest.approx(lost[0] * u / (u + 1), rel=1e-9)
+    assert lost[1] == pytest.approx(lost[0] * u / (u + 1), rel=EXACT)
     lives = [each["satellite_bearing"]["satellites"][0]["life_h"] for each in (pins, ring)]
-    assert lives[1] == pytest.approx(lives[0], rel=1e-9)
+    assert lives[1] == pytest.approx(lives[0], rel=EXACT)
     shafts = [each["crankshaft"] for each in (pins, ring)]  # whose speed is that of the crank
     lives = [each["bearings"][0]["basic_life_h"] for each in shafts]
-    assert lives[1] == pytest.approx(lives[0] * share, rel=1e-9)
+    assert lives[1] == pytest.approx(lives[0] * share, rel=EXACT)
     couples = [each["balance"]["couple_Nm"] for each in shafts]
-    assert couples[1] == pytest.approx(couples[0] / share**2, rel=1e-9)
+    assert couples[1] == pytest.approx(couples[0] / share**2, rel=EXACT)
 
     checks = [{each["code"]: each for each in answer["checks"]} for answer in (pins, ring)]
     for code in ("backlash", "lost_motion"):
         first, second = (each[code]["value"] for each in checks)
-        assert second == pytest.approx(first * u / (u + 1), rel=1e-6), code
+        assert second == pytest.approx(first * u / (u + 1), rel=SEARCHED), code
     # as much torque more as the ring has
     assert ring["largest_torque_Nm"] == pytest.approx(pins["largest_torque_Nm"] / share, rel=1e-4)
 
@@ -192,7 +196,7 @@ async def test_load_sharing_fit_and_study_see_the_output(api):
     def close(one, two, factor):
         flat = [(one, two)] if not isinstance(one, list) else [*zip(one, two, strict=True)]
         for first, second in flat:
-            assert second == pytest.approx(first * factor, rel=1e-7, abs=1e-9)
+            assert second == pytest.approx(first * factor, rel=EXACT, abs=1e-9)
 
     factors = {"_arcmin": share, "Nm_per_arcmin": share**-2, "satellite_torque_Nm": 1 / share}
     seen = 0
@@ -249,12 +253,12 @@ async def test_torque_of_the_crank_makes_that_of_the_ring(api):
     by_crank = flat | {"input_torque_Nm": 25, "efficiency": 0.9}
     on_pins = await answered(api, "contact-force", by_crank)
     ring = await answered(api, "contact-force", by_crank | {"output": "ring"})
-    assert ring["peak_force_N"] == pytest.approx(on_pins["peak_force_N"], rel=1e-14)
+    assert ring["peak_force_N"] == pytest.approx(on_pins["peak_force_N"], rel=CONVERGED)
     whole = design("ring")
     whole["load"] = {"input_torque_Nm": 25, "efficiency": 0.9, "pin_circle_radius_mm": 50}
     members = (await answered(api, PATH, whole))["members"]
-    assert members["pin_torque_Nm"] == pytest.approx(450.0, rel=1e-14)
-    assert members["ring_torque_Nm"] == pytest.approx(-472.5, rel=1e-14)
+    assert members["pin_torque_Nm"] == pytest.approx(450.0, rel=CONVERGED)
+    assert members["ring_torque_Nm"] == pytest.approx(-472.5, rel=CONVERGED)
 
 
 async def test_the_ratio_may_be_that_of_the_ring(api):
@@ -331,11 +335,11 @@ async def test_two_shafts_that_pins_couple(api):
     answer = await answered(api, PATH, ideal)
     speed = 600 * math.pi / 30
     losses = answer["output_efficiency"]
-    assert losses["sliding_speed_m_per_s"] == pytest.approx(1.5e-3 * speed, rel=1e-12)
-    assert losses["output_power_W"] == pytest.approx(20 * speed, rel=1e-12)
+    assert losses["sliding_speed_m_per_s"] == pytest.approx(1.5e-3 * speed, rel=SAME)
+    assert losses["output_power_W"] == pytest.approx(20 * speed, rel=SAME)
     loss = 0.1 * 1.5e-3 * speed * 4 / math.pi * 20 / 0.03
-    assert losses["mean_loss_W"] == pytest.approx(loss, rel=1e-12)
-    assert losses["efficiency"] == pytest.approx(1 / (1 + loss / (20 * speed)), rel=1e-12)
+    assert losses["mean_loss_W"] == pytest.approx(loss, rel=SAME)
+    assert losses["efficiency"] == pytest.approx(1 / (1 + loss / (20 * speed)), rel=SAME)
     assert answer["cyclogram"]["period_deg"] == 360
     members = answer["members"]
     assert (members["output_ratio"], members["carrier_speed_rpm"]) == (1, 600)
@@ -378,5 +382,5 @@ async def test_a_seat_that_turns_with_the_crank_spares_the_bearing(api):
     lives = [each["basic_life_h"] for each in bearings]
     usual = (await answered(api, PATH, of("ring")))["crankshaft"]["bearings"]
     still = [each["basic_life_h"] for each in usual]
-    assert lives[0] == pytest.approx(still[0] * 21 / 20, rel=1e-12)
-    assert lives[1] == pytest.approx(still[1], rel=1e-12)
+    assert lives[0] == pytest.approx(still[0] * 21 / 20, rel=SAME)
+    assert lives[1] == pytest.approx(still[1], rel=SAME)

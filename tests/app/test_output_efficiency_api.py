@@ -5,6 +5,7 @@ from copy import deepcopy
 import pytest
 
 from app.examples import REQUESTS
+from core.precision import CONVERGED
 
 pytestmark = pytest.mark.anyio
 
@@ -56,7 +57,7 @@ async def test_curves_only_where_they_are_asked(api):
     assert curves["crank_angle_deg"] == [0, 60, 120, 180, 240, 300, 360]
     for loss, efficiency in zip(curves["loss_W"], curves["efficiency"], strict=True):
         power = answer["output_power_W"]
-        assert efficiency == pytest.approx(power / (power + loss), rel=1e-14)
+        assert efficiency == pytest.approx(power / (power + loss), rel=CONVERGED)
     assert "curves" not in (await api.post(PATH, json=REQUESTS[PATH])).json()
 
 

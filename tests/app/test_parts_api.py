@@ -7,6 +7,7 @@ from copy import deepcopy
 import pytest
 
 from core.design.sections import PART_NAMES
+from core.precision import EXACT
 
 pytestmark = pytest.mark.anyio
 
@@ -97,7 +98,7 @@ async def test_a_fit_is_a_clearance(api):
     loose = {name: value for name, value in FITTED.items() if name != "fit"}
     number, *_ = await asked(api, winch(contact=loose | {"hole_clearance_mm": 0.025}))
     assert fitted["fit"]["least_room_mm"] == pytest.approx(0.025, abs=1e-9)
-    assert fitted["largest_torque_Nm"] == pytest.approx(number["largest_torque_Nm"], rel=1e-9)
+    assert fitted["largest_torque_Nm"] == pytest.approx(number["largest_torque_Nm"], rel=EXACT)
     assert fitted["largest_torque_of"] == ["contact", "pins", "satellite_bearing"]
     assert fitted["model"] == "real" and parts["pins"]["status"] == "pass"
     assert fitted["verdict"] == "incomplete"  # of teeth, crankshaft, demands on the losses
@@ -108,7 +109,7 @@ async def test_a_fit_is_a_clearance(api):
     beside = usual["usual_fit"]
     assert (beside["class"], beside["verdict"]) == ("H7/f7", "incomplete")
     assert beside["hole_clearance_mm"] == pytest.approx(0.025)
-    assert beside["largest_torque_Nm"] == pytest.approx(fitted["largest_torque_Nm"], rel=1e-9)
+    assert beside["largest_torque_Nm"] == pytest.approx(fitted["largest_torque_Nm"], rel=EXACT)
     none, *_ = await asked(api, winch(contact=FITTED, include=["usual_fit"]))
     assert "usual_fit" not in none
 

@@ -6,6 +6,7 @@ import pytest
 
 from app.calculations.checks import judgement
 from app.calculations.crank_planetary_request import CrankPlanetaryRequest
+from app.calculations.mechanism import MechanismFields
 from app.running import path_of
 from core.checks.crank_planetary import crank_checks
 
@@ -25,7 +26,7 @@ PIN = {"satellite_positions_mm": [15.0, 37.0]}
         ("contact_length", ("contact", "contact_length_mm")),
         ("pin.contact_length", ("pin", "contact_length_mm")),
         ("pin.satellite_positions[1]", ("pin", "satellite_positions_mm", 1)),
-        ("hole_radial[0][2]", None),
+        ("hole_radial[0][2]", ()),
         ("deviations.hole_radial[0][2]", ("deviations", "hole_radial_mm", 0, 2)),
         ("crank_angles[1]", ("mechanism", "crank_angles_deg", 1)),
         (
@@ -33,12 +34,21 @@ PIN = {"satellite_positions_mm": [15.0, 37.0]}
             ("crankshaft", "bearings", 1, "dynamic_rating_N"),
         ),
         ("pin.material.yield_strength", ("pin", "material", "yield_strength_MPa")),
-        ("nothing", None),
+        ("nothing", ()),
     ],
 )
 def test_the_path_of_a_parameter(given: dict[str, Any], parameter: str, path: Any) -> None:
     """The same whether the section is given, so that a refusal can name what is missing."""
     assert path_of(CrankPlanetaryRequest.model_validate(BODY | given), parameter) == path
+
+
+def test_what_is_kept_of_a_request_is_of_the_fields_that_it_has() -> None:
+    angles = {"pins": 6, "ratio": 20.0, "crank_angles_deg": [0.0, 120.0, 240.0]}
+    assert MechanismFields.model_validate(angles).given["satellites"] == 3
+    body = CrankPlanetaryRequest.model_validate(BODY)
+    assert body.given.keys() >= {"load", "contact"}
+    assert body.design.contact
+    assert not body.model_copy(update={"contact": None}).design.contact
 
 
 def inputs(**changes: Any) -> set[str]:

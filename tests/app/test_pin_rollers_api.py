@@ -5,6 +5,7 @@ from typing import Any
 import pytest
 
 from core.bearings import BEARINGS
+from core.precision import EXACT, SEARCHED
 
 pytestmark = pytest.mark.anyio
 
@@ -160,7 +161,7 @@ async def test_what_contradicts_the_rollers_is_refused(api):
 
 async def test_rollers_alone_are_friction_enough(api):
     losses = await answered(api, SMALL, "output-efficiency")
-    assert losses["mean_loss_W"] == pytest.approx(0.007476923, rel=1e-6)
+    assert losses["mean_loss_W"] == pytest.approx(0.007476923, rel=SEARCHED)
     bare = having(SMALL, rollers=None)
     assert await refused(api, bare, "output-efficiency") == ("/friction", "needed")
     asked = SMALL | {"requirements": {"min_efficiency": 0.9}, "include": ["checks"]}
@@ -191,8 +192,8 @@ HOLLOW: dict[str, Any] = {
 @pytest.mark.parametrize(("bore", "stress"), [(10.0, 361.93114879632), (14.0, 741.15812240237)])
 async def test_bored_pins_bend_as_tubes(api, bore, stress):
     found = await answered(api, having(HOLLOW, pin={"bore_diameter_mm": bore}), "pin-strength")
-    assert found["peak_bending_stress_MPa"] == pytest.approx(stress, rel=1e-6)
-    assert found["peak_equivalent_stress_MPa"] == pytest.approx(stress, rel=1e-6)
+    assert found["peak_bending_stress_MPa"] == pytest.approx(stress, rel=SEARCHED)
+    assert found["peak_equivalent_stress_MPa"] == pytest.approx(stress, rel=SEARCHED)
 
 
 async def test_hollow_standoffs_of_an_open_design(api):
@@ -237,9 +238,9 @@ async def test_forces_and_pieces_have_the_play_of_the_rollers(api):
         (await answered(api, body | asked, "load-sharing"))["over_turn"] for body in (loose, wider)
     ]
     for name in ("peak_force_N", "backlash_max_arcmin", "lost_motion_arcmin"):
-        assert found[name] == pytest.approx(same[name], rel=1e-6), name
+        assert found[name] == pytest.approx(same[name], rel=SEARCHED), name
     whole = await answered(api, loose | {"include": ["load_sharing"]})
-    assert whole["load_sharing"]["peak_force_N"] == pytest.approx(found["peak_force_N"], rel=1e-9)
+    assert whole["load_sharing"]["peak_force_N"] == pytest.approx(found["peak_force_N"], rel=EXACT)
     drawn = {
         "tolerances": {"eccentricity_mm": 0.005},
         "samples": 100,
@@ -250,7 +251,7 @@ async def test_forces_and_pieces_have_the_play_of_the_rollers(api):
         for body in (loose, wider)
     ]
     for name, values in study.items():
-        assert values["mean"] == pytest.approx(other[name]["mean"], rel=1e-6), name
+        assert values["mean"] == pytest.approx(other[name]["mean"], rel=SEARCHED), name
     unlike = having(loose, contact={"pin_radius_mm": 6.0}, rollers={"outer_diameter_mm": 13.0})
     assert await refused(api, unlike, "load-sharing") == ("/rollers/outer_diameter_mm", "only_one")
     thick = having(

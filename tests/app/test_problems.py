@@ -11,6 +11,7 @@ from app.main import create_app
 from app.problems import MAX_NAME, TEXTS, pointer
 from app.settings import Settings
 from core.codes import WARNINGS
+from core.precision import CONVERGED
 
 pytestmark = pytest.mark.anyio
 
@@ -116,7 +117,7 @@ async def test_a_limit_is_said_with_its_number_in_the_unit_of_the_field(
     response = await api.post(path, json=body)
     (error,) = response.json()["errors"]
     assert error["pointer"] == pointer
-    assert error["params"]["limit"] == pytest.approx(limit, rel=1e-15)
+    assert error["params"]["limit"] == pytest.approx(limit, rel=CONVERGED)
     assert f"{limit:g}" in error["detail"]
 
 

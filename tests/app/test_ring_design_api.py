@@ -14,6 +14,7 @@ from app.calculations.crank_planetary import solve
 from app.calculations.crank_planetary_request import CrankPlanetaryRequest
 from app.examples import REQUESTS
 from core.checks.usual_modification import usual_modification
+from core.precision import EXACT, JUDGED, SAME, SEARCHED
 from core.ring.sharing import mesh_position
 
 pytestmark = pytest.mark.anyio
@@ -239,9 +240,9 @@ async def test_the_figure_is_of_the_peak(api):
     (there,) = (await api.post("ring-mesh", json=alone)).json()["positions"]
     shown = [each for each in of["y"] if each["mode"] == "lines+markers"]
     for row, trace in zip(there["force_N"], shown, strict=True):
-        assert trace["y"] == pytest.approx(row, rel=1e-6, abs=1e-3)
+        assert trace["y"] == pytest.approx(row, rel=SEARCHED, abs=1e-3)
     most = shown[pair["satellite"] - 1]
-    assert most["y"][pair["pin"] - 1] == pytest.approx(turn["peak_force_N"], rel=1e-6)
+    assert most["y"][pair["pin"] - 1] == pytest.approx(turn["peak_force_N"], rel=SEARCHED)
     for gap, force in zip(of["y2"], shown, strict=True):
         assert [value > 0 for value in gap["y"]] == [value == 0 for value in force["y"]]
     curve, peak = of["y3"]
@@ -269,7 +270,7 @@ async def test_angles_are_those_of_the_output(api):
         ("stiffness_min_Nm_per_arcmin", (20 / 19) ** 2),
         ("max_pressure_MPa", 1.0),
     ):
-        assert two["over_turn"][name] == pytest.approx(part * one["over_turn"][name], rel=1e-6)
+        assert two["over_turn"][name] == pytest.approx(part * one["over_turn"][name], rel=SEARCHED)
 
 
 async def test_more_forces_than_are_solved_in_series_are_said(api):
@@ -333,10 +334,10 @@ async def test_both_meshes_are_in_series_where_both_are_known(api, off):
         "transmission_error_arcmin",
         "stiffness_min_Nm_per_arcmin",
     ):
-        assert made[name] == pytest.approx(whole[name], rel=1e-9), name
+        assert made[name] == pytest.approx(whole[name], rel=EXACT), name
     teeth = answer["ring_mesh"]["over_turn"]
     for name in ("peak_force_N", "max_pressure_MPa"):
-        assert made["ring"][name] == pytest.approx(whole["ring"][name], rel=1e-9)
+        assert made["ring"][name] == pytest.approx(whole["ring"][name], rel=EXACT)
         assert teeth[name] == made["ring"][name]
     alone |= {"include": ["positions"], "crank_angle_deg": angles[:: max(1, turns // 2)]}
     found = (await api.post("load-sharing", json=alone)).json()["positions"]
@@ -412,7 +413,7 @@ async def test_the_ring_is_told_as_it_works_in_series(api, monkeypatch):
     checks = {each["code"]: each for each in answer["checks"]}
     error, play = checks["ring_transmission_error"], checks["ring_backlash"]
     both = answer["load_sharing"]["transmission_error_arcmin"]
-    assert error["value"] == pytest.approx(both, rel=1e-9)
+    assert error["value"] == pytest.approx(both, rel=EXACT)
     most = max(high - low for each in found for low, high in each["ring"]["play_arcmin"])
     assert most <= play["value"] <= most * 1.05
     said = [each["reason"]["code"] for each in (error, play, checks["ring_pressed"])]
@@ -425,11 +426,11 @@ async def test_the_ring_is_told_as_it_works_in_series(api, monkeypatch):
     x = of["y4"][0]["x"]
     one, peak = await positions([x[100], turn["peak_crank_angle_deg"]])
     assert [each["y"][100] for each in of["y4"]] == pytest.approx(
-        [one["rotation_arcmin"], *one["ring"]["rotation_arcmin"]], rel=1e-5
+        [one["rotation_arcmin"], *one["ring"]["rotation_arcmin"]], rel=JUDGED
     )
     carried = [each for each in of["y"] if each["mode"] == "lines+markers"]
     for row, trace in zip(peak["ring"]["force_N"], carried, strict=True):
-        assert trace["y"] == pytest.approx(row, rel=1e-5, abs=1e-2)
+        assert trace["y"] == pytest.approx(row, rel=JUDGED, abs=1e-2)
 
 
 async def test_discs_that_the_pins_let_turn_apart_do_not_press_in_their_ring(api):
@@ -471,7 +472,7 @@ async def test_what_is_stated_or_not_known_leaves_them_apart(api, sections):
     size = body["gear"]
     k1 = 20 * body["contact"]["eccentricity_mm"] / size["ring_pin_circle_radius_mm"]
     ideal = -(2 - (1 - k1**2) / k1 * math.log((1 + k1) / (1 - k1))) / (math.pi * k1)
-    assert answer["satellite_bearing"]["radial_force_ratio"] == pytest.approx(ideal, rel=1e-9)
+    assert answer["satellite_bearing"]["radial_force_ratio"] == pytest.approx(ideal, rel=EXACT)
 
 
 @pytest.mark.parametrize(
@@ -543,18 +544,18 @@ async def test_a_usual_ring_is_answered_where_it_is_asked(api):
         ("backlash_arcmin", usual.backlash, 60 * 180 / math.pi),
     ):
         assert [found[name][key] for key in ("median", "percent_90")] == pytest.approx(
-            [each * unit for each in spread], rel=1e-12
+            [each * unit for each in spread], rel=SAME
         )
     assert found["cannot_assemble"] == 0
     assert found["verdict"] == usual.verdict.verdict
     torque = body["load"]["output_torque_Nm"] * usual.verdict.torque_reserve
-    assert found["largest_torque_Nm"] == pytest.approx(torque, rel=1e-12)
+    assert found["largest_torque_Nm"] == pytest.approx(torque, rel=SAME)
     ring = deepcopy(body)
     ring["mechanism"]["output"] = "ring"
     ring["load"]["output_torque_Nm"] *= 20 / 19
     turned = (await api.post(PATH, json=ring)).json()["usual_modification"]
     parts = [each["backlash_arcmin"]["median"] for each in (turned, found)]
-    assert parts[0] / parts[1] == pytest.approx(19 / 20, rel=1e-9)
+    assert parts[0] / parts[1] == pytest.approx(19 / 20, rel=EXACT)
     body["gear"]["modification"] = {"equidistant_mm": 0.03}
     body["deviations"] = {"ring_pin_radial_mm": [0.0] * 20}
     assert "usual_modification" not in (await api.post(PATH, json=body)).json()

@@ -11,6 +11,7 @@ import plotly.graph_objects as go
 import pytest
 
 from app.examples import REQUESTS
+from core.precision import EXACT, SAME, SEARCHED
 from tests.inputs.involute import CASES as INVOLUTE
 from tests.oracles.held import close
 
@@ -129,9 +130,9 @@ async def test_reverse_and_rotation(api):
     del plain["gear"]["modification"]["rotation_arcmin"]
     more, less = [(await api.post(PATH, json=each)).json() for each in (turned, plain)]
     wider = more["ideal"]["backlash_arcmin"] - less["ideal"]["backlash_arcmin"]
-    assert wider == pytest.approx(2, rel=1e-9)
+    assert wider == pytest.approx(2, rel=EXACT)
     plays = [np.ptp(each["positions"][0]["play_arcmin"]) for each in (more, less)]
-    assert plays[0] - plays[1] == pytest.approx(2, rel=1e-6)
+    assert plays[0] - plays[1] == pytest.approx(2, rel=SEARCHED)
 
 
 @pytest.mark.parametrize(
@@ -281,11 +282,11 @@ async def test_stresses_are_at_the_application_factor_and_forces_at_the_torque(a
         ("iso_pressure_at_pitch_point_MPa", 0.5),
         ("normal_force_N", 0),
     ):
-        assert more[name] == pytest.approx(plain[name] * 1.8**power, rel=1e-12)
+        assert more[name] == pytest.approx(plain[name] * 1.8**power, rel=SAME)
     stress = "root_stress_one_pair_MPa"
-    assert more["root"][stress] == pytest.approx(1.8 * plain["root"][stress], rel=1e-12)
+    assert more["root"][stress] == pytest.approx(1.8 * plain["root"][stress], rel=SAME)
     two = (await api.post(PATH, json=rounded(mechanism={"satellites": 2}))).json()["stresses"]
-    assert two["normal_force_N"] == pytest.approx(plain["normal_force_N"] / 2, rel=1e-12)
+    assert two["normal_force_N"] == pytest.approx(plain["normal_force_N"] / 2, rel=SAME)
 
 
 async def test_pairs_that_carry_and_the_loss_are_answered_where_they_are_asked_for(api):
@@ -297,10 +298,10 @@ async def test_pairs_that_carry_and_the_loss_are_answered_where_they_are_asked_f
     middle = (
         pitch - (line["start_roll_satellite"] + end) / 2
     )  # the path ends before the pitch point
-    assert loss["loss_per_friction"] == pytest.approx(middle, rel=1e-9)
-    assert loss["efficiency"] == pytest.approx(1 / (1 + 0.06 * middle), rel=1e-12)
+    assert loss["loss_per_friction"] == pytest.approx(middle, rel=EXACT)
+    assert loss["efficiency"] == pytest.approx(1 / (1 + 0.06 * middle), rel=SAME)
     power = 300 * 1500 * np.pi / 30 * 2 / 40
-    assert loss["mean_loss_W"] == pytest.approx(0.06 * middle * power, rel=1e-9)
+    assert loss["mean_loss_W"] == pytest.approx(0.06 * middle * power, rel=EXACT)
     shared = answer["shared_pairs"]
     assert (shared["loaded_pairs_min"], shared["loaded_pairs_max"]) == (2, 3)
     assert shared["largest_share"] == pytest.approx(0.51, abs=0.01)
@@ -340,7 +341,7 @@ async def test_tip_radii_stand_for_addenda(api):
     plain = (await api.post(PATH, json=ROUND)).json()["geometry"]
     gear = {name: value for name, value in ROUND["gear"].items() if "addendum" not in name}
     found = (await api.post(PATH, json=ROUND | {"gear": gear | TIPS})).json()["geometry"]
-    assert found == pytest.approx(plain, rel=1e-9)
+    assert found == pytest.approx(plain, rel=EXACT)
     for name, value, code, limit in (
         ("satellite_tip_radius_mm", 56.0, "greater_than", 60 * np.cos(np.pi / 9)),
         ("satellite_tip_radius_mm", 60.5, "greater_than_equal", 60.9),
@@ -352,7 +353,7 @@ async def test_tip_radii_stand_for_addenda(api):
         answer = await api.post(PATH, json=ROUND | {"gear": gear | TIPS | {name: value}})
         error = answer.json()["errors"][0]
         assert (error["pointer"], error["code"]) == (f"/gear/{name}", code)
-        assert error["params"]["limit"] == pytest.approx(limit, rel=1e-12)
+        assert error["params"]["limit"] == pytest.approx(limit, rel=SAME)
 
 
 @pytest.mark.parametrize(
@@ -400,14 +401,14 @@ async def test_the_figure_of_involute_teeth_shows_their_pressures(api, theme, ca
     line, path, start, end, pitch = figure["data"]
     held = ("pressure_one_pair_start_MPa", "pressure_one_pair_end_MPa")
     for mark, name, at in zip((start, end), held, (0, -1), strict=True):
-        assert mark["y"] == pytest.approx([stresses[name]], rel=1e-9)
-        assert path["y"][at] == pytest.approx(stresses[name], rel=1e-6)
-    assert pitch["y"] == pytest.approx([stresses["iso_pressure_at_pitch_point_MPa"]], rel=1e-9)
+        assert mark["y"] == pytest.approx([stresses[name]], rel=EXACT)
+        assert path["y"][at] == pytest.approx(stresses[name], rel=SEARCHED)
+    assert pitch["y"] == pytest.approx([stresses["iso_pressure_at_pitch_point_MPa"]], rel=EXACT)
     assert min(line["x"]) <= pitch["x"][0] * (1 + 1e-6)
     assert max(line["x"]) >= max(*path["x"], *pitch["x"]) * (1 - 1e-6)
     loaded = case["body"] | {"load": case["body"]["load"] | {"application_factor": 1.44}}
     more = (await api.post(f"{PATH}/chart?theme={theme}", json=loaded)).json()["data"]
-    assert more[3]["y"][0] == pytest.approx(1.2 * end["y"][0], rel=1e-9)
+    assert more[3]["y"][0] == pytest.approx(1.2 * end["y"][0], rel=EXACT)
 
 
 async def test_a_path_that_starts_where_there_is_no_involute_has_no_pressure_there(api):

@@ -6,6 +6,8 @@ import sys
 
 import pytest
 
+from core.precision import CONVERGED, EXACT, JUDGED, SAME, SEARCHED
+
 pytestmark = pytest.mark.anyio
 
 # The 2019 paper's fig. 6 with d = 10 mm: T = 0.001*E*d^3, chi = 2e-4*d.
@@ -42,9 +44,9 @@ def without(body, *names):
 
 async def test_the_stress_of_the_papers_rollers(api):
     answer = (await api.post("roller-strength", json=ROLLERS)).json()
-    assert answer["bending_stress_MPa"] / 210e3 == pytest.approx(0.0024213655, rel=1e-7)
-    assert sum(answer["forces_N"]) == pytest.approx(210 / (2 * 0.03), rel=1e-14)
-    assert answer["centre_force_N"] == pytest.approx(2 * answer["max_force_N"], rel=1e-15)
+    assert answer["bending_stress_MPa"] / 210e3 == pytest.approx(0.0024213655, rel=EXACT)
+    assert sum(answer["forces_N"]) == pytest.approx(210 / (2 * 0.03), rel=CONVERGED)
+    assert answer["centre_force_N"] == pytest.approx(2 * answer["max_force_N"], rel=CONVERGED)
     assert answer["loaded_rollers"] == 4 and "warnings" not in answer
 
 
@@ -55,16 +57,16 @@ async def test_the_stiffness_of_fig_4(api, length, stiffness):
     body = without(ROLLERS, "poissons_ratio")
     body |= {"shear_modulus_GPa": 78, "cylinder_length_mm": length}
     answer = (await api.post("roller-strength", json=body)).json()
-    assert answer["relative_stiffness"] == pytest.approx(stiffness, rel=1e-7)
+    assert answer["relative_stiffness"] == pytest.approx(stiffness, rel=SEARCHED)
 
 
 async def test_gaps_of_the_worst_case_are_the_tolerance(api):
     gaps = without(ROLLERS, "position_tolerance_mm") | {"gaps_mm": [0, 0.008, 0.008, 0.008]}
     by_gaps = (await api.post("roller-strength", json=gaps)).json()
     by_tolerance = (await api.post("roller-strength", json=ROLLERS)).json()
-    assert by_gaps["forces_N"] == pytest.approx(by_tolerance["forces_N"], rel=1e-13)
+    assert by_gaps["forces_N"] == pytest.approx(by_tolerance["forces_N"], rel=CONVERGED)
     assert by_gaps["relative_position_error"] == pytest.approx(
-        by_tolerance["relative_position_error"], rel=1e-13
+        by_tolerance["relative_position_error"], rel=CONVERGED
     )
 
 
@@ -76,20 +78,20 @@ async def test_beyond_the_limit_one_roller_carries_all(api):
 
 async def test_the_checked_case_of_the_precessional_gear(api):
     lines = (await api.post("precession/contact-line", json=GEAR)).json()
-    assert lines["total_length_mm"] == pytest.approx(40.2196026288, rel=1e-11)
+    assert lines["total_length_mm"] == pytest.approx(40.2196026288, rel=SAME)
     assert sum(line["length_mm"] for line in lines["lines"]) == pytest.approx(
-        lines["total_length_mm"], rel=1e-14
+        lines["total_length_mm"], rel=CONVERGED
     )
     load = (await api.post("precession/meshing-load", json=MESH)).json()
-    assert load["force_N"] == pytest.approx([168.756146705, -337.606954169, 0], rel=1e-11)
-    assert load["moment_Nm"] == pytest.approx([-0.0316199045437, -0.0724918335263, 10], rel=1e-11)
+    assert load["force_N"] == pytest.approx([168.756146705, -337.606954169, 0], rel=SAME)
+    assert load["moment_Nm"] == pytest.approx([-0.0316199045437, -0.0724918335263, 10], rel=SAME)
     shaft = (await api.post("precession/shaft-deflection", json=SHAFT)).json()
-    assert shaft["reaction_B_N"] == pytest.approx([2.41639445088, -1.05399681812], rel=1e-10)
-    assert shaft["reaction_C_N"] == pytest.approx([-171.172541156, 338.660950987], rel=1e-11)
+    assert shaft["reaction_B_N"] == pytest.approx([2.41639445088, -1.05399681812], rel=EXACT)
+    assert shaft["reaction_C_N"] == pytest.approx([-171.172541156, 338.660950987], rel=SAME)
     for bearing in "BC":
         deflection = shaft[f"deflection_{bearing}_mm"]
         assert deflection["total"] == pytest.approx(
-            math.hypot(deflection["x"], deflection["y"]), rel=1e-14
+            math.hypot(deflection["x"], deflection["y"]), rel=CONVERGED
         )
 
 
@@ -101,7 +103,7 @@ async def test_points_only_where_asked(api):
         points = line["points"]
         assert len(points["z_mm"]) == 7 and (points["z_mm"][0], points["z_mm"][-1]) == (15, 25)
         for x, phi in zip(points["x_mm"], points["phi_deg"], strict=True):
-            assert x == pytest.approx(4 * math.radians(phi), rel=1e-12)
+            assert x == pytest.approx(4 * math.radians(phi), rel=SAME)
 
 
 async def test_a_wheel_is_its_rollers_one_by_one(api):
@@ -116,7 +118,7 @@ async def test_a_wheel_is_its_rollers_one_by_one(api):
         await api.post("precession/meshing-load", json=without(MESH, "rollers") | {"wheel": wheel})
     ).json()
     one_by_one = (await api.post("precession/meshing-load", json=MESH)).json()
-    assert by_wheel["force_N"] == pytest.approx(one_by_one["force_N"], rel=1e-12)
+    assert by_wheel["force_N"] == pytest.approx(one_by_one["force_N"], rel=SAME)
 
 
 async def test_a_stepped_shaft_has_the_papers_simplification_beside_it(api):
@@ -126,7 +128,7 @@ async def test_a_stepped_shaft_has_the_papers_simplification_beside_it(api):
     plain = (await api.post("precession/shaft-deflection", json=SHAFT)).json()
     assert stepped["simplified_deflection_C_mm"] == plain["deflection_C_mm"]
     error = plain["deflection_C_mm"]["total"] / stepped["deflection_C_mm"]["total"] - 1
-    assert stepped["simplification_error_C"] == pytest.approx(error, rel=1e-10)
+    assert stepped["simplification_error_C"] == pytest.approx(error, rel=SAME)
     assert "simplified_deflection_C_mm" not in plain
 
 
@@ -258,14 +260,14 @@ async def test_fatigue_of_rollers_where_asked(api):
     own = (await api.post("roller-strength", json=ROLLERS | TIRED)).json()
     cycle = own["fatigue"]
     half = 0.0024213655 * 210e3 / 2
-    assert [cycle["amplitude_MPa"], cycle["mean_MPa"]] == pytest.approx([half] * 2, rel=1e-7)
+    assert [cycle["amplitude_MPa"], cycle["mean_MPa"]] == pytest.approx([half] * 2, rel=EXACT)
     assert cycle["factors"]["notch"] == 1
     endurance = 3.04 * 900**-0.217 * 1.24 * 10**-0.107 * 450
     safety = 1 / (half / endurance + half / 900)
-    assert cycle["safety_factor"] == pytest.approx(safety, rel=1e-7)
+    assert cycle["safety_factor"] == pytest.approx(safety, rel=EXACT)
     given = TIRED | {"fatigue": {"endurance_limit_MPa": endurance}}
     cycle = (await api.post("roller-strength", json=ROLLERS | given)).json()["fatigue"]
-    assert cycle["amplitude_MPa"] == pytest.approx(half / 2, rel=1e-7)
+    assert cycle["amplitude_MPa"] == pytest.approx(half / 2, rel=EXACT)
     smooth = ROLLERS | TIRED | {"stress_concentration": 1, "include": ["checks"]}
     unknown = (await api.post("roller-strength", json=smooth)).json()
     assert said_by_checks(unknown) == ["notch_unknown"] and "fatigue" not in unknown
@@ -273,7 +275,7 @@ async def test_fatigue_of_rollers_where_asked(api):
     assert [each["code"] for each in unknown["warnings"]] == ["notch_unknown"]
     notched = smooth | {"fatigue": {"surface": "machined", "fatigue_notch_factor": 2}}
     cycle = (await api.post("roller-strength", json=notched)).json()["fatigue"]
-    assert cycle["safety_factor"] == pytest.approx(1 / (half / endurance + half / 1800), rel=1e-7)
+    assert cycle["safety_factor"] == pytest.approx(1 / (half / endurance + half / 1800), rel=EXACT)
     notched["roller_rotates"] = True
     spun = (await api.post("roller-strength", json=notched)).json()["fatigue"]
     assert spun["mean_MPa"] == 0 and spun["safety_factor"] < cycle["safety_factor"]
@@ -293,7 +295,7 @@ async def test_strength_of_the_shaft_where_asked(api):
     found = (await api.post(path, json=body | {"yield_strength_MPa": 300})).json()["strength"]
     assert f"{found['bending_moment_clamp_Nm'] * 1e3:.2f}" == "18932.51"
     assert f"{found['peak_stress_MPa']:.4f}" == "24.1056"
-    assert found["static_safety_factor"] == pytest.approx(300 / 24.1056, rel=1e-5)
+    assert found["static_safety_factor"] == pytest.approx(300 / 24.1056, rel=JUDGED)
     assert "fatigue" not in found
     tired = body | TIRED | {"include": ["checks"]}
     unknown = (await api.post(path, json=tired)).json()
@@ -304,7 +306,7 @@ async def test_strength_of_the_shaft_where_asked(api):
     answer = (await api.post(path, json=tired)).json()
     endurance = 3.04 * 900**-0.217 * 1.24 * 20**-0.107 * 300
     cycle = answer["strength"]["fatigue"]
-    assert cycle["safety_factor"] == pytest.approx(endurance / 24.1056, rel=1e-5)
+    assert cycle["safety_factor"] == pytest.approx(endurance / 24.1056, rel=JUDGED)
     steady = (await api.post(path, json=tired | {"load_rotates_with_shaft": True})).json()
     assert "fatigue" not in steady["strength"]
     judged = {each["code"]: each["status"] for each in steady["checks"]}
@@ -320,11 +322,11 @@ async def test_pressure_along_the_lines_where_the_teeth_are_given(api):
     q = (await api.post("precession/meshing-load", json=MESH)).json()["max_line_load_N_per_mm"]
     found = answer["line_contact"]
     width = math.sqrt(2 * q / math.pi * 2 * (1 - 0.292**2) / 207e3 / (1 / 8 + 1 / 40))
-    assert found["half_width_mm"] == pytest.approx(width, rel=1e-12)
+    assert found["half_width_mm"] == pytest.approx(width, rel=SAME)
     pressure = 2 * q / (math.pi * width)
-    assert found["max_pressure_MPa"] == pytest.approx(pressure, rel=1e-12)
+    assert found["max_pressure_MPa"] == pytest.approx(pressure, rel=SAME)
     check = next(each for each in answer["checks"] if each["code"] == "line_pressure")
-    assert check["torque_reserve"] == pytest.approx((1250 / pressure) ** 2, rel=1e-12)
+    assert check["torque_reserve"] == pytest.approx((1250 / pressure) ** 2, rel=SAME)
     hollow = body | {"line_contact": contact | {"mating_radius_mm": -3}}
     refused = (await api.post(path, json=hollow)).json()
     assert refused["errors"][0]["pointer"] == "/line_contact/mating_radius_mm"

@@ -1,13 +1,22 @@
 """Rules between fields: each holds of fields that there are, and refuses what breaks it."""
 
+import ast
+from functools import cache
+from pathlib import Path
 from typing import ClassVar, get_args
 
 import pytest
 from pydantic import ValidationError
 
-import app.registry  # noqa: F401 - with it all requests are known
-from app.calculations.crank_planetary_request import CrankPlanetaryRequest
+import app.registry
+from app.calculations.both_meshes import RingInSeriesFields
+from app.calculations.crank_planetary_request import (
+    INVOLUTE_NEEDS,
+    NEEDS,
+    CrankPlanetaryRequest,
+)
 from app.calculations.pin_contact import PinContactFields
+from app.calculations.ring import RING_PIN_LISTS
 from app.model import Maybe, RequestModel
 from app.rules import BROKEN, Rule
 
@@ -81,14 +90,14 @@ def test_what_is_needed_beside_a_fit_or_rollers_is_named(request_model, given, n
     assert error["ctx"] == {"name": name, "code": "needed_beside", "params": {"field": beside}}
 
 
-def _fields(annotation):
+@cache
+def _paths(annotation):
     """Paths of the fields of the models that an annotation allows."""
+    found = set()
     if isinstance(annotation, type) and issubclass(annotation, RequestModel):
         for name, field in annotation.model_fields.items():
-            yield name
-            yield from (f"{name}/{path}" for path in _fields(field.annotation))
-    for each in get_args(annotation):
-        yield from _fields(each)
+            found |= {name, *(f"{name}/{path}" for path in _paths(field.annotation))}
+    return found.union(*map(_paths, get_args(annotation)))
 
 
 def _models(model):
@@ -97,13 +106,34 @@ def _models(model):
         yield from _models(each)
 
 
-def test_rules_are_of_fields_that_there_are():
-    rules = {
+def test_rules_and_tables_are_of_fields_that_there_are():
+    """A misspelt path reads as one that is not given."""
+    rules = [
         (model, rule)
         for model in _models(RequestModel)
         for rule in vars(model).get("BETWEEN", ())
         if model is not Outer
-    }
+    ]
     assert {rule.rule for _, rule in rules} == {*BROKEN}
     for model, rule in rules:
-        assert any({rule.field, rule.other} <= {*_fields(each)} for each in _models(model)), rule
+        assert any({rule.field, rule.other} <= _paths(each) for each in _models(model)), rule
+    for model in _models(RingInSeriesFields):
+        assert {*model.OF_A_RING} <= _paths(model)
+    listed = {f"deviations/{name}" for name in RING_PIN_LISTS}
+    assert listed.union(INVOLUTE_NEEDS, *NEEDS.values()) <= _paths(CrankPlanetaryRequest)
+
+
+def test_what_is_asked_whether_it_is_given_is_a_field():
+    """Of some request: the one that is asked has it, or is of a kind without."""
+    every = set[str]().union(*map(_paths, _models(RequestModel)))
+    asked = [
+        call.args[0].value
+        for file in Path(app.__path__[0]).rglob("*.py")
+        for call in ast.walk(ast.parse(file.read_text()))
+        if isinstance(call, ast.Call)
+        and isinstance(call.func, ast.Attribute)
+        and call.func.attr in ("says", "_has")
+        and isinstance(call.args[0], ast.Constant)
+    ]
+    assert asked
+    assert {*asked} <= every

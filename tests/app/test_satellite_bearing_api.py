@@ -6,6 +6,7 @@ from copy import deepcopy
 import pytest
 
 from app.examples import REQUESTS
+from core.precision import SAME, SEARCHED
 
 pytestmark = pytest.mark.anyio
 
@@ -27,7 +28,7 @@ async def test_the_reference_design(api):
         round(first["equivalent_load_N"], 3) == round(second["equivalent_load_N"], 3) == 12390.851
     )
     assert first["basic_life_h"] == pytest.approx(
-        (60_000 / first["equivalent_load_N"]) ** (10 / 3) * 1e6 / 60 / 1575, rel=1e-12
+        (60_000 / first["equivalent_load_N"]) ** (10 / 3) * 1e6 / 60 / 1575, rel=SAME
     )
     assert "system_life_h" not in answer and "warnings" not in answer
 
@@ -60,7 +61,7 @@ async def test_the_difference_is_that_of_the_teeth(api):
     for gear in (INVOLUTE, INVOLUTE | {"teeth_difference": 2}):
         answer = (await api.post(PATH, json=changed(mechanism=TEETH, gear=gear))).json()
         angle = math.radians(answer["operating_pressure_angle_deg"])
-        assert math.cos(angle) == pytest.approx(cosine, rel=1e-12)
+        assert math.cos(angle) == pytest.approx(cosine, rel=SAME)
 
 
 async def test_pins_with_another_difference_than_one_are_warned_of(api):
@@ -216,6 +217,6 @@ async def test_a_satellite_that_carries_nothing_refuses_nothing(api):
     together, worst = checks["system_life"], checks["bearing_life"]
     # the centrifugal force is all that the idle bearings carry: they hardly take of the life
     assert together["status"] in ("pass", "marginal", "fail")
-    assert together["value"] == pytest.approx(worst["value"], rel=1e-6)
+    assert together["value"] == pytest.approx(worst["value"], rel=SEARCHED)
     assert together["value"] < worst["value"]
     assert worst["at"] == {"satellite": 3} == checks["bearing_static"]["at"]

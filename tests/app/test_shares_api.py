@@ -5,6 +5,8 @@ from copy import deepcopy
 
 import pytest
 
+from core.precision import EXACT, SAME
+
 pytestmark = pytest.mark.anyio
 
 PATH = "crank-planetary"
@@ -72,9 +74,9 @@ async def test_an_uneven_share_reaches_the_bending_of_the_pins(api):
     answer = await answered(api, ALONE)
     force = 4 * 8800 * 2 / (6 * 32.9)
     strength = answer["pin_strength"]
-    assert strength["peak_force_N"] == pytest.approx(force, rel=1e-12)
+    assert strength["peak_force_N"] == pytest.approx(force, rel=SAME)
     bending = strength["peak_bending_stress_MPa"]
-    assert bending == pytest.approx(force * 3.675 * 32 / (math.pi * 5**3), rel=1e-9)
+    assert bending == pytest.approx(force * 3.675 * 32 / (math.pi * 5**3), rel=EXACT)
     assert bending == pytest.approx(106.8, abs=0.1)
 
 
@@ -85,13 +87,13 @@ async def test_an_uneven_share_reaches_the_bending_of_the_pins(api):
 async def test_two_discs_of_which_one_carries_more(api, factor, pressure, bending):
     answer = await answered(api, with_factor(STATED, factor))
     strength, contact = answer["pin_strength"], answer["hertz"]
-    assert strength["peak_bending_stress_MPa"] == pytest.approx(bending, rel=1e-9)
-    assert strength["peak_force_N"] == pytest.approx(factor * 1e4 / 3, rel=1e-9)
+    assert strength["peak_bending_stress_MPa"] == pytest.approx(bending, rel=EXACT)
+    assert strength["peak_force_N"] == pytest.approx(factor * 1e4 / 3, rel=EXACT)
     level = contact["max_pressure_MPa"] / math.sqrt(contact["line_load_factor"])
-    assert level == pytest.approx(pressure, rel=1e-9)
+    assert level == pytest.approx(pressure, rel=EXACT)
     alone = {name: each for name, each in STATED.items() if name != "pin"}
     answer = await answered(api, with_factor(alone, factor))
-    assert answer["hertz"]["max_pressure_MPa"] == pytest.approx(pressure, rel=1e-9)
+    assert answer["hertz"]["max_pressure_MPa"] == pytest.approx(pressure, rel=EXACT)
 
 
 @pytest.mark.parametrize(
@@ -115,7 +117,7 @@ async def test_what_no_share_can_be_is_refused(api, body, more, code):
 
 async def test_of_pins_there_may_be_more_than_satellites(api):
     answer = await answered(api, with_factor(STATED, 3.0, distribution_of="pins"))
-    assert answer["pin_strength"]["peak_force_N"] == pytest.approx(1e4, rel=1e-12)
+    assert answer["pin_strength"]["peak_force_N"] == pytest.approx(1e4, rel=SAME)
 
 
 async def test_a_stated_share_is_answered(api):
@@ -166,7 +168,7 @@ async def test_a_share_that_decides_is_said(api):
     assert (shares["model"], shares["reason"]) == ("real", "pin_bending")
     assert shares["largest"] == pytest.approx(0.895, abs=2e-3)
     assert shares["discs"][0]["share"] == shares["largest"]
-    assert shares["discs"][0]["torque_Nm"] == pytest.approx(116 * shares["largest"], rel=1e-12)
+    assert shares["discs"][0]["torque_Nm"] == pytest.approx(116 * shares["largest"], rel=SAME)
     assert answer["governing"] == shares["governs"][0] == "crank_bearing_life"
     governing = answer["checks"][0]
     assert governing["value"] == pytest.approx(37.5, abs=0.1)

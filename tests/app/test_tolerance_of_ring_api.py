@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from core.precision import EXACT
 from core.ring.series_study import crank_places
 
 pytestmark = pytest.mark.anyio
@@ -102,7 +103,7 @@ async def test_a_piece_is_what_load_sharing_makes_of_it(api):
     assert answer["fits"] == 1
     for name, value in expected.items():
         one = answer["quantities"][name]
-        assert [one["nominal"], one["mean"]] == pytest.approx([value] * 2, rel=1e-9), name
+        assert [one["nominal"], one["mean"]] == pytest.approx([value] * 2, rel=EXACT), name
 
 
 async def test_what_the_ring_adds_is_ranked_and_kept(api):

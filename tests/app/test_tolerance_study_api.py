@@ -23,6 +23,7 @@ from app.problems import Problem
 from app.registry import CALCULATIONS
 from app.settings import Settings
 from core.errors import InvalidInput
+from core.precision import EXACT, SAME, SEARCHED
 from core.tolerance.quantiles import percentile
 from tests.oracles.work import steps
 
@@ -195,7 +196,7 @@ async def test_percentiles_are_those_of_the_pieces(api):
         means.append(one["quantities"]["peak_force_N"]["mean"] * samples)
     pieces = sorted(after - before for before, after in pairwise(means))
     order = [found["percentiles"][0][name] for name in ("low", "value", "high")]
-    assert order == pytest.approx([pieces[1], pieces[4], pieces[7]], rel=1e-9)
+    assert order == pytest.approx([pieces[1], pieces[4], pieces[7]], rel=EXACT)
     kept = sum(force <= 3200 for force in pieces)
     assert found["yield"]["value"] == pytest.approx(kept / 9)
 
@@ -313,10 +314,10 @@ async def test_classes_and_limits_of_the_same_width_are_the_same(api):
     }
     by_limits = await answered(api, changed(tolerances))
     found = [each["quantities"]["peak_force_N"]["mean"] for each in (by_class, by_limits)]
-    assert found[0] == pytest.approx(found[1], rel=1e-12)
+    assert found[0] == pytest.approx(found[1], rel=SAME)
     tolerances["pin_diameter"] |= {"distribution": "uniform", "common": True}
     other = await answered(api, changed(tolerances))
-    assert other["quantities"]["peak_force_N"]["mean"] != pytest.approx(found[0], rel=1e-6)
+    assert other["quantities"]["peak_force_N"]["mean"] != pytest.approx(found[0], rel=SEARCHED)
 
 
 async def test_pieces_that_press_are_counted_and_fail(api):

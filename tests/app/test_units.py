@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.units import UNITS, api_value, core_name, from_si, rounded, shown_unit, to_si
+from core.precision import CONVERGED
 
 DECIMALS = st.integers(-(10**9), 10**9).map(lambda thousandths: thousandths / 1000)
 
@@ -58,7 +59,7 @@ def test_what_a_user_types_comes_back_as_typed(unit, value):
 @given(st.sampled_from(sorted(UNITS)), st.floats(1e-9, 1e9))
 def test_no_conversion_loses_more_than_the_last_digits(unit, value):
     field = f"quantity_{unit}"
-    assert from_si(field, to_si(field, value)) == pytest.approx(value, rel=1e-15, abs=0)
+    assert from_si(field, to_si(field, value)) == pytest.approx(value, rel=CONVERGED, abs=0)
 
 
 @given(

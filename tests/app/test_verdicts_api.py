@@ -14,6 +14,7 @@ from app.examples import EXAMPLES, REQUESTS
 from core.checks.records import CHECKS
 from core.checks.words import CHECK_SOURCES, GROUPS
 from core.materials import LIMIT_SOURCES
+from core.precision import CONVERGED, EXACT, SAME
 from tests.oracles import conformal
 
 pytestmark = pytest.mark.anyio
@@ -137,8 +138,8 @@ async def test_each_material_against_the_default_other_body(api, name, body):
             assert found["missing"] == [f"/contact/{whose}_material/allowable_pressure_MPa"]
             assert "limit" not in found and "utilisation" not in found
         else:
-            assert found["limit"] == pytest.approx(limit / 1.2, rel=1e-12)
-            assert found["value"] == pytest.approx(p0, rel=1e-8)
+            assert found["limit"] == pytest.approx(limit / 1.2, rel=SAME)
+            assert found["value"] == pytest.approx(p0, rel=EXACT)
             assert found["status"] == ("fail" if p0 > limit / 1.2 else "pass")
             counts.append("fail" if p0 > limit / 1.2 else "pass")
         for kind, factor in (("shakedown", 4 / math.sqrt(3)), ("yield", FIRST_YIELD.get(ratio))):
@@ -369,7 +370,7 @@ async def test_with_clearance_the_real_forces_are_judged(api, hole):
         highest = pressure(*map(MATERIALS.get, ("steel_bearing", "steel_through_hardened")), 2e3)
     for each in (each for each in checks.values() if each["group"] == "contact"):
         if each["status"] not in ("not_applicable", "not_asked") and each["unit"] == "MPa":
-            assert each["value"] == pytest.approx(highest, rel=1e-9)
+            assert each["value"] == pytest.approx(highest, rel=EXACT)
             assert not loose or each["at"]["crank_angle_deg"] == pytest.approx(place)
 
 
@@ -788,7 +789,7 @@ async def test_what_is_set_meets_the_target_to_the_last_digit(api, radius):
         body["contact"][pointer.split("/")[2]] = value
     response = await api.post("crank-planetary", json=body | {"include": ["hertz"]})
     pressure = response.json()["hertz"]["max_pressure_MPa"]
-    assert pressure <= 500.1 and pressure == pytest.approx(500.1, rel=1e-14)
+    assert pressure <= 500.1 and pressure == pytest.approx(500.1, rel=CONVERGED)
 
 
 LISTED = {"pin_radial_mm": [0.01] * 6}

@@ -20,6 +20,7 @@ from app.examples import REQUESTS
 from app.settings import Settings
 from core.design.curves import design_bearings, design_reactions
 from core.errors import InvalidInput
+from core.precision import CONVERGED, JUDGED, SAME
 
 pytestmark = pytest.mark.anyio
 
@@ -214,8 +215,8 @@ def test_the_edge_load_that_is_studied_is_that_of_the_design():
         )
         study.solve()
     (chosen,) = (method for method in asked["methods"] if method.chosen)
-    assert chosen.function(0)[0] == pytest.approx(body.results.edge.force, rel=1e-14)
-    assert asked["exact"][0] == pytest.approx(body.results.edge.force, rel=1e-12)
+    assert chosen.function(0)[0] == pytest.approx(body.results.edge.force, rel=CONVERGED)
+    assert asked["exact"][0] == pytest.approx(body.results.edge.force, rel=SAME)
 
 
 async def test_the_edge_load_needs_the_contact(api):
@@ -269,11 +270,11 @@ def test_the_study_of_the_bearings_is_of_the_most_loaded_one(monkeypatch):
     loads = body.solve().equivalent_load
     assert min(loads) < 0.9995 * max(loads) and max(loads) > loads[0]
     across = 500 / (0.002 * 20)
-    assert asked["calculator"].function(0)[0] == pytest.approx(max(loads) / across, rel=1e-14)
+    assert asked["calculator"].function(0)[0] == pytest.approx(max(loads) / across, rel=CONVERGED)
     angles = np.array([0.1, 1.2, 3.4])
     curves = design_bearings(results=body.results, crank_angle=angles)
     curve = curves.load[:, int(np.argmax(loads))]
-    assert asked["values"](angles) == pytest.approx(curve / across, rel=1e-12)
+    assert asked["values"](angles) == pytest.approx(curve / across, rel=SAME)
 
 
 @pytest.mark.parametrize("places", [[-40, 0], [90, -3]])
@@ -306,12 +307,12 @@ def test_the_study_of_the_crankshaft_is_of_the_most_loaded_bearing(monkeypatch, 
     CrankshaftStudy(calculation="crankshaft", input=body).solve()
     loads, across = body.solve().equivalent_reaction, 500 / (0.002 * 20)
     worst = int(np.argmax(loads))
-    assert asked["calculator"].function(0)[0] == pytest.approx(max(loads) / across, rel=1e-14)
+    assert asked["calculator"].function(0)[0] == pytest.approx(max(loads) / across, rel=CONVERGED)
     assert asked["power"] == pytest.approx((10 / 3, 3)[worst])
     angles = np.array([0.1, 1.2, 3.4])
     curves = design_reactions(results=body.results, crank_angle=angles)
     curve = np.abs(curves.reaction[:, worst])
-    assert asked["values"](angles) == pytest.approx(curve / across, rel=1e-12)
+    assert asked["values"](angles) == pytest.approx(curve / across, rel=SAME)
 
 
 async def test_a_shaft_whose_forces_cancel_has_nothing_to_study(api):
@@ -342,7 +343,7 @@ async def test_the_papers_approximation_has_its_known_error(api):
     points = (await api.post("work-precision", json=body)).json()["points"]
     approximation = next(p for p in points if p["method"].startswith("approximation"))
     # 1.4*0.95/1.2492: the theory's +1.40 % for three pins and one satellite
-    assert approximation["relative_error"] == pytest.approx(1.2666667 / 1.2492332 - 1, rel=1e-5)
+    assert approximation["relative_error"] == pytest.approx(1.2666667 / 1.2492332 - 1, rel=JUDGED)
 
 
 async def test_simpson_converges_with_the_fourth_power(api):

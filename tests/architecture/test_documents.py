@@ -1,4 +1,4 @@
-"""The documents speak of what is there: names, files, version, licence."""
+"""The documents speak of what is there: names, files, version, licence, tolerances."""
 
 import re
 import tomllib
@@ -156,3 +156,12 @@ def test_the_codes_that_were_replaced_are_listed():
         listed = re.findall(rf"^\| {name} `(\w+)` \| (.*) \|$", text, re.MULTILINE)
         pairs = [(new, old) for old, cell in listed for new in re.findall(r"`(\w+)`", cell)]
         assert sorted(pairs) == sorted(WAS[table].items())
+
+
+def test_tolerances_are_classes_of_precision():
+    literal = re.compile(r"\b(?:rel|rtol)=(?:\d[\d.]*e-(?:0?[6-9]|1\d)|1e-5)\b")
+    files = [path for path in ROOT.glob("tests/**/*.py") if "oracles" not in path.parts]
+    assert len(files) > 100
+    assert [
+        (path.name, found) for path in files for found in literal.findall(path.read_text())
+    ] == []

@@ -10,6 +10,7 @@ import httpx
 import pytest
 from playwright.sync_api import Error, Locator, Page, Route, expect
 
+from core.precision import JUDGED
 from tests.browser.calculator_page import address
 
 ZYL = {
@@ -96,9 +97,9 @@ def test_opens_with_a_computed_example(page: Page, service: str) -> None:
     body = first["input"] | {"include": ["cyclogram", "contact_force", "hertz"]}
     answer = httpx.post(f"{service}/api/v1/crank-planetary", json=body, trust_env=False).json()
     force = answer["contact_force"]
-    assert result(page, "peak_force_N") == pytest.approx(force["peak_force_N"], rel=1e-5)
+    assert result(page, "peak_force_N") == pytest.approx(force["peak_force_N"], rel=JUDGED)
     assert result(page, "max_pressure_MPa") == pytest.approx(
-        answer["hertz"]["max_pressure_MPa"], rel=1e-5
+        answer["hertz"]["max_pressure_MPa"], rel=JUDGED
     )
     expect(page.locator("#example")).to_have_value(first["id"])
     expect(page.locator('[data-figure="cyclogram"] .barlayer path').first).to_be_visible()
@@ -128,7 +129,7 @@ def test_typing_changes_numbers_and_figures(page: Page, service: str) -> None:
 def test_every_way_to_write_a_number(page: Page, service: str, typed: str) -> None:
     show(page, service, ZYL)
     change(page, lambda: box(page, "load.pin_circle_radius_mm").fill(typed))
-    assert result(page, "peak_force_N") == pytest.approx(888.2307692 / 2, rel=1e-5)
+    assert result(page, "peak_force_N") == pytest.approx(888.2307692 / 2, rel=JUDGED)
     expect(box(page, "load.pin_circle_radius_mm")).to_have_value(typed)
 
 
@@ -525,7 +526,7 @@ def test_typing_quickly_asks_once(page: Page, service: str, watch: Any) -> None:
     before = watch.paths().count("/api/v1/crank-planetary")
     texts = ["5", "50", "500", "5000", "50000"]
     change(page, lambda: page.evaluate(TYPE, ["load.output_torque_Nm", texts]))
-    assert result(page, "peak_force_N") == pytest.approx(888230.77, rel=1e-5)
+    assert result(page, "peak_force_N") == pytest.approx(888230.77, rel=JUDGED)
     # the answer, and what mends a design that fails
     assert watch.paths().count("/api/v1/crank-planetary") <= before + 2
 
@@ -557,7 +558,7 @@ def test_only_what_is_shown_is_asked(page: Page, service: str) -> None:
     assert rows.count() == len(answer["crank_angle_deg"])
     assert shown == pytest.approx(
         [answer["crank_angle_deg"][10], *(pair[10] for pair in answer["force_N"])],
-        rel=1e-5,
+        rel=JUDGED,
         abs=1e-9,
     )
     with page.expect_request("**/api/v1/crank-planetary") as asked:

@@ -5,6 +5,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page, expect
 
+from core.precision import JUDGED
 from tests.browser.calculator_page import (
     CALCULATORS,
     ask,
@@ -28,7 +29,7 @@ def test_opens_with_the_papers_example_and_nothing_of_another_calculator(
 ) -> None:
     show(page, service, "rollers")
     answer = ask(service, "/roller-strength", first_example(service, "roller-strength"))
-    assert result(page, "bending_stress_MPa") == pytest.approx(0.0024213655 * 210e3, rel=1e-5)
+    assert result(page, "bending_stress_MPa") == pytest.approx(0.0024213655 * 210e3, rel=JUDGED)
     assert number(verdict(page, 0).inner_text()) == pytest.approx(answer["max_force_N"], rel=1e-4)
     expect(page.locator('[data-figure="rollers"] .scatterlayer .js-line').first).to_be_visible()
 
@@ -69,10 +70,10 @@ def test_typing_changes_the_verdict_and_the_link_keeps_it(page: Page, service: s
     stress = result(page, "bending_stress_MPa")
     choose(page, "shear", "modulus")
     settled(page)
-    assert result(page, "bending_stress_MPa") == pytest.approx(stress, rel=1e-5)
+    assert result(page, "bending_stress_MPa") == pytest.approx(stress, rel=JUDGED)
     reopen(page)
     assert box(page, "gaps_mm").input_value() == "0; 0.2; 0.2; 0.2"
-    assert result(page, "bending_stress_MPa") == pytest.approx(stress, rel=1e-5)
+    assert result(page, "bending_stress_MPa") == pytest.approx(stress, rel=JUDGED)
 
 
 def test_what_is_wrong_stands_at_its_box(page: Page, service: str) -> None:

@@ -12,6 +12,7 @@ import httpx
 import pytest
 from playwright.sync_api import Page, expect
 
+from core.precision import JUDGED, SAME
 from tests.browser.calculator_page import (
     address,
     ask,
@@ -83,7 +84,7 @@ def test_units_are_shown_and_typed_as_chosen_and_stay_canonical_underneath(
     chosen(page, "units", "us")
     settled(page)
     assert address(page) == link
-    assert result(page, "peak_force_N") == pytest.approx(force / 4.4482216, rel=1e-5)
+    assert result(page, "peak_force_N") == pytest.approx(force / 4.4482216, rel=JUDGED)
     expect(page.locator('.results [data-name="peak_force_N"] .unit-cell')).to_have_text("lbf")
     expect(page.locator('[data-figure="force"] .ytitle')).to_have_text("Contact force, lbf")
     top = page.evaluate("() => document.querySelector('[data-figure=force] .plot').layout.yaxis")
@@ -93,7 +94,7 @@ def test_units_are_shown_and_typed_as_chosen_and_stay_canonical_underneath(
     box(page, "contact.pin_radius_mm").press("Enter")
     settled(page)
     asked = httpx.URL(address(page)).params["contact.pin_radius_mm"]
-    assert float(asked) == pytest.approx(7.62, rel=1e-12)
+    assert float(asked) == pytest.approx(7.62, rel=SAME)
     page.get_by_role("button", name="Undo").click()
     address(page)  # the browser is not to load again while the page writes it
     page.reload()
@@ -136,7 +137,7 @@ def test_a_figure_without_a_list_of_numbers_gives_its_curves(page: Page, service
     lines = path.read_text("utf-8").splitlines()
     assert lines[1] == '"Place along the arc of the pin, mm","Hertz, MPa"'
     pressures = [float(line.split(",")[1]) for line in lines[2 : lines.index("")]]
-    assert max(pressures) == pytest.approx(result(page, "max_pressure_MPa"), rel=1e-5)
+    assert max(pressures) == pytest.approx(result(page, "max_pressure_MPa"), rel=JUDGED)
     page.get_by_role("button", name="Pressure over the contact: Show as a table").click()
     expect(page.locator('[data-figure="hertz"] .figure-table th').first).to_contain_text("Place")
 

@@ -5,6 +5,7 @@ import re
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
+from core.precision import JUDGED
 from tests.browser.calculator_page import ask, box, first_example, number, settled, show
 
 CALCULATORS = ("crank-planetary", "rollers", "precession")
@@ -61,9 +62,9 @@ def test_a_step_shows_the_inputs_the_answer_and_the_source(page: Page, service: 
     expect(reference.locator(".step-source")).to_contain_text("2021, eq. (11)")
     answer = ask(service, "/crank-planetary", given)["contact_force"]
     assert isinstance(answer, dict)
-    assert last_number(reference) == pytest.approx(answer["reference_force_N"], rel=1e-5)
+    assert last_number(reference) == pytest.approx(answer["reference_force_N"], rel=JUDGED)
     assert last_number(step(page, "peak_force_N")) == pytest.approx(
-        answer["peak_force_N"], rel=1e-5
+        answer["peak_force_N"], rel=JUDGED
     )
     assert "arcsine" in step(page, "peak_force_N").inner_text()
     assert "stationary points" in step(page, "peak_crank_angle_deg").inner_text()
@@ -79,7 +80,7 @@ def test_open_steps_follow_the_inputs(page: Page, service: str) -> None:
     torque.press("Enter")
     settled(page)
     expect(page.locator(".worked details[aria-busy]")).to_have_count(0)
-    assert last_number(mean) == pytest.approx(2 * first, rel=1e-5)
+    assert last_number(mean) == pytest.approx(2 * first, rel=JUDGED)
 
 
 def test_formulas_are_drawn_with_the_math_font(page: Page, service: str) -> None:

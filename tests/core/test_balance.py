@@ -22,6 +22,7 @@ from core.errors import InvalidInput
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import Deviations
 from core.output.sampled_turn import SampledTurn
+from core.precision import EXACT, SAME
 from tests.inputs.checks import WHOLE, check_of, having, says
 from tests.inputs.satellites import mechanisms
 from tests.oracles.satellites import forces
@@ -80,9 +81,9 @@ REFERENCE: dict[str, tuple[Balance, float, float, tuple[float, float]]] = {
 def test_reference_numbers(case: str) -> None:
     """Computed apart from this program, by point masses that move."""
     found, force, couple, bearings = REFERENCE[case]
-    assert found.force == pytest.approx(force, rel=1e-12, abs=1e-12)
-    assert found.couple == pytest.approx(couple, rel=1e-12, abs=1e-12)
-    assert found.bearing_force == pytest.approx(bearings, rel=1e-12, abs=1e-12)
+    assert found.force == pytest.approx(force, rel=SAME, abs=1e-12)
+    assert found.couple == pytest.approx(couple, rel=SAME, abs=1e-12)
+    assert found.bearing_force == pytest.approx(bearings, rel=SAME, abs=1e-12)
     if not force:
         assert found.force == 0.0 == found.unbalance == found.grade
 
@@ -126,9 +127,9 @@ def test_it_is_that_of_point_masses(
     rough = 1e-6 * scale
     assert found.force == pytest.approx(np.linalg.norm(force), abs=rough)
     assert found.couple == pytest.approx(np.linalg.norm(moment), abs=rough)
-    assert found.unbalance * SPEED**2 == pytest.approx(found.force, rel=1e-12)
+    assert found.unbalance * SPEED**2 == pytest.approx(found.force, rel=SAME)
     mass = rotor or 1.5 * count
-    assert found.grade * SPEED * mass == pytest.approx(found.force, rel=1e-12)
+    assert found.grade * SPEED * mass == pytest.approx(found.force, rel=SAME)
     # the bearings hold force and moment: R_A + R_B + F = 0
     held = [np.array([each.real, each.imag, 0.0]) for each in found.reaction]
     assert held[0] + held[1] == pytest.approx(-force, abs=rough)
@@ -169,7 +170,7 @@ def test_the_centrifugal_force_relieves_the_bearing_of_a_satellite() -> None:
         unlike=1,
     )
     pull = 1.5 * 2e-3 * (100 * math.pi) ** 2
-    assert pull == pytest.approx(296.0881320326808, rel=1e-12)
+    assert pull == pytest.approx(296.0881320326808, rel=SAME)
     found = satellite_bearings(
         mechanism=Mechanism.evenly_spaced(pins=6, satellites=1, ratio=20.0),
         output_torque=across * arm,
@@ -181,10 +182,10 @@ def test_the_centrifugal_force_relieves_the_bearing_of_a_satellite() -> None:
         static_rating=40e3,
         made=lambda torque: turn,
     )
-    assert found.peak_load[0] == pytest.approx(11817.677216064298, rel=1e-12)
-    assert found.equivalent_load[0] == pytest.approx(11817.677216064298, rel=1e-12)
+    assert found.peak_load[0] == pytest.approx(11817.677216064298, rel=SAME)
+    assert found.equivalent_load[0] == pytest.approx(11817.677216064298, rel=SAME)
     at_rest = math.hypot(across, 0.692127 * across + along)
-    assert found.static_safety_factor[0] == pytest.approx(40e3 / at_rest, rel=1e-12)
+    assert found.static_safety_factor[0] == pytest.approx(40e3 / at_rest, rel=SAME)
 
 
 LOAD = {"output_torque": 500.0, "pin_circle_radius": 0.05, "eccentricity": 2e-3}
@@ -296,7 +297,7 @@ def test_curves_of_loads_have_no_balance_of_their_own() -> None:
     own = {"loads": loads, "crank_angles": mechanism.crank_angles, **places}
     spun = of((0, 180), (20, 42))
     added = reaction_curves(**own, spun=spun).reaction - reaction_curves(**own).reaction
-    assert added == pytest.approx(np.broadcast_to(spun.reaction, added.shape), rel=1e-9)
+    assert added == pytest.approx(np.broadcast_to(spun.reaction, added.shape), rel=EXACT)
 
 
 SIZES = {"bore_diameter": 0.03, "outer_diameter": 0.09, "width": 0.023}
@@ -339,7 +340,7 @@ def test_without_a_demand_the_usual_grade_is_a_guide() -> None:
 def test_a_couple_has_no_guide() -> None:
     for design in (WHOLE, having(WHOLE, balance_grade=0.2)):
         couple = check_of("unbalance_couple", design)
-        assert couple.value == pytest.approx(1.6284847261797442, rel=1e-9)
+        assert couple.value == pytest.approx(1.6284847261797442, rel=EXACT)
         assert (couple.status, couple.reason) == ("not_asked", "no_limit")
     for most, status in ((1.63, "pass"), (1.62, "fail")):
         asked = having(WHOLE, max_unbalance_couple=most)
@@ -360,7 +361,7 @@ def test_a_couple_has_no_guide() -> None:
 def test_what_is_asked_is_judged(demands: dict[str, float], status: str, limit: float) -> None:
     found = check_of("unbalance_force", single(**demands))
     assert (found.status, found.limit_source) == (status, "user")
-    assert found.limit == pytest.approx(limit, rel=1e-12)
+    assert found.limit == pytest.approx(limit, rel=SAME)
     assert not found.warning
 
 
@@ -371,13 +372,13 @@ def test_a_share_of_what_the_mechanism_does_may_be_asked() -> None:
     for share, status in ((own * 1.001, "pass"), (own * 0.999, "fail")):
         found = check_of("unbalance_force", single(max_unbalance_share=share))
         assert found.status == status
-        assert found.utilisation == pytest.approx(own / share, rel=1e-9)
+        assert found.utilisation == pytest.approx(own / share, rel=EXACT)
     two = having(WHOLE, crankshaft=replace(WHOLE.crankshaft, satellite_mass=None))  # type: ignore[type-var]
     still = Results(two).crank.shaft.peak_reaction
     most = (26.265882680318455 / still).max()
     asked = having(WHOLE, max_unbalance_share=most * 1.01)
     couple = check_of("unbalance_couple", asked)
-    assert couple.utilisation == pytest.approx(1 / 1.01, rel=1e-9) and couple.status == "pass"
+    assert couple.utilisation == pytest.approx(1 / 1.01, rel=EXACT) and couple.status == "pass"
     assert check_of("unbalance_force", asked).status == "pass"
     failing = having(WHOLE, max_unbalance_share=most * 0.99)
     assert check_of("unbalance_couple", failing).status == "fail"
@@ -410,4 +411,4 @@ def test_a_single_disc_with_a_counterweight_passes() -> None:
         assert {each.code: each.status for each in verdict.parts}["crank_bearings"] == status
     opposite_forces = Results(single(opposite(3.0, 31))).crank.shaft
     alone = Results(single(satellite_mass=None)).crank.shaft
-    assert opposite_forces.peak_reaction == pytest.approx(alone.peak_reaction, rel=1e-9)
+    assert opposite_forces.peak_reaction == pytest.approx(alone.peak_reaction, rel=EXACT)

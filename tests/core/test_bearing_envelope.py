@@ -17,6 +17,7 @@ from core.design.document import Design
 from core.design.results import Results
 from core.design.sections import RollingBearing
 from core.errors import InvalidInput
+from core.precision import EXACT, SAME
 from tests.inputs.checks import WHOLE, check_of, having
 
 BOUNDS: dict[str, tuple[Bearing, tuple[float, float, float], float, float]] = {
@@ -32,8 +33,8 @@ def test_bounds_by_hand(name: str) -> None:
     kind, sizes, dynamic, static = BOUNDS[name]
     bore, outer, width = (each / 1e3 for each in sizes)
     found = largest_ratings(kind=kind, bore_diameter=bore, outer_diameter=outer, width=width)
-    assert found.dynamic == pytest.approx(dynamic, rel=1e-12)
-    assert found.static == pytest.approx(static, rel=1e-11)
+    assert found.dynamic == pytest.approx(dynamic, rel=SAME)
+    assert found.static == pytest.approx(static, rel=EXACT)
 
 
 @pytest.mark.parametrize("kind", ["ball", "roller"])
@@ -83,7 +84,7 @@ def test_the_rows_that_carry_most(bore: float, outer: float, width: float, most:
         kind="ball", bore_diameter=bore / 1e3, outer_diameter=outer / 1e3, width=width / 1e3
     )
     best = max(of_rows(i, bore, outer, width) for i in range(1, most + 1))
-    assert found.dynamic == pytest.approx(best, rel=1e-12)
+    assert found.dynamic == pytest.approx(best, rel=SAME)
 
 
 def test_a_ring_as_thin_as_numbers_are() -> None:

@@ -143,7 +143,7 @@ DESIGNS = {
     "bored pins": having(ALL, pin=replace(ALL.pin, bore_diameter=0.007)),  # type: ignore[type-var]
     "rollers": ROLLED,
     "rollers, held by their bending": having(
-        ROLLED, rollers=replace(ROLLERS, max_static_radial_load=None), max_lost_motion=0.02
+        ROLLED, rollers=replace(ROLLERS, max_static_radial_load=math.inf), max_lost_motion=0.02
     ),
     "rollers without clearance": having(
         ROLLED, hole_radius=0.010, rollers=replace(ROLLERS, radial_clearance=None, width=0.02)

@@ -10,14 +10,15 @@ from core.checks.check import MARGIN, Check, judged, verdict
 from core.checks.crank_planetary import crank_checks
 from core.checks.records import CHECKS
 from core.checks.rollers import RollerDesign, roller_checks
-from core.design.contact import SHAKEDOWN
 from core.design.document import Design, value_at
 from core.design.results import Results
+from core.first_yield import SHAKEDOWN
 from core.fixes.changes import vary
 from core.fixes.fix import PIN_SIZES
 from core.fixes.fix import WHOLE as WHOLE_NUMBERS
 from core.material_table import MATERIALS
 from core.materials import ContactLimit, ElasticMaterial
+from core.precision import CONVERGED, EXACT
 from core.rollers.roller_strength import roller_strength
 from tests.inputs.checks import REF as KNOWN
 from tests.inputs.checks import check_of, fixes_of, having
@@ -79,7 +80,7 @@ def test_the_torque_reserve_puts_each_check_at_its_limit(design: Design) -> None
         after = check_of(check.code, beyond)
         assert found.utilisation <= 1 + 1e-9
         ended = after.value is None or after.value > found.value * 1.009
-        assert found.utilisation == pytest.approx(1, rel=1e-9) or ended
+        assert found.utilisation == pytest.approx(1, rel=EXACT) or ended
 
 
 @given(designs)
@@ -113,7 +114,7 @@ def test_more_torque_is_never_better(design: Design, times: float) -> None:
     for check in one.checks:
         other = more[check.code]
         if check.torque_reserve is not None and other.torque_reserve is not None:
-            assert other.torque_reserve * times == pytest.approx(check.torque_reserve, rel=1e-9)
+            assert other.torque_reserve * times == pytest.approx(check.torque_reserve, rel=EXACT)
 
 
 @given(
@@ -125,7 +126,6 @@ def test_one_sense_of_utilisation(value: float, limit: float, code: str) -> None
     check = judged(CHECKS[code], value, limit)
     assert check.utilisation is not None
     assert (check.utilisation > 1 + 1e-12) == (check.status == "fail")
-    assert check.margin is not None
     assert (check.margin < 0) == (check.utilisation > 1) or check.utilisation == 1
 
 
@@ -232,7 +232,7 @@ def test_the_reserve_of_rollers(torque: float, tolerance: float, rollers: int, s
     reserve = check(torque).torque_reserve
     assert reserve is not None
     assume(1e-6 < reserve < 1e6)
-    assert check(torque * reserve).utilisation == pytest.approx(1, rel=1e-9)
+    assert check(torque * reserve).utilisation == pytest.approx(1, rel=EXACT)
 
 
 @given(st.floats(600.0, 20000.0))
@@ -267,7 +267,9 @@ def test_fixes_are_rounded_to_the_safe_side_and_say_what_else_changes() -> None:
             up = fix.exact > fix.before
             assert fix.after >= fix.exact if up else fix.after <= fix.exact
             assert fix.standard or abs(fix.after / fix.exact - 1) <= 0.01
-            assert fix.standard or float(f"{fix.after:.3g}") == pytest.approx(fix.after, rel=1e-14)
+            assert fix.standard or float(f"{fix.after:.3g}") == pytest.approx(
+                fix.after, rel=CONVERGED
+            )
         expected = set()
         for code in {each.code for each in current.checks} - {fix.code}:
             old, new = current[code], after[code]

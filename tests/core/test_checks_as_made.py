@@ -24,6 +24,7 @@ from core.output.contact_force import ContactForce
 from core.output.contact_law import LinearLaw
 from core.output.pin_strength import PinStrength
 from core.output.real_mechanism import Deviations
+from core.precision import CONVERGED, EXACT, JUDGED, SAME
 from tests.inputs.checks import HOLE, PIN, REF, check_of, design_of, fixes_of, having, says
 from tests.oracles.checks import MODULUS
 
@@ -62,7 +63,7 @@ def limited_alone(limit: float) -> Design:
 @pytest.mark.parametrize(("part", "status"), [(2.0, "pass"), (1.01, "marginal"), (0.999, "fail")])
 def test_the_pressure_is_that_of_the_real_peak(part: float, status: str) -> None:
     found = check_of("contact_pressure_hole", limited(A, 1.2 * part * PRESSURE))
-    assert found.value == pytest.approx(PRESSURE, rel=1e-10)
+    assert found.value == pytest.approx(PRESSURE, rel=SAME)
     assert (found.status, found.limit) == (status, pytest.approx(part * PRESSURE))
     assert {*found.at} == {"satellite", "pin", "crank_angle"}
     ideal = having(A, hole_radius=0.0045, contact_law=None)
@@ -91,7 +92,7 @@ def test_under_the_torque_of_the_reserve_the_pressure_is_at_its_limit(
     assert reserve is not None and not found.largest_torque_estimated
     there = having(design, output_torque=design.load.output_torque * reserve)
     first = reserve == found.torque_reserve
-    at_limit = pytest.approx(1, rel=1e-5 if first else 2e-2)
+    at_limit = pytest.approx(1, rel=JUDGED if first else 2e-2)
     assert check_of("contact_pressure_hole", there).utilisation == at_limit
     assert first or limit > 400e6
 
@@ -104,11 +105,11 @@ def test_static_strength_of_pins_is_that_under_the_forces_of_the_peak_torque() -
     there = check_of("pin_static", having(design, output_torque=90.0)).value
     plain = check_of("pin_static", having(design, peak_torque=None)).value
     assert found is not None and there is not None and plain is not None
-    assert found == pytest.approx(there, rel=1e-12)
+    assert found == pytest.approx(there, rel=SAME)
     assert found < 0.95 * 3 * plain
     strength = Results(design).pin_strength
     assert isinstance(strength, PinStrength)
-    assert strength.static_safety_factor == pytest.approx(800e6 / found, rel=1e-14)
+    assert strength.static_safety_factor == pytest.approx(800e6 / found, rel=CONVERGED)
 
 
 def test_the_reserve_is_not_the_square_of_the_pressures() -> None:
@@ -151,13 +152,13 @@ def test_wear_and_pv_are_of_the_largest_force_of_both_directions() -> None:
                 for way in ("driving", "reverse", "alternating")
             )
             assert one is not None and other is not None
-            assert both == pytest.approx(max(one, other), rel=1e-12)
+            assert both == pytest.approx(max(one, other), rel=SAME)
             larger.append(one > other)
         losses = [
             Results(having(design, torque_direction=way)).losses.pins.mean_loss
             for way in ("driving", "reverse", "alternating")
         ]
-        assert losses[2] == pytest.approx(max(losses), rel=1e-12)
+        assert losses[2] == pytest.approx(max(losses), rel=SAME)
     assert len({*larger}) == 2
 
 
@@ -179,7 +180,7 @@ def test_without_deviations_both_directions_are_alike() -> None:
             check_of("contact_pressure_hole", having(design, torque_direction=way))
             for way in ("driving", "reverse")
         )
-        assert one.value == pytest.approx(other.value, rel=1e-9)
+        assert one.value == pytest.approx(other.value, rel=EXACT)
 
 
 @pytest.mark.parametrize(("part", "status"), [(1.0001, "pass"), (0.9999, "fail")])
@@ -193,7 +194,7 @@ def test_backlash(part: float, status: str) -> None:
 
 def replaced(check: Check) -> Check:
     """With the backlash as it was printed, where it is that to all its digits."""
-    assert check.value == pytest.approx(BACKLASH, rel=2e-10)
+    assert check.value == pytest.approx(BACKLASH, rel=EXACT)
     assert check.utilisation is not None and check.limit is not None
     return check._replace(value=BACKLASH, utilisation=BACKLASH / check.limit)
 
@@ -210,7 +211,7 @@ def test_lost_motion_is_backlash_and_what_gives() -> None:
     dynamic = having(A, dynamic_factor=1.5)
     assert check_of("lost_motion", dynamic).value is None
     asked = check_of("lost_motion", having(dynamic, max_lost_motion=1.0))
-    assert asked.value == pytest.approx(lost, rel=1e-12)
+    assert asked.value == pytest.approx(lost, rel=SAME)
 
 
 def test_play_that_nobody_asks_for() -> None:
@@ -271,7 +272,7 @@ def test_deviations_that_press_are_interference() -> None:
     worse = having(A, deviations=replace(large, pin_radial=(1e-3, *[0.0] * 7)))
     jams = check_of("interference", worse)
     assert (jams.status, jams.reason, jams.impossible) == ("fail", "jams", True)
-    assert jams.value == pytest.approx(worse.contact.clearance - 1e-3, rel=1e-12)
+    assert jams.value == pytest.approx(worse.contact.clearance - 1e-3, rel=SAME)
     assert check_of("contact_pressure_hole", worse).reason == "cannot_assemble"
 
 

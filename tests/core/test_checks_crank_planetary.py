@@ -9,7 +9,7 @@ import pytest
 
 from core.checks.check import gap
 from core.checks.crank_planetary import CRANK_CHECKS, crank_checks, crank_codes
-from core.checks.space import pins_apart
+from core.checks.layout import pins_apart
 from core.design.real_forces import RealForces
 from core.design.results import Results
 from core.design.ring import CycloidRing, InvoluteRing
@@ -17,6 +17,7 @@ from core.design.sections import RollingBearing
 from core.errors import NotKnown
 from core.output.contact_force import ContactForce
 from core.output.real_mechanism import Deviations
+from core.precision import EXACT, SAME
 from tests.inputs.checks import REF, WHOLE, check_of, having, says
 
 
@@ -77,7 +78,7 @@ def test_walls(name: str) -> None:
     changes, code, width, asked = WALLS[name]
     design = having(REF, **changes)
     found = check_of(code, design)
-    assert found.value == pytest.approx(width, rel=1e-12)
+    assert found.value == pytest.approx(width, rel=SAME)
     nobody = (
         {"status": "not_checked", "reason": "no_sourced_limit"} if asked else {"status": "pass"}
     )
@@ -145,7 +146,7 @@ def test_walls_are_as_thick_as_usual_where_nobody_asks() -> None:
         design = having(REF, **changes)  # type: ignore[arg-type]
         found, asked = check_of(code, design), check_of(code, having(design, min_wall=guide))
         thin = width < guide
-        assert found.value == asked.value == pytest.approx(width, rel=1e-9)
+        assert found.value == asked.value == pytest.approx(width, rel=EXACT)
         assert found.limit == pytest.approx(guide) and found.limit_source == "guide"
         for each in (found, asked):
             assert each.utilisation == pytest.approx(guide / width)
@@ -159,7 +160,7 @@ def test_a_sleeve_is_as_thick_as_usual() -> None:
         design = having(WHOLE, pin=replace(WHOLE.pin, diameter=diameter))
         found = check_of("wall_sleeve", design)
         width = 0.008 - diameter / 2
-        assert (found.status, found.value) == (status, pytest.approx(width, rel=1e-9))
+        assert (found.status, found.value) == (status, pytest.approx(width, rel=EXACT))
         assert found.limit == pytest.approx(0.1 * diameter)
     says(
         check_of("wall_sleeve", WHOLE), status="not_applicable", value=None, reason="without_sleeve"
@@ -185,7 +186,7 @@ def test_a_wall_to_teeth_of_which_only_the_tips_are_known() -> None:
     pins = CycloidRing(ring_pin_circle_radius=0.070, ring_pin_radius=0.004)
     found = check_of("wall_rim", having(tips, gear=pins, min_wall=0.0041))
     assert (found.status, found.limit_source) == ("fail", "roots")
-    assert found.value == pytest.approx(0.064 - 0.060, rel=1e-12)
+    assert found.value == pytest.approx(0.064 - 0.060, rel=SAME)
 
 
 def test_a_wall_of_the_size_of_rounding_is_none() -> None:

@@ -19,6 +19,7 @@ from core.errors import NotKnown
 from core.materials import ContactLimit, ElasticMaterial
 from core.output.real_mechanism import Deviations
 from core.output.satellite_support import Shares
+from core.precision import EXACT, SAME
 from core.ring.involute import HEIGHTS
 from tests.inputs.checks import REF, check_of, design_of, having
 from tests.oracles import involute as oracle
@@ -107,10 +108,10 @@ def test_values_are_those_of_points_and_circles(pair: oracle.Pair) -> None:
         ("ring_pressed", max(-own["normal_backlash"] / 1e3, 0.0)),
         ("ring_backlash", max(backlash, 0.0)),
     ):
-        assert check_of(code, design).value == pytest.approx(value, rel=1e-9, abs=1e-13), code
+        assert check_of(code, design).value == pytest.approx(value, rel=EXACT, abs=1e-13), code
     ring = check_of("ring_backlash", having(design, output="ring")).value
     u = design.mechanism.ratio
-    assert ring == pytest.approx(max(backlash, 0.0) * u / (u + 1), rel=1e-9)
+    assert ring == pytest.approx(max(backlash, 0.0) * u / (u + 1), rel=EXACT)
 
 
 def found(code: str, pair: oracle.Pair) -> tuple[str, bool, str]:
@@ -258,14 +259,14 @@ B1 = having(
 def test_pressure_is_that_of_the_held_pair() -> None:
     for code in ("ring_pressure_pin", "ring_pressure_disc"):
         check = check_of(code, B1)
-        assert check.value == pytest.approx(237.1761915902869e6, rel=1e-9)
+        assert check.value == pytest.approx(237.1761915902869e6, rel=EXACT)
         assert not check.rough and check.limit == pytest.approx(1500e6 / 1.2)
-        assert check.torque_reserve == pytest.approx((1250 / 237.1761915902869) ** 2, rel=1e-8)
+        assert check.torque_reserve == pytest.approx((1250 / 237.1761915902869) ** 2, rel=EXACT)
     factors = having(geared(B1, face_load_factor=1.3), application_factor=1.5)
     worse = check_of("ring_pressure_pin", factors).value
-    assert worse == pytest.approx(math.sqrt(1.95) * 237.1761915902869e6, rel=1e-9)
+    assert worse == pytest.approx(math.sqrt(1.95) * 237.1761915902869e6, rel=EXACT)
     narrow = check_of("ring_pressure_pin", geared(B1, contact_length=0.015 / 4)).value
-    assert narrow == pytest.approx(2 * 237.1761915902869e6, rel=1e-9)
+    assert narrow == pytest.approx(2 * 237.1761915902869e6, rel=EXACT)
 
 
 def test_limits_are_those_of_each_body_over_its_own_loads() -> None:
@@ -287,7 +288,7 @@ def test_limits_are_those_of_each_body_over_its_own_loads() -> None:
     cycles = (("hardened", 1e9, loads, pin), ("nitrided", 2e9, loads * (1 + 1 / 40), disc))
     for curve, limit, often, check in cycles:
         factor = life_factor(curve=curve, loads=often)  # type: ignore[arg-type]
-        assert check.limit == pytest.approx(limit * factor / 1.25, rel=1e-12)
+        assert check.limit == pytest.approx(limit * factor / 1.25, rel=SAME)
     unknown = check_of("ring_pressure_pin", geared(B1, ring_material=replace(STEEL, limit=None)))
     assert unknown.missing == ("gear.ring_material.allowable_pressure",)
     given = geared(B1, satellite_material=nitrided)
@@ -299,21 +300,21 @@ def test_the_peak_torque_is_held_against_static_limits() -> None:
     dents = replace(STEEL, static_pressure=4e9)
     design = having(geared(B1, ring_material=dents, face_load_factor=1.2), peak_torque=600.0)
     pin, disc = (check_of(f"ring_static_{body}", design) for body in ("pin", "disc"))
-    assert pin.value == pytest.approx(math.sqrt(4 * 1.2) * 237.1761915902869e6, rel=1e-9)
+    assert pin.value == pytest.approx(math.sqrt(4 * 1.2) * 237.1761915902869e6, rel=EXACT)
     assert (pin.limit, disc.limit) == (4e9, 1500e6)
 
 
 def test_the_root_is_held_against_the_strength_that_is_given() -> None:
     check = check_of("mesh_root_stress", B1)
     stress = 294.3710721324621e6
-    assert check.value == pytest.approx(stress, rel=1e-9)
+    assert check.value == pytest.approx(stress, rel=EXACT)
     assert (check.status, check.reason) == ("not_checked", "root_strength_unknown")
     assert not check.needed and check.missing == ("gear.root_strength",)
     strong = having(geared(B1, root_strength=600e6, face_load_factor=1.1), application_factor=1.2)
     judged = check_of("mesh_root_stress", strong)
-    assert judged.value == pytest.approx(1.32 * stress, rel=1e-9)
+    assert judged.value == pytest.approx(1.32 * stress, rel=EXACT)
     assert (judged.limit, judged.status) == (600e6 / 1.5, "marginal")
-    assert judged.torque_reserve == pytest.approx(400e6 / (1.32 * stress), rel=1e-9)
+    assert judged.torque_reserve == pytest.approx(400e6 / (1.32 * stress), rel=EXACT)
     weak = having(strong, fatigue_safety=1.6)
     assert check_of("mesh_root_stress", weak).status == "fail"
     ring = check_of("mesh_ring_root", strong)
@@ -324,9 +325,9 @@ def test_satellites_carry_on_their_teeth_what_their_pins_do() -> None:
     """Evenly of perfect parts; by what is stated or solved else."""
     one = check_of("ring_pressure_pin", B1).value or 0.0
     two = having(B1, satellites=2)
-    assert check_of("ring_pressure_pin", two).value == pytest.approx(one / math.sqrt(2), rel=1e-9)
+    assert check_of("ring_pressure_pin", two).value == pytest.approx(one / math.sqrt(2), rel=EXACT)
     stated = check_of("ring_pressure_pin", having(two, distribution_factor=1.3)).value
-    assert stated == pytest.approx(one * math.sqrt(0.65), rel=1e-9)
+    assert stated == pytest.approx(one * math.sqrt(0.65), rel=EXACT)
     given = having(two, satellite_coupling=Shares((0.7, 0.3)))
     found = check_of("ring_pressure_pin", given)
     assert found.value == pytest.approx(one * math.sqrt(0.7), rel=1e-3) and found.rough
@@ -339,12 +340,12 @@ def test_satellites_carry_on_their_teeth_what_their_pins_do() -> None:
     assert results.solved
     most = abs(results.made(150.0).couple).max()
     found = check_of("ring_pressure_pin", loose)
-    assert found.value == pytest.approx(one * math.sqrt(most / 150.0), rel=1e-9)
+    assert found.value == pytest.approx(one * math.sqrt(most / 150.0), rel=EXACT)
     assert most > 1.02 * 75.0
     more = having(loose, application_factor=2.0)
     most = abs(results.made(300.0).couple).max()
     there = check_of("ring_pressure_pin", more).value
-    assert there == pytest.approx(one * math.sqrt(most / 150.0), rel=1e-9)
+    assert there == pytest.approx(one * math.sqrt(most / 150.0), rel=EXACT)
     back = check_of("ring_pressure_pin", having(loose, torque_direction="reverse")).value
     both = check_of("ring_pressure_pin", having(loose, torque_direction="alternating")).value
     assert both == max(found.value or 0.0, back or 0.0)
@@ -360,10 +361,10 @@ def test_what_slides_on_the_flanks_lowers_the_efficiency() -> None:
     own = oracle.geometry(oracle.Pair(40, 41, 2.5, 0.0, 0.58, 0.8, 0.8, e=2.003027285823322))
     middle = (float(own["start_roll"]) + float(own["end_roll"])) / 2
     lost = 0.06 * (math.tan(float(own["angle"])) - middle)
-    assert 1 / both == pytest.approx(1 / alone + lost, rel=1e-9)
+    assert 1 / both == pytest.approx(1 / alone + lost, rel=EXACT)
     rubbing = having(geared(design, friction_coefficient=0.06), min_ring_efficiency=0.95)
     teeth = check_of("ring_efficiency", rubbing)
-    assert teeth.value == pytest.approx(1 / (1 + lost), rel=1e-9) and teeth.status == "fail"
+    assert teeth.value == pytest.approx(1 / (1 + lost), rel=EXACT) and teeth.status == "fail"
     unknown = geared(design, friction_coefficient=0.06, ring_profile_shift=None)
     assert check_of("efficiency", unknown).reason == "teeth_not_judged"
 

@@ -8,6 +8,8 @@ import pytest
 
 from core.checks.check import Check, Status, Verdict, judged, verdict
 from core.checks.records import CHECKS
+from core.errors import NotKnown
+from core.precision import CONVERGED
 
 
 @pytest.mark.parametrize(
@@ -37,7 +39,9 @@ def test_judging(changes: dict[str, Any], status: str, reason: str) -> None:
     more = {name: each for name, each in changes.items() if name not in ("limit", "code")}
     found = judged(CHECKS[code], 1.0, limit, **more)
     assert (found.status, found.reason) == (status, reason)
-    assert found.utilisation == pytest.approx(limit if "code" in changes else 1 / limit, rel=1e-15)
+    assert found.utilisation == pytest.approx(
+        limit if "code" in changes else 1 / limit, rel=CONVERGED
+    )
     assert found.torque_reserve == changes.get("reserve")
     assert found.warning == ("warning" in changes)
 
@@ -76,8 +80,9 @@ def test_utilisation_needs_something_to_use() -> None:
         found = judged(CHECKS[code], value, limit)
         assert found.utilisation == used
         assert found.margin == (limit - value if code == "wear" else value - limit)
-    assert Check(CHECKS["wall_holes"], "not_checked", value=1.0).margin is None
-    assert Check(CHECKS["wall_holes"], "not_checked", limit=1.0).margin is None
+    for own in ({"value": 1.0}, {"limit": 1.0}):
+        with pytest.raises(NotKnown):
+            _ = Check(CHECKS["wall_holes"], "not_checked", **own).margin
 
 
 def test_the_order_of_what_is_not_judged_and_of_equals() -> None:

@@ -23,6 +23,7 @@ from core.materials import ContactLimit, ElasticMaterial
 from core.output.real_mechanism import Deviations
 from core.output.satellite_support import Shares
 from core.output.turn import Turn
+from core.precision import EXACT, JUDGED, SAME, SEARCHED
 from core.ring.profile import Modification
 from core.ring.sharing import mesh_position
 from tests.inputs.checks import check_of, design_of, having
@@ -78,8 +79,8 @@ def geared(design: Design = A7, /, **changes: Any) -> Design:
 def test_the_mesh_is_that_of_the_published_case() -> None:
     mesh = Results(A7).ring.mesh
     found = mesh_position(mesh=mesh, crank_angle=math.radians(33.3), output_torque=400.0)
-    assert found.max_pressure == pytest.approx(1208.519e6, rel=1e-6)
-    assert found.rotation[0] / ARCMIN == pytest.approx(1.7777511833, rel=1e-9)
+    assert found.max_pressure == pytest.approx(1208.519e6, rel=SEARCHED)
+    assert found.rotation[0] / ARCMIN == pytest.approx(1.7777511833, rel=EXACT)
 
 
 def pressed(force: float, angle: float) -> float:
@@ -102,12 +103,12 @@ def test_the_pressure_is_the_largest_of_all_positions(factor: float) -> None:
     places = [*np.linspace(0, pitch, 60), check.at["crank_angle"]]
     found = [mesh_position(mesh=mesh, crank_angle=a, output_torque=torque) for a in places]
     pressures = [each.max_pressure or 0.0 for each in found]
-    assert check.value == pytest.approx(pressures[-1], rel=1e-9)
+    assert check.value == pytest.approx(pressures[-1], rel=EXACT)
     assert max(pressures[:-1]) <= pressures[-1] * (1 + 1e-12)
     assert max(pressures[:-1]) == pytest.approx(pressures[-1], rel=1e-3)
     own = [pressed(f, places[-1] + k * pitch) for k, f in enumerate(found[-1].force[0])]
     assert (check.at["satellite"], check.at["pin"]) == (1, 1 + own.index(max(own)))
-    assert check.value == pytest.approx(max(own), rel=1e-9)
+    assert check.value == pytest.approx(max(own), rel=EXACT)
     other = check_of("ring_pressure_disc", design)
     assert other.value == check.value and other.at == check.at
 
@@ -127,8 +128,8 @@ def test_limits_are_those_of_each_body_over_its_own_loads() -> None:
         life_factor(curve="hardened", loads=loads),
         life_factor(curve="nitrided", loads=loads * (1 + 1 / 39)),
     ]
-    assert pin.limit == pytest.approx(1800e6 * factors[0] / 1.25, rel=1e-12)
-    assert disc.limit == pytest.approx(2e9 * factors[1] / 1.25, rel=1e-12)
+    assert pin.limit == pytest.approx(1800e6 * factors[0] / 1.25, rel=SAME)
+    assert disc.limit == pytest.approx(2e9 * factors[1] / 1.25, rel=SAME)
     assert (pin.reason, pin.life_factor) == ("life_of_teeth", pytest.approx(factors[0]))
     plain = check_of("ring_pressure_disc", A7)
     assert (plain.limit, plain.reason) == (pytest.approx(1500e6 / 1.2), "no_life_curve")
@@ -143,7 +144,7 @@ def test_the_peak_torque_is_held_against_static_limits() -> None:
     design = having(geared(pin_material=dents), peak_torque=700.0, application_factor=1.5)
     pin, disc = (check_of(f"ring_static_{body}", design) for body in ("pin", "disc"))
     alone = check_of("ring_pressure_pin", having(A7, output_torque=700.0))
-    assert pin.value == disc.value == pytest.approx(alone.value, rel=1e-12)
+    assert pin.value == disc.value == pytest.approx(alone.value, rel=SAME)
     assert (pin.limit, pin.status) == (4e9, "pass")
     assert (disc.status, disc.reason) == ("not_checked", "limit_unknown")  # above 1500 MPa
     less = having(geared(), peak_torque=450.0)
@@ -158,7 +159,7 @@ def test_the_reserve_is_the_torque_at_which_the_limit_is_reached() -> None:
     check = verdict["ring_pressure_disc"]
     assert check.torque_reserve is not None and check.limit is not None
     there = check_of("ring_pressure_disc", having(A7, output_torque=400.0 * check.torque_reserve))
-    assert there.value == pytest.approx(check.limit, rel=1e-5)
+    assert there.value == pytest.approx(check.limit, rel=JUDGED)
     assert verdict.largest_torque_of == ("teeth",)
 
 
@@ -186,7 +187,7 @@ def test_shares_that_are_given_are_those_of_the_mesh() -> None:
     given, equal = (check_of("ring_pressure_pin", each).value for each in (two, even))
     mesh = Results(two).ring.mesh
     found = mesh_position(mesh=mesh, crank_angle=0.4, output_torque=100.0)
-    assert found.disc_torque == pytest.approx((70.0, 30.0), rel=1e-9)
+    assert found.disc_torque == pytest.approx((70.0, 30.0), rel=EXACT)
     assert given is not None and equal is not None and given > 1.1 * equal
 
 
@@ -195,7 +196,7 @@ def test_an_uneven_share_that_is_stated_is_on_the_torque() -> None:
     stated = having(two, distribution_factor=1.3)
     alone = having(two, output_torque=520.0)
     found = check_of("ring_pressure_pin", stated).value
-    assert found == pytest.approx(check_of("ring_pressure_pin", alone).value, rel=1e-9)
+    assert found == pytest.approx(check_of("ring_pressure_pin", alone).value, rel=EXACT)
 
 
 @pytest.mark.parametrize(("equidistant", "interference"), [(-5e-6, 5e-6), (0.0, 0.0), (5e-6, 0.0)])
@@ -265,7 +266,7 @@ def test_backlash_is_that_of_the_published_disc() -> None:
         check_of("ring_backlash", having(design, max_ring_backlash=2.5 * ARCMIN)).status == "fail"
     )
     of_ring = check_of("ring_backlash", having(design, output="ring")).value
-    assert of_ring == pytest.approx((found.value or 0) * 18 / 19, rel=1e-9)
+    assert of_ring == pytest.approx((found.value or 0) * 18 / 19, rel=EXACT)
     plain = check_of("ring_backlash", A7)
     assert (plain.status, plain.value) == ("not_asked", None)
 
@@ -374,11 +375,11 @@ def test_a_ring_pin_that_turns_is_bent_both_ways() -> None:
     still, turning = tired(BENT), tired(BENT, rotates=True)
     stress = check_of("ring_pin_stress", still).value or 0.0
     found = check_of("ring_pin_fatigue", turning).value or 0.0
-    assert found == pytest.approx(400e6 / stress, rel=1e-6)
+    assert found == pytest.approx(400e6 / stress, rel=SEARCHED)
     assert found < 0.9 * (check_of("ring_pin_fatigue", still).value or 0.0)
     factored, more = having(still, application_factor=1.2), having(still, output_torque=60.0)
     fatigues = [check_of("ring_pin_fatigue", each).value for each in (factored, more)]
-    assert fatigues[0] == pytest.approx(fatigues[1], rel=1e-9)
+    assert fatigues[0] == pytest.approx(fatigues[1], rel=EXACT)
 
 
 def test_ring_pins_last_by_the_turns_of_the_crank() -> None:
@@ -413,11 +414,11 @@ def test_ring_pins_last_by_the_turns_of_the_crank() -> None:
 def test_seats_are_pressed_by_the_largest_force() -> None:
     design = having(A7, max_seat_pressure=1e9, application_factor=1.2)
     check, turn = check_of("ring_seat_pressure", design), Results(design).ring.loading
-    assert check.value == pytest.approx(turn.peak_force / (2 * 0.005 * 0.015), rel=1e-12)
+    assert check.value == pytest.approx(turn.peak_force / (2 * 0.005 * 0.015), rel=SAME)
     there = mesh_position(
         mesh=turn.mesh, crank_angle=check.at["crank_angle"], output_torque=400.0 * 1.2
     )
-    assert there.force[0][check.at["pin"] - 1] == pytest.approx(turn.peak_force, rel=1e-9)
+    assert there.force[0][check.at["pin"] - 1] == pytest.approx(turn.peak_force, rel=EXACT)
     assert check_of("ring_seat_pressure", A7).status == "not_asked"
     bent = having(BENT, max_seat_pressure=1e9)
     assert check_of("ring_seat_pressure", bent).reason == "pins_bend"
@@ -426,8 +427,8 @@ def test_seats_are_pressed_by_the_largest_force() -> None:
 def test_the_efficiency_of_the_teeth_is_theirs_alone() -> None:
     asked = having(geared(friction_coefficient=0.06), min_ring_efficiency=0.9)
     check, turn = check_of("ring_efficiency", asked), Results(asked).ring.working[0]
-    assert check.value == pytest.approx(1 / (1 + 0.06 * turn.sliding_loss), rel=1e-12)
-    assert check.utilisation == pytest.approx((1 - (check.value or 0)) / 0.1, rel=1e-9)
+    assert check.value == pytest.approx(1 / (1 + 0.06 * turn.sliding_loss), rel=SAME)
+    assert check.utilisation == pytest.approx((1 - (check.value or 0)) / 0.1, rel=EXACT)
     assert check_of("ring_efficiency", geared(friction_coefficient=0.06)).status == "not_asked"
     unknown = geared(asked, friction_coefficient=None)
     assert check_of("ring_efficiency", unknown).reason == "ring_friction_unknown"
@@ -455,7 +456,7 @@ def test_what_slides_on_the_ring_lowers_the_efficiency() -> None:
     rubbing = geared(design, friction_coefficient=0.06)
     alone, both = (check_of("efficiency", each).value or 0.0 for each in (design, rubbing))
     turn = Results(rubbing).ring.working[0]
-    assert 1 / both == pytest.approx(1 / alone + 0.06 * turn.sliding_loss, rel=1e-12)
+    assert 1 / both == pytest.approx(1 / alone + 0.06 * turn.sliding_loss, rel=SAME)
     unknown = geared(rubbing, modification=None)
     assert check_of("efficiency", unknown).reason == "modification_unknown"
 
@@ -467,13 +468,13 @@ def test_pv_is_that_of_sleeves() -> None:
     sleeved = geared(design, sleeve_bore_radius=0.003)
     found = check_of("ring_pv", sleeved).value
     turn = Results(sleeved).ring.working[0]
-    assert found == pytest.approx(turn.hardest_rub * 100 / 39 / (2 * 0.005 * 0.015), rel=1e-9)
+    assert found == pytest.approx(turn.hardest_rub * 100 / 39 / (2 * 0.005 * 0.015), rel=EXACT)
     assert check_of("ring_pv", geared(sleeved, rolling=True)).reason == "no_bush"
     unknown = geared(sleeved, friction_coefficient=None)
     assert check_of("ring_pv", unknown).reason == "ring_friction_unknown"
     uneven = check_of("ring_pv", having(sleeved, satellites=2, distribution_factor=1.4))
     more = check_of("ring_pv", having(sleeved, satellites=2, output_torque=1.4 * 400.0))
-    assert uneven.value == pytest.approx(more.value, rel=1e-9)
+    assert uneven.value == pytest.approx(more.value, rel=EXACT)
 
 
 def test_pv_is_that_of_the_harder_direction() -> None:
@@ -491,7 +492,7 @@ def test_pv_is_that_of_the_harder_direction() -> None:
     pv = [check_of("ring_pv", one).value or 0.0 for one in each]
     lost = [Results(one).ring.loss.loss_ratio for one in each]
     assert pv.index(max(pv)) != lost.index(max(lost))
-    assert check_of("ring_pv", both).value == pytest.approx(max(pv), rel=1e-12)
+    assert check_of("ring_pv", both).value == pytest.approx(max(pv), rel=SAME)
 
 
 def test_the_slope_is_that_of_the_softest_pins() -> None:

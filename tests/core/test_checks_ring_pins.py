@@ -15,6 +15,7 @@ from core.design.drawings import drawn_ring_pins
 from core.design.results import Results
 from core.design.ring import CycloidRing
 from core.errors import InvalidInput
+from core.precision import CONVERGED, JUDGED, SAME
 from core.ring.profile import CycloidDisc, Modification
 from tests.inputs.checks import REF, check_of, having
 from tests.oracles.teeth import cycloid_margin
@@ -162,7 +163,7 @@ def test_roots_are_those_of_the_outline() -> None:
         ring_pin_radius=0.005,
     )
     bare = having(design, satellite_body=replace(design.satellite_body, root_radius=None))
-    assert bare.roots == pytest.approx((disc.root_radius, disc.root_radius), rel=1e-14)
+    assert bare.roots == pytest.approx((disc.root_radius, disc.root_radius), rel=CONVERGED)
 
 
 def test_roots_and_undercut_are_those_of_the_tool() -> None:
@@ -176,7 +177,7 @@ def test_roots_and_undercut_are_those_of_the_tool() -> None:
     )
     eccentricity = design.contact.eccentricity or 0.0
     deep = CIRCLE - 2e-4 - eccentricity - 2.3e-3
-    assert cut.roots == pytest.approx((deep, deep), rel=1e-14)
+    assert cut.roots == pytest.approx((deep, deep), rel=CONVERGED)
     margin = cycloid_margin(
         ring_pins=30, circle_radius=CIRCLE - 2e-4, eccentricity=eccentricity, pin_radius=2.3e-3
     )
@@ -193,7 +194,7 @@ def test_the_tool_reaches_the_bottom_of_the_valleys() -> None:
     for part, status in ((0.999, "pass"), (1.001, "fail")):
         tool = having(design, gear=replace(design.gear, tool_radius=part * bottom))
         found = check_of("ring_valley_tool", tool)
-        assert (found.value, found.status) == (pytest.approx(bottom, rel=1e-5), status)
+        assert (found.value, found.status) == (pytest.approx(bottom, rel=JUDGED), status)
     assert judged("ring_valley_tool", design) == ("not_asked", "no_tool")
     flat = on_pins(lobes=11, shortening=0.08)
     flat = having(flat, gear=replace(flat.gear, tool_radius=0.01))
@@ -206,7 +207,7 @@ def test_of_every_second_pin_the_others_have_the_room() -> None:
     places = CIRCLE * np.exp(2j * np.pi * np.arange(0, 12, 2) / 12)
     half = having(design, gear=replace(design.gear, every_second_pin=True))
     found = check_of("ring_pin_room", half)
-    assert found.value == pytest.approx(abs(places[1] - places[0]) - 0.045, rel=1e-12)
+    assert found.value == pytest.approx(abs(places[1] - places[0]) - 0.045, rel=SAME)
     assert found.status == "pass"
     made = replace(half.gear, ring_pin_radius=0.005, modification=Modification())
     drawn = drawn_ring_pins(design=having(half, gear=made))

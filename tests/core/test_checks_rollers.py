@@ -9,6 +9,7 @@ import pytest
 from core.checks.check import Verdict
 from core.checks.rollers import RollerDesign, roller_checks
 from core.fatigue import CycleFatigue, FatigueStrength
+from core.precision import EXACT, SAME
 from core.results import Notice
 from core.rollers.roller_strength import roller_fatigue, roller_strength
 from tests.inputs.checks import says, with_requirements
@@ -58,7 +59,7 @@ def test_rollers_that_do_not_carry_have_no_share_in_the_reserve() -> None:
     stress = float(result.bending_stress)
     design = RollerDesign(result=result, **sizes, yield_strength=1.8 * stress)
     found = roller_checks(design)["roller_stress"]
-    assert found.torque_reserve == pytest.approx(1.2, rel=1e-12)
+    assert found.torque_reserve == pytest.approx(1.2, rel=SAME)
     # a stress known to 0.1 %: within four times that of its limit it is marginal
     doubtful = replace(result, accuracy=result.accuracy._replace(relative_error=1e-3))
     for part, status in ((0.9965, "marginal"), (0.9955, "fail")):
@@ -73,7 +74,7 @@ def test_stress_of_rollers() -> None:
     unknown = rollers()["roller_stress"]
     assert (unknown.status, unknown.reason) == ("not_checked", "yield_unknown")
     assert unknown.missing == ("yield_strength",)
-    assert unknown.value == pytest.approx(STRESS, rel=1e-10)
+    assert unknown.value == pytest.approx(STRESS, rel=EXACT)
     for strength, safety, status in (
         (STRESS * 1.5 * 1.2, 1.5, "pass"),
         (STRESS * 1.5 * 1.01, 1.5, "marginal"),
@@ -82,12 +83,12 @@ def test_stress_of_rollers() -> None:
     ):
         found = rollers(yield_strength=strength, bending_safety=safety)["roller_stress"]
         assert found.status == status
-        assert found.value == pytest.approx(STRESS, rel=1e-10)
-        assert found.limit == pytest.approx(strength / safety, rel=1e-12)
-        assert found.utilisation == pytest.approx(STRESS * safety / strength, rel=1e-9)
+        assert found.value == pytest.approx(STRESS, rel=EXACT)
+        assert found.limit == pytest.approx(strength / safety, rel=SAME)
+        assert found.utilisation == pytest.approx(STRESS * safety / strength, rel=EXACT)
     # without errors of position the stress is proportional to the torque
     even = rollers(yield_strength=1e9, position_tolerance=0.0)["roller_stress"]
-    assert even.torque_reserve == pytest.approx(even.limit / even.value, rel=1e-12)  # type: ignore[operator]
+    assert even.torque_reserve == pytest.approx(even.limit / even.value, rel=SAME)  # type: ignore[operator]
     default = rollers(yield_strength=900e6)["roller_stress"]
     assert default.limit == pytest.approx(600e6)
 
@@ -111,10 +112,10 @@ def test_room_of_rollers(count: int, status: str) -> None:
     found = rollers(count)["roller_spacing"]
     assert (found.status, found.impossible) == (status, status == "fail")
     if count > 1:
-        assert found.value == pytest.approx(0.06 * math.sin(math.pi / count) - 0.015, rel=1e-12)
+        assert found.value == pytest.approx(0.06 * math.sin(math.pi / count) - 0.015, rel=SAME)
     else:
         assert found.reason == "one_only"
-    assert rollers(count)["roller_room"].value == pytest.approx(0.0225, rel=1e-12)
+    assert rollers(count)["roller_room"].value == pytest.approx(0.0225, rel=SAME)
 
 
 @pytest.mark.parametrize("eccentricity", [None, 0.002, 0.0064, 0.0065])
@@ -148,7 +149,7 @@ def test_fatigue_of_rollers() -> None:
     assert f"{found.safety_factor:.2f}" == "3.66"
     spun = roller_fatigue(bending_stress=2 * 8.38, strength=strength, rotates=True)
     assert (spun.amplitude, spun.mean) == (16.76, 0.0)
-    assert spun.safety_factor == pytest.approx(33.9 / 16.76, rel=1e-12)
+    assert spun.safety_factor == pytest.approx(33.9 / 16.76, rel=SAME)
 
 
 def test_fatigue_of_rollers_is_judged_where_asked() -> None:
@@ -166,8 +167,8 @@ def test_fatigue_of_rollers_is_judged_where_asked() -> None:
     for safety, status in ((0.9 / use, "pass"), (0.99 / use, "marginal"), (1.01 / use, "fail")):
         found = rollers(fatigue=cycle, fatigue_safety=safety)["roller_fatigue"]
         assert (found.status, found.limit) == (status, safety)
-        assert found.value == pytest.approx(1 / use, rel=1e-9)
+        assert found.value == pytest.approx(1 / use, rel=EXACT)
         # at the torque named the safety is the one that is asked
         torque = DESIGN["output_torque"] * found.torque_reserve
         at_limit = tired(roller_strength(**DESIGN | {"output_torque": torque}))
-        assert at_limit.safety_factor == pytest.approx(safety, rel=1e-12)
+        assert at_limit.safety_factor == pytest.approx(safety, rel=SAME)

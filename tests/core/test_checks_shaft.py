@@ -9,6 +9,7 @@ import pytest
 from core.checks.check import Verdict
 from core.checks.shaft import LINE_MATERIALS, ShaftDesign, shaft_checks
 from core.fatigue import FatigueStrength, judge_cycle
+from core.precision import EXACT, SAME
 from core.results import Notice
 from tests.inputs.checks import says, with_requirements
 
@@ -45,7 +46,7 @@ def shaft(
 )
 def test_space_between_rollers_of_a_wheel(positions: tuple[float, ...], apart: float) -> None:
     found = shaft(positions)["line_spacing"]
-    assert found.value == pytest.approx(0.1 * math.sin(apart / 2) - 0.008, rel=1e-9)
+    assert found.value == pytest.approx(0.1 * math.sin(apart / 2) - 0.008, rel=EXACT)
     assert found.status == "pass"
 
 
@@ -55,7 +56,7 @@ def test_room_of_a_wheel_and_its_shaft() -> None:
         assert (alone.status, alone.reason) == ("not_applicable", "one_only")
     assert shaft((0.0, 0.16))["line_spacing"].impossible  # 8 mm apart, and that wide
     room = shaft()["shaft_in_circle"]
-    assert room.value == pytest.approx(0.05 - 0.004 - 0.015, rel=1e-12)
+    assert room.value == pytest.approx(0.05 - 0.004 - 0.015, rel=SAME)
     tight = shaft(diameters=[0.01, 0.092])["shaft_in_circle"]
     assert (tight.status, tight.impossible) == ("fail", True)
 

@@ -24,6 +24,7 @@ from core.fixes.changes import value_of, vary
 from core.material_table import MATERIALS
 from core.materials import ElasticMaterial
 from core.output.contact_law import LinearLaw
+from core.precision import EXACT, JUDGED, SAME, SEARCHED
 from tests.inputs.checks import REF, WHOLE, check_of, fixes_of, having, says
 
 PEAK = 1e4 / 3
@@ -58,40 +59,40 @@ STRESS = PEAK * 0.037 / MODULUS
 
 def test_static_strength() -> None:
     found = equally("pin_static", one_at(0.037))
-    assert found.value == pytest.approx(STRESS, rel=1e-11)
+    assert found.value == pytest.approx(STRESS, rel=SAME)
     limit = 800e6 / 1.5
     says(
         found._replace(value=STRESS, torque_reserve=limit / STRESS, utilisation=STRESS / limit),
         status="pass", value=STRESS, limit=limit,
         utilisation=STRESS / limit, torque_reserve=limit / STRESS,
     )  # fmt: skip
-    assert found.torque_reserve == pytest.approx(limit / STRESS, rel=1e-11)
+    assert found.torque_reserve == pytest.approx(limit / STRESS, rel=SAME)
     for safety, status in ((800e6 / STRESS * 1.001, "fail"), (800e6 / STRESS / 1.05, "marginal")):
         assert equally("pin_static", one_at(0.037, bending_safety=safety)).status == status
     # K_A and the peak torque
     more = equally("pin_static", one_at(0.037, dynamic_factor=1.25))
-    assert more.value == pytest.approx(1.25 * STRESS, rel=1e-11)
+    assert more.value == pytest.approx(1.25 * STRESS, rel=SAME)
     peak = equally("pin_static", one_at(0.037, dynamic_factor=1.25, peak_torque=500.0))
-    assert peak.value == pytest.approx(2 * STRESS, rel=1e-11)
+    assert peak.value == pytest.approx(2 * STRESS, rel=SAME)
 
 
 def test_of_two_satellites_that_share_equally_the_far_one_bends_the_pin() -> None:
     found = equally("pin_static", WHOLE)
-    assert found.value == pytest.approx(STRESS, rel=1e-11)
+    assert found.value == pytest.approx(STRESS, rel=SAME)
 
 
 def test_fatigue() -> None:
     """0 to the peak: 1/n = (1/2)/Se + (1/2)/Rm."""
     safety = 1 / (STRESS / 2 / 300e6 + STRESS / 2 / 1000e6)
     found = equally("pin_fatigue", one_at(0.037))
-    assert found.value == pytest.approx(safety, rel=1e-10)
+    assert found.value == pytest.approx(safety, rel=SAME)
     assert found.value == pytest.approx(1.504829, abs=5e-7)  # F13
     assert (found.status, found.limit) == ("marginal", 1.5)
-    assert found.torque_reserve == pytest.approx(safety / 1.5, rel=1e-10)
+    assert found.torque_reserve == pytest.approx(safety / 1.5, rel=SAME)
     assert equally("pin_fatigue", one_at(0.037, fatigue_safety=1.2)).status == "pass"
     assert equally("pin_fatigue", one_at(0.037, fatigue_safety=1.6)).status == "fail"
     both = equally("pin_fatigue", one_at(0.037, torque_direction="alternating"))
-    assert both.value == pytest.approx(300e6 / STRESS, rel=1e-10)
+    assert both.value == pytest.approx(300e6 / STRESS, rel=SAME)
 
 
 def test_fatigue_over_the_life() -> None:
@@ -103,8 +104,8 @@ def test_fatigue_over_the_life() -> None:
         safety = 1 / (STRESS / 2 / limit + STRESS / 2 / 1000e6)
         design = one_at(0.037, life=cycles / turns)
         found = equally("pin_fatigue", design)
-        assert found.value == pytest.approx(safety, rel=1e-9)
-        assert found.torque_reserve == pytest.approx(safety / 1.5, rel=1e-9)
+        assert found.value == pytest.approx(safety, rel=EXACT)
+        assert found.torque_reserve == pytest.approx(safety / 1.5, rel=EXACT)
         assert found.reason == ("finite_life" if share else "")
         # what counts no cycles, or has no such line, is judged by the endurance limit
         for other in (
@@ -115,7 +116,7 @@ def test_fatigue_over_the_life() -> None:
             assert lasting.value == pytest.approx(1.504829, abs=5e-7) and not lasting.reason
         rotating = part(design, "pin", rotates=True)
         reversed_safety = equally("pin_fatigue", rotating).value
-        assert reversed_safety == pytest.approx(300e6 / STRESS, rel=1e-9)
+        assert reversed_safety == pytest.approx(300e6 / STRESS, rel=EXACT)
 
 
 UNKNOWN: dict[str, tuple[dict[str, Any], dict[str, Any], str, tuple[str, ...]]] = {
@@ -171,12 +172,12 @@ def test_slope_and_deflection() -> None:
     for code, value in (("slope", 3.4185221273e-3), ("deflection", 0.0912803795e-3)):
         nobody = equally(f"pin_{code}", design)
         assert (nobody.status, nobody.missing) == ("not_asked", (f"requirements.max_{code}",))
-        assert nobody.value == pytest.approx(value, rel=1e-9)
+        assert nobody.value == pytest.approx(value, rel=EXACT)
         for share, status in ((1.2, "pass"), (1.05, "marginal"), (0.99, "fail")):
             limit = share * value
             found = equally(f"pin_{code}", having(design, **{f"max_{code}": limit}))
             assert (found.status, found.limit) == (status, limit)
-            assert found.torque_reserve == pytest.approx(share, rel=1e-9)
+            assert found.torque_reserve == pytest.approx(share, rel=EXACT)
             assert found.at == {"satellite": 1}
 
 
@@ -190,8 +191,7 @@ def test_the_slope_concentrates_the_pressure() -> None:
     )
     assert found.value is not None
     loads = Results(bent).pin_loads
-    assert loads is not None and loads.deflection is not None  # type: ignore[union-attr]
-    factor = math.sqrt(2 * loads.deflection.slope * 0.02 * 1e9 / Results(bent).judged_forces.force)  # type: ignore[union-attr]
+    factor = math.sqrt(2 * loads.deflection.slope * 0.02 * 1e9 / Results(bent).judged_forces.force)
     assert found.value / even == pytest.approx(math.sqrt(factor), rel=1e-4)
     assert found.at["satellite"] == 1
 
@@ -207,7 +207,7 @@ def test_friction() -> None:
     for code, (value, limit) in values.items():
         nobody = equally(code, EVEN)
         assert (nobody.status, nobody.missing) == ("not_asked", (f"requirements.{limit}",))
-        assert nobody.value == pytest.approx(value, rel=1e-9)
+        assert nobody.value == pytest.approx(value, rel=EXACT)
         keep = "above" if code == "efficiency" else "below"
         for share, status in ((1.2, "pass"), (0.99, "fail")):
             asked = value / share if keep == "above" else share * value
@@ -232,7 +232,7 @@ def test_friction() -> None:
 
 def test_wear_over_the_required_life() -> None:
     design = part(having(EVEN, max_wear=1e-3, life=6000 * 3600.0), "friction", life=None)
-    assert equally("wear", design).value == pytest.approx(2 * 0.118125e-3, rel=1e-9)
+    assert equally("wear", design).value == pytest.approx(2 * 0.118125e-3, rel=EXACT)
 
 
 def test_pv_is_that_of_a_bush() -> None:
@@ -242,8 +242,8 @@ def test_pv_is_that_of_a_bush() -> None:
     value = 3.4361169648638348e6
     for limit, status in ((1.2 * value, "pass"), (0.9 * value, "fail")):
         found = equally("pv", having(sleeved, max_pv=limit))
-        assert (found.status, found.value) == (status, pytest.approx(value, rel=1e-9))
-        assert found.torque_reserve == pytest.approx(limit / value, rel=1e-9)
+        assert (found.status, found.value) == (status, pytest.approx(value, rel=EXACT))
+        assert found.torque_reserve == pytest.approx(limit / value, rel=EXACT)
     assert equally("pv", sleeved).status == "not_asked"
 
 
@@ -263,14 +263,14 @@ def test_bearings() -> None:
     life = 1e6 * (60e3 / 12390.148) ** 3 / 1575 * 60  # s
     for asked, status in ((0.7, "pass"), (0.99, "marginal"), (1.01, "fail")):
         found = check_of("bearing_life", light(life=asked * life))
-        assert found.value == pytest.approx(life, rel=1e-6)
+        assert found.value == pytest.approx(life, rel=SEARCHED)
         assert (found.status, found.limit) == (status, asked * life)
-        assert found.torque_reserve == pytest.approx(asked ** (-1 / 3), rel=1e-6)
-        assert found.utilisation == pytest.approx(asked, rel=1e-6)
+        assert found.torque_reserve == pytest.approx(asked ** (-1 / 3), rel=SEARCHED)
+        assert found.utilisation == pytest.approx(asked, rel=SEARCHED)
     safe = part(light(life=0.7 * life), "bearing", reliability_percent=95.0)
-    assert check_of("bearing_life", safe).value == pytest.approx(0.64 * life, rel=1e-6)
+    assert check_of("bearing_life", safe).value == pytest.approx(0.64 * life, rel=SEARCHED)
     static = check_of("bearing_static", light(dynamic_factor=1.5, peak_torque=1000.0))
-    assert static.value == pytest.approx(40e3 / 12645.46 / 2, rel=1e-6)
+    assert static.value == pytest.approx(40e3 / 12645.46 / 2, rel=SEARCHED)
     assert (static.limit, static.status) == (1.5, "marginal")
     assert static.limit_source == "static_guide"
     stop = light(dynamic_factor=1.5, peak_torque=1000.0, peak_kind="emergency")
@@ -278,7 +278,7 @@ def test_bearings() -> None:
     for kind, usual in (("ball", 1.0), ("roller", 1.5)):  # without a peak torque
         assert check_of("bearing_static", part(light(), "bearing", kind=kind)).limit == usual
     roller = check_of("bearing_static", part(light(peak_torque=1000.0), "bearing", kind="roller"))
-    assert roller.value == pytest.approx(40e3 / 12645.46 / 2, rel=1e-6)
+    assert roller.value == pytest.approx(40e3 / 12645.46 / 2, rel=SEARCHED)
     assert (roller.limit, roller.status) == (1.5, "marginal")
     # a load at rest needs no speed
     still = crank_checks(Results(light(peak_torque=1000.0, input_speed=None)))
@@ -287,13 +287,13 @@ def test_bearings() -> None:
     many = light(input_speed=None, pins=2001, crankshaft=None)
     assert check_of("bearing_static", many).reason == "too_many_pairs"
     static = check_of("bearing_static", light(dynamic_factor=1.5, static_safety=3.0))
-    assert static.value == pytest.approx(40e3 / 12645.46 / 1.5, rel=1e-6)
+    assert static.value == pytest.approx(40e3 / 12645.46 / 1.5, rel=SEARCHED)
     assert (static.status, static.limit_source) == ("fail", "")
     together = part(light(life=0.3 * life), "bearing", weibull_slope=10 / 9)
     found = check_of("system_life", together)
-    assert found.value == pytest.approx(life / 2**0.9, rel=1e-6)
+    assert found.value == pytest.approx(life / 2**0.9, rel=SEARCHED)
     surer = check_of("system_life", part(together, "bearing", reliability_percent=99.0))
-    assert surer.value == pytest.approx(0.25 * life / 2**0.9, rel=1e-6)
+    assert surer.value == pytest.approx(0.25 * life / 2**0.9, rel=SEARCHED)
     assert surer.status == "fail"
     assert check_of("system_life", light()).missing == ("bearing.weibull_slope",)
     alone = having(together, satellites=1)
@@ -411,7 +411,7 @@ PINNED = tuple(kind.code for kind in RING_PINS)
 
 def test_ring() -> None:
     angle = check_of("pressure_angle", WHOLE)
-    assert angle.value == pytest.approx(math.radians(34.6912426), rel=1e-9)
+    assert angle.value == pytest.approx(math.radians(34.6912426), rel=EXACT)
     assert angle.status == "pass"
     steep = check_of("pressure_angle", part(WHOLE, "gear", module=1.15e-3))
     assert (steep.status, steep.reason) == ("marginal", "steep_mesh")
@@ -522,7 +522,7 @@ def test_crankshaft() -> None:
     rated = part(light(life=1000 * 3600.0), "crankshaft", bearings=bearings)
     found = check_of("crank_bearing_life", rated)
     life = 1e6 * (20e3 / 4396.504) ** 3 / 1500 * 60
-    assert found.value == pytest.approx(life, rel=1e-5)
+    assert found.value == pytest.approx(life, rel=JUDGED)
     assert found.at == {"bearing": 1}
     reserve = min((life / 3600 / 1000) ** (1 / 3), 25e3 / 4396.6 * (1e6 / 60 / 1500 / 1000) ** 0.3)
     assert found.torque_reserve == pytest.approx(reserve, rel=1e-3)

@@ -21,6 +21,7 @@ from core.output.loaded_position import loaded_position
 from core.output.loop_rows import CONFORMAL, Curve
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import RealMechanism
+from core.precision import CONVERGED, SAME
 
 STEEL, PLA = ElasticMaterial(207e9, 0.3), ElasticMaterial(3.5e9, 0.36)
 NEAR_LIMIT = ElasticMaterial(20e9, 0.3)
@@ -75,12 +76,12 @@ def test_force_and_approach_are_each_others_inverse(
         approach = alone(CONFORMAL, a * x, a, bending, 1.0, curve)
         bent = a * x * bending / curve.modulus
         contact = alone(CONFORMAL, a * x, a, 0.0, 1.0, curve)
-        assert approach == pytest.approx(contact + bent, rel=1e-14)
+        assert approach == pytest.approx(contact + bent, rel=CONVERGED)
         for near in (0.0, a * x * 0.3, a * x * 50):
             force, stiffness = law(CONFORMAL, approach, a, bending, 1.0, near, 1.0, curve)
-            assert force == pytest.approx(a * x, rel=1e-13)
+            assert force == pytest.approx(a * x, rel=CONVERGED)
             secant, tangent = given_over(x, curve)
-            assert stiffness == pytest.approx(curve.modulus / (tangent + bending), rel=1e-12)
+            assert stiffness == pytest.approx(curve.modulus / (tangent + bending), rel=SAME)
             assert tangent <= secant
 
 
@@ -103,9 +104,9 @@ def test_the_approach_hangs_on_the_load_over_the_difference_of_the_radii_alone()
     one = contact_compliance(**size, pin_radius=4e-3, hole_radius=4.2e-3)
     other = contact_compliance(**size, pin_radius=9e-3, hole_radius=9.6e-3)
     for force in (1.0, 30.0, 800.0):
-        assert other(3 * force) == pytest.approx(one(force), rel=1e-11)
+        assert other(3 * force) == pytest.approx(one(force), rel=SAME)
     forces = np.array([1.0, 30.0, 800.0])
-    assert one(forces).tolist() == pytest.approx([one(each) for each in forces], rel=1e-15)
+    assert one(forces).tolist() == pytest.approx([one(each) for each in forces], rel=CONVERGED)
 
 
 def test_the_usual_law_is_by_the_materials_alone() -> None:
@@ -141,7 +142,7 @@ def test_forces_of_a_printed_mechanism_balance_by_the_exact_contact(torque: floa
             tolerance = 2e-6 * gives * line_load / modulus + 4e-16
             assert abs(approach - gives * line_load / modulus) < tolerance
             carried, loaded = carried + force * lever, loaded + 1
-    assert carried == pytest.approx(torque, rel=1e-12)
+    assert carried == pytest.approx(torque, rel=SAME)
     assert loaded == found.loaded_pairs >= 2
 
 
@@ -161,7 +162,7 @@ def test_numbers_of_arrays_are_those_of_the_kernel() -> None:
     curve = curve_of(STEEL, PLA)
     loads = np.geomspace(1e-20, 1e8, 50)
     one = [given_over(float(each), curve)[0] for each in loads]
-    assert approach_over_load(load=loads, curve=curve).tolist() == pytest.approx(one, rel=1e-14)
+    assert approach_over_load(load=loads, curve=curve).tolist() == pytest.approx(one, rel=CONVERGED)
 
 
 def test_beyond_its_end_the_law_goes_on_as_a_straight_line() -> None:
@@ -169,6 +170,6 @@ def test_beyond_its_end_the_law_goes_on_as_a_straight_line() -> None:
     at_end, _ = given_over(end(curve) * (1 + 1e-12), curve)
     for factor in (1.5, 10.0, 1e4):
         secant, tangent = given_over(end(curve) * factor, curve)
-        assert secant == tangent == pytest.approx(at_end, rel=1e-12)
+        assert secant == tangent == pytest.approx(at_end, rel=SAME)
         load = end(curve) * factor
-        assert approach_over_load(load=load, curve=curve) == pytest.approx(secant, rel=1e-14)
+        assert approach_over_load(load=load, curve=curve) == pytest.approx(secant, rel=CONVERGED)

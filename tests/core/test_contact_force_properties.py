@@ -19,6 +19,7 @@ from core.output.pin_forces import (
     output_torque_from_input,
     reference_force,
 )
+from core.precision import CONVERGED, EXACT
 
 angles = st.one_of(st.floats(-20.0, 20.0), st.integers(-48, 48).map(lambda k: math.radians(15 * k)))
 exponents = st.one_of(
@@ -85,7 +86,7 @@ def test_forces_follow_the_law_of_the_approach(
     assert ((found > 0) <= (cosine > 0)).all()
     best = np.unravel_index(int(np.argmax(cosine)), cosine.shape)
     law = np.where(cosine > 0, (np.maximum(cosine, 0) / cosine[best]) ** exponent, 0.0)
-    assert found / found[best] == pytest.approx(law, rel=1e-8 * (1 + exponent), abs=1e-300)
+    assert found / found[best] == pytest.approx(law, rel=EXACT * (1 + exponent), abs=1e-300)
 
 
 @given(mechanisms(), exponents, st.floats(-7.0, 7.0))
@@ -103,7 +104,7 @@ def test_reversing_the_torque_loads_the_idle_pairs(
     later = at + math.pi / (1 + 1 / mechanism.ratio)
     half_turn = force_ratios(mechanism=mechanism, crank_angles=later, force_exponent=exponent)
     backward = force_ratios(mechanism=reverse, crank_angles=at, force_exponent=exponent)
-    assert half_turn == pytest.approx(backward, rel=1e-7 * (1 + exponent), abs=1e-12)
+    assert half_turn == pytest.approx(backward, rel=EXACT * (1 + exponent), abs=1e-12)
 
 
 @given(mechanisms(), exponents)
@@ -165,7 +166,7 @@ def test_doubling_every_satellite_halves_every_force(
     doubled = changed(mechanism, crank_angles=mechanism.crank_angles * times)
     one = peak_force(mechanism=mechanism, force_exponent=exponent)
     many = peak_force(mechanism=doubled, force_exponent=exponent)
-    assert many.peak_force_ratio * times == pytest.approx(one.peak_force_ratio, rel=1e-13)
+    assert many.peak_force_ratio * times == pytest.approx(one.peak_force_ratio, rel=CONVERGED)
 
 
 @given(mechanisms(), exponents)
@@ -185,9 +186,9 @@ def test_torque_and_reference_force(
     torque: float, radius: float, ratio: float, efficiency: float
 ) -> None:
     force = reference_force(output_torque=torque, pin_circle_radius=radius)
-    assert force * radius == pytest.approx(torque, rel=1e-15)
+    assert force * radius == pytest.approx(torque, rel=CONVERGED)
     output = output_torque_from_input(input_torque=torque, ratio=ratio, efficiency=efficiency)
-    assert output == pytest.approx(torque * ratio * efficiency, rel=1e-15)
+    assert output == pytest.approx(torque * ratio * efficiency, rel=CONVERGED)
 
 
 @pytest.mark.parametrize("exponent", [-1.0, -1e-300, math.nan, math.inf, 1e300])
@@ -279,7 +280,7 @@ def test_the_peak_of_a_mechanism_is_searched_for_once(monkeypatch: pytest.Monkey
         for torque, radius in sizes
     ]
     assert len(searched) == 1
-    assert forces[9].peak_force == pytest.approx(10 * forces[0].peak_force, rel=1e-15)
+    assert forces[9].peak_force == pytest.approx(10 * forces[0].peak_force, rel=CONVERGED)
 
 
 @pytest.mark.parametrize(("gap", "codes"), [(1e-9, []), (1e-11, ["hardly_known"])])

@@ -12,6 +12,7 @@ from core.crank.ring_mesh import RingMesh, involute_mesh
 from core.crank.satellite_bearing import bearing_curves, satellite_bearings
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.mechanism import Mechanism
+from core.precision import CONVERGED, SAME, SEARCHED
 from tests.inputs.satellites import exponents, mechanisms
 from tests.oracles.satellites import forces
 
@@ -52,13 +53,13 @@ def test_curves_are_the_reactions() -> None:
     curves = reaction_curves(loads=loads, crank_angles=cranks, **PLACES)
     found = crankshaft(**design, mesh=RingMesh(-0.3))
     sizes = np.abs(curves.reaction)
-    assert sizes.max(axis=0) == pytest.approx(found.peak_reaction, rel=1e-6)
+    assert sizes.max(axis=0) == pytest.approx(found.peak_reaction, rel=SEARCHED)
 
 
 def test_life() -> None:
     found = crankshaft(**REF, dynamic_ratings=(30e3, None), input_speed=50 * math.pi)
     millions = (30e3 / found.equivalent_reaction[0]) ** 3
-    assert found.basic_life[0] / 3600 == pytest.approx(millions * 1e6 / (60 * 1500), rel=1e-13)
+    assert found.basic_life[0] / 3600 == pytest.approx(millions * 1e6 / (60 * 1500), rel=CONVERGED)
     assert found.basic_life[1] is None
 
 
@@ -94,7 +95,7 @@ def test_the_error_of_the_ring_is_in_that_of_the_reactions(rho: float) -> None:
     assert off <= found.accuracy.relative_error < 20 * off
     lasting = crankshaft(**own, dynamic_ratings=(30e3, 30e3), input_speed=100.0)
     error = lasting.accuracy.relative_error
-    assert error == pytest.approx(3 * found.accuracy.relative_error, rel=1e-6)
+    assert error == pytest.approx(3 * found.accuracy.relative_error, rel=SEARCHED)
 
 
 def test_curves_have_the_direction_of_the_reactions() -> None:
@@ -110,8 +111,8 @@ def test_curves_have_the_direction_of_the_reactions() -> None:
         for alpha, part, inward, tangential in zip((0.4, 1.9), held, inwards, back, strict=True):
             x = x + part * (inward * math.cos(alpha) - tangential * math.sin(alpha))
             y = y + part * (inward * math.sin(alpha) + tangential * math.cos(alpha))
-        assert curves.reaction[:, bearing].real == pytest.approx(x, rel=1e-12)
-        assert curves.reaction[:, bearing].imag == pytest.approx(y, rel=1e-12)
+        assert curves.reaction[:, bearing].real == pytest.approx(x, rel=SAME)
+        assert curves.reaction[:, bearing].imag == pytest.approx(y, rel=SAME)
 
 
 MASS = {"satellite_mass": 1.5, "input_speed": 50 * math.pi}
@@ -122,14 +123,14 @@ def test_balance() -> None:
     found = crankshaft(**one, bearing_positions=(0.0, 0.062), **MASS).balance
     assert f"{found.force:.4f}" == "74.0220"
     assert found.couple == pytest.approx(0, abs=1e-12)
-    assert found.unbalance == pytest.approx(0.003, rel=1e-14)
+    assert found.unbalance == pytest.approx(0.003, rel=CONVERGED)
     assert [each.unbalance for each in found.corrections] == pytest.approx([0.0015] * 2)
     two = crankshaft(**REF, **MASS).balance
     assert two.force == pytest.approx(0, abs=1e-12)
     assert f"{two.couple:.6f}" == "1.628485"
     three = REF | {"mechanism": spaced(6, 3), "satellite_positions": (0.009, 0.031, 0.053)}
     found = crankshaft(**three, **MASS).balance
-    assert found.couple == pytest.approx(1.628485 * math.sqrt(3), rel=1e-6)
+    assert found.couple == pytest.approx(1.628485 * math.sqrt(3), rel=SEARCHED)
     assert found.force == pytest.approx(0, abs=1e-12)
 
 
@@ -148,7 +149,7 @@ def test_a_bearing_that_holds_nothing() -> None:
             kind="ball",
         )
         loaded, other = found.peak_reaction[held], found.peak_reaction[1 - held]
-        assert (loaded, other) == (pytest.approx(alone.peak_load[0], rel=1e-13), 0)
+        assert (loaded, other) == (pytest.approx(alone.peak_load[0], rel=CONVERGED), 0)
         assert found.equivalent_reaction[1 - held] == 0
         assert (found.basic_life[held] > 0, found.basic_life[1 - held]) == (True, None)
         assert found.accuracy.relative_error < 1e-13
@@ -218,7 +219,7 @@ def test_reactions_by_brute_force(mechanism: Mechanism, exponent: float, rho: fl
     x = -inwards * np.cos(ahead) + back * np.sin(ahead)
     y = -inwards * np.sin(ahead) - back * np.cos(ahead)
     torque = 2e-3 * (np.cos(ahead) * y - np.sin(ahead) * x).sum(axis=0)
-    assert torque == pytest.approx(-25.0, rel=1e-12)
+    assert torque == pytest.approx(-25.0, rel=SAME)
     last = [-(each * (places + 0.01)[:, None]).sum(axis=0) / 0.1 for each in (x, y)]
     first = [-each.sum(axis=0) - other for each, other in zip((x, y), last, strict=True)]
     room = 1e-9 + (1e-3 if exponent >= 1 else 3e-2)

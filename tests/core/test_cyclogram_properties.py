@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from core.errors import InvalidInput
 from core.output.cyclogram import Cyclogram, cyclogram
 from core.output.mechanism import Mechanism, assembly_angles, ratio_from_teeth
+from core.precision import CONVERGED, EXACT
 
 angles = st.one_of(
     st.floats(-20.0, 20.0),
@@ -71,7 +72,7 @@ def test_intervals_are_ordered_and_cut_only_at_the_ends(mechanism: Mechanism, tu
     end = turns * 2 * math.pi
     tiny = sliver(mechanism, turns)
     half = result.period / 2
-    assert result.working_phase == pytest.approx(half, rel=1e-15)
+    assert result.working_phase == pytest.approx(half, rel=CONVERGED)
     for pair in result.pairs:
         for start, stop in pair.driving:
             assert 0 <= start < stop <= end
@@ -280,7 +281,7 @@ def test_assembly_rotations_are_within_half_a_pitch(
             assert angle.identical
         else:
             part = (j * more % satellites) / satellites
-            assert abs(angle.hole_rotation) == pytest.approx(min(part, 1 - part) * pitch, rel=1e-9)
+            assert abs(angle.hole_rotation) == pytest.approx(min(part, 1 - part) * pitch, rel=EXACT)
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,7 @@ import pytest
 from mpmath import mpf, sqrt, workdps
 
 from core.errors import InvalidInput
+from core.precision import CONVERGED, EXACT, SAME, SEARCHED
 from core.ring import profile
 from core.ring.profile import CycloidDisc, Modification, outline_points
 from tests.inputs.ring_meshes import disc_of
@@ -56,13 +57,13 @@ def test_radii_of_curvature_by_a_scan(seed: int) -> None:
     bend = -(first.conj() * second).imag / np.abs(first) ** 3
     assert np.allclose(disc.path_curvature(t), bend, rtol=1e-4, atol=1e-2)
     exact = disc.path_curvature(t)
-    assert disc.min_path_radius == pytest.approx(1 / exact.max(), rel=1e-6)
+    assert disc.min_path_radius == pytest.approx(1 / exact.max(), rel=SEARCHED)
     assert disc.min_path_radius <= 1 / exact.max() * (1 + 1e-14)
     assert disc.undercut_margin == disc.min_path_radius / disc.tool_radius
     own = disc.curvature(t)
-    assert np.allclose(own * (1 / exact - disc.tool_radius), 1, rtol=1e-9)
+    assert np.allclose(own * (1 / exact - disc.tool_radius), 1, rtol=EXACT)
     if own.min() < 0:
-        assert disc.min_concave_radius == pytest.approx(-1 / own.min(), rel=1e-12)
+        assert disc.min_concave_radius == pytest.approx(-1 / own.min(), rel=SAME)
 
 
 def sizes_at_40_digits(disc: CycloidDisc) -> dict[str, mpf]:
@@ -102,15 +103,15 @@ def test_a_disc_with_a_short_crank_is_convex_all_around() -> None:
     assert disc.min_concave_radius is None and disc.valley_radius == math.inf
     assert (disc.curvature(np.linspace(0, 1, 999)) > 0).all()
     low = (1 + disc.shortening) ** 2 / (1 + disc.pins * disc.shortening)
-    assert disc.min_path_radius == pytest.approx(0.05 * low, rel=1e-12)
+    assert disc.min_path_radius == pytest.approx(0.05 * low, rel=SAME)
 
 
 def test_radii_of_tips_and_roots() -> None:
     disc = replace(DISC, modification=Modification(2e-5, -1e-5))
     radii = np.abs(disc.outline(2 * math.pi * np.arange(24) / 22))
-    assert disc.tip_radius == pytest.approx(radii.max(), rel=1e-14)
-    assert disc.root_radius == pytest.approx(radii.min(), rel=1e-14)
-    assert disc.root_radius == pytest.approx(0.05 - 2.5e-3 - 0.005 - 3e-5, rel=1e-12)
+    assert disc.tip_radius == pytest.approx(radii.max(), rel=CONVERGED)
+    assert disc.root_radius == pytest.approx(radii.min(), rel=CONVERGED)
+    assert disc.root_radius == pytest.approx(0.05 - 2.5e-3 - 0.005 - 3e-5, rel=SAME)
 
 
 @pytest.mark.parametrize("seed", seeds(6))

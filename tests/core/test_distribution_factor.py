@@ -16,6 +16,7 @@ from core.design.document import Design
 from core.design.results import Results
 from core.errors import InvalidInput
 from core.output.mechanism import Mechanism
+from core.precision import EXACT, SAME
 from tests.inputs.checks import REF, WHOLE, check_of, having
 from tests.inputs.satellites import mechanisms
 from tests.oracles.satellites import forces
@@ -31,24 +32,24 @@ def test_of_two_discs_one_carries_more(factor: float, pressure: float, bending: 
     """Pressure by its root, bending straight; the slope of the pins besides it."""
     found = Results(having(WHOLE, distribution_factor=factor))
     level = found.hertz.max_pressure / math.sqrt(found.line_load_factor)
-    assert level / 1e6 == pytest.approx(pressure, rel=1e-9)
-    assert found.pin_strength.peak_bending_stress / 1e6 == pytest.approx(bending, rel=1e-9)
-    assert found.pin_strength.peak_force == pytest.approx(factor * 1e4 / 3, rel=1e-12)
+    assert level / 1e6 == pytest.approx(pressure, rel=EXACT)
+    assert found.pin_strength.peak_bending_stress / 1e6 == pytest.approx(bending, rel=EXACT)
+    assert found.pin_strength.peak_force == pytest.approx(factor * 1e4 / 3, rel=SAME)
     alone = Results(having(REF, distribution_factor=factor))
-    assert alone.hertz.max_pressure / 1e6 == pytest.approx(pressure, rel=1e-9)
+    assert alone.hertz.max_pressure / 1e6 == pytest.approx(pressure, rel=EXACT)
 
 
 def test_the_edge_has_the_line_load_of_the_whole_force() -> None:
     """As under so many times the torque, shared evenly: the factor is in it once."""
     uneven = Results(having(WHOLE, distribution_factor=1.5))
     more = Results(having(WHOLE, output_torque=750.0), equal=True)
-    assert uneven.line_load_factor == pytest.approx(more.line_load_factor, rel=1e-12)
-    assert uneven.hertz.max_pressure == pytest.approx(more.hertz.max_pressure, rel=1e-12)
+    assert uneven.line_load_factor == pytest.approx(more.line_load_factor, rel=SAME)
+    assert uneven.hertz.max_pressure == pytest.approx(more.hertz.max_pressure, rel=SAME)
     for name in ("peak_equivalent_stress", "static_stress", "peak_shear_stress"):
         values = [getattr(each.pin_strength, name) for each in (uneven, more)]
-        assert values[0] == pytest.approx(values[1], rel=1e-12), name
+        assert values[0] == pytest.approx(values[1], rel=SAME), name
     assert uneven.pin_strength.fatigue.safety_factor == pytest.approx(
-        more.pin_strength.fatigue.safety_factor, rel=1e-12
+        more.pin_strength.fatigue.safety_factor, rel=SAME
     )
 
 
@@ -77,7 +78,7 @@ def test_what_the_force_reaches(code: str, of: str | None) -> None:
     even = check_of(code, having(level, distribution_factor=1 + 1e-12))
     uneven = check_of(code, having(level, distribution_factor=1.4, distribution_of=of))
     felt = 1.0 if of == "pins" and code.startswith("bearing") else MOVES[code](1.4)
-    assert uneven.value == pytest.approx(even.value * felt, rel=1e-9)
+    assert uneven.value == pytest.approx(even.value * felt, rel=EXACT)
 
 
 def test_all_bearings_together_do_not_outlast_one() -> None:
@@ -95,10 +96,10 @@ def test_all_bearings_together_do_not_outlast_one() -> None:
     even = satellite_bearings(**LOAD, **own)
     found = satellite_bearings(**LOAD, **own, distribution_factor=1.4)
     lives = np.array([even.life[0] / 1.4**3, even.life[0] / 0.6**3])
-    assert found.system_life == pytest.approx((lives**-slope).sum() ** (-1 / slope), rel=1e-12)
+    assert found.system_life == pytest.approx((lives**-slope).sum() ** (-1 / slope), rel=SAME)
     assert found.system_life < found.life.min()
     alone = satellite_bearings(**LOAD, **own, distribution_factor=2.0)
-    assert alone.system_life == pytest.approx(even.life[0] / 8, rel=1e-12)
+    assert alone.system_life == pytest.approx(even.life[0] / 8, rel=SAME)
 
 
 @given(mechanism=mechanisms, part=st.floats(0, 1), rho=st.floats(-1, 1))

@@ -12,6 +12,7 @@ from core.materials import ElasticMaterial
 from core.output.contact_law import PinSupport, pin_compliance
 from core.output.pin_beam import PinBeam, section_stress
 from core.output.pin_section import GIVES, UNDER_LOAD, WALL_BORE, PinSection
+from core.precision import EXACT
 from tests.inputs.checks import WHOLE, check_of, having
 from tests.oracles.hollow import cowper, frame_ring, scanned
 
@@ -35,15 +36,15 @@ def test_a_bored_pin_bends_as_a_tube(name: str) -> None:
     bore, place, area, modulus, coefficient, compliance, bent, sheared, equivalent = TUBES[name]
     pin = PinSupport("cantilever", 0.016, (place,), STEEL, None, bore)
     section = pin.section
-    assert section.area * 1e6 == pytest.approx(area, rel=1e-9)
-    assert section.modulus * 1e9 == pytest.approx(modulus, rel=1e-9)
-    assert section.shear_coefficient(0.3) == pytest.approx(coefficient, rel=1e-9)
-    assert pin_compliance(pin)[0] * 1e3 == pytest.approx(compliance, rel=1e-9)
+    assert section.area * 1e6 == pytest.approx(area, rel=EXACT)
+    assert section.modulus * 1e9 == pytest.approx(modulus, rel=EXACT)
+    assert section.shear_coefficient(0.3) == pytest.approx(coefficient, rel=EXACT)
+    assert pin_compliance(pin)[0] * 1e3 == pytest.approx(compliance, rel=EXACT)
     bending, mean = FORCE * place / section.modulus, FORCE / section.shear_area
-    assert bending / 1e6 == pytest.approx(bent, rel=1e-9)
-    assert 4 / 3 * mean / 1e6 == pytest.approx(sheared, rel=1e-9)
+    assert bending / 1e6 == pytest.approx(bent, rel=EXACT)
+    assert 4 / 3 * mean / 1e6 == pytest.approx(sheared, rel=EXACT)
     found = section_stress(bending=bending, mean_shear=mean)
-    assert found / 1e6 == pytest.approx(equivalent, rel=1e-9)
+    assert found / 1e6 == pytest.approx(equivalent, rel=EXACT)
 
 
 @pytest.mark.parametrize(
@@ -56,10 +57,10 @@ def test_the_wall_of_a_bored_pin(
 ) -> None:
     section, line = PinSection(0.016, bore), FORCE / 0.020
     middle = (0.016 + bore) / 4
-    assert UNDER_LOAD * line * middle == pytest.approx(moment, rel=1e-9)
-    assert section.wall_stress(line_load=line) / 1e6 == pytest.approx(stress, rel=1e-9)
+    assert UNDER_LOAD * line * middle == pytest.approx(moment, rel=EXACT)
+    assert section.wall_stress(line_load=line) / 1e6 == pytest.approx(stress, rel=EXACT)
     pin = PinSupport("cantilever", 0.016, (0.037,), STEEL, None, bore)
-    assert pin.wall_compliance(0.020) * 1e3 == pytest.approx(compliance, rel=1e-9)
+    assert pin.wall_compliance(0.020) * 1e3 == pytest.approx(compliance, rel=EXACT)
 
 
 def test_the_wall_is_a_ring_held_by_shear() -> None:
@@ -73,7 +74,7 @@ def test_the_wall_is_a_ring_held_by_shear() -> None:
 def test_the_shear_coefficient_is_that_of_the_flexure_of_a_tube(share: float, ratio: float) -> None:
     solid = 6 * (1 + ratio) / (7 + 6 * ratio)
     wanted = 10 / 9 * solid / cowper(bore=share, poissons_ratio=ratio)
-    assert PinSection(2.0, 2 * share).shear_coefficient(ratio) == pytest.approx(wanted, rel=1e-9)
+    assert PinSection(2.0, 2 * share).shear_coefficient(ratio) == pytest.approx(wanted, rel=EXACT)
 
 
 @pytest.mark.parametrize("share", [0.0, 0.3, 0.6, 0.9, 0.97])
@@ -126,13 +127,13 @@ def test_the_wall_is_judged_where_the_bore_is_large() -> None:
     assert check_of("pin_wall", bored(0.2)).reason == "solid_pin"
     design = bored(10 / 16, distribution_factor=1.000001)  # forces of the papers: 10 kN/3
     check = check_of("pin_wall", design)
-    assert check.value == pytest.approx(1.000001 * 203.67350954e6, rel=1e-9)
+    assert check.value == pytest.approx(1.000001 * 203.67350954e6, rel=EXACT)
     assert check.limit == pytest.approx(800e6 / 1.5) and check.status == "pass"
     assert check.torque_reserve == pytest.approx(check.limit / check.value)
     twice = having(design, peak_torque=2 * 500.0)
     assert check_of("pin_wall", twice).value == pytest.approx(2 * check.value)
     thin = check_of("pin_wall", bored(14 / 16, distribution_factor=1.000001))
-    assert thin.status == "fail" and thin.value == pytest.approx(1.000001 * 1873.47844e6, rel=1e-9)
+    assert thin.status == "fail" and thin.value == pytest.approx(1.000001 * 1873.47844e6, rel=EXACT)
     soft = replace(WHOLE.pin, bore_diameter=0.010, material=ElasticMaterial(210e9, 0.3))
     assert check_of("pin_wall", having(WHOLE, pin=soft)).reason == "yield_unknown"
 

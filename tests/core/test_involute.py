@@ -8,6 +8,7 @@ import pytest
 
 from core.errors import ImpossibleMechanism, InvalidInput, NotKnown
 from core.materials import ElasticMaterial
+from core.precision import CONVERGED, EXACT, SAME, SEARCHED
 from core.ring.involute import Cutter, InvoluteTeeth, Rack, angle_of, involute_pair, usual_rack
 from core.ring.involute_load import (
     involute_load,
@@ -106,14 +107,14 @@ def test_held_onsets_and_forces(case, pose):
     for tooth, expected in pose["onset_urad"].items():
         column = row[int(tooth)]
         assert found.onset[0, column] == pytest.approx(
-            1e-6 * expected["value"], rel=1e-9, abs=1e-15
+            1e-6 * expected["value"], rel=EXACT, abs=1e-15
         )
-        assert found.lever[0, column] == pytest.approx(1e-3 * expected["lever_mm"], rel=1e-9)
+        assert found.lever[0, column] == pytest.approx(1e-3 * expected["lever_mm"], rel=EXACT)
         assert found.at_corner[0, column] == (expected["kind"] != "path")
     carried = {str(tooth): force for tooth, force in zip(found.pair, shared.force[0], strict=True)}
     carried = {tooth: force for tooth, force in carried.items() if force}
-    assert carried == pytest.approx(pose["force_N"], rel=1e-9)
-    assert shared.rotation[0] == pytest.approx(1e-6 * pose["rotation_urad"], rel=1e-9)
+    assert carried == pytest.approx(pose["force_N"], rel=EXACT)
+    assert shared.rotation[0] == pytest.approx(1e-6 * pose["rotation_urad"], rel=EXACT)
 
 
 @pytest.mark.parametrize("seed", range(12))
@@ -121,10 +122,10 @@ def test_ratios_hang_on_no_size_and_backlash_vanishes_where_it_should(seed):
     teeth, _ = drawn(seed)
     pair = involute_pair(teeth=teeth)
     larger = involute_pair(teeth=replace(teeth, module=7 * teeth.module))
-    assert larger.contact_ratio == pytest.approx(pair.contact_ratio, rel=1e-9, abs=1e-9)
+    assert larger.contact_ratio == pytest.approx(pair.contact_ratio, rel=EXACT, abs=1e-9)
     if pair.tip_interference is not None:
         assert larger.tip_interference == pytest.approx(pair.tip_interference, abs=1e-9)
-    assert larger.line.eccentricity == pytest.approx(7 * pair.line.eccentricity, rel=1e-12)
+    assert larger.line.eccentricity == pytest.approx(7 * pair.line.eccentricity, rel=SAME)
     without = pair.eccentricity_without_backlash
     again = involute_pair(teeth=teeth, eccentricity=without)
     assert abs(again.normal_backlash) < 1e-12 * teeth.module * teeth.ring_teeth
@@ -198,10 +199,10 @@ def test_the_torque_reserve_of_pressure_is_its_square_and_that_of_the_root_is_li
     steel = {"satellite_material": STEEL, "ring_material": STEEL}
     once = involute_load(**loaded, **steel, torque=100.0)
     twice = involute_load(**loaded, **steel, torque=100.0, load_factor=4.0)
-    assert twice.pressure_start == pytest.approx(2 * once.pressure_start, rel=1e-14)
+    assert twice.pressure_start == pytest.approx(2 * once.pressure_start, rel=CONVERGED)
     assert twice.force == once.force
     roots = [root_stress(**loaded, torque=100.0, load_factor=k).stress for k in (1.0, 4.0)]
-    assert roots[1] == pytest.approx(4 * roots[0], rel=1e-14)
+    assert roots[1] == pytest.approx(4 * roots[0], rel=CONVERGED)
 
 
 def test_pressure_falls_along_the_path_and_is_that_of_its_ends():
@@ -260,7 +261,7 @@ def test_the_mean_loss_is_that_along_the_path():
         rolls = np.linspace(pair.start_roll, pair.end_roll, 20_001)
         each = [loss_ratio(pair=pair, friction=0.06, roll=roll) for roll in rolls]
         mean = np.trapezoid(each, dx=1 / 20_000)
-        assert mean_loss_ratio(pair=pair, friction=0.06) == pytest.approx(mean, rel=1e-6)
+        assert mean_loss_ratio(pair=pair, friction=0.06) == pytest.approx(mean, rel=SEARCHED)
 
 
 def test_more_pairs_carry_than_the_contact_ratio_says():
@@ -283,7 +284,7 @@ def test_more_pairs_carry_than_the_contact_ratio_says():
 
 def test_the_involute_function_is_inverted():
     for angle in (1e-4, 0.01, 0.35, 1.0, 1.4, 1.57):
-        assert angle_of(float(involute(angle))) == pytest.approx(angle, rel=1e-8)
+        assert angle_of(float(involute(angle))) == pytest.approx(angle, rel=EXACT)
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from core.errors import InvalidInput
 from core.load_sharing import share_load
+from core.precision import CONVERGED, EXACT
 
 GAPS = st.lists(st.floats(-1e-3, 1e-3), min_size=1, max_size=40)
 LOADS = st.floats(1e-6, 1e6)
@@ -39,7 +40,7 @@ def test_forces_are_the_exact_ones(total: float, stiffness: float, gaps: list[fl
 @given(total=LOADS, stiffness=STIFFNESSES, gaps=GAPS)
 def test_equilibrium_and_unilateral(total: float, stiffness: float, gaps: list[float]) -> None:
     sharing = share_load(total=total, stiffness=stiffness, gaps=gaps)
-    assert math.fsum(sharing.forces) == pytest.approx(total, rel=1e-13)
+    assert math.fsum(sharing.forces) == pytest.approx(total, rel=CONVERGED)
     assert min(sharing.forces) >= 0
     assert sharing.loaded == sum(force > 0 for force in sharing.forces) >= 1
     assert max(sharing.forces) == sharing.forces[gaps.index(min(gaps))]
@@ -84,7 +85,7 @@ def test_the_force_is_continuous_where_a_contact_unloads() -> None:
     )
     assert below.loaded == 1
     assert above.loaded == 2
-    assert above.forces[0] == pytest.approx(below.forces[0], rel=3e-12)
+    assert above.forces[0] == pytest.approx(below.forces[0], rel=EXACT)
 
 
 def test_no_load() -> None:

@@ -7,12 +7,14 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
+from core.derived import is_known
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.numerics.quadrature import tanh_sinh_rule
 from core.output.losses import BarePins, Sleeves, TotalForce, loss_curves, pin_losses, total_force
 from core.output.mechanism import Mechanism
 from core.output.pin_forces import force_ratios
 from core.output.pin_geometry import pin_geometry
+from core.precision import CONVERGED, EXACT, SAME
 from tests.oracles.losses import total
 
 REFERENCE = {
@@ -48,39 +50,41 @@ def mechanisms(draw: st.DrawFn) -> Mechanism:
 
 def test_the_reference_design() -> None:
     found = pin_losses(mechanism=SIX_PINS, **REFERENCE)
-    assert found.relative_speed == pytest.approx(1575 * math.pi / 30, rel=1e-15)
+    assert found.relative_speed == pytest.approx(1575 * math.pi / 30, rel=CONVERGED)
     assert round(found.sliding_speed, 6) == 0.329867
-    assert found.mean_loss == pytest.approx(336.0, rel=1e-14)
+    assert found.mean_loss == pytest.approx(336.0, rel=CONVERGED)
     assert round(found.output_power, 2) == 3926.99
     assert round(found.efficiency, 6) == 0.921182
     assert round(found.min_efficiency, 6) == 0.917768
     assert round(found.peak_pv / 1e6, 5) == 3.43612
-    assert found.mean_pv / 1e6 == pytest.approx(1.09375, rel=1e-14)
-    assert found.pin_wear == pytest.approx(0.118125e-3, rel=1e-14)
-    assert found.hole_wear == pytest.approx(0.0945e-3, rel=1e-14)
-    assert found.friction_couple == pytest.approx(4 * 0.08 * 0.008 / (math.pi * 0.05), rel=1e-14)
+    assert found.mean_pv / 1e6 == pytest.approx(1.09375, rel=CONVERGED)
+    assert found.pin_wear == pytest.approx(0.118125e-3, rel=CONVERGED)
+    assert found.hole_wear == pytest.approx(0.0945e-3, rel=CONVERGED)
+    assert found.friction_couple == pytest.approx(
+        4 * 0.08 * 0.008 / (math.pi * 0.05), rel=CONVERGED
+    )
     assert found.sleeve_speed is None
     assert found.notices == ()
     turns = 1575 * 60 * 3000
-    assert found.pin_wear / turns == pytest.approx(4.1666666666667e-13, rel=1e-13)
+    assert found.pin_wear / turns == pytest.approx(4.1666666666667e-13, rel=CONVERGED)
 
 
 def test_the_reference_design_with_sleeves() -> None:
     bare = pin_losses(mechanism=SIX_PINS, **REFERENCE)
     found = pin_losses(mechanism=SIX_PINS, **REFERENCE | {"rubbing": Sleeves(0.011)})
-    assert found.mean_loss == pytest.approx(231.0, rel=1e-14)
+    assert found.mean_loss == pytest.approx(231.0, rel=CONVERGED)
     assert round(found.efficiency, 6) == 0.944444
-    assert found.sleeve_speed == pytest.approx(bare.relative_speed / 4, rel=1e-15)
+    assert found.sleeve_speed == pytest.approx(bare.relative_speed / 4, rel=CONVERGED)
     assert found.peak_pv == bare.peak_pv  # whatever the bore
     assert found.pin_wear == bare.pin_wear
-    assert found.hole_wear is None
+    assert not is_known(lambda: found.hole_wear)
     assert found.notices == ()
 
 
 def test_a_given_hole_is_worn_over_its_own_circumference() -> None:
     bare = pin_losses(mechanism=SIX_PINS, **REFERENCE)
     found = pin_losses(mechanism=SIX_PINS, **REFERENCE | {"rubbing": BarePins(0.0105)})
-    assert found.hole_wear / bare.hole_wear == pytest.approx(10 / 10.5, rel=1e-14)
+    assert found.hole_wear / bare.hole_wear == pytest.approx(10 / 10.5, rel=CONVERGED)
 
 
 @pytest.mark.parametrize(
@@ -109,7 +113,7 @@ def test_an_even_number_of_phases_has_a_closed_form(pins: int) -> None:
     assert near.accuracy.method == "segments_tanh_sinh"
     assert closed.mean == 4 / math.pi
     for name in ("mean", "least", "largest"):
-        assert getattr(near, name) == pytest.approx(getattr(closed, name), rel=1e-11)
+        assert getattr(near, name) == pytest.approx(getattr(closed, name), rel=SAME)
 
 
 @pytest.mark.parametrize(
@@ -200,20 +204,20 @@ def test_how_the_loss_grows(
     assert 0 < one.min_efficiency <= one.efficiency <= one.max_efficiency <= 1
     # energy: what goes in is what comes out and what is lost
     lost = one.output_power * (1 / one.efficiency - 1)
-    assert lost == pytest.approx(one.mean_loss, rel=1e-12, abs=1e-12 * one.output_power)
+    assert lost == pytest.approx(one.mean_loss, rel=SAME, abs=1e-12 * one.output_power)
     torque = pin_losses(mechanism=mechanism, **design | {"output_torque": 500.0 * factor})
-    assert torque.mean_loss == pytest.approx(factor * one.mean_loss, rel=1e-14)
-    assert torque.efficiency == pytest.approx(one.efficiency, rel=1e-14)
-    assert torque.pin_wear == pytest.approx(factor * one.pin_wear, rel=1e-14)
+    assert torque.mean_loss == pytest.approx(factor * one.mean_loss, rel=CONVERGED)
+    assert torque.efficiency == pytest.approx(one.efficiency, rel=CONVERGED)
+    assert torque.pin_wear == pytest.approx(factor * one.pin_wear, rel=CONVERGED)
     speed = pin_losses(
         mechanism=mechanism, **design | {"input_speed": factor * design["input_speed"]}
     )
     assert speed.efficiency == one.efficiency
-    assert speed.peak_pv == pytest.approx(factor * one.peak_pv, rel=1e-14)
+    assert speed.peak_pv == pytest.approx(factor * one.peak_pv, rel=CONVERGED)
     sleeved = pin_losses(mechanism=mechanism, **design | {"rubbing": Sleeves(0.016 * share)})
-    assert sleeved.mean_loss == pytest.approx(share * one.mean_loss, rel=1e-14)
-    assert sleeved.sliding_speed == pytest.approx(share * one.sliding_speed, rel=1e-14)
-    assert sleeved.friction_couple == pytest.approx(share * one.friction_couple, rel=1e-14)
+    assert sleeved.mean_loss == pytest.approx(share * one.mean_loss, rel=CONVERGED)
+    assert sleeved.sliding_speed == pytest.approx(share * one.sliding_speed, rel=CONVERGED)
+    assert sleeved.friction_couple == pytest.approx(share * one.friction_couple, rel=CONVERGED)
 
 
 @pytest.mark.parametrize("ratio", [20.0, 0.5])
@@ -233,16 +237,16 @@ def test_sliding_speed_is_that_of_the_satellite_against_the_output(
     step = 1e-5
     speed = abs(seen(angle + step) - seen(angle - step)) / (2 * step) * REFERENCE["input_speed"]
     found = pin_losses(mechanism=m, **REFERENCE)
-    assert found.sliding_speed == pytest.approx(speed, rel=1e-8)
+    assert found.sliding_speed == pytest.approx(speed, rel=EXACT)
 
 
 def test_curves_pass_through_the_extremes() -> None:
     losses = pin_losses(mechanism=SIX_PINS, **REFERENCE)
     angles = SIX_PINS.crank_angle_per_wave * np.arange(12) / 12
     curves = loss_curves(losses=losses, mechanism=SIX_PINS, force_exponent=1.0, crank_angle=angles)
-    assert curves.efficiency.min() == pytest.approx(losses.min_efficiency, rel=1e-13)
-    assert curves.efficiency.max() == pytest.approx(losses.max_efficiency, rel=1e-13)
-    assert curves.loss.max() / losses.mean_loss == pytest.approx(math.pi / 3, rel=1e-13)
+    assert curves.efficiency.min() == pytest.approx(losses.min_efficiency, rel=CONVERGED)
+    assert curves.efficiency.max() == pytest.approx(losses.max_efficiency, rel=CONVERGED)
+    assert curves.loss.max() / losses.mean_loss == pytest.approx(math.pi / 3, rel=CONVERGED)
 
 
 def test_arrays_of_designs_are_their_single_ones() -> None:
@@ -298,7 +302,7 @@ def test_the_result_of_a_mechanism_is_kept() -> None:
 @pytest.mark.parametrize("level", [3, 4, 5])
 def test_the_rule_integrates_powers(level: int) -> None:
     near, weights = tanh_sinh_rule(level)
-    assert 2 * weights.sum() == pytest.approx(1, rel=1e-15)
+    assert 2 * weights.sum() == pytest.approx(1, rel=CONVERGED)
     for power in (0.01, 0.3, 1, 2.5, 7):
         integral = float(weights @ near**power + weights @ (1 - near) ** power)
         error = {3: 1e-7, 4: 1e-13, 5: 2e-15}[level]

@@ -6,9 +6,9 @@ from typing import Any, get_args
 
 import pytest
 
-from core.checks.crank_planetary import CRANK_CHECKS, crank_checks
+from core.checks.check import PartStatus, PartVerdict, whole
+from core.checks.crank_planetary import CRANK_CHECKS, PARTS, crank_checks
 from core.checks.largest_torque import crank_verdict
-from core.checks.part import PARTS, PartStatus, PartVerdict, whole
 from core.checks.usual_fit import usual_fit
 from core.design.document import Design
 from core.design.results import Results
@@ -16,6 +16,7 @@ from core.design.ring import CycloidRing, OtherRing
 from core.design.sections import PART_NAMES, RollingBearing
 from core.material_table import MATERIALS
 from core.materials import ContactLimit, ElasticMaterial
+from core.precision import EXACT, SAME
 from core.ring.profile import Modification
 from core.tolerance.iso286 import fit_clearance
 from tests.inputs.checks import HOLE, PIN, REF, WHOLE, check_of, having
@@ -232,9 +233,9 @@ def test_the_contact_at_the_peak_torque_by_the_static_limit(share: float) -> Non
     for body in ("pin", "hole"):
         judged = having(design, **{f"{body}_material": limited})
         found = check_of(f"contact_static_{body}", judged)
-        assert found.value == pytest.approx(at_peak, rel=1e-9)
+        assert found.value == pytest.approx(at_peak, rel=EXACT)
         assert found.status == ("fail" if share < 1 else "pass")
-        assert found.torque_reserve == pytest.approx(share**2, rel=1e-9)
+        assert found.torque_reserve == pytest.approx(share**2, rel=EXACT)
         nobody = check_of(f"contact_static_{body}", plain)
         assert (nobody.status, nobody.missing) == ("not_asked", ("load.peak_torque",))
         # what a material without a static limit bears for many loads it bears once
@@ -242,7 +243,7 @@ def test_the_contact_at_the_peak_torque_by_the_static_limit(share: float) -> Non
         found = check_of(f"contact_static_{body}", having(design, **{f"{body}_material": lasting}))
         if share > 1:
             assert (found.status, found.criterion) == ("pass", "given")
-            assert found.limit == pytest.approx(share * at_peak, rel=1e-12)
+            assert found.limit == pytest.approx(share * at_peak, rel=SAME)
         else:
             assert (found.status, found.reason) == ("not_checked", "limit_unknown")
         limitless = having(design, **{f"{body}_material": replace(PIN, limit=None)})
@@ -251,7 +252,7 @@ def test_the_contact_at_the_peak_torque_by_the_static_limit(share: float) -> Non
     loose = having(design, hole_radius=0.01003)
     there = having(loose, output_torque=8 * 500.0 / 1.5, peak_torque=None)
     assert check_of("contact_static_pin", loose).value == pytest.approx(
-        check_of("contact_pressure_pin", there).value, rel=1e-9
+        check_of("contact_pressure_pin", there).value, rel=EXACT
     )
 
 
@@ -260,15 +261,15 @@ def test_the_usual_fit_is_the_design_with_its_clearance() -> None:
     name, results, judged = usual_fit(design)  # type: ignore[misc]
     # H7 of 20 mm 0..21 um, f7 of 16 mm -34..-16 um: (10.5 + 25)/2 um
     assert name == "H7/f7"
-    assert results.design.contact.clearance == pytest.approx(17.75e-6, rel=1e-9)
+    assert results.design.contact.clearance == pytest.approx(17.75e-6, rel=EXACT)
     stated: dict[str, Any] = {"hole_radius": 0.010 + 17.75e-6, "clearance_stated": True}
     same = crank_verdict(Results(having(design, **stated)))
-    assert judged.torque_reserve == pytest.approx(same.torque_reserve, rel=1e-9)
+    assert judged.torque_reserve == pytest.approx(same.torque_reserve, rel=EXACT)
     assert judged.verdict == same.verdict
     soft = having(design, hole_material=replace(HOLE, youngs_modulus=3e9))
     printed = usual_fit(soft)
     assert printed is not None and printed[0] == "printed"
-    assert printed[1].design.contact.clearance == pytest.approx(0.25e-3, rel=1e-9)
+    assert printed[1].design.contact.clearance == pytest.approx(0.25e-3, rel=EXACT)
     assert usual_fit(having(design, hole_radius=0.01001)) is None
     limit = ContactLimit("given", 600e6)
     assert usual_fit(having(design, hole_material=replace(HOLE, limit=limit))) is not None
@@ -286,4 +287,4 @@ def test_the_usual_fit_is_the_design_with_its_clearance() -> None:
 )
 def test_the_mean_clearance_of_a_fit(fit: str, hole: float, pin: float, clearance: float) -> None:
     found = fit_clearance(fit=fit, hole_diameter=hole, pin_diameter=pin)
-    assert found == pytest.approx(clearance * 1e-6, rel=1e-9)
+    assert found == pytest.approx(clearance * 1e-6, rel=EXACT)

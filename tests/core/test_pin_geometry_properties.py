@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from core.errors import InvalidInput
 from core.output.mechanism import Mechanism
 from core.output.pin_geometry import PinGeometry, pin_fit, pin_geometry
+from core.precision import CONVERGED, SAME
 
 angles = st.one_of(st.floats(-20.0, 20.0), st.integers(-48, 48).map(lambda k: math.radians(15 * k)))
 
@@ -48,7 +49,7 @@ def test_contact_points_lie_on_pin_and_hole(
     assert found.contact_points.shape == found.hole_centres.shape
     tiny = 1e-15 * radius * 4
     from_axis = np.linalg.norm(found.pin_centres, axis=1)
-    assert from_axis == pytest.approx(radius, rel=1e-14)
+    assert from_axis == pytest.approx(radius, rel=CONVERGED)
     from_pin = np.linalg.norm(found.contact_points - found.pin_centres, axis=2)
     assert from_pin == pytest.approx(size["pin_radius"], abs=tiny)
     from_hole = np.linalg.norm(found.contact_points - found.hole_centres, axis=2)
@@ -69,7 +70,7 @@ def test_holes_of_a_satellite_are_one_rigid_circle(
         crank = phi + alpha + mechanism.initial_crank_angle
         centre = size["eccentricity"] * np.array([math.sin(crank), math.cos(crank)])
         offset = np.linalg.norm(found.hole_centres[j] - centre, axis=1)
-        assert offset == pytest.approx(size["pin_circle_radius"], rel=1e-12)
+        assert offset == pytest.approx(size["pin_circle_radius"], rel=SAME)
 
 
 @given(mechanisms(), st.floats(-50.0, 50.0), sizes())

@@ -21,6 +21,7 @@ from core.output.over_turn import OverTurn
 from core.output.pin_beam import PinBeam
 from core.output.pin_forces import force_ratios
 from core.output.turn import Turn
+from core.precision import EXACT, SAME, SEARCHED
 from tests.inputs.checks import WHOLE, check_of, fixes_of, having
 from tests.oracles.pin_rollers import ring_speed, shares
 
@@ -90,7 +91,7 @@ def test_the_equivalent_load_is_that_of_gamma_functions(given: Any, power: float
     found = pin_rollers(**given)
     closed = math.gamma((power + 1) / 2) / (2 * math.sqrt(math.pi) * math.gamma(power / 2 + 1))
     ratio = found.equivalent_load / found.peak_load
-    assert ratio == pytest.approx(closed ** (1 / power), rel=1e-12)
+    assert ratio == pytest.approx(closed ** (1 / power), rel=SAME)
     assert found.accuracy.relative_error < 1e-12
 
 
@@ -111,7 +112,7 @@ def test_the_ring_rolls_without_slip() -> None:
     wanted = ring_speed(
         eccentricity=1.5e-3, ring=6.5e-3, hole=8e-3, crank=crank, turn=-crank / ratio
     )
-    assert pin_rollers(**SMALL).speed == pytest.approx(wanted, rel=1e-12)
+    assert pin_rollers(**SMALL).speed == pytest.approx(wanted, rel=SAME)
 
 
 @pytest.mark.parametrize("elements", [6, 8, 12, 30])
@@ -145,15 +146,15 @@ def test_ratings_of_a_roller_are_taken_as_they_are() -> None:
 def test_rollers_side_by_side_share_the_force() -> None:
     one, two = pin_rollers(**SMALL), pin_rollers(**SMALL | {"per_satellite": 2})
     assert two.peak_load == one.peak_load / 2
-    assert two.life == pytest.approx(8 * one.life)  # type: ignore[operator]
-    assert two.static_safety_factor == pytest.approx(2 * one.static_safety_factor)  # type: ignore[operator]
+    assert two.life == pytest.approx(8 * one.life)
+    assert two.static_safety_factor == pytest.approx(2 * one.static_safety_factor)
 
 
 def test_the_peak_torque_is_for_the_static_safety_alone() -> None:
     one, more = pin_rollers(**SMALL), pin_rollers(**SMALL | {"peak_torque": 8.1})
     assert (more.peak_load, more.life) == (one.peak_load, one.life)
     assert more.static_load == 2 * one.static_load
-    assert more.static_safety_factor == one.static_safety_factor / 2  # type: ignore[operator]
+    assert more.static_safety_factor == one.static_safety_factor / 2
 
 
 def test_the_slope_of_a_pin_under_a_force_at_a_point() -> None:
@@ -162,7 +163,7 @@ def test_the_slope_of_a_pin_under_a_force_at_a_point() -> None:
         support="cantilever", diameter=0.006, contact_length=1e-9, youngs_modulus=210e9,
         poissons_ratio=0.3,
     )  # fmt: skip
-    assert 56.25 * beam.slope(0.011, 0.011) * 1e3 == pytest.approx(0.2547321179116314, rel=1e-10)
+    assert 56.25 * beam.slope(0.011, 0.011) * 1e3 == pytest.approx(0.2547321179116314, rel=SAME)
 
 
 ROLLERS = Rollers(
@@ -186,17 +187,19 @@ def test_the_clearance_of_rollers_adds_half_of_itself() -> None:
     own = Results(rolled(loose, hole_radius=0.01001))
     alike = Results(rolled(hole_radius=0.01003))
     assert own.real.roller_play == 2e-5
-    assert own.loading.turn.backlash_max == pytest.approx(alike.loading.turn.backlash_max, rel=1e-9)
+    assert own.loading.turn.backlash_max == pytest.approx(
+        alike.loading.turn.backlash_max, rel=EXACT
+    )
     peak = alike.loading.turn.peak_force
     assert own.loading.turn.peak_force == pytest.approx(peak, rel=1e-4)
-    assert own.fit.room.least == pytest.approx(alike.fit.room.least, rel=1e-9)
+    assert own.fit.room.least == pytest.approx(alike.fit.room.least, rel=EXACT)
     one, other = own.real.contact(0, 1e3), alike.real.contact(0, 1e3)
     assert one and other and one.reduced_radius > other.reduced_radius * 1.003
     nearly = [
         replace(each.real, exact=False, law=LinearLaw(stiffness=1e8)) for each in (own, alike)
     ]
     first, second = (OverTurn(Turn(each, 500.0)) for each in nearly)
-    assert first.peak_force == pytest.approx(second.peak_force, rel=1e-9)
+    assert first.peak_force == pytest.approx(second.peak_force, rel=EXACT)
 
 
 def test_a_clearance_that_is_not_known_stays_so() -> None:
@@ -236,7 +239,7 @@ def test_the_loss_is_that_of_the_bearings() -> None:
         distribution_factor=1.000001,
     )  # fmt: skip
     sleeves = Results(friction).losses.pins
-    assert losses.mean_loss == pytest.approx(sleeves.mean_loss, rel=1e-12)
+    assert losses.mean_loss == pytest.approx(sleeves.mean_loss, rel=SAME)
     given = rolled(replace(ROLLERS, friction_coefficient=0.003), pin=None)
     assert Results(given).losses.pins.mean_loss == pytest.approx(2 * losses.mean_loss)
     said = rolled(friction=Friction(coefficient=0.003, wear_rate=1e-17), pin=None)
@@ -255,7 +258,7 @@ def test_the_small_drive_loses_milliwatts() -> None:
         pin=None, friction=None, bearing=None, crankshaft=None, fatigue=None,
         rollers=Rollers(kind="ball", bore_diameter=6e-3, friction_coefficient=0.0015),
     )  # fmt: skip
-    assert Results(small).losses.pins.mean_loss == pytest.approx(0.00747692331, rel=1e-7)
+    assert Results(small).losses.pins.mean_loss == pytest.approx(0.00747692331, rel=SEARCHED)
 
 
 CODES = ("life", "static", "max_load", "min_load", "speed", "fits", "tilt")

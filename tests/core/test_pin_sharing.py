@@ -8,6 +8,7 @@ from core.output.pin_beam import PinBeam
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import pin_strength
 from core.output.sampled_turn import SampledTurn
+from core.precision import CONVERGED, EXACT, SAME
 from tests.inputs.real_mechanisms import REFERENCE, UNLIKE, made
 
 EQUAL = 10000 / 3
@@ -32,7 +33,7 @@ def test_the_locus_of_the_root_over_a_turn_of_the_wave() -> None:
     assert pin_strength(**REFERENCE).locus is None
     locus = pin_strength(**REFERENCE, locus=True).locus
     assert locus.crank_angle[0] == pytest.approx(0, abs=1e-12)
-    assert locus.crank_angle[-1] == pytest.approx(2 * np.pi / 1.05, rel=1e-12)
+    assert locus.crank_angle[-1] == pytest.approx(2 * np.pi / 1.05, rel=SAME)
     # half a turn of the wave each satellite, F = F0*cos(driving angle)
     wave = locus.crank_angle * 1.05
     inside = np.abs(np.sin(wave)) > 1e-9
@@ -53,7 +54,7 @@ def test_the_worst_case_is_the_same_at_any_torque(factor: float) -> None:
         pin_strength(**design | {"output_torque": 500.0 * each}) for each in (1.0, factor)
     )
     assert other.fatigue.safety_factor == pytest.approx(
-        one.fatigue.safety_factor / factor, rel=1e-9
+        one.fatigue.safety_factor / factor, rel=EXACT
     )
     assert other.peak_equivalent_stress == pytest.approx(factor * one.peak_equivalent_stress)
 
@@ -64,7 +65,7 @@ def test_the_peak_torque_bears_on_the_worst_pin() -> None:
     design = REFERENCE | {"mechanism": UNLIKE.mechanism, "made": real}
     found = pin_strength(**design, peak_torque=1000.0)
     again = pin_strength(**design | {"output_torque": 1000.0})
-    assert found.static_safety_factor == pytest.approx(again.static_safety_factor, rel=1e-14)
+    assert found.static_safety_factor == pytest.approx(again.static_safety_factor, rel=CONVERGED)
     plain = pin_strength(**design)
     assert found.static_safety_factor < plain.static_safety_factor
     assert found.peak_equivalent_stress == plain.peak_equivalent_stress
@@ -87,7 +88,7 @@ def test_the_worst_section_of_pins_made_unlike(support: str) -> None:
     assert found.peak_moment == pytest.approx(moments.max(), rel=1e-4)
     assert found.peak_moment_position == pytest.approx(x[moments.argmax(), 0], abs=3e-4)
     shear = np.abs(beam.shear(x, z) @ forces).max()
-    assert found.peak_shear_force == pytest.approx(shear, rel=1e-12)
+    assert found.peak_shear_force == pytest.approx(shear, rel=SAME)
     bent = found.peak_moment * 32 / (np.pi * 0.016**3)
     assert found.peak_equivalent_stress >= bent * (1 - 1e-5)
 
@@ -118,8 +119,8 @@ def test_of_two_directions_that_are_nearly_alike_the_worse_one(
     turn = loaded_one_by_one(forces)
     found = pin_strength(**REFERENCE | {"made": lambda torque: turn}).fatigue
     stress = 50 * 32 / (np.pi * 0.016**3)
-    assert found.max_stress == pytest.approx(stress, rel=1e-9)
-    assert found.safety_factor == pytest.approx(2 / (stress / 300e6 + stress / 1000e6), rel=1e-9)
+    assert found.max_stress == pytest.approx(stress, rel=EXACT)
+    assert found.safety_factor == pytest.approx(2 / (stress / 300e6 + stress / 1000e6), rel=EXACT)
     assert np.degrees(found.direction) == pytest.approx(degrees[1 - lower], abs=1e-3)
 
 
@@ -139,7 +140,7 @@ def test_of_two_tops_that_are_nearly_alike_the_higher_one(
     turn = loaded_one_by_one(force)
     held = {"satellite_positions": tuple(z.tolist()), "support": "supported", "span": span}
     found = pin_strength(**REFERENCE | held, made=lambda torque: turn)
-    assert found.peak_moment == pytest.approx(1000, rel=1e-9)
+    assert found.peak_moment == pytest.approx(1000, rel=EXACT)
 
 
 @pytest.mark.parametrize("criterion", ["goodman", "fkm_haigh"])
@@ -152,11 +153,11 @@ def test_a_pin_loaded_in_the_middle_of_two_supports(criterion: str, exponent: fl
     held = {"satellite_positions": (0.026,), "support": "supported", "span": 0.052}
     found = pin_strength(**design | held)
     arm = 0.052 / 4 - 0.02 / 8
-    assert found.peak_moment == pytest.approx(found.peak_force * arm, rel=1e-12)
+    assert found.peak_moment == pytest.approx(found.peak_force * arm, rel=SAME)
     assert found.peak_moment_position == pytest.approx(0.026, abs=1e-7)
     single = pin_strength(**design | {"satellite_positions": (0.015,)}).fatigue
     assert found.fatigue.safety_factor == pytest.approx(
-        single.safety_factor * 0.015 / arm, rel=1e-11
+        single.safety_factor * 0.015 / arm, rel=SAME
     )
     assert found.fatigue.position == pytest.approx(0.026, abs=1e-7)
 
@@ -171,9 +172,9 @@ def test_a_pin_loaded_beside_a_support(direction: str, exponent: float) -> None:
     found = pin_strength(**design | held)
     s = 1 - 0.0113 / 0.1
     arm = 0.0013 * s + 0.02 * s**2 / 2
-    assert found.peak_moment == pytest.approx(found.peak_force * arm, rel=1e-12)
+    assert found.peak_moment == pytest.approx(found.peak_force * arm, rel=SAME)
     assert found.peak_moment_position == pytest.approx(0.0013 + 0.02 * s, abs=1e-7)
-    assert found.peak_shear_force == pytest.approx(found.peak_force * s, rel=1e-12)
+    assert found.peak_shear_force == pytest.approx(found.peak_force * s, rel=SAME)
 
 
 def test_a_stout_pin_is_sheared_at_its_supports() -> None:
@@ -182,5 +183,5 @@ def test_a_stout_pin_is_sheared_at_its_supports() -> None:
     held = {"satellite_positions": (0.01,), "support": "supported", "span": 0.02, "diameter": 0.03}
     found = pin_strength(**design | held)
     shear = 4 / 3 * found.peak_force / 2 / (np.pi * 0.03**2 / 4)
-    assert found.peak_equivalent_stress == pytest.approx(3**0.5 * shear, rel=1e-12)
+    assert found.peak_equivalent_stress == pytest.approx(3**0.5 * shear, rel=SAME)
     assert found.peak_bending_stress < 0.6 * found.peak_equivalent_stress

@@ -31,6 +31,7 @@ from core.output.pin_fatigue import FatigueStrength, judged
 from core.output.pin_search import largest
 from core.output.pin_strength import PinStrength, pin_strength, pin_stresses
 from core.output.pin_turn import pin_turn
+from core.precision import CONVERGED, EXACT, JUDGED, SAME, SEARCHED
 from tests.inputs.real_mechanisms import PIN, REFERENCE, STRENGTH
 
 
@@ -44,15 +45,15 @@ def spaced(pins: int, satellites: int, degrees: float | None = None) -> Mechanis
 
 
 def test_the_reference_design() -> None:
-    found = pin_strength(**REFERENCE, deflection=True)
+    found = pin_strength(**REFERENCE)
     assert f"{found.peak_force:.4f}" == "3333.3333"
-    assert found.peak_moment == pytest.approx(10000 / 3 * 0.037, rel=1e-14)
+    assert found.peak_moment == pytest.approx(10000 / 3 * 0.037, rel=CONVERGED)
     assert f"{found.peak_bending_stress / 1e6:.6f}" == "306.704838"
     assert found.peak_shear_stress == pytest.approx(
-        4 / 3 * 10000 / 3 / (math.pi * 0.008**2), rel=1e-14
+        4 / 3 * 10000 / 3 / (math.pi * 0.008**2), rel=CONVERGED
     )
-    assert found.peak_equivalent_stress == pytest.approx(found.peak_bending_stress, rel=1e-14)
-    assert found.static_safety_factor == pytest.approx(800 / 306.704838, rel=1e-8)
+    assert found.peak_equivalent_stress == pytest.approx(found.peak_bending_stress, rel=CONVERGED)
+    assert found.static_safety_factor == pytest.approx(800 / 306.704838, rel=EXACT)
     assert f"{found.fatigue.max_stress / 1e6:.6f}" == "306.704838"
     assert found.fatigue.min_stress == 0  # the pin is unloaded for half of the turn
     assert f"{found.fatigue.safety_factor:.6f}" == "1.504829"
@@ -129,7 +130,7 @@ def test_diameter_for_a_fatigue_safety() -> None:
 def test_a_rotating_pin_is_fully_reversed() -> None:
     still, turning = (pin_strength(**REFERENCE, rotates=each).fatigue for each in (False, True))
     assert turning.direction is None
-    assert turning.amplitude == pytest.approx(still.max_stress, rel=1e-14)
+    assert turning.amplitude == pytest.approx(still.max_stress, rel=CONVERGED)
     assert turning.mean == 0
     assert f"{turning.safety_factor:.3f}" == "0.978"
 
@@ -146,7 +147,7 @@ def test_the_direction_of_an_alternating_cycle_is_that_of_the_largest_moment(
     top = locus[np.abs(locus).argmax()]
     assert found.direction == pytest.approx(np.angle(top) % (2 * np.pi), abs=2e-3)
     stress = 10000 * abs(top) / (math.pi * 0.016**3 / 32)
-    assert found.max_stress == -found.min_stress == pytest.approx(stress, rel=1e-6)
+    assert found.max_stress == -found.min_stress == pytest.approx(stress, rel=SEARCHED)
 
 
 def test_life() -> None:
@@ -155,7 +156,7 @@ def test_life() -> None:
     cycle = {"amplitude": found.amplitude, "mean": found.mean}
     assert found.cycles == cycles_to_failure(**cycle, **weak.line)
     assert 1e5 < found.cycles < 1e6
-    assert found.life == pytest.approx(found.cycles / (1575 / 60), rel=1e-14)
+    assert found.life == pytest.approx(found.cycles / (1575 / 60), rel=CONVERGED)
     lasting = pin_strength(**REFERENCE, input_speed=50 * math.pi).fatigue
     assert lasting.cycles is None and lasting.life is None
     weaker = FatigueStrength(endurance_limit=20e6, tensile_strength=320e6)
@@ -175,7 +176,7 @@ def test_fewer_than_a_thousand_cycles_are_noticed(cycles: int, noticed: bool) ->
     half = stress / (1 + stress / 1000e6)
     torque = 500.0 * 2 * half / 306.704838e6
     found = pin_strength(**REFERENCE | {"output_torque": torque})
-    assert found.fatigue.cycles == pytest.approx(cycles, rel=1e-6)
+    assert found.fatigue.cycles == pytest.approx(cycles, rel=SEARCHED)
     assert ("low_cycle_fatigue" in [each.code for each in found.notices]) is noticed
 
 
@@ -235,7 +236,7 @@ def test_the_worst_cycle_by_brute_force(
     assert used * (1 - 1e-9) <= 1 / found.fatigue.safety_factor <= used * (1 + room)
     cycle = found.fatigue
     own = float(strength.utilisation(cycle.amplitude, cycle.mean))
-    assert own == pytest.approx(1 / cycle.safety_factor, rel=1e-12)
+    assert own == pytest.approx(1 / cycle.safety_factor, rel=SAME)
 
 
 def test_of_two_directions_that_are_nearly_alike_the_worse_one() -> None:
@@ -250,7 +251,7 @@ def test_of_two_directions_that_are_nearly_alike_the_worse_one() -> None:
     along = (stress * np.exp(-1j * chi[:, None])).real
     top, bottom = along.max(axis=1), along.min(axis=1)
     used = STRENGTH.utilisation((top - bottom) / 2, (top + bottom) / 2)
-    assert 1 / found.safety_factor == pytest.approx(used.max(), rel=1e-5)
+    assert 1 / found.safety_factor == pytest.approx(used.max(), rel=JUDGED)
     assert found.direction == pytest.approx(chi[used.argmax()], abs=2e-3)
     rest = used[np.degrees(chi) > 70].max()
     assert 0.9994 < rest / used.max() < 0.9996
@@ -274,7 +275,7 @@ def test_a_worst_cycle_at_a_corner_of_its_criterion() -> None:
         top, bottom = along.max(axis=1), along.min(axis=1)
         used = strength.utilisation((top - bottom) / 2, (top + bottom) / 2)
         chi, around = float(near[used.argmax()]), around / 20
-    assert 1 / found.safety_factor == pytest.approx(used.max(), rel=3e-7)
+    assert 1 / found.safety_factor == pytest.approx(used.max(), rel=SEARCHED)
     assert found.direction == pytest.approx(chi, abs=2e-5)
     assert abs(found.min_stress) < 1e-4 * found.max_stress
 
@@ -302,7 +303,7 @@ def test_the_shear_force_of_a_cantilever_is_no_less_than_its_last_force() -> Non
     """Before the last satellite the pin carries that one's force, whatever the others cancel."""
     three = {"mechanism": spaced(3, 3), "satellite_positions": (0.015, 0.037, 0.059)}
     found = pin_strength(**REFERENCE | three)
-    assert found.peak_shear_force == pytest.approx(found.peak_force, rel=1e-12)
+    assert found.peak_shear_force == pytest.approx(found.peak_force, rel=SAME)
     assert f"{found.peak_shear_force:.2f}" == "4164.11"
 
 
@@ -339,17 +340,17 @@ def test_stresses_grow_with_the_torque(
         "force_exponent": exponent,
         "satellite_positions": positions(mechanism),
     } | PIN
-    one = pin_strength(**design, deflection=True)
-    other = pin_strength(**design | {"output_torque": 500.0 * factor}, deflection=True)
+    one = pin_strength(**design)
+    other = pin_strength(**design | {"output_torque": 500.0 * factor})
     for name in ("peak_moment", "peak_bending_stress", "peak_shear_stress"):
-        assert getattr(other, name) == pytest.approx(factor * getattr(one, name), rel=1e-14)
+        assert getattr(other, name) == pytest.approx(factor * getattr(one, name), rel=CONVERGED)
     assert other.peak_equivalent_stress == pytest.approx(
-        factor * one.peak_equivalent_stress, rel=1e-13
+        factor * one.peak_equivalent_stress, rel=CONVERGED
     )
     assert other.fatigue.safety_factor == pytest.approx(
-        one.fatigue.safety_factor / factor, rel=1e-9
+        one.fatigue.safety_factor / factor, rel=EXACT
     )
-    assert other.deflection.slope == pytest.approx(factor * one.deflection.slope, rel=1e-13)
+    assert other.deflection.slope == pytest.approx(factor * one.deflection.slope, rel=CONVERGED)
     assert one.peak_equivalent_stress >= one.peak_bending_stress * (1 - 1e-13)
     assert one.fatigue.max_stress <= one.peak_bending_stress * (1 + 1e-9)
 
@@ -424,18 +425,18 @@ def test_loads_one_by_one_bend_most_where_they_have_no_shear_force(
     found, b = stresses.strength(), 0.02
     (loads,) = stresses.loads
     bent, at = stresses.pin.bending(loads)
-    assert found.peak_bending_stress == pytest.approx(bent, rel=1e-13)
-    assert found.peak_moment_position == pytest.approx(at, rel=1e-6, abs=1e-9)
+    assert found.peak_bending_stress == pytest.approx(bent, rel=CONVERGED)
+    assert found.peak_moment_position == pytest.approx(at, rel=SEARCHED, abs=1e-9)
     searched = stresses.pin.equivalent(loads, 0.0)
-    assert found.peak_equivalent_stress == pytest.approx(searched, rel=1e-12)
+    assert found.peak_equivalent_stress == pytest.approx(searched, rel=SAME)
     assert (found.peak_equivalent_stress > 1.1 * bent) == (diameter > 0.016)
     if support == "supported":
         reactions = [(1 - z / 0.052, z - b / 2) for z in sorted(places)]
         moments = [reaction * (a + reaction * b / 2) for reaction, a in reactions]
         top = 0 if moments[0] > moments[1] * (1 - 1e-12) else 1
         reaction, a = reactions[top]
-        assert found.peak_moment == pytest.approx(found.peak_force * moments[top], rel=1e-13)
-        assert found.peak_moment_position == pytest.approx(a + reaction * b, rel=1e-13)
+        assert found.peak_moment == pytest.approx(found.peak_force * moments[top], rel=CONVERGED)
+        assert found.peak_moment_position == pytest.approx(a + reaction * b, rel=CONVERGED)
 
 
 @pytest.mark.parametrize("degrees", [90.0, 179.0])
@@ -493,7 +494,7 @@ def test_section_and_time_of_the_largest_stress_hang_together(
         found.peak_force
         / largest(turn=pin_turn(mechanism, exponent), arms=(np.eye(4),), measure=np.abs).max()
     )
-    assert found.peak_moment == pytest.approx(unit * scanned.max(), rel=1e-12)
+    assert found.peak_moment == pytest.approx(unit * scanned.max(), rel=SAME)
 
 
 @pytest.mark.parametrize(("satellites", "alike"), [(1, True), (2, True), (3, False)])
@@ -516,7 +517,7 @@ def test_the_extremes_in_closed_form_are_those_of_the_search(
     top, bottom = turn.extremes(np.concatenate((arms.real, -arms.imag), axis=1))
     for found, sign in ((top, 1), (-bottom, -1)):
         searched = largest(turn=turn, arms=(sign * arms,), measure=np.real)
-        assert found == pytest.approx(searched, rel=1e-12, abs=1e-13)
+        assert found == pytest.approx(searched, rel=SAME, abs=1e-13)
 
 
 def test_many_rows_are_worked_on_in_blocks() -> None:
@@ -524,7 +525,7 @@ def test_many_rows_are_worked_on_in_blocks() -> None:
     arms = np.random.default_rng(1).normal(size=(7, 2)) * np.exp(1j * np.arange(7.0)[:, None])
     few, _ = turn.extremes(np.concatenate((arms.real, -arms.imag), axis=1))
     many = largest(turn=turn, arms=(np.tile(arms, (500, 1)),), measure=np.real)
-    assert many.reshape(-1, 7) == pytest.approx(np.tile(few, (500, 1)), rel=1e-12)
+    assert many.reshape(-1, 7) == pytest.approx(np.tile(few, (500, 1)), rel=SAME)
 
 
 @pytest.mark.parametrize("mechanism", [spaced(3, 1), spaced(2, 2, 20.0)])
@@ -567,7 +568,7 @@ def test_criteria_take_arrays() -> None:
                 **limits,
                 criterion=criterion,
             )
-            assert many[index] == pytest.approx(one, rel=1e-15)
+            assert many[index] == pytest.approx(one, rel=CONVERGED)
     diameters = np.array([0.002, 0.01, 0.051, 0.06])
     assert size_factor(diameter=diameters).tolist() == [
         size_factor(diameter=d) for d in diameters.tolist()
@@ -629,10 +630,10 @@ def test_cranks_that_are_even_but_for_rounding_are_as_good_as_even(pins: int) ->
             material=MATERIALS["steel_bearing"].material,
             support="fixed",
             span=0.1,
-        ).strength(fatigue=FatigueStrength(300e6, 1000e6, 800e6, "goodman"), deflection=True)
+        ).strength(fatigue=FatigueStrength(300e6, 1000e6, 800e6, "goodman"))
 
     with np.errstate(invalid="raise", divide="raise"):
         nearly = strength(1e-8)
     even = strength(0.0)
     for name in ("peak_moment", "peak_equivalent_stress", "peak_shear_force"):
-        assert getattr(nearly, name) == pytest.approx(getattr(even, name), rel=1e-6)
+        assert getattr(nearly, name) == pytest.approx(getattr(even, name), rel=SEARCHED)

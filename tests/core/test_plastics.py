@@ -10,6 +10,7 @@ import pytest
 from core.checks.cold_yield import cold_yield
 from core.checks.largest_torque import crank_verdict
 from core.checks.plastics import PLASTICS
+from core.derived import if_known
 from core.design.document import Design
 from core.design.results import Results
 from core.design.sections import DesignPin, Friction, SatelliteBody, Temperatures
@@ -18,6 +19,7 @@ from core.hertz import hertz
 from core.material_record import by_values
 from core.material_table import ALIASES, ELASTOMERS, MATERIALS, NAMES, SEVERAL, plain_name
 from core.materials import ContactLimit, ElasticMaterial
+from core.precision import EXACT, SAME
 from tests.inputs.checks import REF, check_of, fixes_of, having
 from tests.oracles.seeds import seeds
 
@@ -94,14 +96,14 @@ def test_what_is_necessary_fails_or_stays_open() -> None:
     assert cold.status == "not_checked" and cold.reason == "necessary_only" and cold.opens
     results = Results(SOFT)
     expected = results.cold_limit("hole", results.static_contact)
-    assert cold.limit == pytest.approx(expected, rel=1e-12)
+    assert cold.limit == pytest.approx(expected, rel=SAME)
     assert cold.value is not None and cold.utilisation == pytest.approx(cold.value / cold.limit)  # type: ignore[operator]
     reserve = cold.torque_reserve
     assert reserve is not None
     at_limit = check_of("contact_static_cold", having(SOFT, output_torque=20.0 * reserve))
-    assert at_limit.utilisation == pytest.approx(1, rel=1e-9)
+    assert at_limit.utilisation == pytest.approx(1, rel=EXACT)
     beyond = check_of("contact_static_cold", having(SOFT, output_torque=20.2 * reserve))
-    assert beyond.status == "fail" and beyond.torque_reserve == pytest.approx(1 / 1.01, rel=1e-9)
+    assert beyond.status == "fail" and beyond.torque_reserve == pytest.approx(1 / 1.01, rel=EXACT)
     at_peak = having(SOFT, peak_torque=40.4 * reserve)
     assert check_of("contact_static_cold", at_peak).status == "fail"
 
@@ -170,7 +172,8 @@ def test_friction_that_is_not_known_fails_only_what_fails_without() -> None:
     check = check_of("contact_static_cold", design)
     assert (check.status, check.reason) == ("not_checked", "friction_unknown")
     assert check.missing == ("friction.coefficient",)
-    assert cold_yield(results=Results(design), found=crank_verdict(Results(design))) is None
+    judged = crank_verdict(Results(design))
+    assert if_known(lambda: cold_yield(results=Results(design), found=judged)) is None
     weak = having(design, hole_material=replace(quiet, yield_strength=1e6))
     assert check_of("contact_static_cold", weak).status == "fail"
     assert Results(SOFT).design.hole_friction == 0.76
@@ -194,8 +197,8 @@ def test_temperature_creep_and_solid_depth() -> None:
     half = by_values(base=MATERIALS["plastic_pla_printed"], long_term_factor=0.5)
     lasting = at(hole_material=half)
     cold, creep = check_of("contact_static_cold", lasting), check_of("creep", lasting)
-    assert creep.limit == pytest.approx(cold.limit / 2, rel=1e-12)  # type: ignore[operator]
-    assert creep.torque_reserve == pytest.approx(cold.torque_reserve / 4, rel=1e-9)  # type: ignore[operator]
+    assert creep.limit == pytest.approx(cold.limit / 2, rel=SAME)  # type: ignore[operator]
+    assert creep.torque_reserve == pytest.approx(cold.torque_reserve / 4, rel=EXACT)  # type: ignore[operator]
     width = float(Results(SOFT).hertz.half_width)
     assert check_of("contact_solid_depth", SOFT).reason == "solid_wall_unknown"
     for wall, reason in ((3.01 * width, "necessary_only"), (2.99 * width, "")):
@@ -368,7 +371,7 @@ def test_aluminium_is_judged_by_its_least_yield_strength(
     assert limits["contact_yield_hole"] / 1e6 == pytest.approx(first, abs=0.7)
     assert limits["contact_shakedown_hole"] / 1e6 == pytest.approx(shakedown, abs=0.7)
     sliding = Results(having(design, friction=Friction(coefficient=0.1))).pressure_limits
-    assert sliding["contact_shakedown_hole"] == pytest.approx(2.06 * strength * 1e6, rel=1e-12)
+    assert sliding["contact_shakedown_hole"] == pytest.approx(2.06 * strength * 1e6, rel=SAME)
     dry = Results(having(design, friction=Friction(coefficient=0.5))).pressure_limits
     assert dry["contact_yield_hole"] / strength / 1e6 == pytest.approx(1.057, abs=6e-4)
 

@@ -13,7 +13,7 @@ from core.errors import CalculationError, ImpossibleMechanism, InvalidInput
 from core.numerics.quadrature import NODES
 from core.precession.contact_line import ContactLine, contact_lines, contact_points
 from core.precession.rollers import RollerByAngle, RollerByLength, wheel_rollers
-from core.precision import HARDLY_KNOWN, ROUNDING
+from core.precision import EXACT, HARDLY_KNOWN, JUDGED, ROUNDING, SAME
 from tests.oracles.condition import condition
 from tests.oracles.precession import z_of_angle
 
@@ -92,7 +92,7 @@ def test_points_satisfy_eq_1_on_either_flank(phi_1: float, half_turns: int) -> N
     )
     (flank,) = contact_lines(**GEAR, rollers=[roller]).lines
     assert flank.flank == half_turns
-    assert flank.length == pytest.approx(line.length, rel=1e-12)
+    assert flank.length == pytest.approx(line.length, rel=SAME)
     assert -math.pi <= line.phi_max and line.phi_min <= math.pi
     points = contact_points(line=flank, samples=41)
     scale = line.curve.scale
@@ -106,12 +106,12 @@ def test_points_satisfy_eq_1_on_either_flank(phi_1: float, half_turns: int) -> N
     # on the roller: at its radius from its axis
     axis = 0.05 * np.array([-math.sin(phi_1), math.cos(phi_1)])
     distance = np.hypot(*(points.position[:, :2] - axis).T)
-    assert distance == pytest.approx(0.004, rel=1e-12)
+    assert distance == pytest.approx(0.004, rel=SAME)
     assert points.x == pytest.approx(0.004 * points.phi)
     # the polyline of many points is as long as the line
     fine = contact_points(line=flank, samples=4001)
     steps = np.hypot(np.diff(fine.z), np.diff(fine.x))
-    assert steps.sum() == pytest.approx(flank.length, rel=1e-5)
+    assert steps.sum() == pytest.approx(flank.length, rel=JUDGED)
 
 
 @pytest.mark.parametrize("torque_sign", [1, -1])
@@ -229,7 +229,7 @@ def test_a_wheel_knows_its_rollers_no_better_than_its_first_one() -> None:
     (*_, last) = wheel_rollers(
         rollers_total=4, position_angle=-1.5 * math.pi + 1e-6, z_min=0.015, z_max=0.025
     )
-    assert last.position_angle == pytest.approx(1e-6, rel=1e-8)
+    assert last.position_angle == pytest.approx(1e-6, rel=EXACT)
     (of_wheel,) = contact_lines(**GEAR, rollers=[last]).lines
     (alone,) = contact_lines(
         **GEAR, rollers=[RollerByLength(last.position_angle, 0.015, 0.025)]

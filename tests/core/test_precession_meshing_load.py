@@ -13,7 +13,7 @@ from core.errors import ImpossibleMechanism, InvalidInput
 from core.precession.contact_line import contact_points
 from core.precession.meshing_load import MeshingLoad, line_load, meshing_load
 from core.precession.rollers import RollerByAngle, RollerByLength
-from core.precision import ROUNDING
+from core.precision import CONVERGED, ROUNDING, SAME
 from tests.oracles.condition import condition
 
 GEAR: dict[str, Any] = {
@@ -80,10 +80,10 @@ def test_scaling(rollers: list[RollerByLength], size: float, factor: float) -> N
     force = math.hypot(*base.force)
     moment = math.hypot(*base.moment)
     for one, other in zip(base.force, scaled.force, strict=True):
-        assert other * size / factor == pytest.approx(one, rel=1e-11, abs=1e-11 * force)
+        assert other * size / factor == pytest.approx(one, rel=SAME, abs=1e-11 * force)
     for one, other in zip(base.moment, scaled.moment, strict=True):
-        assert other / factor == pytest.approx(one, rel=1e-11, abs=1e-11 * moment)
-    assert scaled.max_line_load * size**2 / factor == pytest.approx(base.max_line_load, rel=1e-11)
+        assert other / factor == pytest.approx(one, rel=SAME, abs=1e-11 * moment)
+    assert scaled.max_line_load * size**2 / factor == pytest.approx(base.max_line_load, rel=SAME)
 
 
 @given(rollers=ROLLERS, torque=TORQUES)
@@ -117,8 +117,8 @@ def test_the_flank_does_not_change_the_force() -> None:
             1.0, line.phi_min + half_turns * math.pi, line.phi_max + half_turns * math.pi
         )
         load = meshing_load(**GEAR, rollers=[turned], torque=10.0, reference_z=0.02)
-        assert load.force == pytest.approx(by_z.force, rel=1e-12)
-        assert load.moment == pytest.approx(by_z.moment, rel=1e-10)
+        assert load.force == pytest.approx(by_z.force, rel=SAME)
+        assert load.moment == pytest.approx(by_z.moment, rel=SAME)
         assert [notice.code for notice in load.notices] == codes
 
 
@@ -126,7 +126,7 @@ def test_largest_line_load_lies_at_an_end() -> None:
     load = meshing_load(**GEAR, rollers=[ROLLER], torque=10.0, reference_z=0.02)
     (line,) = load.lines
     q = line_load(load=load, line=line, z=contact_points(line=line, samples=1001).z)
-    assert max(q) == pytest.approx(load.max_line_load, rel=1e-13)
+    assert max(q) == pytest.approx(load.max_line_load, rel=CONVERGED)
 
 
 MESH = GEAR | {"torque": 10.0, "reference_z": 0.02}
@@ -221,7 +221,7 @@ def test_a_line_cut_in_pieces_is_loaded_alike(phi_1: float) -> None:
     )
     assert math.dist(whole.force, pieces.force) <= whole.force_error + pieces.force_error
     assert math.dist(whole.moment, pieces.moment) <= whole.moment_error + pieces.moment_error
-    assert pieces.max_line_load == pytest.approx(whole.max_line_load, rel=1e-13)
+    assert pieces.max_line_load == pytest.approx(whole.max_line_load, rel=CONVERGED)
 
 
 def test_a_load_that_is_hardly_known_is_noticed() -> None:

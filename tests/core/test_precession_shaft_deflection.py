@@ -15,7 +15,7 @@ from mpmath import mp, mpf
 from core.errors import InvalidInput
 from core.precession.shaft import ShaftSection, shaft_diagram
 from core.precession.shaft_deflection import ShaftDeflection, shaft_deflection
-from core.precision import ROUNDING
+from core.precision import CONVERGED, ROUNDING, SAME, SEARCHED
 from tests.oracles.condition import meant
 from tests.oracles.shaft import exact_deflection
 
@@ -56,7 +56,7 @@ def test_maxwells_reciprocity(lengths: list[float], diameters: list[float], part
     }
     c_under_b = shaft_deflection(**loaded(1.0, 0.0, a), **shaft).deflection_C.x
     b_under_c = shaft_deflection(**loaded(0.0, 1.0, a), **shaft).deflection_B.x
-    assert c_under_b == pytest.approx(b_under_c, rel=1e-12)
+    assert c_under_b == pytest.approx(b_under_c, rel=SAME)
 
 
 @given(size=st.floats(1e-2, 1e2), factor=st.floats(1e-3, 1e3))
@@ -71,10 +71,10 @@ def test_scaling(size: float, factor: float) -> None:
         shaft_sections=[ShaftSection(size * s.length, size * s.diameter) for s in STEPPED],
     )
     assert scaled.deflection_C.total * size / factor == pytest.approx(
-        base.deflection_C.total, rel=1e-12
+        base.deflection_C.total, rel=SAME
     )
-    assert scaled.deflection_B.x * size / factor == pytest.approx(base.deflection_B.x, rel=1e-12)
-    assert scaled.reaction_C == pytest.approx([factor * c for c in base.reaction_C], rel=1e-12)
+    assert scaled.deflection_B.x * size / factor == pytest.approx(base.deflection_B.x, rel=SAME)
+    assert scaled.reaction_C == pytest.approx([factor * c for c in base.reaction_C], rel=SAME)
 
 
 def test_what_acts_along_the_shaft_bends_nothing_and_blurs_nothing() -> None:
@@ -92,8 +92,8 @@ def test_one_diameter_in_pieces_is_one_diameter() -> None:
         **SHAFT,
         shaft_sections=[ShaftSection(length, 0.02) for length in (0.01, 0.02, 0.05)],
     )
-    assert pieces.deflection_B.total == pytest.approx(whole.deflection_B.total, rel=1e-14)
-    assert pieces.deflection_C.total == pytest.approx(whole.deflection_C.total, rel=1e-14)
+    assert pieces.deflection_B.total == pytest.approx(whole.deflection_B.total, rel=CONVERGED)
+    assert pieces.deflection_C.total == pytest.approx(whole.deflection_C.total, rel=CONVERGED)
     assert whole.simplified_deflection_C is None
     assert whole.simplification_error_B is None
 
@@ -104,7 +104,7 @@ def test_the_smallest_diameter_everywhere_exaggerates() -> None:
     assert result.simplified_deflection_B == simplified.deflection_B
     assert result.simplified_deflection_C == simplified.deflection_C
     assert result.simplification_error_C == pytest.approx(
-        simplified.deflection_C.total / result.deflection_C.total - 1, rel=1e-13
+        simplified.deflection_C.total / result.deflection_C.total - 1, rel=CONVERGED
     )
     assert result.simplification_error_B is not None
     assert result.simplification_error_B > 0
@@ -261,17 +261,17 @@ def test_diagram() -> None:
     (jump,) = np.flatnonzero(np.diff(x) == 0)
     assert x[jump] == 0.03
     # at the clamp everything that the satellite passes on arrives
-    assert diagram.shear_force[-1] == pytest.approx(LOAD["force"][:2], rel=1e-12)
+    assert diagram.shear_force[-1] == pytest.approx(LOAD["force"][:2], rel=SAME)
     assert diagram.deflection[-1] == pytest.approx([0, 0], abs=1e-20)
     step = diagram.shear_force[jump + 1] - diagram.shear_force[jump]
-    assert step == pytest.approx([-b for b in result.reaction_B], rel=1e-12)
+    assert step == pytest.approx([-b for b in result.reaction_B], rel=SAME)
     for place, at in ((0, result.deflection_C), (jump, result.deflection_B)):
-        assert diagram.deflection[place] == pytest.approx([at.x, at.y], rel=1e-12)
+        assert diagram.deflection[place] == pytest.approx([at.x, at.y], rel=SAME)
     # dM/dx = Q, and E*I*w'' = M away from steps
     dx = np.diff(x)
     smooth = dx > 1e-6
     slope = np.diff(diagram.bending_moment, axis=0)[smooth] / dx[smooth, None]
-    assert slope == pytest.approx(diagram.shear_force[:-1][smooth], rel=1e-6)
+    assert slope == pytest.approx(diagram.shear_force[:-1][smooth], rel=SEARCHED)
     inside = (x > 0.041) & (x < 0.059)
     h = x[inside][1] - x[inside][0]
     curvature = np.diff(diagram.deflection[inside], 2, axis=0) / h**2

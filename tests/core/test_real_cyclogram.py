@@ -12,6 +12,7 @@ from core.output.over_turn import OverTurn
 from core.output.real_cyclogram import RealCyclogram, carried_forces, real_cyclogram
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.turn import Turn
+from core.precision import EXACT
 from tests.inputs.real_mechanisms import STEEL
 
 TORQUE = 120.0
@@ -101,7 +102,7 @@ def test_the_drawn_forces_are_those_of_the_positions_and_zero_beside_the_ends() 
     assert (np.diff(angles) > 0).all() and angles[0] == 0 and 1.0 in angles
     for index in range(0, len(angles), 7):
         assert drawn[:, index] == pytest.approx(
-            forces(DEVIATED, angles[index], TORQUE), rel=1e-9, abs=1e-9
+            forces(DEVIATED, angles[index], TORQUE), rel=EXACT, abs=1e-9
         )
     for index, pair in enumerate(carried.pairs):
         within = [start <= angle <= stop for angle in angles for start, stop in pair.driving[:1]]

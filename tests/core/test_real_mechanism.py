@@ -28,6 +28,7 @@ from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.real_turn import sampled
 from core.output.summits import summits
 from core.output.turn import Turn
+from core.precision import CONVERGED, EXACT, JUDGED, SEARCHED
 from tests.inputs.real_mechanisms import (
     STEEL,
     crank_angles,
@@ -238,7 +239,7 @@ def test_the_ideal_law_is_the_limit_of_no_clearance(
     )
     peak = force_peak(mechanism, exponent)
     found = solved(real, peak.peak_crank_angle, 200.0)
-    assert max(flat(found)) == pytest.approx(peak.peak_force_ratio * 5000, rel=1e-13)
+    assert max(flat(found)) == pytest.approx(peak.peak_force_ratio * 5000, rel=CONVERGED)
 
 
 @pytest.mark.parametrize("torque", [0.5, 3.0, 40.0, 1e4])
@@ -266,7 +267,7 @@ def test_rollers_with_gaps_are_the_limit_of_one_lever(torque: float) -> None:
 def test_wide_clearance_leaves_one_pair() -> None:
     found = solved(design(clearance=3e-4, exact=False), 0.0, 0.01)
     assert found.loaded_pairs == 1
-    assert max(flat(found)) == pytest.approx(0.01 / 0.020, rel=1e-14)
+    assert max(flat(found)) == pytest.approx(0.01 / 0.020, rel=CONVERGED)
 
 
 def test_exact_geometry_comes_to_the_ideal_as_the_load_vanishes() -> None:
@@ -284,8 +285,8 @@ def test_two_pins_at_their_dead_centre() -> None:
     two = design(mechanism=Mechanism.evenly_spaced(pins=2, satellites=1, ratio=18.0))
     two = replace(two, clearance=1e-5)
     found = solved(two, 0.0, 30.0)
-    assert found.rotation == pytest.approx(0.0219720143379281, rel=1e-13)
-    assert sorted(flat(found)) == pytest.approx([2420.11128568, 2883.392639], rel=1e-9)
+    assert found.rotation == pytest.approx(0.0219720143379281, rel=CONVERGED)
+    assert sorted(flat(found)) == pytest.approx([2420.11128568, 2883.392639], rel=EXACT)
     assert [notice.code for notice in found.notices] == ["large_rotation"]
     with pytest.raises(ImpossibleMechanism) as refusal:
         solved(replace(two, exact=False), 0.0, 30.0)
@@ -355,7 +356,7 @@ def test_clamped_pins_bend_least() -> None:
         pin_compliance(PinSupport(support, 1e-4, (0.5,), STEEL, 1.0))[0]
         for support in ("supported", "fixed")
     ]
-    assert slender[0] / slender[1] == pytest.approx(4, rel=1e-6)
+    assert slender[0] / slender[1] == pytest.approx(4, rel=SEARCHED)
 
 
 def test_equal_pressing_is_seen_over_the_turn() -> None:
@@ -400,7 +401,7 @@ def test_the_crank_carries_the_load_and_what_the_contacts_store(exact: bool, tor
     expected = torque * (1 / ratio - slope) + (energy[1] - energy[0]) / (2 * step)
     assert found.input_torque == pytest.approx(expected, abs=1e-7)
     turn = real.mechanism.crank_angle_per_wave * np.arange(720) / 720
-    assert curves(turn).input_torque.mean() == pytest.approx(torque / ratio, rel=1e-6)
+    assert curves(turn).input_torque.mean() == pytest.approx(torque / ratio, rel=SEARCHED)
 
 
 @pytest.mark.parametrize("angle", [0.0, 1e-9, 1e-5, 0.5])
@@ -418,7 +419,7 @@ def test_summits_of_a_whole_turn_of_pins_that_are_alike(start: float) -> None:
     grid = turn.values(FORCE, [start + 2 * math.pi * k / 90 for k in range(90)])
     found = summits(grid=grid, narrow=turn.narrow(FORCE))
     assert max(each.height for each in found) == pytest.approx(
-        over_turn(real=real, output_torque=400.0).peak_force, rel=1e-9
+        over_turn(real=real, output_torque=400.0).peak_force, rel=EXACT
     )
     for each in found:
         assert np.abs(np.exp(1j * each.place) - np.exp(1j * grid.places)).min() < 2 * math.pi / 90
@@ -434,12 +435,12 @@ def test_the_turn_of_pins_that_are_alike_is_that_of_pins_that_hardly_differ() ->
     for name in ("peak_force", "backlash_max", "lost_motion", "stiffness_min", "stiffness_max",
                  "transmission_error", "input_torque_ripple", "max_pressure"):  # fmt: skip
         values = [getattr(each, name) for each in turns]
-        assert values[0] == pytest.approx(values[1], rel=1e-6), name
+        assert values[0] == pytest.approx(values[1], rel=SEARCHED), name
     forces = [np.array(each.pair_force) for each in turns]
-    assert forces[0] == pytest.approx(forces[1], rel=1e-6)
+    assert forces[0] == pytest.approx(forces[1], rel=SEARCHED)
     samples = [sampled(each.turn) for each in turns]
     assert samples[0].mean(samples[0].total) == pytest.approx(
-        samples[1].mean(samples[1].total), rel=1e-5
+        samples[1].mean(samples[1].total), rel=JUDGED
     )
     wave = np.linspace(0, 2 * math.pi, 200)
     loads = [each.at(wave=wave, values=each.on_satellites) for each in samples]

@@ -8,12 +8,14 @@ from typing import Any
 import numpy as np
 import pytest
 
+from core.derived import is_known
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.output import compiled
 from core.output.contact_law import HertzLaw, LinearLaw, PinSupport, PowerLaw, pin_compliance
 from core.output.loop_rows import NOT_STABLE
 from core.output.satellite_support import CrankSupport, Shares
 from core.output.turn import Turn
+from core.precision import EXACT, JUDGED, SAME, SEARCHED
 from core.ring import approach
 from core.ring.loss import RingFriction, ring_loss
 from core.ring.mesh_curves import MeshCurves
@@ -62,14 +64,14 @@ def flat(found: MeshPosition) -> list[float]:
 def test_the_torques_of_the_discs_are_the_load(seed: int) -> None:
     mesh, angle, torque = drawn(seed)
     found = at(mesh, angle, torque)
-    assert sum(found.disc_torque) == pytest.approx(torque, rel=1e-12)
+    assert sum(found.disc_torque) == pytest.approx(torque, rel=SAME)
     if seed % 2:
         first = at(replace(mesh, exact=False), angle, torque)
         across = [
             each / (mesh.disc.eccentricity * mesh.disc.satellite_teeth)
             for each in first.disc_torque
         ]
-        assert first.crank_across == pytest.approx(across, rel=1e-12)
+        assert first.crank_across == pytest.approx(across, rel=SAME)
 
 
 @pytest.mark.parametrize("seed", seeds(4))
@@ -94,7 +96,7 @@ def test_curves_of_given_shares_are_of_the_lags_of_each_disc() -> None:
         assert curves.force[..., i] == pytest.approx(np.array(found.force), abs=1e-6)
         assert curves.gap[..., i] == pytest.approx(np.maximum(gaps, 0.0), abs=1e-12)
         mean = np.dot((0.7, 0.3), found.rotation)
-        assert curves.rotation[i] == pytest.approx(mean, rel=1e-9)
+        assert curves.rotation[i] == pytest.approx(mean, rel=EXACT)
         assert found.rotation[0] != found.rotation[1]
 
 
@@ -134,12 +136,12 @@ def test_the_mirrored_mesh_is_turned_back_as_much(seed: int, exact: bool) -> Non
     angles = tuple(-each for each in mesh.crank_angles)
     other = at(replace(mesh, deviations=mirrored, crank_angles=angles), -angle, -torque)
     found = at(mesh, angle, torque)
-    assert other.rotation == pytest.approx([-each for each in found.rotation], rel=1e-9)
+    assert other.rotation == pytest.approx([-each for each in found.rotation], rel=EXACT)
     near = 1e-9 * max(flat(found))
     for row, back_row in zip(found.force, other.force, strict=True):
         assert back(back_row, 1) == pytest.approx(row, abs=near)
     assert other.crank_along == pytest.approx(found.crank_along, abs=10 * near)
-    assert other.crank_across == pytest.approx([-each for each in found.crank_across], rel=1e-8)
+    assert other.crank_across == pytest.approx([-each for each in found.crank_across], rel=EXACT)
 
 
 @pytest.mark.parametrize("seed", seeds(4))
@@ -150,11 +152,11 @@ def test_larger_pins_in_a_larger_cut_change_nothing_but_curvatures(seed: int) ->
     radii = tuple(each + more for each in mesh.deviations.pin_radius)
     other = replace(mesh, disc=wider, deviations=replace(mesh.deviations, pin_radius=radii))
     found, same = at(mesh, angle, torque), at(other, angle, torque)
-    assert flat(same) == pytest.approx(flat(found), rel=1e-9, abs=1e-9)
+    assert flat(same) == pytest.approx(flat(found), rel=EXACT, abs=1e-9)
     assert (same.play is None) == (found.play is None)
     if found.play is not None:
-        assert same.play == pytest.approx(found.play, rel=1e-9)
-    assert same.max_pressure != pytest.approx(found.max_pressure, rel=1e-6)
+        assert same.play == pytest.approx(found.play, rel=EXACT)
+    assert same.max_pressure != pytest.approx(found.max_pressure, rel=SEARCHED)
 
 
 @pytest.mark.parametrize("law", [LinearLaw(1e8), PowerLaw(1.5, 1e3, 1e-5)])
@@ -171,7 +173,7 @@ def test_all_gaps_times_a_number(law: Any) -> None:
     )
     found = at(mesh, 1.0, 100.0)
     other = at(larger, 1.0, 100.0 * times**power)
-    assert flat(other) == pytest.approx([times**power * each for each in flat(found)], rel=1e-12)
+    assert flat(other) == pytest.approx([times**power * each for each in flat(found)], rel=SAME)
 
 
 def test_the_lag_grows_with_the_torque() -> None:
@@ -224,7 +226,7 @@ def test_the_backlash_of_many_pins_in_closed_form(change: Modification) -> None:
     lever = disc.eccentricity * disc.satellite_teeth * np.sin(a) / slope
     gap = change.equidistant - change.pin_circle * (1 - k * np.cos(a)) / slope
     expected = 2 * ((gap / np.maximum(lever, 1e-12)).min() + change.rotation)
-    assert ideal_mesh(disc=disc, disc_torque=1.0).backlash == pytest.approx(expected, rel=1e-6)
+    assert ideal_mesh(disc=disc, disc_torque=1.0).backlash == pytest.approx(expected, rel=SEARCHED)
     mesh = mesh_of(disc=disc, exact=False, crank_angles=(0.0,))
     turn = mesh_over_turn(mesh=mesh, output_torque=1.0)
     assert expected * (1 - 1e-9) <= turn.backlash_min <= turn.backlash_max < 1.03 * expected
@@ -248,8 +250,8 @@ def test_discs_that_share_evenly_cancel_what_turns_with_the_pins() -> None:
     """Of two perfect discs on an even number of pins both feel the same at any angle."""
     one = mesh_over_turn(mesh=mesh_of(disc=PERFECT, crank_angles=(0.0,)), output_torque=100.0)
     two = mesh_over_turn(mesh=mesh_of(disc=PERFECT), output_torque=200.0)
-    assert two.peak_force == pytest.approx(one.peak_force, rel=1e-9)
-    assert two.transmission_error == pytest.approx(one.transmission_error, rel=1e-6)
+    assert two.peak_force == pytest.approx(one.peak_force, rel=EXACT)
+    assert two.transmission_error == pytest.approx(one.transmission_error, rel=SEARCHED)
 
 
 def test_what_seats_and_bent_pins_give() -> None:
@@ -266,7 +268,7 @@ def test_what_seats_and_bent_pins_give() -> None:
     softer = 1 / (1 / 1e8 + pin_compliance(pin)[0])
     one = mesh_of(disc=PERFECT, pin=replace(pin, satellite_positions=(0.01,)), crank_angles=(0.0,))
     same = mesh_of(disc=PERFECT, law=LinearLaw(softer), crank_angles=(0.0,))
-    assert at(one, 0.3, 50.0).rotation == pytest.approx(at(same, 0.3, 50.0).rotation, rel=1e-12)
+    assert at(one, 0.3, 50.0).rotation == pytest.approx(at(same, 0.3, 50.0).rotation, rel=SAME)
     with pytest.raises(InvalidInput, match="satellite_positions"):
         at(mesh_of(pin=replace(pin, satellite_positions=(0.01,))), 0.3, 50.0)
 
@@ -332,7 +334,7 @@ def test_gaps_as_wide_as_a_valley() -> None:
     radius = disc.valley_radius
     for share, code in ((0.3, None), (0.7, "valley"), (1.2, "valley_lost")):
         mesh = mesh_of(disc=replace(disc, modification=Modification(share * radius)))
-        assert mesh.valley_gap == pytest.approx(share, rel=1e-9)
+        assert mesh.valley_gap == pytest.approx(share, rel=EXACT)
         if code == "valley_lost":
             with pytest.raises(ImpossibleMechanism) as caught:
                 at(mesh, 0.3, 10.0)
@@ -486,8 +488,8 @@ def test_over_a_turn_friction_costs_what_slides() -> None:
     rolling = ring_loss(
         turn=turn, friction=RingFriction(0.05, 0.003, rolling=True), input_speed=9.0
     )
-    assert (rolling.efficiency, rolling.mean_loss, rolling.peak_pv) == (1.0, 0.0, None)
-    assert plain.peak_pv is not None and plain.peak_pv > 0
+    assert (rolling.efficiency, rolling.mean_loss) == (1.0, 0.0)
+    assert plain.peak_pv > 0 and not is_known(lambda: rolling.peak_pv)
     for friction, name in (
         (RingFriction(-0.1), "coefficient"),
         (RingFriction(0.1, 0.005), "sleeve_bore_radius"),
@@ -514,7 +516,7 @@ def test_sliding_is_what_a_point_of_the_disc_does_on_its_pin() -> None:
         material = moved + (contact - crank) * np.exp(1j * step / disc.satellite_teeth)
         speeds.append(abs(material - contact) / step)
         assert abs(contact - pin) == pytest.approx(disc.ring_pin_radius) and a > 0
-    assert found.sliding_distance / disc.satellite_teeth == pytest.approx(max(speeds), rel=1e-5)
+    assert found.sliding_distance / disc.satellite_teeth == pytest.approx(max(speeds), rel=JUDGED)
 
 
 READ = [name for name in dir(MeshTurn) if isinstance(getattr(MeshTurn, name), property)]
@@ -576,7 +578,7 @@ def test_pins_that_are_not_looked_at_are_free(seed: int) -> None:
         position = loops.solve(angle, abs(torque), mesh.setup(way), mesh.pairs, room)
         found.append(([position.low, position.high, position.lag], room.force))
     (lags, force), (others, whole) = found
-    assert lags == pytest.approx(others, rel=1e-12)
+    assert lags == pytest.approx(others, rel=SAME)
     assert force == pytest.approx(whole, rel=0, abs=1e-12 * max(whole))
 
 
@@ -662,8 +664,8 @@ def test_given_shares_over_the_turn() -> None:
         )
         for angle, phase, torque in ((0.0, 1e-4, 60.0), (math.pi, -1e-4, 40.0))
     ]
-    assert turn.peak_force == pytest.approx(max(each.peak_force for each in alone), rel=1e-9)
-    assert turn.max_pressure == pytest.approx(max(each.max_pressure for each in alone), rel=1e-9)
+    assert turn.peak_force == pytest.approx(max(each.peak_force for each in alone), rel=EXACT)
+    assert turn.max_pressure == pytest.approx(max(each.max_pressure for each in alone), rel=EXACT)
     assert turn.radial_force_ratio_min < 0 < turn.sliding_loss
 
 

@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from core.errors import InvalidInput
+from core.precision import CONVERGED, EXACT, SAME
 from core.rollers.roller_curves import roller_curves
 from core.rollers.roller_strength import (
     RollerStrength,
@@ -54,25 +55,25 @@ def test_equilibrium(rollers: int, tolerance: float, torque: float, length_ratio
             "cylinder_length": length_ratio * DESIGN["diameter"],
         }
     )
-    assert math.fsum(result.forces) == pytest.approx(torque / (2 * 0.03), rel=1e-12)
+    assert math.fsum(result.forces) == pytest.approx(torque / (2 * 0.03), rel=SAME)
     assert 1 - 1e-13 <= result.load_nonuniformity <= rollers * (1 + 1e-13)
     assert result.centre_force == 2 * result.max_force
     assert result.load_nonuniformity == pytest.approx(
         load_nonuniformity(relative_position_error=result.relative_position_error, rollers=rollers),
-        rel=1e-12,
+        rel=SAME,
     )
     # the most loaded roller bends by the whole displacement, (5)
-    assert result.max_force == pytest.approx(result.stiffness * result.displacement, rel=1e-12)
+    assert result.max_force == pytest.approx(result.stiffness * result.displacement, rel=SAME)
 
 
 @given(st.lists(st.floats(-1e-4, 1e-4), min_size=1, max_size=30))
 def test_any_gaps(gaps: list[float]) -> None:
     result = roller_strength(**without("position_tolerance") | {"rollers": len(gaps), "gaps": gaps})
-    assert math.fsum(result.forces) == pytest.approx(210.0 / (2 * 0.03), rel=1e-12)
+    assert math.fsum(result.forces) == pytest.approx(210.0 / (2 * 0.03), rel=SAME)
     assert result.max_force == result.forces[gaps.index(min(gaps))]
     bound = 1 + 4 * (len(gaps) - 1) / len(gaps) * result.relative_position_error
     if result.loaded_rollers == len(gaps):
-        assert result.load_nonuniformity == pytest.approx(bound, rel=1e-9)
+        assert result.load_nonuniformity == pytest.approx(bound, rel=EXACT)
     else:
         assert result.load_nonuniformity <= bound * (1 + 1e-12)
 
@@ -82,11 +83,11 @@ def test_the_tolerance_is_one_case_of_gaps() -> None:
     by_gaps = roller_strength(
         **without("position_tolerance") | {"gaps": [1e-3 + g for g in (8e-6, 0.0, 8e-6, 8e-6)]}
     )
-    assert by_gaps.forces[1] == pytest.approx(by_tolerance.forces[0], rel=1e-10)
+    assert by_gaps.forces[1] == pytest.approx(by_tolerance.forces[0], rel=SAME)
     assert by_gaps.relative_position_error == pytest.approx(
-        by_tolerance.relative_position_error, rel=1e-10
+        by_tolerance.relative_position_error, rel=SAME
     )
-    assert by_gaps.bending_stress == pytest.approx(by_tolerance.bending_stress, rel=1e-10)
+    assert by_gaps.bending_stress == pytest.approx(by_tolerance.bending_stress, rel=SAME)
 
 
 @pytest.mark.parametrize("rollers", [1, 2, 3, 4, 7, 200])
@@ -97,8 +98,8 @@ def test_psi_is_continuous_where_one_roller_remains(rollers: int) -> None:
         roller_strength(**DESIGN | {"rollers": rollers, "position_tolerance": limit * (1 + side)})
         for side in (-1e-9, 1e-9)
     )
-    assert below.load_nonuniformity == pytest.approx(rollers, rel=1e-8)
-    assert above.load_nonuniformity == pytest.approx(rollers, rel=1e-13)
+    assert below.load_nonuniformity == pytest.approx(rollers, rel=EXACT)
+    assert above.load_nonuniformity == pytest.approx(rollers, rel=CONVERGED)
     assert below.loaded_rollers == rollers
     assert above.loaded_rollers == 1
 
@@ -114,11 +115,11 @@ def test_scaling(size: float, load: float) -> None:
             "position_tolerance": load / size * DESIGN["position_tolerance"],
         }
     )
-    assert scaled.load_nonuniformity == pytest.approx(base.load_nonuniformity, rel=1e-12)
-    assert scaled.max_force == pytest.approx(load * base.max_force, rel=1e-12)
-    assert scaled.stiffness == pytest.approx(size * base.stiffness, rel=1e-12)
-    assert scaled.displacement == pytest.approx(load / size * base.displacement, rel=1e-12)
-    assert scaled.bending_stress == pytest.approx(load / size**2 * base.bending_stress, rel=1e-12)
+    assert scaled.load_nonuniformity == pytest.approx(base.load_nonuniformity, rel=SAME)
+    assert scaled.max_force == pytest.approx(load * base.max_force, rel=SAME)
+    assert scaled.stiffness == pytest.approx(size * base.stiffness, rel=SAME)
+    assert scaled.displacement == pytest.approx(load / size * base.displacement, rel=SAME)
+    assert scaled.bending_stress == pytest.approx(load / size**2 * base.bending_stress, rel=SAME)
 
 
 @pytest.mark.parametrize("sharing", [{}, {"position_tolerance": 0.0}, {"gaps": [0, 3e-6, 0, 1e-5]}])
@@ -145,7 +146,7 @@ def test_short_and_long_rollers_have_room_on_both_sides(
     length: float, first: float, last: float
 ) -> None:
     curves = roller_curves(**DESIGN | {"cylinder_length": length})
-    assert curves.length_ratio[[0, -1]] == pytest.approx([first, last], rel=1e-15)
+    assert curves.length_ratio[[0, -1]] == pytest.approx([first, last], rel=CONVERGED)
 
 
 def test_equal_gaps_have_the_curves_of_tolerances() -> None:
@@ -193,16 +194,16 @@ def test_rollers_of_an_array_are_those_one_by_one(seed: int, rollers: int, worst
                 got, expected = got.relative_error, expected.relative_error
             if name == "forces":
                 got = [force[index] for force in got]
-                assert got == pytest.approx(expected, rel=1e-14, abs=1e-14 * one.max_force)
+                assert got == pytest.approx(expected, rel=CONVERGED, abs=1e-14 * one.max_force)
             else:
-                assert np.broadcast_to(got, count)[index] == pytest.approx(expected, rel=1e-14), (
-                    name
-                )
+                assert np.broadcast_to(got, count)[index] == pytest.approx(
+                    expected, rel=CONVERGED
+                ), name
 
 
 def test_shear_modulus_or_poissons_ratio() -> None:
     by_shear = roller_strength(**without("poissons_ratio") | {"shear_modulus": 210e9 / 2.6})
-    assert by_shear.stiffness == pytest.approx(roller_strength(**DESIGN).stiffness, rel=1e-14)
+    assert by_shear.stiffness == pytest.approx(roller_strength(**DESIGN).stiffness, rel=CONVERGED)
 
 
 @pytest.mark.parametrize(

@@ -18,6 +18,7 @@ from core.output.pin_geometry import slip_notices
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.room import Rooms
 from core.output.satellite_support import CrankSupport
+from core.precision import EXACT, SAME
 from tests.inputs.misfits import drawn
 from tests.oracles.room import highest, room
 from tests.oracles.seeds import seeds
@@ -221,10 +222,10 @@ def test_pressed_or_impossible() -> None:
     nothing goes together.
     """
     fit = Fit(PRESSED)
-    assert fit.elastic.limit == pytest.approx(0.035671122444567e-3, rel=1e-9)
-    assert fit.forces_at_limit[0] == pytest.approx(45027.03351387924, rel=1e-9)
+    assert fit.elastic.limit == pytest.approx(0.035671122444567e-3, rel=EXACT)
+    assert fit.forces_at_limit[0] == pytest.approx(45027.03351387924, rel=EXACT)
     assert fit.misfit == "pressed_without_load" and not fit.impossible
-    assert fit.needed_hole_radius == pytest.approx(0.010, rel=1e-12)
+    assert fit.needed_hole_radius == pytest.approx(0.010, rel=SAME)
     beyond = Fit(replace(PRESSED, clearance=-3.6e-5))
     assert beyond.misfit == "cannot_assemble" and beyond.impossible
     with pytest.raises(ImpossibleMechanism) as refusal:
@@ -240,7 +241,7 @@ def test_the_force_at_the_limit_is_that_of_the_weaker_body() -> None:
     fit = Fit(replace(PRESSED, hole_material=soft, clearance=1e-5))
     contact = hertz(force=fit.forces_at_limit[0], contact_length=0.02, pin_radius=0.008,
                     hole_radius=0.01001, pin_material=STEEL, hole_material=soft)  # fmt: skip
-    assert contact.governing_pressure == pytest.approx(1.79 * 400e6, rel=1e-12)
+    assert contact.governing_pressure == pytest.approx(1.79 * 400e6, rel=SAME)
     assert MATERIALS["steel_bearing"].material.elastic_pressure == 4000e6
 
 

@@ -18,6 +18,7 @@ from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.mechanism import Mechanism
 from core.output.pin_geometry import pin_geometry
 from core.output.pin_turn import SatelliteTurn
+from core.precision import CONVERGED, EXACT, SAME, SEARCHED
 from tests.inputs.satellites import exponents, mechanisms
 from tests.oracles.satellites import forces
 
@@ -44,7 +45,7 @@ def test_the_reference_design() -> None:
         assert f"{found.equivalent_load[satellite]:.3f}" == "12390.148"
     rollers = satellite_bearings(**REF | {"kind": "roller"})
     assert f"{rollers.equivalent_load[0]:.3f}" == "12390.851"
-    assert found.relative_speed / (math.pi / 30) == pytest.approx(1575, rel=1e-14)
+    assert found.relative_speed / (math.pi / 30) == pytest.approx(1575, rel=CONVERGED)
     assert found.accuracy.relative_error < 3e-14 and found.notices == ()
 
 
@@ -89,8 +90,8 @@ def test_teeth_by_their_base_circles() -> None:
             eccentricity=distance,
         )
         wider = math.acos(module * difference / 2 / distance * math.cos(math.radians(20)))
-        assert mesh.operating_pressure_angle == pytest.approx(wider, rel=1e-14)
-        assert mesh.radial_force_ratio == pytest.approx(math.tan(wider), rel=1e-13)
+        assert mesh.operating_pressure_angle == pytest.approx(wider, rel=CONVERGED)
+        assert mesh.radial_force_ratio == pytest.approx(math.tan(wider), rel=CONVERGED)
     teeth = {"module": 4e-3, "teeth_difference": 1, "eccentricity": 2e-3}
     assert involute_mesh(**teeth, pressure_angle=0.0).radial_force_ratio == 0
     for name in teeth:
@@ -107,7 +108,7 @@ def test_the_ratio_of_a_cycloid_by_quadrature() -> None:
         arm, radial = np.sin(theta) / root, (np.cos(theta) - k) / root
         ratio = (arm * radial).sum() / (arm * arm).sum()
         mesh = cycloid_mesh(eccentricity=k, ratio=1.0, ring_pin_circle_radius=2.0)
-        assert mesh.radial_force_ratio == pytest.approx(ratio, rel=1e-8, abs=1e-10)
+        assert mesh.radial_force_ratio == pytest.approx(ratio, rel=EXACT, abs=1e-10)
 
 
 def test_a_published_bearing_load() -> None:
@@ -138,7 +139,7 @@ def test_the_turn_by_brute_force(mechanism: Mechanism, exponent: float, rho: flo
     assert found.equivalent_load == pytest.approx(mean, rel=1e-3 if exponent < 1 else 1e-5)
     ring = math.sqrt(1 + rho * rho) * across.max(axis=1)
     assert found.peak_ring_force == pytest.approx(ring, rel=room)
-    assert shares.sum(axis=0) == pytest.approx(1, rel=1e-12)
+    assert shares.sum(axis=0) == pytest.approx(1, rel=SAME)
 
 
 def test_the_pins_press_along_the_crank() -> None:
@@ -165,10 +166,10 @@ def test_curves_are_the_loads() -> None:
     angles = np.linspace(0, 2 * math.pi, 20_001)
     curves = bearing_curves(**design, crank_angle=angles)
     found = satellite_bearings(**REFERENCE | {"mechanism": spaced(3, 2), "mesh": RingMesh(-0.3)})
-    assert curves.load.max(axis=0) == pytest.approx(found.peak_load, rel=1e-6)
+    assert curves.load.max(axis=0) == pytest.approx(found.peak_load, rel=SEARCHED)
     assert curves.load.min(axis=0) == pytest.approx(found.min_load, rel=1e-3)
     torque = 2e-3 * 20 * curves.across.sum(axis=1)
-    assert torque == pytest.approx(500.0, rel=1e-12)
+    assert torque == pytest.approx(500.0, rel=SAME)
 
 
 @given(
@@ -209,7 +210,7 @@ def test_the_error_of_the_ring_is_in_that_of_the_loads(rho: float) -> None:
     lasting = REF | {"mesh": RingMesh(rho, error=1e-6), "dynamic_rating": 60e3}
     lives = satellite_bearings(**lasting)
     assert lives.accuracy.relative_error == pytest.approx(
-        3 * found.accuracy.relative_error, rel=1e-6
+        3 * found.accuracy.relative_error, rel=SEARCHED
     )
 
 
@@ -217,25 +218,27 @@ def test_life() -> None:
     ratings = {"dynamic_rating": 60e3, "static_rating": 50e3}
     found = satellite_bearings(**REF, **ratings, weibull_slope=10 / 9)
     millions = (60e3 / found.equivalent_load[0]) ** 3
-    assert found.basic_life[0] / 3600 == pytest.approx(millions * 1e6 / (60 * 1575), rel=1e-13)
+    assert found.basic_life[0] / 3600 == pytest.approx(millions * 1e6 / (60 * 1575), rel=CONVERGED)
     assert found.life.tolist() == found.basic_life.tolist()
-    assert found.static_safety_factor[1] == pytest.approx(50e3 / found.peak_load[1], rel=1e-15)
-    assert found.system_life == pytest.approx(found.basic_life[0] * 2 ** (-0.9), rel=1e-13)
+    assert found.static_safety_factor[1] == pytest.approx(50e3 / found.peak_load[1], rel=CONVERGED)
+    assert found.system_life == pytest.approx(found.basic_life[0] * 2 ** (-0.9), rel=CONVERGED)
     surer = satellite_bearings(**REF, **ratings, reliability_percent=99.0)
     assert surer.life[0] == 0.25 * found.life[0]
     factor = satellite_bearings(**REF, **ratings, ring_factor=1.2)
-    assert factor.life[0] == pytest.approx(found.life[0] / 1.2**3, rel=1e-13)
+    assert factor.life[0] == pytest.approx(found.life[0] / 1.2**3, rel=CONVERGED)
     assert factor.static_safety_factor[0] == found.static_safety_factor[0]
     assert satellite_bearings(**REF).life is None
     still = satellite_bearings(**REF | {"input_speed": None}, **ratings)
     assert (still.relative_speed, still.basic_life, still.life) == (None, None, None)
     assert f"{91.1e3 / 10.279e3:.2f}" == "8.86"
-    assert rating_life(load=10.279, rating=91.08767, kind="roller") == pytest.approx(1440, rel=1e-6)
+    assert rating_life(load=10.279, rating=91.08767, kind="roller") == pytest.approx(
+        1440, rel=SEARCHED
+    )
     lives = np.array([[100.0, 200.0], [1.0, 1e9]])
     together = system_life(lives=lives, weibull_slope=1.5)
-    assert together == pytest.approx([(100**-1.5 + 200**-1.5) ** (-1 / 1.5), 1.0], rel=1e-12)
+    assert together == pytest.approx([(100**-1.5 + 200**-1.5) ** (-1 / 1.5), 1.0], rel=SAME)
     slopes = system_life(lives=lives, weibull_slope=np.array([1.0, 3.0]))
-    assert slopes == pytest.approx([200 / 3, 1.0], rel=1e-12)
+    assert slopes == pytest.approx([200 / 3, 1.0], rel=SAME)
     # one that outlasts the other by far takes nothing from it
     assert system_life(lives=np.array([7.0, 1e200]), weibull_slope=2.0) == 7.0
 
@@ -267,9 +270,9 @@ def test_arrays_are_the_designs_one_by_one() -> None:
                 | {"dynamic_rating": 1e4 * (j + 3), "weibull_slope": 1.2}
             )
             for name in ("peak_load", "min_load", "equivalent_load", "peak_ring_force"):
-                assert getattr(many, name)[i, j] == pytest.approx(getattr(one, name), rel=1e-13)
-            assert many.basic_life[i, j] == pytest.approx(one.basic_life, rel=1e-12)
-            assert many.system_life[i, j] == pytest.approx(one.system_life, rel=1e-12)
+                assert getattr(many, name)[i, j] == pytest.approx(getattr(one, name), rel=CONVERGED)
+            assert many.basic_life[i, j] == pytest.approx(one.basic_life, rel=SAME)
+            assert many.system_life[i, j] == pytest.approx(one.system_life, rel=SAME)
 
 
 def refusal(call, **change) -> tuple[str, str]:

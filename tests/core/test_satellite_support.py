@@ -21,6 +21,7 @@ from core.output.satellite_support import (
     SatelliteSupport,
     Shares,
 )
+from core.precision import JUDGED, SAME, SEARCHED
 from tests.inputs.real_mechanisms import (
     STEEL,
     crank_angles,
@@ -42,7 +43,7 @@ def same(found: RealMechanism, expected: RealMechanism, angle: float, torque: fl
     error = one.force_error + other.force_error
     assert flat(one) == pytest.approx(flat(other), rel=0, abs=error)
     assert abs(one.rotation - other.rotation) <= one.rotation_error + other.rotation_error
-    assert one.stiffness == pytest.approx(other.stiffness, rel=1e-6)
+    assert one.stiffness == pytest.approx(other.stiffness, rel=SEARCHED)
 
 
 @given(reals(exact=False), crank_angles, torques, st.sampled_from([CrankSupport(), ElasticMesh]))
@@ -92,7 +93,7 @@ def test_shares_multiply_the_ideal_force() -> None:
         over_turn(real=replace(even, support=Shares(shares)), output_torque=30.0)
         for shares in ((0.55, 0.45), (0.5, 0.5))
     )
-    assert more.peak_force / equal.peak_force == pytest.approx(1.1, rel=1e-12)
+    assert more.peak_force / equal.peak_force == pytest.approx(1.1, rel=SAME)
 
 
 @given(held(), crank_angles, torques)
@@ -185,7 +186,7 @@ def test_the_crank_carries_the_load_and_what_springs_store(
         assert on_crank == pytest.approx(expected, abs=1e-6)
     turn = real.mechanism.crank_angle_per_wave * np.arange(720) / 720
     whole = real_curves(real=real, crank_angle=turn, output_torque=torque)
-    assert whole.input_torque.mean() == pytest.approx(torque / ratio, rel=1e-5)
+    assert whole.input_torque.mean() == pytest.approx(torque / ratio, rel=JUDGED)
 
 
 @pytest.mark.parametrize("support", [CrankSupport(5e7, 1e-5), ElasticMesh(2e4), Shares((0.6, 0.4))])
@@ -206,7 +207,7 @@ def test_the_turn_has_the_positions_between_its_extremes(support: SatelliteSuppo
     # Without clearance of the bearings the play is that of rigid satellites or of their linkage.
     if isinstance(support, ElasticMesh):
         rigid = over_turn(real=AHEAD, output_torque=30.0)
-        assert turn.backlash_max == pytest.approx(rigid.backlash_max, rel=1e-12)
+        assert turn.backlash_max == pytest.approx(rigid.backlash_max, rel=SAME)
         assert turn.lost_motion > rigid.lost_motion
 
 
@@ -224,10 +225,10 @@ def test_a_stiffness_ratio_of_a_milliard(kind: type, decade: int) -> None:
         assert refusal.value.code == "beyond_first_order"
     torque = 30.0 if decade > 0 else 1e-8
     found = solved(real, 0.3, torque)
-    assert sum(found.satellite_torque) == pytest.approx(torque, rel=1e-12)
+    assert sum(found.satellite_torque) == pytest.approx(torque, rel=SAME)
     if decade > 0:
         rigid = solved(replace(real, support=RIGID_SUPPORT), 0.3, torque)
-        assert flat(found) == pytest.approx(flat(rigid), rel=1e-6, abs=1e-6)
+        assert flat(found) == pytest.approx(flat(rigid), rel=SEARCHED, abs=1e-6)
 
 
 def test_a_pressed_pair_at_its_dead_angle_does_not_hold_the_output() -> None:
@@ -266,7 +267,7 @@ def test_one_pin_and_two() -> None:
     quarter = -math.pi / 2 / (1 + 1 / 18)
     for support in (CrankSupport(1e8), ElasticMesh(1e5), Shares((1.0,))):
         one = design(mechanism=Mechanism(1, (0.0,), 18.0), exact=False, support=support)
-        assert max(flat(solved(one, quarter, 1.0))) == pytest.approx(50, rel=1e-12)
+        assert max(flat(solved(one, quarter, 1.0))) == pytest.approx(50, rel=SAME)
         two = replace(one, mechanism=Mechanism(2, (0.0,), 18.0))
         for real, angle in ((one, -quarter), (two, 0.0)):
             with pytest.raises(ImpossibleMechanism) as refusal:

@@ -13,6 +13,7 @@ from core.output.loaded_position import loaded_position
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.satellite_support import ElasticMesh, Shares
+from core.precision import EXACT, JUDGED, SAME, SEARCHED
 from core.ring.profile import CycloidDisc, Modification
 from core.ring.series import MeshesInSeries, SeriesPosition, series_position
 from core.ring.sharing import CycloidMesh, RingDeviations, mesh_position
@@ -74,14 +75,14 @@ def test_of_one_disc_in_first_order_lags_and_plays_of_both_stages_add(seed: int)
     found = at(series, angle, torque)
     teeth = mesh_position(mesh=ring, crank_angle=angle, output_torque=torque)
     holes = loaded_position(real=output, crank_angle=angle, output_torque=torque)
-    assert found.rotation == pytest.approx(teeth.rotation[0] + holes.rotation, rel=1e-12)
+    assert found.rotation == pytest.approx(teeth.rotation[0] + holes.rotation, rel=SAME)
     assert found.play == pytest.approx(
-        [sum(each) for each in zip(teeth.play, holes.play, strict=True)], rel=1e-12
+        [sum(each) for each in zip(teeth.play, holes.play, strict=True)], rel=SAME
     )
     gives = 1 / teeth.stiffness + 1 / holes.stiffness
-    assert found.stiffness == pytest.approx(1 / gives, rel=1e-12)
-    assert flat(found.force) == pytest.approx(flat(holes.force), rel=1e-9, abs=1e-9)
-    assert flat(found.ring.force) == pytest.approx(flat(teeth.force), rel=1e-9, abs=1e-9)
+    assert found.stiffness == pytest.approx(1 / gives, rel=SAME)
+    assert flat(found.force) == pytest.approx(flat(holes.force), rel=EXACT, abs=1e-9)
+    assert flat(found.ring.force) == pytest.approx(flat(teeth.force), rel=EXACT, abs=1e-9)
 
 
 def with_phases(ring: CycloidMesh, output: RealMechanism) -> Deviations:
@@ -94,10 +95,10 @@ def with_phases(ring: CycloidMesh, output: RealMechanism) -> Deviations:
 def test_the_torques_of_the_discs_are_the_load(seed: int) -> None:
     series, angle, torque = drawn(seed, exact=False)
     found = at(series, angle, torque)
-    assert sum(found.satellite_torque) == pytest.approx(torque, rel=1e-12)
+    assert sum(found.satellite_torque) == pytest.approx(torque, rel=SAME)
     assert found.ring.disc_torque == found.satellite_torque
     behind = [found.rotation - each for each in found.ring.rotation]
-    assert found.satellite_rotation == pytest.approx(behind, rel=1e-12)
+    assert found.satellite_rotation == pytest.approx(behind, rel=SAME)
 
 
 @pytest.mark.parametrize("seed", seeds(6))
@@ -109,7 +110,7 @@ def test_forces_turn_the_crank_by_their_arms(seed: int) -> None:
     found = at(series, angle, torque)
     arms = [series.output.eccentricity + off for off in series.output.deviations.eccentricity]
     turning = sum(arm * each for arm, each in zip(arms, found.across, strict=True))
-    assert turning == pytest.approx(found.input_torque, rel=1e-11)
+    assert turning == pytest.approx(found.input_torque, rel=SAME)
 
 
 @pytest.mark.parametrize("exact", [True, False])
@@ -122,10 +123,10 @@ def test_the_mean_torque_of_the_crank_is_its_part_of_the_load(exact: bool) -> No
     )
     turns = 2 * math.pi * 11
     torques = [at(series, turns * k / 990, 150.0).input_torque for k in range(990)]
-    assert np.mean(torques) == pytest.approx(150.0 / 11, rel=2e-6)
+    assert np.mean(torques) == pytest.approx(150.0 / 11, rel=JUDGED)
     assert max(torques) - min(torques) > 1e-3
     one, other = at(series, 0.7, 150.0), at(series, 0.7 + turns, 150.0)
-    assert other.rotation == pytest.approx(one.rotation, rel=1e-12)
+    assert other.rotation == pytest.approx(one.rotation, rel=SAME)
     assert other.rotation != pytest.approx(at(series, 0.7 + 2 * math.pi, 150.0).rotation, rel=1e-4)
 
 
@@ -175,15 +176,15 @@ def test_the_mirrored_drive_is_turned_back_as_much(seed: int, exact: bool) -> No
         ),
     )
     found, other = at(series, angle, torque), at(mirrored, -angle, -torque)
-    assert other.rotation == pytest.approx(-found.rotation, rel=1e-9)
+    assert other.rotation == pytest.approx(-found.rotation, rel=EXACT)
     most = max(flat(found.force) + flat(found.ring.force))
     for rows, others in ((found.force, other.force), (found.ring.force, other.ring.force)):
         for row, turned in zip(rows, others, strict=True):
             assert back(turned) == pytest.approx(row, abs=1e-9 * most)
-    assert other.play == pytest.approx([-each for each in reversed(found.play)], rel=1e-9)
+    assert other.play == pytest.approx([-each for each in reversed(found.play)], rel=EXACT)
     for limits, others in zip(found.ring.play, other.ring.play, strict=True):
-        assert others == pytest.approx([-each for each in reversed(limits)], rel=1e-9)
-    assert other.input_torque == pytest.approx(-found.input_torque, rel=1e-9)
+        assert others == pytest.approx([-each for each in reversed(limits)], rel=EXACT)
+    assert other.input_torque == pytest.approx(-found.input_torque, rel=EXACT)
 
 
 PHASES = {"disc_phase": (3e-5, -2e-5), "crank_phase": (2e-4, -3e-4)}
@@ -201,9 +202,9 @@ def test_on_a_stiff_ring_it_is_the_output_mechanism(exact: bool) -> None:
     )
     found = at(series, 1.3, -120.0)
     same = loaded_position(real=series.output, crank_angle=1.3, output_torque=-120.0)
-    assert found.rotation == pytest.approx(same.rotation, rel=1e-5)
+    assert found.rotation == pytest.approx(same.rotation, rel=JUDGED)
     assert flat(found.force) == pytest.approx(flat(same.force), abs=1e-4 * max(flat(same.force)))
-    assert found.play == pytest.approx(same.play, rel=1e-9)
+    assert found.play == pytest.approx(same.play, rel=EXACT)
     assert found.stiffness == pytest.approx(same.stiffness, rel=1e-4)
     assert found.input_torque == pytest.approx(input_torque(series.output, 1.3, -120.0), rel=1e-4)
 
@@ -225,8 +226,8 @@ def test_on_stiff_pins_it_is_the_ring_mesh(exact: bool) -> None:
     )
     found = at(series, 1.3, 120.0)
     same = mesh_position(mesh=series.ring, crank_angle=1.3, output_torque=120.0)
-    assert found.rotation == pytest.approx(same.rotation[0], rel=1e-5)
-    assert found.ring.rotation == pytest.approx(same.rotation, rel=1e-5)
+    assert found.rotation == pytest.approx(same.rotation[0], rel=JUDGED)
+    assert found.ring.rotation == pytest.approx(same.rotation, rel=JUDGED)
     most = max(flat(same.force))
     assert flat(found.ring.force) == pytest.approx(flat(same.force), abs=1e-4 * most)
     assert found.ring.crank_along == pytest.approx(same.crank_along, abs=1e-4 * most)
@@ -277,8 +278,8 @@ def test_parts_that_press(exact: bool) -> None:
 def test_a_disc_turned_by_a_hole_goes_onto_the_next_pins() -> None:
     turned = at(series_of(disc_phase=(0.0, math.pi / 3)), 0.4, 100.0)
     plain = at(series_of(disc_phase=(0.0, 0.0)), 0.4, 100.0)
-    assert turned.rotation == pytest.approx(plain.rotation, rel=1e-9)
-    assert flat(turned.ring.force) == pytest.approx(flat(plain.ring.force), rel=1e-6, abs=1e-6)
+    assert turned.rotation == pytest.approx(plain.rotation, rel=EXACT)
+    assert flat(turned.ring.force) == pytest.approx(flat(plain.ring.force), rel=SEARCHED, abs=1e-6)
 
 
 TIED = PinSupport("tie_ring", 0.006, (0.01, 0.02), STEEL, 0.03)

@@ -12,13 +12,14 @@ from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.compiled import in_place_of
 from core.output.contact_law import PinSupport
 from core.output.real_mechanism import Deviations
+from core.precision import EXACT
 from core.ring.profile import Modification
 from core.ring.series import MeshesInSeries, series_position
-from core.ring.series_study import SERIES_QUANTITIES, SeriesStudy
+from core.ring.series_study import SeriesStudy
 from core.ring.sharing import RingDeviations, mesh_position
 from core.tolerance.contributions import contributions
 from core.tolerance.draws import Spread
-from core.tolerance.study import Evaluation, tolerance_study
+from core.tolerance.study import QUANTITIES, Evaluation, tolerance_study
 from core.tolerance.tolerances import Tolerances
 from tests.inputs.real_mechanisms import STEEL
 from tests.inputs.series import drawn
@@ -147,16 +148,17 @@ def solved_one_by_one(
 @pytest.mark.parametrize(("seed", "exact"), [(3, True), (8, False)])
 def test_pieces_are_those_of_their_streams_solved_one_by_one(seed: int, exact: bool) -> None:
     series, torque = bare(seed, exact=exact)
-    asked = Evaluation(SERIES_QUANTITIES, torque, POSITIONS)
+    names = (*QUANTITIES, "ring_peak_force", "ring_max_pressure")
+    asked = Evaluation(names, torque, POSITIONS)
     study = SeriesStudy(series, WIDE, asked, samples=3, seed=SEED)
     values, fits = study.values(study.pieces())
     assert fits.tolist() == [2, 2, 2]
     places = study.places(POSITIONS)
     for sample, row in enumerate(values):
         expected = solved_one_by_one(piece_by_hand(series, sample), torque, places)
-        assert dict(zip(SERIES_QUANTITIES, row, strict=True)) == pytest.approx(expected, rel=1e-9)
+        assert dict(zip(names, row, strict=True)) == pytest.approx(expected, rel=EXACT)
         own = solved_one_by_one(study.piece(study.pieces(), sample), torque, places)
-        assert own == pytest.approx(expected, rel=1e-9)
+        assert own == pytest.approx(expected, rel=EXACT)
 
 
 def test_a_piece_hangs_on_no_other_and_on_no_other_tolerance() -> None:

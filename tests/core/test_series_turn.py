@@ -14,6 +14,7 @@ from core.output.loop_rows import LOST_MOTION
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_mechanism import Deviations, RealMechanism
+from core.precision import EXACT
 from core.ring.profile import CycloidDisc, Modification
 from core.ring.series import MeshesInSeries
 from core.ring.series_turn import SeriesTurn, series_over_turn
@@ -114,11 +115,11 @@ def test_the_summits_against_a_dense_walk(exact: bool, torque: float) -> None:
         (turn.peak_crank_angle, "force", turn.peak_force),
         (turn.ring.peak_crank_angle, "mesh_force", turn.ring.peak_force),
     ):
-        assert walk.poses([place])[name][0] == pytest.approx(most, rel=1e-9)
+        assert walk.poses([place])[name][0] == pytest.approx(most, rel=EXACT)
     assert turn.accuracy.relative_error < 1e-3 and turn.angle_error < 1e-6
     for name in ("mesh_force", "lag"):  # after all turns, and not before
         one, whole, again = walk.poses([0.2, 0.2 + 2 * math.pi, 0.2 + walk.period])[name]
-        assert again == pytest.approx(one, rel=1e-9) and whole != pytest.approx(one, rel=1e-3)
+        assert again == pytest.approx(one, rel=EXACT) and whole != pytest.approx(one, rel=1e-3)
 
 
 def test_interpreted_and_compiled_loops_give_the_same_bits(monkeypatch: Any) -> None:

@@ -13,6 +13,7 @@ from core.design.results import Results
 from core.output.contact_law import LinearLaw
 from core.output.real_mechanism import Deviations
 from core.output.satellite_support import CrankSupport, Shares
+from core.precision import EXACT, SAME, SEARCHED
 from tests.inputs.checks import REF, WHOLE, having
 
 BENT = having(REF, input_speed=50 * math.pi, pin=WHOLE.pin)
@@ -59,13 +60,13 @@ def test_cranks_that_are_not_even_share_by_their_clearance() -> None:
     assert found is not None and found.reason == "clearance"
     first, middle, last = (each.share for each in found.discs)
     assert abs(first - last) < 0.01 < abs(middle - first)
-    assert first + middle + last == pytest.approx(1, rel=1e-9)
+    assert first + middle + last == pytest.approx(1, rel=EXACT)
 
 
 def test_shares_that_are_stated_are_those() -> None:
     found = shares_of(having(LOOSE, satellite_coupling=Shares((0.3, 0.7))))
     assert found is not None and (found.model, found.reason) == ("given", "given")
-    assert [each.share for each in found.discs] == pytest.approx([0.3, 0.7], rel=1e-6)
+    assert [each.share for each in found.discs] == pytest.approx([0.3, 0.7], rel=SEARCHED)
     assert found.largest.satellite == 2
 
 
@@ -99,8 +100,8 @@ def test_what_is_said_of_a_factor(factor: float, said: bool, warned: bool) -> No
     if found is None:
         return
     assert (found.model, found.reason) == ("factor", "given")
-    assert found.largest.share == pytest.approx(factor / 2, rel=1e-12)
-    assert sum(each.share for each in found.discs) == pytest.approx(1, rel=1e-12)
+    assert found.largest.share == pytest.approx(factor / 2, rel=SAME)
+    assert sum(each.share for each in found.discs) == pytest.approx(1, rel=SAME)
     assert bool(found.notices) == warned
     if warned:
         (notice,) = found.notices
@@ -121,14 +122,14 @@ def test_numbers_of_even_shares_are_said_where_they_are_known() -> None:
     for each in found.governs:
         assert each.even is not None
         if each.check.code == "bearing_life":
-            assert each.even.value == pytest.approx(even.crank.bearings.life.min(), rel=1e-12)
+            assert each.even.value == pytest.approx(even.crank.bearings.life.min(), rel=SAME)
             assert each.check.value < each.even.value
     still = replace(WHOLE.crankshaft, satellite_mass=None)  # type: ignore[type-var]
     factor = shares_of(having(WHOLE, crankshaft=still, distribution_factor=1.5))
     assert factor is not None
     values: dict[str, Any] = {each.check.code: each for each in factor.governs}
     life = values["bearing_life"]
-    assert life.even.value / life.check.value == pytest.approx(1.5**3, rel=1e-9)
+    assert life.even.value / life.check.value == pytest.approx(1.5**3, rel=EXACT)
     loose = shares_of(having(WHOLE, hole_radius=0.01002))
     assert loose is not None and loose.governs
     assert all(each.even is None for each in loose.governs)

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from core.errors import InvalidInput
 from core.numerics.inverse import edge, solve_for
+from core.precision import CONVERGED
 
 
 @given(st.floats(1e-3, 1e3), st.floats(0.2, 5.0), st.booleans())
@@ -15,7 +16,7 @@ def test_a_power_is_solved_to_its_last_digits(target: float, power: float, log: 
     low, high = target ** (1 / power) / 37.1, target ** (1 / power) * 11.3
     found = solve_for(function=lambda x: x**power, low=low, high=high, target=target, log=log)
     assert found.status == "solved"
-    assert found.value == pytest.approx(target ** (1 / power), rel=1e-14)
+    assert found.value == pytest.approx(target ** (1 / power), rel=CONVERGED)
     assert found.monotone
     # the value meets the target, its neighbour in the bracket does not
     unmet, met = found.bracket  # type: ignore[misc]
@@ -50,9 +51,9 @@ def test_the_end_of_existence_ends_a_stretch():
         target=1.0,
         want="largest",
     )
-    assert found.value == pytest.approx(2.5, rel=1e-15)
+    assert found.value == pytest.approx(2.5, rel=CONVERGED)
     assert found.value <= 2.5
-    assert found.intervals == ((pytest.approx(1.0, rel=1e-15), found.value),)
+    assert found.intervals == ((pytest.approx(1.0, rel=CONVERGED), found.value),)
 
 
 def test_several_stretches_are_told_and_the_wanted_one_is_given():
@@ -63,8 +64,8 @@ def test_several_stretches_are_told_and_the_wanted_one_is_given():
     large = solve_for(function=wave, low=0.0, high=10.0, target=0.5, want="largest")
     assert small.status == large.status == "several"
     assert not small.monotone
-    assert small.value == pytest.approx(math.pi / 6, rel=1e-14)
-    assert large.value == pytest.approx(2 * math.pi + 5 * math.pi / 6, rel=1e-14)
+    assert small.value == pytest.approx(math.pi / 6, rel=CONVERGED)
+    assert large.value == pytest.approx(2 * math.pi + 5 * math.pi / 6, rel=CONVERGED)
     ends = [end for interval in small.intervals for end in interval]
     assert [wave(end) >= 0.5 for end in ends] == [True] * 4
 
@@ -103,7 +104,7 @@ def test_whole_numbers_are_all_tried():
 def test_equals_finds_crossings_from_both_sides():
     found = solve_for(function=lambda x: math.cos(x), low=0.0, high=6.0, target=0.0, sense="equals")
     assert [a for a, _ in found.intervals] == pytest.approx(
-        [math.pi / 2, 3 * math.pi / 2], rel=1e-15
+        [math.pi / 2, 3 * math.pi / 2], rel=CONVERGED
     )
 
 
@@ -136,7 +137,7 @@ def test_what_is_met_only_next_to_the_end_of_existence_is_found(mirrored, sense,
     assert found.status == "solved"
     ends = [2.51] if sense == "equals" else [2.51, 2.53]
     expected = sorted(10 - end for end in ends) if mirrored else ends
-    assert sorted({*found.intervals[0]}) == pytest.approx(expected, rel=1e-15)
+    assert sorted({*found.intervals[0]}) == pytest.approx(expected, rel=CONVERGED)
 
 
 def test_no_more_is_asked_where_it_ends_on_its_way_from_the_target():

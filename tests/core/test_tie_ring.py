@@ -23,6 +23,7 @@ from core.output.satellite_support import CrankSupport
 from core.output.tie_ring import RingForces, RingJoint, TieRing, ring_forces
 from core.output.tied_pin import TiedPin
 from core.output.turn import Turn
+from core.precision import EXACT, JUDGED, SAME, SEARCHED
 from tests.inputs.real_mechanisms import LAWS, STEEL, made
 from tests.oracles import tie_ring as oracle
 
@@ -100,7 +101,7 @@ def test_ideal_forces_at_an_angle(case: dict[str, Any]) -> None:
     turned = np.concatenate(over, axis=2)
     rings = ring_forces(rings=[own] * mechanism.pins, positions=places, forces=turned)
     peak = np.abs(root_moments(own, places, turned, rings)).max()
-    assert peak == pytest.approx(expected["over_turn.peak_root_moment_Nm"], rel=3e-6)
+    assert peak == pytest.approx(expected["over_turn.peak_root_moment_Nm"], rel=JUDGED)
 
 
 @cache
@@ -143,7 +144,7 @@ def test_largest_root_moment_of_twelve_pins() -> None:
         span=0.045,
     )
     peak = case["expect"]["over_turn.peak_root_moment_Nm"]
-    assert found.peak_moment == pytest.approx(peak, rel=1e-7)
+    assert found.peak_moment == pytest.approx(peak, rel=EXACT)
 
 
 @pytest.mark.parametrize("case", [*named("C5"), *named("C6")])
@@ -167,9 +168,9 @@ def test_a_ring_that_turns_with_its_pins_carries_nothing() -> None:
     found = ring_forces(rings=[own] * 6, positions=(0.037,), forces=forces)
     assert np.abs(found.forces).max() < 1e-9
     moments = root_moments(own, (0.037,), forces, found)
-    assert np.abs(moments) == pytest.approx(case["expect"]["root_moment_Nm"], rel=1e-8)
+    assert np.abs(moments) == pytest.approx(case["expect"]["root_moment_Nm"], rel=EXACT)
     turn = found.along[0] / 0.05 * 1e3
-    assert turn == pytest.approx(case["expect"]["ring_turn_mrad"], rel=1e-8)
+    assert turn == pytest.approx(case["expect"]["ring_turn_mrad"], rel=EXACT)
 
 
 def real(joint: RingJoint = "pinned", **more: Any) -> RealMechanism:
@@ -219,17 +220,17 @@ def test_forces_of_the_ring_are_those_of_a_frame(joint: RingJoint, pins: int) ->
     fixed = along * np.conj(forces)
     found = ring_forces(rings=rings, positions=PLACES, forces=forces[..., None])
     expected = frame.under(fixed)
-    assert along * np.conj(found.forces[:, 0]) == pytest.approx(expected.ring_forces, rel=1e-8)
-    assert found.shift[0] == pytest.approx(expected.shift, rel=1e-8)
-    assert found.along[0] == pytest.approx(expected.along, rel=1e-8)
+    assert along * np.conj(found.forces[:, 0]) == pytest.approx(expected.ring_forces, rel=EXACT)
+    assert found.shift[0] == pytest.approx(expected.shift, rel=EXACT)
+    assert found.along[0] == pytest.approx(expected.along, rel=EXACT)
     for n, own in enumerate(rings):
         moment = root_moments(
             own, PLACES, forces[:, [n]], RingForces(found.forces[[n]], *found[1:])
         )
-        assert abs(moment[0, 0]) == pytest.approx(abs(expected.root_moments[n]), rel=1e-8)
+        assert abs(moment[0, 0]) == pytest.approx(abs(expected.root_moments[n]), rel=EXACT)
         end = sum(own.end_moment(z) * f for z, f in zip(PLACES, forces[:, n], strict=True))
         end += own.end_moment(SPAN) * found.forces[n, 0]
-        assert abs(end) == pytest.approx(abs(expected.end_moments[n]), rel=1e-8, abs=1e-8)
+        assert abs(end) == pytest.approx(abs(expected.end_moments[n]), rel=EXACT, abs=1e-8)
 
 
 @pytest.mark.parametrize("joint", JOINTS)
@@ -251,7 +252,7 @@ def test_load_sharing_is_that_of_a_frame(
         psi=mechanism.wave_angle(math.radians(degrees)),
     )
     largest = expected.forces.max()
-    assert found.rotation == pytest.approx(expected.lag, rel=1e-9)
+    assert found.rotation == pytest.approx(expected.lag, rel=EXACT)
     assert np.array(found.force) == pytest.approx(expected.forces, abs=1e-8 * largest)
 
 
@@ -271,7 +272,7 @@ def test_a_bored_pin_of_the_ring_is_a_tube_with_a_wall(joint: RingJoint) -> None
         psi=TWO.wave_angle(math.radians(37.0)),
     )
     found = at(real(pin=bored), 37.0)
-    assert found.rotation == pytest.approx(expected.lag, rel=1e-8)
+    assert found.rotation == pytest.approx(expected.lag, rel=EXACT)
     largest = expected.forces.max()
     assert np.array(found.force) == pytest.approx(expected.forces, abs=1e-7 * largest)
 
@@ -310,7 +311,7 @@ def test_a_position_is_balanced(joint: RingJoint, law: Any, torque: float) -> No
     for degrees in (0.0, 33.0, 77.0):
         found = at(real(joint, law=law, deviations=errors), degrees, torque)
         largest = max(map(max, found.force))
-        assert math.fsum(found.satellite_torque) == pytest.approx(torque, rel=1e-12)
+        assert math.fsum(found.satellite_torque) == pytest.approx(torque, rel=SAME)
         assert found.force_error < 1e-9 * largest
         other = at(real(joint, law=law, deviations=errors), degrees, torque * 1.001)
         slope = (other.rotation - found.rotation) / (torque * 0.001)
@@ -359,7 +360,7 @@ def test_a_ring_evens_out_and_does_not_hold() -> None:
     """The same pins promise much more where a plate is taken to hold their ends."""
     alone, fixed = strength(None, "cantilever"), strength(None, "fixed")
     loose, tight = strength("pinned"), strength("clamped")
-    assert alone.peak_moment == pytest.approx(123.3333, rel=1e-5)
+    assert alone.peak_moment == pytest.approx(123.3333, rel=JUDGED)
     assert loose.peak_moment / alone.peak_moment == pytest.approx(0.6428, abs=1e-4)
     assert tight.peak_moment / fixed.peak_moment == pytest.approx(2.27, abs=0.01)
     supported = strength(None, "supported")
@@ -390,7 +391,7 @@ def test_deflection_and_slope_are_those_of_a_frame(joint: RingJoint) -> None:
     expected = frame.under(fixed)
     loads = np.array([*fixed[:, 0], expected.ring_forces[0]])
     bent = pin.by_unit("deflection", np.array(PLACES)) @ loads
-    assert bent == pytest.approx(expected.deflections[:, 0], rel=1e-7)
+    assert bent == pytest.approx(expected.deflections[:, 0], rel=EXACT)
     near = 1e-7
     for place, slope in zip(PLACES, pin.by_unit("slope", np.array(PLACES)) @ loads, strict=True):
         sides = pin.by_unit("deflection", np.array([place - near, place + near])) @ loads
@@ -399,18 +400,18 @@ def test_deflection_and_slope_are_those_of_a_frame(joint: RingJoint) -> None:
         sheared = shear[0] * own.shear_area / own.rigidity
         assert slope + sheared == pytest.approx(bend, rel=1e-4)
     shears = pin.by_unit("shear", np.array([0.0, 0.02, SPAN])) @ loads
-    assert shears == pytest.approx([loads.sum(), loads[1:].sum(), loads[2]], rel=1e-9)
+    assert shears == pytest.approx([loads.sum(), loads[1:].sum(), loads[2]], rel=EXACT)
     ends = pin.by_unit("moment", np.array([0.0, SPAN])) @ loads
     assert ends == pytest.approx(
-        [expected.root_moments[0], expected.end_moments[0]], rel=1e-7, abs=1e-7
+        [expected.root_moments[0], expected.end_moments[0]], rel=EXACT, abs=1e-7
     )
 
 
 def test_both_ways_bend_the_pins_alike() -> None:
     driving, both = strength("clamped"), strength("clamped", torque_direction="alternating")
-    assert both.peak_moment == pytest.approx(driving.peak_moment, rel=1e-6)
+    assert both.peak_moment == pytest.approx(driving.peak_moment, rel=SEARCHED)
     assert both.tie_ring is not None and driving.tie_ring is not None
-    assert both.tie_ring.shift == pytest.approx(driving.tie_ring.shift, rel=1e-5)
+    assert both.tie_ring.shift == pytest.approx(driving.tie_ring.shift, rel=JUDGED)
 
 
 def test_what_cannot_be_is_refused() -> None:
@@ -427,7 +428,7 @@ def test_what_cannot_be_is_refused() -> None:
 
 def test_a_power_law_with_steep_touches_is_solved() -> None:
     found = at(real("clamped", law=PowerLaw(0.5, 1000.0, 1e-6), clearance=-1e-6), 61.0, 1.0)
-    assert math.fsum(found.satellite_torque) == pytest.approx(1.0, rel=1e-9)
+    assert math.fsum(found.satellite_torque) == pytest.approx(1.0, rel=EXACT)
 
 
 def test_pins_of_brass_move_more() -> None:

@@ -18,6 +18,7 @@ from core.output.fit import Fit
 from core.output.loop_rows import BINDS, FITS, JUST, NOWHERE, Pairs, Room, Setup
 from core.output.mechanism import Mechanism
 from core.output.satellite_support import RIGID_SUPPORT, Shares
+from core.precision import CONVERGED, EXACT, SEARCHED
 from core.tolerance.contributions import contributions
 from core.tolerance.draws import Spread, uniforms, zone_places
 from core.tolerance.iso286 import GRADES, NEAREST, SIZES, class_limits
@@ -95,7 +96,7 @@ def test_normal_deviations_are_those_of_the_normal_distribution() -> None:
     numbers = uniforms(seed=1, streams=[(2, 0)], samples=2000)[0]
     tail = NormalDist().cdf(-3)
     expected = [NormalDist().inv_cdf(tail + u * (1 - 2 * tail)) for u in numbers]
-    assert Spread(-3.0, 3.0).values(numbers) == pytest.approx(expected, rel=1e-14, abs=1e-15)
+    assert Spread(-3.0, 3.0).values(numbers) == pytest.approx(expected, rel=CONVERGED, abs=1e-15)
 
 
 def test_common_sizes_and_the_second_sample() -> None:
@@ -159,10 +160,10 @@ def test_ends_of_shares_are_those_of_clopper_and_pearson() -> None:
             found = share(successes=successes, count=count)
             if successes:
                 below = exactly_below(count, Fraction(found.low))[successes - 1]
-                assert float(1 - below) == pytest.approx(0.025, rel=1e-9)
+                assert float(1 - below) == pytest.approx(0.025, rel=EXACT)
             if successes < count:
                 below = exactly_below(count, Fraction(found.high))[successes]
-                assert float(below) == pytest.approx(0.025, rel=1e-9)
+                assert float(below) == pytest.approx(0.025, rel=EXACT)
 
 
 def test_no_sample_is_gone_through_to_see_whether_it_is_large_enough() -> None:
@@ -405,8 +406,8 @@ def test_a_study_finds_what_a_position_is_solved_for(law: ContactLaw, exact: boo
             found, closer = PLAIN.close_by(*given, room), PLAIN.solve(*given, other)
             assert (found.status, found.low, found.high) == closer[-2:-1] + closer[2:4]
             assert found.steps <= closer.steps
-            assert found.lag == pytest.approx(closer.lag, rel=1e-13)
-            assert found.stiffness == pytest.approx(closer.stiffness, rel=1e-7)
+            assert found.lag == pytest.approx(closer.lag, rel=CONVERGED)
+            assert found.stiffness == pytest.approx(closer.stiffness, rel=SEARCHED)
             assert room.force == pytest.approx(other.force, rel=0, abs=1e-13 * max(other.force))
 
 
@@ -441,7 +442,7 @@ def test_every_quantity_of_an_exact_piece_is_that_of_the_nominal() -> None:
         assert found.column(name).tolist() == [found.nominal[name]] * 2
     peak = found.nominal["peak_force"]
     pressure = real.contact(0, peak).max_pressure
-    assert found.nominal["max_pressure"] == pytest.approx(pressure, rel=1e-14)
+    assert found.nominal["max_pressure"] == pytest.approx(pressure, rel=CONVERGED)
     assert found.angle_grid_error.keys() == {*QUANTITIES}
     assert 0 <= found.angle_grid_error["peak_force"] < 0.05
     assert all(0 <= each <= 1 for each in found.angle_grid_error.values())

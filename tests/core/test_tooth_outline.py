@@ -11,6 +11,7 @@ from core.design.drawings import drawn_ring, drawn_satellites
 from core.design.results import Results
 from core.design.ring import InvoluteRing
 from core.errors import ImpossibleMechanism, InvalidInput
+from core.precision import SAME
 from core.ring.involute import Cutter, InvolutePair, InvoluteTeeth, Rack, involute_pair
 from core.ring.tooth_outline import ring_outline, satellite_outline
 from tests.inputs.checks import design_of
@@ -70,7 +71,7 @@ def test_a_satellite_is_what_its_rack_leaves(teeth: InvoluteTeeth) -> None:
     cut = np.abs(half) < teeth.satellite_tip * (1 - 1e-12)
     assert off.min() > -1e-12 and cut.sum() > 15
     assert off[cut].max() < 2e-8
-    assert np.abs(half).max() == pytest.approx(teeth.satellite_tip, rel=1e-12)
+    assert np.abs(half).max() == pytest.approx(teeth.satellite_tip, rel=SAME)
 
 
 @pytest.mark.parametrize("teeth", SHAPES[:2])

@@ -23,6 +23,7 @@ from core.design.results import Results
 from core.design.ring import CycloidRing, OtherRing
 from core.materials import ContactLimit, ElasticMaterial
 from core.output.real_mechanism import Deviations
+from core.precision import SAME
 from core.ring.profile import Modification
 from core.ring.sharing import RingDeviations, mesh_over_turn
 from tests.inputs.checks import design_of, having
@@ -82,7 +83,7 @@ def few() -> UsualModification:
 def test_rings_are_drawn_by_streams_of_their_own() -> None:
     rings = ring_places(pins=PINS, radius=U / 2, samples=64)
     for sample in (0, 1, 63):
-        assert np.allclose(rings[sample], places(sample), rtol=1e-12, atol=0)
+        assert np.allclose(rings[sample], places(sample), rtol=SAME, atol=0)
 
 
 def test_half_and_nine_tenths_of_the_rings_have_no_more(few: UsualModification) -> None:
@@ -109,7 +110,7 @@ def test_half_and_nine_tenths_of_the_rings_have_no_more(few: UsualModification) 
     pressures = [turn.max_pressure or 0.0 for turn in turns]
     worst = pressures.index(sorted(pressures)[57])
     made = few.results.design.deviations
-    assert made is not None and np.allclose(made.ring_pin_radial, places(worst)[0], rtol=1e-12)
+    assert made is not None and np.allclose(made.ring_pin_radial, places(worst)[0], rtol=SAME)
     check = few.verdict["ring_pressure_pin"]
     assert check.value == pytest.approx(few.max_pressure.percent_90, rel=5e-4)
 

@@ -9,6 +9,7 @@ import pytest
 from core.output.mechanism import Mechanism
 from core.output.pin_forces import force_ratios, pressure_cosines
 from core.precession.rollers import RollerByLength
+from core.precision import CONVERGED, EXACT
 from core.results import METHODS
 from core.work_precision.exact import pair_forces, pair_phases
 from core.work_precision.precession import meshing_load_study
@@ -40,7 +41,7 @@ def test_each_method_runs_at_each_setting_and_what_is_not_finite_is_left_out():
         ("closed_form", ("default", 0.0)),
     ]
     errors = [each.relative_error for each in study.points]
-    assert errors[:2] == pytest.approx([0.1 / math.sqrt(2), 0.001 / math.sqrt(2)], rel=1e-9)
+    assert errors[:2] == pytest.approx([0.1 / math.sqrt(2), 0.001 / math.sqrt(2)], rel=EXACT)
     assert errors[2] < 1e-15 and study.chosen is study.points[-1]
     assert [each.evaluations for each in study.points] == [1, 3, 1]
     assert all(each.run_time > 0 for each in study.points)
@@ -53,7 +54,7 @@ def test_the_error_of_a_vector_is_over_its_length():
         reference=Reference("multiple_sorting"), exact=[mpmath.mpf(3), mpmath.mpf(4)],
         methods=[vector],
     )  # fmt: skip
-    assert study.chosen.relative_error == pytest.approx(0.1, rel=1e-15)
+    assert study.chosen.relative_error == pytest.approx(0.1, rel=CONVERGED)
 
 
 @pytest.mark.parametrize("code", RULES)

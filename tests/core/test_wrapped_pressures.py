@@ -17,6 +17,7 @@ from core.output.loaded_position import loaded_position
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_mechanism import Deviations, RealMechanism
+from core.precision import CONVERGED, SAME
 from core.tolerance.study import Evaluation, Study
 from core.tolerance.tolerances import Tolerances
 
@@ -64,7 +65,6 @@ def governing(real: RealMechanism, pair: int, force: float) -> float:
         pin_material=real.pin_material,
         hole_material=real.hole_material,
     )
-    assert found.governing_pressure is not None
     return float(found.governing_pressure)
 
 
@@ -76,7 +76,7 @@ def highest(real: RealMechanism, count: int) -> float:
         found = loaded_position(real=real, crank_angle=float(angle), output_torque=TORQUE)
         forces = [force for row in found.force for force in row]
         here = [governing(real, pair, force) for pair, force in enumerate(forces)]
-        assert found.max_pressure == pytest.approx(max(here), rel=1e-12)
+        assert found.max_pressure == pytest.approx(max(here), rel=SAME)
         most = max(most, *here)
     return most
 
@@ -86,9 +86,9 @@ def test_at_the_peak_the_pressure_is_the_one_that_is_judged() -> None:
     judged = governing(TIGHT, 0, turn.peak_force)
     contact = TIGHT.contact(0, turn.peak_force)
     assert contact is not None
-    assert turn.max_pressure == pytest.approx(judged, rel=1e-14)
+    assert turn.max_pressure == pytest.approx(judged, rel=CONVERGED)
     assert judged > 1.03 * contact.max_pressure
-    assert contact.conformal_pressure == pytest.approx(judged, rel=1e-14)
+    assert contact.conformal_pressure == pytest.approx(judged, rel=CONVERGED)
 
 
 @pytest.mark.parametrize(
@@ -107,7 +107,7 @@ def test_of_unlike_pairs_the_hardest_pressed_is_found(
     assert sampled <= turn.max_pressure * (1 + 1e-9)
     assert turn.max_pressure == pytest.approx(sampled, rel=5e-3)
     pair, force = turn.hardest
-    assert governing(real, pair, force) == pytest.approx(turn.max_pressure, rel=1e-12)
+    assert governing(real, pair, force) == pytest.approx(turn.max_pressure, rel=SAME)
     largest = max(range(10), key=lambda each: turn.pair_force[each // 5][each % 5])
     assert made is UNLIKE or (pair % 5, largest % 5) == (4, 3)
 

@@ -28,6 +28,7 @@ from core.design.sections import (
 from core.fixes.crank import crank_fixes
 from core.fixes.fix import Fix
 from core.materials import ContactLimit, ElasticMaterial
+from core.precision import SAME
 
 PIN = ElasticMaterial(210e9, 0.3, ContactLimit("given", 900e6), yield_strength=300e6)
 HOLE = ElasticMaterial(210e9, 0.3, ContactLimit("given", 600e6), yield_strength=200e6)
@@ -142,6 +143,6 @@ def says(check: Check, **expected: Any) -> None:
     for name, value in (plain | expected).items():
         found = getattr(check, name)
         if isinstance(value, float) and value:
-            assert found == pytest.approx(value, rel=1e-12), name
+            assert found == pytest.approx(value, rel=SAME), name
         else:
             assert found == value, name

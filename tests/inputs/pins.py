@@ -71,7 +71,6 @@ def pin_design(seed: int) -> dict[str, Any]:
         "support": support,
         "span": span,
         "fatigue": strength,
-        "deflection": True,
     }
     if not solved(seed):
         return design

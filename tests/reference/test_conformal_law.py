@@ -28,6 +28,7 @@ from core.output.contact_law import RIGID_PINS, ConformalLaw, PinSupport, contac
 from core.output.loaded_position import loaded_position
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import Deviations, RealMechanism
+from core.precision import EXACT
 from tests.oracles import dissimilar, rims
 from tests.oracles.load_sharing import exact_position
 from tests.oracles.seeds import seeds
@@ -126,7 +127,7 @@ def test_the_curve_ends_where_the_contact_is_half_of_the_pin(
     alpha, beta = map(float, mismatch(first=pin, second=hole))
     least = float(widest_load(alpha=alpha, beta=beta))
     last = end(conformal_curve(contact_length=1.0, pin=pin, hole=hole))
-    assert last == (math.inf if least <= 0 else pytest.approx(1 / least, rel=1e-9))
+    assert last == (math.inf if least <= 0 else pytest.approx(1 / least, rel=EXACT))
 
 
 def test_the_stated_error_of_pressures_by_their_polynomial_is_true() -> None:

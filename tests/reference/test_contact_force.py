@@ -20,6 +20,7 @@ from core.output.contact_force import contact_force, drawing_angles
 from core.output.mechanism import Mechanism
 from core.output.peak_force import peak_force
 from core.output.pin_forces import force_ratios
+from core.precision import EXACT, SAME, SEARCHED
 from tests.inputs.cases import EXPONENTS, random_mechanism
 from tests.oracles.crank_planetary import (
     cosines,
@@ -122,7 +123,7 @@ def test_a_peak_that_parts_in_two_is_found(exponent: float) -> None:
         crank_angles=np.linspace(0, period, 100_001),
         force_exponent=exponent,
     )
-    assert result.peak_force_ratio == pytest.approx(forces.max(), rel=1e-9)
+    assert result.peak_force_ratio == pytest.approx(forces.max(), rel=EXACT)
     assert result.peak_force_ratio >= forces.max() * (1 - 4e-15)
 
 
@@ -293,7 +294,7 @@ def test_a_curve_drawn_shows_both_sides_of_a_jump(seed: int) -> None:
     angles, _ = drawing_angles(mechanism=mechanism, samples=7)
     drawn = force_ratios(mechanism=mechanism, crank_angles=angles, force_exponent=0.0)
     exact = peak(mechanism.pins, mechanism.crank_angles, 0.0, screened=True).ratio
-    assert drawn.max() == pytest.approx(float(exact), rel=1e-7)
+    assert drawn.max() == pytest.approx(float(exact), rel=SEARCHED)
 
 
 @pytest.mark.parametrize(("pins", "satellites"), [(6, 1), (8, 1), (3, 3), (5, 4)])
@@ -306,4 +307,4 @@ def test_error_of_the_approximation_is_that_over_the_exact_peak(pins: int, satel
     assert found.approximate_peak is not None
     error = (found.approximate_peak - exact) / exact
     assert abs(error) > 0.05
-    assert found.approximate_peak_error == pytest.approx(error, rel=1e-12)
+    assert found.approximate_peak_error == pytest.approx(error, rel=SAME)

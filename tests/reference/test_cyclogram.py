@@ -17,6 +17,7 @@ from mpmath import mp, mpf
 
 from core.output.cyclogram import cyclogram
 from core.output.mechanism import Mechanism, assembly_angles
+from core.precision import CONVERGED, EXACT
 from tests.oracles.crank_planetary import (
     cosines,
     driving_count,
@@ -90,7 +91,7 @@ def test_driving_count_is_exact_inside_every_interval(seed: int) -> None:
     sliver = MERGED * max(1.0, waves) / speed
     counts = result.driving_count
     assert counts[0].start == 0.0
-    assert counts[-1].end == pytest.approx(revolutions * 2 * math.pi, rel=1e-15)
+    assert counts[-1].end == pytest.approx(revolutions * 2 * math.pi, rel=CONVERGED)
     for before, after in pairwise(counts):
         assert before.end == after.start
         assert before.pairs != after.pairs
@@ -129,8 +130,8 @@ def test_pattern_period_repeats_the_counts_and_nothing_shorter_does(seed: int) -
     mechanism, _ = random_mechanism(seed)
     result = cyclogram(mechanism=mechanism)
     speed = 1 + 1 / mpf(mechanism.ratio)
-    assert result.period == pytest.approx(float(2 * mp.pi / speed), rel=1e-15)
-    assert result.working_phase == pytest.approx(float(mp.pi / speed), rel=1e-15)
+    assert result.period == pytest.approx(float(2 * mp.pi / speed), rel=CONVERGED)
+    assert result.working_phase == pytest.approx(float(mp.pi / speed), rel=CONVERGED)
     wave = mpf(result.pattern_period) * speed
     theta = [t for row in phases(mechanism.pins, mechanism.crank_angles) for t in row]
 
@@ -194,7 +195,7 @@ def test_dead_centres_of_two_pins_are_all_found_where_they_are() -> None:
     mechanism = Mechanism.evenly_spaced(pins=2, satellites=1, ratio=20.0)
     result = cyclogram(mechanism=mechanism)
     exact = [float(k * mp.pi * 20 / 21) for k in range(3)]
-    assert result.dead_centres == pytest.approx(exact, rel=1e-15, abs=1e-15)
+    assert result.dead_centres == pytest.approx(exact, rel=CONVERGED, abs=1e-15)
     assert result.dead_zones == ()
     assert (result.min_driving, result.max_driving) == (1, 1)
 
@@ -204,10 +205,10 @@ def test_dead_zone_of_a_single_pair_is_the_other_half_turn() -> None:
     result = cyclogram(mechanism=mechanism)
     half = float(mp.pi * 20 / 21)
     assert result.dead_zones[0] == pytest.approx((0.0, half), abs=1e-15)
-    assert result.pairs[0].driving[0] == pytest.approx((half, 2 * half), rel=1e-15)
+    assert result.pairs[0].driving[0] == pytest.approx((half, 2 * half), rel=CONVERGED)
     assert result.min_driving == 0
     # 360 degrees of the crank are 378 of the wave: the second dead zone is cut at the end
-    assert result.dead_zones[1] == pytest.approx((2 * half, 2 * math.pi), rel=1e-15)
+    assert result.dead_zones[1] == pytest.approx((2 * half, 2 * math.pi), rel=CONVERGED)
 
 
 @pytest.mark.parametrize("turns", [300.0, 1e3])
@@ -221,8 +222,8 @@ def test_far_turns_keep_their_digits(turns: float) -> None:
         exact = driving_intervals(theta, 20.0, 0.0, end)
         last, exact_last = pair.driving[-1], exact[-1]
         assert len(pair.driving) == len(exact)
-        assert last[0] == pytest.approx(float(exact_last[0]), rel=1e-15)
-        assert last[1] == pytest.approx(float(exact_last[1]), rel=1e-15)
+        assert last[0] == pytest.approx(float(exact_last[0]), rel=CONVERGED)
+        assert last[1] == pytest.approx(float(exact_last[1]), rel=CONVERGED)
 
 
 @given(
@@ -272,5 +273,5 @@ def test_assembly_angles_are_those_of_exact_fractions(seed: int) -> None:
     ):
         turned = Fraction((angle - degrees[0]) * more, 360 * teeth)
         left = abs(turned - round(turned * teeth) * Fraction(1, teeth))
-        assert found.hole_rotation == pytest.approx(float(2 * left) * math.pi, rel=1e-9, abs=1e-12)
+        assert found.hole_rotation == pytest.approx(float(2 * left) * math.pi, rel=EXACT, abs=1e-12)
         assert found.identical is (turned % common == 0)

@@ -6,8 +6,8 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from core.design.contact import SHAKEDOWN, shakedown
-from core.first_yield import first_yield, squared_stress
+from core.first_yield import SHAKEDOWN, first_yield, shakedown, squared_stress
+from core.precision import EXACT, SAME
 from tests.oracles import sliding
 
 TABLE = {
@@ -45,7 +45,7 @@ def test_stresses_are_those_of_the_forces_of_the_contact() -> None:
         found = squared_stress(
             poissons_ratio=ratio, friction=friction, x=np.array([x]), z=np.array([z])
         )
-        assert math.sqrt(found[0]) == pytest.approx(known, rel=1e-9), (x, z)
+        assert math.sqrt(found[0]) == pytest.approx(known, rel=EXACT), (x, z)
 
 
 def test_friction_only_lowers_first_yield() -> None:
@@ -56,5 +56,5 @@ def test_friction_only_lowers_first_yield() -> None:
 
 def test_shakedown_falls_by_a_straight_line_to_the_last_known_friction() -> None:
     assert shakedown(0.0) == SHAKEDOWN
-    assert shakedown(0.05) == pytest.approx((SHAKEDOWN + 2.06) / 2, rel=1e-12)
+    assert shakedown(0.05) == pytest.approx((SHAKEDOWN + 2.06) / 2, rel=SAME)
     assert shakedown(0.1) == shakedown(0.6) == 2.06

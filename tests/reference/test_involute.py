@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from core.precision import EXACT, SAME
 from core.ring.involute import InvolutePair, involute_pair
 from core.ring.involute_load import root_stress
 from core.ring.shared_pairs import pairs_that_carry, shared_torque, touching
@@ -42,7 +43,7 @@ def test_the_root_is_that_which_the_rack_leaves(seed: int) -> None:
     teeth, _ = drawn(seed)
     found = root_stress(pair=involute_pair(teeth=teeth), torque=1.0, contact_length=1.0)
     for name, exact in root(as_pair(teeth, None)).items():
-        assert getattr(found, name) == pytest.approx(float(exact), rel=1e-9)
+        assert getattr(found, name) == pytest.approx(float(exact), rel=EXACT)
 
 
 @pytest.mark.parametrize("seed", seeds(40))
@@ -135,6 +136,6 @@ def test_no_pair_carries_more_than_is_said_at_any_of_many_positions(case: dict) 
     share = force.max() * pair.line.satellite_base / torque
     assert said.largest_share >= share * (1 - float(said.accuracy.relative_error))
     assert said.largest_share == pytest.approx(share, abs=1e-4)
-    assert (force * found.lever).sum(axis=1) == pytest.approx(torque, rel=1e-12)
+    assert (force * found.lever).sum(axis=1) == pytest.approx(torque, rel=SAME)
     loaded = (force > 0).sum(axis=1)
     assert (loaded.min(), loaded.max()) == (said.loaded_pairs_min, said.loaded_pairs_max)

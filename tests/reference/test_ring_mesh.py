@@ -11,6 +11,7 @@ import pytest
 
 from core.output.contact_law import HertzLaw, LinearLaw
 from core.output.satellite_support import Shares
+from core.precision import EXACT, JUDGED, SAME, SEARCHED
 from core.ring.profile import outline_points
 from core.ring.sharing import mesh_over_turn, mesh_position
 from tests.inputs.ring_meshes import ARCMIN, LAWS, drawn, of_request
@@ -46,7 +47,7 @@ def test_held_numbers(case: dict[str, Any]) -> None:
         stiffness = expected["stiffness_Nm_per_arcmin"]
         assert found.stiffness * ARCMIN == pytest.approx(stiffness, rel=near)
     if "pressed_without_load" in expected:
-        assert found.play is None and found.interference == pytest.approx(5e-6, rel=1e-9)
+        assert found.play is None and found.interference == pytest.approx(5e-6, rel=EXACT)
     else:
         limits = [each / ARCMIN for each in found.play]
         assert limits == pytest.approx(expected["play_arcmin"], rel=near, abs=1e-12)
@@ -73,13 +74,13 @@ def test_held_numbers_over_the_turn(
     case = next(each for each in CASES if each["name"].split()[0] == name)
     mesh, _, torque = of_request(case["body"])
     found = mesh_over_turn(mesh=replace(mesh, exact=False), output_torque=torque)
-    assert found.peak_force == pytest.approx(peak, rel=1e-7)
+    assert found.peak_force == pytest.approx(peak, rel=SEARCHED)
     assert found.accuracy.relative_error < 1e-7
     if error is not None:
-        assert found.transmission_error / ARCMIN == pytest.approx(error, rel=1e-6)
+        assert found.transmission_error / ARCMIN == pytest.approx(error, rel=SEARCHED)
     if backlash is not None:
         limits = found.backlash_min / ARCMIN, found.backlash_max / ARCMIN
-        assert limits == pytest.approx(backlash, rel=1e-5)
+        assert limits == pytest.approx(backlash, rel=JUDGED)
     if angle is not None:  # of equal summits the first
         pitch = 2 * math.pi / mesh.disc.pins
         off = (math.radians(angle) - found.peak_crank_angle) / pitch
@@ -122,10 +123,10 @@ def test_given_shares_are_each_disc_by_itself(seed: int) -> None:
     mesh = replace(mesh, support=shares)
     found = mesh_position(mesh=mesh, crank_angle=angle, output_torque=torque)
     exact = exact_mesh(mesh, angle, torque)
-    assert found.rotation == pytest.approx([*map(float, exact.rotation)], rel=1e-11)
+    assert found.rotation == pytest.approx([*map(float, exact.rotation)], rel=SAME)
     force = [each for row in found.force for each in row]
     assert force == pytest.approx([*map(float, exact.force)], abs=1e-9 * max(force))
-    assert found.crank_across == pytest.approx([*map(float, exact.across)], rel=1e-9)
+    assert found.crank_across == pytest.approx([*map(float, exact.across)], rel=EXACT)
 
 
 @pytest.mark.parametrize("seed", seeds(4))
@@ -136,7 +137,7 @@ def test_virtual_work(seed: int) -> None:
     mesh, angle, torque = drawn(100 + seed)
     found = mesh_position(mesh=mesh, crank_angle=angle, output_torque=torque)
     by_lag, by_crank = virtual_work(mesh, angle, torque)
-    assert float(by_lag) == pytest.approx(torque, rel=1e-9)
+    assert float(by_lag) == pytest.approx(torque, rel=EXACT)
     errors = mesh.deviations.eccentricity
     work = sum(
         (mesh.disc.eccentricity + off) * across

@@ -11,6 +11,7 @@ from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.satellite_support import RIGID_SUPPORT, CrankSupport, ElasticMesh, SatelliteSupport
+from core.precision import EXACT, SAME
 from tests.inputs.real_mechanisms import STEEL, crank_angles, flat, held, solved, torques
 from tests.oracles.load_sharing import exact_position
 
@@ -68,9 +69,9 @@ def test_the_discs_share_by_the_stiffness_of_their_meshes(
     assert [round(each, digits) for each in found.satellite_torque] == [
         round(each, digits) for each in torques
     ]
-    assert found.rotation / ARCMIN == pytest.approx(lag, rel=1e-9)
+    assert found.rotation / ARCMIN == pytest.approx(lag, rel=EXACT)
     for own, torque in zip(found.satellite_rotation, found.satellite_torque, strict=True):
-        assert own == pytest.approx(found.rotation - torque / stiffness, rel=1e-12)
+        assert own == pytest.approx(found.rotation - torque / stiffness, rel=SAME)
 
 
 @pytest.mark.parametrize(

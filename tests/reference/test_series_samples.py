@@ -14,6 +14,7 @@ import pytest
 from core.output.contact_law import LinearLaw
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import Deviations, RealMechanism
+from core.precision import EXACT
 from core.ring.profile import CycloidDisc, Modification
 from core.ring.series import MeshesInSeries, series_position
 from core.ring.series_samples import sampled_in_series
@@ -62,7 +63,7 @@ def test_samples_are_the_forces_of_their_places(seed: int, alike: bool) -> None:
         assert np.abs(found.couple[:, k] - couple).max() < 1e-7 * abs(torque)
         if alike:  # about the axis, by the parts along the circle of the pins
             turned = series.output.pin_circle_radius * found.on_pins[:, :, k].real.sum()
-            assert turned == pytest.approx(torque, rel=1e-8)
+            assert turned == pytest.approx(torque, rel=EXACT)
 
 
 @pytest.mark.parametrize("lobes_and_pins", [(20, 8), (12, 6), (9, 7)])
@@ -125,7 +126,7 @@ def test_over_a_period_crank_and_unlike_pins_have_all_that_there_is(
     assert found.waves == (9 if errors == "of the ring" else 1)
     near, far = found.on_pins
     most = np.abs(near + 2 * far).max(axis=1)  # as the moment of a pin
-    assert most == pytest.approx(np.tile(most[:unlike], 6 // unlike), rel=1e-9)
+    assert most == pytest.approx(np.tile(most[:unlike], 6 // unlike), rel=EXACT)
     assert found.unlike == unlike and len({round(each, 3) for each in most}) == unlike
     across = found.mean((found.of_ring + found.on_satellites).imag).sum()
     assert across * series.output.eccentricity * 8 == pytest.approx(torque, rel=1e-4)

@@ -11,6 +11,8 @@ import httpx
 import pytest
 from khv_calc import Client, Refused
 
+from core.precision import SAME
+
 ROOT = Path(__file__).parent.parent.parent
 README = (ROOT / "README.md").read_text()
 CLIENTS = str(ROOT / "clients" / "python")
@@ -61,9 +63,9 @@ def test_the_curl_example_answers_what_stands_there(service, direct):
     assert accuracy == stated
     assert answer.pop("peak_pair") == shown.pop("peak_pair")
     (assumed,), (said,) = answer.pop("assumed"), shown.pop("assumed")
-    assert assumed.pop("without") == pytest.approx(said.pop("without"), rel=1e-12)
+    assert assumed.pop("without") == pytest.approx(said.pop("without"), rel=SAME)
     assert assumed == said
-    assert answer == pytest.approx(shown, rel=1e-12)
+    assert answer == pytest.approx(shown, rel=SAME)
 
 
 def test_the_refusal_of_the_api_document_is_what_is_sent(service):

@@ -97,6 +97,15 @@ test("an empty list follows the other boxes, in the input too, until it is typed
   assert.equal(withLinks(made, own).texts["parts.pin_mm"], "1; 2; 3");
 });
 
+test("a number follows the other boxes too, where it is known, until it is typed", () => {
+  const group = { ...GROUP, fields: { tolerance: { required: true, follows: ({ mechanism: { pins } }) => (pins > 2 ? pins / 10 : NaN) } }, starts: () => ({}) };
+  const made = formModel(SERVICE, { path: "/api/v1/job", groups: ["mechanism", "contact"], hidden: ["mechanism.include"], wanted: [group], words: ownWords });
+  const read = (pins, tolerance) => readState(made, stateFromInput(made, { ...INPUT, mechanism: { ...INPUT.mechanism, pins }, besides: { real: { on: "on" }, tolerance } }));
+  assert.deepEqual([read(3).input.besides.tolerance, read(3, 0.7).input.besides.tolerance], [0.3, 0.7]);
+  assert.deepEqual(read(2).besides.real, ["tolerance"]);
+  assert.equal(withLinks(made, stateFromInput(made, read(3).input)).texts.tolerance, "");
+});
+
 test("a group that is off is not shown, asked for, listed or linked", () => {
   const state = stateFromInput(MODEL, INPUT);
   assert.ok(!isOn(MODEL, "real", state.texts));
@@ -544,6 +553,14 @@ test("satellites along the shaft are as far apart as along the pins until they a
   assert.deepEqual(follows(input()), [20, 42]);
   assert.deepEqual([[15, 45], [45, 15], [15]].map((pins) => follows(input(pins))), [[20, 50], [50, 20], [20, 42]]);
   assert.deepEqual(bearings(input([15, 45], [50, 20])), [0, 70]);
+});
+
+test("the difference of teeth follows their numbers, and is asked for with a ratio alone", () => {
+  const { fields, starts } = WANTED.find(({ id }) => id === "bearings");
+  const { follows } = fields["gear.teeth_difference"];
+  const [byTeeth, byRatio] = [{ satellite_teeth: 38, ring_teeth: 40 }, { ratio: 19 }].map((mechanism) => ({ mechanism, contact: { eccentricity_mm: 2 } }));
+  assert.deepEqual([follows(byTeeth), follows(byRatio)], [2, NaN]);
+  assert.deepEqual([starts(byTeeth)["gear.teeth_difference"], starts(byRatio)["gear.teeth_difference"]], [undefined, 1]);
 });
 
 test("a field stands in one group: in two, what is left empty in one would be said by the other", () => {

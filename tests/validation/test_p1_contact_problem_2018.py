@@ -18,6 +18,7 @@ from core.output.cyclogram import cyclogram
 from core.output.mechanism import Mechanism, ratio_from_teeth
 from core.output.peak_force import peak_force
 from core.output.pin_forces import approximate_peak_ratio, force_ratios
+from core.precision import CONVERGED, SEARCHED
 
 RATIO = 20.0
 """P1's i14 = -20: the sign says that crank and output turn against each other."""
@@ -99,14 +100,14 @@ def test_with_two_satellites_n_pairs_always_drive(pins: int) -> None:
 def test_working_phase_depends_on_the_ratio_only(satellites: int, ratio: float) -> None:
     # "180 degrees/(1 - 1/i14)"
     result = cyclogram(mechanism=p1_mechanism(3, satellites, ratio))
-    assert math.degrees(result.working_phase) == pytest.approx(180 / (1 + 1 / ratio), rel=1e-15)
+    assert math.degrees(result.working_phase) == pytest.approx(180 / (1 + 1 / ratio), rel=CONVERGED)
     whole = [
         stop - start
         for pair in result.pairs
         for start, stop in pair.driving
         if start > 0 and stop < 2 * math.pi
     ]
-    assert whole == pytest.approx([result.working_phase] * len(whole), rel=1e-14)
+    assert whole == pytest.approx([result.working_phase] * len(whole), rel=CONVERGED)
 
 
 def test_ratio_by_the_method_of_willis() -> None:
@@ -133,7 +134,7 @@ def test_equation_4_as_printed_gives_the_same_forces(
             continue  # the printed form loses its digits near +-90 degrees
         printed = p1_forces(float(phi), pins, satellites, pin_radius_ratio)
         # arcsin near its end costs half the digits: 1e-8 is what is left of them
-        assert rows == pytest.approx(printed, rel=2e-7, abs=2e-7)
+        assert rows == pytest.approx(printed, rel=SEARCHED, abs=2e-7)
 
 
 @pytest.mark.parametrize(
@@ -161,9 +162,11 @@ def test_equation_5_against_the_exact_peak(
 
 def test_equation_5_by_hand() -> None:
     # N = 3, K = 1: X = 0.95, 4/3*0.95
-    assert approximate_peak_ratio(pins=3, satellites=1) == pytest.approx(0.95 * 4 / 3, rel=1e-15)
-    assert approximate_peak_ratio(pins=5, satellites=2) == pytest.approx(0.4, rel=1e-15)
-    assert approximate_peak_ratio(pins=4, satellites=3) == pytest.approx(1 / 3, rel=1e-15)
+    assert approximate_peak_ratio(pins=3, satellites=1) == pytest.approx(
+        0.95 * 4 / 3, rel=CONVERGED
+    )
+    assert approximate_peak_ratio(pins=5, satellites=2) == pytest.approx(0.4, rel=CONVERGED)
+    assert approximate_peak_ratio(pins=4, satellites=3) == pytest.approx(1 / 3, rel=CONVERGED)
 
 
 @pytest.mark.parametrize("satellites", [1, 2])
@@ -190,7 +193,7 @@ def test_peak_position_in_the_middle_of_the_working_phase(pins: int, satellites:
     middle = math.pi / 2 / (1 + 1 / RATIO)
     peak = peak_force(mechanism=mechanism).peak_force_ratio
     there = force_ratios(mechanism=mechanism, crank_angles=np.array([middle]))[0]
-    assert there[0, 0] == pytest.approx(peak, rel=1e-14)
+    assert there[0, 0] == pytest.approx(peak, rel=CONVERGED)
     assert there.max() == there[0, 0]
 
 
@@ -230,9 +233,9 @@ def test_peak_of_five_pins_and_one_satellite_in_the_middle() -> None:
     mechanism = p1_mechanism(5, 1)
     peak = peak_force(mechanism=mechanism)
     by_hand = 1 / (1 + 2 * math.cos(math.radians(72)) ** 2)
-    assert peak.peak_force_ratio == pytest.approx(by_hand, rel=1e-14)
+    assert peak.peak_force_ratio == pytest.approx(by_hand, rel=CONVERGED)
     there = force_ratios(mechanism=mechanism, crank_angles=np.array([math.pi / 2 / 1.05]))
-    assert there[0, 0, 0] == pytest.approx(by_hand, rel=1e-14)
+    assert there[0, 0, 0] == pytest.approx(by_hand, rel=CONVERGED)
 
 
 def test_two_pins_and_one_satellite_cannot_work() -> None:
@@ -269,5 +272,5 @@ def test_equation_2_hertz_stress_by_hand() -> None:
         dynamic_factor=1.25,
         distribution_factor=1.1,
     )
-    assert result.reduced_radius == pytest.approx(rho, rel=1e-14)
-    assert result.max_pressure == pytest.approx(z_e * math.sqrt(w_h / rho), rel=1e-14)
+    assert result.reduced_radius == pytest.approx(rho, rel=CONVERGED)
+    assert result.max_pressure == pytest.approx(z_e * math.sqrt(w_h / rho), rel=CONVERGED)

@@ -14,6 +14,7 @@ from core.output.mechanism import Mechanism, assembly_angles
 from core.output.peak_force import peak_force
 from core.output.pin_forces import force_ratios
 from core.output.pin_geometry import pin_geometry
+from core.precision import CONVERGED, SAME
 
 RATIO = 20.0
 
@@ -82,8 +83,8 @@ def test_peaks_and_counts_of_the_configurations(
     mechanism = p2_mechanism(pins, satellites, spacing)
     at_v1 = peak_force(mechanism=mechanism, force_exponent=1.0).peak_force_ratio
     at_v0 = peak_force(mechanism=mechanism, force_exponent=0.0).peak_force_ratio
-    assert at_v1 == pytest.approx(linear, rel=1e-14)
-    assert at_v0 == pytest.approx(equal, rel=1e-14)
+    assert at_v1 == pytest.approx(linear, rel=CONVERGED)
+    assert at_v0 == pytest.approx(equal, rel=CONVERGED)
     found = cyclogram(mechanism=mechanism)
     assert {interval.pairs for interval in found.driving_count} == counts
 
@@ -109,19 +110,19 @@ def test_even_numbers_of_evenly_spaced_phases_have_a_constant_sum(
     # sum cos^2 = c*m/4 throughout, so the peak is 4/(c*m); m phases with c pairs on each
     mechanism = p2_mechanism(pins, satellites, spacing)
     peak = peak_force(mechanism=mechanism)
-    assert peak.peak_force_ratio == pytest.approx(4 / (shared * phases), rel=1e-15)
+    assert peak.peak_force_ratio == pytest.approx(4 / (shared * phases), rel=CONVERGED)
     angles = np.linspace(0.003, 6.2, 57)
     forces = force_ratios(mechanism=mechanism, crank_angles=angles)
     squares = (forces**2).sum(axis=(1, 2))
     # sum F^2 = sum cos^2/(c*m/4)^2 = 4/(c*m)
-    assert squares == pytest.approx(4 / (shared * phases), rel=1e-12)
+    assert squares == pytest.approx(4 / (shared * phases), rel=SAME)
 
 
 def test_figure_7_four_satellites_halve_the_force_of_two() -> None:
     # "doubling the number of driving pairs halves the largest contact force"
     two = peak_force(mechanism=p2_mechanism(3, 2, 180)).peak_force_ratio
     four = peak_force(mechanism=p2_mechanism(3, 4, 90)).peak_force_ratio
-    assert four == pytest.approx(two / 2, rel=1e-15)
+    assert four == pytest.approx(two / 2, rel=CONVERGED)
 
 
 def test_figure_7_curve_of_a_constant_number_of_pairs_is_a_cosine() -> None:
@@ -151,7 +152,7 @@ def test_erratum_force_ratio_is_not_always_below_one() -> None:
     rows = force_ratios(mechanism=mechanism, crank_angles=np.array([phi]))[0]
     assert np.count_nonzero(rows) == 1
     arm = -math.sin(math.radians(260))
-    assert rows[0, 0] * arm == pytest.approx(1.0, rel=1e-14)
+    assert rows[0, 0] * arm == pytest.approx(1.0, rel=CONVERGED)
     assert rows[0, 0] > 1
 
 

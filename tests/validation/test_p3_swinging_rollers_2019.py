@@ -8,6 +8,7 @@ import math
 
 import pytest
 
+from core.precision import CONVERGED, SAME
 from core.rollers.roller_strength import (
     RollerStrength,
     load_nonuniformity,
@@ -68,7 +69,7 @@ def test_one_roller_stress_is_eq_14() -> None:
     arm = 2 * 2 * D + B + K * SPHERE
     assert result.loaded_rollers == 1
     assert result.bending_stress == pytest.approx(
-        K_SIGMA * arm * 8 * T / (R * math.pi * D**3), rel=1e-13
+        K_SIGMA * arm * 8 * T / (R * math.pi * D**3), rel=CONVERGED
     )
 
 
@@ -110,7 +111,7 @@ def test_erratum_12_contradicts_4_and_6(length: float, tolerance: float, excess:
     arm = length * D + B / 2 + K * SPHERE / 2
     printed = K_SIGMA * arm * printed_force(length * D, tolerance * D) / (math.pi * D**3 / 32)
     by_6 = T / (2 * R * N) + 4 * (N - 1) / N * derived.stiffness * tolerance * D
-    assert derived.max_force == pytest.approx(by_6, rel=1e-13)
+    assert derived.max_force == pytest.approx(by_6, rel=CONVERGED)
     assert printed / derived.bending_stress - 1 == pytest.approx(excess, abs=5e-4)
 
 
@@ -133,7 +134,7 @@ def test_erratum_13_contradicts_6_and_10(
     # (13) leaves out n before the shear part, and l/d in the first term, which (10) has
     first = (K * 1.5 + 0.8) * length / 4
     derived = fig_6(length, tolerance).bending_stress / E
-    assert derived == pytest.approx(relative_stress(length, tolerance, first, N), rel=1e-12)
+    assert derived == pytest.approx(relative_stress(length, tolerance, first, N), rel=SAME)
     printed = relative_stress(length, tolerance, first / length, 1)
     assert printed / derived - 1 == pytest.approx(excess, abs=5e-4)
     without_n = relative_stress(length, tolerance, first, 1)
@@ -144,7 +145,7 @@ def test_note_on_8_and_9_shear_does_not_turn_the_end() -> None:
     # Theta(l) of (8) is the slope of the elastic line. (9) carries the shear angle over b/2 too,
     # as if the end section turned by it: the program keeps (9), the paper's figures are made so
     bending, shear = bending_and_shear(D)
-    assert fig_6(1.0, 1e-4).stiffness == pytest.approx(1 / (bending + shear), rel=1e-13)
+    assert fig_6(1.0, 1e-4).stiffness == pytest.approx(1 / (bending + shear), rel=CONVERGED)
     modulus_ratio = FIG_4["modulus_ratio"] / (2 * (1 + MU))  # fig. 4 gives G, not mu
     shear *= modulus_ratio
     section_stays = bending + shear * D / (D + B / 2)

@@ -13,6 +13,7 @@ from core.errors import ImpossibleMechanism
 from core.output.mechanism import Mechanism
 from core.output.peak_force import peak_force
 from core.output.pin_forces import force_ratios, reference_force
+from core.precision import CONVERGED, EXACT
 
 
 def p4_mechanism(pins: int, flows: int) -> Mechanism:
@@ -38,14 +39,14 @@ def test_the_two_forces_of_the_paper(pins: int, printed: float, force: float) ->
     # printed: 888.2 is rounded, 1538 (of 1538.46) too
     assert found == pytest.approx(printed, abs=0.5)
     assert found == pytest.approx(force, abs=0.005)
-    assert found == pytest.approx(p4_maximum(50.0, 0.0325, pins, 1), rel=1e-14)
+    assert found == pytest.approx(p4_maximum(50.0, 0.0325, pins, 1), rel=CONVERGED)
 
 
 @pytest.mark.parametrize("flows", [1, 2])
 @pytest.mark.parametrize("pins", range(3, 13))
 def test_equation_1_is_the_peak_over_the_turn(pins: int, flows: int) -> None:
     assert peak(1.0, 1.0, pins, flows) == pytest.approx(
-        p4_maximum(1.0, 1.0, pins, flows), rel=1e-13
+        p4_maximum(1.0, 1.0, pins, flows), rel=CONVERGED
     )
 
 
@@ -54,18 +55,18 @@ def test_sum_of_sines_in_closed_form(pins: int) -> None:
     # cot(pi/n) for even n, cot(pi/(2n))/2 for odd n
     even = pins % 2 == 0
     total = 1 / math.tan(math.pi / pins) if even else 0.5 / math.tan(math.pi / (2 * pins))
-    assert peak(1.0, 1.0, pins, 1) == pytest.approx(1 / total, rel=1e-14)
+    assert peak(1.0, 1.0, pins, 1) == pytest.approx(1 / total, rel=CONVERGED)
 
 
 @pytest.mark.parametrize("pins", range(3, 13))
 def test_a_doubled_satellite_halves_the_load(pins: int) -> None:
-    assert peak(1.0, 1.0, pins, 2) == pytest.approx(peak(1.0, 1.0, pins, 1) / 2, rel=1e-14)
+    assert peak(1.0, 1.0, pins, 2) == pytest.approx(peak(1.0, 1.0, pins, 1) / 2, rel=CONVERGED)
 
 
 def test_load_grows_faster_than_the_pins_become_fewer() -> None:
     # "with fewer holes the load grows non-linearly": 6 to 4 pins, a factor sqrt(3), not 1.5
     growth = peak(1.0, 1.0, 4, 1) / peak(1.0, 1.0, 6, 1)
-    assert growth == pytest.approx(math.sqrt(3), rel=1e-14)
+    assert growth == pytest.approx(math.sqrt(3), rel=CONVERGED)
 
 
 @pytest.mark.parametrize("flows", [1, 2])
@@ -83,11 +84,11 @@ def test_forces_are_equal_at_every_position() -> None:
     forces = force_ratios(mechanism=p4_mechanism(7, 2), crank_angles=angles, force_exponent=0.0)
     for rows in forces:
         driving = rows[rows > 0]
-        assert driving == pytest.approx(driving[0], rel=1e-15)
+        assert driving == pytest.approx(driving[0], rel=CONVERGED)
 
 
 @pytest.mark.parametrize("pins", [3, 4, 7])
 def test_equal_sharing_is_the_limit_of_small_exponents(pins: int) -> None:
     limit = peak_force(mechanism=p4_mechanism(pins, 1), force_exponent=0.0).peak_force_ratio
     near = peak_force(mechanism=p4_mechanism(pins, 1), force_exponent=1e-10).peak_force_ratio
-    assert near == pytest.approx(limit, rel=1e-8)
+    assert near == pytest.approx(limit, rel=EXACT)

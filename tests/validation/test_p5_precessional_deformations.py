@@ -15,6 +15,7 @@ from core.precession.meshing_load import meshing_load
 from core.precession.rollers import RollerByLength, wheel_rollers
 from core.precession.shaft import ShaftSection, bearing_reactions
 from core.precession.shaft_deflection import shaft_deflection
+from core.precision import CONVERGED, EXACT, SAME
 
 R_C, RHO, M1 = 0.05, 0.004, 10.0
 GEAR: dict[str, Any] = {
@@ -28,12 +29,12 @@ GEAR: dict[str, Any] = {
 
 def test_checked_case() -> None:
     load = meshing_load(**GEAR, torque=M1, reference_z=0.02)
-    assert load.total_length == pytest.approx(40.2196026288e-3, rel=1e-11)
-    assert load.force == pytest.approx((168.756146705, -337.606954169, 0.0), rel=1e-11)
-    assert load.moment == pytest.approx((-0.0316199045437, -0.0724918335263, 10.0), rel=1e-11)
+    assert load.total_length == pytest.approx(40.2196026288e-3, rel=SAME)
+    assert load.force == pytest.approx((168.756146705, -337.606954169, 0.0), rel=SAME)
+    assert load.moment == pytest.approx((-0.0316199045437, -0.0724918335263, 10.0), rel=SAME)
     b, c = bearing_reactions(force=load.force, moment=load.moment, bearing_distance=0.03)
-    assert b == pytest.approx((2.41639445088, -1.05399681812), rel=1e-11)
-    assert c == pytest.approx((-171.172541156, 338.660950987), rel=1e-11)
+    assert b == pytest.approx((2.41639445088, -1.05399681812), rel=EXACT)
+    assert c == pytest.approx((-171.172541156, 338.660950987), rel=EXACT)
     assert load.accuracy.relative_error < 1e-12
 
 
@@ -46,7 +47,7 @@ def test_the_wheel_gives_the_same_rollers() -> None:
         z_max=0.025,
     )
     load = meshing_load(**GEAR | {"rollers": rollers}, torque=M1, reference_z=0.02)
-    assert load.force == pytest.approx((168.756146705, -337.606954169, 0.0), rel=1e-11)
+    assert load.force == pytest.approx((168.756146705, -337.606954169, 0.0), rel=SAME)
 
 
 @pytest.mark.parametrize(("phi", "phi_1"), [(-0.4, 0.5), (-0.9, 2.0), (0.3, -1.1)])
@@ -74,7 +75,7 @@ def test_errata_1_and_5(phi: float, phi_1: float) -> None:
     )
     step = 1e-6 * RHO
     slope = (z(x + step) - z(x - step)) / (2 * step)
-    assert slope == pytest.approx(-printed, rel=1e-7)
+    assert slope == pytest.approx(-printed, rel=EXACT)
     assert slope == pytest.approx(-factor * math.sin(phi_1) / (RHO * math.sin(phi + phi_1) ** 2))
 
 
@@ -111,9 +112,9 @@ def test_errata_10_and_22_contradict_25_and_26(phi: float, phi_1: float) -> None
     with_10 = x * n_y - y * n_x
     r_x, r_y = turned(x, y, phi_1)
     with_25_26 = r_x * n_y_26 - r_y * n_x_25
-    assert with_25_26 == pytest.approx(-R_C * math.sin(phi), rel=1e-12)
+    assert with_25_26 == pytest.approx(-R_C * math.sin(phi), rel=SAME)
     assert abs(with_10 / with_25_26 - 1) > 0.05
-    assert arm_in_wheel_frame(phi, phi_1, -1.0) == pytest.approx(with_25_26, rel=1e-12)
+    assert arm_in_wheel_frame(phi, phi_1, -1.0) == pytest.approx(with_25_26, rel=SAME)
     # with the derived sign the normal points from the roller's axis to the contact point
     assert derived == pytest.approx(
         ((r_x + R_C * math.sin(phi_1)) / RHO, (r_y - R_C * math.cos(phi_1)) / RHO), abs=1e-13
@@ -188,16 +189,16 @@ def test_errata_33_to_36_break_maxwells_reciprocity(plane: int) -> None:
         b_under_c = deflections(a, b, none, unit, plane)[0]
         c_under_b = deflections(a, b, unit, none, plane)[1]
         # the printed unit loads differ in sign as well: compare sizes
-        assert (abs(b_under_c) == pytest.approx(abs(c_under_b), rel=1e-12)) is holds
+        assert (abs(b_under_c) == pytest.approx(abs(c_under_b), rel=SAME)) is holds
     # a force on the free end bends the free end more than the place behind it
     assert np.abs(printed_deflections(a, b, none, unit, plane)[0]) > np.abs(
         printed_deflections(a, b, none, unit, plane)[1]
     )
     at_b, at_c = derived_deflections(a, b, none, unit, plane)
     assert at_c > at_b > 0
-    assert at_c == pytest.approx((a + b) ** 3 / 3, rel=1e-13)
-    assert at_b == pytest.approx(b**3 / 3 + a * b**2 / 2, rel=1e-13)
-    assert derived_deflections(a, b, unit, none, plane)[0] == pytest.approx(b**3 / 3, rel=1e-13)
+    assert at_c == pytest.approx((a + b) ** 3 / 3, rel=CONVERGED)
+    assert at_b == pytest.approx(b**3 / 3 + a * b**2 / 2, rel=CONVERGED)
+    assert derived_deflections(a, b, unit, none, plane)[0] == pytest.approx(b**3 / 3, rel=CONVERGED)
 
 
 def test_erratum_34_mixes_the_planes() -> None:
@@ -212,12 +213,12 @@ def test_errata_33_and_35_have_the_sign_opposite_to_34_and_36() -> None:
     a, b, load_b, load_c = 30.0, 40.0, (2.0, 2.0), (3.0, 3.0)
     at_b, at_c = derived_deflections(a, b, load_b, load_c, 1)
     printed_b, _ = printed_deflections(a, b, load_b, load_c, 1)
-    assert at_b == pytest.approx(536000 / 3, rel=1e-13)
-    assert printed_deflections(a, b, load_b, load_c, 1)[1] == pytest.approx(-at_b, rel=1e-13)
+    assert at_b == pytest.approx(536000 / 3, rel=CONVERGED)
+    assert printed_deflections(a, b, load_b, load_c, 1)[1] == pytest.approx(-at_b, rel=CONVERGED)
 
     def amended_34(s: float) -> float:
         return (-load_c[1] * (a + s) - load_b[1] * s) * -(a + s)
 
     amended = load_c[1] * a**3 / 3 + b * (amended_34(0) + 4 * amended_34(b / 2) + amended_34(b)) / 6
-    assert amended == pytest.approx(at_c, rel=1e-13)
+    assert amended == pytest.approx(at_c, rel=CONVERGED)
     assert printed_b > 0

@@ -26,6 +26,7 @@ from core.output.loaded_position import loaded_position
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_mechanism import Deviations, RealMechanism
+from core.precision import CONVERGED, SAME
 from tests.inputs.real_mechanisms import STEEL
 
 CASES = json.loads((Path(__file__).parent.parent / "oracles/load_sharing_cases.json").read_text())
@@ -111,23 +112,25 @@ def test_case(case: dict[str, Any]) -> None:
         largest = max(map(max, expected["force_N"]))
         for row, forces in zip(found.force, expected["force_N"], strict=True):
             assert row == pytest.approx(forces, rel=0, abs=1e-14 * largest)
-        assert found.rotation / ARCMIN == pytest.approx(expected["rotation_arcmin"], rel=1e-12)
+        assert found.rotation / ARCMIN == pytest.approx(expected["rotation_arcmin"], rel=SAME)
         assert found.satellite_torque == pytest.approx(
             expected["satellite_torque_Nm"], rel=0, abs=2e-14 * largest * real.pin_circle_radius
         )
         assert found.loaded_pairs == expected["loaded_pairs"]
         assert found.stiffness * ARCMIN == pytest.approx(
-            expected["stiffness_Nm_per_arcmin"], rel=1e-14
+            expected["stiffness_Nm_per_arcmin"], rel=CONVERGED
         )
         if "play_arcmin" in expected:
             play = [limit / ARCMIN for limit in found.play]
-            assert play == pytest.approx(expected["play_arcmin"], rel=1e-14)
+            assert play == pytest.approx(expected["play_arcmin"], rel=CONVERGED)
         else:
             assert found.play is None
-            assert found.interference * 1e3 == pytest.approx(expected["interference_mm"], rel=1e-14)
+            assert found.interference * 1e3 == pytest.approx(
+                expected["interference_mm"], rel=CONVERGED
+            )
         if "max_pressure_MPa" in expected:
             pressure = found.max_pressure / 1e6
-            assert pressure == pytest.approx(expected["max_pressure_MPa"], rel=1e-13)
+            assert pressure == pytest.approx(expected["max_pressure_MPa"], rel=CONVERGED)
     if "over_turn" not in case["expect"]:
         return
     expected = case["expect"]["over_turn"]
@@ -137,7 +140,7 @@ def test_case(case: dict[str, Any]) -> None:
     if "backlash_max_arcmin" in expected:
         for name in ("backlash_max", "backlash_min"):
             value = getattr(found, name) / ARCMIN
-            assert value == pytest.approx(expected[f"{name}_arcmin"], rel=1e-11)
+            assert value == pytest.approx(expected[f"{name}_arcmin"], rel=SAME)
         assert found.pressed_without_load is expected["pressed_without_load"]
 
 
@@ -161,15 +164,15 @@ def _cycloidal_studio(clearance: float) -> RealMechanism:
 def test_cycloidal_studio() -> None:
     """SHKinsem/cycloidal-studio, physics.js; its hole is pin + eccentricity whatever the play."""
     ideal = over_turn(real=_cycloidal_studio(0.0), output_torque=30.0)
-    assert ideal.peak_force == pytest.approx(750, rel=1e-13)
+    assert ideal.peak_force == pytest.approx(750, rel=CONVERGED)
     assert round(ideal.max_pressure / 1e6, 2) == 553.23
     loose = over_turn(real=_cycloidal_studio(2e-5), output_torque=30.0)
-    assert loose.peak_force == pytest.approx(250 * (1 + 2 * math.sqrt(2)), rel=1e-13)
+    assert loose.peak_force == pytest.approx(250 * (1 + 2 * math.sqrt(2)), rel=CONVERGED)
     its_own = ideal.max_pressure * math.sqrt(loose.peak_force / ideal.peak_force)
     assert round(its_own / 1e6, 3) == 624.969
-    assert loose.backlash_max == pytest.approx(0.04 / 20 / math.cos(math.pi / 8), rel=1e-12)
+    assert loose.backlash_max == pytest.approx(0.04 / 20 / math.cos(math.pi / 8), rel=SAME)
     assert round(loose.backlash_max, 10) == 2.1647844e-3
-    assert loose.backlash_min == pytest.approx(2e-3, rel=1e-12)
+    assert loose.backlash_min == pytest.approx(2e-3, rel=SAME)
     position = loaded_position(real=_cycloidal_studio(2e-5), crank_angle=0.0, output_torque=30.0)
     assert position.loaded_pairs == 3
 

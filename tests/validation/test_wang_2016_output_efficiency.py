@@ -10,6 +10,7 @@ import pytest
 
 from core.output.losses import Sleeves, pin_losses
 from core.output.mechanism import Mechanism
+from core.precision import CONVERGED
 
 K1, PIN, SLEEVE, RING, HOLES, TEETH, FRICTION = 0.77495208, 14.0, 2.0, 140.0, 90.0, 44, 0.02
 
@@ -28,5 +29,5 @@ def test_efficiency_of_xw3() -> None:
     )
     lost = 4 * FRICTION * K1 * PIN * RING / (math.pi * HOLES * (PIN + 2 * SLEEVE))
     assert round(1 - lost, 10) == 0.9761243052
-    assert 1 / found.efficiency - 1 == pytest.approx(lost, rel=1e-13)
+    assert 1 / found.efficiency - 1 == pytest.approx(lost, rel=CONVERGED)
     assert round(found.efficiency, 9) == 0.976681061

@@ -130,11 +130,13 @@ const LOSSES = {
 const ofKind = (...kinds) => ({ when: ["gear.kind", ...kinds] });
 const [ofPins, ofTeeth, ofBoth] = [ofKind("cycloid"), ofKind("involute"), ofKind("cycloid", "involute")];
 const needed = { required: true };
+/** Teeth of the ring less those of a satellite, where both are given. */
+const differenceOf = ({ satellite_teeth: z2, ring_teeth: z3 }) => (z3 > z2 ? z3 - z2 : NaN);
 const discs = { ...ofPins, default: null }; // nothing is known of what is left empty
 const BEARINGS = {
   "gear.kind": { options: ["ratio"], default: "involute" },
   "gear.module_mm": { ...ofTeeth, ...needed },
-  "gear.teeth_difference": { ...ofTeeth, ...needed },
+  "gear.teeth_difference": { ...ofTeeth, ...needed, follows: ({ mechanism }) => differenceOf(mechanism) },
   "gear.reference_pressure_angle_deg": { ...rare, ...ofTeeth },
   "gear.ring_pin_circle_radius_mm": { ...ofPins, ...needed },
   "gear.ring_pin_radius_mm": ofPins,
@@ -226,9 +228,9 @@ function planes({ mechanism: { satellites }, contact: { contact_length_mm: width
  * of one, their pressure angle is steep.
  */
 function ringOf({ mechanism, load, contact: { eccentricity_mm: e, pin_radius_mm: pin } = {} }) {
-  const { satellite_teeth: z2, ring_teeth: z3 } = mechanism;
   const u = ratioOf(mechanism);
-  const difference = z3 - z2 || [1, 2, 3, 4, 5].find((d) => Number.isInteger(tidy(u * d))) || 1;
+  const given = differenceOf(mechanism);
+  const difference = given || [1, 2, 3, 4, 5].find((d) => Number.isInteger(tidy(u * d))) || 1;
   const holes = load?.pin_circle_radius_mm + pin + e;
   const largest = e / (0.45 * difference + 0.36);
   const module = MODULES.findLast((m) => m <= largest);
@@ -238,7 +240,7 @@ function ringOf({ mechanism, load, contact: { eccentricity_mm: e, pin_radius_mm:
   return {
     "gear.kind": involute ? "involute" : "cycloid",
     "gear.module_mm": module,
-    "gear.teeth_difference": difference,
+    "gear.teeth_difference": given ? undefined : difference, // which follows them
     "gear.ring_pin_circle_radius_mm": circle,
     "gear.ring_pin_radius_mm": Math.floor(20 * circle * half) / 20,
   };

@@ -1,18 +1,31 @@
-"""Checks of space: walls and gaps between pins, holes, rim and bore, the room that is there."""
+"""Checks of how pins, holes and satellites are laid out: dead centres, satellites alike, walls and
+gaps between pins, holes, rim and bore, the room that is there.
+"""
 
 import math
 from functools import partial
 
-from core.checks.check import Check, Kind, Measure, design_check, gap, wall
+from core.checks.check import (
+    Check,
+    Kind,
+    Measure,
+    design_check,
+    gap,
+    judged,
+    judged_by,
+    wall,
+)
 from core.checks.inputs import ROOTS
 from core.design.document import Design, value_at
 from core.design.results import Results
 from core.errors import NotKnown, required
+from core.output.mechanism import assembly_angles
 
 RIM = 2.7
 """Least rim below the roots of involute teeth over their module: 1.2 times the height of teeth of
 the basic rack of ISO 53, as rims that do not weaken the teeth have (AGMA 2001, ISO 6336-3)."""
 
+_of_mechanism = partial(design_check, group="mechanism", part="contact")
 _placed = partial(
     design_check,
     group="geometry",
@@ -22,6 +35,53 @@ _placed = partial(
     needs=("touching", "load"),
 )
 _body = partial(_placed, part="body", group="body", needs=("touching", "load", "satellite_body"))
+
+
+@_of_mechanism(
+    "dead_centre",
+    title="Dead centres",
+    formula="Δθ < 180°",
+    why="There no pair drives, and no torque is transmitted.",
+    inputs=(
+        "mechanism.pins",
+        "mechanism.satellites",
+        "mechanism.crank_spacing",
+        "mechanism.crank_angles",
+    ),
+    fixes=("mechanism.pins", "mechanism.satellites"),
+    source="yanchevskiy_2021",
+)
+def dead_centre(design: Design, results: Results) -> Check:
+    zones = design.driven.phases.dead_zones()
+    if not zones:
+        return Check(dead_centre, "pass", value=0.0, limit=0.0)
+    start = zones[0][0] * design.mechanism.built.crank_angle_per_wave
+    at = {"crank_angle": start}
+    return judged(dead_centre, float(len(zones)), 0.0, impossible=True, at=at)
+
+
+@_of_mechanism(
+    "assembly",
+    title="Satellites that differ",
+    formula="ψ_j = 0",
+    why="Otherwise they are different parts that can be exchanged by mistake.",
+    inputs=(
+        "mechanism.satellite_teeth",
+        "mechanism.ring_teeth",
+        "mechanism.pins",
+        "mechanism.satellites",
+        "mechanism.crank_spacing",
+        "mechanism.crank_angles",
+    ),
+    fixes=("mechanism.satellites",),
+    source="yanchevskiy_2021",
+)
+def assembly(design: Design, results: Results) -> Check:
+    name = "mechanism.satellite_teeth"
+    teeth = judged_by(design.mechanism.satellite_teeth, "", name, status="not_asked")
+    angles = assembly_angles(mechanism=design.mechanism.built, satellite_teeth=teeth)
+    different = sum(not each.identical for each in angles)
+    return judged(assembly, float(different), 0.0, warning="different_parts")
 
 
 def _between(design: Design, radius: float) -> float:
@@ -196,4 +256,5 @@ def outer_diameter(design: Design, results: Results) -> Measure:
     return Measure(2 * (radius + design.known_eccentricity))
 
 
+CRANKS = (dead_centre, assembly)
 SPACE = (wall_holes, pins_apart, holes_off_centre, wall_rim, wall_bore, outer_diameter)
