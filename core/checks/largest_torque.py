@@ -250,10 +250,10 @@ class _Torques:
 
 
 def _guess(results: Results) -> float | None:
-    """Factor on the torque at which the first check fails of a design in series, about: by each
-    mesh with satellites that turn as one, which takes a part of the time. None of other designs.
+    """Factor on the torque at which the first check fails, about, of a design in series that takes
+    long, as its pins deviate: by each mesh with satellites that turn as one. None of other designs.
     """
-    if not results.in_series:
+    if not results.in_series or results.series.pins_alike:
         return None
     apart = changed(results.design, {"satellite_coupling": RIGID_SUPPORT})
     return _Torques(apart, crank_checks(Results(apart))).guessed()

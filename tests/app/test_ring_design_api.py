@@ -404,10 +404,25 @@ async def test_the_ring_is_told_as_it_works_in_series(api, monkeypatch):
             free = force[j] == 0
             assert left[j, free] == pytest.approx(far[free], abs=3e-4)
             assert not left[j, ~free].any() and free.any()
-    assert turn["lag_min_arcmin"] <= lags.min() + turn["angle_error_arcmin"]
-    assert lags.max() <= turn["lag_max_arcmin"] + turn["angle_error_arcmin"]
-    spread = turn["lag_max_arcmin"] - turn["lag_min_arcmin"]
-    assert lags.max() - lags.min() == pytest.approx(spread, rel=0.2)
+    # From the least to the largest lag of all angles, which the positions of the turn miss by
+    # less than is said.
+    ends, step = [], period / 60
+    even = await positions([step * k for k in range(60)])
+    for best in (np.min, np.max):
+        held = {step * k: best(each["ring"]["rotation_arcmin"]) for k, each in enumerate(even)}
+        for wide in (step, step / 6, step / 36):
+            place = max(held, key=lambda angle: held[angle] if best is np.max else -held[angle])
+            near = [place + wide * k / 6 for k in range(-5, 6)]
+            held |= {
+                angle: best(each["ring"]["rotation_arcmin"])
+                for angle, each in zip(near, await positions(near), strict=True)
+            }
+        ends.append(float(best(list(held.values()))))
+    low, high = turn["lag_min_arcmin"], turn["lag_max_arcmin"]
+    assert ends == pytest.approx([low, high], abs=turn["angle_error_arcmin"])
+    assert ends[0] <= lags.min() and low - ends[0] >= -JUDGED * low
+    assert ends[1] >= lags.max() and ends[1] - high >= -JUDGED * high
+    assert ends[1] - ends[0] == pytest.approx(high - low, rel=0.02)
     whole = {"backlash_max_arcmin", "transmission_error_arcmin", "stiffness_min_Nm_per_arcmin"}
     assert not whole & {*turn} and whole < {*answer["load_sharing"]}
     checks = {each["code"]: each for each in answer["checks"]}

@@ -21,7 +21,7 @@ from core.design.sections import FatigueBasis, Friction
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.materials import ContactLimit, ElasticMaterial
 from core.output.real_mechanism import Deviations
-from core.output.satellite_support import Shares
+from core.output.satellite_support import RingInSeries, Shares
 from core.output.turn import Turn
 from core.precision import EXACT, JUDGED, SAME, SEARCHED
 from core.ring.profile import Modification
@@ -243,6 +243,20 @@ def test_what_presses_fails_where_no_force_is_known(monkeypatch: Any) -> None:
         deep.append(disc.ring_pin_radius - far)
     assert found.value == pytest.approx(max(deep), rel=2e-3)
     assert check_of("ring_pressure_pin", design).reason == reason
+
+
+def test_the_largest_torque_of_discs_in_series() -> None:
+    """There the first check is at its limit; of pins that deviate it is an estimate, and said."""
+    coupled = {"satellites": 2, "satellite_coupling": RingInSeries()}
+    bodies = {"pin_material": HARD, "hole_material": SOFT}
+    design = having(FEW, pin_radius=0.004, hole_radius=0.00652, **coupled, **bodies)
+    assert Results(design).in_series
+    found, torque = crank_verdict(Results(design)), design.load.output_torque
+    assert found.torque_reserve and torque and not found.largest_torque_estimated
+    there = crank_checks(Results(having(design, output_torque=torque * found.torque_reserve)))
+    assert there.torque_reserve == pytest.approx(1.0, abs=10 * JUDGED)
+    made = having(design, deviations=Deviations(ring_pin_radial=(2e-6, *[0.0] * 11)))
+    assert crank_verdict(Results(made)).largest_torque_estimated
 
 
 def test_backlash_is_that_of_the_published_disc() -> None:

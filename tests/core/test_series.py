@@ -19,6 +19,7 @@ from core.ring.series import MeshesInSeries, SeriesPosition, series_position
 from core.ring.sharing import CycloidMesh, RingDeviations, mesh_position
 from tests.inputs.real_mechanisms import STEEL
 from tests.inputs.series import drawn
+from tests.oracles.ring_distance import Distances
 from tests.oracles.seeds import seeds
 
 DISC = CycloidDisc(11, 2.5e-3, 0.05, 0.005, Modification(2e-5, -1e-5))
@@ -324,3 +325,21 @@ def test_what_cannot_be_is_refused() -> None:
     with pytest.raises(ImpossibleMechanism) as caught:
         at(series_of(output=one_pin, crank_angles=(0.0,)), math.pi * 11 / 12, 10.0)
     assert caught.value.code in {"dead_centre", "not_stable", "beyond_first_order"}
+
+
+@pytest.mark.parametrize("seed", [*seeds(8)])
+def test_soft_teeth_touch_where_the_nearest_points_of_their_paths_are(seed: int) -> None:
+    """However far a disc lags; half a pitch of its lobes and more, its teeth do not hold it."""
+    series, angle, torque = drawn(seed, ring={"law": LinearLaw(1e6)})
+    sought, pitch = Distances(series.ring, angle), 2 * math.pi / series.ring.disc.satellite_teeth
+    for times in (0.1, 1.0, 10.0, 100.0):
+        try:
+            found = at(series, angle, times * torque)
+        except ImpossibleMechanism:
+            break
+        for j, lag in enumerate(found.ring.rotation):
+            expected = 1e6 * np.maximum(sought.at(lag)[0][j], 0.0)
+            force = np.array(found.ring.force[j])
+            assert force == pytest.approx(expected, abs=1e-9 * max(expected.max(), 1.0))
+            assert abs(lag) < pitch / 2
+    assert times > 0.1
