@@ -499,10 +499,12 @@ class ResponseModel(BaseModel):
             Fields that are said here, not read from the result; absent where None.
         """
         values, plan = present(given), _plan(cls, *given)
-        for name, attribute, convert in plan.read:
+        for name, attribute, convert, needed in plan.read:
             try:
                 value = getattr(result, attribute)
             except NotKnown:
+                if needed:
+                    raise
                 continue
             if value is not None:
                 values[name] = convert(value)
@@ -625,8 +627,9 @@ NEGLECTED = {
 class _Plan(NamedTuple):
     """How an answer is made of a core result."""
 
-    read: list[tuple[str, str, Convert]]
-    """What is read from it: name, core's name, and what makes a value of it that is sent."""
+    read: list[tuple[str, str, Convert, bool]]
+    """What is read from it: name, core's name, what makes a value of it that is sent, and whether
+    it has to be there."""
     warns: bool
     states_accuracy: bool
 
@@ -636,7 +639,12 @@ def _plan(model: type[ResponseModel], *given: str) -> _Plan:
     fields = model.model_fields
     return _Plan(
         [
-            (name, core_name(name), _inner_values(field.annotation) or from_si_converter(name))
+            (
+                name,
+                core_name(name),
+                _inner_values(field.annotation) or from_si_converter(name),
+                field.is_required(),
+            )
             for name, field in fields.items()
             if name not in ("accuracy", "warnings", "assumed", "worked", *model.BESIDE, *given)
         ],
