@@ -96,6 +96,8 @@ class ContactLimit:
     @property
     def allowable(self) -> Number:
         """The limit over the life, Pa: as it stands where no life factor is known."""
+        if math.isinf(self.loads):
+            return self.pressure
         return self.pressure * (self.life_factor or 1.0)
 
     @property

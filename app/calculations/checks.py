@@ -435,12 +435,11 @@ def _of_size(fix: Fix, body: RequestModel) -> tuple[tuple[str | int, ...], Value
         name = "input_torque_Nm"
         given_path = (*path[:-1], name)
         path, paths, given = given_path, [given_path], _value(body, given_path)
-        to, exact = (None if each is None else given * each / before for each in (to, exact))
+        to, exact = (given * each / before for each in (to, exact))
         before = given
-        if to is not None:  # no more torque than what cures
-            digit = 10.0 ** (math.floor(math.log10(to)) - 2)
-            to = math.floor(to / digit) * digit
-    if to is not None and fix.after != fix.exact:  # a rounded size stays one in the field's unit
+        digit = 10.0 ** (math.floor(math.log10(to)) - 2)
+        to = math.floor(to / digit) * digit  # no more torque than what cures
+    if fix.after != fix.exact:  # a rounded size stays one in the field's unit
         to = _short(to)
     sets = {pointer(each): to for each in paths}
     match fix.variable, typed:

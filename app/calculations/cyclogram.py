@@ -74,18 +74,18 @@ class CyclogramFields(MechanismFields, RangeFields):
             most = MAX_DRAWN_PHASES * self.revolutions / self.driving_phases
             raise InvalidInput("revolutions", self.revolutions, "to_be_drawn", limit=most)
 
-    def solve(self) -> tuple[Cyclogram, tuple[AssemblyAngle, ...] | None]:
+    def solve(self) -> tuple[Cyclogram, tuple[AssemblyAngle, ...]]:
         """Cyclogram, and the assembly angles where the numbers of teeth are given."""
         return self.solve_for(self.mechanism())
 
-    def solve_for(self, mechanism: Mechanism) -> tuple[Cyclogram, tuple[AssemblyAngle, ...] | None]:
+    def solve_for(self, mechanism: Mechanism) -> tuple[Cyclogram, tuple[AssemblyAngle, ...]]:
         """The same of this mechanism under a torque: of the one whose pairs drive where its pairs
         carry.
         """
         found = cyclogram(mechanism=mechanism, revolutions=self.revolutions)
-        if self.satellite_teeth is None:
-            return found, None
-        return found, assembly_angles(mechanism=mechanism, satellite_teeth=self.satellite_teeth)
+        if teeth := self.satellite_teeth:
+            return found, assembly_angles(mechanism=mechanism, satellite_teeth=teeth)
+        return found, ()
 
 
 class CyclogramRequest(CyclogramFields, WorkedFields):
@@ -151,7 +151,7 @@ class CyclogramResponse(AssumingResponse):
     @classmethod
     def values(
         cls,
-        result: tuple[Cyclogram, tuple[AssemblyAngle, ...] | None],
+        result: tuple[Cyclogram, tuple[AssemblyAngle, ...]],
         run_time_us: float | None = None,
         **given: object,
     ) -> Values:
@@ -185,7 +185,7 @@ class CyclogramResponse(AssumingResponse):
             dead_centres_deg=[*map(degrees, found.dead_centres)],
             dead_zones_deg=[(degrees(start), degrees(stop)) for start, stop in found.dead_zones]
             or None,
-            assembly=assembly and [AssemblyAngleOut.values(each) for each in assembly],
+            assembly=[AssemblyAngleOut.values(each) for each in assembly] or None,
             **given,
         )
 

@@ -4,7 +4,6 @@ load, contact, and the forces that follow.
 
 import math
 from collections import ChainMap
-from collections.abc import Iterator
 from dataclasses import fields, replace
 from functools import cached_property, partial
 from typing import Annotated, Any, ClassVar, Literal, Self, TypeVar, cast
@@ -27,7 +26,6 @@ from app.calculations.real_mechanism import (
     BentPinFields,
     DeviationsFields,
     GivingFields,
-    assumed_pin,
     torque_direction,
 )
 from app.calculations.ring import RING_PIN_LISTS, RingPinDeviationsFields
@@ -259,11 +257,6 @@ class DesignFields(GivingFields):
         if self.rollers is None or contact.clearance_unknown:
             return given
         return given + (self.rollers.radial_clearance_mm or 0.0) / 2
-
-    def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
-        """Also the material of the pins, which is that of the contact."""
-        yield from super().assumed()
-        yield from assumed_pin(self.pin, self.contact)
 
     def without(self, path: tuple[str, ...]) -> dict[str, Any]:
         """The ideal peak force of one satellite, where their number is assumed."""

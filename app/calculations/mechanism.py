@@ -224,10 +224,10 @@ class MechanismFields(RequestModel, group="mechanism"):
     @property
     def teeth_difference(self) -> int | None:
         """Teeth of the ring less those of a satellite, where they are given."""
-        if self.teeth is None:
-            return None
-        satellite, ring = self.teeth
-        return ring - satellite
+        match self.given:
+            case {"satellite_teeth": satellite, "ring_teeth": ring}:
+                return int(ring - satellite)
+        return None
 
     def notices(self) -> tuple[Notice, ...]:
         """A ratio with the sign of the output."""

@@ -1,8 +1,7 @@
 """A mechanism, its load and its contact as the parts are made: what its calculations share."""
 
-from collections.abc import Iterator
 from functools import cached_property
-from typing import Any, Literal, Self
+from typing import Literal, Self
 
 from pydantic import Field, model_validator
 
@@ -15,7 +14,6 @@ from app.calculations.real_mechanism import (
     GivingFields,
     RealContactFields,
     RealLoadFields,
-    assumed_pin,
 )
 from app.model import Maybe, quantity
 from app.rules import field_error
@@ -85,11 +83,6 @@ class RealDesignFields(GivingFields, group="contact_law"):
         if self.geometry == "exact" and self.tied:
             raise field_error("geometry", "first_order_only", field="support")
         return self
-
-    def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
-        """Also the material of the pins, which is that of the contact."""
-        yield from super().assumed()
-        yield from assumed_pin(self.pin, self.contact)
 
     @property
     def times_as_long(self) -> int:

@@ -122,16 +122,6 @@ class BentPinFields(HeldPinFields, group="pin"):
         )
 
 
-def assumed_pin(
-    pin: BentPinFields | None, contact: PinContactFields | None
-) -> Iterator[tuple[tuple[str, ...], Any]]:
-    """The material of pins where it is not given: that of the contact."""
-    if pin is not None and pin.material is None and contact is not None:
-        given = contact.pin_material
-        values = given if isinstance(given, str) else given.model_dump(exclude_none=True)
-        yield ("pin", "material"), values
-
-
 class CrankSupportFields(RequestModel, group="crank_support"):
     """Bearings of the satellites on their cranks. The gear's force on them is left out."""
 
@@ -211,6 +201,15 @@ class GivingFields(RequestModel):
         if self.tied and giving:
             raise field_error("pin/support", "only_one", field=giving[0])
         return self
+
+    def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
+        """Also the material of pins where it is not given: that of the contact."""
+        yield from super().assumed()
+        match self.given:
+            case {"pin": BentPinFields(material=None), "contact": PinContactFields() as contact}:
+                given = contact.pin_material
+                values = given if isinstance(given, str) else given.model_dump(exclude_none=True)
+                yield ("pin", "material"), values
 
     @property
     def around_pins(self) -> list[dict[str, Any]]:
