@@ -179,7 +179,8 @@ class RequestModel(BaseModel):
     """What its kinds have; fields that no kind has are those of all. None: without a kind."""
 
     BETWEEN: ClassVar[tuple[Rule, ...]] = ()
-    """Rules between its fields, and those of the models within; the JSON schema admits more."""
+    """Rules between its fields, and those of the models within, of which the JSON schema knows
+    none."""
 
     RULES: ClassVar[tuple[dict[str, Any], ...]] = ()
     """What its JSON schema says besides, of which a validator says the same."""
@@ -547,21 +548,21 @@ class Calculation:
     # to 1.
     reporting: Callable[[Any, Callable[[float], None]], Values] | None = None
 
-    def answered(self, body: Any, report: Callable[[float], None] | None = None) -> Values:
+    def answered(self, body: Any, *report: Callable[[float], None]) -> Values:
         """Values of the answer to a request, with what was assumed and taken otherwise than typed.
 
         Parameters
         ----------
         body : RequestModel
             The request.
-        report : callable, optional
-            What is told how much is done, from 0 to 1.
+        *report : callable
+            Of a study what is told how much is done, from 0 to 1, if anything is.
 
         Returns
         -------
         dict
         """
-        values = self.solve(body) if report is None else cast(Any, self.reporting)(body, report)
+        values: Values = cast(Any, self.reporting if report else self.solve)(body, *report)
         if assumed := [
             {"pointer": "/" + "/".join(path), "value": value} | body.without(path)
             for path, value in body.assumed()

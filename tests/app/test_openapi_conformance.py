@@ -4,6 +4,7 @@ random bodies good and bad, wrong methods; each answer is what the description p
 
 import re
 
+import pytest
 import schemathesis
 
 from app.main import create_app
@@ -27,7 +28,16 @@ CONFIG = schemathesis.Config.from_dict(
         "checks": {"positive_data_acceptance": {"expected-statuses": ["200", "422"]}},
     }
 )
-schema = schemathesis.openapi.from_asgi("/openapi.json", create_app(), config=CONFIG)
+
+
+@pytest.fixture
+def description(request):
+    """The service's description: cases are made where the test runs, not where it is collected."""
+    request.node._nodeid = request.node.nodeid  # schemathesis 4.32 looks for it there
+    return schemathesis.openapi.from_asgi("/openapi.json", create_app(), config=CONFIG)
+
+
+schema = schemathesis.pytest.from_fixture("description")
 
 
 PHYSICAL = {code for code, each in CODES.items() if each.kind == "impossible"} | {
@@ -109,10 +119,6 @@ NEEDED = {"needed", "needed_beside", "only_one"}
 OF_OTHER_FIELDS = (
     "/contact",
     "/contact/contact_length_mm",
-    "/contact/eccentricity_mm",
-    "/contact/fit",
-    "/contact/hole_clearance_mm",
-    "/contact/hole_radius_mm",
     "/contact/pin_radius_mm",
     "/crankshaft/satellite_mass_kg",
     "/fatigue/fatigue_notch_factor",
@@ -126,6 +132,7 @@ OF_OTHER_FIELDS = (
     "/pin/contact_length_mm",
     "/pin/diameter_mm",
     "/pin/material",
+    "/pin/support",
     "/satellite_coupling",
     "/tolerances/hole_diameter",
     "/tolerances/pin_diameter",

@@ -7,7 +7,7 @@ import { createDrawing as precession, shaftStretches } from "../../static/calcul
 import { createDrawing as rollers, rollerPlace, sphereOutline } from "../../static/calculators/rollers/drawing.js";
 
 const PAPERS = [{ width: 944, height: 500 }, { width: 326, height: 554 }];
-const SIZES = [1e-12, 1e-3, 1, 1e6, 1e12];
+const SIZES = [1e-12, 1, 1e12];
 
 /** The drawing has numbers everywhere, and none that a browser cannot place. */
 function drawable({ markup }) {

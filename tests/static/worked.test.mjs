@@ -17,8 +17,10 @@ const ASK = `
 import json
 from pydantic import TypeAdapter
 from app.registry import CALCULATIONS
+from core.output import compiled
 from tests.app.worked_designs import REQUESTS
 
+compiled.load()
 found = {}
 for word, (name, body) in REQUESTS.items():
     asked = CALCULATIONS[name]
