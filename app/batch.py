@@ -20,6 +20,7 @@ from app.endpoint import (
     JSON,
     LINES,
     admitted,
+    answered,
     by_lines,
     encoded,
     read_body,
@@ -249,7 +250,7 @@ def _line(
         if len(request) > settings.max_body_bytes:
             raise Problem("too-large", f"The body exceeds {settings.max_body_bytes} bytes")
         body = read_body(calculation, request, settings)
-        return b'{"result":' + encoded(calculation.answered(body)) + b"}", 0
+        return b'{"result":' + encoded(answered(calculation, body)) + b"}", 0
     except ImpossibleMechanism as error:
         problem = impossible(error)
     except Problem as refused:

@@ -8,7 +8,7 @@ import gzip
 import time
 from collections.abc import AsyncIterator, Callable, Coroutine, Iterable, Iterator
 from contextlib import aclosing
-from functools import cache
+from functools import cache, partial
 from typing import Any, TypeVar, get_args
 
 import numpy as np
@@ -21,7 +21,7 @@ from starlette.requests import ClientDisconnect
 from starlette.types import Receive, Scope, Send
 
 from app.middleware import PART_BYTES
-from app.model import Calculation, Export, RequestModel
+from app.model import Calculation, Export, RequestModel, Values
 from app.problems import (
     REFUSED,
     RESPONSES,
@@ -34,7 +34,7 @@ from app.problems import (
 from app.processes import Tell, in_parts, in_process, wanted
 from app.record import Record, at_hand
 from app.registry import CALCULATIONS, EXPORTS
-from app.running import named
+from app.running import calculated, named
 from app.settings import Settings
 from app.theme import Theme, with_words
 from core.errors import ImpossibleMechanism, InvalidInput
@@ -73,6 +73,9 @@ STREAMED: dict[int | str, dict[str, Any]] = RESPONSES | {
 
 
 Body = TypeVar("Body", bound=RequestModel)
+
+Report = Callable[[float], None]
+"""What is told which share of a study is done."""
 
 
 class FigureOut(BaseModel):
@@ -113,15 +116,20 @@ def route_of(calculation: Calculation, *, drawn: bool = False) -> type[APIRoute]
     return CalculationRoute
 
 
+def answered(calculation: Calculation, body: RequestModel, *report: Report) -> Values:
+    """Values of the answer to a request; of a study with what is told how much of it is done."""
+    return calculated(body, partial(calculation.answered, body, *report))
+
+
 def content_of(
     calculation: Calculation, body: RequestModel, theme: str | None, zipped: bool
 ) -> bytes:
     """The answer of a calculation, compressed where it is large and the client takes that."""
     if theme is None:
-        content = encoded(calculation.answered(body))
+        content = encoded(answered(calculation, body))
     else:
-        assert calculation.figure is not None
-        content = encoded(with_words(calculation.figure(body, theme)))
+        assert calculation.figure
+        content = encoded(with_words(calculated(body, partial(calculation.figure, body, theme))))
     if zipped and len(content) >= COMPRESS_BYTES:
         content = gzip.compress(content, COMPRESS_LEVEL)
     return content
@@ -160,7 +168,8 @@ def route_of_files(export: Export) -> type[APIRoute]:
 def _written(tell: Tell, name: str, sent: bytes, zipped: bool, settings: Settings) -> None:
     """A file of a design from the bytes of a request, in a process."""
     export = EXPORTS[name]
-    file = export.write(read_body(export, sent, settings))
+    body = read_body(export, sent, settings)
+    file = calculated(body, partial(export.write, body))
     packed = file.media_type == "application/zip"
     if zipped and not packed and len(file.content) >= COMPRESS_BYTES:
         file = file._replace(content=gzip.compress(file.content, COMPRESS_LEVEL, mtime=0))
@@ -203,7 +212,7 @@ def told_progress(tell: Tell, name: str, sent: bytes, settings: Settings) -> Non
             last = time.monotonic()
             tell(_line({"progress": share}))
 
-    tell(b'{"result":' + encoded(calculation.answered(body, report)) + b"}\n")
+    tell(b'{"result":' + encoded(answered(calculation, body, report)) + b"}\n")
 
 
 def _line(values: dict[str, Any]) -> bytes:

@@ -179,7 +179,8 @@ class RequestModel(BaseModel):
     """What its kinds have; fields that no kind has are those of all. None: without a kind."""
 
     BETWEEN: ClassVar[tuple[Rule, ...]] = ()
-    """Rules between its fields, and those of the models within; the JSON schema admits more."""
+    """Rules between its fields, and those of the models within, of which the JSON schema knows
+    none."""
 
     RULES: ClassVar[tuple[dict[str, Any], ...]] = ()
     """What its JSON schema says besides, of which a validator says the same."""
@@ -498,10 +499,12 @@ class ResponseModel(BaseModel):
             Fields that are said here, not read from the result; absent where None.
         """
         values, plan = present(given), _plan(cls, *given)
-        for name, attribute, convert in plan.read:
+        for name, attribute, convert, needed in plan.read:
             try:
                 value = getattr(result, attribute)
             except NotKnown:
+                if needed:
+                    raise
                 continue
             if value is not None:
                 values[name] = convert(value)
@@ -545,21 +548,21 @@ class Calculation:
     # to 1.
     reporting: Callable[[Any, Callable[[float], None]], Values] | None = None
 
-    def answered(self, body: Any, report: Callable[[float], None] | None = None) -> Values:
+    def answered(self, body: Any, *report: Callable[[float], None]) -> Values:
         """Values of the answer to a request, with what was assumed and taken otherwise than typed.
 
         Parameters
         ----------
         body : RequestModel
             The request.
-        report : callable, optional
-            What is told how much is done, from 0 to 1.
+        *report : callable
+            Of a study what is told how much is done, from 0 to 1, if anything is.
 
         Returns
         -------
         dict
         """
-        values = self.solve(body) if report is None else cast(Any, self.reporting)(body, report)
+        values: Values = cast(Any, self.reporting if report else self.solve)(body, *report)
         if assumed := [
             {"pointer": "/" + "/".join(path), "value": value} | body.without(path)
             for path, value in body.assumed()
@@ -624,8 +627,9 @@ NEGLECTED = {
 class _Plan(NamedTuple):
     """How an answer is made of a core result."""
 
-    read: list[tuple[str, str, Convert]]
-    """What is read from it: name, core's name, and what makes a value of it that is sent."""
+    read: list[tuple[str, str, Convert, bool]]
+    """What is read from it: name, core's name, what makes a value of it that is sent, and whether
+    it has to be there."""
     warns: bool
     states_accuracy: bool
 
@@ -635,7 +639,12 @@ def _plan(model: type[ResponseModel], *given: str) -> _Plan:
     fields = model.model_fields
     return _Plan(
         [
-            (name, core_name(name), _inner_values(field.annotation) or from_si_converter(name))
+            (
+                name,
+                core_name(name),
+                _inner_values(field.annotation) or from_si_converter(name),
+                field.is_required(),
+            )
             for name, field in fields.items()
             if name not in ("accuracy", "warnings", "assumed", "worked", *model.BESIDE, *given)
         ],

@@ -120,11 +120,22 @@ def _kind_schema(model: Any, kind: Any) -> dict[str, Any]:
     return {"if": named, "then": rule}
 
 
+def _rule_schema(rule: Rule) -> dict[str, Any]:
+    """What a rule between two fields of the same request says."""
+    field, other = ({"required": [name]} for name in (rule.field, rule.other))
+    if rule.rule == "only_one":
+        return {"not": {"required": [rule.field, rule.other]}}
+    return {"anyOf": [field, other if rule.rule == "needed" else {"not": other}]}
+
+
 def schema_rules(model: Any) -> list[dict[str, Any]]:
-    """What the JSON schema of a request says of its forms and kinds, and what it says besides."""
+    """What the JSON schema of a request says of its forms, its kinds and the rules between its own
+    fields, and what it says besides.
+    """
     rules: list[dict[str, Any]] = []
     for forms, _, _ in alternatives(model):
         names = dict.fromkeys(name for form in forms for name in form)
         rules.append({"oneOf": [_only(form, names) for form in forms]})
+    rules += [_rule_schema(rule) for rule in between(model) if "/" not in rule.field + rule.other]
     rules += model.RULES
     return rules + [rule for kind in model.KINDS if (rule := _kind_schema(model, kind))["then"]]

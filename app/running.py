@@ -1,4 +1,4 @@
-"""Run a calculation for a request: time it, and say its refusals in the request's own names."""
+"""A calculation for a request, timed; its refusals in the request's own names."""
 
 import re
 import time
@@ -37,13 +37,19 @@ COMPARING = frozenset(
 """Refusals whose `limit` is a value of the refused field, in its unit."""
 
 
-def run(body: RequestModel, calculation: Callable[[], Result]) -> tuple[Result, float]:
-    """Result of a calculation and its run time, microseconds to a tenth; a refusal names the body's
-    fields.
-    """
+def timed(calculation: Callable[[], Result]) -> tuple[Result, float]:
+    """Result of a calculation and its run time, microseconds to a tenth."""
     start = time.perf_counter_ns()
+    result = calculation()
+    return result, (time.perf_counter_ns() - start) // 100 / 10
+
+
+def calculated(body: RequestModel, calculation: Callable[[], Result]) -> Result:
+    """What is calculated of a request, whose record has how long it took; a refusal names the
+    body's fields.
+    """
     try:
-        result = calculation()
+        result, run_time_us = timed(calculation)
     except InvalidInput as error:
         raise named(error, body) from error
     except NotKnown as error:
@@ -53,18 +59,16 @@ def run(body: RequestModel, calculation: Callable[[], Result]) -> tuple[Result, 
     except ImpossibleMechanism as error:
         if not error.parameter:
             raise
-        place = pointer(path_of(body, error.parameter) or ())
+        place = pointer(path_of(body, error.parameter))
         raise impossible(error, place) from error
-    run_time_us = (time.perf_counter_ns() - start) // 100 / 10
-    record = at_hand.get()
-    if record is not None:
+    if record := at_hand.get():
         record.calculation_took(run_time_us)
-    return result, run_time_us
+    return result
 
 
 def named(error: InvalidInput, body: RequestModel) -> Problem:
     """A refusal of the core in the names of a request's fields."""
-    path = path_of(body, error.parameter) or ()
+    path = path_of(body, error.parameter)
     params = api_params(error.params)
     if error.code in COMPARING:
         field = next((part for part in reversed(path) if isinstance(part, str)), "")
@@ -72,18 +76,18 @@ def named(error: InvalidInput, body: RequestModel) -> Problem:
     return refusal(pointer(path), error.code, **params)
 
 
-def path_of(body: RequestModel, parameter: str) -> tuple[str | int, ...] | None:
-    """Path of the field of a core parameter in a request, ``rollers[2].z_max`` included; None where
-    it has none.
+def path_of(body: RequestModel, parameter: str) -> tuple[str | int, ...]:
+    """Path of the field of a core parameter in a request, ``rollers[2].z_max`` included; empty
+    where it has none.
     """
-    path = body.core_paths.get(parameter)
-    if path is not None or "[" not in parameter:
+    path = body.core_paths.get(parameter, ())
+    if path or "[" not in parameter:
         return path
     parts = re.findall(r"[^.\[\]]+", parameter)
     own = [part for part in parts if not part.isdigit()]
-    path = body.core_paths.get(".".join(own))
-    if path is None:
-        return None
+    path = body.core_paths.get(".".join(own), ())
+    if not path:
+        return path
     above = len(path) - len(own)
     names = iter(path[above:])
     return (*path[:above], *(int(part) if part.isdigit() else next(names) for part in parts))

@@ -92,7 +92,7 @@ def entered() -> tuple[int, int]:
     """Files and functions of this project that the smallest request enters, once all is loaded."""
     from pydantic import TypeAdapter
 
-    from app.endpoint import encoded, read_body
+    from app.endpoint import answered, encoded, read_body
     from app.registry import CALCULATIONS
     from app.settings import Settings
 
@@ -101,7 +101,7 @@ def entered() -> tuple[int, int]:
     assert TypeAdapter(calculation.request).validate_json(sent)
 
     def answer() -> bytes:
-        return encoded(calculation.answered(read_body(calculation, sent, settings)))
+        return encoded(answered(calculation, read_body(calculation, sent, settings)))
 
     seen: Counter[tuple[str, str, int]] = Counter()
 

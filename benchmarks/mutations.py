@@ -30,8 +30,6 @@ from typing import Any, NamedTuple
 import hypothesis
 import pytest
 
-from app.compiled import SOURCES
-
 ROOT = Path(__file__).parent.parent
 COUNT, SEED, FIRST = 60, 33, 40
 """Mutations, the seed, and how many tests are tried before the files of all others are read."""
@@ -41,7 +39,7 @@ ELSEWHERE = ("architecture", "benchmarks", "browser", "service")
 ASKS_OTHERS = "tests/app/"
 """Tests of what no test reaches in its own process: another one may, for it."""
 
-COMPILED, ITS_DOOR = {each.name for each in SOURCES}, "return _at_hand"
+ITS_DOOR = "return _at_hand"
 """What is compiled notes nothing: its tests are those that fetch it by this line."""
 
 OTHER: dict[type, type] = {
@@ -142,18 +140,26 @@ def changed_file(tree: Path, each: Mutation) -> bytes:
     return source[: each.start] + f"({each.after})".encode() + source[each.end :]
 
 
+@functools.cache
+def compiled() -> set[str]:
+    """Files of loops that are compiled."""
+    from app.compiled import SOURCES  # which a plugin of pytest has not, of an earlier revision
+
+    return {each.name for each in SOURCES}
+
+
 def noting(tree: Path, chosen: list[Mutation]) -> dict[str, bytes]:
     """The files of mutations, where each place notes that it is reached."""
     note, files = '(__import__("reached").SEEN.update({}) or (', dict[str, bytes]()
     inserted = list[tuple[str, int, str]]()
     for index, each in enumerate(chosen):
-        if Path(each.file).name not in COMPILED:
+        if Path(each.file).name not in compiled():
             inserted += (each.file, each.start, note.format([index])), (each.file, each.end, "))")
-    compiled = [n for n, each in enumerate(chosen) if Path(each.file).name in COMPILED]
-    for path in (tree / "core").rglob("compiled.py") if compiled else ():
+    loops = [n for n, each in enumerate(chosen) if Path(each.file).name in compiled()]
+    for path in (tree / "core").rglob("compiled.py") if loops else ():
         at = path.read_bytes().index(ITS_DOOR.encode()) + len("return ")
         file = str(path.relative_to(tree))
-        inserted += (file, at, note.format(compiled)), (file, at + len("_at_hand"), "))")
+        inserted += (file, at, note.format(loops)), (file, at + len("_at_hand"), "))")
     for file, at, text in sorted(inserted, key=lambda each: -each[1]):
         source = files.get(file) or (tree / file).read_bytes()
         files[file] = source[:at] + text.encode() + source[at:]
@@ -228,7 +234,7 @@ class Trial:
         order, asked = sorted(tests, key=lambda test: tests[test]), self.folder / "asked.json"
         cache = self.folder / "numba"
         shutil.rmtree(cache, ignore_errors=True)
-        kernel = {"NUMBA_CACHE_DIR": str(cache)} if Path(each.file).name in COMPILED else {}
+        kernel = {"NUMBA_CACHE_DIR": str(cache)} if Path(each.file).name in compiled() else {}
         for some in filter(None, (order[:FIRST], order[FIRST:])):
             asked.write_text(json.dumps({test: tests[test] for test in some}))
             files = sorted({test.split("::")[0] for test in some})

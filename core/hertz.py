@@ -32,7 +32,7 @@ from core.conformal import (
     load_under_pressure,
     pressure_over_angle,
 )
-from core.errors import InvalidInput
+from core.errors import InvalidInput, NotKnown
 from core.materials import Body, ContactLimit, ElasticMaterial, effective_modulus, mismatch
 from core.numerics.inverse import edge
 from core.precision import ROUNDING
@@ -93,20 +93,29 @@ class HertzContact(NamedTuple):
     conformal_half_length: Number | None  # half of its length along the arc, m
     edge_tension: Number | None  # hoop tension in the hole's rim at its ends, Pa
     conformal_error: Number | None  # relative error of these by their method: 0 for beta = 0
-    # The pressure to be judged, Pa: the conformal one where it applies, else Hertz's; not known
-    # where the contact would wrap around more than half of the pin.
-    governing_pressure: Number | None
+    # The pressure to be judged, Pa: the conformal one where it applies, else Hertz's; NaN where it
+    # is not known, as the contact would wrap around more than half of the pin.
+    governing: Number
     safety: tuple[BodySafety, ...]  # bodies whose limit is known, under the governing pressure
     safety_factor: Number | None  # the smaller one of both bodies, where both are known
     accuracy: Accuracy
 
     @property
+    def governing_pressure(self) -> Number:
+        """The pressure to be judged, Pa, which has to be known of one contact."""
+        if isinstance(self.governing, float) and math.isnan(self.governing):
+            raise NotKnown("contact_wraps")
+        return self.governing
+
+    @property
     def notices(self) -> tuple[Notice, ...]:
         """Limits of validity that one contact (not an array of them) strains."""
-        unknown = poorly_known(self.accuracy)
-        if self.governing_pressure is None:
+        unknown, strain = (
+            poorly_known(self.accuracy),
+            float(self.governing / self.effective_modulus),
+        )
+        if math.isnan(strain):
             return (Notice("contact_wraps"), *unknown)
-        strain = float(self.governing_pressure / self.effective_modulus)
         if strain > STRAIN_LIMIT:
             return (Notice("finite_strain", {"strain": strain}), *unknown)
         return unknown
@@ -189,14 +198,13 @@ def hertz(
     half_width = 2 * sqrt(line_load / math.pi / modulus) * sqrt(reduced_radius)
     ratio = half_width / pin_radius
 
-    wide = _NARROW | {"governing_pressure": max_pressure}
+    wide = _NARROW | {"governing": max_pressure}
     method, evaluations = "closed_form", 1
     if some(line_load * NARROW_LOAD > modulus * difference):
         wide, method, evaluations = _conformal(
             line_load, pin_radius, hole_radius, modulus, constants, hole_material.poissons_ratio
         )
-    governing = wide["governing_pressure"]
-    safety = _safety(governing, pin=pin_material.limit, hole=hole_material.limit)
+    safety = _safety(wide["governing"], pin=pin_material.limit, hole=hole_material.limit)
     return HertzContact(
         max_pressure=max_pressure,
         mean_pressure=math.pi / 4 * max_pressure,
@@ -263,9 +271,9 @@ def _conformal(
     pressure = factor * max_pressure
     known = factor == factor
     applies = near & (factor > 1 + HERTZ_TOLERANCE)
-    governing = known_where(known, where(applies, pressure, max_pressure))
+    governing = where(known, where(applies, pressure, max_pressure), math.nan)
     if not some(applies):
-        return _NARROW | {"governing_pressure": governing}, "closed_form", contact.evaluations
+        return _NARROW | {"governing": governing}, "closed_form", contact.evaluations
     radius, eps = sqrt(pin_radius * hole_radius), 2 * atan(contact.tangent)
     tension = edge_tension(
         mean_pressure=contact.mean_pressure,
@@ -283,14 +291,14 @@ def _conformal(
     }
     found = {name: known_where(applies, each) for name, each in found.items()}
     method = "integral_equation" if some(beta != 0) else "closed_form_newton"
-    return found | {"governing_pressure": governing}, method, contact.evaluations
+    return found | {"governing": governing}, method, contact.evaluations
 
 
 def _safety(
-    governing: Number | None, *, pin: ContactLimit | None, hole: ContactLimit | None
+    governing: Number, *, pin: ContactLimit | None, hole: ContactLimit | None
 ) -> tuple[BodySafety, ...]:
     """Each body by its own limit; none where the pressure is not known, or there is none."""
-    if governing is None or not some(governing > 0):
+    if not some(governing > 0):
         return ()
     pressure = where(governing > 0, governing, math.nan)
     limits: tuple[tuple[Body, ContactLimit | None], ...] = (("pin", pin), ("hole", hole))
@@ -330,7 +338,7 @@ def force_factor(
     ratio = float(limit / contact.max_pressure)
     by_hertz = ratio**2
     there = contact_at(by_hertz)
-    if there.governing_pressure == there.max_pressure:
+    if there.governing == there.max_pressure:
         return by_hertz
     alpha, beta = contact.mismatch
     parameter = load_under_pressure(
@@ -342,8 +350,7 @@ def force_factor(
         return factor
 
     def left(factor: float) -> float:
-        there = contact_at(factor).governing_pressure
-        return math.nan if there is None else float(limit - there)
+        return float(limit - contact_at(factor).governing)
 
     met, _ = edge(inside=factor, outside=by_hertz, excess=left)  # within the jump
     return met * (1 - 512 * ROUNDING)

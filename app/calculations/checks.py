@@ -1,7 +1,6 @@
 """Verdict, checks and fixes in requests and answers."""
 
 import math
-from collections.abc import Iterable
 from functools import cache, lru_cache
 from typing import Annotated, Any, Literal
 
@@ -272,6 +271,8 @@ class FixOut(ResponseModel):
 class JudgedResponse(AssumingResponse):
     """An answer with a verdict."""
 
+    BESIDE = ("fixes",)
+
     verdict: Outcome = Field(
         description="`fail` where a check fails, else `incomplete` where one could not be made, or "
         "none is of what the load could break, else `marginal`, else `pass`; of a reducer with "
@@ -412,11 +413,8 @@ def _typed(body: RequestModel) -> dict[str, tuple[str | int, ...]]:
         "contact.hole_clearance",
         "pin.diameter",
     )
-    return {
-        name: path
-        for name in every
-        if (path := path_of(body, name)) and _value(body, path) is not None
-    }
+    given = {*given_paths(body.shape)}
+    return {name: path for name in every if (path := body.core_paths.get(name)) in given}
 
 
 def _short(value: float) -> float:
@@ -502,13 +500,13 @@ def judgement(
     verdict: Verdict,
     body: RequestModel,
     *,
-    torque: float | None,
+    torque: float,
     checks: bool,
-    fixes: Iterable[Fix] | None = None,
 ) -> dict[str, Any]:
-    """The fields of `JudgedResponse`, None for what there is not."""
-    reserve = verdict.torque_reserve
-    known = verdict.largest_torque_known and reserve is not None and torque is not None
+    """The fields of `JudgedResponse` but for the fixes, None for what there is not. Without a load,
+    of any torque, no largest one is known.
+    """
+    reserve, known = verdict.torque_reserve, verdict.largest_torque_known
     values: list[Values] | None = None
     if checks:
         inputs = _inputs(body.shape)
@@ -525,12 +523,11 @@ def judgement(
         "verdict": verdict.verdict,
         "governing": verdict.governing,
         "torque_reserve": reserve,
-        "largest_torque_Nm": abs(torque) * reserve if known else None,  # type: ignore[arg-type, operator]
+        "largest_torque_Nm": abs(torque) * reserve if known else None,  # type: ignore[operator]
         "largest_torque_estimated": True if known and verdict.largest_torque_estimated else None,
         "counts": verdict.counts,
         "not_considered": list(verdict.not_considered),
         "checks": values,
-        "fixes": None if fixes is None else [fix_values(each, body) for each in fixes],
     }
 
 
@@ -553,5 +550,5 @@ def codes_to_fix(verdict: Verdict, which: FixesFor) -> list[str]:
     """Checks that fixes are asked for: the governing one unless it passes, or all that fail."""
     if which == "failed":
         return [each.code for each in verdict.checks if each.status == "fail"]
-    first = verdict.governing
-    return [first] if first is not None and verdict[first].status != "pass" else []
+    governing = (each for each in verdict.checks if each.code == verdict.governing)
+    return [each.code for each in governing if each.status != "pass"]

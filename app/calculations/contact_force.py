@@ -23,7 +23,7 @@ from app.model import (
     result,
 )
 from app.rules import Forms
-from app.running import run
+from app.running import timed
 from app.settings import Settings
 from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018, ZYL
 from app.theme import (
@@ -418,14 +418,14 @@ def _ideal_largest(curves: Values, theme: Theme) -> Figure:
 
 def solve(body: ContactForceRequest) -> Values:
     """Contact force of the pairs: the exact peak, and curves and approximations where asked."""
-    return ContactForceResponse.values(*run(body, body.solve))
+    return ContactForceResponse.values(*timed(body.solve))
 
 
 def figure(body: ContactForceRequest, theme: Theme = "light") -> Figure:
     """Force of every pair over the turn as a Plotly figure, ready for Plotly.js."""
-    run(body, body.refuse_undrawable)
-    (force, switching), run_time_us = run(
-        body, lambda: body.solve_for_drawing(body.mechanism(), body.members)
+    body.refuse_undrawable()
+    (force, switching), run_time_us = timed(
+        lambda: body.solve_for_drawing(body.mechanism(), body.members)
     )
     answer = ContactForceResponse.values(force, run_time_us)
     return contact_force_figure(answer, from_si("switching_deg", switching), theme)
@@ -433,8 +433,7 @@ def figure(body: ContactForceRequest, theme: Theme = "light") -> Figure:
 
 def work(body: ContactForceRequest) -> list[Values]:
     """Worked steps of the contact force."""
-    steps, _ = run(body, body.steps)
-    return worked(contact_force=steps)
+    return worked(contact_force=body.steps())
 
 
 CALCULATION = Calculation(

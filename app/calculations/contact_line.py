@@ -18,7 +18,7 @@ from app.model import (
     quantity,
     result,
 )
-from app.running import run
+from app.running import timed
 from app.sources import KHATETOVSKY_2020
 from app.theme import INK, Amount, Figure, Theme, axis, curve, layout, series_style, text
 from app.worked import worked
@@ -269,7 +269,7 @@ def _circle(x: float, y: float, radius: float) -> tuple[list[float], list[float]
 
 def solve(body: ContactLineRequest) -> Values:
     """Contact lines of the rollers and their lengths; points for drawing where asked."""
-    return ContactLineResponse.values(*run(body, body.solve))
+    return ContactLineResponse.values(*timed(body.solve))
 
 
 def figure(body: ContactLineRequest, theme: Theme = "light") -> Figure:
@@ -280,8 +280,7 @@ def figure(body: ContactLineRequest, theme: Theme = "light") -> Figure:
 
 def work(body: ContactLineRequest) -> list[Values]:
     """Worked steps of the contact lines."""
-    steps, _ = run(body, body.steps)
-    return worked(contact_line=steps)
+    return worked(contact_line=body.steps())
 
 
 CALCULATION = Calculation(

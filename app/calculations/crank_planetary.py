@@ -2,7 +2,7 @@
 
 from functools import partial
 
-from app.calculations.checks import codes_to_fix, judgement
+from app.calculations.checks import codes_to_fix, fix_values, judgement
 from app.calculations.combined import combined
 from app.calculations.crank_planetary_answer import ColdYieldOut, CrankPlanetaryResponse
 from app.calculations.crank_planetary_figure import figure
@@ -14,7 +14,6 @@ from app.calculations.hertz import entry_of
 from app.calculations.reducer_fixes import fixes_of
 from app.calculations.shares_answer import SharesOut, shares_warnings
 from app.model import Calculation, Values, notices_of, present, warning
-from app.running import run
 from app.sources import (
     ARCHARD_1953,
     HARRIS,
@@ -51,10 +50,11 @@ def _judged(body: CrankPlanetaryRequest) -> Values:
     values |= judgement(
         found,
         body,
-        torque=body.design.load.output_torque if body.design.load else None,
+        torque=body.design.load.output_torque if body.design.load else 0.0,
         checks="checks" in body.sections,
-        fixes=fixes if "fixes" in body.sections else None,
     )
+    if "fixes" in body.sections:
+        values["fixes"] = [fix_values(each, body) for each in fixes]
     if "combined" in body.sections:
         values["combined"] = combined(body, found, fixes)
     return present(values)
@@ -70,7 +70,7 @@ def _cold_values(body: CrankPlanetaryRequest, cold: ColdYield) -> Values:
 
 def _notices(body: CrankPlanetaryRequest) -> tuple[Notice, ...]:
     """What is to be said of the design, whichever sections are asked."""
-    results, found = body.results, notices_of(body.solve_fit())
+    results, found = body.results, notices_of(if_known(body.solve_fit))
     if body.contact is not None:
         found += body.contact.material_notices()
     if results.in_series:
@@ -89,19 +89,15 @@ def solve(body: CrankPlanetaryRequest) -> Values:
 
     Verdict and warnings are there whichever sections are asked.
     """
-    asked, _ = run(body, lambda: body.sections)
+    asked, results = body.sections, body.results
     sections = present({name: answer(body) for name, answer in ANSWERS.items() if name in asked})
-    notices, _ = run(body, partial(_notices, body))
-    fit, _ = run(body, lambda: if_known(lambda: body.results.fit))
-    if fit is not None:
+    warnings = [warning(each) for each in _notices(body)]
+    if fit := if_known(lambda: results.fit):
         sections["fit"] = FitOut.values(fit)
-    judged, _ = run(body, partial(_judged, body))
-    warnings = [warning(each) for each in notices]
-    if body.results.uneven:
-        shares, _ = run(body, lambda: disc_shares(results=body.results, found=body.verdict))
-        if shares is not None:
-            sections["shares"] = SharesOut.of(shares)
-            warnings += shares_warnings(shares)
+    judged = _judged(body)
+    if results.uneven and (shares := disc_shares(results=results, found=body.verdict)):
+        sections["shares"] = SharesOut.of(shares)
+        warnings += shares_warnings(shares)
     if warnings:
         sections["warnings"] = warnings
     return judged | {"model": body.forces} | sections

@@ -1,7 +1,5 @@
 """Figures of a crank-planetary reducer: pattern and forces, the mesh of the ring."""
 
-from functools import partial
-
 from app.calculations.contact_force import (
     ContactForceResponse,
     ForceCurvesOut,
@@ -24,7 +22,6 @@ from app.calculations.ring_mesh_figure import (
     ring_mesh_figure,
 )
 from app.problems import refusal
-from app.running import run
 from app.theme import Figure, Theme
 from app.units import from_si
 
@@ -55,25 +52,23 @@ def _pattern_figure(body: CrankPlanetaryRequest, theme: Theme) -> Figure:
     """The cyclogram; where forces are solved that of the pairs which carry, about it the ideal
     one.
     """
-    ideal, _ = run(body, lambda: body.mechanism.solve_for(body.carrying))
+    ideal = body.mechanism.solve_for(body.carrying)
     answer = CyclogramResponse.values(ideal)
     if not body.draws_real:
         return cyclogram_figure(answer, theme)
-    real, _ = run(body, partial(carrying_pairs, body))
+    real = carrying_pairs(body)
     return cyclogram_figure(answer, theme, RealCyclogramOut.values(real))
 
 
 def _force_figure(body: CrankPlanetaryRequest, theme: Theme) -> Figure:
     """The forces; where they are solved with the largest ideal one as a thin line."""
     load = body.known_load
-    (force, switching), _ = run(
-        body, lambda: load.solve_for_drawing(body.carrying, body.design.members)
-    )
+    force, switching = load.solve_for_drawing(body.carrying, body.design.members)
     ideal = ContactForceResponse.values(force)
     if not body.draws_real:
         return contact_force_figure(ideal, from_si("switching_deg", switching), theme)
-    sharing, _ = run(body, lambda: body.results.real_forces)
-    curves, _ = run(body, partial(real_curves, body, DRAWN_SAMPLES))
+    sharing = body.results.real_forces
+    curves = real_curves(body, DRAWN_SAMPLES)
     drawn = ForceCurvesOut.values(curves)
     real = LoadSharingOut.values(sharing, judged_force_N=None, curves=drawn)
     return contact_force_figure(real, switching[:0], theme, ideal)
@@ -87,9 +82,9 @@ def figure(body: CrankPlanetaryRequest, theme: Theme = "light") -> Figure:
     """
     if body.include == ["ring_mesh"]:
         if body.design.gear.kind == "involute":
-            return path_figure(run(body, partial(_path, body))[0], theme)
-        return ring_mesh_figure(run(body, partial(_mesh, body))[0], theme)
-    run(body, body.mechanism.refuse_undrawable)
+            return path_figure(_path(body), theme)
+        return ring_mesh_figure(_mesh(body), theme)
+    body.mechanism.refuse_undrawable()
     named = {"cyclogram", "contact_force"} & {*(body.include or ())}
     if body.load is None or named == {"cyclogram"}:
         return _pattern_figure(body, theme)

@@ -239,9 +239,8 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     @cached_property
     def sections(self) -> list[Section]:
         """Sections of the answer."""
-        if self.include is not None:
-            return [each for each in self.include if not self._unfit(each)]
-        return self.usual_sections()
+        named = [each for each in self.include or () if not self._unfit(each)]
+        return named if self.include else self.usual_sections()
 
     def usual_sections(self) -> list[Section]:
         """Sections where none are named."""

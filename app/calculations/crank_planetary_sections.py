@@ -31,7 +31,7 @@ from app.calculations.satellite_bearing import SatelliteBearingResponse
 from app.calculations.solved import Solved
 from app.calculations.usual_fit_answer import UsualFitOut, UsualModificationOut
 from app.model import Values
-from app.running import run
+from app.running import timed
 from app.units import to_si
 from core.arrays import FloatArray
 from core.checks.usual_modification import usual_clearance_too
@@ -56,12 +56,12 @@ DRAWN_ERROR = 1e-5
 
 
 def _cyclogram(body: CrankPlanetaryRequest) -> Values:
-    pattern = run(body, lambda: body.mechanism.solve_for(body.design.driven))
+    pattern = timed(lambda: body.mechanism.solve_for(body.design.driven))
     return CyclogramResponse.values(*pattern)
 
 
 def _members(body: CrankPlanetaryRequest) -> Values:
-    loads, took_us = run(body, lambda: body.results.member_loads)
+    loads, took_us = timed(lambda: body.results.member_loads)
     return MembersOut.values(loads, took_us, output=body.mechanism.output)
 
 
@@ -74,18 +74,18 @@ def ideal_force(body: CrankPlanetaryRequest) -> ContactForce:
 
 
 def _contact_force(body: CrankPlanetaryRequest) -> Values:
-    return ContactForceResponse.values(*run(body, partial(ideal_force, body)))
+    return ContactForceResponse.values(*timed(partial(ideal_force, body)))
 
 
 def _load_sharing(body: CrankPlanetaryRequest) -> Values:
     """The forces that are solved over the turn, at the torque itself."""
-    sharing, run_us = run(body, lambda: body.results.real_forces)
+    sharing, run_us = timed(lambda: body.results.real_forces)
     forces = if_known(lambda: body.results.judged_forces)
     force_N = forces.force if isinstance(forces, RealForces) else None
     curves = None
     load = body.known_load
     if load.curve_samples:
-        curves, _ = run(body, partial(real_curves, body, load.samples_of(body.built)))
+        curves = real_curves(body, load.samples_of(body.built))
     drawn = curves and ForceCurvesOut.values(curves)
     ring = sharing.turn.ring if isinstance(sharing.turn, SeriesOverTurn) else None
     values = LoadSharingOut.values(
@@ -119,11 +119,11 @@ def carrying_pairs(body: CrankPlanetaryRequest) -> RealCyclogram:
 
 
 def _real_cyclogram(body: CrankPlanetaryRequest) -> Values:
-    return RealCyclogramOut.values(*run(body, partial(carrying_pairs, body)))
+    return RealCyclogramOut.values(*timed(partial(carrying_pairs, body)))
 
 
 def _hertz(body: CrankPlanetaryRequest) -> Values:
-    contact, took_us = run(body, lambda: body.results.hertz)
+    contact, took_us = timed(lambda: body.results.hertz)
     factor = body.results.line_load_factor if body.pin else None
     return DesignHertzOut.values(contact, took_us, line_load_factor=factor)
 
@@ -173,7 +173,7 @@ def _mesh(body: CrankPlanetaryRequest) -> Solved:
 
 
 def _ring_mesh(body: CrankPlanetaryRequest) -> Values:
-    mesh, took_us = run(body, partial(_mesh, body))
+    mesh, took_us = timed(partial(_mesh, body))
     return mesh.answer(took_us)
 
 
@@ -195,27 +195,27 @@ def _drawing(body: CrankPlanetaryRequest) -> Values | None:
 
 
 def _pin_strength(body: CrankPlanetaryRequest) -> Values:
-    found, took_us = run(body, lambda: body.results.pin_strength)
+    found, took_us = timed(lambda: body.results.pin_strength)
     return PinStrengthResponse.values(found, took_us, forces=body.forces)
 
 
 def _output_efficiency(body: CrankPlanetaryRequest) -> Values:
-    found, took_us = run(body, lambda: body.results.losses.pins)
+    found, took_us = timed(lambda: body.results.losses.pins)
     return OutputEfficiencyResponse.values((found, None), took_us, forces=body.forces)
 
 
 def _satellite_bearing(body: CrankPlanetaryRequest) -> Values:
-    found, took_us = run(body, lambda: body.results.crank.bearings)
+    found, took_us = timed(lambda: body.results.crank.bearings)
     return SatelliteBearingResponse.values(found, took_us, forces=body.forces)
 
 
 def _crankshaft(body: CrankPlanetaryRequest) -> Values:
-    found, took_us = run(body, lambda: body.results.crank.shaft)
+    found, took_us = timed(lambda: body.results.crank.shaft)
     return CrankshaftResponse.values(found, took_us, forces=body.forces)
 
 
 def _rollers(body: CrankPlanetaryRequest) -> Values:
-    found, took_us = run(body, lambda: body.results.rollers)
+    found, took_us = timed(lambda: body.results.rollers)
     return RollersOut.values(found, took_us, forces=body.forces)
 
 
@@ -234,17 +234,17 @@ def _pins_and_holes(body: CrankPlanetaryRequest) -> tuple[PinGeometry, FloatArra
 
 
 def _geometry(body: CrankPlanetaryRequest) -> Values:
-    return GeometryOut.values(*run(body, partial(_pins_and_holes, body)))
+    return GeometryOut.values(*timed(partial(_pins_and_holes, body)))
 
 
 def _usual_fit(body: CrankPlanetaryRequest) -> Values | None:
     """The design with a usual clearance, where none is known or 0 is stated."""
-    found, _ = run(body, lambda: usual_clearance_too(design=body.design, ring=body.usual_ring))
+    found = usual_clearance_too(design=body.design, ring=body.usual_ring)
     return UsualFitOut.of(*found) if found else None
 
 
 def _usual_modification(body: CrankPlanetaryRequest) -> Values | None:
-    found, _ = run(body, lambda: body.usual_ring)
+    found = body.usual_ring
     return UsualModificationOut.of(found) if found else None
 
 
@@ -256,7 +256,7 @@ ANSWERS: dict[Section, Callable[[CrankPlanetaryRequest], Values | None]] = {
     "real_cyclogram": _real_cyclogram,
     "hertz": _hertz,
     "ring_mesh": _ring_mesh,
-    "ring_drawing": lambda body: run(body, partial(_drawing, body))[0],
+    "ring_drawing": _drawing,
     "pin_strength": _pin_strength,
     "output_efficiency": _output_efficiency,
     "satellite_bearing": _satellite_bearing,

@@ -6,7 +6,6 @@ from functools import partial
 from app.calculations.crank_planetary_request import CrankPlanetaryRequest, Section
 from app.calculations.crank_planetary_sections import ideal_force
 from app.model import Values, present
-from app.running import run
 from app.worked import worked
 from core.derived import if_known
 from core.worked.crank import bearing_steps, shaft_steps
@@ -37,7 +36,6 @@ def _contact_force(body: CrankPlanetaryRequest) -> list[Step]:
 
 def _clearance(body: CrankPlanetaryRequest) -> list[Step]:
     fit, pair = body.solve_fit(), body.design.contact.pair
-    assert fit is not None
     return clearance_steps(
         clearance=fit.clearance,
         pin_radius=pair.pin_radius,
@@ -66,14 +64,8 @@ WORKED: dict[Section, Callable[[CrankPlanetaryRequest], list[Step]]] = {
 
 def work(body: CrankPlanetaryRequest) -> list[Values]:
     """Worked steps of the sections that are named; where none is, of all usual ones that can be."""
-    sections, _ = run(body, lambda: body.sections)
-    named = [each for each in sections if each in WORKED]
+    named = [each for each in body.sections if each in WORKED]
     if named:
-        return worked(**{each: run(body, partial(WORKED[each], body))[0] for each in named})
-    usual, _ = run(body, body.usual_sections)
-    found: Values = {
-        each: run(body, partial(if_known, partial(WORKED[each], body)))[0]
-        for each in usual
-        if each in WORKED
-    }
-    return worked(**present(found))
+        return worked(**{each: WORKED[each](body) for each in named})
+    usual = [each for each in body.usual_sections() if each in WORKED]
+    return worked(**present({each: if_known(partial(WORKED[each], body)) for each in usual}))

@@ -18,7 +18,7 @@ from app.model import (
     present,
     result,
 )
-from app.running import run
+from app.running import timed
 from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si
@@ -153,20 +153,19 @@ def reaction_figure(curves: ReactionCurves, theme: Theme) -> Figure:
 
 def solve(body: CrankshaftRequest) -> Values:
     """Reactions of the crankshaft's bearings, their life, and its balance."""
-    return CrankshaftResponse.values(*run(body, body.solve), forces=body.forces)
+    return CrankshaftResponse.values(*timed(body.solve), forces=body.forces)
 
 
 def figure(body: CrankshaftRequest, theme: Theme = "light") -> Figure:
     """Reactions in the crank's frame and over the turn as a Plotly figure, ready for Plotly.js."""
-    run(body, body.mechanism.refuse_undrawable)
-    (_, curves), _ = run(body, body.solve_for_drawing)
+    body.mechanism.refuse_undrawable()
+    _, curves = body.solve_for_drawing()
     return reaction_figure(curves, theme)
 
 
 def work(body: CrankshaftRequest) -> list[Values]:
     """Worked steps of the crankshaft."""
-    steps, _ = run(body, body.steps)
-    return worked(crankshaft=steps)
+    return worked(crankshaft=body.steps())
 
 
 CALCULATION = Calculation(

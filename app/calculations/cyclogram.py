@@ -16,7 +16,7 @@ from app.model import (
     quantity,
     result,
 )
-from app.running import run
+from app.running import timed
 from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018
 from app.theme import IDEAL, INK, Amount, Figure, Theme, axis, hover, layout, series_style, text
 from app.units import UNITS
@@ -413,19 +413,18 @@ def over_one_axis(pattern: Figure, forces: Figure) -> Figure:
 
 def solve(body: CyclogramRequest) -> Values:
     """Which pin/hole pairs drive, when, how many together; dead centres; assembly angles."""
-    return CyclogramResponse.values(*run(body, body.solve))
+    return CyclogramResponse.values(*timed(body.solve))
 
 
 def figure(body: CyclogramRequest, theme: Theme = "light") -> Figure:
     """The cyclogram as a Plotly figure, ready for Plotly.js."""
-    run(body, body.refuse_undrawable)
+    body.refuse_undrawable()
     return cyclogram_figure(solve(body), theme)
 
 
 def work(body: CyclogramRequest) -> list[Values]:
     """Worked steps of the cyclogram."""
-    steps, _ = run(body, body.steps)
-    return worked(cyclogram=steps)
+    return worked(cyclogram=body.steps())
 
 
 CALCULATION = Calculation(

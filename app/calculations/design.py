@@ -56,6 +56,7 @@ from core.design.sections import (
     SatelliteBody,
     Temperatures,
 )
+from core.errors import required
 from core.output.contact_force import drawing_angles
 from core.output.mechanism import Mechanism
 from core.output.pin_geometry import PinFit, pin_fit
@@ -327,7 +328,7 @@ class DesignFields(GivingFields):
 
     def with_fit(self, result: Result) -> Result:
         """A result with the notices of how pins and holes fit."""
-        notices = notices_of(self.solve_fit(), result)
+        notices = notices_of(if_known(self.solve_fit), result)
         return cast(Result, replace(cast(Any, result), notices=notices))
 
     def drawn_angles(self) -> tuple[FloatArray, FloatArray]:
@@ -335,12 +336,17 @@ class DesignFields(GivingFields):
         angles, switching = drawing_angles(mechanism=self.built)
         return angles, switching[:0] if self.results.solved else switching
 
-    def solve_fit(self) -> PinFit | None:
-        """How pins and holes fit, as far as their sizes are given."""
-        if self.contact is None or self.contact.pin_radius_mm is None:
-            return None
-        radius = self.load.pin_circle_radius_mm if self.load else math.inf
-        return pin_fit(pins=self.mechanism.pins, **self.contact.sizes_on(radius))
+    def solve_fit(self) -> PinFit:
+        """How pins and holes fit; `NotKnown` without pins."""
+        load, contact = self.design.load, self.design.contact
+        lacks = ("section_missing", "contact")
+        return pin_fit(
+            pins=self.mechanism.pins,
+            pin_radius=required(contact.pin_radius, *lacks),
+            hole_radius=required(contact.hole_radius, *lacks),
+            eccentricity=contact.eccentricity,
+            pin_circle_radius=load.pin_circle_radius if load else math.inf,
+        )
 
 
 def forces_used() -> Any:

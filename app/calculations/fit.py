@@ -34,7 +34,7 @@ from app.model import (
     quantity,
     warning,
 )
-from app.running import run
+from app.running import timed
 from app.settings import Settings
 from app.sources import JOHNSON_1985
 from app.theme import INK, Amount, Figure, Text, Theme, axis, curve, layout, marker, text
@@ -253,7 +253,7 @@ def _shaded(theme: Theme, start: float, stop: float) -> Figure:
 
 def solve(body: FitRequest) -> Values:
     """Whether pins and holes go together and turn, and how much room is left, by geometry."""
-    (values, accuracy, notices), run_time_us = run(body, body.solve_all)
+    (values, accuracy, notices), run_time_us = timed(body.solve_all)
     values["accuracy"] = accuracy_values(accuracy, run_time_us)
     if notices:
         values["warnings"] = [*map(warning, notices)]
@@ -264,8 +264,8 @@ def solve(body: FitRequest) -> Values:
 
 def figure(body: FitRequest, theme: Theme = "light") -> Figure:
     """Room over the crank angle, its least place, and where the parts jam, for Plotly.js."""
-    run(body, body.mechanism.refuse_undrawable)
-    fit, _ = run(body, body.fit_to_draw)
+    body.mechanism.refuse_undrawable()
+    fit = body.fit_to_draw()
     return fit_figure(fit, theme)
 
 

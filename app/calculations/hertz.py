@@ -36,7 +36,7 @@ from app.model import (
     warning,
 )
 from app.rules import field_error
-from app.running import run
+from app.running import timed
 from app.sources import JOHNSON_1985, PERSSON_1964, YANCHEVSKY_2018
 from app.theme import INK, Amount, Figure, Theme, axis, curve, hover, layout, text
 from app.units import from_si, to_si
@@ -176,7 +176,7 @@ class MaterialFields(RequestModel, group="material"):
     @property
     def base(self) -> TableMaterial:
         """The material of the table whose values are taken where none are given."""
-        return NOT_LISTED if self.name is None else MATERIALS[self.name]
+        return MATERIALS.get(self.name or "", NOT_LISTED)
 
     def material(self) -> ElasticMaterial:
         """The material in SI units."""
@@ -528,7 +528,7 @@ def hertz_figure(curves: list[PressureCurve], limits_MPa: dict[str, float], them
 
 def solve(body: HertzRequest) -> Values:
     """Hertz stress of pin and hole, its validity, and the conformal pressure where it applies."""
-    answer = HertzResponse.values(*run(body, body.solve))
+    answer = HertzResponse.values(*timed(body.solve))
     notices = body.material_notices()
     if notices:
         answer["warnings"] = [*answer.get("warnings", ()), *map(warning, notices)]
@@ -537,7 +537,7 @@ def solve(body: HertzRequest) -> Values:
 
 def figure(body: HertzRequest, theme: Theme = "light") -> Figure:
     """Pressure across the contact as a Plotly figure, ready for Plotly.js."""
-    profiles, _ = run(body, body.solve_profiles)
+    profiles = body.solve_profiles()
     return hertz_figure(
         [
             PressureCurve(name, from_si("place_mm", place), from_si("pressure_MPa", pressure))
@@ -550,8 +550,7 @@ def figure(body: HertzRequest, theme: Theme = "light") -> Figure:
 
 def work(body: HertzRequest) -> list[Values]:
     """Worked steps of the contact."""
-    steps, _ = run(body, body.steps)
-    return worked(hertz=steps)
+    return worked(hertz=body.steps())
 
 
 CALCULATION = Calculation(

@@ -29,7 +29,7 @@ from app.calculations.members_answer import at_output
 from app.calculations.real_design import LEFT_OUT
 from app.calculations.solved import Solved
 from app.model import LARGEST, Angle, Calculation, Maybe, Values, quantity
-from app.running import run
+from app.running import timed
 from app.settings import Settings
 from app.sources import HARRIS, JOHNSON_1985, YANCHEVSKIY_2021
 from app.theme import Figure, Theme
@@ -295,7 +295,7 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
             curves=curves.at_output(members),
             ideal=ideal.force,
             pairs=[(pair.satellite, pair.pin) for pair in ideal.pairs],
-            pressure=np.array([each.governing_pressure for each in hardest], float),
+            pressure=np.array([each.governing for each in hardest], float),
             lag_curve=self.lag_curve(stage).at_output(members),
             play=play and tuple(map(members.angle_at_output, play)),
         )
@@ -320,7 +320,7 @@ def solve(body: LoadSharingRequest) -> Values:
     """Forces, lag, play and stiffness of the output mechanism with clearance, deviations and
     elasticity, at crank angles and over the turn.
     """
-    solved, run_time_us = run(body, body.solve_all)
+    solved, run_time_us = timed(body.solve_all)
     values = solved.answer(run_time_us)
     if "worked" in body.include:
         steps = stated("over_turn", values.get("over_turn", {}), "solved", BOUNDS)
@@ -332,8 +332,8 @@ def solve(body: LoadSharingRequest) -> Values:
 
 def figure(body: LoadSharingRequest, theme: Theme = "light") -> Figure:
     """Forces with the ideal ones behind them, lag, pressure and lag over torque, for Plotly.js."""
-    run(body, body.mechanism.refuse_undrawable)
-    drawn, _ = run(body, body.solve_for_drawing)
+    body.mechanism.refuse_undrawable()
+    drawn = body.solve_for_drawing()
     return load_sharing_figure(drawn, theme)
 
 

@@ -1,6 +1,7 @@
 """The parallel-crank mechanism as a request gives it."""
 
 import math
+from functools import cached_property
 from typing import Any, ClassVar, Literal, Self, cast
 
 from pydantic import model_validator
@@ -128,16 +129,16 @@ class MechanismFields(RequestModel, group="mechanism"):
 
     @model_validator(mode="after")
     def _reduces(self) -> Self:
-        ratio, teeth = self.ratio, self.teeth
-        if self.output != "coupling" and {None} == {ratio, teeth, self.output_ratio}:
-            raise field_error("ratio", "needed", field="satellite_teeth")
-        if ratio is not None:
-            self._refuse_ratio(ratio)
-        if teeth is not None:
-            satellite, ring = teeth
-            if ring > 2 * satellite:
+        match self.given:
+            case {"ratio": ratio}:
+                self._refuse_ratio(ratio)
+            case {"satellite_teeth": satellite, "ring_teeth": ring} if ring > 2 * satellite:
                 more = {"limit": 2 * satellite, "field": "satellite_teeth"}
                 raise field_error("ring_teeth", "ratio_of_teeth", **more)
+            case {"output_ratio": _} | {"ring_teeth": _} | {"output": "coupling"}:
+                pass
+            case _:
+                raise field_error("ratio", "needed", field="satellite_teeth")
         return self
 
     def _refuse_ratio(self, ratio: float) -> None:
@@ -230,7 +231,7 @@ class MechanismFields(RequestModel, group="mechanism"):
 
     def notices(self) -> tuple[Notice, ...]:
         """A ratio with the sign of the output."""
-        signed = self.ratio is not None and self.ratio < 0
+        signed = (self.ratio or 0) < 0
         return (Notice("ratio_sign", {"ratio": self.ratio_given()}),) if signed else ()
 
     def ratio_given(self) -> float:
@@ -250,7 +251,8 @@ class MechanismFields(RequestModel, group="mechanism"):
                 return ratio_from_teeth(satellite_teeth=satellite, ring_teeth=ring)
         return math.inf
 
-    def section(self, _: Any = None) -> MechanismSection:
+    @cached_property
+    def in_si(self) -> MechanismSection:
         """The same in SI units."""
         angles = to_si("crank_angles_deg", self.crank_angles_deg)
         return MechanismSection(
@@ -259,19 +261,23 @@ class MechanismFields(RequestModel, group="mechanism"):
             ratio=self.ratio_given(),
             output=cast(Output, self.output),
             crank_spacing=to_si("spacing_deg", self.crank_spacing_deg),
-            crank_angles=angles and tuple(angles),
+            crank_angles=tuple(angles or ()),
             initial_crank_angle=to_si("initial_crank_angle_deg", self.initial_crank_angle_deg),
             satellite_teeth=self.satellite_teeth,
         )
 
+    def section(self, _: Any) -> MechanismSection:
+        """The same in SI units."""
+        return self.in_si
+
     def mechanism(self) -> Mechanism:
         """The mechanism in SI units."""
-        return self.section().built
+        return self.in_si.built
 
     @property
     def members(self) -> Members:
         """Crank, pins and ring, one of which is the output."""
-        return self.section().members
+        return self.in_si.members
 
 
 class PairOut(ResponseModel):

@@ -19,7 +19,7 @@ from app.model import (
     quantity,
     result,
 )
-from app.running import run
+from app.running import timed
 from app.sources import KHATETOVSKY_2020
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si, to_si
@@ -139,19 +139,18 @@ def meshing_load_figure(
 
 def solve(body: MeshingLoadRequest) -> Values:
     """Line load, force and moment of the mesh."""
-    return MeshingLoadResponse.values(*run(body, body.solve_load))
+    return MeshingLoadResponse.values(*timed(body.solve_load))
 
 
 def figure(body: MeshingLoadRequest, theme: Theme = "light") -> Figure:
     """Line load along every contact line."""
-    curves, _ = run(body, body.solve_curves)
+    curves = body.solve_curves()
     return meshing_load_figure(curves, theme)
 
 
 def work(body: MeshingLoadRequest) -> list[Values]:
     """Worked steps of the load of the mesh."""
-    steps, _ = run(body, body.steps)
-    return worked(meshing_load=steps)
+    return worked(meshing_load=body.steps())
 
 
 CALCULATION = Calculation(

@@ -31,7 +31,7 @@ from app.model import (
     quantity,
 )
 from app.rules import Forms
-from app.running import run
+from app.running import timed
 from app.sources import ARCHARD_1953, WANG_2016, YANCHEVSKIY_2021
 from app.theme import (
     Amount,
@@ -288,20 +288,19 @@ def turn(samples: int) -> FloatArray:
 
 def solve(body: OutputEfficiencyRequest) -> Values:
     """Friction of the pins in the holes, or on their sleeves: loss, efficiency, pv and wear."""
-    return OutputEfficiencyResponse.values(*run(body, body.solve_all), forces=body.forces)
+    return OutputEfficiencyResponse.values(*timed(body.solve_all), forces=body.forces)
 
 
 def figure(body: OutputEfficiencyRequest, theme: Theme = "light") -> Figure:
     """Loss and efficiency over the turn as a Plotly figure, ready for Plotly.js."""
-    run(body, body.mechanism.refuse_undrawable)
-    (losses, curves, switching), _ = run(body, body.solve_for_drawing)
+    body.mechanism.refuse_undrawable()
+    losses, curves, switching = body.solve_for_drawing()
     return loss_figure(losses, curves, from_si("switching_deg", switching), theme)
 
 
 def work(body: OutputEfficiencyRequest) -> list[Values]:
     """Worked steps of friction and wear."""
-    steps, _ = run(body, body.steps)
-    return worked(output_efficiency=steps)
+    return worked(output_efficiency=body.steps())
 
 
 CALCULATION = Calculation(

@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterator
 from decimal import Decimal
+from functools import cached_property
 from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import Field, model_validator
@@ -101,7 +102,7 @@ class PinContactFields(ContactFields, group="contact"):
         """
         return sum((Decimal(repr(getattr(self, name) or 0.0)) for name in names), Decimal())
 
-    @property
+    @cached_property
     def stated_clearance_mm(self) -> float | None:
         """Radial clearance as it is given, or by the fit."""
         if self.fit is None:
@@ -113,7 +114,7 @@ class PinContactFields(ContactFields, group="contact"):
     @property
     def clearance_unknown(self) -> bool:
         """Whether pin, hole and eccentricity are given, and nothing is known of their clearance."""
-        return self._sized and self.section().clearance_unknown
+        return self._sized and self.in_si.clearance_unknown
 
     @property
     def _sized(self) -> bool:
@@ -124,6 +125,7 @@ class PinContactFields(ContactFields, group="contact"):
         perfect = self._sized and not self.clearance_mm()
         return super().notices() + ((Notice("perfect_parts"),) if perfect else ())
 
+    @cached_property
     def hole_mm(self) -> float:
         """Radius of the hole: given, or by pin, eccentricity and clearance."""
         given = self.hole_radius_mm
@@ -137,7 +139,7 @@ class PinContactFields(ContactFields, group="contact"):
         if clearance is None:
             typed = self.given.keys() >= {"hole_radius_mm", "eccentricity_mm"}
             clearance = float(self._sum("hole_radius_mm") - self._sum(*RADII[:2])) if typed else 0.0
-        return felt(clearance=clearance, hole_radius=self.hole_mm())
+        return felt(clearance=clearance, hole_radius=self.hole_mm)
 
     @property
     def surface(self) -> dict[str, Any]:
@@ -145,13 +147,14 @@ class PinContactFields(ContactFields, group="contact"):
         diameter = 2 * to_si("radius_mm", self.pin_radius_mm)
         return {"diameter": diameter, "material": self.pin_material}
 
-    def section(self, _: Any = None) -> Contact:
+    @cached_property
+    def in_si(self) -> Contact:
         """The same in SI units."""
         given = {name: getattr(self, name) for name in ("pin_material", "hole_material")}
         return Contact(
             contact_length=to_si("contact_length_mm", self.contact_length_mm),
             pin_radius=to_si("pin_radius_mm", self.pin_radius_mm),
-            hole_radius=to_si("hole_radius_mm", self.hole_mm()),
+            hole_radius=to_si("hole_radius_mm", self.hole_mm),
             eccentricity=to_si("eccentricity_mm", self.eccentricity_mm),
             dynamic_factor=self.dynamic_factor,
             distribution_factor=self.distribution_factor,
@@ -162,11 +165,15 @@ class PinContactFields(ContactFields, group="contact"):
             **{name: material_of(each) for name, each in given.items()},
         )
 
+    def section(self, _: Any) -> Contact:
+        """The same in SI units."""
+        return self.in_si
+
     def sizes_on(self, pin_circle_radius_mm: float) -> dict[str, Any]:
         """Sizes of pins and holes on their circle in SI units, None for what is not given."""
         return {
             "pin_radius": to_si("pin_radius_mm", self.pin_radius_mm),
-            "hole_radius": to_si("hole_radius_mm", self.hole_mm()),
+            "hole_radius": to_si("hole_radius_mm", self.hole_mm),
             "eccentricity": to_si("eccentricity_mm", self.eccentricity_mm),
             "pin_circle_radius": to_si("pin_circle_radius_mm", pin_circle_radius_mm),
         }

@@ -27,7 +27,7 @@ from app.model import (
     result,
 )
 from app.rules import Rule, field_error
-from app.running import run
+from app.running import timed
 from app.sources import SHIGLEY, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si
@@ -95,7 +95,7 @@ class PinStrengthRequest(DesignFields):
     def bounds(self) -> Iterator[Values]:
         """Strength of the pin in the supports between which the truth of a cage lies."""
         for support in BOUNDS:
-            found = run(self, partial(self.solve_held, support))
+            found = timed(partial(self.solve_held, support))
             yield SupportBoundOut.values(*found, support=support, **self.left_out)
 
 
@@ -288,7 +288,7 @@ def strength_figure(found: PinStrength, theme: Theme) -> Figure:
 
 def solve(body: PinStrengthRequest) -> Values:
     """Strength of the pins: bending, shear, static safety, fatigue by the true stress cycle."""
-    strength = run(body, body.solve)
+    strength = timed(body.solve)
     bounds = [*body.bounds()] if "support_bounds" in body.include else None
     said: dict[str, Any] = {"forces": body.forces, "support_bounds": bounds} | body.left_out
     return PinStrengthResponse.values(*strength, **said)
@@ -296,15 +296,14 @@ def solve(body: PinStrengthRequest) -> Values:
 
 def figure(body: PinStrengthRequest, theme: Theme = "light") -> Figure:
     """Locus of the moment and stress over the turn as a Plotly figure, ready for Plotly.js."""
-    run(body, body.mechanism.refuse_undrawable)
-    found, _ = run(body, lambda: body.solve(locus=True))
+    body.mechanism.refuse_undrawable()
+    found = body.solve(locus=True)
     return strength_figure(found, theme)
 
 
 def work(body: PinStrengthRequest) -> list[Values]:
     """Worked steps of the strength of the pins."""
-    steps, _ = run(body, body.steps)
-    return worked(pin_strength=steps)
+    return worked(pin_strength=body.steps())
 
 
 CALCULATION = Calculation(

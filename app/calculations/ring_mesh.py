@@ -36,7 +36,7 @@ from app.calculations.solved import Solved
 from app.model import UNION_TAGS, Angle, Calculation, Maybe, RequestModel, Size, Values, quantity
 from app.problems import refusal
 from app.rules import field_error
-from app.running import run
+from app.running import timed
 from app.settings import Settings
 from app.sources import ISO_6336, JOHNSON_1985
 from app.theme import Figure, Theme
@@ -219,9 +219,7 @@ class RingMeshRequest(RequestModel, group="positions"):
     @property
     def asked(self) -> list[Section]:
         """Sections of the answer."""
-        if self.include is not None:
-            return self.include
-        return ["stresses"] if self.gear.kind == "involute" else ["positions"]
+        return self.include or ["stresses" if self.gear.kind == "involute" else "positions"]
 
     @property
     def cycloid(self) -> CycloidRingFields:
@@ -432,7 +430,7 @@ class RingMeshRequest(RequestModel, group="positions"):
 
 def work(body: RingMeshRequest) -> list[Values]:
     """Worked steps of the geometry, and of what is asked for."""
-    return run(body, body.solve_steps)[0]
+    return body.solve_steps()
 
 
 def solve(body: RingMeshRequest) -> Values:
@@ -440,7 +438,7 @@ def solve(body: RingMeshRequest) -> Values:
     modification, deviations and elasticity, at crank angles and over the turn; or the path of
     contact, interferences and stresses of involute teeth.
     """
-    solved, run_time_us = run(body, body.solve_all)
+    solved, run_time_us = timed(body.solve_all)
     return solved.answer(run_time_us)
 
 
@@ -450,13 +448,13 @@ def figure(body: RingMeshRequest, theme: Theme = "light") -> Figure:
     Plotly.js.
     """
     if body.gear.kind == "involute":
-        path, _ = run(body, body.solve_path)
+        path = body.solve_path()
         return path_figure(path, theme)
     own = body.mechanism
     if own.pairs > MAX_DRAWN_PAIRS:
         most = {"limit": MAX_DRAWN_PAIRS // own.satellites, "satellites": own.satellites}
         raise refusal("/mechanism/ring_teeth", "too_many_pairs", **most)
-    drawn, _ = run(body, body.solve_for_drawing)
+    drawn = body.solve_for_drawing()
     return ring_mesh_figure(drawn, theme)
 
 

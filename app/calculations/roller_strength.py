@@ -7,7 +7,13 @@ from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import Field, field_validator, model_validator
 
-from app.calculations.checks import JudgedFields, JudgedResponse, codes_to_fix, judgement
+from app.calculations.checks import (
+    JudgedFields,
+    JudgedResponse,
+    codes_to_fix,
+    fix_values,
+    judgement,
+)
 from app.calculations.fatigue import STEEL_GPA, CycleOut, FatigueFields
 from app.model import (
     AccuracyOut,
@@ -24,7 +30,7 @@ from app.model import (
     warning,
 )
 from app.rules import Forms, field_error
-from app.running import run
+from app.running import timed
 from app.sources import OVSYANNIKOV_2019, SHIGLEY
 from app.theme import (
     Amount,
@@ -234,17 +240,13 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
             return checked(changed, result, self.tired(result, changed["diameter"]))
 
         verdict = checked(self.design, result, tired)
-        fixes = None
+        asked = "checks" in self.include
+        judged = judgement(verdict, self, torque=self.output_torque_Nm, checks=asked)
         if "fixes" in self.include:
             codes = codes_to_fix(verdict, self.fixes_for)
             fixes = plain_fixes(design=self.design, codes=codes, current=verdict, checks=checks)
-        return judgement(
-            verdict,
-            self,
-            torque=self.output_torque_Nm,
-            checks="checks" in self.include,
-            fixes=fixes,
-        )
+            judged["fixes"] = [fix_values(each, self) for each in fixes]
+        return judged
 
     def solve_curves(self) -> RollerCurves:
         """Curves of stiffness, non-uniformity and stress through this design."""
@@ -446,9 +448,9 @@ def roller_figure(
 
 def solve(body: RollerStrengthRequest) -> Values:
     """Stiffness, load sharing and bending stress of swinging rollers."""
-    result, run_time_us = run(body, body.solve)
-    tired, _ = run(body, lambda: body.tired(result, body.design["diameter"]))
-    judged, _ = run(body, lambda: body.judge(result, tired))
+    result, run_time_us = timed(body.solve)
+    tired = body.tired(result, body.design["diameter"])
+    judged = body.judge(result, tired)
     cycle = CycleOut.values(tired) if isinstance(tired, CycleFatigue) else None
     values = RollerStrengthResponse.values(result, run_time_us, fatigue=cycle, **judged)
     notices = notices_of(tired)
@@ -459,14 +461,13 @@ def solve(body: RollerStrengthRequest) -> Values:
 
 def figure(body: RollerStrengthRequest, theme: Theme = "light") -> Figure:
     """Stiffness, non-uniformity and stress as curves through this design."""
-    curves, _ = run(body, body.solve_curves)
+    curves = body.solve_curves()
     return roller_figure(curves, body.design["diameter"], body.design["youngs_modulus"], theme)
 
 
 def work(body: RollerStrengthRequest) -> list[Values]:
     """Worked steps of the rollers."""
-    steps, _ = run(body, body.steps)
-    return worked(roller_strength=steps)
+    return worked(roller_strength=body.steps())
 
 
 CALCULATION = Calculation(

@@ -33,7 +33,7 @@ from app.model import (
     result,
 )
 from app.rules import Rule, field_error
-from app.running import run
+from app.running import timed
 from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
 from app.units import from_si
@@ -342,20 +342,19 @@ def load_figure(
 
 def solve(body: SatelliteBearingRequest) -> Values:
     """Load of the satellites' bearings by pins and ring, static safety and life."""
-    return SatelliteBearingResponse.values(*run(body, body.solve), forces=body.forces)
+    return SatelliteBearingResponse.values(*timed(body.solve), forces=body.forces)
 
 
 def figure(body: SatelliteBearingRequest, theme: Theme = "light") -> Figure:
     """Load in the crank's frame and over the turn as a Plotly figure, ready for Plotly.js."""
-    run(body, body.mechanism.refuse_undrawable)
-    (found, curves, switching), _ = run(body, body.solve_for_drawing)
+    body.mechanism.refuse_undrawable()
+    found, curves, switching = body.solve_for_drawing()
     return load_figure(found, curves, from_si("switching_deg", switching), theme)
 
 
 def work(body: SatelliteBearingRequest) -> list[Values]:
     """Worked steps of the bearing that is loaded most."""
-    steps, _ = run(body, body.steps)
-    return worked(satellite_bearing=steps)
+    return worked(satellite_bearing=body.steps())
 
 
 CALCULATION = Calculation(

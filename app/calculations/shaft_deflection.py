@@ -5,7 +5,13 @@ from collections.abc import Callable
 from functools import cached_property
 from typing import Any, ClassVar
 
-from app.calculations.checks import JudgedFields, JudgedResponse, codes_to_fix, judgement
+from app.calculations.checks import (
+    JudgedFields,
+    JudgedResponse,
+    codes_to_fix,
+    fix_values,
+    judgement,
+)
 from app.calculations.fatigue import STEEL_GPA, CycleOut, FatigueFields
 from app.calculations.hertz import Material, material_of
 from app.calculations.meshing_load import MeshFields
@@ -25,13 +31,14 @@ from app.model import (
     warning,
 )
 from app.rules import Forms
-from app.running import run
+from app.running import timed
 from app.sources import JOHNSON_1985, KHATETOVSKY_2020, SHIGLEY
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
 from app.units import core_name, from_si, to_si
 from app.worked import worked
 from core.checks.check import Verdict
 from core.checks.shaft import LINE_MATERIALS, ShaftDesign, shaft_checks
+from core.derived import if_known
 from core.design.document import not_given
 from core.errors import NotKnown
 from core.fatigue import FatigueStrength
@@ -276,14 +283,15 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
             found = body.solve_shaft(own)
             return body.checks(own, found, body.strength(found))
 
-        verdict, fixes = self.checks(load, result, strength), None
+        verdict = self.checks(load, result, strength)
+        asked = "checks" in self.include
+        judged = judgement(verdict, self, torque=self.torque_Nm, checks=asked)
         if "fixes" in self.include:
             design = {core_name(name): to_si(name, getattr(self, name)) for name in self._varied()}
             codes = codes_to_fix(verdict, self.fixes_for)
             fixes = plain_fixes(design=design, codes=codes, current=verdict, checks=checks)
-        return judgement(
-            verdict, self, torque=self.torque_Nm, checks="checks" in self.include, fixes=fixes
-        )
+            judged["fixes"] = [fix_values(each, self) for each in fixes]
+        return judged
 
     def _varied(self) -> tuple[str, ...]:
         """What a fix may change: nothing of a shaft with steps, as their lengths add up."""
@@ -461,10 +469,9 @@ def shaft_figure(diagram: ShaftDiagram, bearing_distance_mm: float, theme: Theme
 
 def solve(body: ShaftDeflectionRequest) -> Values:
     """Reactions of the shaft and its deflection at the bearings B and C, in both planes."""
-    (load, result), run_time_us = run(body, body.solve_all)
-    strength = body.strength(result)
-    judged, _ = run(body, lambda: body.judge(load, result, strength))
-    contact = body.contact(load)
+    (load, result), run_time_us = timed(body.solve_all)
+    strength, contact = body.strength(result), body.contact(load)
+    judged = body.judge(load, result, strength)
     values = ShaftDeflectionResponse.values(
         result,
         run_time_us,
@@ -472,7 +479,9 @@ def solve(body: ShaftDeflectionRequest) -> Values:
         line_contact=contact and LineContactOut.values(contact),
         **judged,
     )
-    notices = notices_of(contact, body.no_fatigue(), strength and strength.fatigue)
+    notices = notices_of(
+        contact, body.no_fatigue(), strength and if_known(lambda: strength.fatigue)
+    )
     if notices:
         values["warnings"] = [*map(warning, notices), *values.get("warnings", ())]
     return values
@@ -480,14 +489,13 @@ def solve(body: ShaftDeflectionRequest) -> Values:
 
 def figure(body: ShaftDeflectionRequest, theme: Theme = "light") -> Figure:
     """Shear force, bending moment and deflection along the shaft, in both planes."""
-    (_, diagram), _ = run(body, body.solve_diagram)
+    _, diagram = body.solve_diagram()
     return shaft_figure(diagram, body.bearing_distance_mm, theme)
 
 
 def work(body: ShaftDeflectionRequest) -> list[Values]:
     """Worked steps of reactions, deflections, strength and contact."""
-    steps, _ = run(body, body.steps)
-    return worked(shaft_deflection=steps)
+    return worked(shaft_deflection=body.steps())
 
 
 CALCULATION = Calculation(

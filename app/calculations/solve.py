@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator
 from copy import deepcopy
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, TypeAdapter, ValidationError
@@ -32,7 +32,7 @@ from app.model import (
 from app.pointers import holder, inner, keys, with_values
 from app.problems import Problem, refusal, wrong_fields
 from app.rules import Forms
-from app.running import named, run
+from app.running import calculated, named, timed
 from app.settings import Settings
 from app.worked import stated
 from core.errors import CalculationError, InvalidInput
@@ -210,7 +210,8 @@ class SolveRequest(WorkedFields):
 
         def answer(value: float) -> float:
             try:
-                values = calculation.solve(adapter.validate_python(changed(value)))
+                asked = adapter.validate_python(changed(value))
+                values = calculated(asked, partial(calculation.solve, asked))
             except (Problem, CalculationError, ValidationError) as error:
                 if isinstance(error, Problem) and _is_of_a_list(error):
                     raise _refused(error) from error
@@ -316,7 +317,7 @@ class SolveResponse(WorkedResponse):
 
 def solve(body: SolveRequest) -> Values:
     """The smallest or largest value of an input with which a result is what is wanted."""
-    (found, sets, linked), run_time_us = run(body, body.solve)
+    (found, sets, linked), run_time_us = timed(body.solve)
     accuracy = Accuracy("bracketing", TOLERANCE, found.evaluations)
     values: Values = {
         "status": found.status,

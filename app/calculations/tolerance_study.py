@@ -36,7 +36,7 @@ from app.model import (
 )
 from app.problems import refusal, unavailable
 from app.rules import Rule, field_error
-from app.running import run
+from app.running import timed
 from app.settings import Settings, current
 from app.sources import ISO_286, JANSEN_1999, YANCHEVSKIY_2021
 from app.theme import Figure, Theme
@@ -513,7 +513,7 @@ def _histogram(values: FloatArray) -> Values:
 def reporting(body: ToleranceStudyRequest, report: Report) -> Values:
     """The same as `solve`, which tells how much of it is done."""
     try:
-        (values, accuracy), run_time_us = run(body, lambda: body.solve(report))
+        (values, accuracy), run_time_us = timed(lambda: body.solve(report))
     except Lost as error:
         raise unavailable("The cluster of this study is lost") from error
     values["accuracy"] |= accuracy_values(accuracy, run_time_us)
@@ -534,7 +534,7 @@ def figure(body: ToleranceStudyRequest, theme: Theme = "light") -> Figure:
     """Histogram of the first quantity with its percentiles; with `contributions`, these ranked."""
     if "contributions" not in body.include:
         body = body.model_copy(update={"include": ["histogram"]})
-    (values, _), _ = run(body, body.solve)
+    values, _ = body.solve()
     name = body.names[0]
     shown = values["quantities"][name]
     if "fit_contributions" in values:

@@ -41,9 +41,9 @@ class UsualFitOut(ResponseModel):
 
 def _largest_torque(results: Results, judged: Verdict) -> float | None:
     """Torque at which the first check fails, N*m, as far as it is known."""
-    if not judged.largest_torque_known or judged.torque_reserve is None:
+    if not judged.largest_torque_known:
         return None
-    return abs(results.design.load.output_torque) * judged.torque_reserve
+    return abs(results.design.load.output_torque) * judged.torque_reserve  # type: ignore[operator]
 
 
 class SpreadOut(ResponseModel):

@@ -22,7 +22,6 @@ from app.calculations.shaft_deflection import ShaftDeflectionRequest
 from app.calculations.tolerance_study import ToleranceStudyRequest
 from app.model import Calculation, RequestModel, ResponseModel, Values, result
 from app.rules import field_error
-from app.running import run
 from app.settings import Settings
 from app.theme import DASHES, Amount, Figure, Theme, axis, curve, layout, marker, text
 from app.units import to_si
@@ -165,7 +164,7 @@ class CrankshaftStudy(Study):
         """The study."""
         shaft = self.input.design.crankshaft
         kinds: dict[str, Any] = {}
-        if shaft.bearings is not None:
+        if shaft.bearings:
             kinds["kinds"] = (shaft.bearings[0].kind, shaft.bearings[1].kind)
         return equivalent_reaction_study(
             **_turning(self.input.results),
@@ -461,7 +460,7 @@ def work_precision_figure(answer: Values, theme: Theme) -> Figure:
 
 def solve(body: WorkPrecisionRequest) -> Values:
     """Error against run time of the methods of a calculation, for the input given."""
-    study, _ = run(body, body.solve)
+    study = body.solve()
     return WorkPrecisionResponse.values(study)
 
 

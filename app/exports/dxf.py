@@ -3,7 +3,6 @@
 import io
 import re
 import zipfile
-from functools import partial
 from typing import TYPE_CHECKING, NamedTuple, Self
 
 import numpy as np
@@ -15,7 +14,7 @@ from app.calculations.mechanism import MAX_SATELLITES
 from app.model import Export, File, RequestModel, quantity
 from app.problems import Problem, pointer, refusal
 from app.rules import field_error
-from app.running import path_of, run
+from app.running import calculated, path_of
 from app.settings import Settings
 from app.units import from_si, to_si
 from core.arrays import FloatArray
@@ -265,11 +264,11 @@ def write(body: DxfRequest) -> File:
     their own centres.
     """
     try:
-        parts, _ = run(body, body.drawn)
+        parts = calculated(body, body.drawn)
     except NotKnown as error:
         missing = error.missing[0] if error.missing else "gear"
-        raise refusal(pointer(path_of(body, missing) or ()), "needed_to_draw") from error
-    files = {part.said["part"]: run(body, partial(_file, part))[0] for part in parts}
+        raise refusal(pointer(path_of(body, missing)), "needed_to_draw") from error
+    files = {part.said["part"]: _file(part) for part in parts}
     if len(files) == 1:
         ((name, content),) = files.items()
         return File(f"{name}.dxf", DXF, content)

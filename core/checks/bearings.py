@@ -261,11 +261,6 @@ def bearing_overload(design: Design, results: Results) -> Check:
     )
 
 
-def _of_crank(design: Design) -> tuple[RollingBearing, ...]:
-    """Bearings of the crankshaft, which have to be given."""
-    return required(design.crankshaft.bearings, "rating_unknown", "crankshaft.bearings")
-
-
 @_crank_bearing(
     "crank_bearing_rating",
     title="Ratings of the crankshaft's bearings",
@@ -275,7 +270,7 @@ def _of_crank(design: Design) -> tuple[RollingBearing, ...]:
 )
 def crank_bearing_rating(design: Design, results: Results) -> Check:
     found = []
-    for place, each in enumerate(_of_crank(design), 1):
+    for place, each in enumerate(design.crankshaft.known_bearings, 1):
         bore, outer, width = _known_sizes(each, "crankshaft.bearings")
         bounds = largest_ratings(
             kind=each.kind, bore_diameter=bore, outer_diameter=outer, width=width
@@ -298,7 +293,9 @@ def crank_bearing_rating(design: Design, results: Results) -> Check:
 def crank_bearing_fits(design: Design, results: Results) -> Check:
     name = "crankshaft.shaft_diameter"
     shaft = required(design.crankshaft.shaft_diameter, "size_missing", name)
-    bores = [_known_sizes(each, "crankshaft.bearings")[0] for each in _of_crank(design)]
+    bores = [
+        _known_sizes(each, "crankshaft.bearings")[0] for each in design.crankshaft.known_bearings
+    ]
     left = min(bores) - shaft
     found = judged(crank_bearing_fits, left, 0.0, at={"bearing": bores.index(min(bores)) + 1})
     return found._replace(impossible=found.status == "fail")
@@ -316,7 +313,10 @@ def crank_bearing_fits(design: Design, results: Results) -> Check:
 )
 def crank_bearing_speed(design: Design, results: Results) -> Check:
     speeds = design.known_speeds
-    turning = [(speeds.against(each.seat), each.limiting_speed) for each in _of_crank(design)]
+    turning = [
+        (speeds.against(each.seat), each.limiting_speed)
+        for each in design.crankshaft.known_bearings
+    ]
     limited = [(speed, limit) for speed, limit in turning if limit is not None]
     if not limited:
         value = max(speed for speed, _ in turning)

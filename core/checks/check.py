@@ -157,9 +157,8 @@ class Check(NamedTuple):
     @property
     def compared(self) -> tuple[float, float]:
         """Value and limit, in SI units; `NotKnown` where they are not both known."""
-        if self.value is None or self.limit is None:
-            raise NotKnown(self.reason, *self.missing)
-        return self.value, self.limit
+        lacks = (self.reason, *self.missing)
+        return required(self.value, *lacks), required(self.limit, *lacks)
 
     @property
     def by_torque(self) -> bool:

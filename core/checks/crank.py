@@ -328,7 +328,7 @@ def system_life(design: Design, results: Results) -> Check:
 )
 def crank_bearing_life(design: Design, results: Results) -> Check:
     kind, limit = crank_bearing_life, design.requirements.life
-    bearings = required(design.crankshaft.bearings, "rating_unknown", "crankshaft.bearings")
+    bearings = design.crankshaft.known_bearings
     for each in bearings:
         required(each.dynamic_rating, "rating_unknown", "crankshaft.bearings")
     found = results.crank.shaft

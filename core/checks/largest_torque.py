@@ -129,6 +129,10 @@ DOUBTS = ("pressure_error", "shakedown_unknown")
 """Reasons for which a check is marginal whatever it is under other torques."""
 
 
+UNSOLVED = -math.inf
+"""What is left of reserves where forces cannot be solved, as a logarithm."""
+
+
 class _Torques:
     """Checks of a design whose reserves are estimates, under several torques."""
 
@@ -146,9 +150,9 @@ class _Torques:
             if each.torque_reserve and not each.rough and not each.warning
         ]
 
-    def look(self, factor: float) -> float | None:
-        """The least logarithm of a reserve that is left under so many times the torque; None where
-        one is not known there.
+    def look(self, factor: float) -> float:
+        """The least logarithm of a reserve that is left under so many times the torque; `UNSOLVED`
+        where one is not known there.
         """
         there, x = Results(under(design=self.design, factor=factor)), math.log(factor)
         least, known = min(self.exact, default=math.inf) - x, True
@@ -159,7 +163,7 @@ class _Torques:
                 least = min(least, looks[-1][1] if code in self.counted else math.inf)
             else:
                 known = known and code not in self.counted
-        return least if known else None
+        return least if known else UNSOLVED
 
     def root(self, code: str) -> float:
         """Logarithm of the factor at which a check fails, by the two looks next to it."""
@@ -185,16 +189,16 @@ class _Torques:
                 if math.isfinite(root)
             }
             farthest = max(away, key=lambda root: away[root], default=0.0)
-            if away.get(farthest, 0.0) <= NEAR or self.look(math.exp(farthest)) is None:
+            if away.get(farthest, 0.0) <= NEAR or self.look(math.exp(farthest)) == UNSOLVED:
                 return
 
-    def largest(self, left: float | None) -> tuple[float, bool]:
+    def largest(self, left: float) -> tuple[float, bool]:
         """The largest factor that is known to hold, 0 where none is, and whether the first check
         fails there; by what is left under `MARGIN` times the torque.
         """
-        unsolved = math.log(MARGIN) if left is None else math.inf
+        unsolved = math.log(MARGIN) if left == UNSOLVED else math.inf
         holds = 1.0 if self.first() >= 0 else 0.0
-        if left is not None and left >= 0:
+        if left >= 0:
             holds = MARGIN
         for _ in range(LOOKS):
             x = self.first()
@@ -203,7 +207,7 @@ class _Torques:
             if not math.isfinite(x):
                 break
             left = self.look(math.exp(x))
-            if left is None:
+            if left == UNSOLVED:
                 unsolved = x
             elif abs(left) <= JUDGED:
                 return math.exp(self.first()), True
@@ -226,7 +230,7 @@ class _Torques:
             limit, settled = self.largest(left)
         else:
             settled = False
-            known = guess > 0 and self.look(guess) is not None and math.isfinite(self.first())
+            known = guess > 0 and self.look(guess) > UNSOLVED and math.isfinite(self.first())
             limit = math.exp(self.first()) if known else 0.0
         if settled and every:
             self.look_further()

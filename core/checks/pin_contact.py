@@ -10,7 +10,7 @@ from core.checks.inputs import LIFE, LOADED, SLIDING
 from core.derived import if_known, is_known
 from core.design.document import Design
 from core.design.results import Results
-from core.errors import NotKnown, required
+from core.errors import NotKnown
 from core.first_yield import SLIDING as KNOWN_SLIDING
 from core.hertz import HertzContact, force_factor
 from core.materials import Body, ContactLimit, ElasticMaterial
@@ -37,28 +37,6 @@ _check = partial(
 )
 
 
-def pressed(contact: HertzContact) -> float:
-    """The governing pressure of a contact, which has to have one.
-
-    Parameters
-    ----------
-    contact : HertzContact
-        The contact.
-
-    Returns
-    -------
-    float
-        Pa.
-
-    Raises
-    ------
-    NotKnown
-        If the contact wraps around its pin.
-    """
-    pressure: float = required(contact.governing_pressure, "contact_wraps")
-    return pressure
-
-
 def _against_limit(kind: Kind, results: Results, warning: str = "") -> Check:
     """The governing pressure against its limit."""
     design, contact = results.design, results.hertz
@@ -66,7 +44,7 @@ def _against_limit(kind: Kind, results: Results, warning: str = "") -> Check:
         kind=kind,
         results=results,
         contact=contact,
-        pressure=pressed(contact),
+        pressure=contact.governing_pressure,
         **kind.known(design, results),
         reserve=results.contact_reserves[kind.code],
         warning=warning,
@@ -188,12 +166,11 @@ def _pressure(body: Body) -> Kind:
 
     def limit_of(design: Design, results: Results) -> ContactLimit:
         """That of the material, which has to have one."""
-        contact = if_known(lambda: results.hertz)
         return judged_by(
             design.lasting[body].limit,
             "plastic_limit_unknown" if body in design.plastics else "limit_unknown",
             f"contact.{body}_material.allowable_pressure",
-            value=contact and contact.governing_pressure,
+            value=if_known(lambda: results.hertz.governing_pressure),
             at=if_known(lambda: results.peak) or {},
         )
 
@@ -254,7 +231,7 @@ def _plastic(body: Body, name: str, warning: str = "", **said: str) -> Kind:
         if name == "yield" or sliding <= KNOWN_SLIDING or found.status == "fail":
             return found
         # between the pressure up to which nothing yields and the one from which it goes on
-        if pressed(results.hertz) > yielding[f"contact_yield_{body}"]:
+        if results.hertz.governing_pressure > yielding[f"contact_yield_{body}"]:
             return found._replace(status="marginal", reason="shakedown_unknown")
         return found
 
@@ -302,7 +279,10 @@ def _static(body: Body) -> Kind:
         if body in design.plastics and material.limit is None:
             return Check(static, "not_applicable", reason="plastic_rules")
         contact = results.static_contact
-        pressure, unknown = pressed(contact), f"contact.{body}_material.allowable_pressure"
+        pressure, unknown = (
+            contact.governing_pressure,
+            f"contact.{body}_material.allowable_pressure",
+        )
         known = static_limit(material=material, pressure=pressure)
         limit, source = judged_by(known, "limit_unknown", unknown, value=pressure)
         return in_disc(

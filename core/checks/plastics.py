@@ -4,14 +4,13 @@ A plastic creeps, wears and goes soft, and no source says what pressure a contac
 long. So each check here may fail, and none passes: what holds is `necessary_only`.
 """
 
-import math
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from functools import partial
 
 from core.checks.check import Check, Unjudged, design_check, judged, judged_by, necessary
 from core.checks.inputs import LOADED, SLIDING
-from core.checks.pin_contact import FIXES, in_disc, pressed
+from core.checks.pin_contact import FIXES, in_disc
 from core.derived import UNKNOWN
 from core.design.document import Design, value_at
 from core.design.results import Results
@@ -56,7 +55,7 @@ def contact_static_cold(design: Design, results: Results) -> Check:
             unknown.append(why)
     if not limits:
         raise unknown[0]
-    pressure, limit = pressed(contact), min(limits)
+    pressure, limit = contact.governing_pressure, min(limits)
     found = in_disc(
         kind=contact_static_cold,
         results=results,
@@ -110,8 +109,7 @@ def _yielding(
 
     def left(factor: float) -> float:
         there = contact_at(factor)
-        pressure = there.governing_pressure
-        return math.nan if pressure is None else limit(there) - float(pressure)
+        return limit(there) - float(there.governing)
 
     first = force_factor(contact=contact, contact_at=contact_at, limit=limit(contact))
     inside, outside = sorted((1.0, first))
@@ -203,7 +201,7 @@ def creep(design: Design, results: Results) -> Check:
     _ = design.hole_friction
     contact, largest = results.hertz, results.line_load_factor
     limit = min(share * results.cold_limit(body, contact) for body, share in lasting.items())
-    pressure = pressed(contact)
+    pressure = contact.governing_pressure
     found = in_disc(
         kind=creep,
         results=results,

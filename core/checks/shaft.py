@@ -18,6 +18,7 @@ from core.checks.check import (
 )
 from core.checks.inputs import FATIGUE
 from core.checks.rollers import cycle_check
+from core.derived import if_known
 from core.design.document import not_given
 from core.design.sections import Requirements
 from core.precession.line_contact import LineContact
@@ -201,9 +202,9 @@ def shaft_static(design: ShaftDesign) -> Check:
 )
 def shaft_fatigue(design: ShaftDesign) -> Check:
     """Its reversed bending; a load that turns with the shaft bends it one way."""
-    fatigue = design.no_fatigue or design.strength.fatigue
+    fatigue = design.no_fatigue or if_known(lambda: design.strength.fatigue)
     safety = design.requirements.fatigue_safety
-    if fatigue is None:
+    if not fatigue:
         return Check(shaft_fatigue, "not_applicable", reason="steady_load")
     reserve = None if isinstance(fatigue, Notice) else fatigue.safety_factor / safety
     return cycle_check(

@@ -5,6 +5,7 @@ Pieces are drawn: every pin of the ring somewhere in a round zone. An upper esti
 contacts give in the mesh.
 """
 
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -152,13 +153,10 @@ class _Piece:
     presses: bool  # whether pairs do without load
 
 
-def _looked_at(mesh: CycloidMesh, torques: list[float]) -> _Piece | None:
-    """A piece under torques, N*m; None of one that cannot be."""
+def _looked_at(mesh: CycloidMesh, torques: list[float]) -> _Piece:
+    """A piece under torques, N*m."""
     places = np.linspace(0.0, 2 * np.pi, POSITIONS, endpoint=False).tolist()
-    try:
-        rows = [Turn(mesh, torque).poses(places) for torque in torques]
-    except ImpossibleMechanism:
-        return None
+    rows = [Turn(mesh, torque).poses(places) for torque in torques]
     play = rows[0]["high"] - rows[0]["low"]
     pressure = mesh.pressure(max(float(each["pressure"].max()) for each in rows))
     return _Piece(
@@ -208,30 +206,27 @@ def usual_modification(design: Design) -> UsualModification | None:
     ] or [made]
     factor = design.load_factor * design.ring_factor
     torques = [way * design.pin_torque * factor for way in WAYS[design.load.torque_direction]]
-    found = [
-        _looked_at(
-            replace(mesh, deviations=changed(design, {"deviations": piece}).ring_deviations),
-            torques,
-        )
-        for piece in pieces
-    ]
-    works = [(each, piece) for each, piece in zip(found, pieces, strict=True) if each is not None]
+    works = list[tuple[_Piece, Deviations]]()
+    for piece in pieces:
+        own = changed(design, {"deviations": piece}).ring_deviations
+        with suppress(ImpossibleMechanism):
+            works.append((_looked_at(replace(mesh, deviations=own), torques), piece))
     if not works:
         return None
-    pressed = len(found) - sum(not each.presses for each, _ in works)
+    pressed = len(pieces) - sum(not each.presses for each, _ in works)
     works.sort(key=lambda each: (each[0].presses, each[0].max_pressure))
-    rank = min(-(-len(found) * OF_90 // SAMPLES), len(works)) - 1
+    rank = min(-(-len(pieces) * OF_90 // SAMPLES), len(works)) - 1
     results = Results(changed(with_usual_clearance(design), {"deviations": works[rank][1]}))
     return UsualModification(
         ring_class=ring_class,
         equidistant=mesh.disc.modification.equidistant,
         pin_zone_diameter=0.0 if placed else 2 * zone,
-        samples=len(found),
+        samples=len(pieces),
         crank_angles=POSITIONS,
         peak_force=Spread.of([each.peak_force for each, _ in works]),
         max_pressure=Spread.of([each.max_pressure for each, _ in works]),
         backlash=Spread.of([each.backlash for each, _ in works]),
-        cannot_assemble=pressed / len(found),
+        cannot_assemble=pressed / len(pieces),
         results=results,
         verdict=crank_verdict(results),
     )

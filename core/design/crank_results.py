@@ -86,7 +86,7 @@ class CrankResults:
         mesh, speeds = self.ring.force, self.design.known_speeds
         self.output.limit_pairs(MOST_BEARING_PAIRS)
         given = self.output.turning | self._on_shaft | {"input_speed": speeds.crank} | other
-        if own.bearings is not None:
+        if own.bearings:
             given |= {
                 "bearing_speeds": tuple(speeds.against(each.seat) for each in own.bearings),
                 "kinds": tuple(each.kind for each in own.bearings),

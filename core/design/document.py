@@ -142,7 +142,7 @@ class Design:
         self._check_ring_pins()
         if self.bearing:
             self.bearing.check_sizes("bearing")
-        for index, each in enumerate((self.crankshaft and self.crankshaft.bearings) or ()):
+        for index, each in enumerate(self.crankshaft.bearings if self.crankshaft else ()):
             each.check_sizes(f"crankshaft.bearings[{index}]")
 
     def _check_places(self) -> None:
@@ -655,21 +655,25 @@ class Design:
         return min(low, outer), min(high, outer)
 
     @property
-    def bore_radius(self) -> float | None:
+    def bore_radius(self) -> float:
         """Radius of a satellite's bore, or of the bearing in it, m."""
         given = self.satellite_body.bore_radius if self.satellite_body else None
-        outer = self.bearing.outer_diameter if self.bearing else None
-        return outer / 2 if given is None and outer is not None else given
+        if given is None:
+            outer = self.bearing.outer_diameter if self.bearing else None
+            return required(outer, "size_missing", "satellite_body.bore_radius") / 2
+        return given
 
     @property
-    def disc_distance(self) -> float | None:
+    def disc_distance(self) -> float:
         """Distance of a hole's axis from the nearest edge of the disc, its bore or the roots of its
-        teeth, over the hole's radius; None where neither is known.
+        teeth, over the hole's radius; infinite where neither is known.
         """
-        bore, (low, _) = self.bore_radius, self.roots
+        low, _ = self.roots
         circle, hole = self.load.pin_circle_radius, self.contact.pair.hole_radius
-        known = ([] if bore is None else [circle - bore]) + ([low - circle] if low else [])
-        return min(known) / hole if known else None
+        known = [low - circle] if low else []
+        with suppress(NotKnown):
+            known.append(circle - self.bore_radius)
+        return min(known, default=math.inf) / hole
 
     @property
     def wall_guide(self) -> float | None:

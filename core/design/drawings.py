@@ -21,6 +21,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.arrays import ComplexArray, FloatArray
+from core.derived import if_known
 from core.design.document import Design
 from core.design.refusals import named
 from core.design.results import Results
@@ -236,7 +237,7 @@ def drawn_satellites(
                 hole_circle_radius=circle,
                 hole_centres=geometry.pin_centres,
                 hole_radius=pair.hole_radius,
-                bore_radius=design.bore_radius,
+                bore_radius=if_known(lambda: design.bore_radius),
             )
         )
     return tuple(found)

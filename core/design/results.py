@@ -559,27 +559,26 @@ class Results:
     @derived
     def contact_reserves(self) -> dict[str, float]:
         """Factors on the force of the contact under which it is at its limits, by the code of their
-        check, where its pressure is known. Ideal forces on level pins grow with the torque.
+        check, whose pressure has to be known. Ideal forces on level pins grow with the torque.
         """
-        contact = self.hertz
-        factors = dict[str, float]()
-        if contact.governing_pressure is not None:
-            largest = self.line_load_factor
-            for code, limit in self.pressure_limits.items():
-                factors[code] = force_factor(
-                    contact=contact,
-                    contact_at=lambda factor: self.contact_at(factor * largest),
-                    limit=limit,
-                )
-        return factors
+        contact, largest = self.hertz, self.line_load_factor
+        _ = contact.governing_pressure
+        return {
+            code: force_factor(
+                contact=contact,
+                contact_at=lambda factor: self.contact_at(factor * largest),
+                limit=limit,
+            )
+            for code, limit in self.pressure_limits.items()
+        }
 
     def disc_of(self, contact: HertzContact) -> Notice | None:
         """Whether the disc ends so near to its holes that the pressure of a contact is off by it,
         or is not known: of one that wraps around its pin.
         """
-        distance = self.design.disc_distance
-        if contact.conformal_pressure is None or distance is None:
+        if contact.conformal_pressure is None:
             return None
+        distance = self.design.disc_distance
         if distance < OVALS:
             return Notice("disc_ovals", {"distance": distance})
         error = disc_error(distance)

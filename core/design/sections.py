@@ -11,7 +11,7 @@ from core.crank.balance import Counterweight
 from core.crank.bearing_life import Bearing
 from core.crank.pin_rollers import FRICTION, Ratings, RollerKind
 from core.derived import derived, if_known
-from core.errors import InvalidInput, required
+from core.errors import InvalidInput, NotKnown, required
 from core.fatigue import (
     NOTCH_STRENGTHS,
     SIZES,
@@ -61,7 +61,7 @@ class MechanismSection:
     ratio: float  # u; infinite of a coupling
     output: Output = "pins"
     crank_spacing: float | None = None  # between neighbours, rad; None for an even spacing
-    crank_angles: tuple[float, ...] | None = None  # of each crank, rad, instead of a spacing
+    crank_angles: tuple[float, ...] = ()  # of each crank, rad, instead of a spacing
     initial_crank_angle: float = 0.0  # wave angle at crank angle 0, rad
     satellite_teeth: int | None = None  # z2
 
@@ -83,7 +83,7 @@ class MechanismSection:
 
 @lru_cache(maxsize=1024)
 def _built(given: MechanismSection) -> Mechanism:
-    if given.crank_angles is not None:
+    if given.crank_angles:
         return Mechanism(
             pins=given.pins,
             crank_angles=given.crank_angles,
@@ -668,8 +668,8 @@ class Shaft:
         Masses on the shaft besides them.
     rotor_mass : float or None
         Mass of all that turns with the shaft, kg; that of the satellites where not given.
-    bearings : tuple of RollingBearing or None
-        Both bearings, where they are given.
+    bearings : tuple of RollingBearing
+        Both bearings; none where they are not given.
     """
 
     satellite_positions: tuple[float, ...]
@@ -677,6 +677,13 @@ class Shaft:
     satellite_mass: float | None = None
     counterweights: tuple[Counterweight, ...] = ()
     rotor_mass: float | None = None
-    bearings: tuple[RollingBearing, RollingBearing] | None = None
+    bearings: tuple[RollingBearing, ...] = ()
     eccentric_diameter: float | None = None  # of the crank in its bearing, m
     shaft_diameter: float | None = None  # between the cranks, m
+
+    @property
+    def known_bearings(self) -> tuple[RollingBearing, ...]:
+        """Both bearings, which have to be given."""
+        if not self.bearings:
+            raise NotKnown("rating_unknown", "crankshaft.bearings")
+        return self.bearings

@@ -109,7 +109,7 @@ class Fix:
         """How much it changes, as the logarithm of the ratio; 0 of what is chosen, or of no such
         ratio.
         """
-        return 0.0 if self.change is None else abs(math.log1p(self.change))
+        return abs(math.log1p(self.change or 0.0))
 
 
 def aim(check: Check) -> float:

@@ -7,6 +7,7 @@ from functools import cached_property, partial
 from itertools import chain
 from typing import Literal
 
+from core.derived import if_known
 from core.errors import ImpossibleMechanism, NotKnown
 from core.hertz import force_factor
 from core.output.contact_kernel import alone
@@ -214,7 +215,9 @@ class Fit:
             limit=limit,
             limit_force=force,
             force_without_load=max(forces, default=None),
-            pressure_without_load=self.real.hardest(forces).governing_pressure if forces else None,
+            pressure_without_load=if_known(lambda: self.real.hardest(forces).governing_pressure)
+            if forces
+            else None,
         )
 
     def refusal(self) -> ImpossibleMechanism:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.arrays import FloatArray, check_finite, check_single
+from core.derived import if_known
 from core.errors import InvalidInput
 from core.hertz import HertzContact
 from core.output.contact_law import HertzLaw
@@ -129,7 +130,7 @@ def loaded_position(
         play=None if pressed else (play[0], play[1]),
         interference=least_interference(real=real, psi=psi) if pressed else None,
         stiffness=found.stiffness,
-        max_pressure=contact.governing_pressure,
+        max_pressure=if_known(lambda: contact.governing_pressure),
         rotation_error=found.lag_error,
         play_error=found.play_error,
         force_error=found.force_error,

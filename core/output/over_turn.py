@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from core.arrays import FloatArray, check_finite, check_single
-from core.derived import derived
+from core.derived import derived, if_known
 from core.errors import InvalidInput
 from core.hertz import HertzContact
 from core.numerics.extremes import second_look
@@ -249,7 +249,7 @@ class OverTurn:
     def max_pressure(self) -> float | None:
         """Largest pressure, Pa, where it is known."""
         if self._wraps:
-            return self.real.contact(*self.hardest).governing_pressure
+            return if_known(lambda: self.real.contact(*self.hardest).governing_pressure)
         return self._hertz_pressure
 
     @derived

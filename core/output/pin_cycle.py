@@ -58,10 +58,9 @@ class StressCycles:
     error: float  # relative, of samples, at which a search of them ends
 
     @property
-    def closed(self) -> PinTurn | None:
-        """The turn, where what is largest over it is known in closed form."""
-        turn = self.turn
-        return turn if isinstance(turn, PinTurn) and turn.exponent == 1 else None
+    def closed(self) -> bool:
+        """Whether what is largest over the turn is known in closed form."""
+        return isinstance(self.turn, PinTurn) and self.turn.exponent == 1
 
     @property
     def corners(self) -> bool:
@@ -127,7 +126,7 @@ class StressCycles:
             stretches=stretches,
             around=True,
             enough=min(self.error, NEAR_AROUND),
-            closed=self.closed is not None,
+            closed=self.closed,
             climb=climb,
             size=self.turn.forces[0].size,
             beyond=beyond,
@@ -149,9 +148,9 @@ class StressCycles:
         """Largest and least stress of sections in directions."""
         cosine, sine = np.cos(direction)[:, None], np.sin(direction)[:, None]
         weights = np.concatenate((arms * cosine, arms * sine), axis=1)
-        if self.closed is not None:
-            return self.closed.extremes(weights)
         turn = self.turn
+        if isinstance(turn, PinTurn) and self.closed:
+            return turn.extremes(weights)
         if rounds == 0 or isinstance(turn, PinSamples):
             stress = combine(arms=weights, forces=self._parts)
             if isinstance(turn, PinSamples):  # nothing lies between

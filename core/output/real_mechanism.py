@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from core.arrays import FloatArray, Number, check_finite, check_positive, check_single
+from core.arrays import Number, check_finite, check_positive, check_single
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.hertz import HertzContact, hertz
 from core.materials import ElasticMaterial
@@ -400,7 +400,7 @@ class RealMechanism(Stage):
         tuple of tuple of float, K x N, or None
             Pressures, Pa.
         """
-        pressures = _governing(self.contacts([each for row in force for each in row]))
+        pressures = self.contacts([each for row in force for each in row]).governing
         return None if np.isnan(pressures).any() else self.rows(pressures.tolist())
 
     def hardest_pair(self, force: Sequence[float]) -> int:
@@ -418,7 +418,7 @@ class RealMechanism(Stage):
         """
         contacts = self.contacts(force)
         if _wrap(contacts):
-            pressure = _governing(contacts)
+            pressure = contacts.governing
             unknown = np.isnan(pressure)
             return int(np.argmax(force if unknown.all() else np.where(unknown, math.inf, pressure)))
         curved = [f * curved for f, curved in zip(force, self.pairs.curved, strict=True)]
@@ -456,10 +456,4 @@ class RealMechanism(Stage):
 
 def _wrap(contacts: HertzContact) -> bool:
     """Whether the pressure of any of some contacts is not Hertz's."""
-    return bool((_governing(contacts) != contacts.max_pressure).any())
-
-
-def _governing(contacts: HertzContact) -> FloatArray:
-    """The pressures that govern some contacts, Pa; NaN where one is not known."""
-    found = contacts.governing_pressure
-    return np.asarray(np.full_like(contacts.max_pressure, np.nan) if found is None else found)
+    return bool((contacts.governing != contacts.max_pressure).any())

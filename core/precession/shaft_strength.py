@@ -4,6 +4,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+from core.errors import NotKnown, required
 from core.fatigue import CycleFatigue, FatigueStrength, judge_cycle
 from core.precession.shaft import Plane, ShaftSection, shaft_pieces
 
@@ -16,9 +17,26 @@ class ShaftStrength:
     bending_moment_clamp: float  # N*m
     peak_stress: float  # largest bending stress, Pa, without a notch
     peak_stress_position: float  # its section, m from C towards the clamp
-    static_safety_factor: float | None  # Re over that stress, where it is known
-    fatigue: CycleFatigue | None  # of the section of least safety, where the load turns round it
-    cycle_position: float | None  # that section, m from C
+    yield_strength: float | None  # Re, Pa, where it is known
+    # Of the section of least safety, and that section, m from C, where the load turns round it.
+    worst: tuple[CycleFatigue, float] | None
+
+    @property
+    def static_safety_factor(self) -> float:
+        """Re over that stress, where something bends it."""
+        if not self.peak_stress:
+            raise NotKnown("unloaded")
+        return required(self.yield_strength, "yield_unknown") / self.peak_stress
+
+    @property
+    def fatigue(self) -> CycleFatigue:
+        """The cycle of the section of least safety; `NotKnown` of a load that is steady."""
+        return required(self.worst, "steady_load")[0]
+
+    @property
+    def cycle_position(self) -> float:
+        """That section, m from C."""
+        return required(self.worst, "steady_load")[1]
 
 
 def shaft_strength(
@@ -91,14 +109,11 @@ def shaft_strength(
             for each, place, diameter in places
             if each > 0
         ]
-    worst, worst_place = min(cycles, key=lambda cycle: cycle[0].safety_factor, default=(None, None))
-    static = None if yield_strength is None or not stress else yield_strength / stress
     return ShaftStrength(
         bending_moment_B=moment(a, 0.0),
         bending_moment_clamp=moment(a + overhang, overhang),
         peak_stress=stress,
         peak_stress_position=worst_bent,
-        static_safety_factor=static,
-        fatigue=worst,
-        cycle_position=worst_place,
+        yield_strength=yield_strength,
+        worst=min(cycles, key=lambda cycle: cycle[0].safety_factor, default=None),
     )

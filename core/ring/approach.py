@@ -22,15 +22,21 @@ from core.output.loop_rows import (
     EPS,
     HERTZ,
     INPUT_TORQUE,
+    NOT_STABLE,
     SOLVED,
     STEPS,
     TINY,
+    TOO_FAR,
     Curve,
     Law,
     Load,
+    Position,
     Row,
     Wrap,
 )
+from core.output.sharing_kernel import judged as judged_by_lag
+from core.output.sharing_kernel import start as start_alone
+from core.output.sharing_kernel import touch_error as touch_error_alone
 
 ALONG_MOST, ALONG_LEAST, RUB, RUB_AND_PRESS = range(8, 12)
 """What is looked at over the turn besides: the largest and the least force of a disc along its
@@ -43,8 +49,8 @@ FEET = 30
 FAR_STEP = 0.1
 """Longest of them, over the angle of a pin's pitch by its number of pins."""
 
-NEAR, NEAR_VALLEY = 5e-5, 0.1
-"""How far off a pin is looked at in exact geometry: in m, and over the radius of the valleys."""
+ROUNDED = 1e3
+"""Roundings of the terms of an approach that may be no more than that."""
 
 NO_TURN = 1e-3
 """Lever over the longest one below which a pin, at its dead angle, limits no play."""
@@ -75,7 +81,6 @@ class MeshSetup(NamedTuple):
     equidistant: float
     pin_circle: float
     rotation: float
-    valley: float  # radius of the path in the valleys
 
 
 class MeshPairs(NamedTuple):
@@ -119,7 +124,8 @@ class MeshRoom(NamedTuple):
     own_error: Row  # [K]
     cosine: Row  # of the angle from the crank to the pin
     sine: Row
-    sharp: Row  # curvature of the path, and of the pin's circle
+    slope: Row  # speed of the path over that of its circle, S
+    steep: Row  # 1/S
     foot: Row
     fixed: Row  # what is added to the approach, so that the first pair just touches
     zero: Row  # its first: the lag from which it is counted
@@ -199,7 +205,7 @@ def at(psi: float, setup: MeshSetup, pairs: MeshPairs, room: MeshRoom) -> None:
             slope = math.sqrt((1 - k) * (1 - k) + 2 * k * less)
             bend = (1 - k) * (1 - setup.pins * k) + (setup.pins + 1) * k * less
             bend /= setup.tool_circle * slope * slope * slope
-            room.sharp[i] = abs(bend) + 1 / radius
+            room.slope[i], room.steep[i] = slope, 1 / slope
             pin = setup.pin_radius + pairs.larger[i]
             # A pin that is wider than its valley has no such contact: as good as flat.
             curved = max(1 / pin + bend / (1 - setup.tool * bend), EPS / pin)
@@ -210,16 +216,44 @@ def at(psi: float, setup: MeshSetup, pairs: MeshPairs, room: MeshRoom) -> None:
             i += 1
 
 
-def reach(i: int, moved: float, setup: MeshSetup, room: MeshRoom) -> float:
-    """How far a pin may be off in first order and touch: four times by what the path bends away
-    from its tangent where the pin has moved along it.
+def reach(
+    i: int,
+    approach: float,
+    moved: float,
+    whole: float,
+    setup: MeshSetup,
+    pairs: MeshPairs,
+    room: MeshRoom,
+) -> bool:
+    """Whether a pin so far off in first order may touch, if it has moved so far since its approach
+    was exact, and the whole way from its place on the path.
+
+    The path is nowhere more hollow than it may be within twice the way, and a circle of that radius
+    lies outside of it; four times what that bends away from its tangent is allowed for. `S^3`
+    changes along the path by `3*z*K/R_m` at most.
     """
-    most = NEAR + NEAR_VALLEY * min(setup.valley, setup.radius)
-    return -min(2 * moved * moved * room.sharp[i], most)
+    radius, z, off = setup.tool_circle, setup.pins - 1, 2 * moved * moved
+    left = -approach * radius - off
+    if left <= 0:
+        return True
+    k, s = setup.eccentricity * setup.pins / radius, room.slope[i]
+    least, most = (1 - k) * (1 - k), (1 - k * k) * z / 2
+    wider = max(pairs.larger[i] - setup.equidistant, 0.0)
+    hollow = max(most - (z + 2) / 2 * least, 0.0)
+    if left * (radius * least * (1 - k) - wider * hollow) > off * radius * hollow:
+        return False  # not even in the middle of a valley
+    fall = 6 * z * k * whole / radius
+    square, cube = max(s * s - fall * room.steep[i], least), max(s * s * s - fall, least * (1 - k))
+    hollow = max(most - (z + 2) / 2 * square, 0.0)
+    return left * (radius * cube - wider * hollow) <= off * radius * hollow
 
 
 def touch(i: int, j: int, lag: float, setup: MeshSetup, pairs: MeshPairs, room: MeshRoom) -> Touch:
-    """Pair i of satellite j at a lag, which is counted as the torque turns; its foot is kept."""
+    """Pair i of satellite j at a lag, which is counted as the torque turns; its foot is kept.
+
+    The path is its own mirror image in the axes of its valleys and lobes: of a pin between two of
+    them no point beyond either is nearest, and there the distance has a minimum.
+    """
     e, radius, pins = setup.eccentricity, setup.tool_circle, setup.pins
     ca, sa = room.cosine[i], room.sine[i]
     turned = setup.direction * lag + pairs.eta[j]
@@ -232,7 +266,15 @@ def touch(i: int, j: int, lag: float, setup: MeshSetup, pairs: MeshPairs, room: 
     by = pairs.tangential[i] + pairs.off[j] * sa - my
     px, py = px - mx, py - my
     k, longest, close = e * pins / radius, FAR_STEP / pins, 3e-8 / pins
-    foot, last = room.foot[i], False
+    off = 4 * math.sqrt(bx * bx + by * by)
+    final = off / radius / (1 - k)
+    first = -final
+    if off > setup.tool or off * (pins * k - 1) > radius * (1 - k) * (1 - k):
+        # The nearest point of the path may not be the one at hand.
+        angle, half = math.atan2(sa, ca) / (pins - 1), math.pi / (pins - 1)
+        first = half * math.floor((angle - math.atan2(py, px)) / half) - angle
+        final = first + half
+    foot, last = min(max(room.foot[i], first), final), False
     gx = gy = hx = hy = dx = dy = size = under = 0.0
     s1x = s1y = s2x = s2y = 0.0
     for _ in range(FEET):
@@ -249,8 +291,15 @@ def touch(i: int, j: int, lag: float, setup: MeshSetup, pairs: MeshPairs, room: 
         under = radius * size + hx * dx + hy * dy
         if last:
             break
-        step = (gy * dx - gx * dy) / (under if under > 0 else radius * size)
+        ahead = gy * dx - gx * dy
+        step = ahead / (under if under > 0 else radius * size)
         step = min(max(step, -longest), longest)
+        if ahead > 0:
+            first = foot
+        else:
+            final = foot
+        if not first <= foot + step <= final:
+            step = (first + final) / 2 - foot
         foot += step
         last = abs(step) <= close
     room.foot[i] = foot
@@ -274,47 +323,190 @@ def play(setup: MeshSetup, pairs: MeshPairs, room: MeshRoom) -> tuple[float, flo
     Where pairs press without load the first is larger than the second.
     """
     low, high, behind, onset = -math.inf, math.inf, -1, -1
-    dead = NO_TURN * setup.eccentricity * (setup.pins - 1)
+    longest, far, free = setup.eccentricity * (setup.pins - 1), quarter(setup), True
     for i in range(len(room.force)):
         q, v = room.q[i], room.v[i]
-        if v >= dead and -q / v < high:
+        if abs(v) < NO_TURN * longest:  # at its dead angle: open or pressed at any lag
+            free = free and (q <= 0 or q <= rounded(i, 0.0, setup, pairs))
+        elif v > 0 and -q / v < high:
             high, onset = -q / v, i
-        if v <= -dead and -q / v > low:
+        elif v < 0 and -q / v > low:
             low, behind = -q / v, i
     if setup.foot:
         if onset >= 0:
-            high, onset = touched(1.0, high, onset, setup, pairs, room)
+            high, onset, sure = touched(1.0, high, onset, setup, pairs, room)
+            free = free and sure
         if behind >= 0:
-            low, behind = touched(-1.0, low, behind, setup, pairs, room)
+            low, behind, sure = touched(-1.0, low, behind, setup, pairs, room)
+            free = free and sure
+        free = free and (low > high or not passed(low, high, setup, pairs, room))
+    if free or low > high:
+        return low, high, behind, onset
+    lag, worst = freest(-far, far, setup, pairs, room)
+    pin = worst_at(lag, setup, pairs, room)[2]
+    if worst > rounded(pin, lag, setup, pairs):
+        return lag + worst / longest, lag - worst / longest, -1, -1
+    if not setup.foot:
+        return low, high, behind, onset
+    low, behind = first_touch(lag, -far, setup, pairs, room)
+    high, onset = first_touch(lag, far, setup, pairs, room)
     return low, high, behind, onset
+
+
+def quarter(setup: MeshSetup) -> float:
+    """A quarter of the pitch of the lobes: further no disc turns before its pins hold it."""
+    return math.pi / 2 / (setup.pins - 1)
+
+
+def rounded(i: int, lag: float, setup: MeshSetup, pairs: MeshPairs) -> float:
+    """Approach of a pin that may be rounding alone."""
+    return ROUNDED * EPS * (pairs.size[i] + abs(lag) * setup.radius)
+
+
+def touch_error(lag: float, pair: int, psi: float, setup: Any, pairs: Any, room: Any) -> float:
+    """By how much rounding moves the lag at which a pair touches, which of a pin that was at its
+    dead angle has a lever there alone; as `at` left the room.
+    """
+    if pair < 0 or abs(room.v[pair]) >= NO_TURN * setup.eccentricity * (setup.pins - 1):
+        return touch_error_alone(lag, pair, psi, setup, pairs, room)
+    lever = touch(pair, pair // setup.pins, lag, setup, pairs, room).lever
+    off = EPS * (4 + 2 * abs(psi)) * (pairs.size[pair] + abs(lag) * setup.radius)
+    return off / abs(lever) if lever != 0 else math.inf
 
 
 def touched(
     side: float, lag: float, onset: int, setup: MeshSetup, pairs: MeshPairs, room: MeshRoom
-) -> tuple[float, int]:
-    """Lag at which the first pair touches on a side, and the pair, from where it is in first
-    order: Newton for each pair, and of their roots the nearest.
+) -> tuple[float, int, bool]:
+    """Lag at which the first pair touches on a side, the pair, and whether no other presses there,
+    from where it is in first order: Newton for each pair, and of their roots the nearest.
     """
-    dead = NO_TURN * setup.eccentricity * (setup.pins - 1)
-    for _ in range(12):
+    z = setup.pins - 1
+    dead, left = (
+        NO_TURN * setup.eccentricity * z,
+        1 - setup.eccentricity * setup.pins / setup.radius,
+    )
+    pressed = last = False
+    for _ in range(13):
         best, first = math.inf, onset
+        pressed = pressed and last
         for i in range(len(room.force)):
-            v = room.v[i]
-            if side * v < dead or room.q[i] + lag * v < reach(
-                i, pairs.moved[i] + abs(lag) * setup.radius, setup, room
-            ):
+            v, moved = room.v[i], pairs.moved[i] + abs(lag) * setup.radius
+            drives, approach = side * v >= dead, room.q[i] + lag * v
+            if drives == last or not reach(i, approach, moved, moved, setup, pairs, room):
                 continue
+            if last and left * abs(room.sine[i]) > 2 * z * (
+                abs(lag) + pairs.size[i] / setup.radius
+            ):
+                continue  # it turns no dead angle, and only leaves its flank
             one = touch(i, i // setup.pins, lag, setup, pairs, room)
-            if side * one.lever > dead / 2:
+            if drives and side * one.lever > dead / 2:
                 root = side * (lag - one.approach / one.lever)
                 if root < best:
                     best, first = root, i
-        if best == math.inf:
+            elif one.approach > 0 and one.approach > rounded(i, lag, setup, pairs):
+                pressed = True
+        if last or best == math.inf:
             break
         change, lag, onset = abs(side * best - lag), side * best, first
-        if change <= 1e-9 * abs(lag):
+        last = change <= 1e-9 * abs(lag)
+    return lag, onset, last and not pressed
+
+
+def passed(low: float, high: float, setup: MeshSetup, pairs: MeshPairs, room: MeshRoom) -> bool:
+    """Whether a pin presses the top of a lobe that it passes between two lags."""
+    near = (setup.pins - 1) * max(abs(low), abs(high))
+    for i in range(len(room.force)):
+        own = near + (setup.pins - 1) * abs(pairs.eta[i // setup.pins])
+        if room.cosine[i] < 0 and abs(room.sine[i]) <= 2 * own:
+            lag = on_top(i, setup, pairs, room)
+            if low < lag < high:
+                one = touch(i, i // setup.pins, lag, setup, pairs, room)
+                if one.approach > rounded(i, lag, setup, pairs):
+                    return True
+    return False
+
+
+def on_top(i: int, setup: MeshSetup, pairs: MeshPairs, room: MeshRoom) -> float:
+    """Lag at which a pin stands on the top of a lobe, the nearest to none."""
+    j, ca, sa, pitch = i // setup.pins, room.cosine[i], room.sine[i], 4 * quarter(setup)
+    x = setup.radius + pairs.radial[i] - pairs.own[j] * ca
+    y = pairs.tangential[i] + pairs.own[j] * sa
+    turned = (math.atan2(sa, ca) - math.pi) / (setup.pins - 1) - math.atan2(y, x)
+    lag = setup.direction * (turned - pairs.eta[j])
+    return lag - pitch * math.floor(lag / pitch + 0.5)
+
+
+def worst_at(
+    lag: float, setup: MeshSetup, pairs: MeshPairs, room: MeshRoom
+) -> tuple[float, float, int]:
+    """Largest approach at a lag, how it grows, and whose it is; `at` must have been called."""
+    worst, slope, pin = -math.inf, 0.0, 0
+    for i in range(len(room.force)):
+        approach, lever = room.q[i] + lag * room.v[i], room.v[i]
+        moved = pairs.moved[i] + abs(lag) * setup.radius
+        if setup.foot and reach(i, approach - worst, moved, moved, setup, pairs, room):
+            one = touch(i, i // setup.pins, lag, setup, pairs, room)
+            approach, lever = one.approach, one.lever
+        if approach > worst:
+            worst, slope, pin = approach, lever, i
+    return worst, slope, pin
+
+
+def freest(
+    low: float, high: float, setup: MeshSetup, pairs: MeshPairs, room: MeshRoom
+) -> tuple[float, float]:
+    """The lag between two at which the worst approach is least, and that; `at` must have been
+    called. Between lags at which a pin on the top of a lobe is the worst it falls and then rises:
+    the sign of its slope is bisected.
+    """
+    found, least, first = low, math.inf, low
+    while first < high:
+        last = high
+        for i in range(len(room.force) if setup.foot else 0):
+            lag = on_top(i, setup, pairs, room)
+            if first < lag < last and room.cosine[i] < 0:
+                one = touch(i, i // setup.pins, lag, setup, pairs, room)
+                if one.approach > 0 and worst_at(lag, setup, pairs, room)[2] == i:
+                    last = lag
+        below, above = first, last
+        for _ in range(STEPS):
+            lag = (below + above) / 2
+            worst, slope, _ = worst_at(lag, setup, pairs, room)
+            if worst < least:
+                found, least = lag, worst
+            if lag in (below, above):
+                break
+            if slope > 0:
+                above = lag
+            else:
+                below = lag
+        first = last
+    return found, least
+
+
+def first_touch(
+    lag: float, far: float, setup: MeshSetup, pairs: MeshPairs, room: MeshRoom
+) -> tuple[float, int]:
+    """Lag at which the first pair touches between one at which none does and a far one, and the
+    pair, bisected.
+    """
+    for i in range(len(room.force)):
+        there = on_top(i, setup, pairs, room)
+        if min(lag, far) < there < max(lag, far) and room.cosine[i] < 0:
+            one = touch(i, i // setup.pins, there, setup, pairs, room)
+            if one.approach > rounded(i, there, setup, pairs):
+                far = there
+    pin = -1
+    for _ in range(STEPS):
+        between = (lag + far) / 2
+        worst, _, first = worst_at(between, setup, pairs, room)
+        if between in (lag, far):
             break
-    return lag, onset
+        if worst > 0:
+            far, pin = between, first
+        else:
+            lag = between
+    return lag, pin
 
 
 def shift(lag: float, onset: int, setup: MeshSetup, pairs: MeshPairs, room: MeshRoom) -> None:
@@ -326,9 +518,8 @@ def shift(lag: float, onset: int, setup: MeshSetup, pairs: MeshPairs, room: Mesh
         room.unsure[i] = pairs.size[i] + abs(lag) * setup.radius
         approach = room.q[i] + lag * room.v[i]
         free = onset >= 0 and abs(room.v[i]) >= dead
-        if setup.foot and approach >= reach(
-            i, pairs.moved[i] + abs(lag) * setup.radius, setup, room
-        ):
+        moved = pairs.moved[i] + abs(lag) * setup.radius
+        if setup.foot and reach(i, approach, moved, moved, setup, pairs, room):
             one = touch(i, i // setup.pins, lag, setup, pairs, room)
             approach, room.v[i], room.u[i] = one.approach, one.lever, 1.0
         room.q[i] = min(approach, 0.0) if free else approach
@@ -338,22 +529,32 @@ def shift(lag: float, onset: int, setup: MeshSetup, pairs: MeshPairs, room: Mesh
     room.zero[0] = lag
 
 
+def start(torque: float, setup: Any, pairs: Any, room: Any) -> float:
+    """Lag at which the best placed pair alone would carry the torque, in first order; not where
+    others take over from it: the torque grows up to about a quarter of a lobe's pitch.
+    """
+    lag = start_alone(torque, setup, pairs, room)
+    if setup.foot and lag < math.inf:
+        lag = min(lag, max(math.pi / 4 / (setup.pins - 1) - room.zero[0], 0.0))
+    return lag
+
+
 def balance(
     lag: float, setup: MeshSetup, pairs: MeshPairs, room: MeshRoom
 ) -> tuple[float, float, float]:
     """Torque of all pairs at a lag, its derivative, and the sum of its terms' sizes."""
     force, levers, contact = room.force, room.lever, room.stiffness
     torque = slope = gross = 0.0
-    whole = room.zero[0] + lag
+    whole, far = room.zero[0] + lag, abs(room.zero[0]) + abs(lag)
     for j in range(len(room.own_lag)):
         room.own_lag[j] = whole
     for i in range(len(room.force)):
         lever, bend = room.v[i], 0.0
         approach = room.q[i] + lag * lever
-        moved = abs(lag) * setup.radius
+        moved, way = abs(lag) * setup.radius, pairs.moved[i] + far * setup.radius
         if room.u[i] == 0:
-            moved = pairs.moved[i] + abs(whole) * setup.radius
-        if setup.foot and approach >= reach(i, moved, setup, room):
+            moved = way
+        if setup.foot and reach(i, approach, moved, way, setup, pairs, room):
             one = touch(i, i // setup.pins, whole, setup, pairs, room)
             approach, lever, bend = one.approach + room.fixed[i], one.lever, one.bend
         if approach <= TINY:
@@ -374,6 +575,21 @@ def balance(
         gross += f * abs(lever)
         slope += stiffness * lever * lever + f * bend
     return torque, slope, gross
+
+
+def skipped(lags: Row, setup: MeshSetup, pairs: MeshPairs) -> bool:
+    """Whether a disc has turned by half a pitch of its lobes, past which other pins hold it."""
+    for lag, eta in zip(lags, pairs.eta):  # noqa: B905 - not compiled
+        if abs(setup.direction * lag + eta) * (setup.pins - 1) >= math.pi:
+            return True
+    return False
+
+
+def judged(position: Position, setup: Any, pairs: Any, room: Any) -> int:
+    """Whether a position can be, as `solve` left the room: a status."""
+    status = judged_by_lag(position, setup, pairs, room)
+    held = status in (SOLVED, TOO_FAR)
+    return NOT_STABLE if setup.foot and held and skipped(room.own_lag, setup, pairs) else status
 
 
 def part(j: int, pairs: MeshPairs, room: MeshRoom) -> tuple[MeshPairs, MeshRoom]:
@@ -415,7 +631,8 @@ def part(j: int, pairs: MeshPairs, room: MeshRoom) -> tuple[MeshPairs, MeshRoom]
             room.own_error[c:d],
             room.cosine[a:b],
             room.sine[a:b],
-            room.sharp[a:b],
+            room.slope[a:b],
+            room.steep[a:b],
             room.foot[a:b],
             room.fixed[a:b],
             room.zero[a:b],
@@ -498,32 +715,8 @@ def input_torque(
 def interference(
     low: float, high: float, setup: MeshSetup, pairs: MeshPairs, room: MeshRoom
 ) -> float:
-    """Smallest possible worst approach, between two lags; `at` must have been called. The sign of
-    its slope is bisected: in first order, and in exact geometry near what is found.
-    """
-    worst, wide = 0.0, NEAR / setup.eccentricity / (setup.pins - 1)
-    for exact in range(2 if setup.foot else 1):
-        for _ in range(STEPS):
-            lag = (low + high) / 2
-            worst, slope = -math.inf, 0.0
-            for i in range(len(room.force)):
-                approach, lever = room.q[i] + lag * room.v[i], room.v[i]
-                if exact and approach >= worst + reach(
-                    i, pairs.moved[i] + abs(lag) * setup.radius, setup, room
-                ):
-                    room.foot[i] = 0.0
-                    one = touch(i, i // setup.pins, lag, setup, pairs, room)
-                    approach, lever = one.approach, one.lever
-                if approach > worst:
-                    worst, slope = approach, lever
-            if lag in (low, high):
-                break
-            if slope > 0:
-                high = lag
-            else:
-                low = lag
-        low, high = low - wide, high + wide
-    return worst
+    """Smallest possible worst approach, between two lags; `at` must have been called."""
+    return freest(low, high, setup, pairs, room)[1]
 
 
 def clear(psi: float, lag: float, setup: MeshSetup, pairs: MeshPairs, room: MeshRoom) -> float:

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from core.arrays import check_finite, check_single
+from core.derived import if_known
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.compiled import at_hand, plain
 from core.output.loaded_position import bent_together, notices
@@ -439,7 +440,7 @@ def series_position(
         play=None if pressed else (play[0], play[1]),
         interference=_interference(real, angle) if presses else None,
         stiffness=found.stiffness,
-        max_pressure=contact.governing_pressure,
+        max_pressure=if_known(lambda: contact.governing_pressure),
         ring=RingPart(
             rotation=tuple(own_lags),
             force=real.ring.rows(on_teeth.tolist()),

@@ -32,16 +32,17 @@ from core.output.loop_rows import (
     Position,
     Row,
 )
-from core.output.sharing_kernel import start, too_wide, touch_error
+from core.output.sharing_kernel import start, too_wide
 from core.output.turn_kernel import hardest as hardest_of
 from core.output.turn_kernel import largest as largest_of
 from core.output.turn_kernel import loaded as loaded_of
 from core.output.turn_kernel import wave_torque
-from core.ring.approach import ALONG_LEAST, ALONG_MOST, RUB, RUB_AND_PRESS, sliding
+from core.ring.approach import ALONG_LEAST, ALONG_MOST, RUB, RUB_AND_PRESS, skipped, sliding
 from core.ring.approach import at as mesh_at
 from core.ring.approach import on_crank as mesh_on_crank
 from core.ring.approach import play as mesh_play
 from core.ring.approach import shift as mesh_shift
+from core.ring.approach import touch_error as mesh_touch_error
 from core.ring.approach import wave_torque as mesh_wave_torque
 from core.ring.series_disc import (
     Between,
@@ -128,8 +129,8 @@ def placed(
         mesh_at(angle, one, teeth, found)
         first, last, behind, onset = mesh_play(one, teeth, found)
         off = max(
-            touch_error(first, behind, angle, one, teeth, found),
-            touch_error(last, onset, angle, one, teeth, found),
+            mesh_touch_error(first, behind, angle, one, teeth, found),
+            mesh_touch_error(last, onset, angle, one, teeth, found),
         )
         mesh_shift(0.0, -1, one, teeth, found)
         if first > last + off:
@@ -404,7 +405,8 @@ def judged(position: Position, setup: SeriesSetup, pairs: SeriesPairs, room: Ser
         return NOT_SOLVED
     if max(too_wide(pairs.teeth, room.teeth), too_wide(pairs.holes, room.holes)) >= 0:
         return TOO_WIDE
-    return SOLVED
+    skips = setup.mesh.foot and skipped(room.lag, setup.mesh, pairs.teeth)
+    return NOT_STABLE if skips else SOLVED
 
 
 def input_torque(

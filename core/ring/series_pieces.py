@@ -74,7 +74,6 @@ def cut(setup: Any, tool: Row) -> SeriesSetup:
         tool[2],
         tool[3],
         own.rotation,
-        own.valley,
     )
     return SeriesSetup(
         setup.pins,

@@ -42,7 +42,6 @@ from core.ring import approach
 from core.ring.approach import (
     ALONG_LEAST,
     ALONG_MOST,
-    NO_TURN,
     RUB,
     RUB_AND_PRESS,
     MeshPairs,
@@ -59,6 +58,10 @@ USUAL_SHORTENING = 0.35, 0.9
 
 JAMMED = {"dead_centre", "beyond_first_order", "not_stable", "not_balanced"}
 """What a position is refused as where a pin does not let a disc into its ring."""
+
+LOOKED_PRESSING, HALVINGS = 180, 40
+"""Positions of the turn at which is looked for what presses most, then between two of them; and how
+often the lags between which it presses least are halved there."""
 
 VALLEY, LOST = 0.5, 1.0
 """Gap of a pin in a valley over the radius of the path there: above the first one the nearest point
@@ -225,7 +228,6 @@ class CycloidMesh(Stage):
                 equidistant=change.equidistant,
                 pin_circle=change.pin_circle,
                 rotation=change.rotation,
-                valley=disc.valley_radius,
             )
         )
 
@@ -318,7 +320,7 @@ class CycloidMesh(Stage):
         psi : float
             Wave angle, rad.
         """
-        return _interference(self, self.setup(1.0), False, psi) or 0.0
+        return _interference(self, self.setup(1.0), psi)
 
     def jams(self, psi: float, torque: float) -> dict[str, Any]:
         """The pin that does not let a disc into the ring, the disc, and by how much, mm; nothing
@@ -525,7 +527,7 @@ def mesh_position(*, mesh: CycloidMesh, crank_angle: float, output_torque: float
         crank_along=tuple(along.tolist()),
         loaded_pairs=int(loaded.sum()),
         play=None if pressed else (ends[0], ends[1]),
-        interference=_interference(mesh, setup, not pressed, mesh.wave(crank_angle)),
+        interference=_interference(mesh, setup, mesh.wave(crank_angle)) if pressed else None,
         stiffness=found.stiffness,
         max_pressure=mesh.pressure(float((force * np.array(pairs.curved)).max())),
         sliding_distance=float(far[loaded].max()),
@@ -538,23 +540,33 @@ def mesh_position(*, mesh: CycloidMesh, crank_angle: float, output_torque: float
     )
 
 
-def _interference(mesh: CycloidMesh, setup: MeshSetup, free: bool, angle: float) -> float | None:
-    """Smallest possible worst approach without load, where pairs press, dead ones too: none where
-    the others are free.
-    """
+def _interference(mesh: CycloidMesh, setup: MeshSetup, angle: float) -> float:
+    """Smallest possible worst approach without load."""
     room, pairs = mesh.room(), mesh.pairs
     approach.at(angle, setup, pairs, room)
     loops: Any = mesh.loops
-    longest = setup.eccentricity * (setup.pins - 1)
-    dead = [
-        q
-        for q, v in zip(room.q, room.v, strict=True)
-        if abs(v) < NO_TURN * longest and q > ROUNDING * setup.radius
-    ]
-    if not dead and free:
-        return None
-    far = setup.eccentricity / setup.radius
+    far = approach.quarter(setup)
     return float(loops.pressing(-far, far, setup, pairs, room))
+
+
+def _pressing(mesh: CycloidMesh, waves: FloatArray) -> FloatArray:
+    """The same at wave angles, in first order: of discs that turn for themselves the largest."""
+    setup, room, pairs = mesh.setup(1.0), mesh.room(), mesh.pairs
+    rows = []
+    for wave in waves.tolist():
+        approach.at(wave, setup, pairs, room)
+        rows.append((*room.q, *room.v))
+    alone = setup.satellites if mesh.support.given_shares else 1
+    q, v = np.array(rows).reshape(len(rows), 2, alone, -1).transpose(1, 0, 2, 3)
+    far = np.full(q.shape[:2], approach.quarter(setup))
+    low, high = -far, far
+    for _ in range(HALVINGS):
+        lag = (low + high) / 2
+        worst = (q + lag[..., None] * v).argmax(axis=-1)
+        rises = np.take_along_axis(v, worst[..., None], axis=-1)[..., 0] > 0
+        low, high = np.where(rises, low, lag), np.where(rises, lag, high)
+    found: FloatArray = (q + low[..., None] * v).max(axis=-1).max(axis=-1)
+    return found
 
 
 def mesh_gaps(
@@ -672,15 +684,18 @@ class MeshTurn(OverTurn):
 
     @derived
     def interference(self) -> float:
-        """Smallest possible worst approach without load, m, where the lags that both flanks leave
-        are farthest apart; 0 where no pairs press anywhere over the turn.
+        """Largest over the turn of the smallest possible worst approach without load, m: where it
+        is so in first order; 0 where no pairs press anywhere.
         """
-        rows = self.turn.fine
         if not self.pressed_without_load:
             return 0.0
-        worst = int((rows["low"] - rows["high"]).argmax())
-        there, way = float(rows["wave"][worst]), math.copysign(1.0, self.turn.torque)
-        return _interference(self.mesh, self.mesh.setup(way), False, there) or 0.0
+        wave, way = self.turn.fine["wave"], math.copysign(1.0, self.turn.torque)
+        apart = math.ceil(len(wave) / LOOKED_PRESSING)
+        coarse = np.arange(0, len(wave), apart)
+        top = coarse[_pressing(self.mesh, wave[coarse]).argmax()]
+        near = np.arange(top - apart, top + apart + 1) % len(wave)
+        there = float(wave[near[_pressing(self.mesh, wave[near]).argmax()]])
+        return max(_interference(self.mesh, self.mesh.setup(way), there), 0.0)
 
     @property
     def peak_force_ratio(self) -> float:

@@ -41,7 +41,7 @@ def contact_pressure_study(*, contact: HertzContact) -> WorkPrecision:
     InvalidInput
         If there is no load, or the contact would wrap around more than half of the pin.
     """
-    if not contact.conformity > 0 or contact.governing_pressure is None:
+    if not (contact.conformity > 0 and contact.governing > 0):
         raise InvalidInput("force", contact.conformity, "no_conformal_pressure")
     load_parameter, (alpha, beta) = 1 / float(contact.conformity), contact.mismatch
     hertz = math.sqrt(load_parameter / math.pi)

@@ -256,7 +256,7 @@ def shaft_steps(results: Results) -> list[Step]:
             sheet.state("peak", f"R_{letter}", peak, "reaction")
         load = f"P_{letter}"
         sheet.state("equivalent", load, equivalent, "equivalent_reaction")
-        if shaft.bearings is not None:
+        if shaft.bearings:
             bearing, speed = shaft.bearings[i], "n_1"
             if bearing.seat != "housing":
                 speed = f"n_{letter}"

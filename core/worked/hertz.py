@@ -156,7 +156,7 @@ def _safety(
     turning: tuple[float | None, float, float],
 ) -> None:
     """Each body with a limit by this, under the pressure that governs; the smaller of both."""
-    pressure = required(found.governing_pressure, "contact_wraps")
+    pressure = found.governing_pressure
     by = "governs_hertz" if found.conformal_pressure is None else "governs_conformal"
     sheet.state("governing_pressure", "p_g", pressure, by)
     for each in found.safety:

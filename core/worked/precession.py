@@ -2,8 +2,10 @@
 
 import math
 from collections.abc import Sequence
+from contextlib import suppress
 from typing import Any
 
+from core.derived import UNKNOWN, if_known
 from core.design.sections import FatigueBasis
 from core.materials import ElasticMaterial
 from core.precession.contact_line import ContactLine, ContactLines
@@ -302,10 +304,24 @@ def _strength(sheet: Sheet, shaft: _Shaft, found: ShaftStrength, judged: dict[st
         formula = "32*max(M_B,M_A)/(pi*d^3)"
         sheet.work("peak_stress", "sigma", found.peak_stress, formula)
     sheet.take("R_e", "yield_strength", judged.get("yield_strength"))
-    sheet.work("static_safety_factor", "S", found.static_safety_factor, "R_e/sigma")
-    cycle, basis = found.fatigue, judged.get("basis")
-    if cycle is None or found.cycle_position is None or not isinstance(basis, FatigueBasis):
-        return
+    safety = if_known(lambda: found.static_safety_factor)
+    sheet.work("static_safety_factor", "S", safety, "R_e/sigma")
+    if isinstance(judged.get("basis"), FatigueBasis):
+        with suppress(*UNKNOWN):
+            _fatigue(sheet, shaft, found, **judged)
+
+
+def _fatigue(
+    sheet: Sheet,
+    shaft: _Shaft,
+    found: ShaftStrength,
+    *,
+    basis: FatigueBasis,
+    tensile_strength: float,
+    yield_strength: float | None,
+) -> None:
+    """The cycle of the section of least safety."""
+    cycle = found.fatigue
     sheet.state("cycle_position", "x", found.cycle_position, "worst_section")
     sheet.state("max_stress", "sigma_max", cycle.max_stress, "worst_section")
     sheet.take("r_s", "stress_ratio", -1.0)
@@ -315,8 +331,8 @@ def _strength(sheet: Sheet, shaft: _Shaft, found: ShaftStrength, judged: dict[st
         cycle=cycle,
         basis=basis,
         diameter=shaft.diameter_at(found.cycle_position),
-        tensile_strength=judged["tensile_strength"],
-        yield_strength=judged.get("yield_strength"),
+        tensile_strength=tensile_strength,
+        yield_strength=yield_strength,
     )
 
 

@@ -10,6 +10,7 @@ import subprocess
 import sys
 import zipfile
 from copy import deepcopy
+from functools import partial
 
 import ezdxf
 import numpy as np
@@ -21,6 +22,7 @@ from app.examples import EXAMPLES, REQUESTS
 from app.exports.dxf import DXF, LAYERS, MOST_CIRCLES, ZIP, DxfRequest, write
 from app.problems import Problem
 from app.registry import EXPORTS
+from app.running import calculated
 from app.settings import Settings
 from core.output.contact_law import LinearLaw
 from core.ring.sharing import mesh_gaps
@@ -248,7 +250,8 @@ BODY = {"design": UNEVEN, "parts": ALL}
 def asked(body):
     """The file of a request, as the service reads and writes it."""
     export = EXPORTS[PATH]
-    return export.write(read_body(export, json.dumps(body).encode(), Settings()))
+    request = read_body(export, json.dumps(body).encode(), Settings())
+    return calculated(request, partial(export.write, request))
 
 
 def refused(body):

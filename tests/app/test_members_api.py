@@ -4,6 +4,10 @@ import math
 
 import pytest
 
+from app.calculations.members_answer import MembersOut
+from app.model import ResponseModel
+from core.errors import NotKnown
+from core.output.members import Members
 from core.precision import CONVERGED, EXACT, SAME, SEARCHED
 
 pytestmark = pytest.mark.anyio
@@ -384,3 +388,14 @@ async def test_a_seat_that_turns_with_the_crank_spares_the_bearing(api):
     still = [each["basic_life_h"] for each in usual]
     assert lives[0] == pytest.approx(still[0] * 21 / 20, rel=SAME)
     assert lives[1] == pytest.approx(still[1], rel=SAME)
+
+
+def test_an_answer_leaves_out_what_may_be_absent_and_nothing_else() -> None:
+    class Moving(ResponseModel):
+        crank_power_W: float
+
+    loads = Members("pins", 20.0).loads(output_torque=500.0)
+    found = MembersOut.values(loads, output="pins")
+    assert found["crank_torque_Nm"] == 25 and "crank_power_W" not in found
+    with pytest.raises(NotKnown):
+        Moving.values(loads)

@@ -119,10 +119,6 @@ NEEDED = {"needed", "needed_beside", "only_one"}
 OF_OTHER_FIELDS = (
     "/contact",
     "/contact/contact_length_mm",
-    "/contact/eccentricity_mm",
-    "/contact/fit",
-    "/contact/hole_clearance_mm",
-    "/contact/hole_radius_mm",
     "/contact/pin_radius_mm",
     "/crankshaft/satellite_mass_kg",
     "/fatigue/fatigue_notch_factor",
@@ -136,6 +132,7 @@ OF_OTHER_FIELDS = (
     "/pin/contact_length_mm",
     "/pin/diameter_mm",
     "/pin/material",
+    "/pin/support",
     "/satellite_coupling",
     "/tolerances/hole_diameter",
     "/tolerances/pin_diameter",

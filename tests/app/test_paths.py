@@ -26,7 +26,7 @@ PIN = {"satellite_positions_mm": [15.0, 37.0]}
         ("contact_length", ("contact", "contact_length_mm")),
         ("pin.contact_length", ("pin", "contact_length_mm")),
         ("pin.satellite_positions[1]", ("pin", "satellite_positions_mm", 1)),
-        ("hole_radial[0][2]", None),
+        ("hole_radial[0][2]", ()),
         ("deviations.hole_radial[0][2]", ("deviations", "hole_radial_mm", 0, 2)),
         ("crank_angles[1]", ("mechanism", "crank_angles_deg", 1)),
         (
@@ -34,7 +34,7 @@ PIN = {"satellite_positions_mm": [15.0, 37.0]}
             ("crankshaft", "bearings", 1, "dynamic_rating_N"),
         ),
         ("pin.material.yield_strength", ("pin", "material", "yield_strength_MPa")),
-        ("nothing", None),
+        ("nothing", ()),
     ],
 )
 def test_the_path_of_a_parameter(given: dict[str, Any], parameter: str, path: Any) -> None:

@@ -12,6 +12,7 @@ import httpx
 import pytest
 from pydantic import TypeAdapter, ValidationError
 
+from app.endpoint import answered
 from app.examples import EXAMPLES
 from app.problems import Problem
 from app.registry import CALCULATIONS
@@ -37,7 +38,7 @@ def steps_of(calculation: str, body: dict[str, Any]) -> list[dict[str, Any]]:
     if calculation == "crank-planetary" and "include" not in body:
         include = ["worked"]
     request = TypeAdapter(asked.request).validate_json(json.dumps(body | {"include": include}))
-    found: list[dict[str, Any]] = asked.answered(request)["worked"]
+    found: list[dict[str, Any]] = answered(asked, request)["worked"]
     return found
 
 

@@ -124,7 +124,6 @@ def test_what_is_not_known_of_the_life_is_said() -> None:
 
 def test_a_limit_within_the_loss_of_a_long_life_fails() -> None:
     """Green by 3 % of the limit as it stands; not after 5000 h."""
-    assert Results(REF).hertz is not None and Results(REF).hertz.governing_pressure is not None
     pressure = float(Results(REF).hertz.governing_pressure)
     limit = replace(LASTING, pressure=1.2 * 1.06 * pressure)
     design = having(REF, hole_material=replace(HOLE, limit=limit))
@@ -201,7 +200,7 @@ def test_wide_contacts_have_a_pressure_of_their_own() -> None:
     for limit in (60e6, 200e6):
         given = having(soft, pin_material=replace(SOFT, limit=ContactLimit("given", limit)))
         reserve = check_of("contact_pressure_pin", given).torque_reserve
-        assert reserve is not None and contact.governing_pressure is not None
+        assert reserve is not None
         there = having(given, output_torque=5e3 * reserve)
         assert check_of("contact_pressure_pin", there).utilisation == pytest.approx(1, rel=EXACT)
         square = (limit / 1.2 / float(contact.governing_pressure)) ** 2
@@ -212,7 +211,7 @@ def test_wide_contacts_have_a_pressure_of_their_own() -> None:
     assert reserve is not None
     for share, known in ((1 - 1e-9, True), (1 + 1e-9, False)):
         at = Results(having(soft, output_torque=5e3 * reserve * share)).hertz
-        assert (at.governing_pressure is not None) == known
+        assert math.isnan(at.governing) != known
 
 
 @pytest.mark.parametrize(

@@ -65,7 +65,6 @@ def governing(real: RealMechanism, pair: int, force: float) -> float:
         pin_material=real.pin_material,
         hole_material=real.hole_material,
     )
-    assert found.governing_pressure is not None
     return float(found.governing_pressure)
 
 

@@ -178,7 +178,6 @@ def test_a_contact_that_wraps_is_judged_by_the_pressure_of_the_cases(case: dict[
         hole_material=hole,
     )
     pressure, angle = case["p_max_MPa"] * 1e6, math.radians(case["half_angle_deg"])
-    assert found.governing_pressure is not None
     if pressure <= (1 + HERTZ_TOLERANCE) * found.max_pressure:
         assert found.conformal_pressure is None
         assert found.governing_pressure == found.max_pressure
