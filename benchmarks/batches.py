@@ -64,6 +64,6 @@ def main(together: int = TOGETHER, rounds: int = ROUNDS) -> int:
 if __name__ == "__main__":
     asked = options(__doc__, rounds=ROUNDS)
     if asked.smallest:
-        main(together=20, rounds=1)
+        main(together=10, rounds=1)
     else:
         sys.exit(main(rounds=asked.rounds))

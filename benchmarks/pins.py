@@ -121,4 +121,4 @@ def main(pins: int, smallest: bool = False) -> int:
 
 if __name__ == "__main__":
     asked = options(__doc__, pins=PINS)
-    sys.exit(main(6, smallest=True) if asked.smallest else main(asked.pins))
+    sys.exit(main(3, smallest=True) if asked.smallest else main(asked.pins))

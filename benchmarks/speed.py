@@ -207,7 +207,8 @@ def main(smallest: bool) -> None:
     for name, call in CALLS.items():
         call()
         count = 1 if smallest else max(1, round(0.02 / max(timeit.timeit(call, number=1), 1e-6)))
-        times[name] = float(np.median(timeit.repeat(call, number=count, repeat=7))) / count
+        took = timeit.repeat(call, number=count, repeat=1 if smallest else 7)
+        times[name] = float(np.median(took)) / count
     unit = times["hertz"]
     print(f"{'calculation':24s} {'ratio':>8s} {'us':>8s}")
     for name, each in times.items():

@@ -29,6 +29,7 @@ SLOW = {
         "app/test_processes.py",
         "app/test_ring_design_api.py",
         "app/test_tolerance_study_api.py",
+        "app/test_tutorial.py",
         "app/test_work_precision_api.py",
         "core/test_check_inputs.py",
         "core/test_checks_strength.py",
@@ -40,6 +41,8 @@ SLOW = {
     )
 }
 """Folders and files that take seconds each; `make check` leaves them out."""
+
+collect_ignore = ["corpus", "inputs", "oracles"]  # no doctests there
 
 
 @pytest.fixture(scope="session", autouse=True)
