@@ -563,7 +563,7 @@ def test_no_pin_that_presses_is_passed_over(seed: int) -> None:
     approach_there, _ = sought.at(found.rotation[0])
     expected = stiffness * np.maximum(approach_there, 0.0)
     assert np.array(found.force) == pytest.approx(expected, abs=1e-9 * expected.max())
-    assert sought.torque(found.rotation[0], stiffness) == pytest.approx(torque, rel=1e-9)
+    assert sought.torque(found.rotation[0], stiffness) == pytest.approx(torque, rel=EXACT)
 
 
 @pytest.mark.parametrize("seed", seeds(8))
@@ -619,7 +619,7 @@ def test_play_and_interference_of_rough_parts(seed: int) -> None:
     mesh, angle = rough(seed)
     sought, found = Distances(mesh, angle), played(mesh, angle)
     _, least = sought.freest()
-    assert mesh.pressing_at(mesh.wave(angle)) == pytest.approx(least, rel=1e-6, abs=1e-15)
+    assert mesh.pressing_at(mesh.wave(angle)) == pytest.approx(least, rel=SEARCHED, abs=1e-15)
     assert (found is None) == (least > 0)
     if found is not None:
         expected = sought.play()
@@ -633,7 +633,7 @@ def test_the_only_pin_that_is_near_limits_the_play(angle: float, pin: int) -> No
     off = tuple(0.0 if k == pin else 3e-4 for k in range(12))
     mesh = mesh_of(crank_angles=(0.0,), deviations=RingDeviations(pin_radial=off))
     expected = Distances(mesh, angle).play()
-    assert played(mesh, angle) == pytest.approx(expected, rel=1e-9)
+    assert played(mesh, angle) == pytest.approx(expected, rel=EXACT)
     position = at(mesh, angle, 1.0)
     for limit, known in zip(position.play, expected, strict=True):
         assert abs(limit - known) <= position.play_error + 1e-9 * abs(known)
@@ -646,7 +646,7 @@ def test_a_lobe_that_presses_is_left_on_either_side() -> None:
         own = made if way > 0 else replace(made, pin_radial=(0.0, *made.pin_radial[:0:-1]))
         mesh = mesh_of(crank_angles=(0.0,), deviations=own)
         _, expected = Distances(mesh, 0.0).freest()
-        assert mesh.pressing_at(0.0) == pytest.approx(expected, rel=1e-6)
+        assert mesh.pressing_at(0.0) == pytest.approx(expected, rel=SEARCHED)
 
 
 def test_given_shares_over_the_turn() -> None:
