@@ -35,7 +35,8 @@ def crank_verdict(results: Results, *, every: bool = False) -> Verdict:
         Results of a design.
     every : bool
         Whether the reserve of every check is wanted, not only of the one that fails first: then the
-        torques under which the others fail are looked at too.
+        torques under which the others fail are looked at too, but of discs in series, which take
+        long.
 
     Returns
     -------
@@ -58,6 +59,7 @@ def crank_verdict(results: Results, *, every: bool = False) -> Verdict:
         check.rough and check.torque_reserve for check in found.checks
     ):
         return found
+    every = every and not results.in_series
     return _Torques(design, found).judged(every=every, guess=_guess(results))
 
 
