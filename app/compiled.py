@@ -25,6 +25,7 @@ SOURCES = (
     CORE / "output" / "tied_kernel.py",
     CORE / "output" / "sharing_kernel.py",
     CORE / "output" / "turn_kernel.py",
+    CORE / "ring" / "exact_touch.py",
     CORE / "ring" / "approach.py",
     CORE / "ring" / "series_disc.py",
     CORE / "ring" / "series_kernel.py",

@@ -43,8 +43,7 @@ def _copies(
     """
     sources = [*SOURCES] if over is None else [*SOURCES, over]
     names = {name: each for one in sources for name, each in vars(one).items()} | others
-    read = [*sources, *(sys.modules[each.__module__] for _, each in _borrowed(over))]
-    names["SOURCES"] = tuple(dict.fromkeys([__file__, *(one.__file__ for one in read)]))
+    names["SOURCES"] = tuple(dict.fromkeys([__file__, *(one.__file__ for one in _read(over))]))
     for one in sources:
         for name, plain in vars(one).items():
             own = isinstance(plain, types.FunctionType) and plain.__module__ == one.__name__
@@ -64,6 +63,15 @@ def _borrowed(over: types.ModuleType | None) -> Iterator[tuple[str, types.Functi
         others = isinstance(plain, types.FunctionType) and plain.__module__ != over.__name__
         if others and plain.__module__.startswith("core."):
             yield name, plain
+
+
+def _read(over: types.ModuleType | None) -> Iterator[types.ModuleType]:
+    """Modules whose change changes what a module becomes: what it borrows may be inlined."""
+    yield from SOURCES
+    if over is not None:
+        yield over
+        for borrowed in sorted({each.__module__ for _, each in _borrowed(over)}):
+            yield from _read(sys.modules[borrowed])
 
 
 def in_place_of(over: types.ModuleType | None = None, **others: Callable[..., Any]) -> Any:

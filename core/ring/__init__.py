@@ -3,6 +3,7 @@
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------
 profile             a cycloid disc as it is cut: outline, curvature, undercut, points
+exact_touch         where the ring's pins touch it, in exact geometry
 approach            its approach to the ring's pins, in the place of that of pins in holes
 sharing             forces, lag, play and stiffness at a position and over the turn
 series_disc         a disc between the ring and the pins of the output, at a lag

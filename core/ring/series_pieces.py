@@ -9,7 +9,8 @@ from typing import Any, Generic, NamedTuple, TypeVar
 from core.output.loop_rows import BINDS, FITS, NOWHERE, SOLVED, Errors, Law, Load, Row
 from core.output.sharing_kernel import prepare as prepare_holes
 from core.output.turn_kernel import none as none_of_output
-from core.ring.approach import MeshSetup, prepare_mesh
+from core.ring.approach import prepare_mesh
+from core.ring.exact_touch import MeshSetup
 from core.ring.series_disc import SeriesPairs, SeriesRoom, SeriesSetup
 from core.ring.series_disc import between as one_disc
 from core.ring.series_kernel import hardest as hardest_pin

@@ -39,15 +39,8 @@ from core.output.turn import Turn
 from core.precision import ROUNDING
 from core.results import Accuracy, Notice, poorly_known
 from core.ring import approach
-from core.ring.approach import (
-    ALONG_LEAST,
-    ALONG_MOST,
-    RUB,
-    RUB_AND_PRESS,
-    MeshPairs,
-    MeshRoom,
-    MeshSetup,
-)
+from core.ring.approach import ALONG_LEAST, ALONG_MOST, RUB, RUB_AND_PRESS
+from core.ring.exact_touch import MeshPairs, MeshRoom, MeshSetup, quarter, touch
 from core.ring.profile import CycloidDisc, Modification
 
 DEPTHS = 0.5, 2.0
@@ -545,7 +538,7 @@ def _interference(mesh: CycloidMesh, setup: MeshSetup, angle: float) -> float:
     room, pairs = mesh.room(), mesh.pairs
     approach.at(angle, setup, pairs, room)
     loops: Any = mesh.loops
-    far = approach.quarter(setup)
+    far = quarter(setup)
     return float(loops.pressing(-far, far, setup, pairs, room))
 
 
@@ -558,7 +551,7 @@ def _pressing(mesh: CycloidMesh, waves: FloatArray) -> FloatArray:
         rows.append((*room.q, *room.v))
     alone = setup.satellites if mesh.support.given_shares else 1
     q, v = np.array(rows).reshape(len(rows), 2, alone, -1).transpose(1, 0, 2, 3)
-    far = np.full(q.shape[:2], approach.quarter(setup))
+    far = np.full(q.shape[:2], quarter(setup))
     low, high = -far, far
     for _ in range(HALVINGS):
         lag = (low + high) / 2
@@ -612,7 +605,7 @@ def mesh_gaps(
         )
     return mesh.rows(
         [
-            -approach.touch(i, i // pins, lags[i // pins], setup, pairs, room).approach
+            -touch(i, i // pins, lags[i // pins], setup, pairs, room).approach
             for i in range(len(room.q))
         ]
     )

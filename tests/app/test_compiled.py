@@ -24,7 +24,7 @@ from core.output.contact_law import LinearLaw
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_mechanism import RealMechanism
-from core.ring import approach, series_disc, series_kernel, series_pieces
+from core.ring import approach, exact_touch, series_disc, series_kernel, series_pieces
 from core.ring.profile import CycloidDisc
 from core.ring.sharing import CycloidMesh, mesh_over_turn
 from tests.inputs.real_mechanisms import STEEL
@@ -103,7 +103,7 @@ print([name for name in sys.modules if name.partition(".")[0] in ("core", "numpy
 """
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
-    sources = *loops.SOURCES, approach, series_disc, series_kernel, series_pieces
+    sources = *loops.SOURCES, exact_touch, approach, series_disc, series_kernel, series_pieces
     assert tuple(Path(each.__file__) for each in sources) == compiled.SOURCES
     kernel = loops.in_place_of(series_pieces)
     assert kernel.pieces.__qualname__ == compiled.LAST

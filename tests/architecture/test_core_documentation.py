@@ -71,6 +71,7 @@ stretch, what NumPy's `where` takes, a check's value and limit."""
 KERNELS = {
     *(each.__name__ for each in SOURCES),
     "core.ring.approach",
+    "core.ring.exact_touch",
     "core.ring.series_disc",
     "core.ring.series_kernel",
     "core.ring.series_pieces",
