@@ -92,6 +92,7 @@ async def test_of_what_is_not_known_of_the_clearance_nothing_is_green(api):
     assert "clearance_unknown" in [each["code"] for each in quiet["warnings"]]
 
 
+@pytest.mark.slow
 async def test_a_fit_is_a_clearance(api):
     """H7 of 49.5 mm: 0..25 um; f7 of 44 mm: -50..-25 um: (12.5 + 37.5)/2."""
     fitted, parts, checks = await asked(api, winch(contact=FITTED))
