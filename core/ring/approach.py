@@ -172,9 +172,17 @@ def touch_error(lag: float, pair: int, psi: float, setup: Any, pairs: Any, room:
     """
     if pair < 0 or abs(room.v[pair]) >= NO_TURN * setup.eccentricity * (setup.pins - 1):
         return touch_error_alone(lag, pair, psi, setup, pairs, room)
-    lever = touch(pair, pair // setup.pins, lag, setup, pairs, room).lever
     off = EPS * (4 + 2 * abs(psi)) * (pairs.size[pair] + abs(lag) * setup.radius)
-    return off / abs(lever) if lever != 0 else math.inf
+    j, most = pair // setup.pins, quarter(setup)
+    there = touch(pair, j, lag, setup, pairs, room).approach
+    error: float = off / setup.radius
+    while error < most:
+        ahead = touch(pair, j, lag + error, setup, pairs, room).approach
+        behind = touch(pair, j, lag - error, setup, pairs, room).approach
+        if max(abs(ahead - there), abs(behind - there)) > 3 * off:  # each is off by so much
+            break
+        error *= 2
+    return error
 
 
 def shift(lag: float, onset: int, setup: MeshSetup, pairs: MeshPairs, room: MeshRoom) -> None:

@@ -35,6 +35,7 @@ def browser() -> Iterator[sync_api.Browser]:
         if os.environ.get("CI"):
             pytest.fail(reason)
         pytest.skip(reason)
+    sync_api.expect.set_options(timeout=60_000)  # a busy machine is slow, not wrong
     with chromium.started() as browser:
         yield browser
 
@@ -105,8 +106,7 @@ def page(context: sync_api.BrowserContext, service: str, watch: Watch) -> Iterat
     """
     context.add_init_script(WATCH_SCRIPT)
     page = context.new_page()
-    page.set_default_timeout(10_000)
-    sync_api.expect.set_options(timeout=10_000)
+    page.set_default_timeout(60_000)
     page.on("request", lambda request: watch.requests.append(request.url))
     page.on("pageerror", lambda error: watch.complaints.append(f"{error} {error.stack}"))
     page.on(

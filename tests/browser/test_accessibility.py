@@ -65,7 +65,6 @@ what is wrong stays so, however slow a machine draws."""
 def open_page(browser: Browser) -> Iterator[Page]:
     """A page into which axe may be put: without the policy that forbids foreign scripts."""
     context = browser.new_context(bypass_csp=True, reduced_motion="reduce")
-    expect.set_options(timeout=30_000)  # axe keeps a busy machine busy
     yield context.new_page()
     context.close()
 
@@ -164,9 +163,9 @@ def test_axe_finds_nothing_in_what_was_off_until_wanted(
 ) -> None:
     page = open_page
     show(page, service, "crank-planetary", **WANTED, lang=language, units="us")
-    expect(page.locator(".real")).to_have_attribute("data-stale", "false", timeout=60_000)
+    expect(page.locator(".real")).to_have_attribute("data-stale", "false")
     page.locator('[data-do="run"]').click()
-    expect(page.locator(".study .histogram")).to_be_visible(timeout=60_000)
+    expect(page.locator(".study .histogram")).to_be_visible()
     folded = page.locator(".folding[aria-expanded=false]:visible")
     while folded.count():
         folded.first.click()

@@ -45,7 +45,7 @@ def test_nothing_is_left_in_english(
         assert "." not in typed.input_value()
     for measure in page.locator(".measure:not(.example)").all():
         measure.click()
-        expect(measure).to_be_hidden(timeout=30_000)
+        expect(measure).to_be_hidden()
     assert foreign(page) == set()
     if CALCULATORS[calculator]:
         box(page, CALCULATORS[calculator]).fill("-1")

@@ -411,7 +411,7 @@ DESIGNS |= {
         gear=CycloidRing(
             ring_pin_circle_radius=0.045,
             ring_pin_radius=0.0015,
-            modification=Modification(equidistant=-1e-5, pin_circle=-5e-6),
+            modification=Modification(equidistant=-1e-5, pin_circle=-5e-6, rotation=2e-5),
             pin_material=LASTING,
             friction_coefficient=0.06,
         ),

@@ -345,6 +345,22 @@ def test_gaps_as_wide_as_a_valley() -> None:
             assert codes - {"seat_rigid", "unusual_shortening"} == ({code} if code else set())
 
 
+def test_a_pin_that_just_touches_at_its_dead_angle_has_a_known_play() -> None:
+    """It has no lever there: how well the play is known hangs on how the path bends away."""
+    disc = CycloidDisc(20, 2e-3, 0.066, 0.004, Modification(1.5e-5, -5e-6))
+
+    def play(inward: float) -> tuple[tuple[float, float] | None, float]:
+        deviations = RingDeviations(pin_radial=(-inward, *[0.0] * 20))
+        found = at(mesh_of(disc=disc, deviations=deviations), 0.0, 200.0)
+        return found.play, found.play_error
+
+    (least, most), error = play(2e-5)  # type: ignore[misc]
+    assert least == pytest.approx(0, abs=error) and most == pytest.approx(0, abs=error)
+    assert 0 < error < 1e-7
+    wider, known = play(math.nextafter(2e-5, 0))
+    assert wider == pytest.approx((least, most), abs=error + known)
+
+
 def test_a_pin_that_does_not_let_a_disc_in_is_named(monkeypatch: Any) -> None:
     """Where forces cannot be solved for it: as deep as it stands within the outline."""
     disc = CycloidDisc(19, 2e-3, 0.06, 0.005, Modification(2e-5, -1e-5))
