@@ -116,9 +116,9 @@ def route_of(calculation: Calculation, *, drawn: bool = False) -> type[APIRoute]
     return CalculationRoute
 
 
-def answered(calculation: Calculation, body: RequestModel, *report: Report) -> Values:
+def answered(calculation: Calculation, body: RequestModel, report: Report | None = None) -> Values:
     """Values of the answer to a request; of a study with what is told how much of it is done."""
-    return calculated(body, partial(calculation.answered, body, *report))
+    return calculated(body, partial(calculation.answered, body, report))
 
 
 def content_of(

@@ -179,8 +179,8 @@ class RequestModel(BaseModel):
     """What its kinds have; fields that no kind has are those of all. None: without a kind."""
 
     BETWEEN: ClassVar[tuple[Rule, ...]] = ()
-    """Rules between its fields, and those of the models within, of which the JSON schema knows
-    none."""
+    """Rules between its fields, and those of the models within; the JSON schema has those between
+    fields of its own."""
 
     RULES: ClassVar[tuple[dict[str, Any], ...]] = ()
     """What its JSON schema says besides, of which a validator says the same."""
@@ -548,21 +548,21 @@ class Calculation:
     # to 1.
     reporting: Callable[[Any, Callable[[float], None]], Values] | None = None
 
-    def answered(self, body: Any, *report: Callable[[float], None]) -> Values:
+    def answered(self, body: Any, report: Callable[[float], None] | None = None) -> Values:
         """Values of the answer to a request, with what was assumed and taken otherwise than typed.
 
         Parameters
         ----------
         body : RequestModel
             The request.
-        *report : callable
-            Of a study what is told how much is done, from 0 to 1, if anything is.
+        report : callable, optional
+            Of a study what is told how much is done, from 0 to 1.
 
         Returns
         -------
         dict
         """
-        values: Values = cast(Any, self.reporting if report else self.solve)(body, *report)
+        values = self.solve(body) if report is None else cast(Any, self.reporting)(body, report)
         if assumed := [
             {"pointer": "/" + "/".join(path), "value": value} | body.without(path)
             for path, value in body.assumed()
