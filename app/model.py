@@ -179,8 +179,8 @@ class RequestModel(BaseModel):
     """What its kinds have; fields that no kind has are those of all. None: without a kind."""
 
     BETWEEN: ClassVar[tuple[Rule, ...]] = ()
-    """Rules between its fields, and those of the models within, of which the JSON schema knows
-    none."""
+    """Rules between its fields, which the JSON schema has, and with those of the models within,
+    which it has not."""
 
     RULES: ClassVar[tuple[dict[str, Any], ...]] = ()
     """What its JSON schema says besides, of which a validator says the same."""
