@@ -90,7 +90,7 @@ def _only(form: tuple[str, ...], names: Iterable[str]) -> dict[str, Any]:
     As requirements: generators of clients take no properties that are `false`.
     """
     others = [{"required": [name]} for name in names if name not in form]
-    return {"required": [*form], "not": {"anyOf": others}}
+    return {"required": [*form]} | ({"not": {"anyOf": others}} if others else {})
 
 
 Kinds = Mapping[Any, tuple[tuple[str, ...], tuple[str, ...]]]

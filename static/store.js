@@ -103,11 +103,17 @@ export function switched(state, id, on, time) {
   return read({ ...state, refusal: null }, recorded(state.history, { ...typed, texts }, undefined, time));
 }
 
-/** An option chosen; its fields start from the same design, where it can be said so. */
+/**
+ * An option chosen; its fields start from the same design, where it can be said so. What says what others give follows
+ * them from then on, what has nobody to follow any more keeps its value.
+ */
 export function chose(state, id, option, time) {
-  const { typed, about: { model } } = state;
+  const { typed, about: { model }, reading: { readings: before } } = state;
   const seeded = seeds(state, model.choices.find((choice) => choice.id === id), option);
-  const next = { texts: { ...typed.texts, ...seeded }, chosen: { ...typed.chosen, [id]: option } };
+  const next = withLinks(model, { texts: { ...typed.texts, ...seeded }, chosen: { ...typed.chosen, [id]: option } });
+  const { readings } = readState(model, next);
+  const left = Object.keys(before).filter((path) => before[path].followed && readings[path]?.problem === "required");
+  for (const path of left) next.texts[path] = textIn(model.fields.get(path), before[path].value);
   return read({ ...state, refusal: null }, recorded(state.history, next, undefined, time));
 }
 

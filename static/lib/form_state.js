@@ -201,7 +201,12 @@ export function readState(model, state) {
   }
   for (const field of shownFields(model, state).filter(({ path, follows }) => follows && readings[path].problem === "required")) {
     const value = field.follows(filled);
-    if ([value].flat().length === 0 || ![value].flat().every(Number.isFinite)) continue;
+    const numbers = [value].flat();
+    if (numbers.length === 0 || !numbers.every(Number.isFinite)) continue;
+    if (numbers.some((one) => outside(field, one))) {
+      readings[field.path] = {}; // what it follows is wrong, which is said there
+      continue;
+    }
     readings[field.path] = { value, followed: true };
     put(input, placeOf(field), value);
     put(filled, placeOf(field), value);

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import ClassVar, get_args
 
 import pytest
-from pydantic import ValidationError
+from pydantic import TypeAdapter, ValidationError
 
 import app.registry
 from app.calculations.both_meshes import RingInSeriesFields
@@ -121,6 +121,22 @@ def test_rules_and_tables_are_of_fields_that_there_are():
         assert {*model.OF_A_RING} <= _paths(model)
     listed = {f"deviations/{name}" for name in RING_PIN_LISTS}
     assert listed.union(INVOLUTE_NEEDS, *NEEDS.values()) <= _paths(CrankPlanetaryRequest)
+
+
+def _empty(schema, path=""):
+    """Places of a schema where one of nothing is asked for, which no JSON schema may."""
+    inner = schema.items() if isinstance(schema, dict) else enumerate(schema)
+    for key, value in inner:
+        if key in ("allOf", "anyOf", "oneOf") and value == []:
+            yield f"{path}/{key}"
+        if isinstance(value, dict | list):
+            yield from _empty(value, f"{path}/{key}")
+
+
+def test_what_the_schema_says_of_rules_is_a_schema():
+    assert [*_empty({"allOf": [{"not": {"anyOf": []}}]})] == ["/allOf/0/not/anyOf"]
+    for calculation in app.registry.CALCULATIONS.values():
+        assert [*_empty(TypeAdapter(calculation.request).json_schema())] == []
 
 
 def test_what_is_asked_whether_it_is_given_is_a_field():

@@ -261,7 +261,7 @@ def test_the_description_has_the_same_bytes_in_every_process():
             capture_output=True,
             check=True,
         ).stdout
-        for seed in range(2)
+        for seed in range(4)
     }
     assert len(descriptions) == 1
 

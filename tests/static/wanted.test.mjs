@@ -106,6 +106,23 @@ test("a number follows the other boxes too, where it is known, until it is typed
   assert.equal(withLinks(made, stateFromInput(made, read(3).input)).texts.tolerance, "");
 });
 
+test("with another option a number that others give follows them, one whose others go keeps its value", () => {
+  const group = { ...GROUP, starts: () => ({ tolerance: 1 }), fields: { tolerance: { required: true, follows: ({ mechanism: { crank_angles_deg: angles } }) => angles?.[1] / 90 } } };
+  const made = formModel(SERVICE, { path: "/api/v1/job", groups: ["mechanism", "contact"], hidden: ["mechanism.include"], wanted: [group], words: ownWords, choices: { cranks: { spacing: ["mechanism.crank_spacing_deg"], list: ["mechanism.crank_angles_deg"] } } });
+  const seeds = { "cranks.list": () => ({ "mechanism.crank_angles_deg": [0, 90] }) };
+  const about = { model: made, calculator: { id: "job", wanted: [group], sections: [], seeds, drawing: {}, figures: [], verdict: () => [] }, catalogues: {}, titles: new Map() };
+  const even = next.switched(next.opened(about, stateFromInput(made, INPUT), "light"), "real", true, 0);
+  const said = ({ typed, reading }) => [typed.texts.tolerance, reading.readings.tolerance.value, reading.besides.real];
+  assert.deepEqual(said(even), ["1", 1, []]);
+  const listed = next.chose(even, "cranks", "list", 0);
+  assert.deepEqual(said(listed), ["", 1, []]);
+  const wider = next.typedIn(listed, "mechanism.crank_angles_deg", "0; 270", 0);
+  assert.deepEqual(said(wider), ["", 3, []]);
+  assert.deepEqual(said(next.chose(wider, "cranks", "spacing", 0)), ["3", 3, []]);
+  const wrong = next.typedIn(listed, "mechanism.crank_angles_deg", "0; -90", 0); // said there, not at what follows
+  assert.deepEqual(said(wrong), ["", undefined, []]);
+});
+
 test("a group that is off is not shown, asked for, listed or linked", () => {
   const state = stateFromInput(MODEL, INPUT);
   assert.ok(!isOn(MODEL, "real", state.texts));

@@ -131,7 +131,7 @@ const ofKind = (...kinds) => ({ when: ["gear.kind", ...kinds] });
 const [ofPins, ofTeeth, ofBoth] = [ofKind("cycloid"), ofKind("involute"), ofKind("cycloid", "involute")];
 const needed = { required: true };
 /** Teeth of the ring less those of a satellite, where both are given. */
-const differenceOf = ({ satellite_teeth: z2, ring_teeth: z3 }) => (z3 > z2 ? z3 - z2 : NaN);
+const differenceOf = ({ satellite_teeth: z2, ring_teeth: z3 }) => z3 - z2;
 const discs = { ...ofPins, default: null }; // nothing is known of what is left empty
 const BEARINGS = {
   "gear.kind": { options: ["ratio"], default: "involute" },
@@ -229,7 +229,7 @@ function planes({ mechanism: { satellites }, contact: { contact_length_mm: width
  */
 function ringOf({ mechanism, load, contact: { eccentricity_mm: e, pin_radius_mm: pin } = {} }) {
   const u = ratioOf(mechanism);
-  const given = differenceOf(mechanism);
+  const given = Math.max(differenceOf(mechanism), 0);
   const difference = given || [1, 2, 3, 4, 5].find((d) => Number.isInteger(tidy(u * d))) || 1;
   const holes = load?.pin_circle_radius_mm + pin + e;
   const largest = e / (0.45 * difference + 0.36);
