@@ -88,8 +88,6 @@ IMPOSSIBLE = {
     "more in the ring and a reference pressure angle of 14.5 to 30 degrees, of both meshes in "
     "series cycloid discs on ring pins",
     "overflow": "The numbers given leave the range of numbers: {names} would not be finite",
-    "ring_jams": "Pin {pin} of the ring stands {depth:.3g} mm within satellite {satellite}, "
-    "whichever way that turns: the ring does not let it in",
     "teeth_not_whole": "Flanks are cut away at their roots, or teeth or spaces are pointed: there "
     "is no outline to draw",
     "teeth_interfere": "The teeth run into each other, or touch where they are no involutes",

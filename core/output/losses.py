@@ -322,7 +322,7 @@ class PinLosses:
     # which the loss is too large.
     friction_couple: Number
     wear_rate: Number | None  # k, m^2/N, where it is given
-    rubbed: Number  # way that rubs over the life, over 2*pi and the length of the contact
+    rubbed: Number  # way that rubs over the life, over 2*pi and the contact's length, dimensionless
     pin_radius: Number  # that touches the hole, m
     rubbing: BarePins | Sleeves  # bare pins in their holes, or on sleeves
     accuracy: Accuracy
@@ -342,7 +342,6 @@ class PinLosses:
     def _worn(self) -> Number:
         """Area that is worn away under the largest force, m^2."""
         rate = required(self.wear_rate, "wear_unknown", "friction.wear_rate")
-        check_not_negative(wear_rate=rate)
         return rate * self.peak_force * self.rubbed
 
 
@@ -448,6 +447,8 @@ def pin_losses(
     check_not_negative(
         friction_coefficient=friction_coefficient, input_speed=input_speed, life=life
     )
+    if wear_rate is not None:
+        check_not_negative(wear_rate=wear_rate)
     slows = rubbing.slowed(pin_radius)
     total = total_force(mechanism=mechanism, force_exponent=force_exponent)
     peak = force_peak(mechanism, force_exponent)

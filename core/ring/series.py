@@ -16,10 +16,9 @@ import numpy as np
 
 from core.arrays import check_finite, check_single
 from core.derived import if_known
-from core.errors import ImpossibleMechanism, InvalidInput
+from core.errors import InvalidInput
 from core.output.compiled import at_hand, plain
 from core.output.loaded_position import bent_together, notices
-from core.output.loop_rows import Position
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.sharing_kernel import too_wide
@@ -28,7 +27,7 @@ from core.precision import SAME
 from core.results import Accuracy, Notice, poorly_known
 from core.ring import series_kernel
 from core.ring.series_disc import SeriesPairs, SeriesRoom, SeriesSetup
-from core.ring.sharing import JAMMED, CycloidMesh
+from core.ring.sharing import CycloidMesh
 
 HALVINGS = 60
 """How often the interference of parts that press is halved."""
@@ -227,48 +226,13 @@ class MeshesInSeries(Stage):
         j, n = next(divmod(pair, pins) for pair, pins in found if pair >= 0)
         return {"satellite": j + 1, "pin": n + 1}
 
-    def solved(self, psi: float, torque: float, setup: Any, room: Any) -> Position:
-        """As `core.output.stage.Stage.solved`; what the ring does not let in is said.
-
-        Parameters
-        ----------
-        psi : float
-            Crank angle, rad.
-        torque : float
-            Size of the torque, N*m, > 0.
-        setup : SeriesSetup
-            The design, with the torque's direction.
-        room : SeriesRoom
-            Takes forces and lags.
-
-        Returns
-        -------
-        Position
-
-        Raises
-        ------
-        ImpossibleMechanism
-            Likewise.
-        """
-        try:
-            return super().solved(psi, torque, setup, room)
-        except ImpossibleMechanism as why:
-            each, found = torque / self.mechanism.satellites, []
-            for j, (teeth, _) in enumerate(self.discs if why.code in JAMMED else ()):
-                jams = teeth.jams(teeth.wave(psi), each)
-                found += [jams | {"satellite": j + 1}] if jams else []
-            if found:
-                deepest = max(found, key=lambda jams: float(jams["depth"]))
-                raise ImpossibleMechanism("ring_jams", why.where, **deepest) from why
-            raise
-
-    def less(self, closer: float) -> "MeshesInSeries":
-        """The same with all pins so much thinner, in the play alone.
+    def with_wider_gaps(self, closer: float) -> "MeshesInSeries":
+        """The same with all gaps so much wider.
 
         Parameters
         ----------
         closer : float
-            By how much all gaps are wider, m.
+            By how much, m.
 
         Returns
         -------
@@ -276,7 +240,7 @@ class MeshesInSeries(Stage):
         """
         return replace(
             self,
-            ring=self.ring.less(closer),
+            ring=self.ring.with_thinner_pins(closer),
             output=replace(self.output, clearance=self.output.clearance + closer),
         )
 
@@ -471,7 +435,7 @@ def _interference(series: MeshesInSeries, angle: float) -> float:
     """
 
     def presses(closer: float) -> bool:
-        wider = series.less(closer)
+        wider = series.with_wider_gaps(closer)
         low, high, _, held = series_kernel.placed(
             angle, wider.setup(1.0), wider.pairs, wider.room()
         )

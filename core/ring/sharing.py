@@ -28,7 +28,7 @@ from core.output.contact_law import (
     law_constants,
     law_kind,
 )
-from core.output.loop_rows import PRESSURE, Law, Position
+from core.output.loop_rows import PRESSURE, Law
 from core.output.mechanism import Mechanism
 from core.output.over_turn import Extreme, OverTurn
 from core.output.real_turn import CloseSamples, close_samples
@@ -48,9 +48,6 @@ DEPTHS = 0.5, 2.0
 
 USUAL_SHORTENING = 0.35, 0.9
 """Shortening coefficients of most drives."""
-
-JAMMED = {"dead_centre", "beyond_first_order", "not_stable", "not_balanced"}
-"""What a position is refused as where a pin does not let a disc into its ring."""
 
 LOOKED_PRESSING, HALVINGS = 180, 40
 """Positions of the turn at which is looked for what presses most, then between two of them; and how
@@ -274,37 +271,6 @@ class CycloidMesh(Stage):
         ]
         return max(map(abs, gaps)) / self.disc.valley_radius
 
-    def solved(self, psi: float, torque: float, setup: Any, room: Any) -> Position:
-        """As `core.output.stage.Stage.solved`; where it is a pin that does not let a disc into the
-        ring for which that cannot be, that is said.
-
-        Parameters
-        ----------
-        psi : float
-            Wave angle, rad.
-        torque : float
-            Size of the torque, N*m, > 0.
-        setup : MeshSetup
-            The design, with the torque's direction.
-        room : MeshRoom
-            Takes forces and levers.
-
-        Returns
-        -------
-        Position
-
-        Raises
-        ------
-        ImpossibleMechanism
-            Likewise.
-        """
-        try:
-            return super().solved(psi, torque, setup, room)
-        except ImpossibleMechanism as why:
-            if why.code in JAMMED and (jams := self.jams(psi, torque)):
-                raise ImpossibleMechanism("ring_jams", why.where, **jams) from why
-            raise
-
     def pressing_at(self, psi: float) -> float:
         """Smallest possible worst approach without load, m; below 0 where pairs are free.
 
@@ -315,31 +281,8 @@ class CycloidMesh(Stage):
         """
         return _interference(self, self.setup(1.0), psi)
 
-    def jams(self, psi: float, torque: float) -> dict[str, Any]:
-        """The pin that does not let a disc into the ring, the disc, and by how much, mm; nothing
-        where it would not be solved with pins that are as much thinner either.
-
-        Parameters
-        ----------
-        psi : float
-            Wave angle, rad.
-        torque : float
-            Size of the torque, N*m.
-        """
-        depth, room = self.pressing_at(psi), self.room()
-        if not depth > 0:
-            return {}
-        approach.at(psi, self.setup(1.0), self.pairs, room)
-        satellite, pin = divmod(int(np.argmax(room.q)), self.disc.pins)
-        free = self.less(depth)
-        try:
-            super(CycloidMesh, free).solved(psi, torque, free.setup(1.0), free.room())
-        except ImpossibleMechanism:
-            return {}
-        return {"satellite": satellite + 1, "pin": pin + 1, "depth": 1e3 * depth}
-
-    def less(self, closer: float) -> "CycloidMesh":
-        """The same with all pins so much thinner.
+    def with_thinner_pins(self, closer: float) -> "CycloidMesh":
+        """The same with all pins of the ring so much thinner.
 
         Parameters
         ----------

@@ -5,10 +5,10 @@ from contextlib import suppress
 from typing import Any
 
 from core.contact_life import CURVES
-from core.derived import UNKNOWN, if_known
+from core.derived import if_known
 from core.design.real_forces import RealForces
 from core.design.results import Results
-from core.errors import required
+from core.errors import NotKnown, required
 from core.hertz import SHEAR_DEPTH, SHEAR_RATIO, HertzContact
 from core.materials import ElasticMaterial, LimitLife
 from core.precision import AS_TYPED
@@ -94,9 +94,9 @@ def hertz_steps(
     sheet.work("max_shear", "tau", found.max_shear, "k_tau*p_0", **JOHNSON)
     sheet.take("k_z", "factor", SHEAR_DEPTH)
     sheet.work("max_shear_depth", "z", found.max_shear_depth, "k_z*a", **JOHNSON)
-    with suppress(*UNKNOWN):
+    with suppress(NotKnown):
         _conformal(sheet, found)
-    with suppress(*UNKNOWN):
+    with suppress(NotKnown):
         _safety(sheet, found, turning)
     return sheet.steps
 

@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 
 from core.derived import UNKNOWN
 from core.design.results import Results
+from core.errors import NotKnown
 from core.materials import effective_modulus
 from core.ring.involute import InvolutePair
 from core.ring.loss import RingLoss
@@ -191,7 +192,7 @@ def ring_loss_steps(
     sheet.state("loss_per_friction", "q", loss.loss_per_friction, "over_turn")
     sheet.work("loss_ratio", "L", loss.loss_ratio, "mu*q")
     sheet.work("efficiency", "eta", loss.efficiency, "1/(1+mu*q)")
-    with suppress(*UNKNOWN):
+    with suppress(NotKnown):
         sheet.work("mean_loss", "P", loss.mean_loss, "L*T*n_1/z", note="turns_in_radians")
     return sheet.steps
 

@@ -18,11 +18,10 @@ from core.design.results import Results
 from core.design.ring import CycloidRing, OtherRing
 from core.design.ring_results import MOST_RING_PAIRS
 from core.design.sections import FatigueBasis, Friction
-from core.errors import ImpossibleMechanism, InvalidInput
+from core.errors import InvalidInput
 from core.materials import ContactLimit, ElasticMaterial
 from core.output.real_mechanism import Deviations
 from core.output.satellite_support import RingInSeries, Shares
-from core.output.turn import Turn
 from core.precision import EXACT, JUDGED, SAME, SEARCHED
 from core.ring.profile import Modification
 from core.ring.sharing import mesh_position
@@ -221,18 +220,14 @@ def test_what_presses_is_looked_for_over_the_turn() -> None:
     assert found == pytest.approx(max(each), rel=1e-3)
 
 
-def test_what_presses_fails_where_no_force_is_known(monkeypatch: Any) -> None:
-    off, reason = -1e-4, "ring_jams"
+@pytest.mark.parametrize(("torque", "reason"), [(4e4, "beyond_hertz"), (4e7, "not_stable")])
+def test_what_presses_fails_where_no_force_is_known(torque: float, reason: str) -> None:
+    off = -1e-4
     made = Deviations(ring_pin_radial=(off, *[0.0] * 39))
     design = having(A7, satellites=2, deviations=made)
     held = check_of("ring_pressed", design)
     assert (held.status, held.reason) == ("fail", "")
-
-    def not_held(turn: Turn, places: list[float], first: int) -> None:
-        there = {"crank_angle": turn.real.crank_angle(places[0])}
-        raise ImpossibleMechanism(reason, there, **turn.real.jams(places[0], 100.0))
-
-    monkeypatch.setattr(Turn, "_refused", not_held)
+    design = having(design, output_torque=torque)
     found = check_of("ring_pressed", design)
     assert (found.status, found.reason) == ("fail", reason)
     disc, deep = Results(design).ring.mesh.disc, []

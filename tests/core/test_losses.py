@@ -278,6 +278,7 @@ def test_what_cannot_be_is_refused() -> None:
         pin_losses(mechanism=SIX_PINS, **REFERENCE | {"rubbing": Sleeves(0.0)})
     assert refusal.value.parameter == "diameter"
     wrong = {"friction_coefficient": -0.1, "input_speed": -1.0, "life": -1.0}
+    wrong["wear_rate"] = -1e-17
     for name, value in wrong.items():
         with pytest.raises(InvalidInput) as refusal:
             pin_losses(mechanism=SIX_PINS, **REFERENCE | {name: value})

@@ -327,6 +327,18 @@ def test_what_cannot_be_is_refused() -> None:
     assert caught.value.code in {"dead_centre", "not_stable", "beyond_first_order"}
 
 
+def test_a_dead_centre_of_the_output_is_not_the_ring_s() -> None:
+    """It is refused as such, whether a pin of the ring stands within the disc there or not."""
+    one_pin = {"mechanism": Mechanism(1, (0.0,), 11.0)}
+    inward = {"deviations": RingDeviations(pin_radial=(-3e-4, *[0.0] * 11))}
+    for ring in ({}, inward):
+        series = series_of(ring, one_pin, crank_angles=(0.0,))
+        with pytest.raises(ImpossibleMechanism) as caught:
+            at(series, 0.0, 100.0)
+        assert caught.value.code in {"dead_centre", "not_stable"}
+    assert series.ring.pressing_at(0.0) == pytest.approx(3e-4 - 3e-5, rel=EXACT)
+
+
 @pytest.mark.parametrize("seed", [*seeds(8)])
 def test_soft_teeth_touch_where_the_nearest_points_of_their_paths_are(seed: int) -> None:
     """However far a disc lags; half a pitch of its lobes and more, its teeth do not hold it."""
