@@ -18,8 +18,7 @@ pin and hole; everything else is beside or below them.
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------
 codes               what is refused, strained, not known: a code for each fact, its words
-errors              what a calculation refuses, and why
-derived             what follows from a design, worked out once, or why it is not known
+errors              what a calculation refuses, and why; what is worked out once, or not known
 arrays              one function for a number and for arrays of designs; types
 precision           what methods promise, and what is one number but for rounding
 results             accuracy and validity notices that every result carries

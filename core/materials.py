@@ -6,8 +6,7 @@ from typing import Literal, NamedTuple, Self
 
 from core.arrays import Number, check_not_negative, check_positive, every, refuse
 from core.contact_life import LifeCurve, life_factor
-from core.derived import if_known
-from core.errors import NotKnown, required
+from core.errors import NotKnown, if_known, required
 
 Criterion = Literal["endurance", "endurance_mean", "static", "given"]
 """What a limit of the contact pressure guards against: pitting in the long run (judged by the mean

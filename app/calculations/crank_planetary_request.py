@@ -22,10 +22,9 @@ from app.settings import Settings
 from core.checks.check import Verdict
 from core.checks.largest_torque import crank_verdict
 from core.checks.usual_modification import UsualModification, usual_modification
-from core.derived import if_known, is_known
 from core.design.crank_results import MOST_BEARING_PAIRS
 from core.design.results import MOST_PIN_PAIRS, Results
-from core.errors import CalculationError
+from core.errors import CalculationError, if_known, is_known
 from core.output.mechanism import Mechanism
 from core.output.satellite_support import RingInSeries
 from core.output.turn import Turn

@@ -43,7 +43,7 @@ from app.units import from_si, to_si
 from app.worked import worked
 from core.arrays import FloatArray
 from core.contact_life import CURVES, LifeCurve
-from core.derived import if_known
+from core.errors import if_known
 from core.hertz import (
     BodySafety,
     HertzContact,

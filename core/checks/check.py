@@ -5,9 +5,8 @@ from collections.abc import Callable, Iterable, Mapping, Set
 from dataclasses import dataclass, field
 from typing import Any, Literal, NamedTuple, TypeVar, get_args
 
-from core.derived import UNKNOWN
 from core.design.document import value_at
-from core.errors import ImpossibleMechanism, InvalidInput, NotKnown, required
+from core.errors import UNKNOWN, ImpossibleMechanism, InvalidInput, NotKnown, required
 from core.precision import AS_TYPED, ROUNDING
 
 Status = Literal["pass", "marginal", "fail", "not_checked", "not_asked", "not_applicable"]

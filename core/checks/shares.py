@@ -7,9 +7,9 @@ from typing import Literal
 
 from core.checks.check import Check, Verdict
 from core.checks.crank_planetary import crank_check
-from core.derived import if_known
 from core.design.document import changed
 from core.design.results import Results
+from core.errors import if_known
 from core.output.contact_law import pin_compliance
 from core.output.real_mechanism import Deviations
 from core.output.satellite_support import Shares

@@ -2,10 +2,9 @@
 
 from core.checks.check import Verdict
 from core.checks.largest_torque import crank_verdict
-from core.derived import if_known, is_known
 from core.design.document import Design, changed
 from core.design.results import Results
-from core.errors import InvalidInput
+from core.errors import InvalidInput, if_known, is_known
 from core.materials import ElasticMaterial
 from core.tolerance.iso286 import fit_clearance
 

@@ -9,7 +9,6 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, TypeVar, cast
 
-from core.derived import if_known, is_known
 from core.design.ring import CycloidRing, InvoluteRing, Ring, RingBody
 from core.design.sections import (
     Contact,
@@ -27,7 +26,7 @@ from core.design.sections import (
     SharedBy,
     Temperatures,
 )
-from core.errors import InvalidInput, NotKnown, required
+from core.errors import InvalidInput, NotKnown, if_known, is_known, required
 from core.materials import Body, ElasticMaterial, Plastic
 from core.output.contact_law import ContactLaw
 from core.output.mechanism import Mechanism

@@ -7,12 +7,11 @@ from functools import cache, cached_property
 from typing import Any, TypeVar
 
 from core.crank.ring_mesh import RingMesh
-from core.derived import derived, if_known
 from core.design.output_forces import OutputForces
 from core.design.pin_fatigue import fatigue_of
 from core.design.refusals import named
 from core.design.sections import DesignPin
-from core.errors import InvalidInput, NotKnown, required
+from core.errors import InvalidInput, NotKnown, derived, if_known, required
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
 from core.output.sampled_turn import WAYS, PinForces

@@ -10,8 +10,7 @@ from typing import Literal, NamedTuple, get_args
 from core.crank.balance import Counterweight
 from core.crank.bearing_life import Bearing
 from core.crank.pin_rollers import FRICTION, Ratings, RollerKind
-from core.derived import derived, if_known
-from core.errors import InvalidInput, NotKnown, required
+from core.errors import InvalidInput, NotKnown, derived, if_known, required
 from core.fatigue import (
     NOTCH_STRENGTHS,
     SIZES,

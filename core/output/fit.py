@@ -7,8 +7,7 @@ from functools import cached_property, partial
 from itertools import chain
 from typing import Literal
 
-from core.derived import if_known
-from core.errors import ImpossibleMechanism, NotKnown
+from core.errors import ImpossibleMechanism, NotKnown, if_known
 from core.hertz import force_factor
 from core.output.contact_kernel import alone
 from core.output.real_mechanism import RealMechanism

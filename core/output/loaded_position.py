@@ -6,8 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.arrays import FloatArray, check_finite, check_single
-from core.derived import if_known
-from core.errors import InvalidInput
+from core.errors import InvalidInput, if_known
 from core.hertz import HertzContact
 from core.output.contact_law import HertzLaw
 from core.output.fit import Fit

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from core.arrays import FloatArray
-from core.derived import derived
+from core.errors import derived
 from core.output.turn import Rows
 from core.ring.series_teeth import TeethInSeries
 from core.ring.series_turn import SeriesTurn

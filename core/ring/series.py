@@ -15,8 +15,7 @@ from typing import Any
 import numpy as np
 
 from core.arrays import check_finite, check_single
-from core.derived import if_known
-from core.errors import InvalidInput
+from core.errors import InvalidInput, if_known
 from core.output.compiled import at_hand, plain
 from core.output.loaded_position import bent_together, notices
 from core.output.mechanism import Mechanism

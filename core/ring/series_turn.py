@@ -12,8 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.arrays import ComplexArray, FloatArray, check_finite, check_single
-from core.derived import derived
-from core.errors import InvalidInput
+from core.errors import InvalidInput, derived
 from core.numerics.extremes import LOOKED, zoom
 from core.output.contact_force import PairNumber
 from core.output.loaded_position import notices

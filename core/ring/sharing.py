@@ -12,8 +12,7 @@ from typing import Any
 import numpy as np
 
 from core.arrays import FloatArray, IntArray, check_finite, check_positive, check_single
-from core.derived import derived
-from core.errors import ImpossibleMechanism, InvalidInput
+from core.errors import ImpossibleMechanism, InvalidInput, derived
 from core.materials import ElasticMaterial, effective_modulus
 from core.output.compiled import at_hand, plain
 from core.output.conformal_law import NO_CURVE, NO_WRAP

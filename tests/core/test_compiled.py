@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from core.derived import derived
-from core.errors import ImpossibleMechanism
+from core.errors import ImpossibleMechanism, derived
 from core.output import compiled
 from core.output.contact_law import RIGID_PINS, PinSupport
 from core.output.loop_rows import FORCE
