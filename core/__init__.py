@@ -23,8 +23,7 @@ arrays              one function for a number and for arrays of designs; types
 precision           what methods promise, and what is one number but for rounding
 results             accuracy and validity notices that every result carries
 contact_life        how the limit of a pressure falls with the number of loads
-materials           elastic materials and their limits, effective modulus
-material_record     what is known of a material, from where; one that is given by values
+materials           elastic materials, what two of them make; what is known of one, from where
 material_table      a small table of them, and by which names they are found
 bearings            rolling bearings by name, with the ratings of several makers
 numerics            tools that know nothing of their use: quadrature, extremes, the inverse

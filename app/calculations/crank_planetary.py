@@ -32,7 +32,7 @@ from core.checks.shares import disc_shares
 from core.design.results import MOST_IN_SERIES
 from core.errors import if_known
 from core.fixes.fix import Fix
-from core.material_record import NOT_LISTED
+from core.materials import NOT_LISTED
 from core.results import Notice
 
 

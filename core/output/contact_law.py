@@ -7,8 +7,7 @@ from typing import Self
 
 from core.arrays import Number, check_positive, larger, log
 from core.errors import InvalidInput
-from core.material_record import SOFT
-from core.materials import ElasticMaterial, effective_modulus
+from core.materials import SOFT, ElasticMaterial, effective_modulus
 from core.output.conformal_law import NO_CURVE, approach_over_load, conformal_curve, end
 from core.output.contact_kernel import pair_law
 from core.output.loop_rows import CONFORMAL, HERTZ, HERTZ_END, LINEAR, POWER, Curve, Law
@@ -79,7 +78,7 @@ def usual_law(*, pin: ElasticMaterial, hole: ElasticMaterial) -> ContactLaw:
     Returns
     -------
     ContactLaw
-        Conformal where a body is softer than `core.material_record.SOFT`, whose contacts wrap at
+        Conformal where a body is softer than `core.materials.SOFT`, whose contacts wrap at
         usual loads; else Hertz's.
     """
     soft = min(pin.youngs_modulus, hole.youngs_modulus) < SOFT

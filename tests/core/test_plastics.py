@@ -15,9 +15,8 @@ from core.design.results import Results
 from core.design.sections import DesignPin, Friction, SatelliteBody, Temperatures
 from core.errors import InvalidInput, if_known
 from core.hertz import hertz
-from core.material_record import by_values
 from core.material_table import ALIASES, ELASTOMERS, MATERIALS, NAMES, SEVERAL, plain_name
-from core.materials import ContactLimit, ElasticMaterial
+from core.materials import ContactLimit, ElasticMaterial, by_values
 from core.precision import EXACT, SAME
 from tests.inputs.checks import REF, check_of, fixes_of, having
 from tests.oracles.seeds import seeds
