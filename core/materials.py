@@ -36,7 +36,7 @@ VERIFIED: dict[Verified, str] = {
 
 FIRST_YIELD = 1.79
 """Largest pressure at first yield without friction over the yield strength (v = 0.3), below which
-parts that press go together elastically; that of each material is in `core.first_yield`."""
+parts that press go together elastically; that of each material is in `core.hertz`."""
 
 Body = Literal["pin", "hole"]
 """The two bodies of a contact; the hole is that of the satellite."""

@@ -10,7 +10,7 @@ from core.checks.inputs import LIFE, LOADED, SLIDING
 from core.design.document import Design
 from core.design.results import Results
 from core.errors import NotKnown, if_known, is_known
-from core.first_yield import SLIDING as KNOWN_SLIDING
+from core.hertz import SLIDING as KNOWN_SLIDING
 from core.hertz import HertzContact, force_factor
 from core.materials import Body, ContactLimit, ElasticMaterial
 

@@ -19,8 +19,7 @@ from core.design.refusals import named
 from core.design.ring_results import RingResults
 from core.design.sections import DesignPin
 from core.errors import InvalidInput, NotKnown, derived, if_known, is_known, required
-from core.first_yield import first_yield, shakedown
-from core.hertz import HertzContact, force_factor, hertz
+from core.hertz import HertzContact, first_yield, force_factor, hertz, shakedown
 from core.materials import Body
 from core.output.contact_force import ContactForce, contact_force
 from core.output.contact_law import RIGID_PINS, ContactLaw, contact_compliance, usual_law
