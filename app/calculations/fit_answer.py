@@ -16,7 +16,7 @@ from app.model import (
 from app.units import from_si
 from core.arrays import FloatArray
 from core.output.fit import Fit
-from core.output.members import Members
+from core.output.mechanism import Members
 from core.output.room import Rooms
 
 ALL_ROUND = math.pi

@@ -29,8 +29,7 @@ from core.design.sections import (
 from core.errors import InvalidInput, NotKnown, if_known, is_known, required
 from core.materials import Body, ElasticMaterial, Plastic
 from core.output.contact_law import ContactLaw
-from core.output.mechanism import Mechanism
-from core.output.members import Members, MemberSpeeds
+from core.output.mechanism import Mechanism, Members, MemberSpeeds
 from core.output.pin_beam import check_apart
 from core.output.pin_section import MOST_BORE
 from core.output.real_mechanism import Deviations

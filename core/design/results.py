@@ -26,7 +26,7 @@ from core.output.contact_law import RIGID_PINS, ContactLaw, contact_compliance, 
 from core.output.edge_load import EdgeLoad, SlopingContacts
 from core.output.fit import Fit
 from core.output.loaded_position import loaded_position
-from core.output.members import MemberLoads
+from core.output.mechanism import MemberLoads
 from core.output.over_turn import OverTurn
 from core.output.pin_bolt import Grip, grip
 from core.output.pin_fatigue import FatigueStrength

@@ -27,8 +27,7 @@ from core.fatigue import (
 )
 from core.materials import ElasticMaterial
 from core.output.contact_law import PinSupport
-from core.output.mechanism import Mechanism
-from core.output.members import Members, Output
+from core.output.mechanism import Mechanism, Members, Output
 from core.output.pin_bolt import PinBolt
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_geometry import felt

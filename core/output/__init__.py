@@ -2,8 +2,7 @@
 
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------
-mechanism           pins, satellites and cranks: phases of the pairs, dead centres, assembly
-members             which of crank, pins and ring is the output: ratio, torques, speeds
+mechanism           pins, satellites, cranks: phases, dead centres, assembly; who is the output
 cyclogram           which pin/hole pairs drive, when, how many together
 pin_forces          the law of load sharing: force of each pair; the approximation of its peak
 pin_geometry        fit of pins and holes; their centres and contact points at a crank angle

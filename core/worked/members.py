@@ -6,7 +6,7 @@ from contextlib import suppress
 
 from core.design.results import Results
 from core.errors import UNKNOWN
-from core.output.members import MemberLoads, Members
+from core.output.mechanism import MemberLoads, Members
 from core.worked.step import Sheet, Step
 
 TURNING = {
