@@ -12,8 +12,7 @@ pin_contact         pressure, shakedown and yield where pin and hole touch
 plastics            plastic pins and holes: what is necessary, and never enough
 pins                static strength, fatigue, deflection and slope of the pins
 friction            efficiency, sliding speed, pv and wear
-fit                 room of the pins in their holes, clearance; backlash, lost motion
-layout              dead centres, satellites alike; walls and space between pins and holes
+geometry            what geometry allows: room and play of pins in holes, walls, gaps, dead centres
 crank               ring, bearings of the satellites, crankshaft
 ring_pins           cycloid discs on the pins of a ring: what geometry alone says
 involute_mesh       involute teeth: path of contact, tips, undercut, roots

@@ -8,8 +8,8 @@ import numpy as np
 
 from core.arrays import FloatArray
 from core.checks.check import Check, design_check, judged
+from core.checks.geometry import within_roots
 from core.checks.inputs import BEARING_LOAD, LIFE, OF_DISCS, RING, ROOTS
-from core.checks.layout import within_roots
 from core.crank.bearing_life import EXPONENTS, PEAK_SAFETY, STATIC_SAFETY, Bearing
 from core.crank.ring_mesh import STEEP
 from core.crank.satellite_bearing import SatelliteBearings

@@ -8,10 +8,9 @@ from core.checks.balance import BALANCE
 from core.checks.bearings import BEARINGS
 from core.checks.check import Check, PartVerdict, Verdict, make_check, rank, verdict
 from core.checks.crank import CRANK
-from core.checks.fit import FIT, PLAY
 from core.checks.friction import FRICTION
+from core.checks.geometry import CRANKS, FIT, PLAY, SPACE
 from core.checks.involute_mesh import INVOLUTE_MESH
-from core.checks.layout import CRANKS, SPACE
 from core.checks.pin_contact import CONTACT, life_considered
 from core.checks.pin_rollers import PIN_ROLLERS
 from core.checks.pins import PINS
