@@ -20,7 +20,7 @@ from app.model import Angle, Maybe, Values, quantity
 from app.rules import field_error
 from app.settings import Settings
 from core.checks.check import Verdict
-from core.checks.largest_torque import crank_verdict
+from core.checks.crank_planetary import crank_verdict
 from core.checks.usual_modification import UsualModification, usual_modification
 from core.design.crank_results import MOST_BEARING_PAIRS
 from core.design.results import MOST_PIN_PAIRS, Results

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from core.checks.check import Verdict
-from core.checks.largest_torque import crank_verdict
+from core.checks.crank_planetary import crank_verdict
 from core.checks.usual_fit import soft, usual_clearance, usual_fit, with_usual_clearance
 from core.design.document import Design, changed
 from core.design.results import Results

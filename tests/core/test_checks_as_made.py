@@ -11,8 +11,7 @@ from typing import Any
 import pytest
 
 from core.checks.check import Check
-from core.checks.crank_planetary import crank_checks
-from core.checks.largest_torque import crank_verdict
+from core.checks.crank_planetary import crank_checks, crank_verdict
 from core.design.document import Design
 from core.design.real_forces import RealForces
 from core.design.results import MOST_REAL_PAIRS, Results

@@ -10,8 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from core.checks.crank_planetary import crank_checks
-from core.checks.largest_torque import crank_verdict
+from core.checks.crank_planetary import crank_checks, crank_verdict
 from core.contact_life import life_factor
 from core.design.document import Design
 from core.design.results import Results

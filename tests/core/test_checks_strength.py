@@ -12,8 +12,7 @@ import numpy as np
 import pytest
 
 from core.checks.check import Check
-from core.checks.crank_planetary import crank_check, crank_checks
-from core.checks.largest_torque import crank_verdict
+from core.checks.crank_planetary import crank_check, crank_checks, crank_verdict
 from core.checks.ring_pins import RING_PINS
 from core.design.document import Design
 from core.design.results import Results

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from core.checks.cold_yield import cold_yield
-from core.checks.largest_torque import crank_verdict
+from core.checks.crank_planetary import crank_verdict
 from core.checks.plastics import PLASTICS
 from core.design.document import Design
 from core.design.results import Results
