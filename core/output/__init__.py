@@ -37,8 +37,7 @@ conformal_law       the law of contact of a pin that wraps, as one curve
 contact_law         laws of contact of a pair, and the bending of its pin
 stage               what pairs share a torque by one lag: pins in holes, a ring on teeth
 real_mechanism      the mechanism as it is made: sizes, clearance, deviations, elasticity
-room                the room of pins in their holes over the turn, by geometry alone
-fit                 whether the parts go together, and what elasticity takes up of a misfit
+fit                 room of the pins in their holes over the turn, whether they go together
 loaded_position     its forces, lag, play and stiffness at one position
 real_curves         curves of these over the turn, and of the lag over the torque
 summits             summits of a function over the turn
