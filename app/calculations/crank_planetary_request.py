@@ -25,8 +25,8 @@ from core.checks.usual_modification import UsualModification, usual_modification
 from core.design.crank_results import MOST_BEARING_PAIRS
 from core.design.results import MOST_PIN_PAIRS, Results
 from core.errors import CalculationError, if_known, is_known
+from core.output.elasticity import RingInSeries
 from core.output.mechanism import Mechanism
-from core.output.satellite_support import RingInSeries
 from core.output.turn import Turn
 from core.results import Notice
 

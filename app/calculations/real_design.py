@@ -20,7 +20,7 @@ from app.rules import field_error
 from app.settings import Settings
 from app.units import to_si
 from core.errors import InvalidInput
-from core.output.contact_law import RIGID_PINS, PinSupport
+from core.output.elasticity import RIGID_PINS, PinSupport
 from core.output.mechanism import Mechanism, Members
 from core.output.real_mechanism import Deviations, RealMechanism
 

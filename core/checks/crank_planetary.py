@@ -27,7 +27,7 @@ from core.checks.ring_pins import RING_PINS
 from core.design.document import Design, changed
 from core.design.results import Results
 from core.errors import NotKnown
-from core.output.satellite_support import RIGID_SUPPORT
+from core.output.elasticity import RIGID_SUPPORT
 from core.precision import JUDGED
 
 CRANK_CHECKS = {

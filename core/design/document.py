@@ -28,16 +28,16 @@ from core.design.sections import (
 )
 from core.errors import InvalidInput, NotKnown, if_known, is_known, required
 from core.materials import Body, ElasticMaterial, Plastic
-from core.output.contact_law import ContactLaw
+from core.output.elasticity import (
+    RIGID_SUPPORT,
+    ContactLaw,
+    RingInSeries,
+    SatelliteSupport,
+)
 from core.output.mechanism import Mechanism, Members, MemberSpeeds
 from core.output.pin_beam import check_apart
 from core.output.pin_section import MOST_BORE
 from core.output.real_mechanism import Deviations
-from core.output.satellite_support import (
-    RIGID_SUPPORT,
-    RingInSeries,
-    SatelliteSupport,
-)
 from core.precision import AS_TYPED, SAME
 from core.ring.sharing import RingDeviations
 

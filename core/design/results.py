@@ -22,8 +22,8 @@ from core.errors import InvalidInput, NotKnown, derived, if_known, is_known, req
 from core.hertz import HertzContact, first_yield, force_factor, hertz, shakedown
 from core.materials import Body
 from core.output.contact_force import ContactForce, contact_force
-from core.output.contact_law import RIGID_PINS, ContactLaw, contact_compliance, usual_law
 from core.output.edge_load import EdgeLoad, SlopingContacts
+from core.output.elasticity import RIGID_PINS, ContactLaw, contact_compliance, usual_law
 from core.output.fit import Fit
 from core.output.loaded_position import loaded_position
 from core.output.mechanism import MemberLoads

@@ -26,7 +26,7 @@ from core.fatigue import (
     surface_factor,
 )
 from core.materials import ElasticMaterial
-from core.output.contact_law import PinSupport
+from core.output.elasticity import PinSupport
 from core.output.mechanism import Mechanism, Members, Output
 from core.output.pin_bolt import PinBolt
 from core.output.pin_fatigue import FatigueStrength

@@ -32,9 +32,8 @@ tied_kernel         loops: pins that a tie ring joins
 sharing_kernel      loops: one position
 turn_kernel         loops: a turn, pieces of a study
 compiled            the same loops compiled, for turns and studies
-satellite_support   satellites that give: crank bearings, mesh; given shares of the torque
 conformal_law       the law of contact of a pin that wraps, as one curve
-contact_law         laws of contact of a pair, and the bending of its pin
+elasticity          what gives: contact of a pair, by its law; its pin; the satellites
 stage               what pairs share a torque by one lag: pins in holes, a ring on teeth
 real_mechanism      the mechanism as it is made: sizes, clearance, deviations, elasticity
 fit                 room of the pins in their holes over the turn, whether they go together

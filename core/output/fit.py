@@ -21,9 +21,9 @@ from core.errors import ImpossibleMechanism, NotKnown, if_known
 from core.hertz import force_factor
 from core.numerics.extremes import CLOSER_BY, ZOOMS, zoom
 from core.output.contact_kernel import alone
+from core.output.elasticity import Shares
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import Deviations, RealMechanism
-from core.output.satellite_support import Shares
 from core.precision import AS_TYPED, ROUNDING
 
 State = Literal["fits", "binds_in_turning", "does_not_fit", "no_bound"]

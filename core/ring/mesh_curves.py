@@ -26,7 +26,7 @@ class MeshCurves:
 
     Examples
     --------
-    >>> from core.output.contact_law import LinearLaw
+    >>> from core.output.elasticity import LinearLaw
     >>> from core.ring.profile import CycloidDisc, Modification
     >>> from core.ring.sharing import mesh_over_turn
     >>> disc = CycloidDisc(satellite_teeth=11, eccentricity=2.5e-3,

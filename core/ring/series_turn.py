@@ -330,7 +330,7 @@ def series_over_turn(
 
     Examples
     --------
-    >>> from core.output.contact_law import LinearLaw
+    >>> from core.output.elasticity import LinearLaw
     >>> from core.output.mechanism import Mechanism
     >>> from core.output.real_mechanism import RealMechanism
     >>> from core.ring.profile import CycloidDisc

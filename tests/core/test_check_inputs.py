@@ -36,10 +36,9 @@ from core.errors import CalculationError, if_known
 from core.material_table import MATERIALS
 from core.materials import ContactLimit, ElasticMaterial, Plastic
 from core.output import real_mechanism
-from core.output.contact_law import PowerLaw
 from core.output.edge_load import SlopingContacts
+from core.output.elasticity import PowerLaw, RingInSeries
 from core.output.pin_strength import PinStresses
-from core.output.satellite_support import RingInSeries
 from core.ring.profile import Modification
 from tests.inputs.checks import WHOLE, design_of, having
 from tests.oracles.seeds import TIMES

@@ -20,7 +20,7 @@ from core.fixes.changes import vary
 from core.fixes.fix import WHOLE
 from core.materials import ContactLimit
 from core.output.contact_force import ContactForce
-from core.output.contact_law import LinearLaw
+from core.output.elasticity import LinearLaw
 from core.output.pin_strength import PinStrength
 from core.output.real_mechanism import Deviations
 from core.precision import CONVERGED, EXACT, JUDGED, SAME

@@ -22,7 +22,7 @@ from core.errors import InvalidInput
 from core.fixes.changes import value_of, vary
 from core.material_table import MATERIALS
 from core.materials import ElasticMaterial
-from core.output.contact_law import LinearLaw
+from core.output.elasticity import LinearLaw
 from core.precision import EXACT, JUDGED, SAME, SEARCHED
 from tests.inputs.checks import REF, WHOLE, check_of, fixes_of, having, says
 

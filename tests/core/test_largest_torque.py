@@ -10,7 +10,7 @@ from core.design.document import Design
 from core.design.results import Results
 from core.design.sections import DesignPin, FatigueBasis
 from core.material_table import MATERIALS
-from core.output.contact_law import LinearLaw
+from core.output.elasticity import LinearLaw
 from core.output.real_mechanism import Deviations
 from tests.inputs.checks import design_of, having
 

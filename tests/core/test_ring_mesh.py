@@ -10,8 +10,15 @@ import pytest
 
 from core.errors import ImpossibleMechanism, InvalidInput, is_known
 from core.output import compiled
-from core.output.contact_law import HertzLaw, LinearLaw, PinSupport, PowerLaw, pin_compliance
-from core.output.satellite_support import CrankSupport, Shares
+from core.output.elasticity import (
+    CrankSupport,
+    HertzLaw,
+    LinearLaw,
+    PinSupport,
+    PowerLaw,
+    Shares,
+    pin_compliance,
+)
 from core.output.turn import Turn
 from core.precision import EXACT, JUDGED, SAME, SEARCHED
 from core.ring import approach
