@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Self
 
-from core.derived import if_known
+from core.errors import if_known
 from core.hertz import HertzContact
 from core.output.over_turn import OverTurn
 from core.output.real_mechanism import RealMechanism

@@ -340,7 +340,7 @@ def series_position(
     --------
     One disc: what the output lags is the sum of both stages.
 
-    >>> from core.output.contact_law import LinearLaw
+    >>> from core.output.elasticity import LinearLaw
     >>> from core.output.loaded_position import loaded_position
     >>> from core.ring.profile import CycloidDisc
     >>> from core.ring.sharing import mesh_position

@@ -6,8 +6,7 @@ import random
 import numpy as np
 import pytest
 
-from core.derived import is_known
-from core.errors import InvalidInput, NotKnown
+from core.errors import InvalidInput, NotKnown, is_known
 from core.ring.involute import TIPS_APART, InvoluteTeeth, involute_pair, usual_rack
 from core.ring.possible_teeth import (
     MISSED,
