@@ -8,6 +8,11 @@ from pydantic import Field
 
 from app.calculations.contact_force import pin_circle_radius
 from app.calculations.contact_law import law_by_materials
+from app.calculations.design import (
+    CrankSupportFields,
+    DeviationsFields,
+    RealContactFields,
+)
 from app.calculations.fit_answer import (
     DiscOut,
     ElasticOut,
@@ -18,11 +23,6 @@ from app.calculations.fit_answer import (
 from app.calculations.mechanism import MechanismFields
 from app.calculations.members_answer import at_output
 from app.calculations.pin_contact import PinContactFields
-from app.calculations.real_mechanism import (
-    CrankSupportFields,
-    DeviationsFields,
-    RealContactFields,
-)
 from app.model import (
     Angle,
     Calculation,

@@ -11,9 +11,9 @@ import numpy as np
 from pydantic import Field, PrivateAttr, model_validator
 
 from app.calculations.both_meshes import RingInSeriesFields, of_the_ring
+from app.calculations.design import OneWayLoadFields, RealContactFields
 from app.calculations.members_answer import factor_at_output
 from app.calculations.real_design import LEFT_OUT
-from app.calculations.real_mechanism import OneWayLoadFields, RealContactFields
 from app.calculations.tolerance_answer import ToleranceStudyResponse
 from app.calculations.tolerance_figure import tolerance_figure
 from app.calculations.tolerances import (
