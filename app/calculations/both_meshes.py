@@ -19,8 +19,8 @@ from app.settings import Settings
 from app.units import from_si, to_si
 from core.design.ring import CycloidRing
 from core.errors import InvalidInput
+from core.output.elasticity import RingInSeries, SatelliteSupport
 from core.output.real_mechanism import Deviations, RealMechanism
-from core.output.satellite_support import RingInSeries, SatelliteSupport
 from core.ring.series import MeshesInSeries, SeriesPosition
 from core.ring.sharing import CycloidMesh, RingDeviations
 

@@ -38,8 +38,8 @@ from core.checks.crank_planetary import PARTS
 from core.checks.records import CHECKS
 from core.checks.words import CHECK_SOURCES, GROUPS, NOT_CONSIDERED
 from core.codes import CODES, WAS
-from core.derived import if_known
 from core.design.sections import PART_NAMES, PartName, Requirements
+from core.errors import if_known
 from core.fixes.fix import Fix, FixStatus
 from core.materials import LIMIT_SOURCES, Criterion, Verified
 

@@ -52,8 +52,7 @@ from core.output.contact_force import (
     drawing_angles,
     force_curves,
 )
-from core.output.mechanism import Mechanism
-from core.output.members import Members
+from core.output.mechanism import Mechanism, Members
 from core.output.pin_forces import (
     force_ratios,
     output_torque_from_input,

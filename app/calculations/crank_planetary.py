@@ -29,10 +29,10 @@ from app.sources import (
 )
 from core.checks.cold_yield import ColdYield, cold_yield
 from core.checks.shares import disc_shares
-from core.derived import if_known
 from core.design.results import MOST_IN_SERIES
+from core.errors import if_known
 from core.fixes.fix import Fix
-from core.material_record import NOT_LISTED
+from core.materials import NOT_LISTED
 from core.results import Notice
 
 

@@ -35,9 +35,9 @@ from app.running import timed
 from app.units import to_si
 from core.arrays import FloatArray
 from core.checks.usual_modification import usual_clearance_too
-from core.derived import if_known
 from core.design.drawings import drawn_mesh, drawn_teeth
 from core.design.real_forces import RealForces
+from core.errors import if_known
 from core.output.contact_force import ContactForce, ForceCurves, PairNumber, drawing_angles
 from core.output.pin_geometry import PinGeometry, pin_fit, pin_geometry
 from core.output.real_cyclogram import RealCyclogram, carried_forces, real_cyclogram

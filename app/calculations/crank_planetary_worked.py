@@ -7,7 +7,7 @@ from app.calculations.crank_planetary_request import CrankPlanetaryRequest, Sect
 from app.calculations.crank_planetary_sections import ideal_force
 from app.model import Values, present
 from app.worked import worked
-from core.derived import if_known
+from core.errors import if_known
 from core.worked.crank import bearing_steps, shaft_steps
 from core.worked.hertz import judged_steps
 from core.worked.losses import loss_steps

@@ -43,7 +43,6 @@ from app.rules import Forms, Rule, field_error
 from app.settings import Settings
 from app.units import to_si
 from core.arrays import FloatArray
-from core.derived import if_known
 from core.design.document import Design
 from core.design.results import Results
 from core.design.sections import (
@@ -54,7 +53,7 @@ from core.design.sections import (
     SatelliteBody,
     Temperatures,
 )
-from core.errors import required
+from core.errors import if_known, required
 from core.output.contact_force import drawing_angles
 from core.output.mechanism import Mechanism
 from core.output.pin_geometry import PinFit, pin_fit

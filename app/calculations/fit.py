@@ -42,12 +42,11 @@ from app.units import from_si, to_si
 from app.worked import stated
 from core.arrays import FloatArray
 from core.errors import InvalidInput
-from core.output.fit import Fit
+from core.output.elasticity import RIGID_SUPPORT
+from core.output.fit import POSITIONS, Fit
 from core.output.mechanism import Mechanism
 from core.output.pin_geometry import SLIPPED, slip_notices
 from core.output.real_mechanism import RealMechanism
-from core.output.room import POSITIONS
-from core.output.satellite_support import RIGID_SUPPORT
 from core.precision import ROUNDING
 from core.results import Accuracy, Notice
 

@@ -15,9 +15,8 @@ from app.model import (
 )
 from app.units import from_si
 from core.arrays import FloatArray
-from core.output.fit import Fit
-from core.output.members import Members
-from core.output.room import Rooms
+from core.output.fit import Fit, Rooms
+from core.output.mechanism import Members
 
 ALL_ROUND = math.pi
 """Lag to either side at which a pin is whose hole does not bound it, rad."""

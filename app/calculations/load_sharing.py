@@ -38,7 +38,7 @@ from app.worked import stated
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.alternating import WorseTurn, worse_curves, worse_position
 from core.output.contact_force import drawing_angles, force_curves, force_peak
-from core.output.contact_law import law_kind
+from core.output.elasticity import law_kind
 from core.output.fit import solvable
 from core.output.loaded_position import loaded_position
 from core.output.over_turn import over_turn

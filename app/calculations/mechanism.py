@@ -12,8 +12,7 @@ from app.settings import Settings
 from app.units import to_si
 from core.design.sections import MechanismSection
 from core.errors import InvalidInput
-from core.output.mechanism import Mechanism, ratio_from_teeth
-from core.output.members import Members, Output
+from core.output.mechanism import Mechanism, Members, Output, ratio_from_teeth
 from core.results import Notice
 
 MAX_PAIRS = 10_000

@@ -32,9 +32,9 @@ from app.sources import SHIGLEY, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si
 from app.worked import worked
-from core.derived import if_known
 from core.design.document import changed
 from core.design.results import Results
+from core.errors import if_known
 from core.output.pin_beam import Support
 from core.output.pin_strength import PinStrength
 from core.worked.pins import strength_steps

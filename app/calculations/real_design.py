@@ -20,9 +20,8 @@ from app.rules import field_error
 from app.settings import Settings
 from app.units import to_si
 from core.errors import InvalidInput
-from core.output.contact_law import RIGID_PINS, PinSupport
-from core.output.mechanism import Mechanism
-from core.output.members import Members
+from core.output.elasticity import RIGID_PINS, PinSupport
+from core.output.mechanism import Mechanism, Members
 from core.output.real_mechanism import Deviations, RealMechanism
 
 TIMES_AS_LONG, TIED_AS_LONG = 4, 10

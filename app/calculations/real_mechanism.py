@@ -17,16 +17,16 @@ from app.model import LARGEST, NO_DUST, Maybe, RequestModel, Size, no_dust, quan
 from app.problems import invalid_input, refusal, wrong
 from app.rules import Kinds, field_error
 from app.units import to_si
-from core.output.contact_law import PinSupport
-from core.output.real_mechanism import Deviations
-from core.output.sampled_turn import Direction
-from core.output.satellite_support import (
+from core.output.elasticity import (
     RIGID_SUPPORT,
     CrankSupport,
     ElasticMesh,
+    PinSupport,
     SatelliteSupport,
     Shares,
 )
+from core.output.real_mechanism import Deviations
+from core.output.sampled_turn import Direction
 from core.precision import SAME
 
 Phase = Annotated[float, Field(ge=-360, le=360)]

@@ -44,9 +44,8 @@ from app.units import to_si
 from app.worked import worked
 from core.design.ring import CycloidRing, InvoluteRing
 from core.errors import InvalidInput
-from core.output.contact_law import HertzLaw
+from core.output.elasticity import HertzLaw, SatelliteSupport, Shares
 from core.output.real_curves import stiffness_curve
-from core.output.satellite_support import SatelliteSupport, Shares
 from core.output.turn import Turn
 from core.ring.involute import InvolutePair, involute_pair
 from core.ring.loss import RingFriction, ring_loss, sliding_part

@@ -8,17 +8,16 @@ import numpy as np
 
 from core.arrays import FloatArray
 from core.checks.check import Check, design_check, judged
+from core.checks.geometry import within_roots
 from core.checks.inputs import BEARING_LOAD, LIFE, OF_DISCS, RING, ROOTS
-from core.checks.layout import within_roots
 from core.crank.bearing_life import EXPONENTS, PEAK_SAFETY, STATIC_SAFETY, Bearing
 from core.crank.ring_mesh import STEEP
 from core.crank.satellite_bearing import SatelliteBearings
-from core.derived import if_known
 from core.design.document import Design
 from core.design.results import Results
 from core.design.ring import RingKind
 from core.design.sections import RollingBearing
-from core.errors import NotKnown, required
+from core.errors import NotKnown, if_known, required
 from core.ring.involute import MOST_DIFFERENCE, STANDARD_ANGLES
 from core.ring.possible_teeth import possible_teeth
 

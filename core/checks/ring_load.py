@@ -8,7 +8,7 @@ from typing import Any, TypeVar, get_args
 
 from core.checks.check import Check, Kind, Measure, design_check, judged, judged_by
 from core.checks.crank import other_ring
-from core.checks.fit import of_both
+from core.checks.geometry import of_both
 from core.checks.inputs import (
     FATIGUE,
     INVOLUTE_TEETH,

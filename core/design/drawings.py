@@ -21,11 +21,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.arrays import ComplexArray, FloatArray
-from core.derived import if_known
 from core.design.document import Design
 from core.design.refusals import named
 from core.design.results import Results
-from core.errors import ImpossibleMechanism, InvalidInput, NotKnown, required
+from core.errors import ImpossibleMechanism, InvalidInput, NotKnown, if_known, required
 from core.output.pin_geometry import pin_geometry
 from core.ring.involute import InvolutePair
 from core.ring.profile import MOST_POINTS, CycloidDisc, outline_points

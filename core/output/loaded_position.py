@@ -6,10 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.arrays import FloatArray, check_finite, check_single
-from core.derived import if_known
-from core.errors import InvalidInput
+from core.errors import InvalidInput, if_known
 from core.hertz import HertzContact
-from core.output.contact_law import HertzLaw
+from core.output.elasticity import HertzLaw
 from core.output.fit import Fit
 from core.output.real_mechanism import RealMechanism
 from core.output.sharing_kernel import at, pressing
@@ -83,7 +82,7 @@ def loaded_position(
     --------
     Eight pins, 0.02 mm of clearance: three pairs carry, and ``F = T/2R + k*c*(sqrt(2) - 1)/2``.
 
-    >>> from core.output.contact_law import LinearLaw
+    >>> from core.output.elasticity import LinearLaw
     >>> from core.output.mechanism import Mechanism
     >>> from core.materials import ElasticMaterial
     >>> steel = ElasticMaterial(210e9, 0.3)

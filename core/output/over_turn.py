@@ -14,8 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from core.arrays import FloatArray, check_finite, check_single
-from core.derived import derived, if_known
-from core.errors import InvalidInput
+from core.errors import InvalidInput, derived, if_known
 from core.hertz import HertzContact
 from core.numerics.extremes import second_look
 from core.output.contact_force import PairNumber
@@ -494,7 +493,7 @@ def over_turn(
 
     Examples
     --------
-    >>> from core.output.contact_law import LinearLaw
+    >>> from core.output.elasticity import LinearLaw
     >>> from core.output.mechanism import Mechanism
     >>> from core.materials import ElasticMaterial
     >>> steel = ElasticMaterial(210e9, 0.3)

@@ -15,8 +15,7 @@ from typing import Any
 import numpy as np
 
 from core.arrays import check_finite, check_single
-from core.derived import if_known
-from core.errors import InvalidInput
+from core.errors import InvalidInput, if_known
 from core.output.compiled import at_hand, plain
 from core.output.loaded_position import bent_together, notices
 from core.output.mechanism import Mechanism
@@ -339,7 +338,7 @@ def series_position(
     --------
     One disc: what the output lags is the sum of both stages.
 
-    >>> from core.output.contact_law import LinearLaw
+    >>> from core.output.elasticity import LinearLaw
     >>> from core.output.loaded_position import loaded_position
     >>> from core.ring.profile import CycloidDisc
     >>> from core.ring.sharing import mesh_position

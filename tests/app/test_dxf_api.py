@@ -24,7 +24,7 @@ from app.problems import Problem
 from app.registry import EXPORTS
 from app.running import calculated
 from app.settings import Settings
-from core.output.contact_law import LinearLaw
+from core.output.elasticity import LinearLaw
 from core.ring.sharing import mesh_gaps
 
 pytestmark = pytest.mark.anyio

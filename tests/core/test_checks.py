@@ -12,10 +12,10 @@ from core.checks.records import CHECKS
 from core.checks.rollers import RollerDesign, roller_checks
 from core.design.document import Design, value_at
 from core.design.results import Results
-from core.first_yield import SHAKEDOWN
 from core.fixes.changes import vary
 from core.fixes.fix import PIN_SIZES
 from core.fixes.fix import WHOLE as WHOLE_NUMBERS
+from core.hertz import SHAKEDOWN
 from core.material_table import MATERIALS
 from core.materials import ContactLimit, ElasticMaterial
 from core.precision import CONVERGED, EXACT

@@ -8,15 +8,20 @@ from typing import Any
 import numpy as np
 import pytest
 
-from core.derived import derived
-from core.errors import ImpossibleMechanism
+from core.errors import ImpossibleMechanism, derived
 from core.output import compiled
-from core.output.contact_law import RIGID_PINS, PinSupport
+from core.output.elasticity import (
+    RIGID_PINS,
+    RIGID_SUPPORT,
+    CrankSupport,
+    ElasticMesh,
+    PinSupport,
+    Shares,
+)
 from core.output.loop_rows import FORCE
 from core.output.mechanism import Mechanism
 from core.output.over_turn import OverTurn, over_turn
 from core.output.real_mechanism import RealMechanism
-from core.output.satellite_support import RIGID_SUPPORT, CrankSupport, ElasticMesh, Shares
 from core.output.turn import Turn
 from core.ring.series_study import SeriesStudy
 from core.tolerance.draws import Spread

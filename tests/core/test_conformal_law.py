@@ -11,7 +11,7 @@ from core.errors import ImpossibleMechanism
 from core.materials import ElasticMaterial, effective_modulus, mismatch
 from core.output.conformal_law import approach_over_load, conformal_curve, end, far_approach
 from core.output.contact_kernel import alone, given_over, law
-from core.output.contact_law import (
+from core.output.elasticity import (
     ConformalLaw,
     HertzLaw,
     contact_compliance,

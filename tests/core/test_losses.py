@@ -7,8 +7,7 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from core.derived import is_known
-from core.errors import ImpossibleMechanism, InvalidInput
+from core.errors import ImpossibleMechanism, InvalidInput, is_known
 from core.numerics.quadrature import tanh_sinh_rule
 from core.output.losses import BarePins, Sleeves, TotalForce, loss_curves, pin_losses, total_force
 from core.output.mechanism import Mechanism

@@ -14,7 +14,7 @@ from core.design.document import changed
 from core.design.results import Results
 from core.design.sections import RollingBearing
 from core.errors import NotKnown
-from core.output.members import Members, Output
+from core.output.mechanism import Members, Output
 from core.precision import CONVERGED, EXACT, SAME, SEARCHED
 from tests.inputs.checks import WHOLE, having
 

@@ -15,7 +15,7 @@ from core.design.results import Results
 from core.design.sections import Friction, Rollers
 from core.errors import InvalidInput
 from core.output.contact_force import reference_force
-from core.output.contact_law import LinearLaw
+from core.output.elasticity import LinearLaw
 from core.output.mechanism import Mechanism
 from core.output.over_turn import OverTurn
 from core.output.pin_beam import PinBeam

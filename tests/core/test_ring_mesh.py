@@ -8,11 +8,17 @@ from typing import Any
 import numpy as np
 import pytest
 
-from core.derived import is_known
-from core.errors import ImpossibleMechanism, InvalidInput
+from core.errors import ImpossibleMechanism, InvalidInput, is_known
 from core.output import compiled
-from core.output.contact_law import HertzLaw, LinearLaw, PinSupport, PowerLaw, pin_compliance
-from core.output.satellite_support import CrankSupport, Shares
+from core.output.elasticity import (
+    CrankSupport,
+    HertzLaw,
+    LinearLaw,
+    PinSupport,
+    PowerLaw,
+    Shares,
+    pin_compliance,
+)
 from core.output.turn import Turn
 from core.precision import EXACT, JUDGED, SAME, SEARCHED
 from core.ring import approach

@@ -9,7 +9,7 @@ import pytest
 
 from core.errors import InvalidInput
 from core.output import compiled
-from core.output.contact_law import LinearLaw
+from core.output.elasticity import LinearLaw
 from core.output.loop_rows import LOST_MOTION
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn

@@ -12,7 +12,7 @@ from core.materials import ElasticMaterial
 from core.output.alternating import WorseTurn
 from core.output.conformal_law import PRESSURE_ERROR, conformal_wrap
 from core.output.contact_kernel import excess
-from core.output.contact_law import ConformalLaw, HertzLaw, LinearLaw
+from core.output.elasticity import ConformalLaw, HertzLaw, LinearLaw
 from core.output.loaded_position import loaded_position
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn

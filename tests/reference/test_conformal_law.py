@@ -24,7 +24,7 @@ from core.output.conformal_law import (
     far_approach,
 )
 from core.output.contact_kernel import excess
-from core.output.contact_law import RIGID_PINS, ConformalLaw, PinSupport, contact_compliance
+from core.output.elasticity import RIGID_PINS, ConformalLaw, PinSupport, contact_compliance
 from core.output.loaded_position import loaded_position
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import Deviations, RealMechanism

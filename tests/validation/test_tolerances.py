@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from core.output.contact_law import LinearLaw
+from core.output.elasticity import LinearLaw
 from core.output.loop_rows import FORCE, LAG
 from core.output.mechanism import Mechanism
 from core.output.pin_forces import reference_force
