@@ -198,8 +198,11 @@ class CheckOut(ResponseModel):
     utilisation: Maybe[float] = Field(description="How much of the limit is used, 1 at the limit.")
     margin: Maybe[float] = Field(description="What is left to the limit, in `unit`.")
     torque_reserve: Maybe[float] = Field(
-        description="Factor on the torque at which the value is at its limit; where the forces "
-        "are solved, an estimate of all but the check that fails first.",
+        description="Factor on the torque at which the value is at its limit.",
+    )
+    torque_reserve_estimated: Maybe[bool] = Field(
+        description="Present and true where that factor is an estimate: forces that are solved do "
+        "not grow with the torque, and none were solved near that torque."
     )
     formula: str = Field(description="What has to hold.")
     why: str = Field(description="What is wrong where it does not, in English.")
@@ -375,6 +378,7 @@ def check_values(check: Check, body: RequestModel, inputs: list[str]) -> Values:
         "utilisation": check.utilisation,
         "margin": from_si(unit, if_known(lambda: check.margin)),
         "torque_reserve": check.torque_reserve,
+        "torque_reserve_estimated": True if check.by_torque and check.rough else None,
         "reason": _reason(check, body) if check.reason else None,
         "source": SOURCES[source or "user"],
         "source_code": source or "user",

@@ -432,17 +432,16 @@ class _Torques:
         roots = [self.root(code) for code in self.looks if code in self.counted]
         return min([*roots, *self.exact], default=math.inf)
 
+    def away(self, code: str) -> float:
+        """How far the factor at which a check fails lies from the next look, as a logarithm."""
+        return min(abs(self.root(code) - x) for x, _ in self.looks[code])
+
     def look_further(self) -> None:
         """Looks at the torques under which the other checks fail, farthest from what is known."""
         for _ in range(FURTHER):
-            roots = {code: self.root(code) for code in self.looks}
-            away = {
-                root: min(abs(root - x) for x, _ in self.looks[code])
-                for code, root in roots.items()
-                if math.isfinite(root)
-            }
-            farthest = max(away, key=lambda root: away[root], default=0.0)
-            if away.get(farthest, 0.0) <= NEAR or self.look(math.exp(farthest)) == UNSOLVED:
+            away = {self.away(code): code for code in self.looks}
+            farthest = max(filter(math.isfinite, away), default=0.0)
+            if farthest <= NEAR or self.look(math.exp(self.root(away[farthest]))) == UNSOLVED:
                 return
 
     def largest(self, left: float) -> tuple[float, bool]:
@@ -493,13 +492,15 @@ class _Torques:
                 own = math.exp(self.root(check.code))
                 raised = max(own, limit) if limit else None  # none is given where none holds
                 reserve = raised if check.code in self.counted else own
-                check = check._replace(torque_reserve=reserve, rough=not settled)
+                rough = not settled or self.away(check.code) > NEAR
+                check = check._replace(torque_reserve=reserve, rough=rough)
                 check = _under_margin(check, at_margin.get(check.code, -1.0) >= 0)
             checks.append(check)
         found = of_parts(design=self.design, checks=checks)
-        if settled or found.torque_reserve is None:
+        if found.torque_reserve is None:
             return found
-        return replace(found, torque_reserve=limit, largest_torque_estimated=True)
+        least = found.torque_reserve if settled else limit
+        return replace(found, torque_reserve=least, largest_torque_estimated=not settled)
 
 
 def _guess(results: Results) -> float | None:
