@@ -20,9 +20,8 @@ from app.calculations.contact_force import (
 )
 from app.calculations.contact_law import ContactLawFields
 from app.calculations.hertz import Material, distribution_factor, eccentricity, material_of
-from app.calculations.mechanism import MAX_SATELLITES, MechanismFields
+from app.calculations.mechanism import MAX_SATELLITES, Deviation, MechanismFields, PinContactFields
 from app.calculations.pin import HeldPinFields, PinBoltFields, pin_places, strengths_of
-from app.calculations.pin_contact import Deviation, PinContactFields
 from app.calculations.pin_rollers import RollersFields
 from app.calculations.ring import RING_PIN_LISTS, RingPinDeviationsFields
 from app.model import (

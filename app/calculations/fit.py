@@ -13,16 +13,16 @@ from app.calculations.design import (
     DeviationsFields,
     RealContactFields,
 )
-from app.calculations.fit_answer import (
+from app.calculations.mechanism import (
     DiscOut,
     ElasticOut,
     FitPositionOut,
     FitResponse,
+    MechanismFields,
+    PinContactFields,
     WholeFitOut,
 )
-from app.calculations.mechanism import MechanismFields
 from app.calculations.members_answer import at_output
-from app.calculations.pin_contact import PinContactFields
 from app.model import (
     Angle,
     Calculation,

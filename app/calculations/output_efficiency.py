@@ -15,7 +15,7 @@ from app.calculations.design import (
     forces_used,
 )
 from app.calculations.hertz import eccentricity
-from app.calculations.pin_contact import PinContactFields
+from app.calculations.mechanism import PinContactFields
 from app.model import (
     NO_DUST,
     AccuracyOut,

@@ -12,9 +12,8 @@ from app.calculations.design import (
     ForcesUsed,
     forces_used,
 )
-from app.calculations.mechanism import MAX_SATELLITES
+from app.calculations.mechanism import MAX_SATELLITES, TOUCHING, CrankContactFields
 from app.calculations.named_bearing import NamedBearingFields, bearing_name
-from app.calculations.pin_contact import TOUCHING, CrankContactFields
 from app.calculations.ring import RingFields
 from app.model import (
     AccuracyOut,
