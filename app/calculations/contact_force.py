@@ -22,8 +22,8 @@ from app.model import (
     quantity,
     result,
 )
+from app.problems import timed
 from app.rules import Forms
-from app.running import timed
 from app.settings import Settings
 from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018, ZYL
 from app.theme import (

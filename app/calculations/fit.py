@@ -34,7 +34,7 @@ from app.model import (
     quantity,
     warning,
 )
-from app.running import timed
+from app.problems import timed
 from app.settings import Settings
 from app.sources import JOHNSON_1985
 from app.theme import INK, Amount, Figure, Text, Theme, axis, curve, layout, marker, text

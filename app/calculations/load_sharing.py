@@ -29,7 +29,7 @@ from app.calculations.members_answer import at_output
 from app.calculations.real_design import LEFT_OUT
 from app.calculations.solved import Solved
 from app.model import LARGEST, Angle, Calculation, Maybe, Values, quantity
-from app.running import timed
+from app.problems import timed
 from app.settings import Settings
 from app.sources import HARRIS, JOHNSON_1985, YANCHEVSKIY_2021
 from app.theme import Figure, Theme

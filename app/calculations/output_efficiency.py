@@ -30,8 +30,8 @@ from app.model import (
     no_dust,
     quantity,
 )
+from app.problems import timed
 from app.rules import Forms
-from app.running import timed
 from app.sources import ARCHARD_1953, WANG_2016, YANCHEVSKIY_2021
 from app.theme import (
     Amount,

@@ -31,8 +31,8 @@ from app.model import (
     quantity,
     result,
 )
+from app.problems import timed
 from app.rules import Rule, field_error
-from app.running import timed
 from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
 from app.units import from_si

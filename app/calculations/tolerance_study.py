@@ -34,9 +34,8 @@ from app.model import (
     quantity,
     warning,
 )
-from app.problems import refusal, unavailable
+from app.problems import refusal, timed, unavailable
 from app.rules import Rule, field_error
-from app.running import timed
 from app.settings import Settings, current
 from app.sources import ISO_286, JANSEN_1999, YANCHEVSKIY_2021
 from app.theme import Figure, Theme
