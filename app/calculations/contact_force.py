@@ -51,13 +51,11 @@ from core.output.contact_force import (
     contact_force,
     drawing_angles,
     force_curves,
-)
-from core.output.mechanism import Mechanism, Members
-from core.output.pin_forces import (
     force_ratios,
     output_torque_from_input,
     reference_force,
 )
+from core.output.mechanism import Mechanism, Members
 from core.worked.mechanism import force_steps
 from core.worked.step import Step
 

@@ -23,7 +23,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
-from core.arrays import Number
+import numpy as np
+
+from core.arrays import FloatArray, Number
 from core.errors import InvalidInput, required
 from core.precision import ROUNDING, SAME
 from core.results import Accuracy
@@ -277,6 +279,42 @@ def far_angle_error(angle: float) -> float:
         In turns; 0 up to a turn.
     """
     return 2 * ROUNDING * max(angle / (2 * math.pi) - 1, 0.0)
+
+
+def pressure_cosines(*, mechanism: Mechanism, crank_angles: FloatArray) -> FloatArray:
+    """Cosine of the pressure angle of every pair, 0 where the pair does not drive.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio.
+    crank_angles : array, shape (n,)
+        Crank angles phi, rad.
+
+    Returns
+    -------
+    array, shape (n, K, N)
+        ``max(0, cos(gamma))``.
+
+    Notes
+    -----
+    Source: Yanchevskiy and Niekhoroshykh 2021, eq. (6). Counted in turns, so that a pair on its
+    switching angle has the cosine 0 and not a rounding error of either sign.
+    """
+    turns = np.asarray(crank_angles, dtype=np.float64) / mechanism.crank_angle_per_wave
+    satellite = np.array(mechanism.phases.satellite_phase)
+    pin = np.arange(mechanism.pins) / mechanism.pins
+    phase = satellite[:, None] + pin[None, :] - 0.75
+    # The angles are the last axis while it is calculated, as the longest.
+    from_switching = (turns - np.floor(turns)) + phase[:, :, None]
+    from_switching -= np.rint(from_switching)
+    np.abs(from_switching, out=from_switching)
+    np.subtract(0.25, from_switching, out=from_switching)
+    drives = from_switching > 8 * ROUNDING * (1 + np.abs(turns))
+    from_switching *= 2 * np.pi
+    cosines = np.zeros_like(from_switching)
+    np.sin(from_switching, out=cosines, where=drives)
+    return cosines.transpose(2, 0, 1)
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,8 +13,7 @@ from numpy.typing import NDArray
 
 from core.arrays import FloatArray, check_positive, check_single
 from core.errors import InvalidInput
-from core.output.mechanism import Mechanism
-from core.output.pin_forces import pressure_cosines
+from core.output.mechanism import Mechanism, pressure_cosines
 from core.precision import AS_TYPED, ROUNDING
 from core.results import Accuracy, Notice
 
