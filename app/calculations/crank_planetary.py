@@ -80,7 +80,7 @@ from core.errors import if_known
 from core.fixes.fix import Fix
 from core.materials import NOT_LISTED
 from core.output.contact_force import ContactForce, ForceCurves, PairNumber, drawing_angles
-from core.output.pin_geometry import PinGeometry, pin_fit, pin_geometry
+from core.output.mechanism import PinGeometry, pin_fit, pin_geometry
 from core.output.real_cyclogram import RealCyclogram, carried_forces, real_cyclogram
 from core.results import Notice
 from core.ring.mesh_curves import MeshCurves, SeriesCurves

@@ -60,8 +60,7 @@ from core.output.elasticity import (
     SatelliteSupport,
     Shares,
 )
-from core.output.mechanism import Mechanism
-from core.output.pin_geometry import PinFit, pin_fit
+from core.output.mechanism import Mechanism, PinFit, pin_fit
 from core.output.real_mechanism import Deviations
 from core.output.sampled_turn import Direction
 from core.precision import SAME

@@ -44,8 +44,7 @@ from core.arrays import FloatArray
 from core.errors import InvalidInput
 from core.output.elasticity import RIGID_SUPPORT
 from core.output.fit import POSITIONS, Fit
-from core.output.mechanism import Mechanism
-from core.output.pin_geometry import SLIPPED, slip_notices
+from core.output.mechanism import SLIPPED, Mechanism, slip_notices
 from core.output.real_mechanism import RealMechanism
 from core.precision import ROUNDING
 from core.results import Accuracy, Notice

@@ -42,8 +42,7 @@ from core.arrays import FloatArray
 from core.design.sections import Contact, MechanismSection, SharedBy
 from core.errors import InvalidInput
 from core.output.fit import Fit, Rooms
-from core.output.mechanism import Mechanism, Members, Output, ratio_from_teeth
-from core.output.pin_geometry import felt
+from core.output.mechanism import Mechanism, Members, Output, felt, ratio_from_teeth
 from core.results import Notice
 from core.tolerance.iso286 import CLASSES, GRADES, SIZES, fit_clearance
 

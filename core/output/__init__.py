@@ -2,9 +2,8 @@
 
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------
-mechanism           pins, satellites, cranks: phases, dead centres, assembly; who is the output
+mechanism           pins, satellites, cranks: phases, output; how pins fit, where they are
 cyclogram           which pin/hole pairs drive, when, how many together
-pin_geometry        fit of pins and holes; their centres and contact points at a crank angle
 driving_set         the pairs that drive together, segment by segment of the turn
 force_bounds        bounds of the force over a stretch, from what is known at its ends
 force_laws          the force of the best placed pair under each law of load sharing

@@ -11,8 +11,7 @@ import pytest
 
 from core.output.contact_force import force_ratios, peak_force
 from core.output.cyclogram import cyclogram
-from core.output.mechanism import Mechanism, assembly_angles
-from core.output.pin_geometry import pin_geometry
+from core.output.mechanism import Mechanism, assembly_angles, pin_geometry
 from core.precision import CONVERGED, SAME
 
 RATIO = 20.0
