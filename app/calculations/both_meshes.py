@@ -6,9 +6,9 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import BeforeValidator, Field, model_validator
 
+from app.calculations.design import DeviationsFields, SatelliteCouplingFields
 from app.calculations.mechanism import PairOut
 from app.calculations.real_design import RealDesignFields
-from app.calculations.real_mechanism import DeviationsFields, SatelliteCouplingFields
 from app.calculations.ring import RING_PIN_LISTS as OF_RING
 from app.calculations.ring import RingPinDeviationsFields
 from app.calculations.ring_parts import CycloidRingFields

@@ -22,8 +22,7 @@ from app.model import (
     quantity,
     result,
 )
-from app.problems import pointer, sentence
-from app.running import named, path_of
+from app.problems import named, path_of, pointer, sentence
 from app.units import from_si, shown_unit
 from core.checks.check import (
     STATUSES,

@@ -35,8 +35,8 @@ from app.model import (
     result,
     warning,
 )
+from app.problems import timed
 from app.rules import field_error
-from app.running import timed
 from app.sources import JOHNSON_1985, PERSSON_1964, YANCHEVSKY_2018
 from app.theme import INK, Amount, Figure, Theme, axis, curve, hover, layout, text
 from app.units import from_si, to_si

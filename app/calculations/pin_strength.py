@@ -26,8 +26,8 @@ from app.model import (
     WarningOut,
     result,
 )
+from app.problems import timed
 from app.rules import Rule, field_error
-from app.running import timed
 from app.sources import SHIGLEY, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si

@@ -6,15 +6,15 @@ from typing import Literal, Self
 from pydantic import Field, model_validator
 
 from app.calculations.contact_law import ContactLawFields
-from app.calculations.mechanism import MechanismFields
-from app.calculations.pin_rollers import RollersFields
-from app.calculations.real_mechanism import (
+from app.calculations.design import (
     GIVING,
     BentPinFields,
     GivingFields,
     RealContactFields,
     RealLoadFields,
 )
+from app.calculations.mechanism import MechanismFields
+from app.calculations.pin_rollers import RollersFields
 from app.model import Maybe, quantity
 from app.rules import field_error
 from app.settings import Settings

@@ -34,9 +34,8 @@ from app.calculations.ring_parts import (
 )
 from app.calculations.solved import Solved
 from app.model import UNION_TAGS, Angle, Calculation, Maybe, RequestModel, Size, Values, quantity
-from app.problems import refusal
+from app.problems import refusal, timed
 from app.rules import field_error
-from app.running import timed
 from app.settings import Settings
 from app.sources import ISO_6336, JOHNSON_1985
 from app.theme import Figure, Theme

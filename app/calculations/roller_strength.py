@@ -29,8 +29,8 @@ from app.model import (
     result,
     warning,
 )
+from app.problems import timed
 from app.rules import Forms, field_error
-from app.running import timed
 from app.sources import OVSYANNIKOV_2019, SHIGLEY
 from app.theme import (
     Amount,

@@ -12,9 +12,8 @@ from app.calculations.design import (
     ForcesUsed,
     forces_used,
 )
-from app.calculations.mechanism import MAX_SATELLITES
+from app.calculations.mechanism import MAX_SATELLITES, TOUCHING, CrankContactFields
 from app.calculations.named_bearing import NamedBearingFields, bearing_name
-from app.calculations.pin_contact import TOUCHING, CrankContactFields
 from app.calculations.ring import RingFields
 from app.model import (
     AccuracyOut,
@@ -32,8 +31,8 @@ from app.model import (
     quantity,
     result,
 )
+from app.problems import timed
 from app.rules import Rule, field_error
-from app.running import timed
 from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
 from app.units import from_si

@@ -30,8 +30,8 @@ from app.model import (
     result,
     warning,
 )
+from app.problems import timed
 from app.rules import Forms
-from app.running import timed
 from app.sources import JOHNSON_1985, KHATETOVSKY_2020, SHIGLEY
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
 from app.units import core_name, from_si, to_si

@@ -40,9 +40,8 @@ from core.crank.bearing_life import (
 )
 from core.crank.ring_mesh import RingMesh
 from core.errors import NotKnown, derived, is_known, required
-from core.output.contact_force import force_peak
-from core.output.mechanism import Mechanism
-from core.output.pin_forces import force_ratios, pressure_cosines
+from core.output.contact_force import force_peak, force_ratios
+from core.output.mechanism import Mechanism, pressure_cosines
 from core.output.pin_search import MISSED, largest
 from core.output.pin_turn import BLOCK, COARSEST, SatelliteTurn, combine, satellite_turn
 from core.output.sampled_turn import WAYS, Direction, Made, SampledTurn

@@ -27,10 +27,9 @@ from core.fatigue import (
 )
 from core.materials import ElasticMaterial
 from core.output.elasticity import PinSupport
-from core.output.mechanism import Mechanism, Members, Output
+from core.output.mechanism import Mechanism, Members, Output, felt
 from core.output.pin_bolt import PinBolt
 from core.output.pin_fatigue import FatigueStrength
-from core.output.pin_geometry import felt
 from core.output.sampled_turn import Direction
 from core.precision import SAME
 from core.results import Notice

@@ -2,15 +2,12 @@
 
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------
-mechanism           pins, satellites, cranks: phases, dead centres, assembly; who is the output
+mechanism           pins, satellites, cranks: phases, output; how pins fit, where they are
 cyclogram           which pin/hole pairs drive, when, how many together
-pin_forces          the law of load sharing: force of each pair; the approximation of its peak
-pin_geometry        fit of pins and holes; their centres and contact points at a crank angle
 driving_set         the pairs that drive together, segment by segment of the turn
 force_bounds        bounds of the force over a stretch, from what is known at its ends
 force_laws          the force of the best placed pair under each law of load sharing
-peak_force          the exact peak of the contact force over the turn
-contact_force       forces over the turn, peak and approximations as one job
+contact_force       force of each pair over the turn, its exact peak, and its approximation
 losses              friction of the pins: sliding speed, loss, efficiency, pv, wear
 pin_section         its section, solid or bored, and the wall about a bore
 pin_beam            a pin as a beam on three kinds of supports: moment, shear, deflection, slope

@@ -13,8 +13,7 @@ from core.material_table import MATERIALS
 from core.materials import ElasticMaterial
 from core.output.elasticity import CrankSupport, HertzLaw
 from core.output.fit import Fit, Rooms, solvable
-from core.output.mechanism import Mechanism
-from core.output.pin_geometry import slip_notices
+from core.output.mechanism import Mechanism, slip_notices
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.precision import EXACT, SAME
 from tests.inputs.misfits import drawn

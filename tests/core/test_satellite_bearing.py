@@ -15,8 +15,7 @@ from core.crank.bearing_life import rating_life, reliability_factor, system_life
 from core.crank.ring_mesh import RingMesh, cycloid_mesh, involute_mesh
 from core.crank.satellite_bearing import bearing_curves, satellite_bearings
 from core.errors import ImpossibleMechanism, InvalidInput, NotKnown
-from core.output.mechanism import Mechanism
-from core.output.pin_geometry import pin_geometry
+from core.output.mechanism import Mechanism, pin_geometry
 from core.output.pin_turn import SatelliteTurn
 from core.precision import CONVERGED, EXACT, SAME, SEARCHED
 from tests.inputs.satellites import exponents, mechanisms

@@ -17,9 +17,8 @@ from core.arrays import FloatArray
 from core.errors import CalculationError
 from core.hertz import hertz
 from core.materials import ElasticMaterial
-from core.output.mechanism import Mechanism
-from core.output.peak_force import peak_force
-from core.output.pin_geometry import pin_geometry
+from core.output.contact_force import peak_force
+from core.output.mechanism import Mechanism, pin_geometry
 from core.precession.contact_line import contact_lines
 from core.precession.meshing_load import meshing_load
 from core.precession.rollers import RollerByAngle, RollerByLength
