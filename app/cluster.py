@@ -92,39 +92,36 @@ def _there(address: str, block: Block, blocks: Sequence[Drawn]) -> Iterator[Piec
         raise Lost(f"{type(error).__name__}: {error}") from error
 
 
-def on_cluster(address: str, instead: Mapped | None, lost: Callable[[], None]) -> Mapped:
+def on_cluster(address: str, lost: Callable[[Lost], Mapped]) -> Mapped:
     """Where blocks are calculated on a cluster.
 
     Parameters
     ----------
     address : str
         Of its scheduler.
-    instead : callable or None
-        Where they are calculated that it does not, once it is lost; None where they are not.
     lost : callable
-        Called when it is.
+        Called when it is lost: says where they are calculated that it does not, or raises.
 
     Returns
     -------
     callable
     """
-    here: Mapped | None = None  # once the cluster is lost, which is not waited for again
+    # Elsewhere once the cluster is lost, which is not waited for again.
+    where: Mapped = lambda block, blocks: there(block, blocks)  # noqa: E731
+
+    def there(block: Block, blocks: Sequence[Drawn]) -> Iterator[Pieces]:
+        nonlocal where
+        done = 0
+        try:
+            for results in _there(address, block, blocks):
+                done += 1
+                yield results
+        except Lost as why:
+            LOG.warning("the cluster is lost: %s", why)
+            where = lost(why)
+            yield from where(block, blocks[done:])
 
     def mapped(block: Block, blocks: Sequence[Drawn]) -> Iterator[Pieces]:
-        nonlocal here
-        done = 0
-        if here is None:
-            try:
-                for results in _there(address, block, blocks):
-                    done += 1
-                    yield results
-            except Lost as why:
-                LOG.warning("the cluster is lost: %s", why)
-                lost()
-                if instead is None:
-                    raise
-                here = instead
-        if here is not None:
-            yield from here(block, blocks[done:])
+        return where(block, blocks)
 
     return mapped

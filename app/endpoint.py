@@ -21,7 +21,7 @@ from starlette.requests import ClientDisconnect
 from starlette.types import Receive, Scope, Send
 
 from app.middleware import PART_BYTES
-from app.model import Calculation, Export, RequestModel, Values
+from app.model import Calculation, Export, Report, RequestModel, StudyCalculation, Values
 from app.problems import (
     REFUSED,
     RESPONSES,
@@ -75,7 +75,6 @@ STREAMED: dict[int | str, dict[str, Any]] = RESPONSES | {
 
 Body = TypeVar("Body", bound=RequestModel)
 
-Report = Callable[[float], None]
 """What is told which share of a study is done."""
 
 
@@ -95,19 +94,17 @@ def route_of(calculation: Calculation, *, drawn: bool = False) -> type[APIRoute]
     async def handle(request: Request) -> Response:
         record = at_hand.get() or Record()
         sent = await received(record, record.settings.max_body_bytes)
-        if calculation.reporting is not None and not drawn and by_lines(record):
+        if isinstance(calculation, StudyCalculation) and not drawn and by_lines(record):
             return await _told_by_lines(request, calculation.name, sent, record)
         theme = _theme(request) if drawn else None
         zipped = takes_gzip(record.headers)
-        body = None
         if len(sent) <= LIGHT_BYTES:
             body = read_body(calculation, sent, record.settings)
-        if body is not None and body.cost() <= LIGHT_COST:
-            content = content_of(calculation, body, theme, zipped)
-        else:
-            asked = calculation.name, sent, theme, zipped, record.settings
-            async with wanted(record):
-                content = await in_process(request.app.state.jobs, _answer, *asked, record=record)
+            if body.cost() <= LIGHT_COST:
+                return Answer(content_of(calculation, body, theme, zipped), record)
+        asked = calculation.name, sent, theme, zipped, record.settings
+        async with wanted(record):
+            content = await in_process(request.app.state.jobs, _answer, *asked, record=record)
         return Answer(content, record)
 
     class CalculationRoute(APIRoute):
@@ -117,7 +114,9 @@ def route_of(calculation: Calculation, *, drawn: bool = False) -> type[APIRoute]
     return CalculationRoute
 
 
-def answered(calculation: Calculation, body: RequestModel, report: Report | None = None) -> Values:
+def answered(
+    calculation: Calculation, body: RequestModel, report: Report = lambda share: None
+) -> Values:
     """Values of the answer to a request; of a study with what is told how much of it is done."""
     return calculated(body, partial(calculation.answered, body, report))
 

@@ -29,7 +29,7 @@ from app.endpoint import (
 from app.examples import REQUESTS
 from app.jobs import Jobs
 from app.middleware import Requests
-from app.model import Calculation, Export
+from app.model import Calculation, Export, StudyCalculation
 from app.problems import REFUSED, RESPONSES, refused, unavailable
 from app.registry import CALCULATIONS, EXPORTS
 from app.settings import Settings, current
@@ -80,7 +80,9 @@ def add_route(app: FastAPI, calculation: Calculation, *, drawn: bool = False) ->
         tags=[calculation.tag],
         summary=f"{calculation.title}: figure" if drawn else calculation.title,
         response_model=FigureOut if drawn else calculation.answer,
-        responses=STREAMED if calculation.reporting and not drawn else RESPONSES,
+        responses=STREAMED
+        if isinstance(calculation, StudyCalculation) and not drawn
+        else RESPONSES,
         openapi_extra={"requestBody": {"content": {JSON: example}}},
         route_class_override=route_of(calculation, drawn=drawn),
     )

@@ -544,11 +544,12 @@ class Calculation:
     batched: bool = True  # whether batches take it
     # A function of a module: the worked steps of a request, as `app.worked` makes them.
     worked: Callable[[Any], list[Values]] | None = None
-    # As `solve`, of what may take long: with a function that is told how much of it is done, from 0
-    # to 1.
-    reporting: Callable[[Any, Callable[[float], None]], Values] | None = None
 
-    def answered(self, body: Any, report: Callable[[float], None] | None = None) -> Values:
+    def solved(self, body: Any, report: "Report") -> Values:
+        """Values of the answer to a request, by the calculation alone."""
+        return self.solve(body)
+
+    def answered(self, body: Any, report: "Report" = lambda share: None) -> Values:
         """Values of the answer to a request, with what was assumed and taken otherwise than typed.
 
         Parameters
@@ -562,7 +563,7 @@ class Calculation:
         -------
         dict
         """
-        values = self.solve(body) if report is None else cast(Any, self.reporting)(body, report)
+        values = self.solved(body, report)
         if assumed := [
             {"pointer": "/" + "/".join(path), "value": value} | body.without(path)
             for path, value in body.assumed()
@@ -575,6 +576,21 @@ class Calculation:
         if checks := values.get("checks"):
             _leave_to_checks(values, checks)
         return values
+
+
+Report = Callable[[float], None]
+"""Is told how much of a study is done, from 0 to 1."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StudyCalculation(Calculation):
+    """A calculation that may take long, and says meanwhile how much of it is done."""
+
+    reporting: Callable[[Any, Report], Values]  # as `solve`, with what is told
+
+    def solved(self, body: Any, report: Report) -> Values:
+        """Values of the answer to a request; what is told is told."""
+        return self.reporting(body, report)
 
 
 class File(NamedTuple):

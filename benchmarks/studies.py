@@ -17,11 +17,11 @@ from multiprocessing import get_context
 import httpx
 import numpy as np
 
-from app.cluster import on_cluster
+from app.cluster import Lost, on_cluster
 from benchmarks.options import options
 from benchmarks.sharing import study_of
 from core.output import compiled
-from core.tolerance.study import Study
+from core.tolerance.study import Mapped, Study
 from tests.inputs.cluster import Cluster
 
 POSITIONS = 60
@@ -85,6 +85,10 @@ def _cores(samples: int, rounds: int) -> None:
     print(f"two threads {two:.2f} times one, two processes {both:.2f}: {two / both:.2f} of that")
 
 
+def _lost(why: Lost) -> Mapped:
+    raise why
+
+
 def _cluster(samples: int, most: int) -> None:
     """One worker, up to so many, beside a thread here: the same bits, times of the wall and of the
     processor.
@@ -99,7 +103,7 @@ def _cluster(samples: int, most: int) -> None:
     for workers in range(1, most + 1):
         cluster = Cluster(workers)
         try:
-            there = replace(study, mapped=on_cluster(cluster.address, None, lambda: None))
+            there = replace(study, mapped=on_cluster(cluster.address, _lost))
             there.values(there.pieces().part(0, 64))
             pids = [each.pid for each in cluster.processes] + [os.getpid()]
             before = _processor(pids)

@@ -11,6 +11,7 @@ it yields first below the surface; from a friction of some 0.3 on at the surface
 
 import math
 from collections.abc import Callable
+from contextlib import suppress
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -37,7 +38,7 @@ from core.conformal import (
     load_under_pressure,
     pressure_over_angle,
 )
-from core.errors import InvalidInput, NotKnown
+from core.errors import NotKnown, is_known, required
 from core.materials import Body, ContactLimit, ElasticMaterial, effective_modulus, mismatch
 from core.numerics.inverse import edge
 from core.precision import ROUNDING
@@ -73,6 +74,14 @@ class BodySafety(NamedTuple):
     safety_factor: Number
 
 
+class Conformal(NamedTuple):
+    """A contact that is wide for Hertz, along its arc."""
+
+    pressure: Number  # largest, Pa
+    half_angle: Number  # eps, half of the angle over which it extends, rad
+    half_length: Number  # half of its length along the arc, m
+
+
 class HertzContact(NamedTuple):
     """Stress of the line contact of pin and hole, or of an array of them.
 
@@ -104,6 +113,15 @@ class HertzContact(NamedTuple):
     safety: tuple[BodySafety, ...]  # bodies whose limit is known, under the governing pressure
     safety_factor: Number | None  # the smaller one of both bodies, where both are known
     accuracy: Accuracy
+
+    @property
+    def conformal(self) -> Conformal:
+        """The contact along the arc, where it is wide enough to apply."""
+        return Conformal(
+            required(self.conformal_pressure, "no_conformal_pressure"),
+            required(self.conformal_half_angle, "no_conformal_pressure"),
+            required(self.conformal_half_length, "no_conformal_pressure"),
+        )
 
     @property
     def governing_pressure(self) -> Number:
@@ -209,7 +227,7 @@ def hertz(
         wide, method, evaluations = _conformal(
             line_load, pin_radius, hole_radius, modulus, constants, hole_material.poissons_ratio
         )
-    safety = _safety(wide["governing"], pin=pin_material.limit, hole=hole_material.limit)
+    safety = _safety(wide["governing"], pin=pin_material, hole=hole_material)
     return HertzContact(
         max_pressure=max_pressure,
         mean_pressure=math.pi / 4 * max_pressure,
@@ -300,18 +318,19 @@ def _conformal(
 
 
 def _safety(
-    governing: Number, *, pin: ContactLimit | None, hole: ContactLimit | None
+    governing: Number, *, pin: ElasticMaterial, hole: ElasticMaterial
 ) -> tuple[BodySafety, ...]:
-    """Each body by its own limit; none where the pressure is not known, or there is none."""
+    """Each body by the limit of its own material, where the pressure and that are known."""
     if not some(governing > 0):
         return ()
     pressure = where(governing > 0, governing, math.nan)
-    limits: tuple[tuple[Body, ContactLimit | None], ...] = (("pin", pin), ("hole", hole))
-    return tuple(
-        BodySafety(body, limit, limit.allowable / pressure)
-        for body, limit in limits
-        if limit is not None
-    )
+    bodies: tuple[tuple[Body, ElasticMaterial], ...] = (("pin", pin), ("hole", hole))
+    found = []
+    for body, material in bodies:
+        with suppress(NotKnown):
+            limit = material.known_limit
+            found.append(BodySafety(body, limit, limit.allowable / pressure))
+    return tuple(found)
 
 
 def force_factor(
@@ -351,7 +370,7 @@ def force_factor(
     )
     # not beyond the limit, or the widest contact, by the rounding of forces
     factor = float(1 / (parameter * contact.conformity)) * (1 - 512 * ROUNDING)
-    if contact_at(factor).conformal_pressure is not None:
+    if is_known(lambda: contact_at(factor).conformal):
         return factor
 
     def left(factor: float) -> float:
@@ -397,18 +416,15 @@ def conformal_profile(*, contact: HertzContact, samples: int = 81) -> tuple[Floa
 
     Raises
     ------
-    InvalidInput
+    NotKnown
         If the contact has no conformal pressure.
     """
-    if contact.conformal_pressure is None:
-        raise InvalidInput("contact", contact, "no_conformal_pressure")
-    half_angle = contact.conformal_half_angle
-    assert half_angle is not None and contact.conformal_half_length is not None
+    pressure, half_angle, half_length = contact.conformal
     places = np.sin(np.linspace(-math.pi / 2, math.pi / 2, samples))
     shape = pressure_over_angle(
         angles=half_angle * places, tangent=math.tan(half_angle / 2), beta=contact.mismatch[1]
     )
-    return contact.conformal_half_length * places, contact.conformal_pressure * shape
+    return half_length * places, pressure * shape
 
 
 PLACES, ZOOMS, CLOSER = 25, 9, 6

@@ -4,6 +4,7 @@ known of a material of the table, from where, or of one that is given by values.
 
 import math
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Literal, NamedTuple, Self, TypedDict, Unpack, cast
@@ -146,9 +147,14 @@ class ElasticMaterial:
 
     def lasting(self, loads: float) -> Self:
         """The material, its limit wanted for so many loads."""
-        if self.limit is None:
-            return self
-        return replace(self, limit=replace(self.limit, loads=loads))
+        with suppress(NotKnown):
+            return replace(self, limit=replace(self.known_limit, loads=loads))
+        return self
+
+    @property
+    def known_limit(self) -> ContactLimit:
+        """What its contact pressure is judged by."""
+        return required(self.limit, "limit_unknown")
 
     @property
     def elastic_pressure(self) -> float:

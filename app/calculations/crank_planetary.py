@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from contextlib import suppress
 from functools import partial
 
 import numpy as np
@@ -76,7 +77,7 @@ from core.checks.usual_modification import usual_clearance_too
 from core.design.drawings import drawn_mesh, drawn_teeth
 from core.design.real_forces import RealForces
 from core.design.results import MOST_IN_SERIES
-from core.errors import if_known
+from core.errors import UNKNOWN, if_known
 from core.fixes.fix import Fix
 from core.materials import NOT_LISTED
 from core.output.contact_force import ContactForce, ForceCurves, PairNumber, drawing_angles
@@ -216,9 +217,8 @@ def _mesh(body: CrankPlanetaryRequest) -> Solved:
         "ideal": at_output(RingIdealOut.of(mesh.disc, each), members),
         "over_turn": at_output(shown.values(turn), members),
     }
-    loss = if_known(lambda: body.results.ring.loss)
-    if loss is not None:
-        solved.values["efficiency"] = RingEfficiencyOut.values(loss)
+    with suppress(*UNKNOWN):
+        solved.values["efficiency"] = RingEfficiencyOut.values(body.results.ring.loss)
     solved.take(turn.accuracy, turn.notices)
     return solved
 
@@ -231,18 +231,21 @@ def _ring_mesh(body: CrankPlanetaryRequest) -> Values:
 def _drawing(body: CrankPlanetaryRequest) -> Values | None:
     """Satellites and ring as they are drawn, and what discs on pins do under the torque."""
     if body.design.gear.kind == "involute":
-        teeth = if_known(partial(drawn_teeth, design=body.design, chord_error=DRAWN_ERROR))
-        return None if teeth is None else RingDrawingOut.of_teeth(teeth)
+        return if_known(
+            lambda: RingDrawingOut.of_teeth(
+                drawn_teeth(design=body.design, chord_error=DRAWN_ERROR)
+            )
+        )
     turn = body.results.ring.working[0]
     pairs = turn.mesh.disc.pins * body.mechanism.satellites
     if pairs > MAX_DRAWN_PAIRS:
         return None
     drawn = drawn_mesh(design=body.design, mesh=turn.mesh, chord_error=DRAWN_ERROR)
     if not isinstance(turn, TeethInSeries):
-        return RingDrawingOut.of(drawn, MeshCurves(turn, DRAWN_RING))
+        return RingDrawingOut.with_curves(drawn, MeshCurves(turn, DRAWN_RING))
     curves = SeriesCurves.over_period(turn, DRAWN_RING)
     many = pairs * len(curves.crank_angle) > MAX_DRAWN_PAIRS * (DRAWN_RING + 1)
-    return RingDrawingOut.of(drawn, None if many else curves)
+    return RingDrawingOut.of(drawn) if many else RingDrawingOut.with_curves(drawn, curves)
 
 
 def _pin_strength(body: CrankPlanetaryRequest) -> Values:

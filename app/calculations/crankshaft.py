@@ -15,7 +15,6 @@ from app.model import (
     ResponseModel,
     Values,
     WarningOut,
-    present,
     result,
 )
 from app.problems import timed
@@ -99,15 +98,10 @@ class CrankshaftResponse(AssumingResponse):
     @classmethod
     def values(cls, result: Crankshaft, run_time_us: float | None = None, **given: Any) -> Values:
         """Values of the core's arrays, a row for each bearing."""
-        rows = []
-        for peak, equivalent, life in zip(
-            result.peak_reaction.tolist(),
-            result.equivalent_reaction.tolist(),
-            result.basic_life,
-            strict=True,
-        ):
-            row = {"peak_N": peak, "equivalent_N": equivalent}
-            rows.append(present(row | {"basic_life_h": from_si("life_h", life)}))
+        sizes = zip(result.peak_reaction.tolist(), result.equivalent_reaction.tolist(), strict=True)
+        rows = [{"peak_N": peak, "equivalent_N": equivalent} for peak, equivalent in sizes]
+        for row, life in result.basic_life.items():
+            rows[row]["basic_life_h"] = from_si("life_h", life)
         return super().values(result, run_time_us, bearings=rows, **given)
 
 

@@ -118,7 +118,7 @@ class GearFields(RequestModel, group="gear"):
         """The rollers in SI units."""
         match self.given:
             case {"wheel": wheel}:
-                return wheel_rollers(**wheel.to_core())
+                return wheel_rollers(**{"rollers_in_mesh": wheel.rollers_total} | wheel.to_core())
             case given:
                 return [each.roller() for each in given["rollers"]]
 

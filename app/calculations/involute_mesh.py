@@ -2,6 +2,7 @@
 of it.
 """
 
+from contextlib import suppress
 from typing import Any, ClassVar, Literal
 
 import numpy as np
@@ -114,10 +115,10 @@ def solved_pair(
             unknown = (Notice(why.code),)
         values["stresses"] = InvoluteStressesOut.values(load, root=root)
         solved.take(load.accuracy, unknown)
-        if ring.friction_coefficient is not None:
+        with suppress(NotKnown):
             loss = involute_loss(
                 pair=pair,
-                friction=ring.friction_coefficient,
+                friction=ring.known_friction,
                 output_torque=output_torque,
                 input_speed=input_speed,
             )

@@ -1,5 +1,6 @@
 """The mesh of satellites with their ring, pins or involute teeth: request and answer."""
 
+from contextlib import suppress
 from functools import cached_property
 from typing import Annotated, Any, ClassVar, Literal, Self, get_args
 
@@ -42,7 +43,7 @@ from app.theme import Figure, Theme
 from app.units import to_si
 from app.worked import worked
 from core.design.ring import CycloidRing, InvoluteRing
-from core.errors import InvalidInput
+from core.errors import InvalidInput, NotKnown, if_known, required
 from core.output.elasticity import HertzLaw, SatelliteSupport, Shares
 from core.output.real_curves import stiffness_curve
 from core.output.turn import Turn
@@ -309,6 +310,11 @@ class RingMeshRequest(RequestModel, group="positions"):
         given: float | None = to_si("input_speed_rpm", self.load.input_speed_rpm)
         return given
 
+    @property
+    def known_speed(self) -> float:
+        """That speed, which has to be given."""
+        return required(self.input_speed, "speed_missing", "load.input_speed")
+
     def solve_all(self) -> Solved:
         """What is asked for."""
         if self.gear.kind == "involute":
@@ -327,7 +333,8 @@ class RingMeshRequest(RequestModel, group="positions"):
             )
             solved.values["over_turn"] = MeshTurnOut.values(turn)
             solved.take(turn.accuracy, turn.notices)
-            if self.cycloid.friction_coefficient is not None:
+            with suppress(NotKnown):
+                _ = self.cycloid.ring(CycloidRing).known_friction
                 loss = ring_loss(turn=turn, friction=self.friction, input_speed=self.input_speed)
                 solved.values["efficiency"] = RingEfficiencyOut.values(loss)
         if "positions" in asked:
@@ -372,8 +379,8 @@ class RingMeshRequest(RequestModel, group="positions"):
                 force=turn.forces_at(place),
                 pressure=turn.max_pressure,
             )
-            friction = self.cycloid.friction_coefficient
-            if friction is not None:
+            with suppress(NotKnown):
+                friction = self.cycloid.ring(CycloidRing).known_friction
                 loss = ring_loss(turn=turn, friction=self.friction, input_speed=self.input_speed)
                 steps["efficiency"] = ring_loss_steps(
                     loss=loss,
@@ -405,9 +412,9 @@ class RingMeshRequest(RequestModel, group="positions"):
     def _position(self, angle: float, solved: Solved) -> Values:
         found = mesh_position(mesh=self.mesh, crank_angle=angle, output_torque=self.torque)
         solved.take(found.accuracy, found.notices)
-        speed = None
-        if self.input_speed is not None:
-            speed = found.sliding_distance * self.input_speed / self.disc.satellite_teeth
+        speed = if_known(
+            lambda: found.sliding_distance * self.known_speed / self.disc.satellite_teeth
+        )
         part = sliding_part(disc=self.disc, friction=self.friction)
         return MeshPositionOut.values(
             found,

@@ -282,20 +282,25 @@ class RingDrawingOut(ResponseModel):
         }
 
     @classmethod
-    def of(cls, drawn: DrawnMesh, curves: MeshCurves | SeriesCurves | None) -> dict[str, object]:
+    def with_curves(cls, drawn: DrawnMesh, curves: MeshCurves | SeriesCurves) -> dict[str, object]:
         """The values of discs and ring, and of what they do."""
+        values = cls.of(
+            drawn, crank_angle_deg=curves.crank_angle, force_N=curves.force, gap_mm=curves.gap
+        )
+        values["repeats_after_deg"] = float(from_si("repeats_after_deg", curves.period))
+        values["pins_further"] = curves.further
+        return values
+
+    @classmethod
+    def of(cls, drawn: DrawnMesh, **curves: object) -> dict[str, object]:
+        """The values of discs and ring, and curves over the turn, in SI units."""
         own: Values = {
             "turn_deg": drawn.turns,
             "centre_mm": drawn.pin_centres,
             "radius_mm": drawn.pin_radii,
             "lobe_mm": drawn.lobe,
         }
-        if curves is not None:
-            own |= {
-                "crank_angle_deg": curves.crank_angle,
-                "force_N": curves.force,
-                "gap_mm": curves.gap,
-            }
+        own |= curves
         values = {
             name: rounded(from_si(name, np.array(value)), DRAWN_DIGITS).tolist()
             for name, value in present(own).items()
@@ -305,9 +310,6 @@ class RingDrawingOut(ResponseModel):
             {"pin": k + 1, "centre_mm": centre, "radius_mm": radius}
             for k, (centre, radius) in enumerate(sizes)
         ]
-        if curves is not None:
-            values["repeats_after_deg"] = float(from_si("repeats_after_deg", curves.period))
-            values["pins_further"] = curves.further
         return values
 
 

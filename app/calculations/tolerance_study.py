@@ -24,10 +24,11 @@ from app.calculations.tolerances import (
 )
 from app.cluster import Lost, on_cluster
 from app.model import (
-    Calculation,
     Maybe,
+    Report,
     RequestModel,
     Size,
+    StudyCalculation,
     Values,
     Whole,
     accuracy_values,
@@ -51,6 +52,7 @@ from core.tolerance.quantiles import Estimate, refuse_few
 from core.tolerance.study import (
     FINER_SAMPLES,
     Evaluation,
+    Mapped,
     Study,
     ToleranceStudy,
     tolerance_study,
@@ -98,7 +100,6 @@ USUAL_SAMPLES = 4096
 USUAL_RANKED_SAMPLES = 1024
 """Samples where none are given and as many fit, the second with contributions."""
 
-Report = Callable[[float], None]
 """What is told how much is done, from 0 to 1."""
 
 
@@ -310,11 +311,14 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
         address = current().dask
         if not address:
             return study
-        instead = study.in_threads if self.if_cluster_lost == "here" else None
-        return replace(study, mapped=on_cluster(address, instead, self._lose))
 
-    def _lose(self) -> None:
-        self._lost = True
+        def lost(why: Lost) -> Mapped:
+            self._lost = True
+            if self.if_cluster_lost != "here":
+                raise why
+            return study.in_threads
+
+        return replace(study, mapped=on_cluster(address, lost))
 
     def _counted(self, report: Report) -> Callable[[int], None]:
         """What takes the number of pieces that are done, which begins anew with each contribution,
@@ -541,7 +545,7 @@ def figure(body: ToleranceStudyRequest, theme: Theme = "light") -> Figure:
     return tolerance_figure(name, shown, theme)
 
 
-CALCULATION = Calculation(
+CALCULATION = StudyCalculation(
     name="tolerance-study",
     title="Tolerances and their effect",
     tag="crank-planetary",

@@ -323,7 +323,7 @@ def crank_bearing_life(design: Design, results: Results) -> Check:
     found = results.crank.shaft
     if not any(design.known_speeds.against(each.seat) for each in bearings):
         return Check(kind, "not_applicable", limit=limit, reason="members_locked")
-    lives = [math.inf if each is None else each for each in found.basic_life]
+    lives = [found.basic_life.get(row, math.inf) for row in (0, 1)]
     if math.isinf(min(lives)):
         return Check(kind, "not_applicable", limit=limit, reason="unloaded")
     powers = [EXPONENTS[each.kind] for each in bearings]

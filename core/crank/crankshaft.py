@@ -7,6 +7,8 @@ that the shaft is bent one way all the time.
 """
 
 import math
+from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from itertools import product
 
@@ -25,6 +27,7 @@ from core.crank.balance import (
 from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
 from core.crank.ring_mesh import RingMesh
 from core.crank.satellite_bearing import BearingCurves, made_parts, mean_power, uneven_shares
+from core.errors import NotKnown, required
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
 from core.output.pin_search import MISSED, largest
@@ -42,12 +45,17 @@ class Crankshaft:
     # forces where the balance is known; 0 where forces that cancel leave nothing but rounding.
     peak_reaction: FloatArray
     equivalent_reaction: FloatArray  # equivalent load of each, N, shape (2,), likewise
-    # Time that 90 % of such bearings in the housing reach, s, where rating and speed are known and
-    # there is a load.
-    basic_life: tuple[float | None, ...]
-    balance: Balance | None  # where mass and speed are given
+    # Time that 90 % of such bearings in the housing reach, s, by the bearing, 0 or 1: of those that
+    # are loaded and whose rating and speed are known.
+    basic_life: dict[int, float]
+    spin: Callable[[], Balance]  # works out the balance, where mass and speed are given
     accuracy: Accuracy  # of all numbers; of the balance over the sum of the sizes it is made of
     notices: tuple[Notice, ...]  # those of the ring
+
+    @property
+    def balance(self) -> Balance:
+        """Balance at the speed of the crank."""
+        return self.spin()
 
 
 def crankshaft(
@@ -162,18 +170,22 @@ def crankshaft(
     held = carried(positions=satellite_positions, bearings=bearing_positions)
     arm_error = carried_error(held, positions=satellite_positions, bearings=bearing_positions)
     arm_error = arm_error + np.abs(held) * crank_error(np.array(mechanism.crank_angles))
-    spun = None
-    if satellite_mass is not None and input_speed is not None:
-        spun = balance(
-            satellite_mass=satellite_mass,
+
+    def spin() -> Balance:
+        return balance(
+            satellite_mass=required(satellite_mass, "mass_unknown", "crankshaft.satellite_mass"),
             eccentricity=eccentricity,
             crank_angles=mechanism.crank_angles,
             satellite_positions=satellite_positions,
             bearing_positions=bearing_positions,
             counterweights=counterweights,
-            input_speed=input_speed,
+            input_speed=required(input_speed, "speed_missing", "load.input_speed"),
             rotor_mass=rotor_mass,
         )
+
+    still = STILL
+    with suppress(NotKnown):
+        still = _still(spin())
     ways = WAYS[torque_direction]
     exponents = [EXPONENTS[kind] for kind in kinds]
     if made is None:
@@ -185,7 +197,7 @@ def crankshaft(
             mesh=mesh,
             carried=held,
             arm_error=arm_error,
-            spun=spun,
+            still=still,
             distribution_factor=distribution_factor,
             exponents=exponents,
             ways=ways,
@@ -196,23 +208,32 @@ def crankshaft(
             eccentricity * mechanism.ratio,
             mesh,
             held,
-            spun,
+            still,
             exponents,
         )
     speeds = bearing_speeds or (input_speed, input_speed)
-    lives: list[float | None] = [None, None]
+    lives: dict[int, float] = {}
     error = 0.0
     for row in np.flatnonzero(found.most).tolist():
-        load, rating = float(found.equivalent[row]), dynamic_ratings[row]
+        load = float(found.equivalent[row])
         own = float(found.off[row]) / load
         error = max(error, own + MISSED + found.truncation)
-        if rating is not None and (speed := speeds[row]):
-            million = 1e6 * 2 * math.pi / speed
+        with suppress(NotKnown):
+            rating = required(dynamic_ratings[row], "rating_unknown")
+            million = 1e6 * 2 * math.pi / _turning(speeds[row])
             lives[row] = million * rating_life(load=load, rating=rating, kind=kinds[row])
             error = max(error, exponents[row] * own + found.truncation)
     accuracy = Accuracy(found.method, error + 8 * ROUNDING, found.evaluations)
     notices = (*mesh.notices, *poorly_known(accuracy))
-    return Crankshaft(found.most, found.equivalent, tuple(lives), spun, accuracy, notices)
+    return Crankshaft(found.most, found.equivalent, lives, spin, accuracy, notices)
+
+
+def _turning(speed: float | None) -> float:
+    """Speed of a bearing, rad/s, which has to be known and to turn."""
+    found = required(speed, "speed_missing", "load.input_speed")
+    if found == 0:
+        raise NotKnown("members_locked")
+    return found
 
 
 @dataclass(frozen=True, slots=True)
@@ -238,7 +259,7 @@ def _ideal_reactions(
     mesh: RingMesh,
     carried: FloatArray,
     arm_error: FloatArray,
-    spun: Balance | None,
+    still: tuple[ComplexArray, FloatArray],
     distribution_factor: float,
     exponents: list[float],
     ways: tuple[float, ...],
@@ -254,15 +275,15 @@ def _ideal_reactions(
     share_error, force_error = turn.errors.reshape(2, -1)
     share_error = math.hypot(1, rho) * share_error + mesh.error * abs(rho) * share
     arms = carried * _cranks(mechanism.crank_angles)
-    still, still_error = _still(spun)
+    constant, still_error = still
     own = np.abs(carried) * (across * share_error + pins * force_error)
     own += arm_error * (across * math.hypot(1, rho) * share + pins * force)
     shares = uneven_shares(satellites=mechanism.satellites, distribution_factor=distribution_factor)
     off = shares.max() * own.sum(axis=1) + still_error
-    off += np.abs(still) * share_error.sum()
+    off += np.abs(constant) * share_error.sum()
     for way, own_shares in product(ways, shares):
         held = own_shares * arms
-        rings = across * (1j * way + rho) * held + still[:, None]
+        rings = across * (1j * way + rho) * held + constant[:, None]
         both = np.concatenate((rings, pins * held), axis=1)
         found = largest(turn=turn, arms=(both,), measure=np.abs)
         rows = np.flatnonzero(found > off)
@@ -287,11 +308,11 @@ def _made_reactions(
     arm: float,
     mesh: RingMesh,
     carried: FloatArray,
-    spun: Balance | None,
+    unbalanced: tuple[ComplexArray, FloatArray],
     exponents: list[float],
 ) -> _Reactions:
     """By the forces of the mechanism as it is made."""
-    rho, (still, still_error) = float(mesh.radial_force_ratio), _still(spun)
+    rho, (still, still_error) = float(mesh.radial_force_ratio), unbalanced
     most, equivalent, off = np.zeros(2), np.zeros(2), np.zeros(2)
     for turn in turns:
         parts = made_parts(turn=turn, arm=arm, radial_force_ratio=rho)
@@ -310,10 +331,12 @@ def _made_reactions(
     return _Reactions(most, equivalent, off, 0.0, "sampling", evaluations)
 
 
-def _still(spun: Balance | None) -> tuple[ComplexArray, FloatArray]:
+STILL: tuple[ComplexArray, FloatArray] = (np.zeros(2, dtype=complex), np.zeros(2))
+"""Reactions to what is not balanced, N, and their error, of what does not turn."""
+
+
+def _still(spun: Balance) -> tuple[ComplexArray, FloatArray]:
     """Reactions to what is not balanced, N, shape (2,), and their error."""
-    if spun is None:
-        return np.zeros(2, dtype=complex), np.zeros(2)
     return np.array(spun.reaction), np.array(spun.reaction_error)
 
 
@@ -339,7 +362,7 @@ def reaction_curves(
     crank_angles: tuple[float, ...],
     satellite_positions: tuple[float, ...],
     bearing_positions: tuple[float, float],
-    spun: Balance | None = None,
+    unbalanced: ComplexArray = STILL[0],
 ) -> ReactionCurves:
     """Reactions of the crankshaft's bearings to given loads of the satellites' bearings.
 
@@ -353,8 +376,8 @@ def reaction_curves(
         Middle planes z of the satellites along the shaft, m.
     bearing_positions : tuple of float
         Places A and B of the bearings, m.
-    spun : Balance, optional
-        What is added to them by what is not balanced; the loads are without it.
+    unbalanced : array, shape (2,)
+        What is added to them by what is not balanced, N; the loads are without it.
 
     Returns
     -------
@@ -362,5 +385,5 @@ def reaction_curves(
     """
     load = (loads.along + 1j * loads.across) * _cranks(crank_angles)
     held = carried(positions=satellite_positions, bearings=bearing_positions)
-    reaction = (load[:, None, :] * held).sum(axis=2) + _still(spun)[0]
+    reaction = (load[:, None, :] * held).sum(axis=2) + unbalanced
     return ReactionCurves(loads.crank_angle, reaction)

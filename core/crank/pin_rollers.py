@@ -6,6 +6,7 @@ turn.
 """
 
 import math
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Literal
 
@@ -13,7 +14,7 @@ import numpy as np
 
 from core.arrays import check_positive
 from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
-from core.errors import required
+from core.errors import NotKnown, required
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
 from core.output.pin_turn import COARSEST, pin_turn
@@ -89,7 +90,10 @@ class PinRollers:
     """
 
     elements: Bearing  # what rolls
-    given_speed: float | None  # of the outer ring on its pin, rad/s, where the crank's is given
+    input_speed: float | None  # of the crank, rad/s
+    waves_per_turn: float  # turns of the crank against the output link for one of it
+    eccentricity: float  # e, m
+    pin_radius: float  # r_s of what touches the hole, m
     peak_load: float  # F of a roller over the turn, N
     static_load: float  # the same at the peak torque, N
     equivalent_load: float  # <F^p>^(1/p) over the turn, N
@@ -104,7 +108,9 @@ class PinRollers:
     @property
     def speed(self) -> float:
         """n_s of the outer ring on its pin, rad/s."""
-        return required(self.given_speed, "speed_missing", "load.input_speed")
+        speed = required(self.input_speed, "speed_missing", "load.input_speed")
+        check_positive(input_speed=speed)
+        return speed * self.waves_per_turn * self.eccentricity / self.pin_radius
 
     @property
     def dynamic_rating_as_roller(self) -> float:
@@ -256,13 +262,12 @@ def pin_rollers(
     peak, static, equivalent = (
         each / per_satellite for each in (loads.peak, static, loads.equivalent)
     )
-    speed = None
-    if input_speed is not None:
-        check_positive(input_speed=input_speed)
-        speed = input_speed * (1 + 1 / mechanism.ratio) * eccentricity / pin_radius
-    return PinRollers(
+    found = PinRollers(
         elements=elements,
-        given_speed=speed,
+        input_speed=input_speed,
+        waves_per_turn=1 + 1 / mechanism.ratio,
+        eccentricity=eccentricity,
+        pin_radius=pin_radius,
         peak_load=peak,
         static_load=static,
         equivalent_load=equivalent,
@@ -274,6 +279,9 @@ def pin_rollers(
         accuracy=loads.accuracy,
         notices=(*notices, *poorly_known(loads.accuracy)),
     )
+    with suppress(NotKnown):
+        _ = found.speed  # refuses what does not turn
+    return found
 
 
 def _ideal(mechanism: Mechanism, exponent: float, reference: float, power: float) -> _Loads:

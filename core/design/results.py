@@ -3,6 +3,7 @@ known.
 """
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from typing import Any
@@ -519,8 +520,8 @@ class Results:
         """Limits of the largest pressure, Pa, by the code of their check."""
         found: dict[str, float] = {}
         for body, material in self.design.lasting.items():
-            if material.limit is not None:
-                allowed = float(material.limit.allowable)
+            with suppress(NotKnown):
+                allowed = float(material.known_limit.allowable)
                 safety = self.design.requirements.pitting_safety
                 found[f"contact_pressure_{body}"] = allowed / safety
             flows = material.yield_governs and material.plastic is None
@@ -545,9 +546,9 @@ class Results:
         friction = if_known(lambda: self.design.hole_friction) or 0.0
         ratio = float(material.poissons_ratio)
         factor = first_yield(poissons_ratio=ratio, friction=friction)
-        if body == "hole" and contact.conformal_half_angle is not None:
+        if body == "hole" and is_known(lambda: contact.conformal):
             wrapped = first_yield_factor(
-                half_angle=contact.conformal_half_angle,
+                half_angle=contact.conformal.half_angle,
                 poissons_ratio=ratio,
                 beta=contact.mismatch[1],
             )
@@ -574,7 +575,7 @@ class Results:
         """Whether the disc ends so near to its holes that the pressure of a contact is off by it,
         or is not known: of one that wraps around its pin.
         """
-        if contact.conformal_pressure is None:
+        if not is_known(lambda: contact.conformal):
             return None
         distance = self.design.disc_distance
         if distance < OVALS:

@@ -50,10 +50,11 @@ class AnyRing:
     @property
     def friction(self) -> RingFriction:
         """What slides in the ring, where the coefficient is known."""
-        return RingFriction(self._coefficient)
+        return RingFriction(self.known_friction)
 
     @property
-    def _coefficient(self) -> float:
+    def known_friction(self) -> float:
+        """Its friction coefficient, which has to be given."""
         name = "gear.friction_coefficient"
         return required(self.friction_coefficient, "ring_friction_unknown", name)
 
@@ -198,7 +199,7 @@ class CycloidRing(AnyRing):
     @property
     def friction(self) -> RingFriction:
         """What slides on the pins, where the coefficient is known."""
-        return RingFriction(self._coefficient, self.sleeve_bore_radius, self.rolling)
+        return RingFriction(self.known_friction, self.sleeve_bore_radius, self.rolling)
 
     def disc(self, *, satellite_teeth: int, eccentricity: float) -> CycloidDisc:
         """A disc, as far as its modification is known.

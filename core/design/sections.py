@@ -524,7 +524,7 @@ class Rollers:
     ratings: Ratings = "bearing"
     bore_diameter: float  # d
     outer_diameter: float | None = None  # D
-    width: float | None = None  # B of one, m
+    width: float = math.inf  # B of one, m; infinite where not given
     per_satellite: int = 1
     dynamic_rating: float | None = None  # C of one, N
     static_rating: float | None = None  # C0, N
@@ -543,7 +543,7 @@ class Rollers:
     @property
     def length(self) -> float:
         """Of all rollers under a satellite, m; infinite where their width is not given."""
-        return math.inf if self.width is None else self.per_satellite * self.width
+        return self.per_satellite * self.width
 
     def check(self, *, pin_radius: float | None, pin_diameter: float | None) -> None:
         """Refuse sizes that contradict each other, and rollers without a ring of their own.

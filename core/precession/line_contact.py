@@ -19,10 +19,20 @@ class LineContact:
     half_width: float  # a of the contact, m
     reduced_radius: float  # of curvature, m
     effective_modulus: float  # E*, Pa
-    roller_safety: float | None  # limit of its own material over the pressure, where known
-    mating_safety: float | None  # the same of the tooth
+    roller_material: ElasticMaterial
+    mating_material: ElasticMaterial
     accuracy: Accuracy
     notices: tuple[Notice, ...]  # where the contact is wide for Hertz
+
+    @property
+    def roller_safety(self) -> float:
+        """Limit of the roller's own material over the pressure."""
+        return float(self.roller_material.known_limit.pressure) / self.max_pressure
+
+    @property
+    def mating_safety(self) -> float:
+        """The same of the tooth."""
+        return float(self.mating_material.known_limit.pressure) / self.max_pressure
 
 
 def line_contact(
@@ -86,10 +96,6 @@ def line_contact(
     pressure = math.sqrt(line_load / reduced * modulus / math.pi)
     half_width = 2 * math.sqrt(line_load * reduced / math.pi / modulus)
     ratio = half_width / roller_radius
-    safeties = [
-        None if each.limit is None else float(each.limit.pressure) / pressure
-        for each in (roller_material, mating_material)
-    ]
     condition = (abs(mating_radius) + roller_radius) / abs(together)
     wide = ratio > HALF_WIDTH_RATIO_LIMIT
     return LineContact(
@@ -97,8 +103,8 @@ def line_contact(
         half_width=half_width,
         reduced_radius=reduced,
         effective_modulus=modulus,
-        roller_safety=safeties[0],
-        mating_safety=safeties[1],
+        roller_material=roller_material,
+        mating_material=mating_material,
         accuracy=Accuracy("closed_form", load_error / 2 + ROUNDING * (8 + condition), 1),
         notices=(Notice("hertz_line_width", {"ratio": ratio}),) if wide else (),
     )

@@ -59,7 +59,7 @@ def wheel_rollers(
     position_angle: float,
     z_min: float,
     z_max: float,
-    rollers_in_mesh: int | None = None,
+    rollers_in_mesh: int,
 ) -> tuple[RollerByLength, ...]:
     """Evenly spaced rollers of a wheel: ``phi1 = position_angle + 2*pi*i/rollers_total``.
 
@@ -73,8 +73,8 @@ def wheel_rollers(
         Position angle phi1 of the first roller, rad.
     z_min, z_max : float
         Ends of the working length, m.
-    rollers_in_mesh : int, optional
-        How many of them touch the satellite, from the first one on; all without it.
+    rollers_in_mesh : int
+        How many of them touch the satellite, from the first one on.
 
     Returns
     -------
@@ -88,13 +88,12 @@ def wheel_rollers(
     """
     if rollers_total < 1:
         raise InvalidInput("rollers_total", rollers_total, "greater_than_equal", limit=1)
-    count = rollers_total if rollers_in_mesh is None else rollers_in_mesh
-    if not 1 <= count <= rollers_total:
+    if not 1 <= rollers_in_mesh <= rollers_total:
         most = {"field": "rollers_total", "limit": rollers_total}
         raise InvalidInput("rollers_in_mesh", rollers_in_mesh, "at_most", **most)
     if not z_min < z_max:
         raise InvalidInput("z_max", z_max, "larger_than", field="z_min", limit=z_min)
-    turns = [2 * math.pi * (i / rollers_total) for i in range(count)]
+    turns = [2 * math.pi * (i / rollers_total) for i in range(rollers_in_mesh)]
     for i, turn in enumerate(turns):
         if stands_in_line(position_angle + turn):
             raise InvalidInput("position_angle", position_angle, "roller_without_arm", roller=i + 1)

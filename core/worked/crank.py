@@ -11,7 +11,7 @@ from core.crank.balance import Balance
 from core.crank.bearing_life import EXPONENTS, Bearing
 from core.crank.satellite_bearing import SatelliteBearings
 from core.design.results import Results
-from core.errors import UNKNOWN, if_known
+from core.errors import UNKNOWN, if_known, is_known
 from core.output.sampled_turn import WAYS
 from core.precision import AS_TYPED
 from core.worked.members import take_speed, take_torque
@@ -262,9 +262,9 @@ def shaft_steps(results: Results) -> list[Step]:
             if bearing.seat != "housing":
                 speed = f"n_{letter}"
                 sheet.take(speed, "bearing_speed", speeds.against(bearing.seat))
-            rating, life = bearing.dynamic_rating, found.basic_life[i]
+            rating, life = bearing.dynamic_rating, found.basic_life.get(i)
             _life(sheet, bearing.kind, rating, life, load, speed)
-    if found.balance is not None:
+    if is_known(lambda: found.balance):
         _balance(sheet, results, found.balance)
     return sheet.steps
 

@@ -38,7 +38,7 @@ def roller_steps(results: Results) -> list[Step]:
     sheet.take("C", "dynamic_rating", own.dynamic_rating)
     sheet.take("C_0", "static_rating", own.static_rating)
     sheet.take("Z", "rolling_elements", own.rolling_elements)
-    sheet.work("speed", "n_s", found.given_speed, f"n_1{wave}*e/r_s")
+    sheet.work("speed", "n_s", if_known(lambda: found.speed), f"n_1{wave}*e/r_s")
     sheet.state("peak_load", "F", found.peak_load, "shared")
     where = {"params": {"satellite": found.satellite}}
     sheet.state("equivalent_load", "P", found.equivalent_load, "equivalent_load", **where)

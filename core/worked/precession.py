@@ -355,10 +355,7 @@ def _contact(
     sheet.work("effective_modulus", "E_star", found.effective_modulus, MODULUS, **JOHNSON)
     sheet.work("max_pressure", "p_0", found.max_pressure, "sqrt(q*E_star/(pi*rho_c))", **JOHNSON)
     sheet.work("half_width", "a_c", found.half_width, "sqrt(4*q*rho_c/(pi*E_star))", **JOHNSON)
-    for index, code, safety, each in (
-        (1, "roller_safety", found.roller_safety, materials[0]),
-        (2, "mating_safety", found.mating_safety, materials[1]),
-    ):
-        limit = None if each.limit is None else float(each.limit.pressure)
-        sheet.take(f"p_P{index}", "limit", limit)
-        sheet.work(code, f"S_{index}", safety, f"p_P{index}/p_0")
+    for index, code in enumerate(("roller_safety", "mating_safety"), 1):
+        with suppress(*UNKNOWN):
+            sheet.take(f"p_P{index}", "limit", float(materials[index - 1].known_limit.pressure))
+            sheet.work(code, f"S_{index}", getattr(found, code), f"p_P{index}/p_0")

@@ -12,7 +12,7 @@ from unittest.mock import patch
 from app import batch, endpoint, processes
 from app.batch import lines
 from app.calculations.hertz import HertzRequest
-from app.model import Values
+from app.model import StudyCalculation, Values
 from app.processes import Tell
 from app.registry import CALCULATIONS
 
@@ -58,7 +58,7 @@ def told_half_way(gate: Path, *asked: Any) -> None:
     def half(body: Any, report: Callable[[float], None]) -> Values:
         report(0.5)
         wait_at(gate)
-        assert study.reporting is not None
+        assert isinstance(study, StudyCalculation)
         return study.reporting(body, lambda share: None)
 
     with (

@@ -119,7 +119,8 @@ def test_points_satisfy_eq_1_on_either_flank(phi_1: float, half_turns: int) -> N
 def test_the_loaded_flank_has_an_arm_of_the_torques_sign(
     torque_sign: int, z_min: float, z_max: float
 ) -> None:
-    rollers = wheel_rollers(rollers_total=24, position_angle=0.1, z_min=z_min, z_max=z_max)
+    sizes = {"rollers_total": 24, "rollers_in_mesh": 24, "position_angle": 0.1}
+    rollers = wheel_rollers(**sizes, z_min=z_min, z_max=z_max)
     assert len(rollers) == 24
     result = contact_lines(**GEAR, rollers=rollers, torque_sign=torque_sign)
     assert result.accuracy.evaluations % len(NODES) == 0
@@ -227,7 +228,11 @@ def test_a_length_that_is_hardly_known_is_noticed() -> None:
 def test_a_wheel_knows_its_rollers_no_better_than_its_first_one() -> None:
     """Where the position of a roller is a small difference of large angles."""
     (*_, last) = wheel_rollers(
-        rollers_total=4, position_angle=-1.5 * math.pi + 1e-6, z_min=0.015, z_max=0.025
+        rollers_total=4,
+        rollers_in_mesh=4,
+        position_angle=-1.5 * math.pi + 1e-6,
+        z_min=0.015,
+        z_max=0.025,
     )
     assert last.position_angle == pytest.approx(1e-6, rel=EXACT)
     (of_wheel,) = contact_lines(**GEAR, rollers=[last]).lines

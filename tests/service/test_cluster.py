@@ -10,11 +10,11 @@ import httpx
 import numpy as np
 import pytest
 
-from app.cluster import on_cluster
+from app.cluster import Lost, on_cluster
 from core.output.elasticity import PowerLaw
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import RealMechanism
-from core.tolerance.study import Evaluation, Study
+from core.tolerance.study import Evaluation, Mapped, Study
 from core.tolerance.tolerances import Tolerances
 from tests.inputs.cluster import Cluster
 from tests.inputs.real_mechanisms import STEEL
@@ -63,7 +63,7 @@ def cluster() -> Iterator[Cluster]:
     found.stop()
 
 
-def never() -> None:
+def never(why: Lost) -> Mapped:
     raise AssertionError("the cluster is lost")
 
 
@@ -75,7 +75,7 @@ def test_a_cluster_gives_the_same_bits_with_a_worker_killed_on_the_way(
     cluster: Cluster, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     here = bits(STUDY.values(STUDY.pieces()))
-    there = replace(STUDY, mapped=on_cluster(cluster.address, None, never))
+    there = replace(STUDY, mapped=on_cluster(cluster.address, never))
     victim = cluster.workers[0]
 
     def third(done: int) -> None:
@@ -88,9 +88,13 @@ def test_a_cluster_gives_the_same_bits_with_a_worker_killed_on_the_way(
     assert bits(killed.values(killed.pieces())) == here
     assert victim.poll() is not None
     monkeypatch.setattr("app.cluster.version", lambda: "another")
-    lost: list[None] = []
-    other = on_cluster(cluster.address, STUDY.in_threads, lambda: lost.append(None))
-    own = replace(STUDY, mapped=other)
+    lost: list[Lost] = []
+
+    def once(why: Lost) -> Mapped:
+        lost.append(why)
+        return STUDY.in_threads
+
+    own = replace(STUDY, mapped=on_cluster(cluster.address, once))
     for _ in range(2):  # once lost it is not asked again
         assert bits(own.values(own.pieces())) == here and len(lost) == 1
 
