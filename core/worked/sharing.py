@@ -3,6 +3,7 @@
 import math
 
 from core.design.results import Results
+from core.errors import NotKnown
 from core.output.pin_beam import PinBeam, Support
 from core.worked.step import Sheet, total
 from core.worked.turn import IdealTurn, Position
@@ -143,8 +144,8 @@ def unit_steps(sheet: Sheet, *, results: Results, at: int, by: int) -> tuple[str
     return f"c_{marks}", f"s_{marks}"
 
 
-def ideal_turn(sheet: Sheet, *, results: Results) -> IdealTurn | None:
-    """The turn of the ideal forces; None where forces are solved, or there are too many pairs.
+def ideal_turn(sheet: Sheet, *, results: Results) -> IdealTurn:
+    """The turn of the ideal forces.
 
     Parameters
     ----------
@@ -155,11 +156,16 @@ def ideal_turn(sheet: Sheet, *, results: Results) -> IdealTurn | None:
 
     Returns
     -------
-    IdealTurn or None
+    IdealTurn
+
+    Raises
+    ------
+    NotKnown
+        If forces are solved, or there are too many pairs.
     """
     design = results.design
     if results.solved or design.mechanism.pairs > MOST_PAIRS:
-        return None
+        raise NotKnown("outside_method")
     sheet.take("v", "force_exponent", design.load.force_exponent)
     return IdealTurn(design.mechanism.built, design.load.force_exponent)
 
