@@ -31,8 +31,7 @@ from core.hertz import hertz
 from core.material_table import MATERIALS
 from core.materials import ElasticMaterial
 from core.numerics.inverse import solve_for
-from core.output.contact_force import contact_force, peak_force
-from core.output.cyclogram import cyclogram
+from core.output.contact_force import contact_force, cyclogram, peak_force
 from core.output.losses import BarePins, pin_losses
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam, face_load_factor
