@@ -18,7 +18,7 @@ from core.design.results import Results
 from core.design.ring import RingKind
 from core.design.sections import RollingBearing
 from core.errors import NotKnown, if_known, required
-from core.ring.involute import MOST_DIFFERENCE, STANDARD_ANGLES
+from core.ring.involute import MOST_DIFFERENCE, STANDARD_ANGLES, usual_rack
 from core.ring.possible_teeth import possible_teeth
 
 _LIFE_FIXES = (
@@ -123,8 +123,8 @@ def mesh_possible(design: Design, results: Results) -> Check:
         satellite_teeth=teeth,
         ring_teeth=teeth + gear.teeth_difference,
         module=gear.module,
-        pressure_angle=gear.reference_pressure_angle,
         eccentricity=eccentricity,
+        rack=usual_rack(pressure_angle=gear.reference_pressure_angle),
     )
     check = judged(mesh_possible, found.contact_ratio, 1.0)
     if check.status == "fail" and found.any_mesh:

@@ -183,7 +183,7 @@ class RingResults:
         """The same in each direction of the torque, N*m, that of the larger pressure first."""
         ways = WAYS[self.design.load.torque_direction]
         turns = [self.turn(way * torque) for way in ways]
-        return sorted(turns, key=lambda turn: turn.max_pressure or 0.0, reverse=len(ways) > 1)
+        return sorted(turns, key=lambda turn: turn.max_pressure, reverse=len(ways) > 1)
 
     @derived
     def working(self) -> list[MeshTurn]:

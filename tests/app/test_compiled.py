@@ -56,10 +56,12 @@ def test_all_that_is_called_of_the_loops_is_in_the_cache():
     assert {name: len(each) for name, each in before.items()} == dict.fromkeys(names, 1)
     asked = Counter[str]()
     for request in json.loads(CORPUS.read_text())[2::4]:
-        if request["path"] in WALKED and "contact" in request["body"]:
+        body = request["body"]
+        searches = "fixes" in body.get("include", ())  # which solve the same again and again
+        if request["path"] in WALKED and "contact" in body and not searches:
             calculation = CALCULATIONS[request["path"]]
             with suppress(ValidationError, InvalidInput, ImpossibleMechanism, Problem):
-                calculation.solve(calculation.request.model_validate(request["body"]))
+                calculation.solve(calculation.request.model_validate(body))
                 asked[request["path"]] += 1
     assert {*asked} == {*WALKED} and asked.total() > 30
     assert {name: getattr(kernel, name).signatures for name in names} == before
