@@ -42,6 +42,7 @@ from core.crank.balance import Counterweight
 from core.crank.satellite_bearing import BearingCurves, SatelliteBearings
 from core.design.curves import design_bearings
 from core.design.sections import RollingBearing, Seat, Shaft
+from core.errors import is_known
 from core.worked.crank import bearing_steps
 from core.worked.step import Step
 
@@ -250,9 +251,9 @@ class SatelliteBearingResponse(AssumingResponse):
         """Values of the core's arrays, a row for each satellite."""
         carries = result.peak_load > 0
         columns = {
-            name: from_si(name, np.where(carries, values, 0.0)).tolist()
+            name: from_si(name, np.where(carries, getattr(result, field), 0.0)).tolist()
             for name, field in COLUMNS.items()
-            if (values := getattr(result, field)) is not None
+            if is_known(lambda field=field: getattr(result, field))  # type: ignore[misc]
         }
         rows = [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
         for row, loaded in zip(rows, carries.tolist(), strict=True):

@@ -34,7 +34,7 @@ from tests.inputs.series import drawn as both_meshes
 @pytest.fixture(autouse=True)
 def found_as_before(monkeypatch):
     """Other tests find the loops that they had."""
-    monkeypatch.setattr(compiled, "_at_hand", compiled.at_hand())
+    monkeypatch.setattr(compiled, "_at_hand", compiled._at_hand)
 
 
 KINDS = range(8)
@@ -62,7 +62,7 @@ def pair_of_discs(**changes: object) -> RealMechanism:
 
 def both(calculate):
     """What comes out as it is, and compiled."""
-    compiled._at_hand = compiled.PLAIN
+    compiled._at_hand = compiled.plain
     plain = calculate()
     compiled.load()
     return plain, calculate()
@@ -163,7 +163,7 @@ def test_any_split_gives_the_same_bits(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize("loaded", [False, True])
 def test_a_refusal_says_why_in_both(loaded: bool) -> None:
     if not loaded:
-        compiled._at_hand = compiled.PLAIN
+        compiled._at_hand = compiled.plain
     soft = replace(pair_of_discs(), law=replace(LAWS[0], stiffness=1e3))
     for calculate in (
         lambda: over_turn(real=soft, output_torque=30.0),

@@ -536,10 +536,10 @@ READ = [name for name in dir(MeshTurn) if isinstance(getattr(MeshTurn, name), pr
 
 
 def test_interpreted_and_compiled_loops_give_the_same_bits(monkeypatch: Any) -> None:
-    monkeypatch.setattr(compiled, "_at_hand", compiled.at_hand())
+    monkeypatch.setattr(compiled, "_at_hand", compiled._at_hand)
     found = []
     for load in (False, True):
-        compiled._at_hand = compiled.PLAIN
+        compiled._at_hand = compiled.plain
         if load:
             compiled.load()
         rows = []

@@ -124,7 +124,7 @@ def test_the_summits_against_a_dense_walk(exact: bool, torque: float) -> None:
 
 def test_interpreted_and_compiled_loops_give_the_same_bits(monkeypatch: Any) -> None:
     series, found = series_of(discs=2, exact=True, **PHASES), []
-    for hand in (compiled.PLAIN, compiled.at_hand()):
+    for hand in (compiled.plain, compiled._at_hand):
         monkeypatch.setattr(compiled, "_at_hand", hand)
         turn = SeriesTurn(series, -160.0)
         rows = turn.poses([0.1, 2.3, 30.0])
