@@ -22,7 +22,7 @@ from app.theme import IDEAL, INK, Amount, Figure, Theme, axis, hover, layout, se
 from app.units import UNITS
 from app.worked import worked
 from core.errors import InvalidInput
-from core.output.cyclogram import Cyclogram, cyclogram
+from core.output.contact_force import Cyclogram, cyclogram
 from core.output.mechanism import AssemblyAngle, Mechanism, assembly_angles
 from core.worked.mechanism import cyclogram_steps
 from core.worked.step import Step

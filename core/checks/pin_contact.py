@@ -10,8 +10,8 @@ from core.checks.inputs import LIFE, LOADED, SLIDING
 from core.design.document import Design
 from core.design.results import Results
 from core.errors import NotKnown, if_known, is_known
-from core.hertz import SLIDING as KNOWN_SLIDING
 from core.hertz import HertzContact, force_factor
+from core.materials import SLIDING as KNOWN_SLIDING
 from core.materials import Body, ContactLimit, ElasticMaterial
 
 BODIES: tuple[Body, ...] = get_args(Body)

@@ -3,11 +3,10 @@
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------
 mechanism           pins, satellites, cranks: phases, output; how pins fit, where they are
-cyclogram           which pin/hole pairs drive, when, how many together
 driving_set         the pairs that drive together, segment by segment of the turn
 force_bounds        bounds of the force over a stretch, from what is known at its ends
 force_laws          the force of the best placed pair under each law of load sharing
-contact_force       force of each pair over the turn, its exact peak, and its approximation
+contact_force       which pairs drive, when, how many; their forces over the turn, the exact peak
 losses              friction of the pins: sliding speed, loss, efficiency, pv, wear
 pin_section         its section, solid or bored, and the wall about a bore
 pin_beam            a pin as a beam on three kinds of supports: moment, shear, deflection, slope

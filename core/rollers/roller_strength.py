@@ -89,7 +89,7 @@ Spacing = PositionTolerance | GivenGaps
 class ByPoissonsRatio:
     """Shear of a material by its Poisson's ratio mu, 0 <= mu < 0.5."""
 
-    poissons_ratio: Number
+    poissons_ratio: Number  # mu
 
     def modulus_ratio(self, youngs_modulus: Number) -> Number:
         """``E/G = 2*(1 + mu)``."""
@@ -101,7 +101,7 @@ class ByPoissonsRatio:
 class ByShearModulus:
     """Shear of a material by a modulus G of its own, Pa."""
 
-    shear_modulus: Number
+    shear_modulus: Number  # G, Pa
 
     def modulus_ratio(self, youngs_modulus: Number) -> Number:
         """E/G."""

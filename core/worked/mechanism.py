@@ -5,8 +5,7 @@ import math
 import numpy as np
 
 from core.arrays import FloatArray
-from core.output.contact_force import ContactForce
-from core.output.cyclogram import Cyclogram
+from core.output.contact_force import ContactForce, Cyclogram
 from core.output.mechanism import Mechanism, Members, assembly_angles, pressure_cosines
 from core.precision import CONVERGED, SAME
 from core.worked.members import take_torque

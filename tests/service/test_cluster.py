@@ -56,8 +56,9 @@ BODY: dict[str, Any] = {
 STREAM = {"accept": "application/x-ndjson"}
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def cluster() -> Iterator[Cluster]:
+    """Of it a worker is lost first, then the scheduler."""
     found = Cluster()
     yield found
     found.stop()

@@ -14,8 +14,7 @@ import pytest
 from core.errors import ImpossibleMechanism
 from core.hertz import hertz
 from core.materials import ElasticMaterial
-from core.output.contact_force import approximate_peak_ratio, force_ratios, peak_force
-from core.output.cyclogram import cyclogram
+from core.output.contact_force import approximate_peak_ratio, cyclogram, force_ratios, peak_force
 from core.output.mechanism import Mechanism, ratio_from_teeth
 from core.precision import CONVERGED, SEARCHED
 

@@ -9,8 +9,7 @@ import math
 import numpy as np
 import pytest
 
-from core.output.contact_force import force_ratios, peak_force
-from core.output.cyclogram import cyclogram
+from core.output.contact_force import cyclogram, force_ratios, peak_force
 from core.output.mechanism import Mechanism, assembly_angles, pin_geometry
 from core.precision import CONVERGED, SAME
 
