@@ -1,14 +1,11 @@
 """What every request and answer shares: strictness, units, accuracy, warnings."""
 
-import ast
-import inspect
 import math
-import sys
 from abc import abstractmethod
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property, lru_cache
-from itertools import chain, pairwise
+from itertools import chain
 from typing import (
     Annotated,
     Any,
@@ -149,35 +146,8 @@ def _complete_schema(schema: dict[str, Any]) -> None:
                 field[theirs] = field.pop(ours)
 
 
-@cache
-def _helps(module: str) -> dict[tuple[str, str], str]:
-    """The texts below the fields of a module's classes, by class and field."""
-    classes = ast.parse(inspect.getsource(sys.modules[module])).body
-    found = {}
-    for one in (each for each in classes if isinstance(each, ast.ClassDef)):
-        for field, below in pairwise(one.body):
-            match field, below:
-                case ast.AnnAssign(ast.Name(name)), ast.Expr(ast.Constant(str(text))):
-                    found[one.name, name] = text
-    return found
-
-
-def _help(model: type[BaseModel], field: str) -> str | None:
-    """The text below a field of a model, or of the one that it has the field from."""
-    owner = next(each for each in model.__mro__ if field in vars(each).get("__annotations__", ()))
-    return _helps(owner.__module__).get((owner.__name__, field))
-
-
 def request_schema(schema: dict[str, Any], model: type["RequestModel"]) -> None:
-    """The schema of a request: help of its fields, units, and which exclude or need each other.
-
-    The help is read from the source here, where it is asked: as each model is made, as pydantic
-    does it, it takes a fifth of the start of every process.
-    """
-    for name, field in model.model_fields.items():
-        shown = schema["properties"][field.alias or name]
-        if "description" not in shown and (text := _help(model, name)):
-            shown["description"] = text
+    """The schema of a request: units, and which of its fields exclude or need each other."""
     _complete_schema(schema)
     if rules := schema_rules(model):
         schema["allOf"] = rules
@@ -194,6 +164,7 @@ class RequestModel(BaseModel):
         extra="forbid",
         strict=True,
         allow_inf_nan=False,
+        use_attribute_docstrings=True,
         json_schema_extra=request_schema,
     )
 

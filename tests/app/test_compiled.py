@@ -20,7 +20,7 @@ from app.registry import CALCULATIONS
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.output import compiled as loops
 from core.output import sharing_kernel
-from core.output.contact_law import LinearLaw
+from core.output.elasticity import LinearLaw
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_mechanism import RealMechanism
@@ -56,10 +56,12 @@ def test_all_that_is_called_of_the_loops_is_in_the_cache():
     assert {name: len(each) for name, each in before.items()} == dict.fromkeys(names, 1)
     asked = Counter[str]()
     for request in json.loads(CORPUS.read_text())[2::4]:
-        if request["path"] in WALKED and "contact" in request["body"]:
+        body = request["body"]
+        searches = "fixes" in body.get("include", ())  # which solve the same again and again
+        if request["path"] in WALKED and "contact" in body and not searches:
             calculation = CALCULATIONS[request["path"]]
             with suppress(ValidationError, InvalidInput, ImpossibleMechanism, Problem):
-                calculation.solve(calculation.request.model_validate(request["body"]))
+                calculation.solve(calculation.request.model_validate(body))
                 asked[request["path"]] += 1
     assert {*asked} == {*WALKED} and asked.total() > 30
     assert {name: getattr(kernel, name).signatures for name in names} == before

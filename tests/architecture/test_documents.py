@@ -10,7 +10,7 @@ import pytest
 from app import VERSION
 from app.about import API
 from app.batch import SPELLINGS
-from app.main import create_app
+from app.main import app
 from app.registry import CALCULATIONS
 from app.settings import Settings
 from core.codes import WAS
@@ -84,7 +84,7 @@ def test_the_readme_lists_the_calculations_of_the_registry():
 def test_the_documents_of_the_api_name_every_path_and_kind_of_problem():
     text = (ROOT / "docs/api.md").read_text()
     named = {*re.findall(r"`(?:POST|GET) (/[\w/.-]*)`", text)}
-    paths = {path.removeprefix(API) for path in create_app().openapi()["paths"]}
+    paths = {path.removeprefix(API) for path in app.openapi()["paths"]}
     calculations = {f"/{name}" for name in CALCULATIONS} | {f"/{n}/chart" for n in CALCULATIONS}
     assert paths - calculations <= named
 

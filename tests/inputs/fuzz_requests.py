@@ -18,7 +18,8 @@ from app.examples import EXAMPLES
 from app.main import app
 from core.material_table import MATERIALS
 
-MODELS: dict[str, Any] = app.openapi()["components"]["schemas"]
+DESCRIPTION: dict[str, Any] = app.openapi()
+MODELS: dict[str, Any] = DESCRIPTION["components"]["schemas"]
 TYPICAL = {"mm": (0.5, 100), "Nm": (1, 1e4), "N": (1, 1e5), "GPa": (1, 300), "MPa": (10, 3e3)}
 """Usual sizes, by the last part of a name."""
 

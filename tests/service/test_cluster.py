@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from app.cluster import on_cluster
-from core.output.contact_law import PowerLaw
+from core.output.elasticity import PowerLaw
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import RealMechanism
 from core.tolerance.study import Evaluation, Study
