@@ -1,7 +1,6 @@
 """The page in every language: all its words, decimal signs, and the same numbers."""
 
 import re
-from collections.abc import Iterator
 
 import pytest
 from playwright.sync_api import Page, expect
@@ -74,57 +73,52 @@ def test_refusals_of_the_service_are_translated(browser, service: str) -> None: 
     context.close()
 
 
-def each_calculator(page: Page, service: str, language: str, width: int) -> Iterator[str]:
-    """Show one calculator after the other."""
-    page.set_viewport_size({"width": width, "height": 844})
-    for calculator in CALCULATORS:
-        page.goto(f"{service}/?calculator={calculator}&lang={language}")
-        settled(page)
-        yield calculator
-
-
-@pytest.mark.parametrize("width", [390, 320])
 @pytest.mark.parametrize("language", ["en", "uk", "ru"])
-def test_every_tab_and_heading_is_in_sight_on_a_phone(
-    page: Page, service: str, language: str, width: int
+@pytest.mark.parametrize("calculator", CALCULATORS)
+def test_words_have_their_room_at_every_width(
+    page: Page, service: str, calculator: str, language: str
 ) -> None:
-    for calculator in each_calculator(page, service, language, width):
-        expect(page.locator(f"#tab-{calculator}")).to_have_attribute("aria-selected", "true")
-        room = page.locator(".tabs").evaluate(
-            "({ scrollWidth, clientWidth, scrollHeight, clientHeight }) =>"
-            " [scrollWidth - clientWidth, scrollHeight - clientHeight]"
-        )
-        assert room == [0, 0], calculator
-        headings = page.locator("figcaption h2, .head h2, .compare-head h2, .worked h2")
-        cut = headings.evaluate_all(
-            "(all) => all.filter((h) => h.scrollWidth > h.clientWidth).map((h) => h.innerText)"
-        )
-        assert cut == [], calculator  # nor under the buttons beside it
+    page.set_viewport_size({"width": 390, "height": 844})
+    page.goto(f"{service}/?calculator={calculator}&lang={language}")
+    settled(page)
+    expect(page.locator(f"#tab-{calculator}")).to_have_attribute("aria-selected", "true")
+    for width in (390, 320):
+        page.set_viewport_size({"width": width, "height": 844})
+        tabs_and_headings_are_in_sight(page)
+    page.evaluate("() => document.querySelectorAll('.form details').forEach((d) => d.open = true)")
+    for width in (360, 1400):
+        page.set_viewport_size({"width": width, "height": 844})
+        names_break_between_words_only(page)
 
 
-@pytest.mark.parametrize("width", [1400, 360])
-@pytest.mark.parametrize("language", ["en", "uk", "ru"])
-def test_names_of_fields_break_between_words_only(
-    page: Page, service: str, language: str, width: int
-) -> None:
-    """Or at a soft hyphen that is written into them."""
-    for _ in each_calculator(page, service, language, width):
-        page.evaluate(
-            "() => document.querySelectorAll('.form details').forEach((d) => d.open = true)"
-        )
-        broken = page.evaluate(
-            """() => [...document.querySelectorAll(".field-name, .choice > legend")]
-              .filter((name) => name.offsetParent && name.firstChild)
-              .flatMap(({ firstChild: text }) => [...text.data.matchAll(/[^\\s\\u00ad-]+/g)]
-                .filter((word) => {
-                  const range = document.createRange();
-                  range.setStart(text, word.index);
-                  range.setEnd(text, word.index + word[0].length);
-                  const lines = [...range.getClientRects()].map(({ top }) => Math.round(top));
-                  return new Set(lines).size > 1;
-                }).map(([word]) => `${text.data}: ${word}`))"""
-        )
-        assert broken == []
+def tabs_and_headings_are_in_sight(page: Page) -> None:
+    room = page.locator(".tabs").evaluate(
+        "({ scrollWidth, clientWidth, scrollHeight, clientHeight }) =>"
+        " [scrollWidth - clientWidth, scrollHeight - clientHeight]"
+    )
+    assert room == [0, 0]
+    headings = page.locator("figcaption h2, .head h2, .compare-head h2, .worked h2")
+    cut = headings.evaluate_all(
+        "(all) => all.filter((h) => h.scrollWidth > h.clientWidth).map((h) => h.innerText)"
+    )
+    assert cut == []  # nor under the buttons beside it
+
+
+def names_break_between_words_only(page: Page) -> None:
+    """Names of fields; or at a soft hyphen that is written into them."""
+    broken = page.evaluate(
+        """() => [...document.querySelectorAll(".field-name, .choice > legend")]
+          .filter((name) => name.offsetParent && name.firstChild)
+          .flatMap(({ firstChild: text }) => [...text.data.matchAll(/[^\\s\\u00ad-]+/g)]
+            .filter((word) => {
+              const range = document.createRange();
+              range.setStart(text, word.index);
+              range.setEnd(text, word.index + word[0].length);
+              const lines = [...range.getClientRects()].map(({ top }) => Math.round(top));
+              return new Set(lines).size > 1;
+            }).map(([word]) => `${text.data}: ${word}`))"""
+    )
+    assert broken == []
 
 
 def test_help_is_in_sight_covers_not_its_box_and_moves_nothing(page: Page, service: str) -> None:
