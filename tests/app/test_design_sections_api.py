@@ -500,7 +500,6 @@ async def test_wear_over_the_required_life(api):
 
 
 FAILING = {
-    "pins": changed(pin=DESIGN["pin"] | {"diameter_mm": 16.0}, load__output_torque_Nm=800.0),
     "sleeved pins": changed(
         pin=DESIGN["pin"] | {"diameter_mm": 11.0}, friction__sleeve=True, bearing=None
     ),
