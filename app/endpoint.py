@@ -26,6 +26,8 @@ from app.problems import (
     REFUSED,
     RESPONSES,
     Problem,
+    calculated,
+    named,
     problem_of,
     refusal,
     unavailable,
@@ -34,7 +36,6 @@ from app.problems import (
 from app.processes import Tell, in_parts, in_process, wanted
 from app.record import Record, at_hand
 from app.registry import CALCULATIONS, EXPORTS
-from app.running import calculated, named
 from app.settings import Settings
 from app.theme import Theme, with_words
 from core.errors import ImpossibleMechanism, InvalidInput

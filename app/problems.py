@@ -1,8 +1,12 @@
-"""Errors as problem details (RFC 9457): one shape, one table from exception to status."""
+"""Errors as problem details (RFC 9457): one shape, one table from exception to status; and a
+calculation for a request, timed, its refusals in the request's own names.
+"""
 
+import re
+import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, fields, replace
-from typing import Annotated, Any, Self, cast
+from typing import Annotated, Any, Self, TypeVar, cast
 
 import orjson
 from fastapi import Request
@@ -13,11 +17,11 @@ from pydantic_core import ErrorDetails
 from starlette.exceptions import HTTPException
 
 from app.jobs import Busy, CannotRun, Stopped, TooLong
-from app.model import REPLACED, UNION_TAGS, Maybe, api_params, present
-from app.record import root_path
-from app.units import api_value
+from app.model import REPLACED, UNION_TAGS, Maybe, RequestModel, api_params, present
+from app.record import at_hand, root_path
+from app.units import api_value, from_si
 from core.codes import CODES, REFUSALS, WAS
-from core.errors import ImpossibleMechanism
+from core.errors import ImpossibleMechanism, InvalidInput, NotKnown
 
 MEDIA_TYPE = "application/problem+json"
 
@@ -417,3 +421,85 @@ def problem_of(error: Exception) -> Problem:
 async def refused(_: Request, error: Exception) -> Response:
     """Answer of an exception of `REFUSED`."""
     return problem_of(error).response()
+
+
+Result = TypeVar("Result")
+
+COMPARING = frozenset(
+    {
+        "at_most",
+        "below_working",
+        "beyond_support",
+        "greater_than",
+        "greater_than_equal",
+        "in_carrier",
+        "larger_than",
+        "less_than",
+        "less_than_equal",
+        "no_cycloid",
+        "no_mesh",
+        "no_sleeve",
+        "other_pitch",
+        "smaller_than",
+        "too_near",
+        "too_thick",
+        "undercut",
+    }
+)
+"""Refusals whose `limit` is a value of the refused field, in its unit."""
+
+
+def timed(calculation: Callable[[], Result]) -> tuple[Result, float]:
+    """Result of a calculation and its run time, microseconds to a tenth."""
+    start = time.perf_counter_ns()
+    result = calculation()
+    return result, (time.perf_counter_ns() - start) // 100 / 10
+
+
+def calculated(body: RequestModel, calculation: Callable[[], Result]) -> Result:
+    """What is calculated of a request, whose record has how long it took; a refusal names the
+    body's fields.
+    """
+    try:
+        result, run_time_us = timed(calculation)
+    except InvalidInput as error:
+        raise named(error, body) from error
+    except NotKnown as error:
+        if error.refusal is None:  # what a section needs is required of its request
+            raise
+        raise named(error.refusal, body) from error
+    except ImpossibleMechanism as error:
+        if not error.parameter:
+            raise
+        place = pointer(path_of(body, error.parameter))
+        raise impossible(error, place) from error
+    if record := at_hand.get():
+        record.calculation_took(run_time_us)
+    return result
+
+
+def named(error: InvalidInput, body: RequestModel) -> Problem:
+    """A refusal of the core in the names of a request's fields."""
+    path = path_of(body, error.parameter)
+    params = api_params(error.params)
+    if error.code in COMPARING:
+        field = next((part for part in reversed(path) if isinstance(part, str)), "")
+        params["limit"] = from_si(field, params["limit"])
+    return refusal(pointer(path), error.code, **params)
+
+
+def path_of(body: RequestModel, parameter: str) -> tuple[str | int, ...]:
+    """Path of the field of a core parameter in a request, ``rollers[2].z_max`` included; empty
+    where it has none.
+    """
+    path = body.core_paths.get(parameter, ())
+    if path or "[" not in parameter:
+        return path
+    parts = re.findall(r"[^.\[\]]+", parameter)
+    own = [part for part in parts if not part.isdigit()]
+    path = body.core_paths.get(".".join(own), ())
+    if not path:
+        return path
+    above = len(path) - len(own)
+    names = iter(path[above:])
+    return (*path[:above], *(int(part) if part.isdigit() else next(names) for part in parts))

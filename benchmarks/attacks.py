@@ -21,7 +21,7 @@ import sys
 import tempfile
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack, suppress
 from copy import deepcopy
@@ -261,7 +261,7 @@ def crowded(
 
 def memory_mb(running: Service) -> float:
     """Memory of all processes of the service, each shared page counted once."""
-    return sample(running.process.pid, 0.0).memory_mb
+    return sample(running.pid, 0.0).memory_mb
 
 
 def first_with_clearance(client: httpx.Client) -> float:
@@ -294,10 +294,12 @@ def kept(r: random.Random) -> bool:
         return there and ended.returncode == 1
 
 
-def faults(variants: int, seed: int, smallest: bool) -> Iterator[str]:
+def faults(
+    variants: int, seed: int, smallest: bool, asked_of: Sequence[int] | None
+) -> Iterator[str]:
     """Send all, say what came of it, and what did not hold."""
     r = random.Random(seed)
-    with service("app.serve") as running:
+    with service("app.serve", running=asked_of) as running:
         url = f"http://127.0.0.1:{running.port}"
         asked = []
         with httpx.Client(base_url=f"{url}/api/v1/", timeout=240) as client:
@@ -345,17 +347,21 @@ def faults(variants: int, seed: int, smallest: bool) -> Iterator[str]:
         yield "a file or a socket was taken"
 
 
-def main(variants: int, seed: int, smallest: bool = False) -> int:
+def main(
+    variants: int, seed: int, smallest: bool = False, asked_of: Sequence[int] | None = None
+) -> int:
     """Run the attacks; 1 if the service did not hold."""
     print(f"{variants} variants, seed {seed}", flush=True)
-    os.environ["KHV_RECEIVE_SECONDS"] = str(RECEIVE_S)
-    found = [*faults(variants, seed, smallest)]
+    if asked_of is None:
+        os.environ["KHV_RECEIVE_SECONDS"] = str(RECEIVE_S)
+    found = [*faults(variants, seed, smallest, asked_of)]
     for fault in found:
         print(f"FAULT: {fault}")
     return bool(found) and not smallest
 
 
 if __name__ == "__main__":
-    given = options(__doc__, variants=VARIANTS, seed=None)
+    given = options(__doc__, asks=True, variants=VARIANTS, seed=None)
     seed = random.randrange(10**6) if given.seed is None else given.seed
-    sys.exit(main(1, 0, smallest=True) if given.smallest else main(given.variants, seed))
+    drawn = (1, 0) if given.smallest else (given.variants, seed)
+    sys.exit(main(*drawn, given.smallest, given.service))

@@ -7,6 +7,8 @@ answers with curves, and requests that are all refused.
 
 import sys
 import time
+from collections.abc import Sequence
+from contextlib import ExitStack
 from typing import Any
 
 import httpx
@@ -27,13 +29,13 @@ SHAPES["load-sharing"] = ("load-sharing", REQUESTS["load-sharing"] | {"include":
 SHAPES |= {"curves": ("contact-force", CURVES | {"samples": 100}), "refused": ("hertz", {})}
 
 
-def main(together: int = TOGETHER, rounds: int = ROUNDS) -> int:
+def main(together: int, parts: int, rounds: int, asked_of: Sequence[int] | None) -> int:
     """Print the table; 1 if a large batch costs more than it may."""
     dearer = []
-    with (
-        running("app.serve") as service,
-        httpx.Client(base_url=f"http://127.0.0.1:{service.port}{API}", timeout=600) as client,
-    ):
+    with ExitStack() as stack:
+        port = asked_of[1] if asked_of else stack.enter_context(running("app.serve")).port
+        url = f"http://127.0.0.1:{port}{API}"
+        client = stack.enter_context(httpx.Client(base_url=url, timeout=600))
 
         def seconds(calculation: str, request: dict[str, Any], size: int, times: int) -> float:
             batch = {"calculation": calculation, "requests": [request] * size}
@@ -44,11 +46,11 @@ def main(together: int = TOGETHER, rounds: int = ROUNDS) -> int:
                     raise RuntimeError(answer.text)
             return time.perf_counter() - started
 
-        print(f"{'batch of':26s} {f'{PARTS} x':>9s} {'1 x, ms':>9s} {'ratio':>6s}")
+        print(f"{'batch of':26s} {f'{parts} x':>9s} {'1 x, ms':>9s} {'ratio':>6s}")
         for shape, (calculation, request) in SHAPES.items():
             took = [
                 (
-                    seconds(calculation, request, together // PARTS, PARTS),
+                    seconds(calculation, request, together // parts, parts),
                     seconds(calculation, request, together, 1),
                 )
                 for _ in range(rounds + 1)
@@ -62,8 +64,8 @@ def main(together: int = TOGETHER, rounds: int = ROUNDS) -> int:
 
 
 if __name__ == "__main__":
-    asked = options(__doc__, rounds=ROUNDS)
+    asked = options(__doc__, asks=True, rounds=ROUNDS)
     if asked.smallest:
-        main(together=10, rounds=1)
+        main(2, 2, 1, asked.service)
     else:
-        sys.exit(main(rounds=asked.rounds))
+        sys.exit(main(TOGETHER, PARTS, asked.rounds, asked.service))

@@ -28,10 +28,10 @@ def main(requests: int, seed: int | None) -> int:
     seed = random.randrange(10**6) if seed is None else seed
     print(f"{requests} requests, seed {seed}", flush=True)
     report, start = Report(), time.perf_counter()
+    parts = min(requests, 4 * PROCESSES)
+    shares = repeat(-(-requests // parts)), range(seed, seed + parts)
     with ProcessPoolExecutor(PROCESSES) as pool:
-        parts = min(requests, 4 * PROCESSES)
-        share = -(-requests // parts)
-        for part in pool.map(run, repeat(share), range(seed, seed + parts)):
+        for part in map(run, *shares) if parts == 1 else pool.map(run, *shares):
             report.add(part)
     for endpoint in sorted({endpoint for endpoint, _ in report.answers}):
         counts = {status: n for (name, status), n in report.answers.items() if name == endpoint}

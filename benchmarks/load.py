@@ -195,14 +195,15 @@ async def load(
 
 @dataclass(slots=True)
 class Service:
-    """A running service: its parent process and its port."""
+    """A running service: its parent process and its port; the former to stop it, if it is ours."""
 
-    process: subprocess.Popen[bytes]
+    pid: int
     port: int
+    process: subprocess.Popen[bytes] | None = None
 
     def workers(self) -> list[int]:
-        """Process ids of the workers."""
-        return _children(self.process.pid, b"spawn_main")
+        """Process ids of the workers; of one alone it is the parent's."""
+        return _children(self.pid, b"spawn_main") or [self.pid]
 
     def calculators(self) -> list[int]:
         """Process ids of what calculates for the workers: what their fork servers have started."""
@@ -230,22 +231,27 @@ def _children(pid: int, called: bytes = b"") -> list[int]:
 
 
 @contextlib.contextmanager
-def service(*command: str) -> Iterator[Service]:
-    """Start a service with two workers on a free port; stop it at the end."""
+def service(*command: str, running: Sequence[int] | None = None) -> Iterator[Service]:
+    """Start a service with two workers on a free port, and stop it at the end; or take one that is
+    running, by its process and port.
+    """
+    if running:
+        yield Service(*running)
+        return
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
     command = (sys.executable, "-m", *command, "--port", str(port), "--workers", str(WORKERS))
     process = subprocess.Popen(command, stdout=subprocess.DEVNULL)
     try:
-        running = Service(process, port)
+        started = Service(process.pid, port, process)
         deadline = time.monotonic() + 60
-        while len(running.workers()) < WORKERS or not _answers(port):
+        while len(started.workers()) < WORKERS or not _answers(port):
             if time.monotonic() > deadline or process.poll() is not None:
                 raise TimeoutError("the service does not start")
             time.sleep(0.1)
         time.sleep(2)  # the other worker too
-        yield running
+        yield started
     finally:
         process.terminate()
         process.wait(60)
@@ -302,6 +308,7 @@ def main(connections: int, seconds: float = SECONDS) -> int:
         if count.unanswered or count.cut or not {*count.statuses} <= {200, 503}:
             faults.append("a killed process for calculations cost more than its own requests")
 
+        assert running.process
         count, rate = run(running, HERTZ, after=[(seconds / 2, running.process.terminate)])
         code = running.process.wait(60)
         print(f"stopped (SIGTERM): {count}; exit status {code}")
@@ -314,4 +321,4 @@ def main(connections: int, seconds: float = SECONDS) -> int:
 
 if __name__ == "__main__":
     asked = options(__doc__, connections=CONNECTIONS)
-    sys.exit(main(20, seconds=1.0) if asked.smallest else main(asked.connections))
+    sys.exit(main(8, seconds=0.2) if asked.smallest else main(asked.connections))

@@ -4,11 +4,27 @@ import argparse
 from collections.abc import Collection
 
 
+def add_service(parser: argparse.ArgumentParser) -> None:
+    """Let a benchmark whose matter is not the start ask a service that runs already."""
+    parser.add_argument(
+        "--service",
+        nargs=2,
+        type=int,
+        metavar=("PID", "PORT"),
+        help="process and port of a service that runs already: it is asked, and none is started; "
+        "its settings and its number of workers are what it was started with",
+    )
+
+
 def options(
-    about: str | None, rows: Collection[str] = (), **numbers: int | None
+    about: str | None,
+    rows: Collection[str] = (),
+    *,
+    asks: bool = False,
+    **numbers: int | None,
 ) -> argparse.Namespace:
-    """Arguments of a benchmark: its numbers in order, with their defaults, `smallest`, and which
-    of its rows only, if it can do with some.
+    """Arguments of a benchmark: its numbers in order, with their defaults, `smallest`, which of its
+    rows only, if it can do with some, and the service that it asks, if it can do with any.
     """
     parser = argparse.ArgumentParser(description=about)
     for name, usual in numbers.items():
@@ -18,6 +34,8 @@ def options(
         action="store_true",
         help="a run of seconds that writes no file and judges no times: does it still work?",
     )
+    if asks:
+        add_service(parser)
     if rows:
         parser.add_argument(
             "--only", choices=rows, action="append", help="a row to make anew; may be repeated"

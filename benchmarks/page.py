@@ -8,7 +8,7 @@ frame of the moving drawing takes; the mark is the time from one frame of a scre
 
 import statistics
 import sys
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 
 from playwright.sync_api import Browser, Page
 
@@ -101,9 +101,10 @@ def measure(page: Page, service: str, calculator: str, rounds: int) -> tuple[flo
     return tuple(statistics.median(each[name] for each in times) for name in ("numbers", "figures"))
 
 
-def main(rounds: int, calculators: Collection[str]) -> bool:
+def main(rounds: int, calculators: Collection[str], asked_of: Sequence[int] | None = None) -> bool:
     """Measure these calculators; whether a mark is missed."""
-    with running_service("app.serve") as service, chromium.started() as browser:
+    serving = running_service("app.serve", running=asked_of)
+    with serving as service, chromium.started() as browser:
         page, missed = browser.new_page(), False
         address = f"http://127.0.0.1:{service.port}"
         for calculator in calculators:
@@ -122,6 +123,7 @@ def main(rounds: int, calculators: Collection[str]) -> bool:
 
 
 if __name__ == "__main__":
-    smallest = options(__doc__).smallest
-    missed = main(1, ["rollers"]) if smallest else main(ROUNDS, CALCULATORS)
-    sys.exit(missed and not smallest)
+    asked = options(__doc__, asks=True)
+    rounds, calculators = (1, ["rollers"]) if asked.smallest else (ROUNDS, CALCULATORS)
+    missed = main(rounds, calculators, asked.service)
+    sys.exit(missed and not asked.smallest)

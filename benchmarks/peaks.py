@@ -20,18 +20,21 @@ from pathlib import Path
 from benchmarks.options import options
 from core.errors import ImpossibleMechanism
 from core.output.compiled import load
-from core.output.contact_law import HertzLaw, LinearLaw, PalmgrenLaw, PowerLaw
+from core.output.elasticity import (
+    RIGID_SUPPORT,
+    CrankSupport,
+    ElasticMesh,
+    HertzLaw,
+    LinearLaw,
+    PalmgrenLaw,
+    PowerLaw,
+    SatelliteSupport,
+    Shares,
+)
 from core.output.loop_rows import FORCE
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_mechanism import Deviations, RealMechanism
-from core.output.satellite_support import (
-    RIGID_SUPPORT,
-    CrankSupport,
-    ElasticMesh,
-    SatelliteSupport,
-    Shares,
-)
 from core.output.turn import Turn
 from tests.inputs.real_mechanisms import STEEL
 

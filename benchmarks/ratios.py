@@ -16,7 +16,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from typing import Any
@@ -26,6 +26,7 @@ import httpx
 from app.about import API
 from app.examples import REQUESTS
 from benchmarks.batches import TOGETHER
+from benchmarks.options import add_service
 from benchmarks.page import first_figure
 from benchmarks.revision import ROOT, extract
 from benchmarks.service import BODIES, CURVES
@@ -77,19 +78,8 @@ def requests(together: int) -> Asked:
 class Running:
     """The service of a revision."""
 
-    def __init__(self, folder: Path) -> None:
-        environment = os.environ | {"PYTHONPATH": "."}
-        subprocess.run([sys.executable, "-m", "app.compiled"], cwd=folder, env=environment)
-        self.folder = folder
-        self.process = subprocess.Popen(
-            [sys.executable, "-m", "app.serve", "--port", "0"],
-            cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-            text=True,
-        )  # fmt: skip
-        assert self.process.stdout
-        line = next(each for each in self.process.stdout if "running on http" in each)
-        self.url = line.split("running on ")[1].split()[0].rstrip('",')
-        subprocess.Popen(["cat"], stdin=self.process.stdout, stdout=subprocess.DEVNULL)
+    def __init__(self, folder: Path, pid: int, port: int) -> None:
+        self.folder, self.pid, self.url = folder, pid, f"http://127.0.0.1:{port}"
         self.client = httpx.Client(base_url=f"{self.url}{API}/", timeout=600)
         while self.client.get(f"{self.url}/readyz").status_code != 200:
             time.sleep(0.1)
@@ -97,7 +87,7 @@ class Running:
     def seconds(self) -> float:
         """Processor time of all its processes."""
         spent = 0
-        for pid in family(self.process.pid):
+        for pid in family(self.pid):
             with suppress(FileNotFoundError, ProcessLookupError):
                 for task in Path(f"/proc/{pid}/task").iterdir():
                     spent += int((task / "schedstat").read_text().split()[0])
@@ -116,15 +106,32 @@ class Running:
 
 
 @contextmanager
-def running(folder: Path) -> Iterator[Running]:
-    """Start a service; stop it at the end."""
-    service = Running(folder)
+def started(folder: Path) -> Iterator[tuple[int, int]]:
+    """Start a service, and stop it at the end: its process and its port."""
+    environment = os.environ | {"PYTHONPATH": "."}
+    subprocess.run([sys.executable, "-m", "app.compiled"], cwd=folder, env=environment)
+    process = subprocess.Popen(
+        [sys.executable, "-m", "app.serve", "--port", "0"],
+        cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+    )  # fmt: skip
     try:
-        yield service
+        assert process.stdout
+        line = next(each for each in process.stdout if "running on http" in each)
+        subprocess.Popen(["cat"], stdin=process.stdout, stdout=subprocess.DEVNULL)
+        address = line.split("running on ")[1].split()[0].rstrip('",')
+        yield process.pid, int(address.rpartition(":")[2])
     finally:
-        service.client.close()
-        service.process.terminate()
-        service.process.wait(60)
+        process.terminate()
+        process.wait(60)
+
+
+@contextmanager
+def running(folder: Path, asked_of: Sequence[int] | None = None) -> Iterator[Running]:
+    """The service of a revision: one that is running, by its process and port, or a new one."""
+    with ExitStack() as stack:
+        service = Running(folder, *(asked_of or stack.enter_context(started(folder))))
+        stack.callback(service.client.close)
+        yield service
 
 
 def measured(both: list[Running], asked: Asked, rounds: int) -> Iterator[tuple[str, float, float]]:
@@ -155,14 +162,14 @@ def until_the_figure(both: list[Running], rounds: int) -> tuple[str, float, floa
     return "first figure", first, statistics.median(new / old for old, new in took)
 
 
-def main(base: str, smallest: bool = False) -> int:
+def main(base: str, smallest: bool, asked_of: Sequence[int] | None) -> int:
     """Print the table; 1 if this revision takes longer than it may."""
     rounds = 1 if smallest else ROUNDS
     with tempfile.TemporaryDirectory() as temporary, ExitStack() as stack:
         other = Path(temporary)
         if not smallest:
             extract(base, other)
-        own = stack.enter_context(running(ROOT))
+        own = stack.enter_context(running(ROOT, asked_of))
         both = [own if smallest else stack.enter_context(running(other)), own]
         asked = requests(10 if smallest else TOGETHER)
         if smallest:
@@ -183,5 +190,6 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("base", nargs="?", default="HEAD", help="the revision to compare with")
     parser.add_argument("--smallest", action="store_true", help="a few, of this revision alone")
+    add_service(parser)  # of this revision
     given = parser.parse_args()
-    sys.exit(main(given.base, given.smallest))
+    sys.exit(main(given.base, given.smallest, given.service))

@@ -19,7 +19,7 @@ import sys
 import time
 import timeit
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from operator import truediv
 from pathlib import Path
 from typing import Any
@@ -257,23 +257,27 @@ def compared(
     return [(first.cost(one), second.cost(other)) for _ in range(rounds + 1)][1:]
 
 
-def start_up() -> float:
+def start_up(service: Server) -> float:
     """Seconds from the start of the service to its first answer."""
-    with running("app.serve") as service:
-        service.ask(post("/api/v1/hertz", BODIES["hertz"]))
-        return time.perf_counter() - service.started
+    service.ask(post("/api/v1/hertz", BODIES["hertz"]))
+    return time.perf_counter() - service.started
 
 
 def main(rounds: int = ROUNDS, starts: int = 4, loops: int = LOOPS) -> None:
     """Print the table, the times of the parts, and how long the service takes to start."""
     os.sched_setaffinity(0, {CLIENT})
     uvloop.run(in_process(rounds))
-    started = [start_up() for _ in range(starts)]
-    with (
-        running("uvicorn", "benchmarks.service:bare", *QUIET) as bare_one,
-        running("uvicorn", "benchmarks.service:empty", "--factory", *QUIET) as empty_one,
-        running("app.serve") as service,
-    ):
+    started = []
+    with ExitStack() as stack:
+        for left in reversed(range(starts)):
+            service = stack.enter_context(running("app.serve"))
+            started.append(start_up(service))
+            if left:
+                stack.close()
+        bare_one, empty_one = (
+            stack.enter_context(running("uvicorn", f"benchmarks.service:{named}", *rest, *QUIET))
+            for named, *rest in (("bare",), ("empty", "--factory"))
+        )
         time.sleep(2)  # the process for long calculations, which the service starts
         for each in (bare_one, empty_one, service):
             each.connect()

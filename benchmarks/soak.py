@@ -15,6 +15,7 @@ import os
 import sys
 import time
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from statistics import mean
@@ -144,11 +145,11 @@ def drawn(samples: list[Sample]) -> str:
     )
 
 
-def main(minutes: float, write: bool) -> int:
+def main(minutes: float, write: bool, asked_of: Sequence[int] | None) -> int:
     """Run, draw, and say what stayed; 1 if something grew or failed."""
-    with service("app.serve") as running:
+    with service("app.serve", running=asked_of) as running:
         url = f"http://127.0.0.1:{running.port}"
-        samples, answers = asyncio.run(run(running.process.pid, url, minutes))
+        samples, answers = asyncio.run(run(running.pid, url, minutes))
     failed = sum(count for (_, status), count in answers.items() if status == "500")
     print("| kind | what came of it |\n|---|---|")
     for kind in dict.fromkeys(kind for kind, _ in sorted(answers)):
@@ -175,5 +176,6 @@ def main(minutes: float, write: bool) -> int:
 
 
 if __name__ == "__main__":
-    asked = options(__doc__, minutes=MINUTES)
-    sys.exit(main(0.05, False) if asked.smallest else main(asked.minutes, True))
+    asked = options(__doc__, asks=True, minutes=MINUTES)
+    minutes = 0.01 if asked.smallest else asked.minutes
+    sys.exit(main(minutes, not asked.smallest, asked.service))

@@ -17,7 +17,6 @@ from app.calculations.crank_planetary_request import CrankPlanetaryRequest
 from app.examples import REQUESTS
 from benchmarks.options import options
 from core.checks.crank_planetary import crank_checks
-from core.conformal import conformal_contact
 from core.crank.bearing_life import rating_life
 from core.crank.crankshaft import crankshaft
 from core.crank.ring_mesh import RingMesh
@@ -27,15 +26,13 @@ from core.design.results import Results
 from core.design.sections import Contact, Load, MechanismSection
 from core.fatigue import size_factor, utilisation
 from core.fixes.crank import crank_fixes
-from core.hertz import hertz
+from core.hertz import conformal_contact, hertz
 from core.material_table import MATERIALS
 from core.materials import ElasticMaterial
 from core.numerics.inverse import solve_for
-from core.output.contact_force import contact_force
-from core.output.cyclogram import cyclogram
+from core.output.contact_force import contact_force, cyclogram, peak_force
 from core.output.losses import BarePins, pin_losses
 from core.output.mechanism import Mechanism
-from core.output.peak_force import peak_force
 from core.output.pin_beam import PinBeam, face_load_factor
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import pin_strength

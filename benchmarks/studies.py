@@ -9,7 +9,7 @@ import os
 import statistics
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 from multiprocessing import get_context
@@ -18,7 +18,6 @@ import httpx
 import numpy as np
 
 from app.cluster import on_cluster
-from benchmarks.load import service
 from benchmarks.options import options
 from benchmarks.sharing import study_of
 from core.output import compiled
@@ -86,8 +85,10 @@ def _cores(samples: int, rounds: int) -> None:
     print(f"two threads {two:.2f} times one, two processes {both:.2f}: {two / both:.2f} of that")
 
 
-def _cluster(samples: int) -> None:
-    """Workers beside a thread here: the same bits, times of the wall and of the processor."""
+def _cluster(samples: int, most: int) -> None:
+    """One worker, up to so many, beside a thread here: the same bits, times of the wall and of the
+    processor.
+    """
     study = _study(samples)
     pieces = study.pieces()
     begun = time.process_time()
@@ -95,7 +96,7 @@ def _cluster(samples: int) -> None:
     taken, here = time.process_time() - begun, study.values(pieces)[0]
     solves = samples * POSITIONS
     print(f"{solves:.1e} positions: {wall:.1f} s here, {solves / wall:.3g} a second")
-    for workers in (1, 2):
+    for workers in range(1, most + 1):
         cluster = Cluster(workers)
         try:
             there = replace(study, mapped=on_cluster(cluster.address, None, lambda: None))
@@ -114,10 +115,12 @@ def _cluster(samples: int) -> None:
         )
 
 
-def _beside(samples: int, seconds: float) -> None:
+def _beside(samples: int, seconds: float, asked_of: Sequence[int] | None) -> None:
     """A small request and `/livez`, alone and beside two studies that the service calculates."""
+    from benchmarks.load import service  # all of the service, which processes above can do without
+
     body = BODY | {"samples": samples}
-    with service("app.serve") as running:
+    with service("app.serve", running=asked_of) as running:
         url, done = f"http://127.0.0.1:{running.port}", threading.Event()
 
         def study() -> None:
@@ -151,14 +154,15 @@ def _beside(samples: int, seconds: float) -> None:
     )
 
 
-def main(smallest: bool) -> None:
+def main(smallest: bool, asked_of: Sequence[int] | None) -> None:
     """Print what each takes."""
     compiled.load()
     _study(64).values(_study(64).pieces())
     _cores(256 if smallest else 65_536, 1 if smallest else 5)
-    _cluster(4096 if smallest else 166_667)
-    _beside(300 if smallest else 6_900, 0.3 if smallest else 15.0)
+    _cluster(*(4096, 1) if smallest else (166_667, 2))
+    _beside(*(300, 0.3) if smallest else (6_900, 15.0), asked_of)
 
 
 if __name__ == "__main__":
-    main(options(__doc__).smallest)
+    asked = options(__doc__, asks=True)
+    main(asked.smallest, asked.service)

@@ -17,7 +17,7 @@ import numpy as np
 from benchmarks.options import options
 from benchmarks.sharing import STEEL, TOLERANCES
 from core.output import compiled
-from core.output.contact_law import (
+from core.output.elasticity import (
     RIGID_PINS,
     ContactLaw,
     HertzLaw,

@@ -19,7 +19,7 @@ import numpy as np
 from benchmarks.options import options
 from core.errors import ImpossibleMechanism
 from core.output.compiled import load
-from core.output.contact_law import LinearLaw, PowerLaw
+from core.output.elasticity import LinearLaw, PowerLaw
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_mechanism import Deviations, RealMechanism

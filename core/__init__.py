@@ -18,22 +18,18 @@ pin and hole; everything else is beside or below them.
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------
 codes               what is refused, strained, not known: a code for each fact, its words
-errors              what a calculation refuses, and why
-derived             what follows from a design, worked out once, or why it is not known
+errors              what a calculation refuses, and why; what is worked out once, or not known
 arrays              one function for a number and for arrays of designs; types
 precision           what methods promise, and what is one number but for rounding
 results             accuracy and validity notices that every result carries
 contact_life        how the limit of a pressure falls with the number of loads
-materials           elastic materials and their limits, effective modulus
-material_record     what is known of a material, from where; one that is given by values
+materials           elastic materials, two together, first yield; what is known of one, from where
 material_table      a small table of them, and by which names they are found
 bearings            rolling bearings by name, with the ratings of several makers
 numerics            tools that know nothing of their use: quadrature, extremes, the inverse
 load_sharing        one displacement shared by many unilateral contacts
 fatigue             endurance limit by named factors, criteria, finite life
-first_yield         by which pressure a sliding line contact first yields, and shakes down
-conformal           a pin in a hole that fits closely, of any two materials
-hertz               line contact of pin and hole, narrow or conformal, against its limits
+hertz               line contact of pin and hole: narrow, or conformal of any two materials
 output              the output mechanism: pins in the holes of satellites on cranks
 tolerance           what tolerances of the output mechanism do
 rollers             swinging rollers: stiffness, load sharing, bending stress, and their curves

@@ -4,8 +4,16 @@ import re
 from dataclasses import replace
 
 from core.contact_life import LifeCurve
-from core.material_record import ELASTIC, Fact, Range, Seen, Strength, TableMaterial
-from core.materials import ContactLimit, Criterion
+from core.materials import (
+    ELASTIC,
+    ContactLimit,
+    Criterion,
+    Fact,
+    Range,
+    Seen,
+    Strength,
+    TableMaterial,
+)
 
 LIFE_CURVES: dict[str, LifeCurve] = {
     "iso_6336_5": "hardened",

@@ -1,13 +1,22 @@
-"""Elastic materials of pins, holes, rollers and shafts, and what two of them make together."""
+"""Elastic materials of pins, holes, rollers and shafts, what two of them make together; and what is
+known of a material of the table, from where, or of one that is given by values; by which pressure
+a sliding line contact of a material first yields, and shakes down.
+
+Hertz's pressure and its friction ``q = mu*p`` stress a half-plane in plane strain. Without friction
+it yields first below the surface; from a friction of some 0.3 on at the surface, under less.
+"""
 
 import math
-from dataclasses import dataclass, replace
-from typing import Literal, NamedTuple, Self
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property, lru_cache
+from typing import Literal, NamedTuple, Self, TypedDict, Unpack, cast
 
-from core.arrays import Number, check_not_negative, check_positive, every, refuse
+import numpy as np
+
+from core.arrays import FloatArray, Number, check_not_negative, check_positive, every, refuse
 from core.contact_life import LifeCurve, life_factor
-from core.derived import if_known
-from core.errors import NotKnown, required
+from core.errors import InvalidInput, NotKnown, if_known, required
 
 Criterion = Literal["endurance", "endurance_mean", "static", "given"]
 """What a limit of the contact pressure guards against: pitting in the long run (judged by the mean
@@ -33,7 +42,7 @@ VERIFIED: dict[Verified, str] = {
 
 FIRST_YIELD = 1.79
 """Largest pressure at first yield without friction over the yield strength (v = 0.3), below which
-parts that press go together elastically; that of each material is in `core.first_yield`."""
+parts that press go together elastically; that of each material is `first_yield`."""
 
 Body = Literal["pin", "hole"]
 """The two bodies of a contact; the hole is that of the satellite."""
@@ -256,3 +265,344 @@ def mismatch(*, first: ElasticMaterial, second: ElasticMaterial) -> tuple[Number
     ]
     modulus = effective_modulus(first=first, second=second)
     return (one - other) / (one + other), modulus / 2 * (shear[1] - shear[0])
+
+
+GROUPS = {
+    "steel": "Steel",
+    "cast_iron": "Cast iron",
+    "aluminium": "Aluminium",
+    "bronze": "Bronze",
+    "brass": "Brass",
+    "plastic": "Plastic",
+    "plastic_printed": "Printed plastic",
+}
+"""Kinds of materials in English, by code."""
+
+PLASTICS = ("plastic", "plastic_printed")
+"""Groups that are judged by the rules of plastics."""
+
+SOFT = 20e9
+"""Young's modulus below which a material that is given by values is a plastic, Pa: metals of pins
+and holes lie above 40 GPa, filled plastics below 15 GPa."""
+
+Seen = Literal["one", "two"]
+"""In how many independent sources a value was read."""
+
+SEEN: dict[Seen, str] = {"one": "one source, for reference", "two": "two sources"}
+"""The same in English."""
+
+
+@dataclass(frozen=True, slots=True)
+class Strength:
+    """Strength of a material, as far as it is known."""
+
+    tensile: float | None = None  # Rm, Pa
+    yield_strength: float | None = None  # Re or Rp0.2, Pa; of a printed plastic in its layers
+    # Largest diameter or wall that they hold for, m; None where their source names none.
+    valid_diameter: float | None = None
+    source: str = ""  # where they come from
+
+
+@dataclass(frozen=True, slots=True)
+class Fact:
+    """A value of which there is one source only, or on which all agree."""
+
+    value: float  # SI, temperatures in degrees Celsius
+    source: str  # where it was seen
+    seen: Seen = field(default="two", kw_only=True)  # one: for reference
+
+
+@dataclass(frozen=True, slots=True)
+class Range(Fact):
+    """A value whose sources differ."""
+
+    low: float  # the least that was seen
+    high: float  # the largest
+
+
+ELASTIC = ("youngs_modulus", "poissons_ratio")
+"""Names of E and v."""
+
+
+class Moduli(TypedDict, total=False):
+    """E and v, as far as they are given."""
+
+    youngs_modulus: float  # E, Pa
+    poissons_ratio: float  # v
+
+
+@dataclass(frozen=True)
+class TableMaterial:
+    """A material of the table."""
+
+    name: str  # for programs, stable
+    title: str  # name for people
+    group: str  # a key of `GROUPS`
+    moduli: Mapping[str, float] = field(hash=False)  # E, Pa, and v, as far as a source has them
+    source: str  # where these come from
+    limits: tuple[ContactLimit, ...] = ()  # of its contact pressure, at most one by each criterion
+    strength: Strength = Strength()
+    density: float | None = None  # kg/m^3
+    density_source: str = ""  # where that comes from
+    hardened: bool = False  # whether its strengths are those of the core
+    layered: bool = False  # whether it is printed in layers
+    facts: Mapping[str, Fact] = field(default_factory=dict, hash=False)  # by the name of the value
+
+    @property
+    def reference(self) -> tuple[str, ...]:
+        """Values that the material has from one source only."""
+        used = ("youngs_modulus", "poissons_ratio", "density")
+        return tuple(name for name in used if name in self.facts and self.facts[name].seen == "one")
+
+    @property
+    def missing(self) -> tuple[str, ...]:
+        """Of E and v, what no source has."""
+        return tuple(name for name in ELASTIC if name not in self.moduli)
+
+    @cached_property
+    def material(self) -> ElasticMaterial:
+        """The material at room temperature, judged by its endurance limit where it has one.
+
+        Raises
+        ------
+        InvalidInput
+            If no source has its modulus or its Poisson's ratio.
+        """
+        return self.having()
+
+    def having(self, **given: Unpack[Moduli]) -> ElasticMaterial:
+        """The material with a modulus, Pa, or a Poisson's ratio that is given.
+
+        Parameters
+        ----------
+        **given : float
+            `youngs_modulus` or `poissons_ratio` instead of those of the table.
+
+        Returns
+        -------
+        ElasticMaterial
+            Where sources differ, its modulus is the largest.
+
+        Raises
+        ------
+        InvalidInput
+            If one is not given that no source has.
+        """
+        known, least = {**self.moduli}, {}
+        match self.facts.get("youngs_modulus"):
+            case Range(low=low, high=high) if "youngs_modulus" not in given:
+                known["youngs_modulus"], least = high, {"least_modulus": low}
+        known |= cast(dict[str, float], given)
+        for name in ELASTIC:
+            if name not in known:
+                raise InvalidInput(name, None, "not_sourced", material=self.name)
+        static = [float(each.pressure) for each in self.limits if each.criterion == "static"]
+        return ElasticMaterial(
+            **known,
+            limit=next((each for each in self.limits if each.criterion != "static"), None),
+            yield_strength=None if self.hardened else self._strength,
+            yield_governs=not self.hardened and self.group != "bronze",
+            static_pressure=next(iter(static), None),
+            **least,
+            plastic=self._plastic if self.group in PLASTICS else None,
+        )
+
+    @property
+    def _strength(self) -> float | None:
+        """Yield strength; of a plastic of which none is known its tensile strength."""
+        if self.group in PLASTICS and self.strength.yield_strength is None:
+            return self.strength.tensile
+        return self.strength.yield_strength
+
+    @property
+    def _plastic(self) -> Plastic:
+        values = {name: each.value for name, each in self.facts.items()}
+        sure = {name: each.value for name, each in self.facts.items() if each.seen == "two"}
+        return Plastic(
+            layered=self.layered, friction=values.get("friction"), softening=sure.get("softening")
+        )
+
+
+NOT_LISTED = TableMaterial("", "", "", {}, "", layered=True)
+"""A material that is given by values alone."""
+
+
+def by_values(
+    *,
+    base: TableMaterial = NOT_LISTED,
+    limit: ContactLimit | None = None,
+    tensile_strength: float | None = None,
+    yield_strength: float | None = None,
+    layers: Layers | None = None,
+    long_term_factor: float | None = None,
+    **moduli: Unpack[Moduli],
+) -> ElasticMaterial:
+    """A material by values.
+
+    Parameters
+    ----------
+    base : TableMaterial
+        Whose values are taken where none are given; of one that is not listed it is a plastic where
+        its modulus is below `SOFT`.
+    limit : ContactLimit, optional
+        What its contact pressure is judged by.
+    tensile_strength, yield_strength : float, optional
+        Rm and Re, Pa; of a plastic the smaller one counts, in the direction that `layers` says.
+    layers : {"flat", "upright"}, optional
+        How the layers of a printed plastic lie.
+    long_term_factor : float, optional
+        Strength in the long run over that of a short test.
+    **moduli : float
+        `youngs_modulus` E, Pa, and `poissons_ratio` v.
+
+    Returns
+    -------
+    ElasticMaterial
+
+    Raises
+    ------
+    InvalidInput
+        If E or v is not known.
+
+    Examples
+    --------
+    >>> own = by_values(youngs_modulus=2.5e9, poissons_ratio=0.38, tensile_strength=44e6)
+    >>> own.loaded_strength("hole"), own.loaded_strength("pin")
+    (44000000.0, None)
+    """
+    made = base.having(**moduli)
+    plastic = made.plastic
+    if base is NOT_LISTED and made.youngs_modulus < SOFT:
+        plastic = Plastic()
+    strength = yield_strength
+    if plastic is not None:
+        given = [each for each in (yield_strength, tensile_strength) if each is not None]
+        strength = min(given, default=None)
+        plastic = replace(
+            plastic,
+            layers=layers,
+            strength_across=strength if layers == "upright" else None,
+            long_term_factor=long_term_factor,
+        )
+    return replace(
+        made,
+        limit=limit or made.limit,
+        yield_strength=made.yield_strength if strength is None else strength,
+        plastic=plastic,
+    )
+
+
+PLACES, ZOOMS, CLOSER = 25, 9, 6
+"""Places along each side of the field that is searched, how often it is narrowed, and how far."""
+
+SHAKEDOWN = 4 / math.sqrt(3)
+"""Largest pressure of elastic shakedown over the yield strength, without friction: the largest
+orthogonal shear, a quarter of it, is the shear yield strength ``Re/sqrt(3)``."""
+
+SLIDING, SLIDING_SHAKEDOWN = 0.1, 2.06
+"""The largest friction for which it is known, and what it is there (Johnson 1985: 3.565 times the
+shear yield strength)."""
+
+
+def squared_stress(
+    *, poissons_ratio: float, friction: float, x: FloatArray, z: FloatArray
+) -> FloatArray:
+    """Square of the equivalent stress (Mises) below a sliding line contact.
+
+    ``(1 - 2*v)^2/4*(sx + sz)^2 + 3/4*(sx - sz)^2 + 3*t^2``, as ``sy = v*(sx + sz)``.
+
+    Parameters
+    ----------
+    poissons_ratio : float
+        v, dimensionless.
+    friction : float
+        Friction coefficient mu, >= 0.
+    x, z : array
+        Place along the surface and depth over the half-width of the contact, z > 0.
+
+    Returns
+    -------
+    array
+        Over the square of the largest pressure.
+
+    Notes
+    -----
+    Source: McEwen 1949, in Johnson, Contact Mechanics, (4.49) of the pressure and (7.8) of the
+    friction.
+    """
+    inner = 1 - x**2 + z**2
+    root = np.sqrt(inner**2 + 4 * x**2 * z**2)
+    m, n = np.sqrt((root + inner) / 2), np.copysign(np.sqrt((root - inner) / 2), x)
+    q, r = (z**2 + n**2) / (m**2 + n**2), (m**2 - z**2) / (m**2 + n**2)
+    together = 2 * (z - m) + 2 * friction * (n - x)
+    apart = 2 * (z - m * q) + 2 * friction * (n * (1 + r) - x)
+    shear = -n * r - friction * (m * (1 + q) - 2 * z)
+    squared = (0.5 - poissons_ratio) ** 2 * together**2 + 0.75 * apart**2 + 3 * shear**2
+    return np.asarray(squared, np.float64)
+
+
+@lru_cache(maxsize=1024)
+def first_yield(*, poissons_ratio: float, friction: float = 0.0) -> float:
+    """Largest pressure of a line contact at first yield over the yield strength (Mises).
+
+    At the surface ``1/sqrt(3*mu^2 + (1 - 2*v)^2*(1 + mu^2))``; below it the largest equivalent
+    stress is searched.
+
+    Parameters
+    ----------
+    poissons_ratio : float
+        v of the body, 0 <= v < 0.5.
+    friction : float
+        Friction coefficient mu of the sliding pair, >= 0.
+
+    Returns
+    -------
+    float
+        f, dimensionless: p0 = f*Re.
+
+    Examples
+    --------
+    >>> [round(first_yield(poissons_ratio=v), 4) for v in (0.3, 0.36, 0.43)]
+    [1.7937, 1.8582, 1.9063]
+    >>> [round(first_yield(poissons_ratio=0.36, friction=mu), 3) for mu in (0.1, 0.3, 0.6)]
+    [1.831, 1.626, 0.918]
+    """
+    at_surface = 3 * friction**2 + (1 - 2 * poissons_ratio) ** 2 * (1 + friction**2)
+    x, z, wide, deep = 0.0, 0.8, 1.2, 0.8
+    below = 0.0
+    for _ in range(ZOOMS):
+        across = np.linspace(x - wide, x + wide, PLACES)
+        down = np.linspace(max(z - deep, 1e-9), z + deep, PLACES)
+        stress = squared_stress(
+            poissons_ratio=poissons_ratio,
+            friction=friction,
+            x=across[:, None],
+            z=down[None, :],
+        )
+        i, j = np.unravel_index(np.argmax(stress), stress.shape)
+        below, x, z = max(below, float(stress[i, j])), float(across[i]), float(down[j])
+        wide, deep = wide / CLOSER, deep / CLOSER
+    return 1 / math.sqrt(max(at_surface, below))
+
+
+def shakedown(friction: float) -> float:
+    """Largest pressure of elastic shakedown over the yield strength, with friction.
+
+    Parameters
+    ----------
+    friction : float
+        Friction coefficient of the pair that slides, >= 0.
+
+    Returns
+    -------
+    float
+        In between by a straight line; beyond, the last known one, above which it fails for certain,
+        as friction only lowers it.
+
+    Examples
+    --------
+    >>> [round(shakedown(mu), 3) for mu in (0.0, 0.05, 0.1, 0.5)]
+    [2.309, 2.185, 2.06, 2.06]
+    """
+    part = min(friction / SLIDING, 1.0)
+    return SHAKEDOWN + part * (SLIDING_SHAKEDOWN - SHAKEDOWN)

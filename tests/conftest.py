@@ -1,9 +1,12 @@
 """What holds for all tests: a busy machine is no reason to fail; what is slow can be left out."""
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from hypothesis import settings
+
+from tests.running_service import Service, running_service
 
 settings.register_profile("khv", deadline=None, print_blob=True, max_examples=25)
 settings.register_profile("quick", settings.get_profile("khv"), max_examples=10)
@@ -56,6 +59,17 @@ def compiled_loops() -> None:
     from core.output import compiled
 
     compiled.load()
+
+
+@pytest.fixture(scope="session")
+def served() -> Iterator[Service]:
+    """A running service for all who need no other: to start one takes six seconds of the processor.
+
+    A busy machine is no reason to fail; the tests are its proxy, which shows it below a prefix.
+    """
+    proxy = {"trusted_proxies": "127.0.0.0/8", "root_path": "/reducers"}
+    with running_service(max_seconds=300, **proxy) as running:
+        yield running
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:

@@ -64,8 +64,13 @@ class Service:
         ), "".join(self.lines)
         self.url = self._address()
         self.port = int(self.url.rpartition(":")[2]) if not self.uds else None
-        with httpx.Client(transport=httpx.HTTPTransport(uds=self.uds), timeout=60) as client:
-            assert eventually(lambda: client.get(f"{self.url}/readyz").status_code == 200)
+        with self.client() as client:
+            assert eventually(lambda: client.get("/readyz").status_code == 200)
+
+    def client(self):
+        """A client of it, where it listens."""
+        transport = httpx.HTTPTransport(uds=self.uds)
+        return httpx.Client(base_url=self.url, transport=transport, timeout=60)
 
     def said(self, message):
         """How often the log says it."""

@@ -6,9 +6,9 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import BeforeValidator, Field, model_validator
 
+from app.calculations.design import DeviationsFields, SatelliteCouplingFields
 from app.calculations.mechanism import PairOut
 from app.calculations.real_design import RealDesignFields
-from app.calculations.real_mechanism import DeviationsFields, SatelliteCouplingFields
 from app.calculations.ring import RING_PIN_LISTS as OF_RING
 from app.calculations.ring import RingPinDeviationsFields
 from app.calculations.ring_parts import CycloidRingFields
@@ -19,8 +19,8 @@ from app.settings import Settings
 from app.units import from_si, to_si
 from core.design.ring import CycloidRing
 from core.errors import InvalidInput
+from core.output.elasticity import RingInSeries, SatelliteSupport
 from core.output.real_mechanism import Deviations, RealMechanism
-from core.output.satellite_support import RingInSeries, SatelliteSupport
 from core.ring.series import MeshesInSeries, SeriesPosition
 from core.ring.sharing import CycloidMesh, RingDeviations
 

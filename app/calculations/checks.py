@@ -22,8 +22,7 @@ from app.model import (
     quantity,
     result,
 )
-from app.problems import pointer, sentence
-from app.running import named, path_of
+from app.problems import named, path_of, pointer, sentence
 from app.units import from_si, shown_unit
 from core.checks.check import (
     STATUSES,
@@ -38,8 +37,8 @@ from core.checks.crank_planetary import PARTS
 from core.checks.records import CHECKS
 from core.checks.words import CHECK_SOURCES, GROUPS, NOT_CONSIDERED
 from core.codes import CODES, WAS
-from core.derived import if_known
 from core.design.sections import PART_NAMES, PartName, Requirements
+from core.errors import if_known
 from core.fixes.fix import Fix, FixStatus
 from core.materials import LIMIT_SOURCES, Criterion, Verified
 
@@ -198,8 +197,11 @@ class CheckOut(ResponseModel):
     utilisation: Maybe[float] = Field(description="How much of the limit is used, 1 at the limit.")
     margin: Maybe[float] = Field(description="What is left to the limit, in `unit`.")
     torque_reserve: Maybe[float] = Field(
-        description="Factor on the torque at which the value is at its limit; where the forces "
-        "are solved, an estimate of all but the check that fails first.",
+        description="Factor on the torque at which the value is at its limit.",
+    )
+    torque_reserve_estimated: Maybe[bool] = Field(
+        description="Present and true where that factor is an estimate: forces that are solved do "
+        "not grow with the torque, and none were solved near that torque."
     )
     formula: str = Field(description="What has to hold.")
     why: str = Field(description="What is wrong where it does not, in English.")
@@ -375,6 +377,7 @@ def check_values(check: Check, body: RequestModel, inputs: list[str]) -> Values:
         "utilisation": check.utilisation,
         "margin": from_si(unit, if_known(lambda: check.margin)),
         "torque_reserve": check.torque_reserve,
+        "torque_reserve_estimated": True if check.by_torque and check.rough else None,
         "reason": _reason(check, body) if check.reason else None,
         "source": SOURCES[source or "user"],
         "source_code": source or "user",

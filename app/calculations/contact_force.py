@@ -22,8 +22,8 @@ from app.model import (
     quantity,
     result,
 )
+from app.problems import timed
 from app.rules import Forms
-from app.running import timed
 from app.settings import Settings
 from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018, ZYL
 from app.theme import (
@@ -51,14 +51,11 @@ from core.output.contact_force import (
     contact_force,
     drawing_angles,
     force_curves,
-)
-from core.output.mechanism import Mechanism
-from core.output.members import Members
-from core.output.pin_forces import (
     force_ratios,
     output_torque_from_input,
     reference_force,
 )
+from core.output.mechanism import Mechanism, Members
 from core.worked.mechanism import force_steps
 from core.worked.step import Step
 

@@ -5,7 +5,7 @@ from typing import Any, ClassVar, Literal, get_args
 from app.calculations.hertz import material_of
 from app.model import Maybe, PartFields, RequestModel, Size, quantity
 from app.rules import Kinds
-from core.output.contact_law import (
+from core.output.elasticity import (
     MAX_EXPONENT,
     MIN_EXPONENT,
     ConformalLaw,

@@ -20,14 +20,13 @@ from app.model import Angle, Maybe, Values, quantity
 from app.rules import field_error
 from app.settings import Settings
 from core.checks.check import Verdict
-from core.checks.largest_torque import crank_verdict
+from core.checks.crank_planetary import crank_verdict
 from core.checks.usual_modification import UsualModification, usual_modification
-from core.derived import if_known, is_known
 from core.design.crank_results import MOST_BEARING_PAIRS
 from core.design.results import MOST_PIN_PAIRS, Results
-from core.errors import CalculationError
+from core.errors import CalculationError, if_known, is_known
+from core.output.elasticity import RingInSeries
 from core.output.mechanism import Mechanism
-from core.output.satellite_support import RingInSeries
 from core.output.turn import Turn
 from core.results import Notice
 

@@ -16,13 +16,13 @@ from app.model import (
     quantity,
     result,
 )
-from app.running import timed
+from app.problems import timed
 from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018
 from app.theme import IDEAL, INK, Amount, Figure, Theme, axis, hover, layout, series_style, text
 from app.units import UNITS
 from app.worked import worked
 from core.errors import InvalidInput
-from core.output.cyclogram import Cyclogram, cyclogram
+from core.output.contact_force import Cyclogram, cyclogram
 from core.output.mechanism import AssemblyAngle, Mechanism, assembly_angles
 from core.worked.mechanism import cyclogram_steps
 from core.worked.step import Step

@@ -8,21 +8,21 @@ from pydantic import Field
 
 from app.calculations.contact_force import pin_circle_radius
 from app.calculations.contact_law import law_by_materials
-from app.calculations.fit_answer import (
-    DiscOut,
-    ElasticOut,
-    FitPositionOut,
-    FitResponse,
-    WholeFitOut,
-)
-from app.calculations.mechanism import MechanismFields
-from app.calculations.members_answer import at_output
-from app.calculations.pin_contact import PinContactFields
-from app.calculations.real_mechanism import (
+from app.calculations.design import (
     CrankSupportFields,
     DeviationsFields,
     RealContactFields,
 )
+from app.calculations.mechanism import (
+    DiscOut,
+    ElasticOut,
+    FitPositionOut,
+    FitResponse,
+    MechanismFields,
+    PinContactFields,
+    WholeFitOut,
+)
+from app.calculations.members_answer import at_output
 from app.model import (
     Angle,
     Calculation,
@@ -34,7 +34,7 @@ from app.model import (
     quantity,
     warning,
 )
-from app.running import timed
+from app.problems import timed
 from app.settings import Settings
 from app.sources import JOHNSON_1985
 from app.theme import INK, Amount, Figure, Text, Theme, axis, curve, layout, marker, text
@@ -42,12 +42,10 @@ from app.units import from_si, to_si
 from app.worked import stated
 from core.arrays import FloatArray
 from core.errors import InvalidInput
-from core.output.fit import Fit
-from core.output.mechanism import Mechanism
-from core.output.pin_geometry import SLIPPED, slip_notices
+from core.output.elasticity import RIGID_SUPPORT
+from core.output.fit import POSITIONS, Fit
+from core.output.mechanism import SLIPPED, Mechanism, slip_notices
 from core.output.real_mechanism import RealMechanism
-from core.output.room import POSITIONS
-from core.output.satellite_support import RIGID_SUPPORT
 from core.precision import ROUNDING
 from core.results import Accuracy, Notice
 

@@ -4,7 +4,7 @@ from app.calculations.mechanism import PairOut
 from app.model import AccuracyOut, Maybe, ResponseModel, Values, WarningOut, result
 from app.units import from_si
 from core.arrays import FloatArray
-from core.output.pin_geometry import PinGeometry
+from core.output.mechanism import PinGeometry
 
 
 class PointOut(ResponseModel):

@@ -35,15 +35,15 @@ from app.model import (
     result,
     warning,
 )
+from app.problems import timed
 from app.rules import field_error
-from app.running import timed
 from app.sources import JOHNSON_1985, PERSSON_1964, YANCHEVSKY_2018
 from app.theme import INK, Amount, Figure, Theme, axis, curve, hover, layout, text
 from app.units import from_si, to_si
 from app.worked import worked
 from core.arrays import FloatArray
 from core.contact_life import CURVES, LifeCurve
-from core.derived import if_known
+from core.errors import if_known
 from core.hertz import (
     BodySafety,
     HertzContact,
@@ -51,9 +51,18 @@ from core.hertz import (
     hertz,
     pressure_profile,
 )
-from core.material_record import GROUPS, NOT_LISTED, TableMaterial, by_values
 from core.material_table import ALIASES, ELASTOMERS, MATERIALS, NAMES, SEVERAL, plain_name
-from core.materials import LIMIT_SOURCES, ContactLimit, Criterion, ElasticMaterial, Layers
+from core.materials import (
+    GROUPS,
+    LIMIT_SOURCES,
+    NOT_LISTED,
+    ContactLimit,
+    Criterion,
+    ElasticMaterial,
+    Layers,
+    TableMaterial,
+    by_values,
+)
 from core.results import Notice
 from core.worked.hertz import hertz_steps
 from core.worked.step import Step

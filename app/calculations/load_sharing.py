@@ -16,7 +16,6 @@ from app.calculations.both_meshes import (
 )
 from app.calculations.contact_force import CurveFields
 from app.calculations.fit import fit_notices
-from app.calculations.fit_answer import FitOut
 from app.calculations.load_sharing_answer import (
     LoadSharingResponse,
     OverTurnOut,
@@ -25,11 +24,12 @@ from app.calculations.load_sharing_answer import (
     StiffnessCurveOut,
 )
 from app.calculations.load_sharing_figure import Drawn, load_sharing_figure
+from app.calculations.mechanism import FitOut
 from app.calculations.members_answer import at_output
 from app.calculations.real_design import LEFT_OUT
 from app.calculations.solved import Solved
 from app.model import LARGEST, Angle, Calculation, Maybe, Values, quantity
-from app.running import timed
+from app.problems import timed
 from app.settings import Settings
 from app.sources import HARRIS, JOHNSON_1985, YANCHEVSKIY_2021
 from app.theme import Figure, Theme
@@ -38,7 +38,7 @@ from app.worked import stated
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.alternating import WorseTurn, worse_curves, worse_position
 from core.output.contact_force import drawing_angles, force_curves, force_peak
-from core.output.contact_law import law_kind
+from core.output.elasticity import law_kind
 from core.output.fit import solvable
 from core.output.loaded_position import loaded_position
 from core.output.over_turn import over_turn

@@ -1,20 +1,50 @@
-"""The parallel-crank mechanism as a request gives it."""
+"""The parallel-crank mechanism as a request gives it: pins, satellites and ratio; pin, hole and
+crank with their clearance, and what follows from what; and the answer of how the pins fit by
+geometry.
+"""
 
 import math
+import re
+from collections.abc import Iterator
+from decimal import Decimal
 from functools import cached_property
-from typing import Any, ClassVar, Literal, Self, cast
+from typing import Annotated, Any, ClassVar, Literal, Self, cast
 
-from pydantic import model_validator
+from pydantic import Field, model_validator
 
-from app.model import Angle, Maybe, RequestModel, ResponseModel, Whole, quantity, result
-from app.rules import Forms, Kinds, field_error
+from app.calculations.hertz import (
+    ContactFields,
+    contact_length,
+    distribution_factor,
+    eccentricity,
+    hole_radius,
+    material_of,
+    pin_radius,
+)
+from app.model import (
+    AccuracyOut,
+    Angle,
+    AssumingResponse,
+    Maybe,
+    RequestModel,
+    ResponseModel,
+    Size,
+    Values,
+    WarningOut,
+    Whole,
+    quantity,
+    result,
+)
+from app.rules import Forms, Kinds, Rule, field_error
 from app.settings import Settings
-from app.units import to_si
-from core.design.sections import MechanismSection
+from app.units import from_si, to_si
+from core.arrays import FloatArray
+from core.design.sections import Contact, MechanismSection, SharedBy
 from core.errors import InvalidInput
-from core.output.mechanism import Mechanism, ratio_from_teeth
-from core.output.members import Members, Output
+from core.output.fit import Fit, Rooms
+from core.output.mechanism import Mechanism, Members, Output, felt, ratio_from_teeth
 from core.results import Notice
+from core.tolerance.iso286 import CLASSES, GRADES, SIZES, fit_clearance
 
 MAX_PAIRS = 10_000
 """Most pairs (pins times satellites) of one mechanism."""
@@ -285,3 +315,396 @@ class PairOut(ResponseModel):
 
     satellite: int = result("Number of the satellite, from 1.", symbol="j")
     pin: int = result("Number of the pin, from 1.", symbol="n")
+
+
+Deviation = Annotated[float, Field(ge=-1e6, le=1e6)]
+
+RADII = ("pin_radius_mm", "eccentricity_mm", "stated_clearance_mm")
+"""What the radius of the hole is the sum of."""
+
+
+def class_pattern(of_pins: bool) -> str:
+    """Pattern of the ISO 286 classes of pins, or of holes."""
+    letters = "|".join(each for each in CLASSES if each.islower() == of_pins)
+    return f"({letters})({'|'.join(map(str, GRADES))})"
+
+
+USUAL_FITS = ["H7/g6", "H7/h6", "H7/f7", "H8/h7", "H8/f7", "H8/f8", "H9/f9"]
+"""What the form offers."""
+
+FIT = f"^{class_pattern(False)}/{class_pattern(True)}$"
+
+
+class PinContactFields(ContactFields, group="contact"):
+    """Pin, hole, crank and clearance: of hole radius, eccentricity and clearance any two say the
+    third.
+    """
+
+    BETWEEN: ClassVar[tuple[Rule, ...]] = (
+        Rule("hole_radius_mm", "only_one", "fit"),
+        Rule("hole_clearance_mm", "only_one", "fit"),
+        Rule("eccentricity_mm", "needed_beside", "fit"),
+        Rule("eccentricity_mm", "needed_beside", "hole_clearance_mm"),
+        Rule("hole_radius_mm", "needed", "eccentricity_mm"),
+    )
+
+    hole_radius_mm: Maybe[Size] = hole_radius()  # type: ignore[assignment]
+    eccentricity_mm: Maybe[Size] = eccentricity()
+    hole_clearance_mm: Maybe[Deviation] = quantity("Clearance", "c", step=0.005)
+    """Radial clearance: hole radius − pin radius − eccentricity; negative is interference, and 0
+    says that perfect parts are meant. Forces and stresses hang on it more than on most sizes."""
+    fit: Maybe[str] = quantity("Fit", schema={"pattern": FIT, "x-options": USUAL_FITS})
+    """ISO 286 classes of the hole and of what touches it, as H7/f7, instead of the clearance: half
+    of the mean clearance of the two diameters."""
+    distribution_factor: float = distribution_factor(ge=1, le=1e12)
+    distribution_of: Maybe[SharedBy] = quantity("Uneven share of", advanced=True)
+    """Of satellites, of which one carries so many times its part of the torque, at most all of it,
+    and the others evenly what is left; or of the pins of each, of which no bearing feels anything.
+    Where it is not given, of satellites if there are several."""
+
+    @model_validator(mode="after")
+    def _fit_says_the_clearance(self) -> Self:
+        if self.fit is None:
+            return self
+        if not re.fullmatch(FIT, self.fit):
+            raise field_error("fit", "no_fit")
+        if 2 * float(self._sum(*RADII[:2])) > SIZES[-1]:
+            raise field_error("fit", "no_class_of_size", limit_mm=float(SIZES[-1]))
+        return self
+
+    @model_validator(mode="after")
+    def _radii_agree(self) -> Self:
+        if self.model_fields_set >= {"hole_radius_mm", "hole_clearance_mm", *RADII[:2]}:
+            hole, others = self._sum("hole_radius_mm"), self._sum(*RADII)
+            if abs(hole - others) > Decimal("1e-9") * hole:
+                raise field_error("hole_radius_mm", "hole_disagrees", expected_mm=float(others))
+        return self
+
+    def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
+        """Materials of pins and holes, where there are any; the eccentricity of a hole alone."""
+        if self.pin_radius_mm is None:
+            return
+        yield from super().assumed()
+        if self.eccentricity_mm is None:
+            yield ("eccentricity_mm",), float(self._sum("hole_radius_mm") - self._sum(*RADII[:1]))
+
+    def _sum(self, *names: str) -> Decimal:
+        """Sum of sizes, of what is not given none, in decimals as they were typed: no digit is
+        lost.
+        """
+        return sum((Decimal(repr(getattr(self, name) or 0.0)) for name in names), Decimal())
+
+    @cached_property
+    def stated_clearance_mm(self) -> float | None:
+        """Radial clearance as it is given, or by the fit."""
+        if self.fit is None:
+            return self.hole_clearance_mm
+        hole, pin = (float(2 * self._sum(*names)) for names in (RADII[:2], RADII[:1]))
+        mean = fit_clearance(fit=self.fit, hole_diameter=hole / 1e3, pin_diameter=pin / 1e3)
+        return round(mean * 1e3, 9)
+
+    @property
+    def clearance_unknown(self) -> bool:
+        """Whether pin, hole and eccentricity are given, and nothing is known of their clearance."""
+        return self._sized and self.in_si.clearance_unknown
+
+    @property
+    def _sized(self) -> bool:
+        return self.given.keys() >= {"pin_radius_mm", "eccentricity_mm"}
+
+    def notices(self) -> tuple[Notice, ...]:
+        """Also that parts without clearance are perfect ones."""
+        perfect = self._sized and not self.clearance_mm()
+        return super().notices() + ((Notice("perfect_parts"),) if perfect else ())
+
+    @cached_property
+    def hole_mm(self) -> float:
+        """Radius of the hole: given, or by pin, eccentricity and clearance."""
+        given = self.hole_radius_mm
+        return float(self._sum(*RADII)) if given is None else given
+
+    def clearance_mm(self) -> float:
+        """Radial clearance: given, or by the radii; none where no two radii say it, nor where it is
+        too small to be felt.
+        """
+        clearance = self.stated_clearance_mm
+        if clearance is None:
+            typed = self.given.keys() >= {"hole_radius_mm", "eccentricity_mm"}
+            clearance = float(self._sum("hole_radius_mm") - self._sum(*RADII[:2])) if typed else 0.0
+        return felt(clearance=clearance, hole_radius=self.hole_mm)
+
+    @property
+    def surface(self) -> dict[str, Any]:
+        """What pins have where they do not say it: diameter, m, and material."""
+        diameter = 2 * to_si("radius_mm", self.pin_radius_mm)
+        return {"diameter": diameter, "material": self.pin_material}
+
+    @cached_property
+    def in_si(self) -> Contact:
+        """The same in SI units."""
+        given = {name: getattr(self, name) for name in ("pin_material", "hole_material")}
+        return Contact(
+            contact_length=to_si("contact_length_mm", self.contact_length_mm),
+            pin_radius=to_si("pin_radius_mm", self.pin_radius_mm),
+            hole_radius=to_si("hole_radius_mm", self.hole_mm),
+            eccentricity=to_si("eccentricity_mm", self.eccentricity_mm),
+            dynamic_factor=self.dynamic_factor,
+            distribution_factor=self.distribution_factor,
+            distribution_of=self.distribution_of,
+            clearance_stated=self.stated_clearance_mm is not None,
+            iso_fit=self.fit or "",
+            own_limits=tuple(name for name, each in given.items() if not isinstance(each, str)),
+            **{name: material_of(each) for name, each in given.items()},
+        )
+
+    def section(self, _: Any) -> Contact:
+        """The same in SI units."""
+        return self.in_si
+
+    def sizes_on(self, pin_circle_radius_mm: float) -> dict[str, Any]:
+        """Sizes of pins and holes on their circle in SI units, None for what is not given."""
+        return {
+            "pin_radius": to_si("pin_radius_mm", self.pin_radius_mm),
+            "hole_radius": to_si("hole_radius_mm", self.hole_mm),
+            "eccentricity": to_si("eccentricity_mm", self.eccentricity_mm),
+            "pin_circle_radius": to_si("pin_circle_radius_mm", pin_circle_radius_mm),
+        }
+
+
+TOUCHING = ("pin_radius_mm", "contact_length_mm")
+"""What pins have to have where their holes are given."""
+
+
+class CrankContactFields(PinContactFields, group="contact"):
+    """The crank; pin and hole where the forces of real pins and holes are wanted."""
+
+    BETWEEN: ClassVar[tuple[Rule, ...]] = tuple(
+        Rule(name, "needed_beside", hole)
+        for hole in ("hole_radius_mm", "hole_clearance_mm", "fit")
+        for name in TOUCHING
+    )
+
+    contact_length_mm: Maybe[Size] = contact_length()  # type: ignore[assignment]
+    pin_radius_mm: Maybe[Size] = pin_radius()  # type: ignore[assignment]
+    eccentricity_mm: Size = eccentricity()
+
+
+ALL_ROUND = math.pi
+"""Lag to either side at which a pin is whose hole does not bound it, rad."""
+
+
+class BindingOut(PairOut):
+    """A pair that limits the room."""
+
+    side: Literal["driving", "reverse", "radial"] = result(
+        "In which sense of the output it holds; radial where in none."
+    )
+
+
+class FitOut(ResponseModel):
+    """How the pins fit into their holes by geometry, before any force."""
+
+    state: Literal["fits", "binds_in_turning", "does_not_fit", "no_bound"] = result(
+        "Whether there is room at all crank angles, at some, or at none; no_bound where the holes "
+        "do not hold their pins."
+    )
+    least_room_mm: Maybe[float] = result(
+        "Least room over the turn: by how much every pin might grow, or below 0 must shrink, until "
+        "it just fits; absent where holes do not hold their pins.",
+        equation="max over θ of min(C − |P·exp(−iθ) − H|)",
+    )
+    least_room_crank_angle_deg: Maybe[float] = result(
+        "First crank angle at which it is least; absent where it is the same at all."
+    )
+    binding: Maybe[list[BindingOut]] = result(
+        "The pairs that limit it there; absent where all do alike."
+    )
+    needed_hole_radius_mm: Maybe[float] = result(
+        "Radius of all holes with which the parts just fit, where they do not."
+    )
+    blocked_crank_deg: Maybe[list[list[float]]] = result(
+        "Stretches of the crank's turn in which the parts jam, where they go together in others."
+    )
+    renumbered: Maybe[list[int]] = result(
+        "By how many holes each satellite is put on the pins further, where one is."
+    )
+
+    @classmethod
+    def values(cls, result: Fit, run_time_us: float | None = None, **given: Any) -> Values:
+        """Values of a fit."""
+        room, holes = result.room, result.real.numbered[1]
+        found: dict[str, Any] = {"state": result.state}
+        if any(holes):
+            found["renumbered"] = [*holes]
+        if result.state == "no_bound":
+            return found
+        found["least_room_mm"] = from_si("least_room_mm", room.least)
+        if room.crank_angle is not None:
+            found["least_room_crank_angle_deg"] = from_si("angle_deg", room.crank_angle)
+        if room.binding:
+            found["binding"] = [
+                {"satellite": each.satellite, "pin": each.pin, "side": each.side}
+                for each in room.binding
+            ]
+        if room.state != "fits":
+            found["needed_hole_radius_mm"] = from_si("radius_mm", result.needed_hole_radius)
+        if room.state == "binds_in_turning":
+            blocked = [[*ends] for ends in result.rooms.blocked()]
+            found["blocked_crank_deg"] = from_si("angle_deg", blocked)
+        return found
+
+
+class DiscOut(ResponseModel):
+    """One satellite by itself."""
+
+    satellite: int = result("Number of the satellite, from 1.", symbol="j")
+    least_room_mm: float = result("Its least room over the turn.")
+    turned_deg: float = result(
+        "Its holes ahead of the pins, in the mean of least squares, where it is put on."
+    )
+
+
+class ElasticOut(ResponseModel):
+    """What rigid pins in elastic contact with their holes take up of a misfit."""
+
+    limit_mm: Maybe[float] = result(
+        "Largest approach that a pair takes elastically; absent where the limit of neither "
+        "material is known."
+    )
+    limit_force_N: Maybe[float] = result(
+        "The force under which it does: the pressure is what the weaker body stands at rest."
+    )
+    force_without_load_N: Maybe[float] = result(
+        "Largest force of a pair where the room is least, where parts press without load and an "
+        "elastic state is not ruled out."
+    )
+    pressure_without_load_MPa: Maybe[float] = result(
+        "Largest pressure there.", symbol="p_0", equation="Johnson 4.2"
+    )
+
+
+class WholeFitOut(FitOut):
+    """How the pins fit into their holes, and what becomes of a misfit."""
+
+    largest_hole_radius_mm: Maybe[float] = result(
+        "Where holes do not hold their pins: the radius below which they would.",
+        equation="min(R, √(r_in² + R²·sin²(π/N)))",
+    )
+    greatest_room_mm: Maybe[float] = result("Greatest room over the turn.")
+    room_error_mm: Maybe[float] = result("Bound of the error of each room.")
+    least_room_arcmin: Maybe[float] = result(
+        "Least angle that the unloaded output can turn, over the turn; below 0 by how much pairs "
+        "miss each other, absent where a pin is in its hole at no lag.",
+        symbol="θ₊ − θ₋",
+    )
+    greatest_room_arcmin: Maybe[float] = result("The greatest: the backlash.", symbol="θ₊ − θ₋")
+    angle_error_arcmin: Maybe[float] = result("Estimate of the error of both.")
+    blocked_share: Maybe[float] = result("Share of the turn in which the parts jam.")
+    misfit: Maybe[
+        Literal[
+            "fits_by_bearing_clearance",
+            "pressed_without_load",
+            "jams",
+            "discs_out_of_phase",
+            "cannot_assemble",
+        ]
+    ] = result(
+        "What becomes of parts that do not fit; absent where they do, and where holes do not hold "
+        "their pins."
+    )
+    discs: Maybe[list[DiscOut]] = result("Each satellite by itself, where asked.")
+    elastic: Maybe[ElasticOut] = result("What elasticity takes up, where asked.")
+
+    @classmethod
+    def values(cls, result: Fit, run_time_us: float | None = None, **given: Any) -> Values:
+        """Values of a fit."""
+        found, rooms = super().values(result), result.rooms
+        if result.state == "no_bound":
+            limit = from_si("radius_mm", result.largest_hole_radius)
+            return found | {"largest_hole_radius_mm": limit}
+        found["greatest_room_mm"] = from_si("greatest_room_mm", rooms.greatest())
+        found["room_error_mm"] = from_si("room_error_mm", rooms.error)
+        play = rooms.play()
+        for name in ("least", "greatest"):
+            if math.isfinite(angle := getattr(play, name)):
+                found[f"{name}_room_arcmin"] = from_si("room_arcmin", angle)
+                found["angle_error_arcmin"] = from_si("error_arcmin", play.error)
+        if blocked := found.get("blocked_crank_deg"):
+            turn = from_si("angle_deg", result.real.mechanism.crank_angle_per_wave)
+            found["blocked_share"] = math.fsum(end - start for start, end in blocked) / turn
+        if result.misfit:
+            found["misfit"] = result.misfit
+        return found
+
+
+class FitPositionOut(ResponseModel):
+    """Pins in their holes at one crank angle."""
+
+    crank_angle_deg: float = result("Crank angle.", symbol="φ")
+    room_mm: float = result(
+        "By how much every pin might grow there, or below 0 must shrink, until it just fits.",
+        equation="max over θ of min(C − |P·exp(−iθ) − H|)",
+    )
+    window_arcmin: Maybe[list[float]] = result(
+        "Least and largest lag of the unloaded output; absent where there is no room.",
+        symbol="θ₋, θ₊",
+    )
+    pairs: list[list[list[float]]] = result(
+        "Least and largest lag, ′, at which each pin is in its hole, a list for each satellite; "
+        "empty where at none, half a turn to either side where its hole is no bound."
+    )
+
+    @classmethod
+    def all_values(cls, rooms: Rooms, members: Members, crank_angle: FloatArray) -> list[Values]:
+        """Values at crank angles.
+
+        Parameters
+        ----------
+        rooms : Rooms
+            Pins in their holes.
+        members : Members
+            Which is the output.
+        crank_angle : array, shape (M,)
+            Crank angles, rad.
+
+        Returns
+        -------
+        list of dict, M
+        """
+        wave, pins = rooms.mechanism.wave_angle(crank_angle), rooms.mechanism.pins
+        found = []
+        for angle, room, low, high in zip(
+            crank_angle.tolist(),
+            rooms.rooms(wave)[0].tolist(),
+            *map(members.angle_at_output, rooms.arcs(wave)),
+            strict=True,
+        ):
+            arcs = [*map(_arc, low.tolist(), high.tolist())]
+            values = {
+                "crank_angle_deg": from_si("angle_deg", angle),
+                "room_mm": from_si("room_mm", room),
+                "pairs": [arcs[start : start + pins] for start in range(0, len(arcs), pins)],
+            }
+            if room >= 0:  # the two may cross by rounding
+                values["window_arcmin"] = sorted(_arc(float(low.max()), float(high.min())))
+            found.append(values)
+        return found
+
+
+def _arc(low: float, high: float) -> list[float]:
+    """Lags from and to, arcmin: none where the first is infinitely above the second."""
+    if low == math.inf:
+        return []
+    ends = (max(low, -ALL_ROUND), min(high, ALL_ROUND)) if math.isinf(low) else (low, high)
+    return [from_si("lag_arcmin", each) for each in ends]
+
+
+class FitResponse(AssumingResponse):
+    """Whether the parts go together and turn, and how much room is left."""
+
+    fit: WholeFitOut = result("How the pins fit into their holes.")
+    positions: Maybe[list[FitPositionOut]] = result(
+        "At the crank angles, where asked and holes hold their pins."
+    )
+    accuracy: AccuracyOut
+    warnings: Maybe[list[WarningOut]] = None

@@ -6,7 +6,7 @@ from typing import Any
 
 from app.model import AccuracyOut, Maybe, ResponseModel, Values, result
 from app.units import from_si, suffix
-from core.output.members import MemberLoads, Members, Output
+from core.output.mechanism import MemberLoads, Members, Output
 
 SPEEDS = {
     "crank_speed_rpm": "crank",

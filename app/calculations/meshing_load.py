@@ -19,7 +19,7 @@ from app.model import (
     quantity,
     result,
 )
-from app.running import timed
+from app.problems import timed
 from app.sources import KHATETOVSKY_2020
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si, to_si

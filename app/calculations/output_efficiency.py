@@ -15,7 +15,7 @@ from app.calculations.design import (
     forces_used,
 )
 from app.calculations.hertz import eccentricity
-from app.calculations.pin_contact import PinContactFields
+from app.calculations.mechanism import PinContactFields
 from app.model import (
     NO_DUST,
     AccuracyOut,
@@ -30,8 +30,8 @@ from app.model import (
     no_dust,
     quantity,
 )
+from app.problems import timed
 from app.rules import Forms
-from app.running import timed
 from app.sources import ARCHARD_1953, WANG_2016, YANCHEVSKIY_2021
 from app.theme import (
     Amount,

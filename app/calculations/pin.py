@@ -10,8 +10,8 @@ from app.calculations.mechanism import MAX_SATELLITES
 from app.model import Maybe, PartFields, RequestModel, Size, quantity
 from app.rules import Forms, Kinds
 from app.units import from_si, to_si
-from core.material_record import NOT_LISTED
 from core.material_table import MATERIALS
+from core.materials import NOT_LISTED
 from core.output.pin_beam import Support
 from core.output.pin_bolt import PinBolt, bolt_preload
 from core.output.tie_ring import RingJoint

@@ -26,15 +26,15 @@ from app.model import (
     WarningOut,
     result,
 )
+from app.problems import timed
 from app.rules import Rule, field_error
-from app.running import timed
 from app.sources import SHIGLEY, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si
 from app.worked import worked
-from core.derived import if_known
 from core.design.document import changed
 from core.design.results import Results
+from core.errors import if_known
 from core.output.pin_beam import Support
 from core.output.pin_strength import PinStrength
 from core.worked.pins import strength_steps

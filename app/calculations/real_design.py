@@ -6,23 +6,22 @@ from typing import Literal, Self
 from pydantic import Field, model_validator
 
 from app.calculations.contact_law import ContactLawFields
-from app.calculations.mechanism import MechanismFields
-from app.calculations.pin_rollers import RollersFields
-from app.calculations.real_mechanism import (
+from app.calculations.design import (
     GIVING,
     BentPinFields,
     GivingFields,
     RealContactFields,
     RealLoadFields,
 )
+from app.calculations.mechanism import MechanismFields
+from app.calculations.pin_rollers import RollersFields
 from app.model import Maybe, quantity
 from app.rules import field_error
 from app.settings import Settings
 from app.units import to_si
 from core.errors import InvalidInput
-from core.output.contact_law import RIGID_PINS, PinSupport
-from core.output.mechanism import Mechanism
-from core.output.members import Members
+from core.output.elasticity import RIGID_PINS, PinSupport
+from core.output.mechanism import Mechanism, Members
 from core.output.real_mechanism import Deviations, RealMechanism
 
 TIMES_AS_LONG, TIED_AS_LONG = 4, 10

@@ -7,12 +7,12 @@ from pydantic import ValidationError
 
 from app.pointers import with_values
 from core.checks.check import Check, Verdict
-from core.checks.largest_torque import crank_verdict
+from core.checks.crank_planetary import crank_verdict
 from core.errors import CalculationError
 from core.fixes.crank import CHOICES, aimed, crank_fixes
 from core.fixes.fix import Fix, beyond, in_order, side_effects
-from core.material_record import PLASTICS
 from core.material_table import MATERIALS
+from core.materials import PLASTICS
 from core.tolerance.iso286 import fit_clearance
 
 FITS = ("H6/h5", "H6/g5", "H7/h6", "H7/g6", "H7/f7", "H8/f7", "H8/f8", "H9/f9")

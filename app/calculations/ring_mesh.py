@@ -34,9 +34,8 @@ from app.calculations.ring_parts import (
 )
 from app.calculations.solved import Solved
 from app.model import UNION_TAGS, Angle, Calculation, Maybe, RequestModel, Size, Values, quantity
-from app.problems import refusal
+from app.problems import refusal, timed
 from app.rules import field_error
-from app.running import timed
 from app.settings import Settings
 from app.sources import ISO_6336, JOHNSON_1985
 from app.theme import Figure, Theme
@@ -44,9 +43,8 @@ from app.units import to_si
 from app.worked import worked
 from core.design.ring import CycloidRing, InvoluteRing
 from core.errors import InvalidInput
-from core.output.contact_law import HertzLaw
+from core.output.elasticity import HertzLaw, SatelliteSupport, Shares
 from core.output.real_curves import stiffness_curve
-from core.output.satellite_support import SatelliteSupport, Shares
 from core.output.turn import Turn
 from core.ring.involute import InvolutePair, involute_pair
 from core.ring.loss import RingFriction, ring_loss, sliding_part

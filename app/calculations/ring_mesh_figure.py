@@ -9,7 +9,7 @@ import numpy as np
 from app.theme import INK, Amount, Figure, Theme, axis, curve, layout, marker, text
 from app.units import from_si
 from core.arrays import FloatArray
-from core.output.members import Members
+from core.output.mechanism import Members
 from core.ring.mesh_curves import MeshCurves, SeriesCurves
 from core.ring.profile import outline_points
 from core.ring.series_teeth import TeethInSeries

@@ -5,14 +5,14 @@ from typing import ClassVar, Literal, Self
 from pydantic import model_validator
 
 from app.calculations.contact_force import application_factor
-from app.calculations.design import input_speed
-from app.calculations.hertz import Material, contact_length, eccentricity
-from app.calculations.mechanism import MAX_SATELLITES, count_satellites
-from app.calculations.real_mechanism import (
+from app.calculations.design import (
     PerSatellite,
     PhasePerSatellite,
     SatelliteCouplingFields,
+    input_speed,
 )
+from app.calculations.hertz import Material, contact_length, eccentricity
+from app.calculations.mechanism import MAX_SATELLITES, count_satellites
 from app.calculations.ring import (
     DISC_MATERIAL,
     PIN_MATERIAL,

@@ -29,8 +29,8 @@ from app.model import (
     result,
     warning,
 )
+from app.problems import timed
 from app.rules import Forms, field_error
-from app.running import timed
 from app.sources import OVSYANNIKOV_2019, SHIGLEY
 from app.theme import (
     Amount,
@@ -54,7 +54,12 @@ from core.fatigue import CycleFatigue
 from core.fixes.plain import plain_fixes
 from core.results import Notice
 from core.rollers.roller_curves import RollerCurves, roller_curves
-from core.rollers.roller_strength import RollerStrength, roller_fatigue, roller_strength
+from core.rollers.roller_strength import (
+    RollerStrength,
+    roller_arguments,
+    roller_fatigue,
+    roller_strength,
+)
 from core.worked.rollers import roller_steps
 from core.worked.step import Step
 
@@ -72,8 +77,7 @@ _CHECKED = (
     "sphere_diameter",
     "cylinder_length",
     "sphere_width",
-    "position_tolerance",
-    "gaps",
+    "spacing",
 )
 """What the checks look at besides the result."""
 
@@ -172,6 +176,11 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
     @cached_property
     def design(self) -> dict[str, Any]:
         """The rollers as the core's arguments, without what only the checks look at."""
+        return roller_arguments(**self._inputs)
+
+    @property
+    def _inputs(self) -> dict[str, Any]:
+        """The same by the names of the inputs."""
         aside = (*_JUDGED_BY, *_TIRED_BY)
         return {name: each for name, each in self.to_core().items() if name not in aside}
 
@@ -230,21 +239,22 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
         def checked(
             design: dict[str, Any], result: RollerStrength, tired: CycleFatigue | Notice | None
         ) -> Verdict:
-            shared: dict[str, Any] = {name: design.get(name) for name in _CHECKED}
+            shared: dict[str, Any] = {name: design[name] for name in _CHECKED}
             if tired:
                 shared["fatigue"] = tired
             return roller_checks(RollerDesign(result=result, **shared, **limits))
 
         def checks(changed: dict[str, Any]) -> Verdict:
-            result = roller_strength(**changed)
-            return checked(changed, result, self.tired(result, changed["diameter"]))
+            design = roller_arguments(**changed)
+            result = roller_strength(**design)
+            return checked(design, result, self.tired(result, design["diameter"]))
 
         verdict = checked(self.design, result, tired)
         asked = "checks" in self.include
         judged = judgement(verdict, self, torque=self.output_torque_Nm, checks=asked)
         if "fixes" in self.include:
             codes = codes_to_fix(verdict, self.fixes_for)
-            fixes = plain_fixes(design=self.design, codes=codes, current=verdict, checks=checks)
+            fixes = plain_fixes(design=self._inputs, codes=codes, current=verdict, checks=checks)
             judged["fixes"] = [fix_values(each, self) for each in fixes]
         return judged
 

@@ -12,9 +12,8 @@ from app.calculations.design import (
     ForcesUsed,
     forces_used,
 )
-from app.calculations.mechanism import MAX_SATELLITES
+from app.calculations.mechanism import MAX_SATELLITES, TOUCHING, CrankContactFields
 from app.calculations.named_bearing import NamedBearingFields, bearing_name
-from app.calculations.pin_contact import TOUCHING, CrankContactFields
 from app.calculations.ring import RingFields
 from app.model import (
     AccuracyOut,
@@ -32,8 +31,8 @@ from app.model import (
     quantity,
     result,
 )
+from app.problems import timed
 from app.rules import Rule, field_error
-from app.running import timed
 from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
 from app.units import from_si
@@ -43,6 +42,7 @@ from core.crank.balance import Counterweight
 from core.crank.satellite_bearing import BearingCurves, SatelliteBearings
 from core.design.curves import design_bearings
 from core.design.sections import RollingBearing, Seat, Shaft
+from core.errors import is_known
 from core.worked.crank import bearing_steps
 from core.worked.step import Step
 
@@ -251,9 +251,9 @@ class SatelliteBearingResponse(AssumingResponse):
         """Values of the core's arrays, a row for each satellite."""
         carries = result.peak_load > 0
         columns = {
-            name: from_si(name, np.where(carries, values, 0.0)).tolist()
+            name: from_si(name, np.where(carries, getattr(result, field), 0.0)).tolist()
             for name, field in COLUMNS.items()
-            if (values := getattr(result, field)) is not None
+            if is_known(lambda field=field: getattr(result, field))  # type: ignore[misc]
         }
         rows = [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
         for row, loaded in zip(rows, carries.tolist(), strict=True):

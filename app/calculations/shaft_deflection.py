@@ -30,17 +30,16 @@ from app.model import (
     result,
     warning,
 )
+from app.problems import timed
 from app.rules import Forms
-from app.running import timed
 from app.sources import JOHNSON_1985, KHATETOVSKY_2020, SHIGLEY
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
 from app.units import core_name, from_si, to_si
 from app.worked import worked
 from core.checks.check import Verdict
 from core.checks.shaft import LINE_MATERIALS, ShaftDesign, shaft_checks
-from core.derived import if_known
 from core.design.document import not_given
-from core.errors import NotKnown
+from core.errors import NotKnown, if_known
 from core.fatigue import FatigueStrength
 from core.fixes.plain import plain_fixes
 from core.materials import ElasticMaterial

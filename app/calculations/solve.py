@@ -30,9 +30,8 @@ from app.model import (
     result,
 )
 from app.pointers import holder, inner, keys, with_values
-from app.problems import Problem, refusal, wrong_fields
+from app.problems import Problem, calculated, named, refusal, timed, wrong_fields
 from app.rules import Forms
-from app.running import calculated, named, timed
 from app.settings import Settings
 from app.worked import stated
 from core.errors import CalculationError, InvalidInput

@@ -11,9 +11,9 @@ import numpy as np
 from pydantic import Field, PrivateAttr, model_validator
 
 from app.calculations.both_meshes import RingInSeriesFields, of_the_ring
+from app.calculations.design import OneWayLoadFields, RealContactFields
 from app.calculations.members_answer import factor_at_output
 from app.calculations.real_design import LEFT_OUT
-from app.calculations.real_mechanism import OneWayLoadFields, RealContactFields
 from app.calculations.tolerance_answer import ToleranceStudyResponse
 from app.calculations.tolerance_figure import tolerance_figure
 from app.calculations.tolerances import (
@@ -34,9 +34,8 @@ from app.model import (
     quantity,
     warning,
 )
-from app.problems import refusal, unavailable
+from app.problems import refusal, timed, unavailable
 from app.rules import Rule, field_error
-from app.running import timed
 from app.settings import Settings, current
 from app.sources import ISO_286, JANSEN_1999, YANCHEVSKIY_2021
 from app.theme import Figure, Theme

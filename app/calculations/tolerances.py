@@ -7,8 +7,8 @@ from typing import Annotated, Any, ClassVar, Literal, Self, get_args
 
 from pydantic import Discriminator, Field, Tag, model_validator
 
-from app.calculations.pin_contact import Deviation, class_pattern
-from app.calculations.real_mechanism import Phase, RealContactFields
+from app.calculations.design import Phase, RealContactFields
+from app.calculations.mechanism import Deviation, class_pattern
 from app.model import (
     SMALLEST,
     UNION_TAGS,

@@ -6,10 +6,10 @@ from app.model import Maybe, ResponseModel, Values, present, result
 from app.units import from_si
 from core.checks.check import Outcome, Verdict
 from core.checks.usual_modification import UsualModification
-from core.derived import if_known
 from core.design.real_forces import RealForces
 from core.design.results import Results
 from core.design.ring import RingClass
+from core.errors import if_known
 
 
 class UsualFitOut(ResponseModel):

@@ -29,7 +29,6 @@ from core.design.results import Results
 from core.errors import InvalidInput
 from core.results import METHODS
 from core.ring.sharing import MeshTurn
-from core.rollers.roller_strength import roller_gaps
 from core.work_precision.contact import contact_pressure_study
 from core.work_precision.means import (
     equivalent_load_study,
@@ -213,15 +212,11 @@ class RollerSharingStudy(Study):
 
     def solve(self) -> WorkPrecision:
         """The study."""
-        design, own = self.input.solve(), self.input.to_core()
+        design = self.input.solve()
         return roller_sharing_study(
             total=design.mean_force * self.input.rollers,
             stiffness=design.stiffness,
-            gaps=roller_gaps(
-                rollers=self.input.rollers,
-                position_tolerance=own.get("position_tolerance"),
-                gaps=own.get("gaps"),
-            ),
+            gaps=self.input.design["spacing"].gaps(self.input.rollers),
         )
 
 

@@ -12,9 +12,8 @@ from app import VERSION
 from app.calculations.crank_planetary_request import CrankPlanetaryRequest
 from app.calculations.mechanism import MAX_SATELLITES
 from app.model import Export, File, RequestModel, quantity
-from app.problems import Problem, pointer, refusal
+from app.problems import Problem, calculated, path_of, pointer, refusal
 from app.rules import field_error
-from app.running import calculated, path_of
 from app.settings import Settings
 from app.units import from_si, to_si
 from core.arrays import FloatArray

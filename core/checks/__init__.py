@@ -12,8 +12,7 @@ pin_contact         pressure, shakedown and yield where pin and hole touch
 plastics            plastic pins and holes: what is necessary, and never enough
 pins                static strength, fatigue, deflection and slope of the pins
 friction            efficiency, sliding speed, pv and wear
-fit                 room of the pins in their holes, clearance; backlash, lost motion
-layout              dead centres, satellites alike; walls and space between pins and holes
+geometry            what geometry allows: room and play of pins in holes, walls, gaps, dead centres
 crank               ring, bearings of the satellites, crankshaft
 ring_pins           cycloid discs on the pins of a ring: what geometry alone says
 involute_mesh       involute teeth: path of contact, tips, undercut, roots
@@ -21,9 +20,8 @@ ring_load           satellites in their ring under load: pressure, play, bending
 bearings            bearings as they are bought: ratings that can be, room, speed, least load
 pin_rollers         bearings as rollers on the pins: life, load, speed, room, tilt
 balance             what turns with the crankshaft and is not balanced
-crank_planetary     all checks of the reducer, and its parts, of whose verdicts its own is made
+crank_planetary     all checks of the reducer, its parts, its verdict; the largest torque it holds
 words               groups of checks, sources, what is left out
-largest_torque      the largest torque of the reducer as it is made
 shares              which satellite carries how much, and what hangs on it
 cold_yield          the torque at which a plastic contact yields at once
 usual_fit           the reducer with a usual clearance, where none is known

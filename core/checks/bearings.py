@@ -3,6 +3,7 @@ may turn so fast, whether they carry enough, and not too much.
 """
 
 import math
+from contextlib import suppress
 from functools import partial
 
 import numpy as np
@@ -248,8 +249,8 @@ def bearing_min_load(design: Design, results: Results) -> Check:
 def bearing_overload(design: Design, results: Results) -> Check:
     found = results.crank.bearings
     used = np.asarray(found.equivalent_load) / (MOST_DYNAMIC * _rating(design))
-    if found.static_safety_factor is not None:
-        used = np.maximum(used, 1 / (MOST_STATIC * np.asarray(found.static_safety_factor)))
+    with suppress(NotKnown):
+        used = np.maximum(used, 1 / (MOST_STATIC * found.static_safety_factor))
     worst = int(np.argmax(used))
     return judged(
         bearing_overload,

@@ -5,9 +5,8 @@ from collections.abc import Callable, Iterable, Mapping, Set
 from dataclasses import dataclass, field
 from typing import Any, Literal, NamedTuple, TypeVar, get_args
 
-from core.derived import UNKNOWN
 from core.design.document import value_at
-from core.errors import ImpossibleMechanism, InvalidInput, NotKnown, required
+from core.errors import UNKNOWN, ImpossibleMechanism, InvalidInput, NotKnown, required
 from core.precision import AS_TYPED, ROUNDING
 
 Status = Literal["pass", "marginal", "fail", "not_checked", "not_asked", "not_applicable"]
@@ -333,7 +332,7 @@ def judged(
     Examples
     --------
     >>> from core.checks.pins import pin_static
-    >>> from core.checks.layout import wall_holes
+    >>> from core.checks.geometry import wall_holes
     >>> judged(pin_static, 90.0, 100.0, reserve=1.2).status
     'pass'
     >>> judged(pin_static, 99.0, 100.0, reserve=1.02).status

@@ -3,8 +3,7 @@
 from dataclasses import dataclass
 
 from core.checks.check import Verdict
-from core.checks.crank_planetary import crank_check
-from core.checks.largest_torque import under
+from core.checks.crank_planetary import crank_check, under
 from core.checks.plastics import PLASTICS, cold_limits
 from core.design.results import Results
 from core.errors import required

@@ -6,20 +6,16 @@ from typing import Any
 
 import numpy as np
 
-from core.arrays import FloatArray
 from core.checks.check import Check, design_check, judged
+from core.checks.geometry import within_roots
 from core.checks.inputs import BEARING_LOAD, LIFE, OF_DISCS, RING, ROOTS
-from core.checks.layout import within_roots
 from core.crank.bearing_life import EXPONENTS, PEAK_SAFETY, STATIC_SAFETY, Bearing
 from core.crank.ring_mesh import STEEP
-from core.crank.satellite_bearing import SatelliteBearings
-from core.derived import if_known
 from core.design.document import Design
 from core.design.results import Results
 from core.design.ring import RingKind
-from core.design.sections import RollingBearing
-from core.errors import NotKnown, required
-from core.ring.involute import MOST_DIFFERENCE, STANDARD_ANGLES
+from core.errors import NotKnown, if_known, required
+from core.ring.involute import MOST_DIFFERENCE, STANDARD_ANGLES, usual_rack
 from core.ring.possible_teeth import possible_teeth
 
 _LIFE_FIXES = (
@@ -87,7 +83,7 @@ def pressure_angle(design: Design, results: Results) -> Check:
     if_known(lambda: results.ring.force)  # a ring that cannot be is refused, of whatever kind
     if design.gear and design.gear.kind != "involute":
         return Check(pressure_angle, "not_applicable", reason="no_involute")
-    angle = required(results.ring.force.operating_pressure_angle, "no_teeth")
+    angle = results.ring.force.operating_pressure_angle
     return judged(pressure_angle, float(angle), STEEP, warning="steep_mesh")
 
 
@@ -124,8 +120,8 @@ def mesh_possible(design: Design, results: Results) -> Check:
         satellite_teeth=teeth,
         ring_teeth=teeth + gear.teeth_difference,
         module=gear.module,
-        pressure_angle=gear.reference_pressure_angle,
         eccentricity=eccentricity,
+        rack=usual_rack(pressure_angle=gear.reference_pressure_angle),
     )
     check = judged(mesh_possible, found.contact_ratio, 1.0)
     if check.status == "fail" and found.any_mesh:
@@ -155,12 +151,6 @@ def gear_room(design: Design, results: Results) -> Check:
     return within_roots(design=design, kind=gear_room)
 
 
-def _lives(found: SatelliteBearings, bearing: RollingBearing) -> FloatArray:
-    """Lives of the bearings."""
-    required(bearing.dynamic_rating, "rating_unknown", "bearing.dynamic_rating")
-    return required(found.life, "speed_missing", "load.input_speed")
-
-
 def _required_life(design: Design, results: Results) -> dict[str, Any]:
     return {"limit": design.requirements.life}
 
@@ -184,9 +174,9 @@ def _required_life(design: Design, results: Results) -> dict[str, Any]:
 )
 def bearing_life(design: Design, results: Results) -> Check:
     found, limit = results.crank.bearings, design.requirements.life
-    if found.relative_speed == 0:
+    if found.given_speed == 0:
         return Check(bearing_life, "not_applicable", limit=limit, reason="members_locked")
-    lives, power = _lives(found, design.bearing), EXPONENTS[design.bearing.kind]
+    lives, power = found.life, EXPONENTS[design.bearing.kind]
     worst = int(np.argmin(lives))
     value = float(lives[worst])
     return judged(
@@ -251,8 +241,7 @@ def _required_safety(design: Design, results: Results) -> dict[str, Any]:
 )
 def bearing_static(design: Design, results: Results) -> Check:
     found, limit = results.crank.bearings, _required_safety(design, results)["limit"]
-    required(design.bearing.static_rating, "rating_unknown", "bearing.static_rating")
-    safety = np.asarray(found.static_safety_factor)
+    safety = found.static_safety_factor
     worst = int(np.argmin(safety))
     value, error = float(safety[worst]), float(found.accuracy.relative_error)
     return judged(
@@ -291,10 +280,10 @@ def bearing_static(design: Design, results: Results) -> Check:
 def system_life(design: Design, results: Results) -> Check:
     kind, limit = system_life, design.requirements.life
     found, power = results.crank.bearings, EXPONENTS[design.bearing.kind]
-    if found.relative_speed == 0:
+    if found.given_speed == 0:
         return Check(kind, "not_applicable", limit=limit, reason="members_locked")
-    _lives(found, design.bearing)
-    value = float(required(found.system_life, "rating_unknown", "bearing.weibull_slope"))
+    _ = found.life  # which says what is missing first
+    value = float(found.system_life)
     error = 4 * power * float(found.accuracy.relative_error)
     reserve = (value / limit) ** (1 / power)
     rough = results.crank.uneven_growth

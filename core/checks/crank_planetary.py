@@ -1,26 +1,34 @@
-"""All checks of a crank-planetary reducer, its parts, and its verdict."""
+"""All checks of a crank-planetary reducer, its parts, and its verdict; and what it says of more
+torque: whether it holds a tenth more, and the largest it holds.
 
+Forces that are solved do not grow with the torque: clearance and deviations share a small one among
+fewer pairs. So the checks are made again under other torques; what they say of one from the forces
+at another is an estimate.
+"""
+
+import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import cache
 
 from core.checks.balance import BALANCE
 from core.checks.bearings import BEARINGS
-from core.checks.check import Check, PartVerdict, Verdict, make_check, rank, verdict
+from core.checks.check import MARGIN, Check, PartVerdict, Verdict, make_check, rank, verdict
 from core.checks.crank import CRANK
-from core.checks.fit import FIT, PLAY
 from core.checks.friction import FRICTION
+from core.checks.geometry import CRANKS, FIT, PLAY, SPACE
 from core.checks.involute_mesh import INVOLUTE_MESH
-from core.checks.layout import CRANKS, SPACE
 from core.checks.pin_contact import CONTACT, life_considered
 from core.checks.pin_rollers import PIN_ROLLERS
 from core.checks.pins import PINS
 from core.checks.plastics import PLASTICS
 from core.checks.ring_load import RING_LOAD
 from core.checks.ring_pins import RING_PINS
-from core.design.document import Design
+from core.design.document import Design, changed
 from core.design.results import Results
 from core.errors import NotKnown
+from core.output.elasticity import RIGID_SUPPORT
+from core.precision import JUDGED
 
 CRANK_CHECKS = {
     kind.code: kind
@@ -256,3 +264,262 @@ def _lacks(design: Design, part: Part, own: list[Check]) -> Iterator[NotKnown]:
     for check in own:
         if check.opens:
             yield NotKnown(check.reason, *check.missing, refusal=check.refusal, **check.params)
+
+
+LOOKS = 8
+"""Torques at most that are looked at, until the last one's reserve is as far off 1 as `JUDGED`."""
+
+FURTHER, NEAR = 3, 0.1
+"""Torques at most that are looked at for the reserves of checks that fail later, and how near the
+logarithm of one is that needs no look."""
+
+STEEPEST = 3.0
+"""Most that a reserve changes with the torque, as a slope of logarithms, and 1 over the least."""
+
+
+def crank_verdict(results: Results, *, every: bool = False) -> Verdict:
+    """All checks of a crank-planetary reducer, judged under the torque and under others.
+
+    Parameters
+    ----------
+    results : Results
+        Results of a design.
+    every : bool
+        Whether the reserve of every check is wanted, not only of the one that fails first: then the
+        torques under which the others fail are looked at too, but of discs in series, which take
+        long.
+
+    Returns
+    -------
+    Verdict
+        Where forces are solved a check is marginal that fails, or is not known, under `MARGIN`
+        times the torque, and the least reserve is that of the torque at which the first one fails;
+        the others are by secants of what was looked at. Where no such torque is found, as forces
+        cannot be solved or jump with it, the reserves stay estimates, and the largest torque looked
+        at under which all checks hold is given.
+
+    Notes
+    -----
+    Secants of the logarithms of reserve and torque, of all checks at once.
+    """
+    found, design = crank_checks(results), results.design
+    if two_ways(results):
+        surer = [judged_check(check.code, results) for check in found.checks]
+        return of_parts(design=design, checks=surer)
+    if design.clearance_unknown or not any(
+        check.rough and check.torque_reserve for check in found.checks
+    ):
+        return found
+    every = every and not results.in_series
+    return _Torques(design, found).judged(every=every, guess=_guess(results))
+
+
+def two_ways(results: Results) -> bool:
+    """Whether satellites of perfect parts, of which the clearance is not known, may share the load
+    by the bending of their pins or equally.
+
+    Parameters
+    ----------
+    results : Results
+        Results of a design.
+
+    Returns
+    -------
+    bool
+    """
+    design = results.design
+    return design.clearance_unknown and results.solved and not design.as_made
+
+
+def judged_check(code: str, results: Results) -> Check:
+    """One check of a design under its torque. Where its satellites may share the load in two ways
+    it fails where it fails by both, and is not judged where by one.
+
+    Parameters
+    ----------
+    code : str
+        Which.
+    results : Results
+        Results of a design.
+
+    Returns
+    -------
+    Check
+    """
+    solved = crank_check(code, results)
+    if not two_ways(results):
+        return solved
+    equal = crank_check(code, results.equal)
+    if solved.status == equal.status:
+        return solved
+    if "fail" not in (solved.status, equal.status):
+        return equal
+    return equal._replace(
+        status="not_checked", reason="clearance_unknown", missing=("contact.hole_clearance",)
+    )
+
+
+def under(*, design: Design, factor: float) -> Design:
+    """A design under so many times its torques.
+
+    Parameters
+    ----------
+    design : Design
+        The design.
+    factor : float
+        Factor on working and peak torque.
+
+    Returns
+    -------
+    Design
+    """
+    torque, peak = design.load.output_torque * factor, design.load.peak_torque
+    more = {"load.output_torque": torque, "load.peak_torque": peak and peak * factor}
+    return changed(design, more)
+
+
+DOUBTS = ("pressure_error", "shakedown_unknown")
+"""Reasons for which a check is marginal whatever it is under other torques."""
+
+
+UNSOLVED = -math.inf
+"""What is left of reserves where forces cannot be solved, as a logarithm."""
+
+
+class _Torques:
+    """Checks of a design whose reserves are estimates, under several torques."""
+
+    def __init__(self, design: Design, found: Verdict) -> None:
+        self.design, self.found = design, found
+        self.counted = {each.code for each in found.checks if not each.warning}
+        # by code: logarithms of factors on the torque, and of the reserve that is left there
+        self.looks: dict[str, list[tuple[float, float]]] = {}
+        for each in found.checks:
+            if each.rough and each.torque_reserve:
+                self.looks[each.code] = [(0.0, math.log(each.torque_reserve))]
+        self.exact = [
+            math.log(each.torque_reserve)
+            for each in found.checks
+            if each.torque_reserve and not each.rough and not each.warning
+        ]
+
+    def look(self, factor: float) -> float:
+        """The least logarithm of a reserve that is left under so many times the torque; `UNSOLVED`
+        where one is not known there.
+        """
+        there, x = Results(under(design=self.design, factor=factor)), math.log(factor)
+        least, known = min(self.exact, default=math.inf) - x, True
+        for code, looks in self.looks.items():
+            reserve = crank_check(code, there).torque_reserve
+            if reserve:
+                looks.append((x, math.log(reserve)))
+                least = min(least, looks[-1][1] if code in self.counted else math.inf)
+            else:
+                known = known and code not in self.counted
+        return least if known else UNSOLVED
+
+    def root(self, code: str) -> float:
+        """Logarithm of the factor at which a check fails, by the two looks next to it."""
+        (x1, y1), *others = sorted(self.looks[code], key=lambda look: abs(look[1]))
+        if not math.isfinite(y1):
+            return math.inf
+        x0, y0 = others[0] if others else (x1, math.inf)
+        slope = (y1 - y0) / (x1 - x0) if math.isfinite(y0) and x1 != x0 else -1.0
+        return x1 - y1 / max(-STEEPEST, min(slope, -1 / STEEPEST))
+
+    def first(self) -> float:
+        """Logarithm of the factor at which the first check fails."""
+        roots = [self.root(code) for code in self.looks if code in self.counted]
+        return min([*roots, *self.exact], default=math.inf)
+
+    def away(self, code: str) -> float:
+        """How far the factor at which a check fails lies from the next look, as a logarithm."""
+        return min(abs(self.root(code) - x) for x, _ in self.looks[code])
+
+    def look_further(self) -> None:
+        """Looks at the torques under which the other checks fail, farthest from what is known."""
+        for _ in range(FURTHER):
+            away = {self.away(code): code for code in self.looks}
+            farthest = max(filter(math.isfinite, away), default=0.0)
+            if farthest <= NEAR or self.look(math.exp(self.root(away[farthest]))) == UNSOLVED:
+                return
+
+    def largest(self, left: float) -> tuple[float, bool]:
+        """The largest factor that is known to hold, 0 where none is, and whether the first check
+        fails there; by what is left under `MARGIN` times the torque.
+        """
+        unsolved = math.log(MARGIN) if left == UNSOLVED else math.inf
+        holds = 1.0 if self.first() >= 0 else 0.0
+        if left >= 0:
+            holds = MARGIN
+        for _ in range(LOOKS):
+            x = self.first()
+            if x >= unsolved:  # forces cannot be solved there
+                x = (math.log(holds or 1.0) + unsolved) / 2
+            if not math.isfinite(x):
+                break
+            left = self.look(math.exp(x))
+            if left == UNSOLVED:
+                unsolved = x
+            elif abs(left) <= JUDGED:
+                return math.exp(self.first()), True
+            elif left >= 0:
+                holds = max(holds, math.exp(x))
+        return holds, False
+
+    def guessed(self) -> float:
+        """About the factor at which the first check fails."""
+        holds, settled = self.largest(self.look(MARGIN))
+        return math.exp(self.first()) if settled else holds
+
+    def judged(self, *, every: bool, guess: float | None = None) -> Verdict:
+        """The verdict with what is seen under other torques; by a guess one of them, near which the
+        first check fails, and no other.
+        """
+        left = self.look(MARGIN)
+        at_margin = {code: looks[1][1] for code, looks in self.looks.items() if looks[1:]}
+        if guess is None:
+            limit, settled = self.largest(left)
+        else:
+            settled = False
+            known = guess > 0 and self.look(guess) > UNSOLVED and math.isfinite(self.first())
+            limit = math.exp(self.first()) if known else 0.0
+        if settled and every:
+            self.look_further()
+        checks = []
+        for check in self.found.checks:
+            if check.code in self.looks:
+                own = math.exp(self.root(check.code))
+                raised = max(own, limit) if limit else None  # none is given where none holds
+                reserve = raised if check.code in self.counted else own
+                rough = not settled or self.away(check.code) > NEAR
+                check = check._replace(torque_reserve=reserve, rough=rough)
+                check = _under_margin(check, at_margin.get(check.code, -1.0) >= 0)
+            checks.append(check)
+        found = of_parts(design=self.design, checks=checks)
+        if found.torque_reserve is None:
+            return found
+        least = found.torque_reserve if settled else limit
+        return replace(found, torque_reserve=least, largest_torque_estimated=not settled)
+
+
+def _guess(results: Results) -> float | None:
+    """Factor on the torque at which the first check fails, about, of a design in series that takes
+    long, as its pins deviate: by each mesh with satellites that turn as one. None of other designs.
+    """
+    if not results.in_series or results.series.pins_alike:
+        return None
+    apart = changed(results.design, {"satellite_coupling": RIGID_SUPPORT})
+    return _Torques(apart, crank_checks(Results(apart))).guessed()
+
+
+def _under_margin(check: Check, holds: bool) -> Check:
+    """A check that holds, or does not, under `MARGIN` times the torque."""
+    sure = check.status in ("pass", "marginal") and check.reason not in DOUBTS
+    if check.warning or not sure:
+        return check
+    found = check._replace(status="pass" if holds else "marginal")
+    if not check.by_torque:
+        return found
+    nearer = max if holds else min
+    return found._replace(torque_reserve=nearer(check.reserve, MARGIN))

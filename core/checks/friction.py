@@ -4,9 +4,9 @@ from functools import partial
 
 from core.checks.check import Check, Measure, design_check
 from core.checks.inputs import FORCES, INVOLUTE_TEETH, LIFE, SPEEDS
-from core.derived import if_known
 from core.design.document import Design
 from core.design.results import Results
+from core.errors import if_known
 
 _check = partial(design_check, group="friction", part="losses", needs=("touching", "load", "rubs"))
 

@@ -7,12 +7,11 @@ from typing import Any, get_args
 
 from core.checks.check import Check, Kind, design_check, judged, judged_by
 from core.checks.inputs import LIFE, LOADED, SLIDING
-from core.derived import if_known, is_known
 from core.design.document import Design
 from core.design.results import Results
-from core.errors import NotKnown
-from core.first_yield import SLIDING as KNOWN_SLIDING
+from core.errors import NotKnown, if_known, is_known
 from core.hertz import HertzContact, force_factor
+from core.materials import SLIDING as KNOWN_SLIDING
 from core.materials import Body, ContactLimit, ElasticMaterial
 
 BODIES: tuple[Body, ...] = get_args(Body)

@@ -11,10 +11,9 @@ from functools import partial
 from core.checks.check import Check, Unjudged, design_check, judged, judged_by, necessary
 from core.checks.inputs import LOADED, SLIDING
 from core.checks.pin_contact import FIXES, in_disc
-from core.derived import UNKNOWN
 from core.design.document import Design, value_at
 from core.design.results import Results
-from core.errors import NotKnown, required
+from core.errors import UNKNOWN, NotKnown, required
 from core.hertz import HertzContact, force_factor
 from core.materials import Body
 from core.numerics.inverse import edge

@@ -8,7 +8,7 @@ from typing import Any, TypeVar, get_args
 
 from core.checks.check import Check, Kind, Measure, design_check, judged, judged_by
 from core.checks.crank import other_ring
-from core.checks.fit import of_both
+from core.checks.geometry import of_both
 from core.checks.inputs import (
     FATIGUE,
     INVOLUTE_TEETH,
@@ -28,7 +28,7 @@ from core.checks.ring_pins import CYCLOID
 from core.design.document import Design
 from core.design.results import Results
 from core.design.ring import RingBody, RingKind
-from core.errors import ImpossibleMechanism, NotKnown, required
+from core.errors import ImpossibleMechanism, NotKnown
 from core.precision import AS_TYPED
 from core.ring.sharing import MeshTurn
 
@@ -126,7 +126,7 @@ def _pressed(results: Results, body: RingBody, *, static: bool) -> Pressed:
         factor = design.static_torque / design.pin_torque if static else design.load_factor
         return involute_pressed(results=results, factor=factor)
     turn = results.ring.static if static else results.ring.loading
-    value = required(turn.max_pressure, "limit_unknown", _material(design, body))
+    value = turn.max_pressure
     pair, angle = turn.hardest_place
     at = {"satellite": pair.satellite, "pin": pair.pin, "crank_angle": angle}
     return Pressed(value, _error(turn), True, at)

@@ -1,7 +1,6 @@
 """Checks of swinging rollers: stress, load sharing, room, tilt."""
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -21,7 +20,7 @@ from core.design.document import not_given
 from core.design.sections import Requirements
 from core.fatigue import CycleFatigue
 from core.results import Notice
-from core.rollers.roller_strength import RollerStrength, roller_gaps
+from core.rollers.roller_strength import RollerStrength, Spacing
 
 MISSING = {
     "endurance_unknown": ("tensile_strength",),
@@ -39,8 +38,7 @@ class RollerDesign:
 
     Attributes
     ----------
-    position_tolerance, gaps : as of `roller_strength`
-        One of them.
+    spacing : as of `roller_strength`
     fatigue : CycleFatigue or Notice
         Fatigue of the rollers, or why it is not known, where that is asked.
     """
@@ -52,8 +50,7 @@ class RollerDesign:
     sphere_diameter: float  # D, m
     cylinder_length: float  # l, m
     sphere_width: float  # b, m
-    position_tolerance: float | None = None
-    gaps: Sequence[float] | None = None
+    spacing: Spacing
     yield_strength: float | None = None  # R_e, Pa
     eccentricity: float | None = None  # e of the crank, m
     fatigue: CycleFatigue | Notice = not_given("fatigue")
@@ -63,9 +60,7 @@ class RollerDesign:
         """Factor on the torque at which the largest force is so many times larger."""
         # F_i = c*max(0, Delta - g_i): what the rollers carry then
         largest = float(self.result.max_force) * growth
-        ahead = roller_gaps(
-            rollers=self.rollers, position_tolerance=self.position_tolerance, gaps=self.gaps
-        )
+        ahead = [float(gap) for gap in self.spacing.gaps(self.rollers)]
         first = min(ahead)
         carried = math.fsum(
             max(0.0, largest - float(self.result.stiffness) * (each - first)) for each in ahead

@@ -18,9 +18,9 @@ from core.checks.check import (
 )
 from core.checks.inputs import FATIGUE
 from core.checks.rollers import cycle_check
-from core.derived import if_known
 from core.design.document import not_given
 from core.design.sections import Requirements
+from core.errors import if_known
 from core.precession.line_contact import LineContact
 from core.precession.shaft_deflection import ShaftDeflection
 from core.precession.shaft_strength import ShaftStrength

@@ -7,12 +7,11 @@ from typing import Literal
 
 from core.checks.check import Check, Verdict
 from core.checks.crank_planetary import crank_check
-from core.derived import if_known
 from core.design.document import changed
 from core.design.results import Results
-from core.output.contact_law import pin_compliance
+from core.errors import if_known
+from core.output.elasticity import Shares, pin_compliance
 from core.output.real_mechanism import Deviations
-from core.output.satellite_support import Shares
 from core.results import Notice
 
 ShareModel = Literal["real", "factor", "given"]

@@ -1,11 +1,10 @@
 """A design of perfect parts, or of an unknown clearance, with one as such parts usually have."""
 
 from core.checks.check import Verdict
-from core.checks.largest_torque import crank_verdict
-from core.derived import if_known, is_known
+from core.checks.crank_planetary import crank_verdict
 from core.design.document import Design, changed
 from core.design.results import Results
-from core.errors import InvalidInput
+from core.errors import InvalidInput, if_known, is_known
 from core.materials import ElasticMaterial
 from core.tolerance.iso286 import fit_clearance
 

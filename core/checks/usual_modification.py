@@ -12,13 +12,12 @@ from typing import NamedTuple
 import numpy as np
 
 from core.checks.check import Verdict
-from core.checks.largest_torque import crank_verdict
+from core.checks.crank_planetary import crank_verdict
 from core.checks.usual_fit import soft, usual_clearance, usual_fit, with_usual_clearance
-from core.derived import UNKNOWN
 from core.design.document import Design, changed
 from core.design.results import Results
 from core.design.ring import RingClass
-from core.errors import ImpossibleMechanism
+from core.errors import UNKNOWN, ImpossibleMechanism
 from core.output.real_mechanism import Deviations
 from core.output.sampled_turn import WAYS
 from core.output.turn import Turn

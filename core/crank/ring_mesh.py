@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from core.arrays import Number, check_positive, every, refuse
+from core.errors import NotKnown
 from core.precision import ROUNDING
 from core.results import Notice
 
@@ -27,9 +28,13 @@ class RingMesh:
     """The ratio rho of the ring's force along the crank to that across it."""
 
     radial_force_ratio: Number  # rho
-    operating_pressure_angle: Number | None = None  # alpha_w of involute teeth, rad
-    error: float = 0.0  # relative, of both, by rounding: large where the angle is small
+    error: float = 0.0  # relative, of all, by rounding: large where an angle is small
     notices: tuple[Notice, ...] = ()
+
+    @property
+    def operating_pressure_angle(self) -> Number:
+        """alpha_w of involute teeth, rad."""
+        raise NotKnown("no_teeth")
 
 
 @dataclass(frozen=True, slots=True)
@@ -151,7 +156,6 @@ def cycloid_mesh(
     crossed = (difference or 1) > 1
     return RingMesh(
         _plain(-np.where(k < SERIES, summed, closed)),
-        None,
         64 * ROUNDING,
         (Notice("cycloid_difference", {"difference": difference}),) if crossed else (),
     )

@@ -14,6 +14,7 @@ with the centrifugal force of the satellite, which relieves its bearing, where i
 
 import math
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
@@ -38,9 +39,9 @@ from core.crank.bearing_life import (
     system_life,
 )
 from core.crank.ring_mesh import RingMesh
-from core.output.contact_force import force_peak
-from core.output.mechanism import Mechanism
-from core.output.pin_forces import force_ratios, pressure_cosines
+from core.errors import NotKnown, derived, is_known, required
+from core.output.contact_force import force_peak, force_ratios
+from core.output.mechanism import Mechanism, pressure_cosines
 from core.output.pin_search import MISSED, largest
 from core.output.pin_turn import BLOCK, COARSEST, SatelliteTurn, combine, satellite_turn
 from core.output.sampled_turn import WAYS, Direction, Made, SampledTurn
@@ -51,33 +52,95 @@ FINEST = 9
 """Level of the last rule of the mean, some 3500 nodes an arc."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class SatelliteBearings:
-    """Load and life of the satellites' bearings; the last axis counts the satellites."""
+    """Load and life of the satellites' bearings; the last axis counts the satellites. What rests on
+    a rating, a speed or a slope that is not given raises `NotKnown`.
+    """
 
-    # Of a bearing's rings against each other, rad/s, where that of the crank is given.
-    relative_speed: Number | None
+    given_speed: Number | None  # of a bearing's rings against each other, rad/s
+    mesh: RingMesh
     # rho of the ring's force along the crank to that across it; its mean where that is solved.
     radial_force_ratio: Number
-    operating_pressure_angle: Number | None  # of involute teeth, rad
     peak_load: FloatArray  # largest over the turn, N, shape (..., K)
     min_load: FloatArray  # least, of a satellite that carries least, N, shape (..., K)
     equivalent_load: FloatArray  # P, the factor of the rings in it, N, shape (..., K)
+    lesser_load: FloatArray  # the same of one that does not carry most, N, shape (..., K)
     peak_ring_force: FloatArray  # largest resultant of the ring on each, N, shape (..., K)
-    # Time that 90 % of such bearings reach, s, shape (..., K), where rating and speed are known;
-    # infinite of a satellite that carries nothing.
-    basic_life: FloatArray | None
-    life: FloatArray | None  # the same at the reliability asked, s, shape (..., K)
-    # Static rating over the largest load, shape (..., K), where that rating is known; infinite
-    # likewise.
-    static_safety_factor: FloatArray | None
-    # Life of all of them together at that reliability, s, shape (...), where the slope of the
-    # distribution is given.
-    system_life: Number | None
-    # Of all numbers, over those of the satellite that carries most; where there are lives, the
-    # error of the loads times their exponent.
-    accuracy: Accuracy
-    notices: tuple[Notice, ...]
+    static_loads: Callable[[], FloatArray]  # largest at the peak torque, N, shape (..., K)
+    kind: Bearing  # rolling elements
+    dynamic_rating: Number | None  # C, N
+    static_rating: Number | None  # C0, N
+    reliability_percent: float
+    weibull_slope: Number | None  # of the distribution of lives
+    load_accuracy: Accuracy  # of the loads, over those of the satellite that carries most
+    mean_error: float  # relative error of the equivalent loads
+    idle: tuple[Notice, ...]  # which satellites carry nothing
+
+    @property
+    def operating_pressure_angle(self) -> Number:
+        """alpha_w of involute teeth, rad."""
+        return self.mesh.operating_pressure_angle
+
+    @property
+    def relative_speed(self) -> Number:
+        """Speed of a bearing's rings against each other, rad/s."""
+        return required(self.given_speed, "speed_missing", "load.input_speed")
+
+    @property
+    def _turning(self) -> FloatArray:
+        """Time of a million turns, s, shape (..., 1)."""
+        if not every(self.relative_speed > 0):
+            raise NotKnown("members_locked")
+        return 1e6 * 2 * math.pi / np.asarray(self.relative_speed)[..., None]
+
+    def _turns(self, load: FloatArray) -> FloatArray:
+        """Lives under equivalent loads, in million turns."""
+        rating = required(self.dynamic_rating, "rating_unknown", "bearing.dynamic_rating")
+        return _lives(load, rating=rating, kind=self.kind)
+
+    @derived
+    def basic_life(self) -> FloatArray:
+        """Time that 90 % of such bearings reach, s, shape (..., K); infinite of a satellite that
+        carries nothing.
+        """
+        turns = self._turns(self.equivalent_load)
+        return self._turning * turns
+
+    @derived
+    def life(self) -> FloatArray:
+        """The same at the reliability asked, s, shape (..., K)."""
+        return reliability_factor(percent=self.reliability_percent) * self.basic_life
+
+    @derived
+    def static_safety_factor(self) -> FloatArray:
+        """Static rating over the largest load, shape (..., K); infinite likewise."""
+        given = required(self.static_rating, "rating_unknown", "bearing.static_rating")
+        check_positive(static_rating=given)
+        static, rating = self.static_loads(), np.asarray(given, dtype=np.float64)[..., None]
+        return np.where(static > 0, rating / np.where(static > 0, static, rating), math.inf)
+
+    @derived
+    def system_life(self) -> Number:
+        """Life of all of them together at that reliability, s, shape (...)."""
+        slope = required(self.weibull_slope, "rating_unknown", "bearing.weibull_slope")
+        factor = reliability_factor(percent=self.reliability_percent)
+        return _together(self.life, factor * self._turning * self._turns(self.lesser_load), slope)
+
+    @derived
+    def accuracy(self) -> Accuracy:
+        """Of all numbers, over those of the satellite that carries most; where there are lives, the
+        error of the loads times their exponent.
+        """
+        error = self.load_accuracy.relative_error
+        if is_known(lambda: self.life):
+            error = max(error, EXPONENTS[self.kind] * self.mean_error)
+        return self.load_accuracy._replace(relative_error=error + 8 * ROUNDING)
+
+    @property
+    def notices(self) -> tuple[Notice, ...]:
+        """Of the ring, of satellites that carry nothing, and of what is hardly known."""
+        return (*self.mesh.notices, *self.idle, *poorly_known(self.accuracy))
 
 
 def satellite_bearings(
@@ -233,40 +296,30 @@ def satellite_bearings(
             most = [solved(static_torque, each).most for each in reliefs]
             return np.asarray(np.maximum.reduce(most))
 
-    equivalent = np.asarray(ring_factor)[..., None] * loads.mean
-    basic = life = safety = together = None
-    factor = reliability_factor(percent=reliability_percent)
-    error = loads.accuracy.relative_error
-    if dynamic_rating is not None and relative_speed is not None and every(relative_speed > 0):
-        turning = 1e6 * 2 * math.pi / np.asarray(relative_speed)[..., None]
-        lasting = partial(_lives, rating=dynamic_rating, kind=kind)
-        basic = turning * lasting(equivalent)
-        life = factor * basic
-        error = max(error, EXPONENTS[kind] * loads.mean_error)
-        if weibull_slope is not None:
-            longer = lasting(np.asarray(ring_factor)[..., None] * others.mean)
-            together = _together(life, factor * turning * longer, weibull_slope)
-    if static_rating is not None:
-        check_positive(static_rating=static_rating)
-        static = static_loads()
-        rating = np.asarray(static_rating, dtype=np.float64)[..., None]
-        safety = np.where(static > 0, rating / np.where(static > 0, static, rating), math.inf)
-    accuracy = loads.accuracy._replace(relative_error=error + 8 * ROUNDING)
-    return SatelliteBearings(
-        relative_speed=relative_speed,
+    reliability_factor(percent=reliability_percent)  # refuses what is not in the table
+    found = SatelliteBearings(
+        given_speed=relative_speed,
+        mesh=mesh,
         radial_force_ratio=loads.ratio,
-        operating_pressure_angle=mesh.operating_pressure_angle,
         peak_load=loads.most,
         min_load=others.least,
-        equivalent_load=equivalent,
+        equivalent_load=np.asarray(ring_factor)[..., None] * loads.mean,
+        lesser_load=np.asarray(ring_factor)[..., None] * others.mean,
         peak_ring_force=loads.ring,
-        basic_life=basic,
-        life=life,
-        static_safety_factor=safety,
-        system_life=together,
-        accuracy=accuracy,
-        notices=(*mesh.notices, *_idle(loads), *poorly_known(accuracy)),
+        static_loads=static_loads,
+        kind=kind,
+        dynamic_rating=dynamic_rating,
+        static_rating=static_rating,
+        reliability_percent=reliability_percent,
+        weibull_slope=weibull_slope,
+        load_accuracy=loads.accuracy,
+        mean_error=loads.mean_error,
+        idle=tuple(_idle(loads)),
     )
+    for name in ("life", "system_life", "static_safety_factor"):
+        with suppress(NotKnown):
+            getattr(found, name)  # refuses what is out of range
+    return found
 
 
 def uneven_shares(*, satellites: int, distribution_factor: float) -> FloatArray:

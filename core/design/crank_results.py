@@ -7,11 +7,10 @@ from typing import Any
 from core.crank.balance import Balance, balance
 from core.crank.crankshaft import Crankshaft, crankshaft
 from core.crank.satellite_bearing import SatelliteBearings, satellite_bearings
-from core.derived import derived, if_known
 from core.design.output_forces import OutputForces
 from core.design.refusals import named
 from core.design.ring_results import RingResults
-from core.errors import NotKnown
+from core.errors import NotKnown, derived, if_known
 from core.output.real_mechanism import Deviations
 
 MOST_BEARING_PAIRS = 2000

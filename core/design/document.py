@@ -9,7 +9,6 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, TypeVar, cast
 
-from core.derived import if_known, is_known
 from core.design.ring import CycloidRing, InvoluteRing, Ring, RingBody
 from core.design.sections import (
     Contact,
@@ -27,19 +26,18 @@ from core.design.sections import (
     SharedBy,
     Temperatures,
 )
-from core.errors import InvalidInput, NotKnown, required
+from core.errors import InvalidInput, NotKnown, if_known, is_known, required
 from core.materials import Body, ElasticMaterial, Plastic
-from core.output.contact_law import ContactLaw
-from core.output.mechanism import Mechanism
-from core.output.members import Members, MemberSpeeds
-from core.output.pin_beam import check_apart
-from core.output.pin_section import MOST_BORE
-from core.output.real_mechanism import Deviations
-from core.output.satellite_support import (
+from core.output.elasticity import (
     RIGID_SUPPORT,
+    ContactLaw,
     RingInSeries,
     SatelliteSupport,
 )
+from core.output.mechanism import Mechanism, Members, MemberSpeeds
+from core.output.pin_beam import check_apart
+from core.output.pin_section import MOST_BORE
+from core.output.real_mechanism import Deviations
 from core.precision import AS_TYPED, SAME
 from core.ring.sharing import RingDeviations
 

@@ -1,7 +1,7 @@
 """Parts of a design as they are drawn: the satellites, the pins of their ring or its teeth.
 
 All stand as they do at the crank angle 0, by their nominal sizes, X to the right, Y up through the
-first pin of the output, as `core.output.pin_geometry` has them. The crank of satellite j points to
+first pin of the output, as `core.output.mechanism` has them. The crank of satellite j points to
 ``phi_0 + alpha_j`` then, clockwise from Y, and the first pin of the ring to where a crank of the
 angle 0 does, phi_0. A disc of z lobes has rolled anticlockwise by ``alpha_j/z``:
 
@@ -21,12 +21,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.arrays import ComplexArray, FloatArray
-from core.derived import if_known
 from core.design.document import Design
 from core.design.refusals import named
 from core.design.results import Results
-from core.errors import ImpossibleMechanism, InvalidInput, NotKnown, required
-from core.output.pin_geometry import pin_geometry
+from core.errors import ImpossibleMechanism, InvalidInput, NotKnown, if_known, required
+from core.output.mechanism import pin_geometry
 from core.ring.involute import InvolutePair
 from core.ring.profile import MOST_POINTS, CycloidDisc, outline_points
 from core.ring.sharing import CycloidMesh

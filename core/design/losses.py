@@ -6,11 +6,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from core.derived import derived
 from core.design.output_forces import OutputForces
 from core.design.refusals import named
 from core.design.ring_results import RingResults
-from core.errors import NotKnown
+from core.errors import NotKnown, derived
 from core.output.losses import BarePins, PinLosses, Sleeves, pin_losses
 from core.output.sampled_turn import WAYS, SampledTurn
 from core.results import Accuracy, Notice

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import Any, Protocol
 
 from core.design.document import Design
-from core.output.members import MemberLoads
+from core.output.mechanism import MemberLoads
 from core.output.over_turn import OverTurn
 from core.output.sampled_turn import Made
 

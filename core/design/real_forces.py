@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Self
 
+from core.errors import if_known
 from core.hertz import HertzContact
 from core.output.over_turn import OverTurn
 from core.output.real_mechanism import RealMechanism
@@ -60,7 +61,11 @@ class RealForces:
         """
         ways = WAYS[direction]
         turns = {way: turn(way * torque) for way in ways}
-        way = max(ways, key=lambda way: turns[way].max_pressure or math.inf)
+
+        def pressure(way: float) -> float:
+            return if_known(lambda: turns[way].max_pressure) or math.inf
+
+        way = max(ways, key=pressure)
         return cls(turns[way].real, way, torque, turns[way])
 
     @cached_property

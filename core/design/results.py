@@ -8,9 +8,7 @@ from functools import cache, cached_property
 from typing import Any
 
 from core.arrays import Number
-from core.conformal import OVALS, disc_error, first_yield_factor
 from core.crank.pin_rollers import PinRollers, pin_rollers
-from core.derived import derived, if_known, is_known
 from core.design.crank_results import MOST_BEARING_PAIRS, CrankResults
 from core.design.document import Design, changed, value_at
 from core.design.losses import LossResults
@@ -19,16 +17,15 @@ from core.design.real_forces import RealForces
 from core.design.refusals import named
 from core.design.ring_results import RingResults
 from core.design.sections import DesignPin
-from core.errors import InvalidInput, NotKnown, required
-from core.first_yield import first_yield, shakedown
-from core.hertz import HertzContact, force_factor, hertz
-from core.materials import Body
+from core.errors import InvalidInput, NotKnown, derived, if_known, is_known, required
+from core.hertz import OVALS, HertzContact, disc_error, first_yield_factor, force_factor, hertz
+from core.materials import Body, first_yield, shakedown
 from core.output.contact_force import ContactForce, contact_force
-from core.output.contact_law import RIGID_PINS, ContactLaw, contact_compliance, usual_law
 from core.output.edge_load import EdgeLoad, SlopingContacts
+from core.output.elasticity import RIGID_PINS, ContactLaw, contact_compliance, usual_law
 from core.output.fit import Fit
 from core.output.loaded_position import loaded_position
-from core.output.members import MemberLoads
+from core.output.mechanism import MemberLoads
 from core.output.over_turn import OverTurn
 from core.output.pin_bolt import Grip, grip
 from core.output.pin_fatigue import FatigueStrength

@@ -7,16 +7,15 @@ from functools import cache, cached_property
 from typing import Any, TypeVar
 
 from core.crank.ring_mesh import RingMesh
-from core.derived import derived, if_known
 from core.design.output_forces import OutputForces
 from core.design.pin_fatigue import fatigue_of
 from core.design.refusals import named
 from core.design.sections import DesignPin
-from core.errors import InvalidInput, NotKnown, required
+from core.errors import InvalidInput, NotKnown, derived, if_known, required
+from core.output.elasticity import RIGID_SUPPORT, Shares
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
 from core.output.sampled_turn import WAYS, PinForces
-from core.output.satellite_support import RIGID_SUPPORT, Shares
 from core.ring.bent_pins import forces_on_ring
 from core.ring.involute import MOST_DIFFERENCE, STANDARD_ANGLES, InvolutePair, involute_pair
 from core.ring.involute_load import InvoluteLoad, RootStress, involute_load, involute_loss
@@ -184,7 +183,7 @@ class RingResults:
         """The same in each direction of the torque, N*m, that of the larger pressure first."""
         ways = WAYS[self.design.load.torque_direction]
         turns = [self.turn(way * torque) for way in ways]
-        return sorted(turns, key=lambda turn: turn.max_pressure or 0.0, reverse=len(ways) > 1)
+        return sorted(turns, key=lambda turn: turn.max_pressure, reverse=len(ways) > 1)
 
     @derived
     def working(self) -> list[MeshTurn]:

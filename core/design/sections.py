@@ -10,8 +10,7 @@ from typing import Literal, NamedTuple, get_args
 from core.crank.balance import Counterweight
 from core.crank.bearing_life import Bearing
 from core.crank.pin_rollers import FRICTION, Ratings, RollerKind
-from core.derived import derived, if_known
-from core.errors import InvalidInput, NotKnown, required
+from core.errors import InvalidInput, NotKnown, derived, if_known, required
 from core.fatigue import (
     NOTCH_STRENGTHS,
     SIZES,
@@ -27,12 +26,10 @@ from core.fatigue import (
     surface_factor,
 )
 from core.materials import ElasticMaterial
-from core.output.contact_law import PinSupport
-from core.output.mechanism import Mechanism
-from core.output.members import Members, Output
+from core.output.elasticity import PinSupport
+from core.output.mechanism import Mechanism, Members, Output, felt
 from core.output.pin_bolt import PinBolt
 from core.output.pin_fatigue import FatigueStrength
-from core.output.pin_geometry import felt
 from core.output.sampled_turn import Direction
 from core.precision import SAME
 from core.results import Notice

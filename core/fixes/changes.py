@@ -4,7 +4,7 @@ from core.design.document import Design, changed, value_at
 from core.design.sections import Contact
 from core.errors import required
 from core.fixes.fix import WHOLE
-from core.output.satellite_support import Shares
+from core.output.elasticity import Shares
 from core.tolerance.iso286 import fit_clearance
 
 RATING = "crankshaft.bearings.dynamic_rating"

@@ -7,13 +7,11 @@ from dataclasses import replace
 from functools import cache
 
 from core.checks.check import Check, Verdict
-from core.checks.crank_planetary import crank_check
-from core.checks.largest_torque import crank_verdict, two_ways, under
+from core.checks.crank_planetary import crank_check, crank_verdict, two_ways, under
 from core.checks.usual_fit import usual_clearance
-from core.derived import UNKNOWN
 from core.design.document import Design, value_at
 from core.design.results import Results
-from core.errors import CalculationError
+from core.errors import UNKNOWN, CalculationError
 from core.fixes.changes import count_may_change, value_of, vary
 from core.fixes.fix import (
     PIN_SIZES,

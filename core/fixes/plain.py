@@ -36,7 +36,7 @@ def plain_fixes(
     for code in codes:
         for variable in current[code].kind.fixes:
             before = design.get(variable)
-            if not before or (variable == "rollers" and design.get("gaps") is not None):
+            if not before or (variable == "rollers" and "gaps" in design):
                 continue
 
             def whole_list(value: float, variable: str = variable) -> Verdict:

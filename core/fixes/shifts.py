@@ -4,13 +4,14 @@ other heights where these leave none, and the nearest eccentricity that leaves t
 
 import math
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from typing import Any, NamedTuple
 
 from core.checks.check import Verdict
-from core.checks.largest_torque import crank_verdict
+from core.checks.crank_planetary import crank_verdict
 from core.design.document import changed, value_at
 from core.design.results import Results
-from core.errors import CalculationError
+from core.errors import CalculationError, NotKnown
 from core.fixes.changes import vary
 from core.fixes.fix import Fix, side_effects
 from core.ring.involute import HEIGHTS, TIPS_APART, InvoluteTeeth
@@ -114,21 +115,20 @@ def _choices(results: Results, teeth: InvoluteTeeth) -> Iterator[tuple[str, dict
     """The input that a choice is named by, and all that it sets."""
     line = results.ring.pair.line
     room = TIPS_APART + SPARE
-    best = shifts_at(teeth=teeth, eccentricity=line.eccentricity, room=room)
-    if best is not None:
+    with suppress(NotKnown):
+        best = shifts_at(teeth=teeth, eccentricity=line.eccentricity, room=room)
         yield SHIFT, _values(results, best)
     possible = possible_teeth(
         satellite_teeth=teeth.satellite_teeth,
         ring_teeth=teeth.ring_teeth,
         module=teeth.module,
-        pressure_angle=teeth.rack.pressure_angle,
         eccentricity=line.eccentricity,
         rack=teeth.rack,
     )
-    if possible.teeth is not None:
+    with suppress(NotKnown):
         yield SHIFT, _values(results, possible.teeth, lower=LOWER)
-    nearest = nearest_ring(teeth=teeth, room=room)
-    if nearest is not None:
+    with suppress(NotKnown):
+        nearest = nearest_ring(teeth=teeth, room=room)
         values = _values(results, nearest.teeth)
         del values[SHIFT]
         step = math.floor(nearest.line.eccentricity / MICRON) * MICRON

@@ -2,16 +2,11 @@
 
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------
-mechanism           pins, satellites and cranks: phases of the pairs, dead centres, assembly
-members             which of crank, pins and ring is the output: ratio, torques, speeds
-cyclogram           which pin/hole pairs drive, when, how many together
-pin_forces          the law of load sharing: force of each pair; the approximation of its peak
-pin_geometry        fit of pins and holes; their centres and contact points at a crank angle
+mechanism           pins, satellites, cranks: phases, output; how pins fit, where they are
 driving_set         the pairs that drive together, segment by segment of the turn
 force_bounds        bounds of the force over a stretch, from what is known at its ends
 force_laws          the force of the best placed pair under each law of load sharing
-peak_force          the exact peak of the contact force over the turn
-contact_force       forces over the turn, peak and approximations as one job
+contact_force       which pairs drive, when, how many; their forces over the turn, the exact peak
 losses              friction of the pins: sliding speed, loss, efficiency, pv, wear
 pin_section         its section, solid or bored, and the wall about a bore
 pin_beam            a pin as a beam on three kinds of supports: moment, shear, deflection, slope
@@ -33,13 +28,11 @@ tied_kernel         loops: pins that a tie ring joins
 sharing_kernel      loops: one position
 turn_kernel         loops: a turn, pieces of a study
 compiled            the same loops compiled, for turns and studies
-satellite_support   satellites that give: crank bearings, mesh; given shares of the torque
 conformal_law       the law of contact of a pin that wraps, as one curve
-contact_law         laws of contact of a pair, and the bending of its pin
+elasticity          what gives: contact of a pair, by its law; its pin; the satellites
 stage               what pairs share a torque by one lag: pins in holes, a ring on teeth
 real_mechanism      the mechanism as it is made: sizes, clearance, deviations, elasticity
-room                the room of pins in their holes over the turn, by geometry alone
-fit                 whether the parts go together, and what elasticity takes up of a misfit
+fit                 room of the pins in their holes over the turn, whether they go together
 loaded_position     its forces, lag, play and stiffness at one position
 real_curves         curves of these over the turn, and of the lag over the torque
 summits             summits of a function over the turn

@@ -5,7 +5,7 @@ from dataclasses import replace
 from typing import Any
 
 from core.arrays import FloatArray
-from core.output.loaded_position import LoadedPosition, loaded_position
+from core.output.loaded_position import loaded_position
 from core.output.over_turn import OverTurn
 from core.output.real_curves import RealCurves, real_curves
 from core.output.stage import Stage
@@ -59,16 +59,7 @@ def worse_position(
     )
     reverse = _reverse(max(map(max, driving.force)), max(map(max, back.force)))
     worse, other = (back, driving) if reverse else (driving, back)
-    return replace(worse, max_pressure=_larger_pressure(worse, other)), reverse
-
-
-def _larger_pressure(
-    one: LoadedPosition | OverTurn, other: LoadedPosition | OverTurn
-) -> float | None:
-    """The larger pressure of both directions, where both are known."""
-    if one.max_pressure is None or other.max_pressure is None:
-        return None
-    return max(one.max_pressure, other.max_pressure)
+    return replace(worse, contacts=worse.contacts + other.contacts), reverse
 
 
 def worse_curves(
@@ -146,9 +137,9 @@ class WorseTurn:
         return min(worse, getattr(self.other, name)) if name in LESS else worse
 
     @property
-    def max_pressure(self) -> float | None:
-        """Largest pressure, Pa, where it and the materials are known."""
-        return _larger_pressure(self.worse, self.other)
+    def max_pressure(self) -> float:
+        """Largest pressure, Pa."""
+        return max(self.worse.max_pressure, self.other.max_pressure)
 
     @property
     def pair_force(self) -> tuple[tuple[float, ...], ...]:

@@ -36,12 +36,12 @@ INLINED = {
 
 
 def _copies(
-    made: Callable[[Any], Any], others: dict[str, Any], over: types.ModuleType | None
+    made: Callable[[Any], Any], others: dict[str, Any], over: tuple[types.ModuleType, ...]
 ) -> dict[str, Any]:
-    """The sources' functions, and over them those of another module, made anew: they see each other
+    """The sources' functions, and over them those of other modules, made anew: they see each other
     and the others, not the plain ones.
     """
-    sources = [*SOURCES] if over is None else [*SOURCES, over]
+    sources = (*SOURCES, *over)
     names = {name: each for one in sources for name, each in vars(one).items()} | others
     names["SOURCES"] = tuple(dict.fromkeys([__file__, *(one.__file__ for one in _read(over))]))
     for one in sources:
@@ -50,36 +50,33 @@ def _copies(
             if own and name not in others:
                 copy = types.FunctionType(plain.__code__, names, name, plain.__defaults__)
                 copy.__module__ = plain.__module__
-                copy.__qualname__ = name if over is None else f"{name}_{over.__name__}"
+                copy.__qualname__ = "_".join((name, *(each.__name__ for each in over)))
                 names[name] = made(copy)
     return names
 
 
-def _borrowed(over: types.ModuleType | None) -> Iterator[tuple[str, types.FunctionType]]:
-    """Functions that a module has of others of these loops, by its names for them."""
-    if over is None:
-        return
-    for name, plain in vars(over).items():
-        others = isinstance(plain, types.FunctionType) and plain.__module__ != over.__name__
-        if others and plain.__module__.startswith("core."):
-            yield name, plain
+def _borrowed(over: tuple[types.ModuleType, ...]) -> Iterator[tuple[str, types.FunctionType]]:
+    """Functions that modules have of others of these loops, by their names for them."""
+    for module in over:
+        for name, plain in vars(module).items():
+            others = isinstance(plain, types.FunctionType) and plain.__module__ != module.__name__
+            if others and plain.__module__.startswith("core."):
+                yield name, plain
 
 
-def _read(over: types.ModuleType | None) -> Iterator[types.ModuleType]:
-    """Modules whose change changes what a module becomes: what it borrows may be inlined."""
-    yield from SOURCES
-    if over is not None:
-        yield over
-        for borrowed in sorted({each.__module__ for _, each in _borrowed(over)}):
-            yield from _read(sys.modules[borrowed])
+def _read(over: tuple[types.ModuleType, ...]) -> Iterator[types.ModuleType]:
+    """Modules whose change changes what modules become: what they borrow may be inlined."""
+    yield from (*SOURCES, *over)
+    for borrowed in sorted({each.__module__ for _, each in _borrowed(over)}):
+        yield from _read((sys.modules[borrowed],))
 
 
-def in_place_of(over: types.ModuleType | None = None, **others: Callable[..., Any]) -> Any:
+def in_place_of(*over: types.ModuleType, **others: Callable[..., Any]) -> Any:
     """The loops, interpreted, with other functions in the place of some.
 
     Parameters
     ----------
-    over : module, optional
+    *over : module
         Loops over the same pairs whose functions stand for those of the same names.
     **others : callable
         By the names of those that they stand for.
@@ -93,18 +90,21 @@ def in_place_of(over: types.ModuleType | None = None, **others: Callable[..., An
     return types.SimpleNamespace(**names, row=list, table=np.ndarray.tolist, threads=1)
 
 
-PLAIN = in_place_of()
+plain = functools.cache(in_place_of)
+"""The loops with other modules over them, interpreted."""
 
-_at_hand: types.SimpleNamespace = PLAIN
+PLAIN = plain()
+
+_at_hand: Callable[..., Any] = plain
 
 
-def at_hand(over: types.ModuleType | None = None) -> Any:
+def at_hand(*over: types.ModuleType) -> Any:
     """The functions of all `SOURCES`: compiled once `load` was called, else as they
     are.
 
     Parameters
     ----------
-    over : module, optional
+    *over : module
         As `in_place_of` takes it.
 
     Returns
@@ -113,13 +113,7 @@ def at_hand(over: types.ModuleType | None = None) -> Any:
         Its `row` and `table` make what they take, lists or arrays; `threads` says how many can
         run at once.
     """
-    if over is None:
-        return _at_hand
-    return plain(over) if _at_hand is PLAIN else _compiled(over)
-
-
-plain = functools.cache(in_place_of)
-"""The loops with another module over them, interpreted."""
+    return _at_hand(*over)
 
 
 def load() -> None:
@@ -134,11 +128,12 @@ def load() -> None:
         If numba is not installed.
     """
     global _at_hand
-    _at_hand = _compiled(None)
+    _compiled()
+    _at_hand = _compiled
 
 
 @functools.cache
-def _compiled(over: types.ModuleType | None) -> types.SimpleNamespace:
+def _compiled(*over: types.ModuleType) -> types.SimpleNamespace:
     os.environ.setdefault("NUMBA_CPU_NAME", "generic")
     os.environ.setdefault("NUMBA_CACHE_LOCATOR_CLASSES", f"{__name__}.{Place.__name__}")
     import numba
@@ -163,7 +158,7 @@ def _compiled(over: types.ModuleType | None) -> types.SimpleNamespace:
 
 def _of(module: str) -> types.SimpleNamespace:
     """The compiled functions of a module."""
-    return _compiled(None if sys.modules[module] in SOURCES else sys.modules[module])
+    return _compiled(*(each for each in (sys.modules[module],) if each not in SOURCES))
 
 
 class Place:

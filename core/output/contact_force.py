@@ -1,24 +1,598 @@
-"""The load of the pins as one job: reference force, exact peak, and what is asked besides."""
+"""Which pin/hole pairs drive, when, how many together; and the contact force of every pair over the
+turn: the law of load sharing, the exact peak for any force exponent, and its approximation.
 
+A pair drives through exactly half of each turn of the wave angle, at known angles (see
+`core.output.mechanism`): the cyclogram is closed form, without sampling or search.
+
+The force of a driving pair of pressure angle gamma is
+
+    F_jn = F0 * cos(gamma_jn)^v / sum of cos(gamma)^(1 + v) over the driving pairs,   F0 = T/R
+
+(Yanchevskiy and Niekhoroshykh 2021, eq. 10). Exponent v = 1 is eq. (4) of Yanchevsky et al.
+2018, in which the pin radius cancels out; v = 0 is equal sharing, eq. (1) of Zyl.
+
+At any position the pair with the largest cosine of the pressure angle carries the most. Between
+the angles at which a pair starts or stops driving, or another pair becomes the best placed,
+everything is smooth: there the peak is found exactly, and the largest of these is the peak over
+the turn.
+"""
+
+import itertools
 import math
+import operator
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import NamedTuple
+from typing import NamedTuple, NoReturn
 
 import numpy as np
 
-from core.arrays import FloatArray, check_single
-from core.errors import InvalidInput
-from core.output.mechanism import Mechanism
-from core.output.peak_force import PeakForce, peak_force
-from core.output.pin_forces import (
-    approximate_peak_ratio,
-    approximation_notices,
-    force_ratios,
-    reference_force,
-)
-from core.precision import ROUNDING
+from core.arrays import FloatArray, check_not_negative, check_positive, check_single
+from core.errors import ImpossibleMechanism, InvalidInput
+from core.output.driving_set import segments
+from core.output.force_laws import force_law
+from core.output.mechanism import Mechanism, WavePhases, pressure_cosines
+from core.precision import ROUNDING, SAME
 from core.results import Accuracy, Notice, poorly_known
+
+MAX_DRIVING_PHASES = 40_000
+"""Most driving phases (pairs times wave turns) that one cyclogram lists."""
+
+
+class DrivingPair(NamedTuple):
+    """When one pair drives."""
+
+    satellite: int  # from 1
+    pin: int  # from 1
+    # Crank angles from and to which the pair drives, rad, cut at the ends of the range.
+    driving: tuple[tuple[float, float], ...]
+
+
+class CountInterval(NamedTuple):
+    """A range of crank angle with one number of driving pairs."""
+
+    start: float  # crank angle, rad
+    end: float  # crank angle, rad
+    pairs: int  # how many drive
+
+
+@dataclass(frozen=True, slots=True)
+class Cyclogram:
+    """Which pairs drive, when, and how many together."""
+
+    working_phase: float  # crank angle through which a pair drives without a break, rad
+    period: float  # crank angle after which each pair drives again, rad: twice that
+    pattern_period: float  # crank angle after which all repeats with other pairs, rad
+    pairs: tuple[DrivingPair, ...]  # all, satellite by satellite
+    # Number of driving pairs over the range, neighbours with the same number joined.
+    driving_count: tuple[CountInterval, ...]
+    min_driving: int  # least number of pairs, over the whole pattern
+    max_driving: int  # largest number
+    mean_driving: float  # over the whole pattern: half of all pairs, always
+    dead_centres: tuple[float, ...]  # crank angles in the range, rad; both ends of each dead zone
+    # Ranges in which no pair drives, rad; those of no width are in `dead_centres` only.
+    dead_zones: tuple[tuple[float, float], ...]
+    accuracy: Accuracy  # of angles and of the total through which a pair drives, over the range
+
+    @property
+    def notices(self) -> tuple[Notice, ...]:
+        """That hardly anything is known, of a range hardly longer than rounding."""
+        return poorly_known(self.accuracy)
+
+
+def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:
+    """Cyclogram of the pin/hole pairs over a number of crank revolutions, in closed form.
+
+    A pair of phase ``theta`` drives while ``psi + theta`` lies between pi and 2*pi, that is
+    through a crank angle of ``pi/(1 + 1/u)`` once in each ``2*pi/(1 + 1/u)``.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio.
+    revolutions : float
+        Length of the range, in turns of the crank from 0, > 0. The first and the last driving
+        phase are cut at its ends.
+
+    Returns
+    -------
+    Cyclogram
+
+    Raises
+    ------
+    InvalidInput
+        If `revolutions` is not positive, so small that all is a sliver of rounding, or so large
+        that the range holds more than `MAX_DRIVING_PHASES`.
+
+    Notes
+    -----
+    Source: Yanchevskiy and Niekhoroshykh 2021, eq. (6); Yanchevsky et al. 2018, eq. (1), is the
+    same with ``initial_crank_angle = pi``.
+
+    Examples
+    --------
+    Three pins, two satellites at 120 degrees, u = 20 (2021, fig. 6 b): 2 or 4 pairs drive.
+
+    >>> m = Mechanism.evenly_spaced(pins=3, satellites=2, ratio=20.0, crank_spacing=2*math.pi/3)
+    >>> c = cyclogram(mechanism=m)
+    >>> c.min_driving, c.max_driving, round(math.degrees(c.working_phase), 6)
+    (2, 4, 171.428571)
+    """
+    if not (0 < revolutions < math.inf):
+        raise InvalidInput("revolutions", revolutions, "greater_than", limit=0)
+    phases = mechanism.phases
+    per_wave = mechanism.crank_angle_per_wave
+    shown = _Range(revolutions * 2 * math.pi, per_wave)
+    if shown.waves <= SAME:
+        shortest = SAME * per_wave / (2 * math.pi)
+        raise InvalidInput("revolutions", revolutions, "too_short_range", limit=shortest)
+    pair_count = mechanism.pins * mechanism.satellites
+    if shown.waves * pair_count > MAX_DRIVING_PHASES:
+        raise InvalidInput("revolutions", revolutions, "too_many_phases", limit=MAX_DRIVING_PHASES)
+    sector_counts = _sector_counts(phases)
+    numbers = [pairs for _, pairs in sector_counts]
+    counts, dropped = _counts(sector_counts, 1 / mechanism.pins, shown)
+    pairs, cut_off = _pairs(phases, shown)
+    dead_centres, dead_zones = _dead(phases.dead_zones(), shown)
+    return Cyclogram(
+        working_phase=per_wave / 2,
+        period=per_wave,
+        pattern_period=per_wave / (mechanism.pins * phases.symmetry),
+        pairs=pairs,
+        driving_count=counts,
+        min_driving=min(numbers),
+        max_driving=max(numbers),
+        mean_driving=pair_count / 2,
+        dead_centres=dead_centres,
+        dead_zones=dead_zones,
+        accuracy=Accuracy(
+            method="closed_form",
+            # the total of a pair has the ends of all its driving phases
+            relative_error=ROUNDING * (4 * max(1.0, 1 / shown.waves) + shown.waves)
+            + (phases.error + max(dropped, cut_off)) / shown.waves,
+            evaluations=pair_count,
+        ),
+    )
+
+
+class _Range:
+    """The range [0, end] of the crank angle, which positions on the wave, in turns, are cut to."""
+
+    __slots__ = ("end", "per_wave", "sliver", "waves")
+
+    def __init__(self, end: float, per_wave: float) -> None:
+        self.end = end
+        self.per_wave = per_wave
+        self.waves = end / per_wave
+        self.sliver = SAME * max(1.0, self.waves)  # of rounding, not shown
+
+    def crank_angle(self, position: float) -> float:
+        """Crank angle of a wave position, rad."""
+        return position * self.per_wave if position < self.waves else self.end
+
+
+def _pairs(phases: WavePhases, shown: _Range) -> tuple[tuple[DrivingPair, ...], float]:
+    """All pairs with their driving phases; and the width of the largest sliver of a phase dropped
+    at an end of the range, in turns.
+    """
+    pins, waves, per_wave, sliver = phases.pins, shown.waves, shown.per_wave, shown.sliver
+    pairs, dropped = [], 0.0
+    for j, phase in enumerate(phases.satellite_phase, 1):
+        for n in range(pins):
+            start = (0.5 - phase - n / pins) % 1.0
+            driving = []
+            if start - 0.5 > sliver:  # begun before the range
+                driving.append((0.0, shown.crank_angle(start - 0.5)))
+            elif start > 0.5:
+                dropped = max(dropped, start - 0.5)
+            whole = math.ceil(waves - sliver - start)
+            if whole < waves - start:
+                dropped = max(dropped, waves - start - whole)
+            for turn in range(whole):
+                first = start + turn
+                last = first + 0.5
+                driving.append((first * per_wave, last * per_wave if last < waves else shown.end))
+            pairs.append(DrivingPair(j, n + 1, tuple(driving)))
+    return tuple(pairs), dropped
+
+
+def _dead(
+    zones: Sequence[tuple[float, float]], shown: _Range
+) -> tuple[tuple[float, ...], tuple[tuple[float, float], ...]]:
+    """Dead centres and dead zones of one turn, repeated and cut to the range, rad; slivers of
+    rounding dropped.
+    """
+    if not zones:
+        return (), ()
+    cut = []
+    for turn in range(-1, math.ceil(shown.waves) + 1):
+        for start, stop in zones:
+            first, last = max(start + turn, 0.0), min(stop + turn, shown.waves)
+            if last - first > shown.sliver or (start == stop and first == last):
+                cut.append((shown.crank_angle(first), shown.crank_angle(last)))
+    centres = sorted({place for zone in cut for place in zone})
+    return tuple(centres), tuple([(start, stop) for start, stop in cut if stop > start])
+
+
+def _sector_counts(phases: WavePhases) -> list[tuple[float, int]]:
+    """Where each number of driving pairs ends, in turns, over one sector from its first change on;
+    and the number.
+    """
+    pins, mean = phases.pins, phases.pins * len(phases.satellite_phase) / 2
+    changes = [(position, growth) for position, growth in phases.switching() if growth]
+    if not changes:
+        return [(1 / pins, int(mean))]
+    starts, growths = zip(*changes, strict=True)
+    stops = (*starts[1:], starts[0] + 1 / pins)
+    # The number before the first change is the one with which the mean is half of all pairs.
+    first = round(mean + pins * sum(map(operator.mul, growths, starts)))
+    numbers = itertools.accumulate(growths, initial=first)
+    return list(zip(stops, itertools.islice(numbers, 1, None), strict=True))
+
+
+def _counts(
+    sector_counts: Sequence[tuple[float, int]], sector: float, shown: _Range
+) -> tuple[tuple[CountInterval, ...], float]:
+    """Counts over the range, neighbours with the same count joined; and the width of the largest
+    sliver dropped, in turns.
+    """
+    if len(sector_counts) == 1:
+        return (CountInterval(0.0, shown.end, sector_counts[0][1]),), 0.0
+    waves, sliver = shown.waves, shown.sliver
+    joined: list[CountInterval] = []
+    begun, reached, count, dropped = 0.0, 0.0, -1, 0.0  # of the interval that grows
+    for turn in range(-1, math.ceil(waves / sector) + 1):
+        for stop, pairs in sector_counts:
+            last = stop + turn * sector
+            width = (last if last < waves else waves) - reached
+            if width <= sliver:
+                dropped = max(dropped, width)
+                continue
+            if pairs != count:
+                if count >= 0:
+                    joined.append(CountInterval(begun, shown.crank_angle(reached), count))
+                    begun = joined[-1].end
+                count = pairs
+            reached = last
+    return (*joined, CountInterval(begun, shown.end, count)), dropped
+
+
+MAX_FORCE_EXPONENT = 1e6
+"""Largest exponent v for which forces are resolved to their stated error."""
+
+APPROXIMATION_PINS = (3, 5)
+"""Numbers of pins for which eq. (5) of Yanchevsky et al. 2018 is stated."""
+
+APPROXIMATION_SATELLITES = (1, 2)
+"""Numbers of satellites for which eq. (5) of Yanchevsky et al. 2018 is stated."""
+
+
+def reference_force(*, output_torque: float, pin_circle_radius: float) -> float:
+    """Reference force ``F0 = T/R``.
+
+    Parameters
+    ----------
+    output_torque : float
+        Torque T on the output link, N*m.
+    pin_circle_radius : float
+        Radius R of the circle of pin centres, m, > 0.
+
+    Returns
+    -------
+    float
+        Force F0, N.
+
+    Notes
+    -----
+    Source: Yanchevskiy and Niekhoroshykh 2021, eq. (11).
+    """
+    check_positive(pin_circle_radius=pin_circle_radius)
+    return output_torque / pin_circle_radius
+
+
+def output_torque_from_input(*, input_torque: float, ratio: float, efficiency: float) -> float:
+    """Torque on the output link ``T = T_in*u*eta``.
+
+    Parameters
+    ----------
+    input_torque : float
+        Torque on the crankshaft, N*m.
+    ratio : float
+        Ratio u.
+    efficiency : float
+        Efficiency eta, 0 < eta <= 1.
+
+    Returns
+    -------
+    float
+        Torque T, N*m.
+
+    Notes
+    -----
+    Source: Yanchevskiy and Niekhoroshykh 2021, before eq. (11).
+    """
+    check_positive(efficiency=efficiency)
+    if efficiency > 1:
+        raise InvalidInput("efficiency", efficiency, "less_than_equal", limit=1)
+    return input_torque * ratio * efficiency
+
+
+def force_ratios(
+    *, mechanism: Mechanism, crank_angles: FloatArray, force_exponent: float = 1.0
+) -> FloatArray:
+    """Contact force of every pair over F0 at given crank angles.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio.
+    crank_angles : array, shape (n,)
+        Crank angles phi, rad.
+    force_exponent : float
+        Exponent v >= 0 of the force over the approach.
+
+    Returns
+    -------
+    array, shape (n, K, N)
+        ``F_jn/F0``, dimensionless; 0 for pairs that do not drive.
+
+    Raises
+    ------
+    InvalidInput
+        If the exponent is negative or above `MAX_FORCE_EXPONENT`.
+    ImpossibleMechanism
+        If no pair drives at one of the angles.
+
+    Notes
+    -----
+    Source: Yanchevskiy and Niekhoroshykh 2021, eq. (10). Cosines are divided by the largest
+    first, so that no power of them under- or overflows.
+
+    Erratum of Yanchevsky et al. 2018 after fig. 6: the maxima of the next pairs follow at 180/N
+    degrees of the wave only for K = 2 with odd N, else at 360/N.
+
+    Examples
+    --------
+    One satellite, three pins, crank angle in the middle of pair 1's working phase.
+
+    >>> m = Mechanism.evenly_spaced(
+    ...     pins=3, satellites=1, ratio=20.0, initial_crank_angle=math.pi)
+    >>> force_ratios(mechanism=m, crank_angles=np.array([math.pi/2*20/21])).round(12).tolist()
+    [[[1.0, 0.0, 0.0]]]
+    """
+    check_exponent(force_exponent)
+    cosines = pressure_cosines(mechanism=mechanism, crank_angles=crank_angles).transpose(1, 2, 0)
+    largest = cosines.max(axis=(0, 1))
+    if not largest.all():
+        refuse_dead_centre(float(np.asarray(crank_angles)[int(np.argmin(largest))]))
+    relative = cosines / largest
+    if force_exponent == 0:
+        powers = (relative > 0).astype(np.float64)
+    else:
+        powers = relative if force_exponent == 1 else relative**force_exponent
+    ratios: FloatArray = powers / (largest * (powers * relative).sum(axis=(0, 1)))
+    return ratios.transpose(2, 0, 1)
+
+
+def approximate_peak_ratio(*, pins: int, satellites: int) -> float:
+    """Approximate peak over F0: ``(0.8 + 0.05*N)^(2 - K) * 4/(K*N)``.
+
+    Parameters
+    ----------
+    pins, satellites : int
+        Numbers N and K.
+
+    Returns
+    -------
+    float
+        Approximate ``max F/F0``, dimensionless.
+
+    Notes
+    -----
+    Source: Yanchevsky et al. 2018, eq. (5), stated there for N = 3..5 and K = 1, 2 (cranks
+    evenly spaced, v = 1) with an error below 2 %; that holds. Outside it drifts: +10 % at
+    N = 6, +20 % at N = 8, +40 % at N = 12 (K = 1). See `approximation_notices`.
+
+    Examples
+    --------
+    >>> round(approximate_peak_ratio(pins=3, satellites=1), 6)
+    1.266667
+    """
+    return float((0.8 + 0.05 * pins) ** (2 - satellites) * 4 / (satellites * pins))
+
+
+def approximation_notices(*, mechanism: Mechanism, force_exponent: float) -> tuple[Notice, ...]:
+    """Limits of eq. (5) of Yanchevsky et al. 2018 that a mechanism breaks.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio.
+    force_exponent : float
+        Exponent v.
+
+    Returns
+    -------
+    tuple of Notice
+    """
+    notices = []
+    for name, value, (low, high) in (
+        ("pins", mechanism.pins, APPROXIMATION_PINS),
+        ("satellites", mechanism.satellites, APPROXIMATION_SATELLITES),
+    ):
+        if not low <= value <= high:
+            params = {"field": name, "low": low, "high": high, "value": value}
+            notices.append(Notice("approximation_range", params))
+    if force_exponent != 1:
+        notices.append(Notice("approximation_exponent"))
+    if mechanism.satellites == 2:
+        first, second = mechanism.crank_angles
+        off = abs(math.remainder(second - first - math.pi, 2 * math.pi))
+        if off > 2 * math.pi * SAME:
+            notices.append(Notice("approximation_spacing"))
+    return tuple(notices)
+
+
+def check_exponent(force_exponent: float) -> None:
+    """Refuse an exponent v outside 0 to `MAX_FORCE_EXPONENT`.
+
+    Parameters
+    ----------
+    force_exponent : float
+        Exponent v.
+    """
+    check_single(force_exponent=force_exponent)
+    check_not_negative(force_exponent=force_exponent)
+    if force_exponent > MAX_FORCE_EXPONENT:
+        raise InvalidInput(
+            "force_exponent", force_exponent, "less_than_equal", limit=MAX_FORCE_EXPONENT
+        )
+
+
+def refuse_dead_centre(crank_angle: float) -> NoReturn:
+    """Refuse a position at which no pair drives, or is sure to.
+
+    Parameters
+    ----------
+    crank_angle : float
+        The crank angle of the position, rad.
+    """
+    raise ImpossibleMechanism("dead_centre", {"crank_angle": crank_angle})
+
+
+EQUAL = 1e-13
+"""Peaks closer than this, or than their errors, are one peak reached more than once."""
+
+PHASE_ROUNDING = 3 * ROUNDING
+"""Error of a phase by rounding, in turns: of the angle given, its way from degrees over radians to
+turns, and its place within a sector."""
+
+
+@dataclass(frozen=True, slots=True)
+class PeakForce:
+    """Largest contact force of any pair over the turn."""
+
+    peak_force_ratio: float  # F_max/F0
+    peak_crank_angle: float  # smallest one >= 0, rad
+    peak_satellite: int  # from 1
+    peak_pin: int  # from 1
+    accuracy: Accuracy  # of `peak_force_ratio`
+
+
+def peak_force(*, mechanism: Mechanism, force_exponent: float = 1.0) -> PeakForce:
+    """Exact peak of the contact force over the turn, with its position and its pair.
+
+    Between two neighbouring switching angles the set of driving pairs is constant; within it
+    the best placed pair p has ``f = cos(x)^v / sum cos(x + d_i)^(1 + v)`` where x is its own
+    pressure angle and d_i are the phases of the others against it. With t = tan(x) the
+    stationary points for v = 1 are the roots of ``P*t^3 + (3*P - n)*t - 2*Q = 0``,
+    ``P = sum sin^2 d_i``, ``Q = sum sin d_i cos d_i``; for v = 0 there is none inside, and the
+    peak lies on a switching angle. One-sided values at the switching angles count.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio.
+    force_exponent : float
+        Exponent v of the force over the approach, from 0 to `MAX_FORCE_EXPONENT`.
+
+    Returns
+    -------
+    PeakForce
+
+    Raises
+    ------
+    InvalidInput
+        If the exponent is negative or above `MAX_FORCE_EXPONENT`.
+    ImpossibleMechanism
+        If the mechanism has a dead centre, or one within rounding: there the force would be
+        unbounded.
+
+    Notes
+    -----
+    Source of the force: Yanchevskiy and Niekhoroshykh 2021, eq. (10). Erratum: their remark
+    after eq. (11) that f stays below 1 is false for one satellite (1.249 for three pins).
+
+    Examples
+    --------
+    Three pins, one satellite; and two satellites at 180 degrees: 2/3 exactly.
+
+    >>> one = Mechanism.evenly_spaced(pins=3, satellites=1, ratio=20.0)
+    >>> round(peak_force(mechanism=one).peak_force_ratio, 13)
+    1.2492332112159
+    >>> two = Mechanism.evenly_spaced(pins=3, satellites=2, ratio=20.0)
+    >>> peak_force(mechanism=two).peak_force_ratio == 2/3
+    True
+    """
+    check_exponent(force_exponent)
+    phases = mechanism.phases
+    zones = phases.dead_zones()
+    if zones:
+        refuse_dead_centre(zones[0][0] * mechanism.crank_angle_per_wave)
+    distinct = len(phases.sector_phases)
+    if force_exponent == 1 and distinct == phases.symmetry and distinct * phases.pins % 2 == 0:
+        return _evenly_spaced_peak(mechanism)
+
+    parts = list(segments(phases))
+    law = force_law(parts=parts, exponent=force_exponent)
+    candidates = law.candidates()
+    ratio, winner, offset = max(candidates)
+    error = law.relative_error(winner, offset, PHASE_ROUNDING + phases.error)
+    # Of equal peaks (mirror images, repeats) the first after crank angle 0 is the one to name.
+    repeat = 1 / (phases.pins * phases.symmetry)
+    position = min(
+        _first_repeat(place + 0.75 - parts[index].phase, repeat)
+        for value, index, place in candidates
+        if value >= ratio * (1 - max(EQUAL, error))
+    )
+    if not error < 1:  # a dead centre within the rounding of the phases
+        refuse_dead_centre(position * mechanism.crank_angle_per_wave)
+    satellite, pin = _best_pair(phases, position)
+    return PeakForce(
+        peak_force_ratio=ratio,
+        peak_crank_angle=position * mechanism.crank_angle_per_wave,
+        peak_satellite=satellite,
+        peak_pin=pin,
+        accuracy=Accuracy(method=law.method, relative_error=error, evaluations=len(candidates)),
+    )
+
+
+def _evenly_spaced_peak(mechanism: Mechanism) -> PeakForce:
+    """Peak for v = 1 and an even number m of evenly spaced phases, c pairs on each: 4/(c*m)."""
+    phases = mechanism.phases
+    pairs = mechanism.pins * mechanism.satellites
+    position = _first_repeat(0.75 - phases.sector_phases[0], 1 / (phases.pins * phases.symmetry))
+    satellite, pin = _best_pair(phases, position)
+    return PeakForce(
+        peak_force_ratio=4 / pairs,
+        peak_crank_angle=position * mechanism.crank_angle_per_wave,
+        peak_satellite=satellite,
+        peak_pin=pin,
+        accuracy=Accuracy(
+            method="closed_form_even",
+            relative_error=ROUNDING + 4 * math.pi * phases.error,
+            evaluations=1,
+        ),
+    )
+
+
+def _first_repeat(position: float, repeat: float) -> float:
+    """First repeat of a wave position at or after 0; a rounding error beside a repeat is 0."""
+    first = position % repeat
+    return first if SAME < first < repeat - SAME else 0.0
+
+
+def _best_pair(phases: WavePhases, position: float) -> tuple[int, int]:
+    """Numbers of the best placed pair at a wave position, the first of equals."""
+    places = []
+    for satellite, phase in enumerate(phases.satellite_phase):
+        off = (0.75 - position - phase) * phases.pins
+        # Midway between two pins the first of them is the one to name.
+        pin = math.ceil(off - 0.5 - SAME * phases.pins)
+        distance = round(abs(off - pin) / phases.pins, 12)
+        places.append((distance, satellite, pin % phases.pins))
+    _, satellite, pin = min(places)
+    return satellite + 1, pin + 1
 
 
 class PairNumber(NamedTuple):

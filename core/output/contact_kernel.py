@@ -22,7 +22,7 @@ def pair_law(
     kind: int, law: Law, pin: float, difference: float, compliance: float
 ) -> tuple[float, float, float]:
     """Constants a and b of a pair's law with a compliance in series, and the force at which it
-    ends: the contact would be as wide as the pin. See `core.output.contact_law.law_constants`.
+    ends: the contact would be as wide as the pin. See `core.output.elasticity.law_constants`.
     """
     if kind == LINEAR:
         return law.a + compliance, 0.0, math.inf

@@ -6,10 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.arrays import FloatArray, check_finite, check_single
-from core.derived import if_known
 from core.errors import InvalidInput
 from core.hertz import HertzContact
-from core.output.contact_law import HertzLaw
+from core.output.elasticity import HertzLaw
 from core.output.fit import Fit
 from core.output.real_mechanism import RealMechanism
 from core.output.sharing_kernel import at, pressing
@@ -39,13 +38,17 @@ class LoadedPosition:
     # Smallest possible worst approach of the unloaded pairs, m, where they press.
     interference: float | None
     stiffness: float  # dT/dtheta, N*m/rad
-    # The largest pressure, Pa, where it and the materials are known.
-    max_pressure: float | None
+    contacts: tuple[HertzContact, ...]  # that are pressed most, one in each direction of the torque
     rotation_error: float  # bound, rad
     play_error: float  # bound, rad
     force_error: float  # bound, of each force, N
     accuracy: Accuracy  # of the forces, over the largest
     notices: tuple[Notice, ...]
+
+    @property
+    def max_pressure(self) -> float:
+        """The largest pressure, Pa."""
+        return float(max(each.governing_pressure for each in self.contacts))
 
 
 def loaded_position(
@@ -83,7 +86,7 @@ def loaded_position(
     --------
     Eight pins, 0.02 mm of clearance: three pairs carry, and ``F = T/2R + k*c*(sqrt(2) - 1)/2``.
 
-    >>> from core.output.contact_law import LinearLaw
+    >>> from core.output.elasticity import LinearLaw
     >>> from core.output.mechanism import Mechanism
     >>> from core.materials import ElasticMaterial
     >>> steel = ElasticMaterial(210e9, 0.3)
@@ -130,7 +133,7 @@ def loaded_position(
         play=None if pressed else (play[0], play[1]),
         interference=least_interference(real=real, psi=psi) if pressed else None,
         stiffness=found.stiffness,
-        max_pressure=if_known(lambda: contact.governing_pressure),
+        contacts=(contact,),
         rotation_error=found.lag_error,
         play_error=found.play_error,
         force_error=found.force_error,

@@ -17,11 +17,9 @@ from core.arrays import FloatArray, Number, check_not_negative, check_positive, 
 from core.errors import NotKnown, required
 from core.numerics.extremes import zoom
 from core.numerics.quadrature import tanh_sinh_rule
-from core.output.contact_force import force_peak
+from core.output.contact_force import PHASE_ROUNDING, force_peak, force_ratios
 from core.output.driving_set import Segment, segments
 from core.output.mechanism import Mechanism, WavePhases
-from core.output.peak_force import PHASE_ROUNDING
-from core.output.pin_forces import force_ratios
 from core.precision import CONVERGED, ROUNDING
 from core.results import Accuracy, Notice, poorly_known
 

@@ -10,16 +10,30 @@ each turn of psi, at known angles.
 
 Angles of the wave are counted in turns, so that pins an N-th of a turn apart stay so exactly, and
 phases closer than `SAME` are one phase: rounding invents no slivers.
+
+Crank, pins and ring are the members of one gear. All calculations of pins and satellites look at
+the mechanism from its ring: under the torque on the pins, the crank turning against the ring.
+`Members` takes what is typed of an output to that problem, and what is found there back to the
+output.
+
+The hole of satellite j is the circle around the pin's centre moved by the eccentricity towards
+the satellite's crank. With hole radius = pin radius + eccentricity the pin touches the hole at
+every crank angle; with a larger hole there is clearance, with a smaller one interference.
 """
 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Literal
 
-from core.arrays import Number
-from core.errors import InvalidInput
-from core.precision import ROUNDING, SAME
+import numpy as np
+from numpy.typing import NDArray
+
+from core.arrays import FloatArray, Number, check_positive, check_single
+from core.errors import InvalidInput, required
+from core.precision import AS_TYPED, ROUNDING, SAME
+from core.results import Accuracy, Notice
 
 
 @dataclass(frozen=True)
@@ -272,6 +286,42 @@ def far_angle_error(angle: float) -> float:
     return 2 * ROUNDING * max(angle / (2 * math.pi) - 1, 0.0)
 
 
+def pressure_cosines(*, mechanism: Mechanism, crank_angles: FloatArray) -> FloatArray:
+    """Cosine of the pressure angle of every pair, 0 where the pair does not drive.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio.
+    crank_angles : array, shape (n,)
+        Crank angles phi, rad.
+
+    Returns
+    -------
+    array, shape (n, K, N)
+        ``max(0, cos(gamma))``.
+
+    Notes
+    -----
+    Source: Yanchevskiy and Niekhoroshykh 2021, eq. (6). Counted in turns, so that a pair on its
+    switching angle has the cosine 0 and not a rounding error of either sign.
+    """
+    turns = np.asarray(crank_angles, dtype=np.float64) / mechanism.crank_angle_per_wave
+    satellite = np.array(mechanism.phases.satellite_phase)
+    pin = np.arange(mechanism.pins) / mechanism.pins
+    phase = satellite[:, None] + pin[None, :] - 0.75
+    # The angles are the last axis while it is calculated, as the longest.
+    from_switching = (turns - np.floor(turns)) + phase[:, :, None]
+    from_switching -= np.rint(from_switching)
+    np.abs(from_switching, out=from_switching)
+    np.subtract(0.25, from_switching, out=from_switching)
+    drives = from_switching > 8 * ROUNDING * (1 + np.abs(turns))
+    from_switching *= 2 * np.pi
+    cosines = np.zeros_like(from_switching)
+    np.sin(from_switching, out=cosines, where=drives)
+    return cosines.transpose(2, 0, 1)
+
+
 @dataclass(frozen=True, slots=True)
 class AssemblyAngle:
     """How far the holes of one satellite are turned against its teeth."""
@@ -369,3 +419,518 @@ def ratio_from_teeth(*, satellite_teeth: int, ring_teeth: int) -> float:
         than = {"field": "satellite_teeth", "limit": satellite_teeth}
         raise InvalidInput("ring_teeth", ring_teeth, "larger_than", **than)
     return satellite_teeth / (ring_teeth - satellite_teeth)
+
+
+Output = Literal["pins", "ring", "both", "coupling"]
+"""Which member is driven: that of the pins while the ring stands still, the ring while the pins do,
+or both; or two shafts that pins couple, an eccentricity apart, without a ring."""
+
+CLOSED = Accuracy("closed_form", 8 * ROUNDING, 1)
+"""How exact they are: their numbers follow in a few steps."""
+
+
+@dataclass(frozen=True, slots=True)
+class MemberSpeeds:
+    """Speeds of the members, positive in the sense of the crank, rad/s."""
+
+    crank: float  # w_1
+    carrier: float  # w_c, of the pins, and of the satellites, which never turn against them
+    ring: float  # w_r
+
+    @property
+    def relative(self) -> float:
+        """Speed of the crank against the pins, rad/s: of sliding, rolling bearings, load cycles."""
+        return self.crank - self.carrier
+
+    @property
+    def crank_to_ring(self) -> float:
+        """Speed of the crank against the ring, rad/s: ``u/(u + 1)`` of that."""
+        return self.crank - self.ring
+
+    @property
+    def turning(self) -> float:
+        """Its size: the speed of the input where the ring stands still."""
+        return abs(self.crank_to_ring)
+
+    def against(self, part: str) -> float:
+        """Size of the crank's speed against the part that its bearing sits in, rad/s.
+
+        Parameters
+        ----------
+        part : {"housing", "carrier", "ring"}
+            The part; the housing stands still.
+
+        Returns
+        -------
+        float
+        """
+        speeds = {"carrier": self.carrier, "ring": self.ring}
+        return abs(self.crank - speeds.get(part, 0.0))
+
+
+@dataclass(frozen=True, slots=True)
+class MemberLoads:
+    """Torques on the members from outside, and the power that enters by each, without losses; under
+    the torque in its driving sense. Without speeds the powers raise `NotKnown`.
+    """
+
+    output_ratio: float | None  # i = w_1/w_out, negative where they turn apart; None of both
+    pin_torque: float  # T_c, N*m, as all torques positive in the sense of the crank
+    crank_torque: float  # T_1, N*m
+    ring_torque: float  # T_r, N*m
+    given_speeds: MemberSpeeds | None = None  # of all members, where one is known
+    accuracy: Accuracy = CLOSED
+
+    @property
+    def speeds(self) -> MemberSpeeds:
+        """Those of the members."""
+        return required(self.given_speeds, "speed_missing", "load.input_speed")
+
+    @property
+    def crank_power(self) -> float:
+        """By the crank, W."""
+        return self.crank_torque * self.speeds.crank
+
+    @property
+    def carrier_power(self) -> float:
+        """By the pins, W, negative where it leaves."""
+        return self.pin_torque * self.speeds.carrier
+
+    @property
+    def ring_power(self) -> float:
+        """By the ring, W."""
+        return self.ring_torque * self.speeds.ring
+
+    @property
+    def power_balance(self) -> float:
+        """Sum of the powers, W: 0 but for rounding."""
+        return math.fsum(self._powers)
+
+    @property
+    def output_power(self) -> float:
+        """That leaves, W."""
+        return -math.fsum(min(each, 0.0) for each in self._powers)
+
+    @property
+    def _powers(self) -> tuple[float, float, float]:
+        return self.crank_power, self.carrier_power, self.ring_power
+
+
+@dataclass(frozen=True, slots=True)
+class Members:
+    """Which member is the output of a mechanism of some ratio.
+
+    With the ring at rest the crank turns u times as fast as the pins and the other way, so that for
+    any speeds ``w_1 + u*w_c - (u + 1)*w_r = 0``; torques on the members are ``T_1 : T_c : T_r =
+    1 : u : -(u + 1)``, whichever of them stands still.
+
+    Notes
+    -----
+    Derived from the velocities at the pitch point and from statics (Willis).
+
+    Examples
+    --------
+    Of 500 N*m at the ring the pins carry 476 N*m.
+
+    >>> ring = Members("ring", 20.0)
+    >>> round(500*ring.pin_share, 3), ring.output_ratio
+    (476.19, 21.0)
+    """
+
+    output: Output = "pins"
+    ratio: float = math.inf  # u > 0; infinite of a coupling, whose discs have no ring
+
+    @property
+    def output_ratio(self) -> float | None:
+        """Speed of the crank over that of the output; None where both are, as that hangs on their
+        speeds. Of a coupling the shafts turn alike.
+        """
+        ratios = {"pins": -self.ratio, "ring": self.ratio + 1, "coupling": 1.0}
+        return ratios.get(self.output)
+
+    @property
+    def pin_share(self) -> float:
+        """Torque on the pins over that of the output; angles of the output over those that the
+        satellites turn against the pins: ``u/(u + 1)`` where the ring is the output, else 1.
+        """
+        return self.ratio / (self.ratio + 1) if self.output == "ring" else 1.0
+
+    def torque_at_output(self, on_pins: Number) -> Number:
+        """Torque of the output, of a torque on the pins."""
+        return on_pins / self.pin_share
+
+    def input_torque(self, of_crank: Number, output_torque: Number) -> Number:
+        """Torque that drives, of that of the crank; of a coupling, whose crank stands still, that
+        of the output besides.
+        """
+        return of_crank + output_torque if self.output == "coupling" else of_crank
+
+    def angle_at_output(self, at_pins: Number) -> Number:
+        """Angle of the output, of an angle of the satellites against the pins."""
+        return at_pins * self.pin_share
+
+    def stiffness_at_output(self, at_pins: Number) -> Number:
+        """Torque of the output over its angle, of that on the pins over theirs."""
+        return at_pins / self.pin_share**2
+
+    @property
+    def torque_ratio(self) -> float:
+        """Torque of the output over that of the crank, of both that on the pins, without losses."""
+        ratios = {"ring": self.ratio + 1, "coupling": 1.0}
+        return ratios.get(self.output, self.ratio)
+
+    def speeds(
+        self, *, crank: float, ring: float | None = None, carrier: float | None = None
+    ) -> MemberSpeeds:
+        """Speeds of all members.
+
+        Parameters
+        ----------
+        crank : float
+            Speed of the crank, of a coupling that of its shafts, rad/s.
+        ring, carrier : float, optional
+            Speed of the ring or of the pins, rad/s, where both are the output: one of them.
+
+        Returns
+        -------
+        MemberSpeeds
+
+        Raises
+        ------
+        NotKnown
+            Where both are the output and no speed of them is given.
+
+        Examples
+        --------
+        >>> Members("both", 20.0).speeds(crank=1500.0, ring=7.0).carrier
+        -67.65
+        """
+        u = self.ratio
+        if self.output == "coupling":  # about a crank that stands still
+            return MemberSpeeds(0.0, crank, crank)
+        if self.output == "pins":
+            ring = 0.0
+        elif self.output == "ring":
+            carrier = 0.0
+        if ring is not None:
+            return MemberSpeeds(crank, ((u + 1) * ring - crank) / u, ring)
+        own = required(carrier, "speed_missing", "load.ring_speed")
+        return MemberSpeeds(crank, own, (crank + u * own) / (u + 1))
+
+    def loads(self, *, output_torque: float, speeds: MemberSpeeds | None = None) -> MemberLoads:
+        """Torques and powers of all members.
+
+        Parameters
+        ----------
+        output_torque : float
+            Torque of the output, N*m; where both are, that on the pins.
+        speeds : MemberSpeeds, optional
+            Their speeds.
+
+        Returns
+        -------
+        MemberLoads
+
+        Examples
+        --------
+        >>> ring = Members("ring", 20.0)
+        >>> found = ring.loads(output_torque=500.0, speeds=ring.speeds(crank=1500.0))
+        >>> round(found.crank_torque, 3), round(found.ring_torque, 9), round(found.speeds.ring, 6)
+        (23.81, -500.0, 71.428571)
+        """
+        pins = output_torque * self.pin_share
+        if self.output == "coupling":  # driven by the disc, in the sense in which it turns
+            pins = -pins
+        crank = pins / self.ratio
+        ring = -(pins + crank)
+        return MemberLoads(self.output_ratio, pins, crank, ring, speeds)
+
+
+def felt(*, clearance: float, hole_radius: float) -> float:
+    """A clearance, or interference below 0, as calculations take it: 0 within `AS_TYPED`.
+
+    Parameters
+    ----------
+    clearance : float
+        By the sizes, m.
+    hole_radius : float
+        Radius of the hole, in the same unit.
+
+    Returns
+    -------
+    float
+
+    Examples
+    --------
+    >>> felt(clearance=0.01 - 0.008 - 0.002, hole_radius=0.01)
+    0.0
+    """
+    return 0.0 if abs(clearance) <= AS_TYPED * hole_radius else clearance
+
+
+@dataclass(frozen=True, slots=True)
+class PinFit:
+    """How pins and holes fit by their sizes alone, at any crank angle."""
+
+    eccentricity: float  # e, m: the given one, or what leaves no clearance
+    clearance: float  # r_out - r_in - e, m; < 0 interference, 0 within `AS_TYPED`
+    notices: tuple[Notice, ...]  # clearance, interference, parts that overlap, assumed eccentricity
+
+
+def pin_fit(
+    *,
+    pins: int,
+    pin_radius: float,
+    hole_radius: float,
+    eccentricity: float | None = None,
+    pin_circle_radius: float = math.inf,
+) -> PinFit:
+    """How pins and holes fit: clearance ``r_out - r_in - e``, and what is left between neighbours.
+
+    Neighbouring centres lie ``2*R*sin(pi/N)`` apart; what is left of that between two holes of a
+    satellite or between two pins must be more than nothing.
+
+    Parameters
+    ----------
+    pins : int
+        Number N of pins.
+    pin_radius, hole_radius : float
+        Radii r_in of the pins and r_out of the holes, m, r_out > r_in.
+    eccentricity : float, optional
+        Eccentricity e of the cranks, m; the difference of the radii where not given.
+    pin_circle_radius : float, optional
+        Radius R of the circle of pin centres, m; without it neighbours are not checked.
+
+    Returns
+    -------
+    PinFit
+
+    Raises
+    ------
+    InvalidInput
+        If a length is not positive or the hole not larger than the pin.
+
+    Notes
+    -----
+    Source: Yanchevskiy and Niekhoroshykh 2021, r_out = r_in + e where pin and hole touch at every
+    crank angle.
+
+    Examples
+    --------
+    >>> fit = pin_fit(pins=12, pin_radius=0.008, hole_radius=0.010, eccentricity=0.0025,
+    ...               pin_circle_radius=0.010)
+    >>> [notice.code for notice in fit.notices]
+    ['interference', 'wall_holes', 'pins_apart']
+    """
+    check_single(
+        pin_radius=pin_radius,
+        hole_radius=hole_radius,
+        eccentricity=eccentricity,
+        pin_circle_radius=pin_circle_radius,
+    )
+    check_positive(pin_radius=pin_radius)
+    if not hole_radius > pin_radius:
+        than = {"field": "pin_radius", "limit": pin_radius}
+        raise InvalidInput("hole_radius", hole_radius, "larger_than", **than)
+    assumed = False
+    if eccentricity is None:
+        assumed, eccentricity = True, hole_radius - pin_radius
+    check_positive(eccentricity=eccentricity)
+    tolerance = AS_TYPED * hole_radius
+    clearance = felt(clearance=hole_radius - pin_radius - eccentricity, hole_radius=hole_radius)
+    check_positive(pin_circle_radius=pin_circle_radius)
+    apart = 2 * pin_circle_radius * math.sin(math.pi / pins) if pins > 1 else math.inf
+    between_holes, between_pins = apart - 2 * hole_radius, apart - 2 * pin_radius
+
+    strained = {
+        "eccentricity_assumed": assumed,
+        "clearance": clearance > 0,
+        "interference": clearance < 0,
+        "wall_holes": between_holes <= tolerance,
+        "pins_apart": between_pins <= tolerance,
+    }
+    needed = {"limit": 1e3 * (pin_radius + eccentricity)}
+    notices = tuple(
+        Notice(code, needed if code in ("clearance", "interference") else {})
+        for code, holds in strained.items()
+        if holds
+    )
+    if not assumed:  # what was meant comes before what follows from it
+        notices = (
+            *slip_notices(
+                pin_radius=pin_radius, hole_radius=hole_radius, eccentricity=eccentricity
+            ),
+            *notices,
+        )
+    return PinFit(eccentricity=eccentricity, clearance=clearance, notices=notices)
+
+
+SLIPPED = ("pin_radius", "hole_radius", "eccentricity")
+"""Sizes that `slip_notices` asks about."""
+
+LIKE_ECCENTRICITY = 0.5
+"""Clearance over the eccentricity from which on it is said: mechanisms have a hundredth."""
+
+
+def slip_notices(
+    *, pin_radius: float, hole_radius: float, eccentricity: float | None
+) -> tuple[Notice, ...]:
+    """What sizes look like that leave a clearance, or interfere, in the order of the eccentricity:
+    the usual slips, each with what would have been meant, where that fits.
+
+    Parameters
+    ----------
+    pin_radius, hole_radius : float
+        Radii r_in and r_out, m.
+    eccentricity : float or None
+        Eccentricity e, m; without it nothing is said.
+
+    Returns
+    -------
+    tuple of Notice
+        Their numbers are in mm.
+
+    Notes
+    -----
+    The bands about each slip are no limits of mechanics: they leave room for the clearance that was
+    meant (0 to 0.3 of the eccentricity), and nothing is offered that would not fit.
+
+    Examples
+    --------
+    Pin 24 mm and hole 29 mm in diameter, typed as radii:
+
+    >>> found = slip_notices(pin_radius=0.012, hole_radius=0.0145, eccentricity=0.00125)
+    >>> [notice.code for notice in found]
+    ['clearance_like_eccentricity', 'diameters_as_radii', 'twice_the_eccentricity']
+    """
+    if eccentricity is None:
+        return ()
+    pin, hole, e = pin_radius, hole_radius, eccentricity
+    clearance = hole - pin - e
+    tolerance = AS_TYPED * hole
+    found = []
+    if clearance >= LIKE_ECCENTRICITY * e - tolerance:
+        found.append(Notice("clearance_like_eccentricity", {"ratio": clearance / e}))
+    slips = (
+        ("diameters_as_radii", 0.9 * e <= clearance <= 2 * e, pin / 2, hole / 2, e),
+        ("twice_the_eccentricity", 0.9 * e <= clearance <= 1.5 * e, pin, hole - e, e),
+        ("hole_diameter_as_radius", abs(hole / 2 - pin - e) <= e / 2, pin, hole / 2, e),
+        ("pin_diameter_as_radius", abs(hole - pin / 2 - e) <= e / 2, pin / 2, hole, e),
+        ("eccentricity_doubled", abs(hole - pin - e / 2) <= 0.15 * e, pin, hole, e / 2),
+        ("eccentricity_forgotten", abs(hole - pin) <= 0.3 * e, pin, hole + e, e),
+    )
+    strange = not -0.3 * e <= clearance <= LIKE_ECCENTRICITY * e - tolerance
+    for code, alike, meant_pin, meant_hole, meant_e in slips:
+        if strange and alike and meant_hole - meant_pin - meant_e >= -tolerance:
+            meant = {"pin": meant_pin, "hole": meant_hole, "eccentricity": meant_e}
+            found.append(Notice(code, {name: each * 1e3 for name, each in meant.items()}))
+    return tuple(found)
+
+
+@dataclass(frozen=True, slots=True)
+class PinGeometry:
+    """Pins and holes at one crank angle, in the fixed frame (Y up through pin 1, X right)."""
+
+    pin_centres: FloatArray  # M_n, m, shape (N, 2)
+    hole_centres: FloatArray  # B_jn, m, shape (K, N, 2)
+    # Points E_jn of the pins nearest to the wall of their hole, m, shape (K, N, 2): the contact
+    # points where there is no clearance.
+    contact_points: FloatArray
+    # Pressure angles gamma_jn, rad, from -pi to pi, shape (K, N); a pair drives within +-pi/2.
+    pressure_angles: FloatArray
+    driving: NDArray[np.bool_]  # whether the pair drives, shape (K, N)
+    clearance: float  # as that of `PinFit`, m
+    accuracy: Accuracy  # of the coordinates over R + r_in + e
+    notices: tuple[Notice, ...]  # those of `pin_fit`
+
+
+def pin_geometry(
+    *,
+    mechanism: Mechanism,
+    crank_angle: float,
+    pin_circle_radius: float,
+    pin_radius: float,
+    hole_radius: float,
+    eccentricity: float,
+) -> PinGeometry:
+    """Centres of pins and holes, contact points and pressure angles at a crank angle.
+
+    ``M_n = R*(-sin(phi/u + 2*pi*(n-1)/N), cos(...))``,
+    ``B_jn = M_n + e*(sin(phi + alpha_j), cos(phi + alpha_j))``,
+    ``E_jn = M_n - r_in*(B_jn - M_n)/e``.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Pins, satellites, ratio. An initial crank angle turns all cranks.
+    crank_angle : float
+        Crank angle phi, rad.
+    pin_circle_radius : float
+        Radius R of the circle of pin centres, m.
+    pin_radius, hole_radius : float
+        Radii r_in of the pins and r_out of the holes, m, r_out > r_in.
+    eccentricity : float
+        Eccentricity e of the cranks, m.
+
+    Returns
+    -------
+    PinGeometry
+
+    Raises
+    ------
+    InvalidInput
+        If a length is not positive or the hole not larger than the pin.
+
+    Notes
+    -----
+    Source: Yanchevskiy and Niekhoroshykh 2021, the equations before (6). Their C1, the square
+    root in the intersection of the two circles, cancels to zero just where pin and hole touch
+    and is not evaluated: which case it is follows from the sign of r_out - r_in - e.
+
+    Examples
+    --------
+    >>> m = Mechanism.evenly_spaced(pins=4, satellites=1, ratio=20.0)
+    >>> g = pin_geometry(mechanism=m, crank_angle=0.0, pin_circle_radius=0.05,
+    ...                  pin_radius=0.006, hole_radius=0.008, eccentricity=0.002)
+    >>> g.contact_points[0, 0].round(9).tolist(), g.clearance
+    ([0.0, 0.044], 0.0)
+    """
+    if not math.isfinite(crank_angle):
+        raise InvalidInput("crank_angle", crank_angle, "finite_number")
+    fit = pin_fit(
+        pins=mechanism.pins,
+        pin_radius=pin_radius,
+        hole_radius=hole_radius,
+        eccentricity=eccentricity,
+        pin_circle_radius=pin_circle_radius,
+    )
+    pin_angle = (
+        math.fmod(crank_angle, 2 * math.pi * mechanism.ratio) / mechanism.ratio
+        + 2 * math.pi * np.arange(mechanism.pins) / mechanism.pins
+    )
+    pin_centres = pin_circle_radius * np.stack((-np.sin(pin_angle), np.cos(pin_angle)), axis=-1)
+    crank = (
+        math.fmod(crank_angle, 2 * math.pi)
+        + mechanism.initial_crank_angle
+        + np.array(mechanism.crank_angles)
+    )
+    direction = np.stack((np.sin(crank), np.cos(crank)), axis=-1)[:, None, :]
+    wave = np.add.outer(crank, pin_angle) + math.pi / 2
+    pressure_angles = np.remainder(wave + math.pi, 2 * math.pi) - math.pi
+    turned = abs(crank_angle) * (1 + 1 / mechanism.ratio) + abs(mechanism.initial_crank_angle)
+    furthest = max(map(abs, mechanism.crank_angles))
+    # Adding 0.0 turns the zero of a negative sine into a plain zero.
+    return PinGeometry(
+        pin_centres=pin_centres + 0.0,
+        hole_centres=pin_centres + eccentricity * direction + 0.0,
+        contact_points=pin_centres - pin_radius * direction + 0.0,
+        pressure_angles=pressure_angles,
+        driving=pressure_cosines(mechanism=mechanism, crank_angles=np.array([crank_angle]))[0] > 0,
+        clearance=fit.clearance,
+        accuracy=Accuracy(
+            method="closed_form",
+            relative_error=ROUNDING * (4 + turned + furthest + 2 * math.pi),
+            evaluations=mechanism.pins * mechanism.satellites,
+        ),
+        notices=fit.notices,
+    )

@@ -14,8 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from core.arrays import FloatArray, check_finite, check_single
-from core.derived import derived, if_known
-from core.errors import InvalidInput
+from core.errors import InvalidInput, derived
 from core.hertz import HertzContact
 from core.numerics.extremes import second_look
 from core.output.contact_force import PairNumber
@@ -246,10 +245,10 @@ class OverTurn:
         return pair, force * float(self._hertz_pressure / contact.max_pressure) ** 2
 
     @derived
-    def max_pressure(self) -> float | None:
-        """Largest pressure, Pa, where it is known."""
+    def max_pressure(self) -> float:
+        """Largest pressure, Pa."""
         if self._wraps:
-            return if_known(lambda: self.real.contact(*self.hardest).governing_pressure)
+            return float(self.real.contact(*self.hardest).governing_pressure)
         return self._hertz_pressure
 
     @derived
@@ -494,7 +493,7 @@ def over_turn(
 
     Examples
     --------
-    >>> from core.output.contact_law import LinearLaw
+    >>> from core.output.elasticity import LinearLaw
     >>> from core.output.mechanism import Mechanism
     >>> from core.materials import ElasticMaterial
     >>> steel = ElasticMaterial(210e9, 0.3)

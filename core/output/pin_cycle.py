@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from core.arrays import BoolArray, ComplexArray, FloatArray
-from core.derived import derived
+from core.errors import derived
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_search import (
     NARROWER,

@@ -23,10 +23,10 @@ from numpy.typing import NDArray
 
 from core.arrays import ComplexArray, FloatArray, IntArray
 from core.numerics.quadrature import tanh_sinh_rule
+from core.output.contact_force import PHASE_ROUNDING
 from core.output.driving_set import segments
 from core.output.losses import AT_SWITCH
 from core.output.mechanism import Mechanism
-from core.output.peak_force import PHASE_ROUNDING
 from core.precision import ROUNDING
 
 MANY = 64

@@ -8,7 +8,7 @@ import numpy as np
 
 from core.arrays import FloatArray, check_single
 from core.errors import InvalidInput
-from core.output.members import Members
+from core.output.mechanism import Members
 from core.output.stage import Stage
 from core.results import Accuracy
 

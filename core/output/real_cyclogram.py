@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from core.arrays import BoolArray, FloatArray, IntArray
-from core.output.cyclogram import CountInterval, DrivingPair
+from core.output.contact_force import CountInterval, DrivingPair
 from core.output.mechanism import Mechanism
 from core.output.turn import Turn
 from core.precision import ROUNDING

@@ -19,10 +19,12 @@ from core.hertz import HertzContact, hertz
 from core.materials import ElasticMaterial
 from core.output.compiled import PLAIN, at_hand
 from core.output.conformal_law import conformal_wrap
-from core.output.contact_law import (
+from core.output.elasticity import (
     RIGID_PINS,
+    RIGID_SUPPORT,
     ContactLaw,
     Pins,
+    SatelliteSupport,
     check_law,
     law_constants,
     law_curve,
@@ -30,7 +32,6 @@ from core.output.contact_law import (
 )
 from core.output.loop_rows import TIED, Errors, Law, Pairs, Room, Row, Setup, Wrap
 from core.output.mechanism import Mechanism
-from core.output.satellite_support import RIGID_SUPPORT, SatelliteSupport
 from core.output.sharing_kernel import prepare
 from core.output.stage import Stage, blank_rows, in_floats
 

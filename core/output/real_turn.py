@@ -52,7 +52,7 @@ def sampled(turn: Turn) -> SampledTurn:
 
     Examples
     --------
-    >>> from core.output.contact_law import LinearLaw
+    >>> from core.output.elasticity import LinearLaw
     >>> from core.output.mechanism import Mechanism
     >>> from core.materials import ElasticMaterial
     >>> steel = ElasticMaterial(210e9, 0.3)

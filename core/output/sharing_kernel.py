@@ -52,7 +52,7 @@ def prepare(
 ) -> int:
     """Constants of the pairs from the deviations of one piece; the pair whose hole, pin or crank
     has no size left, or -1. Crank angles and the pin's compliance at each satellite are [K]; of
-    pins that a tie ring joins see `core.output.contact_law.tied_compliance`. Outward are the
+    pins that a tie ring joins see `core.output.elasticity.tied_compliance`. Outward are the
     directions of the pins from the middle, [N, 2].
     """
     none = place(setup, errors, phase, outward, pairs)

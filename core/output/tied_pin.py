@@ -7,9 +7,9 @@ from functools import cached_property
 import numpy as np
 
 from core.arrays import ComplexArray, FloatArray
+from core.output.contact_force import force_ratios
 from core.output.loaded_pin import LoadedPin
 from core.output.mechanism import Mechanism
-from core.output.pin_forces import force_ratios
 from core.output.sampled_turn import PinForces, PinsMade, SampledTurn, off_straight
 from core.output.tie_ring import RingForces, TieRing, ring_forces
 

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from core.arrays import FloatArray
-from core.derived import derived
+from core.errors import derived
 from core.numerics.extremes import Narrow, other_places
 from core.output.loop_rows import BACKLASH, LOST_MOTION, PLAY_END, Load, Poses
 from core.output.stage import Stage

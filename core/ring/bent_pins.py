@@ -30,7 +30,7 @@ def forces_on_ring(turn: MeshTurn) -> PinForces:
     --------
     A disc of 29 lobes: the largest force is that of a published program.
 
-    >>> from core.output.contact_law import LinearLaw
+    >>> from core.output.elasticity import LinearLaw
     >>> from core.ring.profile import CycloidDisc
     >>> from core.ring.sharing import CycloidMesh, mesh_over_turn
     >>> disc = CycloidDisc(satellite_teeth=29, eccentricity=1.250025e-3,

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from core.arrays import FloatArray
-from core.derived import derived
+from core.errors import derived
 from core.output.turn import Rows
 from core.ring.series_teeth import TeethInSeries
 from core.ring.series_turn import SeriesTurn
@@ -26,7 +26,7 @@ class MeshCurves:
 
     Examples
     --------
-    >>> from core.output.contact_law import LinearLaw
+    >>> from core.output.elasticity import LinearLaw
     >>> from core.ring.profile import CycloidDisc, Modification
     >>> from core.ring.sharing import mesh_over_turn
     >>> disc = CycloidDisc(satellite_teeth=11, eccentricity=2.5e-3,

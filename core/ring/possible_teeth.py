@@ -13,7 +13,8 @@ from functools import lru_cache
 import numpy as np
 
 from core.arrays import BoolArray, FloatArray
-from core.ring.involute import TIPS_APART, InvoluteTeeth, Rack, usual_rack
+from core.errors import required
+from core.ring.involute import TIPS_APART, InvoluteTeeth, Rack
 from core.ring.line_of_action import LineOfAction, involute, radius_at
 
 USUAL_SHIFTS, USUAL_ADDENDA = (-0.5, 1.0), (0.25, 1.25)
@@ -41,8 +42,13 @@ class PossibleTeeth:
     """Which involute teeth mesh."""
 
     contact_ratio: float  # largest of usual teeth, 0 where none touch
-    teeth: InvoluteTeeth | None  # that have it, of module 1
+    first: InvoluteTeeth | None  # that have it, of module 1
     any_mesh: bool  # whether any have one of 1, or of what may be missed less
+
+    @property
+    def teeth(self) -> InvoluteTeeth:
+        """Teeth that have that contact ratio, of module 1."""
+        return required(self.first, "unusual_teeth")
 
 
 def possible_teeth(
@@ -50,9 +56,8 @@ def possible_teeth(
     satellite_teeth: int,
     ring_teeth: int,
     module: float,
-    pressure_angle: float,
     eccentricity: float,
-    rack: Rack | None = None,
+    rack: Rack,
 ) -> PossibleTeeth:
     """The largest contact ratio of usual teeth, and whether any others mesh.
 
@@ -65,12 +70,10 @@ def possible_teeth(
         Teeth z_s and z_r > z_s.
     module : float
         Module m, m.
-    pressure_angle : float
-        Reference pressure angle alpha, rad.
     eccentricity : float
         Eccentricity e, m.
-    rack : Rack, optional
-        The rack that makes the satellite; `usual_rack` where it is not given.
+    rack : Rack
+        The rack that makes the satellite.
 
     Returns
     -------
@@ -89,7 +92,9 @@ def possible_teeth(
     --------
     One tooth of difference needs an eccentricity of 0.66 to 0.8 modules:
 
-    >>> teeth = {"satellite_teeth": 20, "ring_teeth": 21, "pressure_angle": math.radians(20)}
+    >>> from core.ring.involute import usual_rack
+    >>> rack = usual_rack(pressure_angle=math.radians(20))
+    >>> teeth = {"satellite_teeth": 20, "ring_teeth": 21, "rack": rack}
     >>> found = possible_teeth(**teeth, module=3.5e-3, eccentricity=2e-3)
     >>> round(found.contact_ratio, 1), found.any_mesh
     (0.5, False)
@@ -100,10 +105,10 @@ def possible_teeth(
         satellite_teeth=satellite_teeth,
         ring_teeth=ring_teeth,
         module=1.0,
-        pressure_angle=pressure_angle,
+        pressure_angle=rack.pressure_angle,
         eccentricity=eccentricity / module,
     )
-    return _possible(line, usual_rack(pressure_angle=pressure_angle) if rack is None else rack)
+    return _possible(line, rack)
 
 
 @dataclass(frozen=True)
@@ -140,7 +145,7 @@ def _possible(line: LineOfAction, rack: Rack) -> PossibleTeeth:
     ratio, best = _best(line, _looked(line, rack, USUAL_SHIFTS, USUAL_ADDENDA), TIPS_APART)
     return PossibleTeeth(
         contact_ratio=ratio,
-        teeth=_teeth(line, rack, best, ratio) if best.shift.size else None,
+        first=_teeth(line, rack, best, ratio) if best.shift.size else None,
         any_mesh=ratio >= 1
         or bool(_looked(line, rack, SHIFTS, ADDENDA).reach(line, 1 - MISSED, 0.0).any()),
     )

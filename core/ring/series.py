@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 
 from core.arrays import check_finite, check_single
-from core.derived import if_known
 from core.errors import InvalidInput
+from core.hertz import HertzContact
 from core.output.compiled import at_hand, plain
 from core.output.loaded_position import bent_together, notices
 from core.output.mechanism import Mechanism
@@ -290,7 +290,8 @@ class SeriesPosition:
     # Smallest possible worst approach of the unloaded pairs, m, where they press.
     interference: float | None
     stiffness: float  # dT/dtheta of both, N*m/rad
-    max_pressure: float | None  # of the pins of the output, Pa, where it is known
+    # Of the pins of the output that are pressed most, one in each direction of the torque.
+    contacts: tuple[HertzContact, ...]
     ring: RingPart  # what the ring does
     crank_force: tuple[float, ...]  # of ring and pins together on each crank, N, K values
     # Across each crank, against its turning, of ring and pins together, N, K values: times the
@@ -339,7 +340,7 @@ def series_position(
     --------
     One disc: what the output lags is the sum of both stages.
 
-    >>> from core.output.contact_law import LinearLaw
+    >>> from core.output.elasticity import LinearLaw
     >>> from core.output.loaded_position import loaded_position
     >>> from core.ring.profile import CycloidDisc
     >>> from core.ring.sharing import mesh_position
@@ -404,7 +405,7 @@ def series_position(
         play=None if pressed else (play[0], play[1]),
         interference=_interference(real, angle) if presses else None,
         stiffness=found.stiffness,
-        max_pressure=if_known(lambda: contact.governing_pressure),
+        contacts=(contact,),
         ring=RingPart(
             rotation=tuple(own_lags),
             force=real.ring.rows(on_teeth.tolist()),

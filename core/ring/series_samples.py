@@ -33,7 +33,7 @@ def sampled_in_series(turn: SeriesTurn) -> SampledTurn:
     What the ring presses a disc across its crank turns that: in exact geometry with what the pins
     press it so.
 
-    >>> from core.output.contact_law import LinearLaw
+    >>> from core.output.elasticity import LinearLaw
     >>> from core.output.mechanism import Mechanism
     >>> from core.output.real_mechanism import RealMechanism
     >>> from core.ring.profile import CycloidDisc

@@ -3,7 +3,7 @@
 import numpy as np
 
 from core.arrays import FloatArray, IntArray
-from core.derived import derived
+from core.errors import derived
 from core.output.contact_force import PairNumber
 from core.output.over_turn import Extreme
 from core.output.real_turn import CloseSamples

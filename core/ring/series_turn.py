@@ -12,8 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.arrays import ComplexArray, FloatArray, check_finite, check_single
-from core.derived import derived
-from core.errors import InvalidInput
+from core.errors import InvalidInput, derived
 from core.numerics.extremes import LOOKED, zoom
 from core.output.contact_force import PairNumber
 from core.output.loaded_position import notices
@@ -331,7 +330,7 @@ def series_over_turn(
 
     Examples
     --------
-    >>> from core.output.contact_law import LinearLaw
+    >>> from core.output.elasticity import LinearLaw
     >>> from core.output.mechanism import Mechanism
     >>> from core.output.real_mechanism import RealMechanism
     >>> from core.ring.profile import CycloidDisc

@@ -12,18 +12,19 @@ from typing import Any
 import numpy as np
 
 from core.arrays import FloatArray, IntArray, check_finite, check_positive, check_single
-from core.derived import derived
-from core.errors import ImpossibleMechanism, InvalidInput
+from core.errors import ImpossibleMechanism, InvalidInput, derived
 from core.materials import ElasticMaterial, effective_modulus
 from core.output.compiled import at_hand, plain
 from core.output.conformal_law import NO_CURVE, NO_WRAP
 from core.output.contact_force import PairNumber
-from core.output.contact_law import (
+from core.output.elasticity import (
     RIGID_PINS,
+    RIGID_SUPPORT,
     ContactLaw,
     HertzLaw,
     LinearLaw,
     Pins,
+    SatelliteSupport,
     check_law,
     law_constants,
     law_kind,
@@ -32,7 +33,6 @@ from core.output.loop_rows import PRESSURE, Law
 from core.output.mechanism import Mechanism
 from core.output.over_turn import Extreme, OverTurn
 from core.output.real_turn import CloseSamples, close_samples
-from core.output.satellite_support import RIGID_SUPPORT, SatelliteSupport
 from core.output.stage import Stage, blank_rows, in_floats
 from core.output.summits import Summit, summits
 from core.output.turn import Turn
@@ -422,7 +422,7 @@ def mesh_position(*, mesh: CycloidMesh, crank_angle: float, output_torque: float
     --------
     Perfect rigid parts of 29 lobes, a force of the ring of 1600 N across the crank:
 
-    >>> from core.output.contact_law import LinearLaw
+    >>> from core.output.elasticity import LinearLaw
     >>> disc = CycloidDisc(satellite_teeth=29, eccentricity=1.250025e-3,
     ...                    ring_pin_circle_radius=0.0525, ring_pin_radius=3.5e-3)
     >>> steel = ElasticMaterial(210e9, 0.3)
@@ -526,7 +526,7 @@ def mesh_gaps(
 
     Examples
     --------
-    >>> from core.output.contact_law import LinearLaw
+    >>> from core.output.elasticity import LinearLaw
     >>> from core.ring.profile import Modification
     >>> disc = CycloidDisc(satellite_teeth=11, eccentricity=2.5e-3,
     ...                    ring_pin_circle_radius=0.05, ring_pin_radius=0.005,
@@ -771,7 +771,7 @@ def mesh_over_turn(
 
     Examples
     --------
-    >>> from core.output.contact_law import LinearLaw
+    >>> from core.output.elasticity import LinearLaw
     >>> from core.ring.profile import Modification
     >>> disc = CycloidDisc(satellite_teeth=18, eccentricity=1.5e-3,
     ...                    ring_pin_circle_radius=0.034, ring_pin_radius=2.5e-3,

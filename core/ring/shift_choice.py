@@ -2,11 +2,12 @@
 
 import math
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 
 from core.arrays import check_finite
-from core.errors import InvalidInput
+from core.errors import InvalidInput, NotKnown
 from core.numerics.inverse import edge
 from core.ring.involute import TIPS_APART, InvolutePair, InvoluteTeeth, involute_pair
 from core.ring.line_of_action import LineOfAction, involute
@@ -22,7 +23,7 @@ SHIFT_STEP = 0.01
 """Of the satellite's profile shifts that are tried."""
 
 
-def nearest_ring(*, teeth: InvoluteTeeth, room: float = TIPS_APART) -> InvolutePair | None:
+def nearest_ring(*, teeth: InvoluteTeeth, room: float = TIPS_APART) -> InvolutePair:
     """The ring's shift, and the eccentricity without backlash, that leave the tips just so apart.
 
     The least operating pressure angle of which they are is the largest contact ratio; it is no less
@@ -37,11 +38,12 @@ def nearest_ring(*, teeth: InvoluteTeeth, room: float = TIPS_APART) -> InvoluteP
 
     Returns
     -------
-    InvolutePair or None
-        None where no angle up to `STEEPEST` leaves so much.
+    InvolutePair
 
     Raises
     ------
+    NotKnown
+        If no angle up to `STEEPEST` leaves so much.
     InvalidInput
         If a satellite's tip lies within its base circle.
 
@@ -72,18 +74,18 @@ def nearest_ring(*, teeth: InvoluteTeeth, room: float = TIPS_APART) -> InvoluteP
             raise
 
     angles = np.linspace(alpha, STEEPEST, TRIED).tolist()
-    apart = next((number for number, angle in enumerate(angles) if spare(angle) >= 0), None)
-    if apart is None:
-        return None
-    if apart == 0:
-        return at(alpha)
-    inside, _ = edge(inside=angles[apart], outside=angles[apart - 1], excess=spare)
-    return at(inside)
+    for before, angle in pairwise([angles[0], *angles]):
+        if spare(angle) >= 0:
+            if angle == before:
+                return at(alpha)
+            inside, _ = edge(inside=angle, outside=before, excess=spare)
+            return at(inside)
+    raise NotKnown("tips_overlap")
 
 
 def shifts_at(
     *, teeth: InvoluteTeeth, eccentricity: float, room: float = TIPS_APART
-) -> InvoluteTeeth | None:
+) -> InvoluteTeeth:
     """Shifts of both, usual ones, with the largest contact ratio at an eccentricity.
 
     Without backlash; tips stay apart, the path is one of involutes, no tooth is pointed.
@@ -99,11 +101,12 @@ def shifts_at(
 
     Returns
     -------
-    InvoluteTeeth or None
-        None where there are none.
+    InvoluteTeeth
 
     Raises
     ------
+    NotKnown
+        If there are none.
     InvalidInput
         If the base circles do not leave room for the eccentricity.
     """
@@ -128,5 +131,5 @@ def shifts_at(
         if pair.tips_apart(room) and blunt and pair.on_involutes:
             fitting.append(pair)
     if not fitting:
-        return None
+        raise NotKnown("unusual_teeth")
     return max(fitting, key=lambda pair: pair.contact_ratio).teeth

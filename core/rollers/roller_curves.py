@@ -7,7 +7,10 @@ import numpy as np
 
 from core.arrays import FloatArray
 from core.rollers.roller_strength import (
+    GivenGaps,
+    PositionTolerance,
     RollerStrength,
+    Spacing,
     load_nonuniformity,
     roller_strength,
     single_roller_limit,
@@ -50,30 +53,28 @@ def roller_curves(**design: Any) -> RollerCurves:
     -----
     Source: Ovsyannikov et al. 2019, their figs 4, 5 and 6, with the sizes of the design.
     """
-    own = roller_strength(**design)
+    found = roller_strength(**design)
     rollers, diameter = design["rollers"], design["diameter"]
-    ratios = np.linspace(min(0.5, own.length_ratio / 2), max(4.0, 1.5 * own.length_ratio), SAMPLES)
+    length = found.length_ratio
+    ratios = np.linspace(min(0.5, length / 2), max(4.0, 1.5 * length), SAMPLES)
     limit = single_roller_limit(rollers=rollers)
-    delta = own.relative_position_error
+    delta = found.relative_position_error
     errors = np.linspace(0.0, max(2 * limit, 1.25 * delta), SAMPLES)
-    gaps, factors = design.get("gaps"), (0.5, 1.0, 1.5, 2.0)
-    family: dict[float, dict[str, Any]]
-    scales_gaps = False
-    if gaps is not None and delta > 0:
-        scales_gaps = True
-        family = {each: {"gaps": [each * gap for gap in gaps]} for each in factors}
-    else:
-        tolerance = design.get("position_tolerance")
-        tolerances = (
-            [each * tolerance for each in factors]
-            if tolerance
-            else [each * diameter for each in (0.0, 1e-4, 2e-4)]
-        )
-        family = {each: {"position_tolerance": each, "gaps": None} for each in tolerances}
+    factors, scales_gaps = (0.5, 1.0, 1.5, 2.0), False
+    family: dict[float, Spacing]
+    match design["spacing"]:
+        case GivenGaps(gaps) if delta > 0:
+            scales_gaps = True
+            family = {each: GivenGaps([each * gap for gap in gaps]) for each in factors}
+        case PositionTolerance(tolerance) if tolerance > 0:
+            family = {each * tolerance: PositionTolerance(each * tolerance) for each in factors}
+        case _:
+            some = [each * diameter for each in (0.0, 1e-4, 2e-4)]
+            family = {each: PositionTolerance(each) for each in some}
     by_length = design | {"cylinder_length": ratios * diameter}
-    curves = {each: roller_strength(**by_length | sharing) for each, sharing in family.items()}
+    curves = {each: roller_strength(**by_length | {"spacing": own}) for each, own in family.items()}
     return RollerCurves(
-        design=own,
+        design=found,
         limit=limit,
         length_ratio=ratios,
         relative_stiffness=next(iter(curves.values())).relative_stiffness,

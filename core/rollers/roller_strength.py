@@ -6,8 +6,9 @@ presses on the end sphere, b/2 beyond the cylinder, and its friction turns the e
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from core.arrays import IntArray, Number, ascending, check_not_negative, check_positive, smaller
 from core.errors import InvalidInput
@@ -25,6 +26,116 @@ SHORT_ROLLER = 1.0
 
 LARGE_DEFLECTION = 0.1
 """Deflection over length above which the small-deflection beam is off by about 1 %."""
+
+
+@dataclass(frozen=True, slots=True)
+class PositionTolerance:
+    """Tolerance chi of the holes' positions: the source's worst case has one roller ahead of the
+    others by ``4*chi``.
+    """
+
+    tolerance: Number  # chi, m, >= 0
+
+    def gaps(self, rollers: int) -> Sequence[Number]:
+        """Gap of each roller, m.
+
+        Parameters
+        ----------
+        rollers : int
+            Number n of rollers.
+
+        Returns
+        -------
+        sequence of float or array
+            n gaps.
+
+        Notes
+        -----
+        Source: Ovsyannikov et al. 2019, before eq. (5).
+        """
+        check_not_negative(position_tolerance=self.tolerance)
+        return [0.0] + [4 * self.tolerance] * (rollers - 1)
+
+    def relative_error(self, *, stiffness: Number, mean_force: Number) -> Number:
+        """``delta = c*chi/F_avg``."""
+        return stiffness * self.tolerance / mean_force
+
+
+@dataclass(frozen=True, slots=True)
+class GivenGaps:
+    """Gaps of the rollers, as they are measured."""
+
+    each: Sequence[Number]  # g_i of each, m; only differences matter
+
+    def gaps(self, rollers: int) -> Sequence[Number]:
+        """Gap of each roller, m; refused where there is not one for each."""
+        if len(self.each) != rollers:
+            count = {"expected": rollers, "actual": len(self.each)}
+            raise InvalidInput("gaps", self.each, "different_length", **count)
+        return self.each
+
+    def relative_error(self, *, stiffness: Number, mean_force: Number) -> Number:
+        """delta of the tolerance with the same mean gap."""
+        first = ascending(self.each)[0]
+        spread = sum([gap - first for gap in self.each])
+        return stiffness * spread / (4 * max(len(self.each) - 1, 1)) / mean_force
+
+
+Spacing = PositionTolerance | GivenGaps
+"""How far the rollers' holes are off."""
+
+
+@dataclass(frozen=True, slots=True)
+class ByPoissonsRatio:
+    """Shear of a material by its Poisson's ratio mu, 0 <= mu < 0.5."""
+
+    poissons_ratio: Number  # mu
+
+    def modulus_ratio(self, youngs_modulus: Number) -> Number:
+        """``E/G = 2*(1 + mu)``."""
+        check_poissons_ratio(self.poissons_ratio)
+        return 2 * (1 + self.poissons_ratio)
+
+
+@dataclass(frozen=True, slots=True)
+class ByShearModulus:
+    """Shear of a material by a modulus G of its own, Pa."""
+
+    shear_modulus: Number  # G, Pa
+
+    def modulus_ratio(self, youngs_modulus: Number) -> Number:
+        """E/G."""
+        check_positive(shear_modulus=self.shear_modulus)
+        return youngs_modulus / self.shear_modulus
+
+
+Shear = ByPoissonsRatio | ByShearModulus
+"""What the shear of a material is known by."""
+
+KINDS: dict[str, dict[str, Callable[[Any], Spacing | Shear]]] = {
+    "spacing": {"position_tolerance": PositionTolerance, "gaps": GivenGaps},
+    "shear": {"poissons_ratio": ByPoissonsRatio, "shear_modulus": ByShearModulus},
+}
+"""Arguments of which there are kinds, each by the input that it is made of."""
+
+
+def roller_arguments(**given: Any) -> dict[str, Any]:
+    """What `roller_strength` takes, of inputs by their own names.
+
+    Parameters
+    ----------
+    **given
+        Its arguments, with one of each of `KINDS` in the place of that.
+
+    Returns
+    -------
+    dict
+    """
+    made = dict(given)
+    for argument, kinds in KINDS.items():
+        for name in kinds.keys() & given.keys():
+            made[argument] = kinds[name](made.pop(name))
+    return made
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,11 +192,9 @@ def roller_strength(
     diameter: Number,
     friction_coefficient: Number,
     youngs_modulus: Number,
-    poissons_ratio: Number | None = None,
-    shear_modulus: Number | None = None,
+    shear: Shear,
     stress_concentration: Number = 1.0,
-    position_tolerance: Number | None = None,
-    gaps: Sequence[Number] | None = None,
+    spacing: Spacing,
 ) -> RollerStrength:
     """Forces, displacement and bending stress of swinging rollers.
 
@@ -114,16 +223,12 @@ def roller_strength(
         Friction coefficient k of sphere and hole, >= 0.
     youngs_modulus : float or array
         Young's modulus E, Pa.
-    poissons_ratio : float or array, optional
-        Poisson's ratio mu, 0 <= mu < 0.5; this or `shear_modulus`.
-    shear_modulus : float or array, optional
-        Shear modulus G, Pa; this or `poissons_ratio`.
+    shear : ByPoissonsRatio or ByShearModulus
+        What its shear is known by.
     stress_concentration : float or array
         Stress concentration factor K_sigma, > 0.
-    position_tolerance : float or array, optional
-        Position tolerance chi of the holes, m, >= 0: the source's worst case. This or `gaps`.
-    gaps : sequence of float or array, optional
-        Gap g_i of each roller, m; only differences matter. This or `position_tolerance`.
+    spacing : PositionTolerance or GivenGaps
+        How far the holes are off.
 
     Returns
     -------
@@ -132,7 +237,7 @@ def roller_strength(
     Raises
     ------
     InvalidInput
-        If a size is not positive, or not exactly one of each pair of alternatives is given.
+        If a size is not positive, or there is not one gap for each roller.
 
     Notes
     -----
@@ -151,8 +256,8 @@ def roller_strength(
     >>> result = roller_strength(
     ...     output_torque=0.001*210e9*0.01**3, hole_circle_radius=0.03, rollers=4,
     ...     cylinder_length=0.02, sphere_width=0.008, sphere_diameter=0.015, diameter=0.01,
-    ...     friction_coefficient=0.16, youngs_modulus=210e9, poissons_ratio=0.3,
-    ...     stress_concentration=2.0, position_tolerance=2e-6)
+    ...     friction_coefficient=0.16, youngs_modulus=210e9, shear=ByPoissonsRatio(0.3),
+    ...     stress_concentration=2.0, spacing=PositionTolerance(2e-6))
     >>> round(result.bending_stress/210e9, 13)
     0.0024213655009
     """
@@ -174,23 +279,14 @@ def roller_strength(
         relative_width=sphere_width / diameter,
         relative_sphere=sphere_diameter / diameter,
         friction_coefficient=friction_coefficient,
-        modulus_ratio=modulus_ratio(
-            youngs_modulus=youngs_modulus,
-            poissons_ratio=poissons_ratio,
-            shear_modulus=shear_modulus,
-        ),
+        modulus_ratio=shear.modulus_ratio(youngs_modulus),
     )
     stiffness = relative * sphere_width * youngs_modulus
     total = output_torque / hole_circle_radius / 2
     mean_force = total / rollers
-    closing = roller_gaps(rollers=rollers, position_tolerance=position_tolerance, gaps=gaps)
+    closing = spacing.gaps(rollers)
     sharing = share_load(total=total, stiffness=stiffness, gaps=closing)
-    if position_tolerance is not None:
-        delta = stiffness * position_tolerance / mean_force
-    else:
-        first = ascending(closing)[0]
-        spread = sum([gap - first for gap in closing])
-        delta = stiffness * spread / (4 * max(rollers - 1, 1)) / mean_force
+    delta = spacing.relative_error(stiffness=stiffness, mean_force=mean_force)
     arm = cylinder_length + sphere_width / 2 + friction_coefficient * sphere_diameter / 2
     moment = arm * sharing.largest_force
     stress = stress_concentration * 32 / math.pi * (moment / diameter**2 / diameter)
@@ -341,79 +437,3 @@ def single_roller_limit(*, rollers: int) -> float:
         Dimensionless.
     """
     return rollers / 4
-
-
-def modulus_ratio(
-    *, youngs_modulus: Number, poissons_ratio: Number | None, shear_modulus: Number | None
-) -> Number:
-    """Ratio ``E/G``: ``2*(1 + mu)``, or from a shear modulus of its own.
-
-    Parameters
-    ----------
-    youngs_modulus : float or array
-        Young's modulus E, Pa.
-    poissons_ratio : float, array or None
-        Poisson's ratio mu, 0 <= mu < 0.5.
-    shear_modulus : float, array or None
-        Shear modulus G, Pa.
-
-    Returns
-    -------
-    float or array
-        Dimensionless.
-
-    Raises
-    ------
-    InvalidInput
-        If not exactly one of the two is given, or it is out of range.
-    """
-    if shear_modulus is None:
-        if poissons_ratio is None:
-            raise InvalidInput("poissons_ratio", None, "needed", field="shear_modulus")
-        check_poissons_ratio(poissons_ratio)
-        return 2 * (1 + poissons_ratio)
-    if poissons_ratio is not None:
-        raise InvalidInput("shear_modulus", shear_modulus, "only_one", field="poissons_ratio")
-    check_positive(shear_modulus=shear_modulus)
-    return youngs_modulus / shear_modulus
-
-
-def roller_gaps(
-    *, rollers: int, position_tolerance: Number | None, gaps: Sequence[Number] | None
-) -> Sequence[Number]:
-    """Gap of each roller: as given, or those of the worst case of a position tolerance chi, one
-    roller ahead of the others by ``4*chi``.
-
-    Parameters
-    ----------
-    rollers : int
-        Number n of rollers.
-    position_tolerance : float, array or None
-        Position tolerance chi of the holes, m, >= 0; this or `gaps`.
-    gaps : sequence of float or array, or None
-        Gap g_i of each roller, m; this or `position_tolerance`.
-
-    Returns
-    -------
-    sequence of float or array
-        n gaps, m.
-
-    Raises
-    ------
-    InvalidInput
-        If not exactly one of the two is given, or there is not one gap for each roller.
-
-    Notes
-    -----
-    Source: Ovsyannikov et al. 2019, before eq. (5).
-    """
-    if gaps is not None:
-        if position_tolerance is not None:
-            raise InvalidInput("gaps", gaps, "only_one", field="position_tolerance")
-        if len(gaps) != rollers:
-            raise InvalidInput("gaps", gaps, "different_length", expected=rollers, actual=len(gaps))
-        return gaps
-    if position_tolerance is None:
-        raise InvalidInput("position_tolerance", None, "needed", field="gaps")
-    check_not_negative(position_tolerance=position_tolerance)
-    return [0.0] + [4 * position_tolerance] * (rollers - 1)

@@ -17,10 +17,9 @@ from core.crank.crankshaft import Crankshaft, crankshaft
 from core.crank.ring_mesh import RingMesh
 from core.crank.satellite_bearing import SatelliteBearings, satellite_bearings
 from core.errors import ImpossibleMechanism
-from core.output.contact_force import force_peak
+from core.output.contact_force import force_peak, force_ratios
 from core.output.losses import total_force
-from core.output.mechanism import Mechanism
-from core.output.pin_forces import force_ratios, pressure_cosines
+from core.output.mechanism import Mechanism, pressure_cosines
 from core.output.pin_turn import all_pairs, satellite_turn
 from core.work_precision.exact import pair_forces, pair_phases
 from core.work_precision.rules import Rule, by_rule, rules

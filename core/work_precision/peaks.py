@@ -8,12 +8,11 @@ from typing import Any, Literal
 import numpy as np
 
 from core.arrays import ComplexArray, FloatArray, Number
+from core.output.contact_force import approximate_peak_ratio, force_ratios, peak_force
 from core.output.edge_load import IDLE, SlopingContacts
 from core.output.loop_rows import FORCE
 from core.output.mechanism import Mechanism
 from core.output.over_turn import OverTurn
-from core.output.peak_force import peak_force
-from core.output.pin_forces import approximate_peak_ratio, force_ratios
 from core.output.pin_strength import PinStresses, pin_stresses
 from core.output.pin_turn import PinTurn, all_pairs, pin_turn
 from core.output.stage import Stage

@@ -1,6 +1,7 @@
 """Worked steps of the satellites' bearings, of the crankshaft and of its balance."""
 
 import math
+from contextlib import suppress
 from typing import Literal
 
 import numpy as np
@@ -10,6 +11,7 @@ from core.crank.balance import Balance
 from core.crank.bearing_life import EXPONENTS, Bearing
 from core.crank.satellite_bearing import SatelliteBearings
 from core.design.results import Results
+from core.errors import UNKNOWN, if_known
 from core.output.sampled_turn import WAYS
 from core.precision import AS_TYPED
 from core.worked.members import take_speed, take_torque
@@ -151,7 +153,7 @@ def bearing_steps(results: Results) -> list[Step]:
     sheet, bearing, found = Sheet(), results.design.bearing, results.crank.bearings
     _take(sheet, results)
     take_speed(sheet, results=results)
-    sheet.work("relative_speed", "n", found.relative_speed, "n_1*(1+1/u)")
+    sheet.work("relative_speed", "n", found.given_speed, "n_1*(1+1/u)")
     _ring(sheet, results, found)
     turning = results.design.members.output in ("pins", "coupling")
     _centrifugal(sheet, results, "n_1" if turning else "n_in")
@@ -169,14 +171,13 @@ def bearing_steps(results: Results) -> list[Step]:
     else:
         _ring_force(sheet, results, turn, j, ring)
     sheet.state("equivalent_load", "P", found.equivalent_load[j], "equivalent_load", **where)
-    if found.basic_life is not None and found.life is not None:
+    with suppress(*UNKNOWN):
         basic = float(found.basic_life[j])
         _life(sheet, bearing.kind, bearing.dynamic_rating, basic, "P", "n")
         percent = {"params": {"percent": bearing.reliability_percent}}
         sheet.state("life", "L_n", found.life[j], "reliable", **percent)
     sheet.take("C_0", "static_rating", bearing.static_rating)
-    static = found.static_safety_factor
-    safety, said = None if static is None else float(static[j]), {"source": "iso76"}
+    safety, said = if_known(lambda: float(found.static_safety_factor[j])), {"source": "iso76"}
     if results.crank.centrifugal:  # which the load at rest has none of
         sheet.state("static_rating_safety", "S_0", safety, "under_peak", **said)
     else:
@@ -191,7 +192,7 @@ def bearing_steps(results: Results) -> list[Step]:
             share=results.design.static_torque / results.design.pin_torque,
             **said,
         )
-    sheet.state("system_life", "L_s", found.system_life, "together")
+    sheet.state("system_life", "L_s", if_known(lambda: found.system_life), "together")
     return sheet.steps
 
 

@@ -5,10 +5,9 @@ from contextlib import suppress
 from typing import Any
 
 from core.contact_life import CURVES
-from core.derived import if_known
 from core.design.real_forces import RealForces
 from core.design.results import Results
-from core.errors import NotKnown, required
+from core.errors import NotKnown, if_known, required
 from core.hertz import SHEAR_DEPTH, SHEAR_RATIO, HertzContact
 from core.materials import ElasticMaterial, LimitLife
 from core.precision import AS_TYPED

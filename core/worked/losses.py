@@ -1,7 +1,7 @@
 """Worked steps of friction and wear of the pins."""
 
-from core.derived import if_known
 from core.design.results import Results
+from core.errors import if_known
 from core.worked.members import output_power_of, take_speed, take_torque
 from core.worked.step import Sheet, Step
 

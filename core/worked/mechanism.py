@@ -5,11 +5,8 @@ import math
 import numpy as np
 
 from core.arrays import FloatArray
-from core.output.contact_force import ContactForce
-from core.output.cyclogram import Cyclogram
-from core.output.mechanism import Mechanism, assembly_angles
-from core.output.members import Members
-from core.output.pin_forces import pressure_cosines
+from core.output.contact_force import ContactForce, Cyclogram
+from core.output.mechanism import Mechanism, Members, assembly_angles, pressure_cosines
 from core.precision import CONVERGED, SAME
 from core.worked.members import take_torque
 from core.worked.step import MOST_TERMS, Sheet, Step, total

@@ -4,9 +4,9 @@ the pins come to their torque and speed.
 
 from contextlib import suppress
 
-from core.derived import UNKNOWN
 from core.design.results import Results
-from core.output.members import MemberLoads, Members
+from core.errors import UNKNOWN
+from core.output.mechanism import MemberLoads, Members
 from core.worked.step import Sheet, Step
 
 TURNING = {

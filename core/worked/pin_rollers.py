@@ -4,8 +4,8 @@ import math
 
 from core.crank.bearing_life import EXPONENTS
 from core.crank.pin_rollers import KINDS, UNKNOWN_ELEMENTS
-from core.derived import if_known
 from core.design.results import Results
+from core.errors import if_known
 from core.worked.members import take_speed
 from core.worked.pins import static_step
 from core.worked.step import Sheet, Step

@@ -5,9 +5,8 @@ from contextlib import suppress
 import numpy as np
 
 from core.arrays import FloatArray
-from core.derived import UNKNOWN, if_known
 from core.design.results import Results
-from core.errors import required
+from core.errors import UNKNOWN, if_known, required
 from core.output.pin_strength import PinDeflection, PinStrength
 from core.worked.fatigue import cycle_steps, finite_life
 from core.worked.members import take_speed, take_torque

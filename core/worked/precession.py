@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from contextlib import suppress
 from typing import Any
 
-from core.derived import UNKNOWN, if_known
 from core.design.sections import FatigueBasis
+from core.errors import UNKNOWN, if_known
 from core.materials import ElasticMaterial
 from core.precession.contact_line import ContactLine, ContactLines
 from core.precession.line_contact import LineContact

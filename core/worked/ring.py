@@ -6,9 +6,8 @@ from contextlib import suppress
 import numpy as np
 from numpy.typing import ArrayLike
 
-from core.derived import UNKNOWN
 from core.design.results import Results
-from core.errors import NotKnown
+from core.errors import UNKNOWN, NotKnown
 from core.materials import effective_modulus
 from core.ring.involute import InvolutePair
 from core.ring.loss import RingLoss

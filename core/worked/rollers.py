@@ -5,7 +5,15 @@ from typing import Any
 
 from core.design.sections import FatigueBasis
 from core.fatigue import CycleFatigue
-from core.rollers.roller_strength import SHEAR_FACTOR, RollerStrength
+from core.rollers.roller_strength import (
+    SHEAR_FACTOR,
+    ByPoissonsRatio,
+    ByShearModulus,
+    PositionTolerance,
+    RollerStrength,
+    Shear,
+    Spacing,
+)
 from core.worked.fatigue import cycle_steps
 from core.worked.step import MOST_TERMS, Sheet, Step, total
 
@@ -24,11 +32,9 @@ def roller_steps(
     diameter: float,
     friction_coefficient: float,
     youngs_modulus: float,
-    poissons_ratio: float | None = None,
-    shear_modulus: float | None = None,
+    shear: Shear,
     stress_concentration: float = 1.0,
-    position_tolerance: float | None = None,
-    gaps: list[float] | None = None,
+    spacing: Spacing,
     cycle: CycleFatigue | None = None,
     judged: dict[str, Any] | None = None,
 ) -> list[Step]:
@@ -39,8 +45,8 @@ def roller_steps(
     found : RollerStrength
         Their strength.
     output_torque, hole_circle_radius, rollers, cylinder_length, sphere_width, sphere_diameter, \
-diameter, friction_coefficient, youngs_modulus, poissons_ratio, shear_modulus, \
-stress_concentration, position_tolerance, gaps : as of `core.rollers.roller_strength`
+diameter, friction_coefficient, youngs_modulus, shear, stress_concentration, spacing : as of \
+`core.rollers.roller_strength`
     cycle : CycleFatigue, optional
         Their fatigue.
     judged : dict, optional
@@ -60,21 +66,22 @@ stress_concentration, position_tolerance, gaps : as of `core.rollers.roller_stre
         ("k", "friction_coefficient", friction_coefficient),
         ("n", "rollers", rollers),
         ("E", "youngs_modulus", youngs_modulus),
-        ("mu", "poissons_ratio", poissons_ratio),
-        ("G", "shear_modulus", shear_modulus),
         ("T", "output_torque", output_torque),
         ("R", "hole_circle_radius", hole_circle_radius),
-        ("chi", "position_tolerance", position_tolerance),
         ("K_sigma", "stress_concentration", stress_concentration),
     ):
         sheet.take(symbol, quantity, value)
-    if poissons_ratio is not None:  # instead of a shear modulus
-        sheared = youngs_modulus / (2 * (1 + poissons_ratio))
-        sheet.work("shear_modulus", "G", sheared, "E/(2*(1+mu))", source=SOURCE)
+    match shear:
+        case ByShearModulus(modulus):
+            sheet.take("G", "shear_modulus", float(modulus))
+        case ByPoissonsRatio(mu):
+            sheet.take("mu", "poissons_ratio", float(mu))
+            sheared = youngs_modulus / (2 * (1 + mu))
+            sheet.work("shear_modulus", "G", sheared, "E/(2*(1+mu))", source=SOURCE)
     _compliance(sheet, found)
     sheet.work("mean_force", "F_m", found.mean_force, "T/(2*R*n)", source=SOURCE, equation="2")
     sheet.state("loaded_rollers", "m", found.loaded_rollers, "sharing", source=SOURCE, equation="5")
-    _sharing(sheet, found, gaps)
+    _sharing(sheet, found, spacing)
     sheet.take("n_d", "sides", 2)
     equation = {"source": SOURCE, "equation": "1, 2"}
     sheet.work("centre_force", "F_0", found.centre_force, "n_d*F_1", **equation)
@@ -116,10 +123,10 @@ def _compliance(sheet: Sheet, found: RollerStrength) -> None:
     sheet.work("relative_stiffness", "c_r", found.relative_stiffness, "c/(b*E)", **equation)
 
 
-def _sharing(sheet: Sheet, found: RollerStrength, gaps: list[float] | None) -> None:
+def _sharing(sheet: Sheet, found: RollerStrength, spacing: Spacing) -> None:
     """Displacement and forces: the contacts close one after the other."""
     n = round(sheet.known["n"].value)
-    own = [0.0] + [4 * sheet.known["chi"].value] * (n - 1) if gaps is None else gaps
+    own = spacing.gaps(n)
     loaded, first = int(found.loaded_rollers), min(own)
     carrying = sorted(own)[:loaded]
     marks = [str(i + 1) for i in range(loaded)]
@@ -132,7 +139,8 @@ def _sharing(sheet: Sheet, found: RollerStrength, gaps: list[float] | None) -> N
         formula = f"(n*F_m/c+{total('g_#', marks=marks)})/m"
         sheet.work("displacement", "Delta", found.displacement, formula, **said, note="gaps")
     delta, six = found.relative_position_error, {"source": SOURCE, "equation": "6"}
-    if gaps is None:
+    if isinstance(spacing, PositionTolerance):
+        sheet.take("chi", "position_tolerance", float(spacing.tolerance))
         sheet.work("relative_position_error", "delta", delta, "c*chi/F_m", source=SOURCE)
         formula = "min(n,1+4*(n-1)/n*delta)"
         psi = found.load_nonuniformity

@@ -20,7 +20,7 @@ from app.registry import CALCULATIONS
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.output import compiled as loops
 from core.output import sharing_kernel
-from core.output.contact_law import LinearLaw
+from core.output.elasticity import LinearLaw
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_mechanism import RealMechanism

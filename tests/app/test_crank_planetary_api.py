@@ -87,13 +87,13 @@ async def test_only_what_is_asked_is_in_the_answer(api):
     [
         (
             ["cyclogram"],
-            ["contact_force.contact_force", "hertz.hertz", "crank_planetary_sections.pin_geometry"],
+            ["contact_force.contact_force", "hertz.hertz", "crank_planetary.pin_geometry"],
         ),
         (
             ["contact_force"],
-            ["cyclogram.cyclogram", "hertz.hertz", "crank_planetary_sections.pin_geometry"],
+            ["cyclogram.cyclogram", "hertz.hertz", "crank_planetary.pin_geometry"],
         ),
-        (["hertz"], ["cyclogram.cyclogram", "crank_planetary_sections.pin_geometry"]),
+        (["hertz"], ["cyclogram.cyclogram", "crank_planetary.pin_geometry"]),
         (["geometry"], ["cyclogram.cyclogram", "hertz.hertz", "contact_force.contact_force"]),
     ],
 )

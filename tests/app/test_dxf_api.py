@@ -20,11 +20,10 @@ from app import VERSION
 from app.endpoint import read_body
 from app.examples import EXAMPLES, REQUESTS
 from app.exports.dxf import DXF, LAYERS, MOST_CIRCLES, ZIP, DxfRequest, write
-from app.problems import Problem
+from app.problems import Problem, calculated
 from app.registry import EXPORTS
-from app.running import calculated
 from app.settings import Settings
-from core.output.contact_law import LinearLaw
+from core.output.elasticity import LinearLaw
 from core.ring.sharing import mesh_gaps
 
 pytestmark = pytest.mark.anyio

@@ -7,7 +7,7 @@ import pytest
 from app.calculations.members_answer import MembersOut
 from app.model import ResponseModel
 from core.errors import NotKnown
-from core.output.members import Members
+from core.output.mechanism import Members
 from core.precision import CONVERGED, EXACT, SAME, SEARCHED
 
 pytestmark = pytest.mark.anyio

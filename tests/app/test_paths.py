@@ -7,7 +7,7 @@ import pytest
 from app.calculations.checks import judgement
 from app.calculations.crank_planetary_request import CrankPlanetaryRequest
 from app.calculations.mechanism import MechanismFields
-from app.running import path_of
+from app.problems import path_of
 from core.checks.crank_planetary import crank_checks
 
 BODY: dict[str, Any] = {

@@ -15,7 +15,7 @@ from app.calculations.crank_planetary_request import (
     NEEDS,
     CrankPlanetaryRequest,
 )
-from app.calculations.pin_contact import PinContactFields
+from app.calculations.mechanism import PinContactFields
 from app.calculations.ring import RING_PIN_LISTS
 from app.model import Maybe, RequestModel
 from app.rules import BROKEN, Rule

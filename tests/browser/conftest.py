@@ -10,7 +10,7 @@ import pytest
 from playwright import sync_api
 
 from tests.inputs import chromium
-from tests.running_service import running_service
+from tests.running_service import Service
 
 HERE = Path(__file__).parent
 
@@ -22,10 +22,9 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 
 @pytest.fixture(scope="session")
-def service() -> Iterator[str]:
+def service(served: Service) -> str:
     """Address of the running service."""
-    with running_service(max_seconds=300) as running:  # a busy machine is no reason to fail
-        yield running.url
+    return served.url
 
 
 @pytest.fixture(scope="package")  # its loop ends with it, before tests that need their own

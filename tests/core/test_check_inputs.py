@@ -18,7 +18,6 @@ from core.checks import bearings
 from core.checks.check import Check, Kind
 from core.checks.crank_planetary import crank_check, crank_codes
 from core.checks.records import CHECKS
-from core.derived import if_known
 from core.design import crank_results, losses, results, ring_results
 from core.design.document import Design
 from core.design.results import Results
@@ -33,14 +32,13 @@ from core.design.sections import (
     SatelliteBody,
     Temperatures,
 )
-from core.errors import CalculationError
+from core.errors import CalculationError, if_known
 from core.material_table import MATERIALS
 from core.materials import ContactLimit, ElasticMaterial, Plastic
 from core.output import real_mechanism
-from core.output.contact_law import PowerLaw
 from core.output.edge_load import SlopingContacts
+from core.output.elasticity import PowerLaw, RingInSeries
 from core.output.pin_strength import PinStresses
-from core.output.satellite_support import RingInSeries
 from core.ring.profile import Modification
 from tests.inputs.checks import WHOLE, design_of, having
 from tests.oracles.seeds import TIMES

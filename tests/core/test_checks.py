@@ -12,14 +12,13 @@ from core.checks.records import CHECKS
 from core.checks.rollers import RollerDesign, roller_checks
 from core.design.document import Design, value_at
 from core.design.results import Results
-from core.first_yield import SHAKEDOWN
 from core.fixes.changes import vary
 from core.fixes.fix import PIN_SIZES
 from core.fixes.fix import WHOLE as WHOLE_NUMBERS
 from core.material_table import MATERIALS
-from core.materials import ContactLimit, ElasticMaterial
+from core.materials import SHAKEDOWN, ContactLimit, ElasticMaterial
 from core.precision import CONVERGED, EXACT
-from core.rollers.roller_strength import roller_strength
+from core.rollers.roller_strength import ByPoissonsRatio, PositionTolerance, roller_strength
 from tests.inputs.checks import REF as KNOWN
 from tests.inputs.checks import check_of, fixes_of, having
 
@@ -208,13 +207,13 @@ def test_the_reserve_of_rollers(torque: float, tolerance: float, rollers: int, s
         "sphere_diameter": 0.015,
         "cylinder_length": 0.02,
         "sphere_width": 0.008,
-        "position_tolerance": tolerance,
+        "spacing": PositionTolerance(tolerance),
     }
     more = {
         "diameter": 0.01,
         "friction_coefficient": 0.16,
         "youngs_modulus": 210e9,
-        "poissons_ratio": 0.3,
+        "shear": ByPoissonsRatio(0.3),
     }
 
     def check(torque: float) -> Check:

@@ -11,8 +11,7 @@ from typing import Any
 import pytest
 
 from core.checks.check import Check
-from core.checks.crank_planetary import crank_checks
-from core.checks.largest_torque import crank_verdict
+from core.checks.crank_planetary import crank_checks, crank_verdict
 from core.design.document import Design
 from core.design.real_forces import RealForces
 from core.design.results import MOST_REAL_PAIRS, Results
@@ -21,7 +20,7 @@ from core.fixes.changes import vary
 from core.fixes.fix import WHOLE
 from core.materials import ContactLimit
 from core.output.contact_force import ContactForce
-from core.output.contact_law import LinearLaw
+from core.output.elasticity import LinearLaw
 from core.output.pin_strength import PinStrength
 from core.output.real_mechanism import Deviations
 from core.precision import CONVERGED, EXACT, JUDGED, SAME

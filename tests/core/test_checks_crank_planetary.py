@@ -9,7 +9,7 @@ import pytest
 
 from core.checks.check import gap
 from core.checks.crank_planetary import CRANK_CHECKS, crank_checks, crank_codes
-from core.checks.layout import pins_apart
+from core.checks.geometry import pins_apart
 from core.design.real_forces import RealForces
 from core.design.results import Results
 from core.design.ring import CycloidRing, InvoluteRing

@@ -17,8 +17,8 @@ from core.design.ring import InvoluteRing, OtherRing
 from core.design.sections import Friction
 from core.errors import NotKnown
 from core.materials import ContactLimit, ElasticMaterial
+from core.output.elasticity import Shares
 from core.output.real_mechanism import Deviations
-from core.output.satellite_support import Shares
 from core.precision import EXACT, SAME
 from core.ring.involute import HEIGHTS
 from tests.inputs.checks import REF, check_of, design_of, having

@@ -7,12 +7,11 @@ from typing import Any
 import pytest
 
 from core.checks.crank_planetary import crank_checks
-from core.conformal import disc_error
 from core.design.document import Design
 from core.design.results import Results
-from core.first_yield import first_yield
 from core.fixes.changes import vary
-from core.materials import ContactLimit, ElasticMaterial
+from core.hertz import disc_error
+from core.materials import ContactLimit, ElasticMaterial, first_yield
 from core.precision import EXACT, SAME, SEARCHED
 from tests.inputs.checks import HOLE, PIN, REF, check_of, fixes_of, having, says
 from tests.oracles.checks import PRESSURE

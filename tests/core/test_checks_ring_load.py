@@ -10,8 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from core.checks.crank_planetary import crank_checks
-from core.checks.largest_torque import crank_verdict
+from core.checks.crank_planetary import crank_checks, crank_verdict
 from core.contact_life import life_factor
 from core.design.document import Design
 from core.design.results import Results
@@ -20,8 +19,8 @@ from core.design.ring_results import MOST_RING_PAIRS
 from core.design.sections import FatigueBasis, Friction
 from core.errors import InvalidInput
 from core.materials import ContactLimit, ElasticMaterial
+from core.output.elasticity import RingInSeries, Shares
 from core.output.real_mechanism import Deviations
-from core.output.satellite_support import RingInSeries, Shares
 from core.precision import EXACT, JUDGED, SAME, SEARCHED
 from core.ring.profile import Modification
 from core.ring.sharing import mesh_position

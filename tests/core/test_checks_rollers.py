@@ -11,7 +11,13 @@ from core.checks.rollers import RollerDesign, roller_checks
 from core.fatigue import CycleFatigue, FatigueStrength
 from core.precision import EXACT, SAME
 from core.results import Notice
-from core.rollers.roller_strength import roller_fatigue, roller_strength
+from core.rollers.roller_strength import (
+    ByPoissonsRatio,
+    GivenGaps,
+    roller_arguments,
+    roller_fatigue,
+    roller_strength,
+)
 from tests.inputs.checks import says, with_requirements
 
 DESIGN: dict[str, Any] = {
@@ -35,9 +41,10 @@ def rollers(count: int = 4, **changes: Any) -> Verdict:
     design = DESIGN | {"rollers": count}
     if "position_tolerance" in changes:
         design["position_tolerance"] = changes.pop("position_tolerance")
+    design = roller_arguments(**design)
     result = roller_strength(**design)
     names = ("output_torque", "hole_circle_radius", "rollers", "sphere_diameter")
-    names += ("cylinder_length", "sphere_width", "position_tolerance")
+    names += ("cylinder_length", "sphere_width", "spacing")
     sizes = {name: design[name] for name in names}
     return roller_checks(RollerDesign(result=result, **sizes, **with_requirements(changes)))
 
@@ -51,10 +58,10 @@ def test_rollers_that_do_not_carry_have_no_share_in_the_reserve() -> None:
         "sphere_diameter": 0.015,
         "cylinder_length": 0.02,
         "sphere_width": 0.008,
-        "gaps": (1e-3, 3e-4, 3e-4),
+        "spacing": GivenGaps((1e-3, 3e-4, 3e-4)),
     }
     more = {"diameter": 0.01, "friction_coefficient": 0.16, "youngs_modulus": 210e9}
-    result = roller_strength(**sizes, **more, poissons_ratio=0.3)
+    result = roller_strength(**sizes, **more, shear=ByPoissonsRatio(0.3))
     assert result.loaded_rollers == 2
     stress = float(result.bending_stress)
     design = RollerDesign(result=result, **sizes, yield_strength=1.8 * stress)
@@ -162,7 +169,7 @@ def test_fatigue_of_rollers_is_judged_where_asked() -> None:
         assert "fatigue" not in verdict.not_considered
         unknown = verdict["roller_fatigue"]
         assert (unknown.status, unknown.reason, unknown.missing) == ("not_checked", code, missing)
-    cycle = tired(roller_strength(**DESIGN))
+    cycle = tired(roller_strength(**roller_arguments(**DESIGN)))
     use = STRESS / 2 / 400e6 + STRESS / 2 / 1200e6
     for safety, status in ((0.9 / use, "pass"), (0.99 / use, "marginal"), (1.01 / use, "fail")):
         found = rollers(fatigue=cycle, fatigue_safety=safety)["roller_fatigue"]
@@ -170,5 +177,5 @@ def test_fatigue_of_rollers_is_judged_where_asked() -> None:
         assert found.value == pytest.approx(1 / use, rel=EXACT)
         # at the torque named the safety is the one that is asked
         torque = DESIGN["output_torque"] * found.torque_reserve
-        at_limit = tired(roller_strength(**DESIGN | {"output_torque": torque}))
+        at_limit = tired(roller_strength(**roller_arguments(**DESIGN | {"output_torque": torque})))
         assert at_limit.safety_factor == pytest.approx(safety, rel=SAME)

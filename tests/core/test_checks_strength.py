@@ -12,8 +12,7 @@ import numpy as np
 import pytest
 
 from core.checks.check import Check
-from core.checks.crank_planetary import crank_check, crank_checks
-from core.checks.largest_torque import crank_verdict
+from core.checks.crank_planetary import crank_check, crank_checks, crank_verdict
 from core.checks.ring_pins import RING_PINS
 from core.design.document import Design
 from core.design.results import Results
@@ -23,7 +22,7 @@ from core.errors import InvalidInput
 from core.fixes.changes import value_of, vary
 from core.material_table import MATERIALS
 from core.materials import ElasticMaterial
-from core.output.contact_law import LinearLaw
+from core.output.elasticity import LinearLaw
 from core.precision import EXACT, JUDGED, SAME, SEARCHED
 from tests.inputs.checks import REF, WHOLE, check_of, fixes_of, having, says
 

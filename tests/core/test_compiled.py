@@ -8,15 +8,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from core.derived import derived
-from core.errors import ImpossibleMechanism
+from core.errors import ImpossibleMechanism, derived
 from core.output import compiled
-from core.output.contact_law import PinSupport
+from core.output.elasticity import RIGID_SUPPORT, CrankSupport, ElasticMesh, PinSupport, Shares
 from core.output.loop_rows import FORCE
 from core.output.mechanism import Mechanism
 from core.output.over_turn import OverTurn, over_turn
 from core.output.real_mechanism import RealMechanism
-from core.output.satellite_support import RIGID_SUPPORT, CrankSupport, ElasticMesh, Shares
 from core.output.turn import Turn
 from core.ring.series_study import SeriesStudy
 from core.tolerance.draws import Spread
@@ -30,7 +28,7 @@ from tests.oracles.seeds import TIMES
 @pytest.fixture(autouse=True)
 def found_as_before(monkeypatch):
     """Other tests find the loops that they had."""
-    monkeypatch.setattr(compiled, "_at_hand", compiled.at_hand())
+    monkeypatch.setattr(compiled, "_at_hand", compiled._at_hand)
 
 
 KINDS = range(8)
@@ -58,7 +56,7 @@ def pair_of_discs(**changes: object) -> RealMechanism:
 
 def both(calculate):
     """What comes out as it is, and compiled."""
-    compiled._at_hand = compiled.PLAIN
+    compiled._at_hand = compiled.plain
     plain = calculate()
     compiled.load()
     return plain, calculate()
@@ -160,7 +158,7 @@ def test_any_split_gives_the_same_bits(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize("loaded", [False, True])
 def test_a_refusal_says_why_in_both(loaded: bool) -> None:
     if not loaded:
-        compiled._at_hand = compiled.PLAIN
+        compiled._at_hand = compiled.plain
     soft = replace(pair_of_discs(), law=replace(LAWS[0], stiffness=1e3))
     for calculate in (
         lambda: over_turn(real=soft, output_torque=30.0),

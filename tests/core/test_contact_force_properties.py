@@ -8,17 +8,18 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from core.errors import InvalidInput
-from core.output.contact_force import contact_force
-from core.output.force_laws import depressed_cubic_roots
-from core.output.mechanism import Mechanism
-from core.output.peak_force import PeakForce, peak_force
-from core.output.pin_forces import (
+from core.output.contact_force import (
+    PeakForce,
     approximate_peak_ratio,
     approximation_notices,
+    contact_force,
     force_ratios,
     output_torque_from_input,
+    peak_force,
     reference_force,
 )
+from core.output.force_laws import depressed_cubic_roots
+from core.output.mechanism import Mechanism
 from core.precision import CONVERGED, EXACT
 
 angles = st.one_of(st.floats(-20.0, 20.0), st.integers(-48, 48).map(lambda k: math.radians(15 * k)))

@@ -8,7 +8,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from core.errors import InvalidInput
-from core.output.cyclogram import Cyclogram, cyclogram
+from core.output.contact_force import Cyclogram, cyclogram
 from core.output.mechanism import Mechanism, assembly_angles, ratio_from_teeth
 from core.precision import CONVERGED, EXACT
 

@@ -5,9 +5,8 @@ from dataclasses import dataclass, field, replace
 import pytest
 
 from core.checks.crank_planetary import crank_checks
-from core.derived import derived, if_known
 from core.design.results import Results
-from core.errors import ImpossibleMechanism, InvalidInput, NotKnown
+from core.errors import ImpossibleMechanism, InvalidInput, NotKnown, derived, if_known
 from core.output.turn import Turn
 from tests.inputs.checks import REF, having
 

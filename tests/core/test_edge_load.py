@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from core.checks.crank_planetary import crank_check
 from core.design.results import Results
 from core.materials import ElasticMaterial
-from core.output.contact_law import (
+from core.output.edge_load import SlopingContacts
+from core.output.elasticity import (
     ContactLaw,
     HertzLaw,
     LinearLaw,
@@ -22,7 +23,6 @@ from core.output.contact_law import (
     PowerLaw,
     contact_compliance,
 )
-from core.output.edge_load import SlopingContacts
 from core.output.mechanism import Mechanism
 from core.output.pin_strength import PinStresses, pin_stresses
 from core.precision import EXACT, SAME

@@ -7,13 +7,11 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from core.derived import is_known
-from core.errors import ImpossibleMechanism, InvalidInput
+from core.errors import ImpossibleMechanism, InvalidInput, is_known
 from core.numerics.quadrature import tanh_sinh_rule
+from core.output.contact_force import force_ratios
 from core.output.losses import BarePins, Sleeves, TotalForce, loss_curves, pin_losses, total_force
-from core.output.mechanism import Mechanism
-from core.output.pin_forces import force_ratios
-from core.output.pin_geometry import pin_geometry
+from core.output.mechanism import Mechanism, pin_geometry
 from core.precision import CONVERGED, EXACT, SAME
 from tests.oracles.losses import total
 

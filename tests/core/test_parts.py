@@ -7,8 +7,7 @@ from typing import Any, get_args
 import pytest
 
 from core.checks.check import PartStatus, PartVerdict, whole
-from core.checks.crank_planetary import CRANK_CHECKS, PARTS, crank_checks
-from core.checks.largest_torque import crank_verdict
+from core.checks.crank_planetary import CRANK_CHECKS, PARTS, crank_checks, crank_verdict
 from core.checks.usual_fit import usual_fit
 from core.design.document import Design
 from core.design.results import Results

@@ -8,8 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from core.errors import InvalidInput
-from core.output.mechanism import Mechanism
-from core.output.pin_geometry import PinGeometry, pin_fit, pin_geometry
+from core.output.mechanism import Mechanism, PinGeometry, pin_fit, pin_geometry
 from core.precision import CONVERGED, SAME
 
 angles = st.one_of(st.floats(-20.0, 20.0), st.integers(-48, 48).map(lambda k: math.radians(15 * k)))

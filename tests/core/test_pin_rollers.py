@@ -14,12 +14,11 @@ from core.design.document import Design
 from core.design.results import Results
 from core.design.sections import Friction, Rollers
 from core.errors import InvalidInput
-from core.output.contact_force import reference_force
-from core.output.contact_law import LinearLaw
+from core.output.contact_force import force_ratios, reference_force
+from core.output.elasticity import LinearLaw
 from core.output.mechanism import Mechanism
 from core.output.over_turn import OverTurn
 from core.output.pin_beam import PinBeam
-from core.output.pin_forces import force_ratios
 from core.output.turn import Turn
 from core.precision import EXACT, SAME, SEARCHED
 from tests.inputs.checks import WHOLE, check_of, fixes_of, having

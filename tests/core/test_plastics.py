@@ -8,17 +8,15 @@ from typing import Any
 import pytest
 
 from core.checks.cold_yield import cold_yield
-from core.checks.largest_torque import crank_verdict
+from core.checks.crank_planetary import crank_verdict
 from core.checks.plastics import PLASTICS
-from core.derived import if_known
 from core.design.document import Design
 from core.design.results import Results
 from core.design.sections import DesignPin, Friction, SatelliteBody, Temperatures
-from core.errors import InvalidInput
+from core.errors import InvalidInput, if_known
 from core.hertz import hertz
-from core.material_record import by_values
 from core.material_table import ALIASES, ELASTOMERS, MATERIALS, NAMES, SEVERAL, plain_name
-from core.materials import ContactLimit, ElasticMaterial
+from core.materials import ContactLimit, ElasticMaterial, by_values
 from core.precision import EXACT, SAME
 from tests.inputs.checks import REF, check_of, fixes_of, having
 from tests.oracles.seeds import seeds

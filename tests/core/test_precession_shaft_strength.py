@@ -10,8 +10,7 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from core.derived import is_known
-from core.errors import InvalidInput
+from core.errors import InvalidInput, is_known
 from core.fatigue import EnduranceFactors, FatigueStrength, endurance_limit, size_factor
 from core.hertz import hertz
 from core.materials import ContactLimit, ElasticMaterial

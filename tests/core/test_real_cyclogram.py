@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from core.output.contact_law import ContactLaw, LinearLaw, PowerLaw
+from core.output.elasticity import ContactLaw, LinearLaw, PowerLaw
 from core.output.loaded_position import loaded_position
 from core.output.mechanism import Mechanism
 from core.output.over_turn import OverTurn

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.load_sharing import share_load
 from core.output.contact_force import force_peak
-from core.output.contact_law import (
+from core.output.elasticity import (
     HertzLaw,
     LinearLaw,
     PalmgrenLaw,

@@ -17,7 +17,14 @@ from core.crank.ring_mesh import RingMesh
 from core.crank.satellite_bearing import bearing_curves, made_parts, satellite_bearings
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.materials import ElasticMaterial
-from core.output.contact_law import LinearLaw, PinSupport, PowerLaw, pin_compliance
+from core.output.elasticity import (
+    RIGID_SUPPORT,
+    CrankSupport,
+    LinearLaw,
+    PinSupport,
+    PowerLaw,
+    pin_compliance,
+)
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.pin_beam import face_load_factor
@@ -26,7 +33,6 @@ from core.output.pin_strength import pin_strength
 from core.output.real_curves import real_curves
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.real_turn import refined
-from core.output.satellite_support import RIGID_SUPPORT, CrankSupport
 from core.precision import CONVERGED, EXACT, JUDGED, SAME
 from tests.inputs.real_mechanisms import UNLIKE, design, made, real_turn, reals
 

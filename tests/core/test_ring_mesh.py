@@ -8,11 +8,17 @@ from typing import Any
 import numpy as np
 import pytest
 
-from core.derived import is_known
-from core.errors import ImpossibleMechanism, InvalidInput
+from core.errors import ImpossibleMechanism, InvalidInput, is_known
 from core.output import compiled
-from core.output.contact_law import HertzLaw, LinearLaw, PinSupport, PowerLaw, pin_compliance
-from core.output.satellite_support import CrankSupport, Shares
+from core.output.elasticity import (
+    CrankSupport,
+    HertzLaw,
+    LinearLaw,
+    PinSupport,
+    PowerLaw,
+    Shares,
+    pin_compliance,
+)
 from core.output.turn import Turn
 from core.precision import EXACT, JUDGED, SAME, SEARCHED
 from core.ring import approach
@@ -530,10 +536,10 @@ READ = [name for name in dir(MeshTurn) if isinstance(getattr(MeshTurn, name), pr
 
 
 def test_interpreted_and_compiled_loops_give_the_same_bits(monkeypatch: Any) -> None:
-    monkeypatch.setattr(compiled, "_at_hand", compiled.at_hand())
+    monkeypatch.setattr(compiled, "_at_hand", compiled._at_hand)
     found = []
     for load in (False, True):
-        compiled._at_hand = compiled.PLAIN
+        compiled._at_hand = compiled.plain
         if load:
             compiled.load()
         rows = []

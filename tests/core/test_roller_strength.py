@@ -14,6 +14,7 @@ from core.rollers.roller_curves import roller_curves
 from core.rollers.roller_strength import (
     RollerStrength,
     load_nonuniformity,
+    roller_arguments,
     roller_strength,
     single_roller_limit,
 )
@@ -39,6 +40,10 @@ def without(*names: str) -> dict[str, Any]:
     return {name: value for name, value in DESIGN.items() if name not in names}
 
 
+def strength(**inputs: Any) -> RollerStrength:
+    return roller_strength(**roller_arguments(**inputs))
+
+
 @given(
     rollers=st.integers(1, 200),
     tolerance=st.floats(0, 1e-2),
@@ -46,7 +51,7 @@ def without(*names: str) -> dict[str, Any]:
     length_ratio=st.floats(1e-3, 1e3),
 )
 def test_equilibrium(rollers: int, tolerance: float, torque: float, length_ratio: float) -> None:
-    result = roller_strength(
+    result = strength(
         **DESIGN
         | {
             "rollers": rollers,
@@ -68,7 +73,7 @@ def test_equilibrium(rollers: int, tolerance: float, torque: float, length_ratio
 
 @given(st.lists(st.floats(-1e-4, 1e-4), min_size=1, max_size=30))
 def test_any_gaps(gaps: list[float]) -> None:
-    result = roller_strength(**without("position_tolerance") | {"rollers": len(gaps), "gaps": gaps})
+    result = strength(**without("position_tolerance") | {"rollers": len(gaps), "gaps": gaps})
     assert math.fsum(result.forces) == pytest.approx(210.0 / (2 * 0.03), rel=SAME)
     assert result.max_force == result.forces[gaps.index(min(gaps))]
     bound = 1 + 4 * (len(gaps) - 1) / len(gaps) * result.relative_position_error
@@ -79,8 +84,8 @@ def test_any_gaps(gaps: list[float]) -> None:
 
 
 def test_the_tolerance_is_one_case_of_gaps() -> None:
-    by_tolerance = roller_strength(**DESIGN)
-    by_gaps = roller_strength(
+    by_tolerance = strength(**DESIGN)
+    by_gaps = strength(
         **without("position_tolerance") | {"gaps": [1e-3 + g for g in (8e-6, 0.0, 8e-6, 8e-6)]}
     )
     assert by_gaps.forces[1] == pytest.approx(by_tolerance.forces[0], rel=SAME)
@@ -92,10 +97,10 @@ def test_the_tolerance_is_one_case_of_gaps() -> None:
 
 @pytest.mark.parametrize("rollers", [1, 2, 3, 4, 7, 200])
 def test_psi_is_continuous_where_one_roller_remains(rollers: int) -> None:
-    base = roller_strength(**DESIGN | {"rollers": rollers})
+    base = strength(**DESIGN | {"rollers": rollers})
     limit = single_roller_limit(rollers=rollers) * base.mean_force / base.stiffness
     below, above = (
-        roller_strength(**DESIGN | {"rollers": rollers, "position_tolerance": limit * (1 + side)})
+        strength(**DESIGN | {"rollers": rollers, "position_tolerance": limit * (1 + side)})
         for side in (-1e-9, 1e-9)
     )
     assert below.load_nonuniformity == pytest.approx(rollers, rel=EXACT)
@@ -106,8 +111,8 @@ def test_psi_is_continuous_where_one_roller_remains(rollers: int) -> None:
 
 @given(st.floats(1e-3, 1e3), st.floats(1e-3, 1e3))
 def test_scaling(size: float, load: float) -> None:
-    base = roller_strength(**DESIGN)
-    scaled = roller_strength(
+    base = strength(**DESIGN)
+    scaled = strength(
         **DESIGN
         | {name: size * DESIGN[name] for name in LENGTHS}
         | {
@@ -125,7 +130,7 @@ def test_scaling(size: float, load: float) -> None:
 @pytest.mark.parametrize("sharing", [{}, {"position_tolerance": 0.0}, {"gaps": [0, 3e-6, 0, 1e-5]}])
 def test_curves_go_through_the_design(sharing: dict[str, Any]) -> None:
     design = (without("position_tolerance") if "gaps" in sharing else DESIGN) | sharing
-    curves, own = roller_curves(**design), roller_strength(**design)
+    curves, own = roller_curves(**roller_arguments(**design)), strength(**design)
     assert curves.design == own
     place = own.length_ratio
     assert np.interp(place, curves.length_ratio, curves.relative_stiffness) == pytest.approx(
@@ -145,12 +150,13 @@ def test_curves_go_through_the_design(sharing: dict[str, Any]) -> None:
 def test_short_and_long_rollers_have_room_on_both_sides(
     length: float, first: float, last: float
 ) -> None:
-    curves = roller_curves(**DESIGN | {"cylinder_length": length})
+    curves = roller_curves(**roller_arguments(**DESIGN | {"cylinder_length": length}))
     assert curves.length_ratio[[0, -1]] == pytest.approx([first, last], rel=CONVERGED)
 
 
 def test_equal_gaps_have_the_curves_of_tolerances() -> None:
-    curves = roller_curves(**without("position_tolerance"), gaps=[1e-5] * DESIGN["rollers"])
+    gaps = {"gaps": [1e-5] * DESIGN["rollers"]}
+    curves = roller_curves(**roller_arguments(**without("position_tolerance"), **gaps))
     assert not curves.scales_gaps
     assert np.interp(
         curves.design.length_ratio, curves.length_ratio, curves.stress[0.0]
@@ -177,9 +183,9 @@ def test_rollers_of_an_array_are_those_one_by_one(seed: int, rollers: int, worst
     spread = 10.0 ** random.uniform(-8, -4)
     gaps = spread * random.integers(-2, 6, (rollers, count))
     several = {"position_tolerance": abs(gaps[0])} if worst else {"gaps": [*gaps]}
-    together = roller_strength(**designs, rollers=rollers, **several)
+    together = strength(**designs, rollers=rollers, **several)
     for index in range(count):
-        one = roller_strength(
+        one = strength(
             **{name: float(values[index]) for name, values in designs.items()},
             rollers=rollers,
             **(
@@ -202,8 +208,8 @@ def test_rollers_of_an_array_are_those_one_by_one(seed: int, rollers: int, worst
 
 
 def test_shear_modulus_or_poissons_ratio() -> None:
-    by_shear = roller_strength(**without("poissons_ratio") | {"shear_modulus": 210e9 / 2.6})
-    assert by_shear.stiffness == pytest.approx(roller_strength(**DESIGN).stiffness, rel=CONVERGED)
+    by_shear = strength(**without("poissons_ratio") | {"shear_modulus": 210e9 / 2.6})
+    assert by_shear.stiffness == pytest.approx(strength(**DESIGN).stiffness, rel=CONVERGED)
 
 
 @pytest.mark.parametrize(
@@ -215,19 +221,15 @@ def test_shear_modulus_or_poissons_ratio() -> None:
         ("rollers", {"rollers": 0}),
         ("friction_coefficient", {"friction_coefficient": -0.1}),
         ("poissons_ratio", {"poissons_ratio": 0.5}),
-        ("poissons_ratio", {"poissons_ratio": None}),
-        ("shear_modulus", {"shear_modulus": 78e9}),
-        ("shear_modulus", {"shear_modulus": -1.0, "poissons_ratio": None}),
+        ("shear_modulus", {"shear_modulus": -1.0}),
         ("position_tolerance", {"position_tolerance": -1e-6}),
-        ("position_tolerance", {"position_tolerance": None}),
-        ("gaps", {"gaps": [0.0] * 4}),
-        ("gaps", {"gaps": [0.0] * 3, "position_tolerance": None}),
-        ("gaps[2]", {"gaps": [0.0, 0.0, math.nan, 0.0], "position_tolerance": None}),
+        ("gaps", {"gaps": [0.0] * 3}),
+        ("gaps[2]", {"gaps": [0.0, 0.0, math.nan, 0.0]}),
     ],
 )
 def test_refusals(parameter: str, changes: dict[str, Any]) -> None:
     with pytest.raises(InvalidInput) as caught:
-        roller_strength(**DESIGN | changes)
+        roller_strength(**roller_arguments(**DESIGN) | roller_arguments(**changes))
     assert caught.value.parameter == parameter
 
 
@@ -241,8 +243,8 @@ def test_refusals(parameter: str, changes: dict[str, Any]) -> None:
     ],
 )
 def test_notices(code: str, changes: dict[str, Any]) -> None:
-    assert not roller_strength(**DESIGN).notices
-    (notice,) = roller_strength(**DESIGN | changes).notices
+    assert not strength(**DESIGN).notices
+    (notice,) = strength(**DESIGN | changes).notices
     assert notice.code == code
 
 
@@ -251,5 +253,5 @@ def test_gaps_that_differ_only_by_rounding_say_that_hardly_anything_is_known(
     base: float, codes: list[str]
 ) -> None:
     gaps = [base, base, base * (1 + 2.0**-50), base]
-    result = roller_strength(**without("position_tolerance") | {"gaps": gaps})
+    result = strength(**without("position_tolerance") | {"gaps": gaps})
     assert [notice.code for notice in result.notices] == codes

@@ -11,13 +11,10 @@ from core.errors import ImpossibleMechanism
 from core.hertz import hertz
 from core.material_table import MATERIALS
 from core.materials import ElasticMaterial
-from core.output.contact_law import HertzLaw
-from core.output.fit import Fit, solvable
-from core.output.mechanism import Mechanism
-from core.output.pin_geometry import slip_notices
+from core.output.elasticity import CrankSupport, HertzLaw
+from core.output.fit import Fit, Rooms, solvable
+from core.output.mechanism import Mechanism, slip_notices
 from core.output.real_mechanism import Deviations, RealMechanism
-from core.output.room import Rooms
-from core.output.satellite_support import CrankSupport
 from core.precision import EXACT, SAME
 from tests.inputs.misfits import drawn
 from tests.oracles.room import highest, room

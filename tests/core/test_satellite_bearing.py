@@ -14,9 +14,8 @@ from hypothesis import strategies as st
 from core.crank.bearing_life import rating_life, reliability_factor, system_life
 from core.crank.ring_mesh import RingMesh, cycloid_mesh, involute_mesh
 from core.crank.satellite_bearing import bearing_curves, satellite_bearings
-from core.errors import ImpossibleMechanism, InvalidInput
-from core.output.mechanism import Mechanism
-from core.output.pin_geometry import pin_geometry
+from core.errors import ImpossibleMechanism, InvalidInput, NotKnown
+from core.output.mechanism import Mechanism, pin_geometry
 from core.output.pin_turn import SatelliteTurn
 from core.precision import CONVERGED, EXACT, SAME, SEARCHED
 from tests.inputs.satellites import exponents, mechanisms
@@ -228,9 +227,12 @@ def test_life() -> None:
     factor = satellite_bearings(**REF, **ratings, ring_factor=1.2)
     assert factor.life[0] == pytest.approx(found.life[0] / 1.2**3, rel=CONVERGED)
     assert factor.static_safety_factor[0] == found.static_safety_factor[0]
-    assert satellite_bearings(**REF).life is None
+    with pytest.raises(NotKnown, match="rating_unknown"):
+        _ = satellite_bearings(**REF).life
     still = satellite_bearings(**REF | {"input_speed": None}, **ratings)
-    assert (still.relative_speed, still.basic_life, still.life) == (None, None, None)
+    for name in ("relative_speed", "basic_life", "life"):
+        with pytest.raises(NotKnown, match="speed_missing"):
+            getattr(still, name)
     assert f"{91.1e3 / 10.279e3:.2f}" == "8.86"
     assert rating_life(load=10.279, rating=91.08767, kind="roller") == pytest.approx(
         1440, rel=SEARCHED

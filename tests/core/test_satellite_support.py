@@ -9,18 +9,20 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from core.errors import ImpossibleMechanism, InvalidInput
-from core.output.contact_law import LinearLaw, PinSupport, PowerLaw
+from core.output.elasticity import (
+    RIGID_SUPPORT,
+    CrankSupport,
+    ElasticMesh,
+    LinearLaw,
+    PinSupport,
+    PowerLaw,
+    SatelliteSupport,
+    Shares,
+)
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_curves import real_curves
 from core.output.real_mechanism import Deviations, RealMechanism
-from core.output.satellite_support import (
-    RIGID_SUPPORT,
-    CrankSupport,
-    ElasticMesh,
-    SatelliteSupport,
-    Shares,
-)
 from core.precision import JUDGED, SAME, SEARCHED
 from tests.inputs.real_mechanisms import (
     STEEL,

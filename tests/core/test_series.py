@@ -8,11 +8,10 @@ import numpy as np
 import pytest
 
 from core.errors import ImpossibleMechanism, InvalidInput
-from core.output.contact_law import LinearLaw, PinSupport
+from core.output.elasticity import ElasticMesh, LinearLaw, PinSupport, Shares
 from core.output.loaded_position import loaded_position
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import Deviations, RealMechanism
-from core.output.satellite_support import ElasticMesh, Shares
 from core.precision import EXACT, JUDGED, SAME, SEARCHED
 from core.ring.profile import CycloidDisc, Modification
 from core.ring.series import MeshesInSeries, SeriesPosition, series_position

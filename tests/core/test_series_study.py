@@ -10,7 +10,7 @@ import pytest
 
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.compiled import in_place_of
-from core.output.contact_law import PinSupport
+from core.output.elasticity import PinSupport
 from core.output.real_mechanism import Deviations
 from core.precision import EXACT
 from core.ring.profile import Modification

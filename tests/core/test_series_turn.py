@@ -9,7 +9,7 @@ import pytest
 
 from core.errors import InvalidInput
 from core.output import compiled
-from core.output.contact_law import LinearLaw
+from core.output.elasticity import LinearLaw
 from core.output.loop_rows import LOST_MOTION
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
@@ -124,7 +124,7 @@ def test_the_summits_against_a_dense_walk(exact: bool, torque: float) -> None:
 
 def test_interpreted_and_compiled_loops_give_the_same_bits(monkeypatch: Any) -> None:
     series, found = series_of(discs=2, exact=True, **PHASES), []
-    for hand in (compiled.PLAIN, compiled.at_hand()):
+    for hand in (compiled.plain, compiled._at_hand):
         monkeypatch.setattr(compiled, "_at_hand", hand)
         turn = SeriesTurn(series, -160.0)
         rows = turn.poses([0.1, 2.3, 30.0])

@@ -6,13 +6,12 @@ from typing import Any
 
 import pytest
 
-from core.checks.largest_torque import crank_verdict
+from core.checks.crank_planetary import crank_verdict
 from core.checks.shares import DiscShares, disc_shares
 from core.design.document import Design
 from core.design.results import Results
-from core.output.contact_law import LinearLaw
+from core.output.elasticity import CrankSupport, LinearLaw, Shares
 from core.output.real_mechanism import Deviations
-from core.output.satellite_support import CrankSupport, Shares
 from core.precision import EXACT, SAME, SEARCHED
 from tests.inputs.checks import REF, WHOLE, having
 

@@ -13,8 +13,8 @@ from core.crank.satellite_bearing import satellite_bearings
 from core.errors import InvalidInput
 from core.output.contact_force import contact_force
 from core.output.loaded_position import loaded_position
+from core.output.mechanism import pin_fit
 from core.output.over_turn import over_turn
-from core.output.pin_geometry import pin_fit
 from core.output.pin_strength import pin_strength, pin_stresses
 from core.output.real_curves import real_curves, stiffness_curve
 from core.output.real_mechanism import RealMechanism

@@ -12,14 +12,13 @@ import pytest
 
 from core.errors import InvalidInput
 from core.materials import ElasticMaterial
-from core.output.contact_law import LinearLaw, PinSupport, PowerLaw, ring_of
+from core.output.contact_force import force_ratios
+from core.output.elasticity import CrankSupport, LinearLaw, PinSupport, PowerLaw, ring_of
 from core.output.loaded_position import LoadedPosition, loaded_position
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam
-from core.output.pin_forces import force_ratios
 from core.output.pin_strength import PinStrength, pin_strength
 from core.output.real_mechanism import Deviations, RealMechanism
-from core.output.satellite_support import CrankSupport
 from core.output.tie_ring import RingForces, RingJoint, TieRing, ring_forces
 from core.output.tied_pin import TiedPin
 from core.output.turn import Turn

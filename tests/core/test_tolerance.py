@@ -13,11 +13,10 @@ import pytest
 
 from core.errors import InvalidInput
 from core.output.compiled import PLAIN, in_place_of
-from core.output.contact_law import ContactLaw, HertzLaw, LinearLaw, PowerLaw
+from core.output.elasticity import RIGID_SUPPORT, ContactLaw, HertzLaw, LinearLaw, PowerLaw, Shares
 from core.output.fit import Fit
 from core.output.loop_rows import BINDS, FITS, JUST, NOWHERE, Pairs, Room, Setup
 from core.output.mechanism import Mechanism
-from core.output.satellite_support import RIGID_SUPPORT, Shares
 from core.precision import CONVERGED, EXACT, SEARCHED
 from core.tolerance.contributions import contributions
 from core.tolerance.draws import Spread, uniforms, zone_places

@@ -6,8 +6,8 @@ import mpmath
 import numpy as np
 import pytest
 
-from core.output.mechanism import Mechanism
-from core.output.pin_forces import force_ratios, pressure_cosines
+from core.output.contact_force import force_ratios
+from core.output.mechanism import Mechanism, pressure_cosines
 from core.precession.rollers import RollerByLength
 from core.precision import CONVERGED, EXACT
 from core.results import METHODS

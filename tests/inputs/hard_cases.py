@@ -17,15 +17,14 @@ from core.arrays import FloatArray
 from core.errors import CalculationError
 from core.hertz import hertz
 from core.materials import ElasticMaterial
-from core.output.mechanism import Mechanism
-from core.output.peak_force import peak_force
-from core.output.pin_geometry import pin_geometry
+from core.output.contact_force import peak_force
+from core.output.mechanism import Mechanism, pin_geometry
 from core.precession.contact_line import contact_lines
 from core.precession.meshing_load import meshing_load
 from core.precession.rollers import RollerByAngle, RollerByLength
 from core.precession.shaft import ShaftSection
 from core.precession.shaft_deflection import shaft_deflection
-from core.rollers.roller_strength import roller_strength
+from core.rollers.roller_strength import roller_arguments, roller_strength
 from tests.oracles.crank_planetary import peak
 from tests.oracles.precession import (
     length_by_angle,
@@ -272,7 +271,7 @@ def _roller_cases() -> Iterator[Case]:
         tolerance = float(delta * total / rollers / stiffness)
 
         def ours() -> Answer:
-            found = roller_strength(**design, position_tolerance=tolerance)
+            found = roller_strength(**roller_arguments(**design, position_tolerance=tolerance))
             return found.bending_stress, found.accuracy.relative_error
 
         def exact() -> mpf:

@@ -7,7 +7,7 @@ import random
 from functools import cache
 from typing import Any
 
-from core.output.contact_law import (
+from core.output.elasticity import (
     RIGID_PINS,
     HertzLaw,
     LinearLaw,

@@ -7,16 +7,19 @@ from functools import cache
 from hypothesis import strategies as st
 
 from core.materials import ElasticMaterial
-from core.output.contact_law import (
+from core.output.elasticity import (
     RIGID_PINS,
     ConformalLaw,
     ContactLaw,
+    CrankSupport,
+    ElasticMesh,
     HertzLaw,
     LinearLaw,
     PalmgrenLaw,
     Pins,
     PinSupport,
     PowerLaw,
+    Shares,
 )
 from core.output.loaded_position import LoadedPosition, loaded_position
 from core.output.mechanism import Mechanism
@@ -24,7 +27,6 @@ from core.output.pin_fatigue import FatigueStrength
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.output.real_turn import sampled
 from core.output.sampled_turn import SampledTurn
-from core.output.satellite_support import CrankSupport, ElasticMesh, Shares
 from core.output.turn import Turn
 
 STEEL = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3)

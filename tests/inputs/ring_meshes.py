@@ -5,8 +5,15 @@ import random
 from typing import Any
 
 from core.materials import ElasticMaterial
-from core.output.contact_law import ContactLaw, HertzLaw, LinearLaw, PalmgrenLaw, PowerLaw
-from core.output.satellite_support import RIGID_SUPPORT, Shares
+from core.output.elasticity import (
+    RIGID_SUPPORT,
+    ContactLaw,
+    HertzLaw,
+    LinearLaw,
+    PalmgrenLaw,
+    PowerLaw,
+    Shares,
+)
 from core.ring.profile import CycloidDisc, Modification
 from core.ring.sharing import CycloidMesh, RingDeviations
 from tests.inputs.real_mechanisms import STEEL

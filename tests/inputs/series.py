@@ -5,7 +5,7 @@ import random
 from dataclasses import replace
 from typing import Any
 
-from core.output.contact_law import ContactLaw, HertzLaw, LinearLaw, PalmgrenLaw, PowerLaw
+from core.output.elasticity import ContactLaw, HertzLaw, LinearLaw, PalmgrenLaw, PowerLaw
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.ring.profile import CycloidDisc, Modification

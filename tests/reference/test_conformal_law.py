@@ -11,7 +11,7 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
-from core.conformal import conformal_contact, integral_equation, local_approach, widest_load
+from core.hertz import conformal_contact, integral_equation, local_approach, widest_load
 from core.materials import ElasticMaterial, effective_modulus, mismatch
 from core.output.conformal_law import (
     ERROR,
@@ -24,7 +24,7 @@ from core.output.conformal_law import (
     far_approach,
 )
 from core.output.contact_kernel import excess
-from core.output.contact_law import RIGID_PINS, ConformalLaw, PinSupport, contact_compliance
+from core.output.elasticity import RIGID_PINS, ConformalLaw, PinSupport, contact_compliance
 from core.output.loaded_position import loaded_position
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import Deviations, RealMechanism

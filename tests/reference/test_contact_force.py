@@ -16,10 +16,8 @@ import pytest
 from mpmath import mp, mpf
 
 from core.errors import ImpossibleMechanism
-from core.output.contact_force import contact_force, drawing_angles
+from core.output.contact_force import contact_force, drawing_angles, force_ratios, peak_force
 from core.output.mechanism import Mechanism
-from core.output.peak_force import peak_force
-from core.output.pin_forces import force_ratios
 from core.precision import EXACT, SAME, SEARCHED
 from tests.inputs.cases import EXPONENTS, random_mechanism
 from tests.oracles.crank_planetary import (

@@ -15,7 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from mpmath import mp, mpf
 
-from core.output.cyclogram import cyclogram
+from core.output.contact_force import cyclogram
 from core.output.mechanism import Mechanism, assembly_angles
 from core.precision import CONVERGED, EXACT
 from tests.oracles.crank_planetary import (

@@ -2,7 +2,7 @@
 
 import pytest
 
-from core.output.contact_law import PinSupport, pin_compliance
+from core.output.elasticity import PinSupport, pin_compliance
 from core.output.pin_beam import Support
 from core.precision import CONVERGED
 from tests.inputs.real_mechanisms import STEEL

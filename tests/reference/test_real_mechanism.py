@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 
 from core.errors import ImpossibleMechanism
-from core.output.contact_law import LinearLaw, PinSupport, PowerLaw, pin_compliance
+from core.output.elasticity import LinearLaw, PinSupport, PowerLaw, pin_compliance
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import RealMechanism
 from tests.inputs.real_mechanisms import (

@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from core.output.contact_law import HertzLaw, LinearLaw
-from core.output.satellite_support import Shares
+from core.output.elasticity import HertzLaw, LinearLaw, Shares
 from core.precision import EXACT, JUDGED, SAME, SEARCHED
 from core.ring.profile import outline_points
 from core.ring.sharing import mesh_over_turn, mesh_position

@@ -6,7 +6,7 @@ import pytest
 from mpmath import mp, mpf
 
 from core.load_sharing import share_load
-from core.rollers.roller_strength import roller_strength
+from core.rollers.roller_strength import roller_arguments, roller_strength
 from tests.inputs.cases import random_rollers
 from tests.oracles.rollers import exact_compliance, exact_forces
 from tests.oracles.seeds import seeds
@@ -26,7 +26,7 @@ def test_every_number_by_tolerance(seed: int) -> None:
     total = mpf(case["output_torque"]) / (2 * mpf(case["hole_circle_radius"]))
     mean = total / n
     tolerance = float(delta * mean / stiffness)
-    result = roller_strength(**case, position_tolerance=tolerance)
+    result = roller_strength(**roller_arguments(**case, position_tolerance=tolerance))
     stated = result.accuracy.relative_error
     assert stated < 1e-13
 

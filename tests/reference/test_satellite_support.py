@@ -6,11 +6,17 @@ from dataclasses import replace
 import pytest
 from hypothesis import given, settings
 
-from core.output.contact_law import LinearLaw, PowerLaw
+from core.output.elasticity import (
+    RIGID_SUPPORT,
+    CrankSupport,
+    ElasticMesh,
+    LinearLaw,
+    PowerLaw,
+    SatelliteSupport,
+)
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_mechanism import Deviations, RealMechanism
-from core.output.satellite_support import RIGID_SUPPORT, CrankSupport, ElasticMesh, SatelliteSupport
 from core.precision import EXACT, SAME
 from tests.inputs.real_mechanisms import STEEL, crank_angles, flat, held, solved, torques
 from tests.oracles.load_sharing import exact_position

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from core.output.contact_law import LinearLaw
+from core.output.elasticity import LinearLaw
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import Deviations, RealMechanism
 from core.precision import EXACT

@@ -8,7 +8,7 @@ import math
 import numpy as np
 import pytest
 
-from core.output.contact_law import LinearLaw
+from core.output.elasticity import LinearLaw
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_mechanism import Deviations, RealMechanism

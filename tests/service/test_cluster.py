@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from app.cluster import on_cluster
-from core.output.contact_law import PowerLaw
+from core.output.elasticity import PowerLaw
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import RealMechanism
 from core.tolerance.study import Evaluation, Study
@@ -56,8 +56,9 @@ BODY: dict[str, Any] = {
 STREAM = {"accept": "application/x-ndjson"}
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def cluster() -> Iterator[Cluster]:
+    """Of it a worker is lost first, then the scheduler."""
     found = Cluster()
     yield found
     found.stop()

@@ -90,24 +90,21 @@ def test_a_second_request_in_the_pipe_is_not_read_and_ends_the_connection(servic
     assert not lines_of(service, "unread") and service.said('"level":"error"') == errors
 
 
-def test_a_client_with_a_second_request_in_the_pipe_can_go(serve):
+def test_a_client_with_a_second_request_in_the_pipe_can_go(narrow):
     """What it gave up is ended, and the next one's turn comes: nothing else would end it."""
-    with serve(processes=1, max_seconds=3600) as service:
-        with nothing_is_calculated(service, 1) as go_on:
-            with connect(service) as connection:
-                head = (POST % len(LONG)).replace(b"host: x", b"host: x\r\nx-request-id: gone")
-                connection.sendall(head + LONG + POST % len(LONG) + LONG)
-                metrics = f"{service.url}/metrics"
-                assert eventually(lambda: "khv_requests_in_flight 2.0" in httpx.get(metrics).text)
-            assert eventually(lambda: lines_of(service, "gone"))
-            (line,) = lines_of(service, "gone")
-            assert (line["status"], line["level"]) == (499, "info")
-            go_on()
-        answer = httpx.post(
-            f"{service.url}/api/v1/cyclogram", content=LONG, headers=JSON, timeout=60
-        )
-        assert answer.status_code == 200
-        assert not [line for line in service.log() if line["level"] == "error"]
+    with nothing_is_calculated(narrow, 1) as go_on:
+        with connect(narrow) as connection:
+            head = (POST % len(LONG)).replace(b"host: x", b"host: x\r\nx-request-id: gone")
+            connection.sendall(head + LONG + POST % len(LONG) + LONG)
+            metrics = f"{narrow.url}/metrics"
+            assert eventually(lambda: "khv_requests_in_flight 2.0" in httpx.get(metrics).text)
+        assert eventually(lambda: lines_of(narrow, "gone"))
+        (line,) = lines_of(narrow, "gone")
+        assert (line["status"], line["level"]) == (499, "info")
+        go_on()
+    answer = httpx.post(f"{narrow.url}/api/v1/cyclogram", content=LONG, headers=JSON, timeout=60)
+    assert answer.status_code == 200
+    assert not [line for line in narrow.log() if line["level"] == "error"]
 
 
 JSON = {"content-type": "application/json"}
@@ -165,16 +162,16 @@ def test_an_answer_that_nobody_takes_is_dropped(service):
     assert received < 6_000_000  # half of it
 
 
-def test_what_is_large_has_few_places_and_what_is_small_needs_none(serve):
+def test_what_is_large_has_few_places_and_what_is_small_needs_none(narrow):
     """Bodies that are not whole, and batches: the next one is told to come again."""
     large = POST % 20_000 + b" " * 17_000
     batch = (POST % 1000).replace(b"cyclogram", b"batch") + b"{"
-    with serve(max_large=2, receive_seconds=3600) as service, ExitStack() as held:
+    with ExitStack() as held:
         for sent in (large, batch):
-            held.enter_context(connect(service)).sendall(sent)
+            held.enter_context(connect(narrow)).sendall(sent)
 
         def asked(path, content):
-            url = f"{service.url}/api/v1/{path}"
+            url = f"{narrow.url}/api/v1/{path}"
             return httpx.post(url, content=content, headers=JSON)
 
         refused = {}

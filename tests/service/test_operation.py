@@ -2,6 +2,7 @@
 
 import os
 import signal
+import socket
 import threading
 from contextlib import suppress
 
@@ -15,15 +16,11 @@ LONG = {"pins": 100, "satellites": 15, "ratio": 20.0, "force_exponent": 30.5, **
 """A force whose peak is calculated in a process of its own, and is there at once."""
 
 
-@pytest.mark.parametrize(("workers", "whole_group"), [(1, True), (2, False)])
-def test_stopping_loses_no_request_in_flight_and_leaves_no_process(serve, workers, whole_group):
-    settings = {"processes": 1, "max_seconds": 60}
-    with (
-        serve(workers=workers, **settings) as service,
-        nothing_is_calculated(service, workers) as go_on,
-    ):
+def stops_without_loss(service, whole_group):
+    """Stopping loses no request in flight and leaves no process."""
+    with nothing_is_calculated(service, service.workers) as go_on:
         answers = []
-        client = httpx.Client(base_url=service.url, timeout=60)
+        client = service.client()
 
         def ask():
             answers.append(client.post("/api/v1/contact-force", json=LONG))
@@ -43,9 +40,15 @@ def test_stopping_loses_no_request_in_flight_and_leaves_no_process(serve, worker
         service.process.wait(30)
         lost = [line for line in service.log() if line.get("status", 200) != 200]
         assert [each.status_code for each in answers] == [200] * 4, lost
-        with pytest.raises(httpx.TransportError):
-            httpx.get(f"{service.url}/livez")
+        family_of_it = socket.AF_UNIX if service.uds else socket.AF_INET
+        with socket.socket(family_of_it) as late, pytest.raises(OSError):
+            late.connect(service.uds or ("127.0.0.1", service.port))
         assert eventually(lambda: not any(map(lives, started)))
+
+
+def test_a_worker_alone_stops_without_loss_at_a_socket_that_was_left_behind(serve, left_socket):
+    with serve(unix_socket=left_socket, processes=1, max_seconds=60) as service:
+        stops_without_loss(service, whole_group=True)
 
 
 def test_a_stopping_service_waits_only_so_long(serve):
@@ -95,8 +98,8 @@ def ask_for_long(url):
         httpx.post(f"{url}/api/v1/contact-force", json=LONG, timeout=30)
 
 
-def test_a_killed_worker_is_replaced(serve):
-    with serve(workers=2) as service:
+def test_a_killed_worker_is_replaced_and_two_stop_without_loss(serve):
+    with serve(workers=2, processes=1, max_seconds=60) as service:
         started = family(service.process.pid)[1:]
         worker = next(pid for pid in started if len(family(pid)) > 1)
         for pid in family(worker):
@@ -104,6 +107,7 @@ def test_a_killed_worker_is_replaced(serve):
                 os.kill(pid, signal.SIGKILL)
         service.wait_until_ready(starts=3)
         assert httpx.get(f"{service.url}/api/v1/health").status_code == 200
+        stops_without_loss(service, whole_group=False)
 
 
 def test_each_request_is_one_line_without_its_body(service):
@@ -138,16 +142,19 @@ def test_each_request_is_one_line_without_its_body(service):
     assert "force_exponent" not in "".join(service.lines[before:])
 
 
-def test_metrics_of_all_workers_are_added_up(serve):
-    with serve(workers=2) as service:
-        for _ in range(20):
-            with httpx.Client(base_url=service.url) as client:
-                client.post("/api/v1/cyclogram", json={"pins": 3, "ratio": 20})
-        labels = 'method="POST",route="/api/v1/cyclogram",status="200"'
-        for counted in (
-            f"khv_requests_total{{{labels}}} 20.0",
-            'khv_calculation_seconds_count{route="/api/v1/cyclogram"} 20.0',
-            'khv_request_seconds_bucket{le="+Inf",route="/api/v1/cyclogram"} 20.0',
-            "khv_requests_in_flight 1.0",
-        ):  # which happens after the answer
-            assert eventually(lambda: counted in httpx.get(f"{service.url}/metrics").text)  # noqa: B023
+def test_metrics_of_all_workers_are_added_up(two_workers):
+    def metrics():
+        with two_workers.client() as client:
+            return client.get("/metrics").text
+
+    for _ in range(20):
+        with two_workers.client() as client:
+            client.post("/api/v1/cyclogram", json={"pins": 3, "ratio": 20})
+    labels = 'method="POST",route="/api/v1/cyclogram",status="200"'
+    for counted in (
+        f"khv_requests_total{{{labels}}} 20.0",
+        'khv_calculation_seconds_count{route="/api/v1/cyclogram"} 20.0',
+        'khv_request_seconds_bucket{le="+Inf",route="/api/v1/cyclogram"} 20.0',
+        "khv_requests_in_flight 1.0",
+    ):  # which happens after the answer
+        assert eventually(lambda: counted in metrics())  # noqa: B023

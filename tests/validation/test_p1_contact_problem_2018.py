@@ -14,10 +14,8 @@ import pytest
 from core.errors import ImpossibleMechanism
 from core.hertz import hertz
 from core.materials import ElasticMaterial
-from core.output.cyclogram import cyclogram
+from core.output.contact_force import approximate_peak_ratio, cyclogram, force_ratios, peak_force
 from core.output.mechanism import Mechanism, ratio_from_teeth
-from core.output.peak_force import peak_force
-from core.output.pin_forces import approximate_peak_ratio, force_ratios
 from core.precision import CONVERGED, SEARCHED
 
 RATIO = 20.0

@@ -9,11 +9,8 @@ import math
 import numpy as np
 import pytest
 
-from core.output.cyclogram import cyclogram
-from core.output.mechanism import Mechanism, assembly_angles
-from core.output.peak_force import peak_force
-from core.output.pin_forces import force_ratios
-from core.output.pin_geometry import pin_geometry
+from core.output.contact_force import cyclogram, force_ratios, peak_force
+from core.output.mechanism import Mechanism, assembly_angles, pin_geometry
 from core.precision import CONVERGED, SAME
 
 RATIO = 20.0

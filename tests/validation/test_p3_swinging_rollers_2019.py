@@ -10,6 +10,8 @@ import pytest
 
 from core.precision import CONVERGED, SAME
 from core.rollers.roller_strength import (
+    ByPoissonsRatio,
+    PositionTolerance,
     RollerStrength,
     load_nonuniformity,
     relative_stiffness,
@@ -37,9 +39,9 @@ def fig_6(length_ratio: float, tolerance_ratio: float) -> RollerStrength:
         diameter=D,
         friction_coefficient=K,
         youngs_modulus=E,
-        poissons_ratio=MU,
+        shear=ByPoissonsRatio(MU),
         stress_concentration=K_SIGMA,
-        position_tolerance=tolerance_ratio * D,
+        spacing=PositionTolerance(tolerance_ratio * D),
     )
 
 

@@ -10,9 +10,8 @@ import numpy as np
 import pytest
 
 from core.errors import ImpossibleMechanism
+from core.output.contact_force import force_ratios, peak_force, reference_force
 from core.output.mechanism import Mechanism
-from core.output.peak_force import peak_force
-from core.output.pin_forces import force_ratios, reference_force
 from core.precision import CONVERGED, EXACT
 
 

@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from core.materials import ElasticMaterial
-from core.output.contact_law import (
+from core.output.elasticity import (
     RIGID_PINS,
     ContactLaw,
     HertzLaw,

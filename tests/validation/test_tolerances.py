@@ -5,10 +5,10 @@ import math
 import numpy as np
 import pytest
 
-from core.output.contact_law import LinearLaw
+from core.output.contact_force import reference_force
+from core.output.elasticity import LinearLaw
 from core.output.loop_rows import FORCE, LAG
 from core.output.mechanism import Mechanism
-from core.output.pin_forces import reference_force
 from core.output.real_mechanism import RealMechanism
 from core.output.turn import Turn
 from core.tolerance.draws import Spread, uniforms
