@@ -35,6 +35,7 @@ async def test_two_satellites_are_assumed_and_the_force_of_one_is_said(api):
     assert "without" not in dead
 
 
+@pytest.mark.slow
 async def test_materials_that_were_left_out_are_said(api):
     answer = await answered(api, "crank-planetary", PRINTED)
     assert answer["assumed"] == [
@@ -66,6 +67,7 @@ async def test_a_solution_says_what_its_calculation_assumes(api):
     assert answer["value"] and "assumed" not in answer
 
 
+@pytest.mark.slow
 async def test_a_solution_of_an_unknown_clearance_is_of_perfect_parts(api):
     """Also where the input by itself is no design: a pin as thick as the value cures."""
     contact = {"contact_length_mm": 20, "pin_radius_mm": 8, "eccentricity_mm": 2}

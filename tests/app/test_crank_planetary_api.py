@@ -289,6 +289,7 @@ async def test_warnings_say_when_the_approximation_is_out_of_its_range(api):
     assert "pins" in answer["warnings"][0]["detail"]
 
 
+@pytest.mark.slow
 async def test_every_example_works_as_it_stands(api):
     examples = (await api.get("examples")).json()["examples"]
     assert len({each["id"] for each in examples}) == len(examples) >= 11

@@ -13,6 +13,7 @@ from tests.oracles.seeds import TIMES
 pytestmark = pytest.mark.anyio
 
 DESIGNS = failing(3 * TIMES)  # one of each kind
+REPOSTED = [0, *range(2, len(DESIGNS))]  # 1 and another of its kind, each below
 
 
 async def answered(api: Any, body: dict[str, Any]) -> dict[str, Any]:
@@ -34,7 +35,7 @@ def applied(body: dict[str, Any], values: dict[str, Any]) -> dict[str, Any]:
     return found
 
 
-@pytest.mark.parametrize("index", range(len(DESIGNS)))
+@pytest.mark.parametrize("index", REPOSTED)
 async def test_a_fix_says_the_verdict_that_a_repost_gives(api: Any, index: int) -> None:
     body = DESIGNS[index]
     asked = {"include": ["checks", "fixes", "combined"], "fixes_for": "failed"}
@@ -100,6 +101,7 @@ async def test_a_fix_keeps_the_fit_or_chooses_another(api: Any) -> None:
         after = await answered(api, applied(body, fix["sets"]) | {"include": ["checks"]})
         there = {each["code"]: each for each in after["checks"]}
         assert after["verdict"] == fix["verdict"]
+        assert fix["status"] != "solved" or there[fix["code"]]["status"] == "pass"
         for effect in fix["side_effects"]:
             assert there[effect["code"]]["status"] == effect["status_to"]
             if "utilisation_to" in effect:
@@ -174,6 +176,7 @@ RINGS: dict[str, tuple[dict[str, Any], set[str]]] = {
             },
             "load": {"output_torque_Nm": 380.0},
             "requirements": {"min_ring_efficiency": 0.95, "max_seat_pressure_MPa": 5.0},
+            "satellite_coupling": {"kind": "rigid"},  # the ring by itself: half the time
         },
         {
             "/gear/modification/equidistant_mm",
@@ -208,7 +211,7 @@ async def test_what_cures_the_teeth_of_a_ring_does_so(api: Any, name: str) -> No
     sections, cures = RINGS[name]
     body = deepcopy(RING)
     for section, values in sections.items():
-        body[section] |= values
+        body[section] = body.get(section, {}) | values
     body["requirements"]["scope"] = ["teeth"]
     asked = {"include": ["checks", "fixes"], "fixes_for": "failed"}
     answer = await answered(api, body | asked)

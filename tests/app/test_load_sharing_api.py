@@ -220,6 +220,7 @@ async def test_ten_thousand_pairs_at_one_position(api):
     assert sum(answer["positions"][0]["satellite_torque_Nm"]) == pytest.approx(200, rel=EXACT)
 
 
+@pytest.mark.slow
 async def test_a_turn_of_a_thousand_pairs(api):
     """By symmetry that of two discs of as many pins each: no pair of one has the load of all."""
     body = changed(mechanism={"pins": 500}, load={"pin_circle_radius_mm": 2_000},

@@ -234,6 +234,7 @@ def test_the_reserve_of_rollers(torque: float, tolerance: float, rollers: int, s
     assert check(torque * reserve).utilisation == pytest.approx(1, rel=EXACT)
 
 
+@pytest.mark.slow
 @given(st.floats(600.0, 20000.0))
 def test_fixes_cure_and_are_not_larger_than_needed(torque: float) -> None:
     design = having(REF, output_torque=torque)

@@ -69,6 +69,7 @@ def test_the_pressure_is_that_of_the_real_peak(part: float, status: str) -> None
     assert check_of("contact_pressure_hole", ideal).value < 0.9 * PRESSURE  # type: ignore[operator]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("design", "limit"),
     [

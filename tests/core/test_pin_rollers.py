@@ -342,6 +342,7 @@ def test_a_light_load_only_warns() -> None:
     assert (light.status, light.reason) == ("marginal", "bearing_slips")
 
 
+@pytest.mark.slow
 def test_a_larger_rating_cures_the_life() -> None:
     weak = rolled(replace(ROLLERS, dynamic_rating=20e3))
     assert check_of("pin_roller_life", weak).status == "fail"

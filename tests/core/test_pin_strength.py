@@ -307,6 +307,7 @@ def test_the_shear_force_of_a_cantilever_is_no_less_than_its_last_force() -> Non
     assert f"{found.peak_shear_force:.2f}" == "4164.11"
 
 
+@pytest.mark.slow
 @given(mechanism=mechanisms, exponent=exponents, thick=st.sampled_from([0.016, 0.1, 1.0]))
 @example(mechanism=spaced(3, 3), exponent=1.0, thick=1.0)
 def test_shear_and_equivalent_stress_of_a_cantilever_by_brute_force(

@@ -120,6 +120,7 @@ def test_a_published_bearing_load() -> None:
     assert mesh.radial_force_ratio == pytest.approx(-0.343755, abs=1e-6)
 
 
+@pytest.mark.slow
 @given(mechanism=mechanisms, exponent=exponents, rho=st.floats(-1.5, 1.5))
 def test_the_turn_by_brute_force(mechanism: Mechanism, exponent: float, rho: float) -> None:
     design = REFERENCE | {"mesh": RingMesh(rho), "kind": "roller"}

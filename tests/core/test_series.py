@@ -113,6 +113,7 @@ def test_forces_turn_the_crank_by_their_arms(seed: int) -> None:
     assert turning == pytest.approx(found.input_torque, rel=SAME)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("exact", [True, False])
 def test_the_mean_torque_of_the_crank_is_its_part_of_the_load(exact: bool) -> None:
     """Over the turns after which all repeats: what contacts store they give back."""

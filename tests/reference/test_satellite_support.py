@@ -20,6 +20,7 @@ from core.output.real_mechanism import Deviations, RealMechanism
 from core.precision import EXACT, SAME
 from tests.inputs.real_mechanisms import STEEL, crank_angles, flat, held, solved, torques
 from tests.oracles.load_sharing import exact_position
+from tests.oracles.seeds import TIMES
 
 ARCMIN = math.pi / 10800
 DESIGN = RealMechanism(
@@ -36,7 +37,7 @@ DESIGN = RealMechanism(
 )
 
 
-@settings(max_examples=15)
+@settings(max_examples=6 * TIMES)
 @given(held(), crank_angles, torques)
 def test_forces_lag_and_play_are_within_their_stated_errors(
     real: RealMechanism, angle: float, torque: float
