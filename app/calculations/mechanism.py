@@ -539,8 +539,8 @@ class FitOut(ResponseModel):
         if result.state == "no_bound":
             return found
         found["least_room_mm"] = from_si("least_room_mm", room.least)
-        for angle in room.where.values():
-            found["least_room_crank_angle_deg"] = from_si("angle_deg", angle)
+        if room.crank_angle is not None:
+            found["least_room_crank_angle_deg"] = from_si("angle_deg", room.crank_angle)
         if room.binding:
             found["binding"] = [
                 {"satellite": each.satellite, "pin": each.pin, "side": each.side}

@@ -1,9 +1,7 @@
 """Worked steps of the satellites' bearings, of the crankshaft and of its balance."""
 
 import math
-from collections.abc import Callable
 from contextlib import suppress
-from functools import partial
 from typing import Literal
 
 import numpy as np
@@ -13,7 +11,7 @@ from core.crank.balance import Balance
 from core.crank.bearing_life import EXPONENTS, Bearing
 from core.crank.satellite_bearing import SatelliteBearings
 from core.design.results import Results
-from core.errors import UNKNOWN, NotKnown, if_known, is_known
+from core.errors import UNKNOWN, if_known, is_known
 from core.output.sampled_turn import WAYS
 from core.precision import AS_TYPED
 from core.worked.members import take_speed, take_torque
@@ -161,17 +159,16 @@ def bearing_steps(results: Results) -> list[Step]:
     _centrifugal(sheet, results, "n_1" if turning else "n_in")
     j = worst_bearing(found)
     where = {"params": {"satellite": j + 1}}
+    turn = ideal_turn(sheet, results=results)
     peak, ring = float(found.peak_load[j]), float(found.peak_ring_force[j])
-    least = partial(sheet.state, "min_load", "Q_min", found.min_load[j], "bearing_load", **where)
-    try:
-        turn = ideal_turn(sheet, results=results)
-    except NotKnown:
+    if turn is None:
         sheet.state("peak_load", "Q_max", peak, "bearing_load", **where)
-        least()
-        sheet.state("peak_ring_force", "F_r", ring, "bearing_load", **where)
     else:
         _peak_load(sheet, results, turn, j, peak)
-        least()
+    sheet.state("min_load", "Q_min", found.min_load[j], "bearing_load", **where)
+    if turn is None:
+        sheet.state("peak_ring_force", "F_r", ring, "bearing_load", **where)
+    else:
         _ring_force(sheet, results, turn, j, ring)
     sheet.state("equivalent_load", "P", found.equivalent_load[j], "equivalent_load", **where)
     with suppress(*UNKNOWN):
@@ -253,12 +250,10 @@ def shaft_steps(results: Results) -> list[Step]:
     for letter, place in zip(LETTERS, shaft.bearing_positions, strict=True):
         sheet.take(f"z_{letter}", "bearing_position", place)
     _centrifugal(sheet, results, "n_1")
-    written: Callable[[int, float], bool] = lambda i, peak: False  # noqa: E731
-    with suppress(NotKnown):
-        written = partial(_reaction, sheet, results, ideal_turn(sheet, results=results))
+    turn = ideal_turn(sheet, results=results)
     for i, letter in enumerate(LETTERS):
         peak, equivalent = float(found.peak_reaction[i]), float(found.equivalent_reaction[i])
-        if not written(i, peak):
+        if turn is None or not _reaction(sheet, results, turn, i, peak):
             sheet.state("peak", f"R_{letter}", peak, "reaction")
         load = f"P_{letter}"
         sheet.state("equivalent", load, equivalent, "equivalent_reaction")

@@ -6,7 +6,7 @@ import numpy as np
 
 from core.arrays import FloatArray
 from core.design.results import Results
-from core.errors import UNKNOWN, NotKnown, if_known, required
+from core.errors import UNKNOWN, if_known, required
 from core.output.pin_strength import PinDeflection, PinStrength
 from core.worked.fatigue import cycle_steps, finite_life
 from core.worked.members import take_speed, take_torque
@@ -142,11 +142,8 @@ def _deflection(sheet: Sheet, results: Results, found: PinDeflection) -> None:
         "deflection": ("w", found.satellite - 1, found.deflection),
         "slope": ("theta", found.slope_satellite - 1, found.slope),
     }
-    try:
-        if results.design.tied:
-            raise NotKnown("outside_method")
-        turn = ideal_turn(sheet, results=results)
-    except NotKnown:
+    turn = None if results.design.tied else ideal_turn(sheet, results=results)
+    if turn is None:
         for code, (symbol, satellite, value) in parts.items():
             sheet.state(code, symbol, value, "deflected", params={"satellite": satellite + 1})
         return

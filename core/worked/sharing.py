@@ -3,7 +3,6 @@
 import math
 
 from core.design.results import Results
-from core.errors import NotKnown
 from core.output.pin_beam import PinBeam, Support
 from core.worked.step import Sheet, total
 from core.worked.turn import IdealTurn, Position
@@ -144,8 +143,8 @@ def unit_steps(sheet: Sheet, *, results: Results, at: int, by: int) -> tuple[str
     return f"c_{marks}", f"s_{marks}"
 
 
-def ideal_turn(sheet: Sheet, *, results: Results) -> IdealTurn:
-    """The turn of the ideal forces.
+def ideal_turn(sheet: Sheet, *, results: Results) -> IdealTurn | None:
+    """The turn of the ideal forces; None where forces are solved, or there are too many pairs.
 
     Parameters
     ----------
@@ -156,16 +155,11 @@ def ideal_turn(sheet: Sheet, *, results: Results) -> IdealTurn:
 
     Returns
     -------
-    IdealTurn
-
-    Raises
-    ------
-    NotKnown
-        If forces are solved, or there are too many pairs.
+    IdealTurn or None
     """
     design = results.design
     if results.solved or design.mechanism.pairs > MOST_PAIRS:
-        raise NotKnown("outside_method")
+        return None
     sheet.take("v", "force_exponent", design.load.force_exponent)
     return IdealTurn(design.mechanism.built, design.load.force_exponent)
 
