@@ -8,7 +8,6 @@ it yields first below the surface; from a friction of some 0.3 on at the surface
 
 import math
 from collections.abc import Mapping
-from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 from typing import Literal, NamedTuple, Self, TypedDict, Unpack, cast
@@ -153,9 +152,9 @@ class ElasticMaterial:
 
     def lasting(self, loads: float) -> Self:
         """The material, its limit wanted for so many loads."""
-        with suppress(NotKnown):
-            return replace(self, limit=replace(self.known_limit, loads=loads))
-        return self
+        if self.limit is None:
+            return self
+        return replace(self, limit=replace(self.limit, loads=loads))
 
     @property
     def known_limit(self) -> ContactLimit:

@@ -334,8 +334,8 @@ class RingMeshRequest(RequestModel, group="positions"):
             solved.values["over_turn"] = MeshTurnOut.values(turn)
             solved.take(turn.accuracy, turn.notices)
             with suppress(NotKnown):
-                _ = self.cycloid.ring(CycloidRing).known_friction
-                loss = ring_loss(turn=turn, friction=self.friction, input_speed=self.input_speed)
+                friction = self.cycloid.ring(CycloidRing).friction
+                loss = ring_loss(turn=turn, friction=friction, input_speed=self.input_speed)
                 solved.values["efficiency"] = RingEfficiencyOut.values(loss)
         if "positions" in asked:
             solved.values["positions"] = [self._position(angle, solved) for angle in self.angles]

@@ -6,7 +6,6 @@ turn.
 """
 
 import math
-from contextlib import suppress
 from dataclasses import dataclass
 from typing import Literal
 
@@ -14,7 +13,7 @@ import numpy as np
 
 from core.arrays import check_positive
 from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
-from core.errors import NotKnown, required
+from core.errors import required
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
 from core.output.pin_turn import COARSEST, pin_turn
@@ -262,7 +261,9 @@ def pin_rollers(
     peak, static, equivalent = (
         each / per_satellite for each in (loads.peak, static, loads.equivalent)
     )
-    found = PinRollers(
+    if input_speed is not None:
+        check_positive(input_speed=input_speed)
+    return PinRollers(
         elements=elements,
         input_speed=input_speed,
         waves_per_turn=1 + 1 / mechanism.ratio,
@@ -279,9 +280,6 @@ def pin_rollers(
         accuracy=loads.accuracy,
         notices=(*notices, *poorly_known(loads.accuracy)),
     )
-    with suppress(NotKnown):
-        _ = found.speed  # refuses what does not turn
-    return found
 
 
 def _ideal(mechanism: Mechanism, exponent: float, reference: float, power: float) -> _Loads:

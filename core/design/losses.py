@@ -82,11 +82,7 @@ class LossResults:
     def efficiency(self) -> float:
         """Of the output, and of the ring where friction on its pins is given."""
         output, gear = float(self.pins.efficiency), self.design.gear
-        if not gear:
-            return output
-        try:
-            _ = gear.known_friction
-        except NotKnown:
+        if not gear or gear.friction_coefficient is None:
             return output
         lost, power = self.ring.loss.mean_loss, self.output.member_loads.output_power
         return 1 / (1 / output + lost / power)
