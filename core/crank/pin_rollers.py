@@ -108,7 +108,6 @@ class PinRollers:
     def speed(self) -> float:
         """n_s of the outer ring on its pin, rad/s."""
         speed = required(self.input_speed, "speed_missing", "load.input_speed")
-        check_positive(input_speed=speed)
         return speed * self.waves_per_turn * self.eccentricity / self.pin_radius
 
     @property
