@@ -16,7 +16,7 @@ import math
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cache, partial
 from typing import Any
 
 import numpy as np
@@ -75,7 +75,8 @@ class SatelliteBearings:
     weibull_slope: Number | None  # of the distribution of lives
     load_accuracy: Accuracy  # of the loads, over those of the satellite that carries most
     mean_error: float  # relative error of the equivalent loads
-    idle: tuple[Notice, ...]  # which satellites carry nothing
+    # Of the ring, of satellites that carry nothing, and of what is hardly known.
+    notices: tuple[Notice, ...]
 
     @property
     def operating_pressure_angle(self) -> Number:
@@ -136,11 +137,6 @@ class SatelliteBearings:
         if is_known(lambda: self.life):
             error = max(error, EXPONENTS[self.kind] * self.mean_error)
         return self.load_accuracy._replace(relative_error=error + 8 * ROUNDING)
-
-    @property
-    def notices(self) -> tuple[Notice, ...]:
-        """Of the ring, of satellites that carry nothing, and of what is hardly known."""
-        return (*self.mesh.notices, *self.idle, *poorly_known(self.accuracy))
 
 
 def satellite_bearings(
@@ -306,7 +302,7 @@ def satellite_bearings(
         equivalent_load=np.asarray(ring_factor)[..., None] * loads.mean,
         lesser_load=np.asarray(ring_factor)[..., None] * others.mean,
         peak_ring_force=loads.ring,
-        static_loads=static_loads,
+        static_loads=cache(static_loads),
         kind=kind,
         dynamic_rating=dynamic_rating,
         static_rating=static_rating,
@@ -314,12 +310,12 @@ def satellite_bearings(
         weibull_slope=weibull_slope,
         load_accuracy=loads.accuracy,
         mean_error=loads.mean_error,
-        idle=tuple(_idle(loads)),
+        notices=(*mesh.notices, *_idle(loads)),
     )
     for name in ("life", "system_life", "static_safety_factor"):
         with suppress(NotKnown):
             getattr(found, name)  # refuses what is out of range
-    return found
+    return replace(found, notices=(*found.notices, *poorly_known(found.accuracy)))
 
 
 def uneven_shares(*, satellites: int, distribution_factor: float) -> FloatArray:

@@ -296,7 +296,10 @@ def test_curves_of_loads_have_no_balance_of_their_own() -> None:
     places = {"satellite_positions": (0.02, 0.042), "bearing_positions": (0.0, 0.062)}
     own = {"loads": loads, "crank_angles": mechanism.crank_angles, **places}
     spun = of((0, 180), (20, 42))
-    added = reaction_curves(**own, spun=spun).reaction - reaction_curves(**own).reaction
+    added = (
+        reaction_curves(**own, unbalanced=np.array(spun.reaction)).reaction
+        - reaction_curves(**own).reaction
+    )
     assert added == pytest.approx(np.broadcast_to(spun.reaction, added.shape), rel=EXACT)
 
 

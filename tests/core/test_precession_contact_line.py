@@ -317,7 +317,8 @@ def test_a_torque_needs_an_arm(z_min: float, z_max: float) -> None:
     ],
 )
 def test_refusals_of_a_wheel(parameter: str, changes: dict[str, Any]) -> None:
-    valid = {"rollers_total": 12, "position_angle": 0.1, "z_min": 0.01, "z_max": 0.02}
+    sizes = {"rollers_total": 12, "rollers_in_mesh": 12, "position_angle": 0.1}
+    valid = sizes | {"z_min": 0.01, "z_max": 0.02}
     with pytest.raises(InvalidInput) as caught:
         wheel_rollers(**valid | changes)
     assert caught.value.parameter == parameter
