@@ -34,6 +34,11 @@ INLINED = {
 }
 """Functions that take more rows than a call should hand on: it takes a third of a microsecond."""
 
+CALLED = ("poses", "values", "narrow", "pieces")
+"""Functions that are called from outside of the loops. The others have no way in from Python, each
+of which would be compiled with all that the function calls.
+"""
+
 
 def _copies(
     made: Callable[[Any], Any], others: dict[str, Any], over: tuple[types.ModuleType, ...]
@@ -134,31 +139,36 @@ def load() -> None:
 
 @functools.cache
 def _compiled(*over: types.ModuleType) -> types.SimpleNamespace:
-    os.environ.setdefault("NUMBA_CPU_NAME", "generic")
-    os.environ.setdefault("NUMBA_CACHE_LOCATOR_CLASSES", f"{__name__}.{Place.__name__}")
-    import numba
-
-    of_others = {
-        name: getattr(_of(plain.__module__), plain.__name__) for name, plain in _borrowed(over)
-    }
-
-    def made(copy: Any) -> Any:
-        # The loops make no arrays: what they are given is held by who calls them, not counted here.
-        options = {"cache": True, "nogil": True, "error_model": "numpy", "_nrt": False}
-        return numba.njit(forceinline=copy.__name__ in INLINED, **options)(copy)
-
-    names = _copies(made, of_others, over)
+    names = _dispatchers(*over)
     return types.SimpleNamespace(
-        **names,
+        **{name: names[name] for name in CALLED},
         row=functools.partial(np.array, dtype=float),
         table=np.ascontiguousarray,
         threads=len(os.sched_getaffinity(0)),
     )
 
 
-def _of(module: str) -> types.SimpleNamespace:
+@functools.cache
+def _dispatchers(*over: types.ModuleType) -> dict[str, Any]:
+    """The functions of all modules, each of which numba compiles with its first call."""
+    os.environ.setdefault("NUMBA_CPU_NAME", "generic")
+    os.environ.setdefault("NUMBA_CACHE_LOCATOR_CLASSES", f"{__name__}.{Place.__name__}")
+    import numba
+
+    of_others = {name: _of(plain.__module__)[plain.__name__] for name, plain in _borrowed(over)}
+
+    def made(copy: Any) -> Any:
+        # The loops make no arrays: what they are given is held by who calls them, not counted here.
+        options = {"cache": True, "nogil": True, "error_model": "numpy", "_nrt": False}
+        options |= {"no_cpython_wrapper": copy.__name__ not in CALLED, "no_cfunc_wrapper": True}
+        return numba.njit(forceinline=copy.__name__ in INLINED, **options)(copy)
+
+    return _copies(made, of_others, over)
+
+
+def _of(module: str) -> dict[str, Any]:
     """The compiled functions of a module."""
-    return _compiled(*(each for each in (sys.modules[module],) if each not in SOURCES))
+    return _dispatchers(*(each for each in (sys.modules[module],) if each not in SOURCES))
 
 
 class Place:
