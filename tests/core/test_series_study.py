@@ -135,7 +135,7 @@ def solved_one_by_one(
     lags = [each.rotation for each in found]
     return {
         "peak_force": max(max(map(max, each.force)) for each in found),
-        "max_pressure": max(each.contacts[0].governing_pressure for each in found),
+        "max_pressure": max(each.max_pressure for each in found),
         "transmission_error": max(lags) - min(lags),
         "backlash_max": max(high - low for low, high in plays),
         "lost_motion": max(map(abs, lost)),
