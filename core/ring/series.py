@@ -304,6 +304,11 @@ class SeriesPosition:
     accuracy: Accuracy  # of the forces, over the largest
     notices: tuple[Notice, ...]
 
+    @property
+    def max_pressure(self) -> float:
+        """The largest pressure of the pins of the output, Pa."""
+        return float(max(each.governing_pressure for each in self.contacts))
+
 
 def series_position(
     *, real: MeshesInSeries, crank_angle: float, output_torque: float
