@@ -59,7 +59,7 @@ class SatelliteBearings:
     """
 
     given_speed: Number | None  # of a bearing's rings against each other, rad/s
-    mesh: RingMesh
+    mesh: RingMesh  # the ring's force along the crank
     # rho of the ring's force along the crank to that across it; its mean where that is solved.
     radial_force_ratio: Number
     peak_load: FloatArray  # largest over the turn, N, shape (..., K)
@@ -71,7 +71,7 @@ class SatelliteBearings:
     kind: Bearing  # rolling elements
     dynamic_rating: Number | None  # C, N
     static_rating: Number | None  # C0, N
-    reliability_percent: float
+    reliability_percent: float  # at which lives are asked
     weibull_slope: Number | None  # of the distribution of lives
     load_accuracy: Accuracy  # of the loads, over those of the satellite that carries most
     mean_error: float  # relative error of the equivalent loads

@@ -19,8 +19,8 @@ class LineContact:
     half_width: float  # a of the contact, m
     reduced_radius: float  # of curvature, m
     effective_modulus: float  # E*, Pa
-    roller_material: ElasticMaterial
-    mating_material: ElasticMaterial
+    roller_material: ElasticMaterial  # of the roller
+    mating_material: ElasticMaterial  # of the tooth
     accuracy: Accuracy
     notices: tuple[Notice, ...]  # where the contact is wide for Hertz
 
