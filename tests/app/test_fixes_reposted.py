@@ -199,6 +199,7 @@ RINGS: dict[str, tuple[dict[str, Any], set[str]]] = {
                     "yield_strength_MPa": 200.0,
                 },
             },
+            "satellite_coupling": {"kind": "rigid"},
         },
         {"/gear/ring_pin_radius_mm", "/gear/span_mm"},
     ),

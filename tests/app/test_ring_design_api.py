@@ -531,7 +531,8 @@ async def test_what_is_not_known_of_the_teeth_is_said(api):
 
 async def test_teeth_are_cured_by_what_they_are_judged_by(api):
     """A fix, reposted, holds."""
-    body = changed(requirements={"scope": ["teeth"]}, include=["checks", "fixes"])
+    asked = {"requirements": {"scope": ["teeth"]}, "include": ["checks", "fixes"]}
+    body = changed(**asked, satellite_coupling=RIGID)
     answer = (await api.post(PATH, json=body | {"contact": {**body["contact"]}})).json()
     body["gear"] = {**body["gear"], "contact_length_mm": 12.0}
     fix = next(each for each in answer["fixes"] if each["pointer"] == "/gear/contact_length_mm")
