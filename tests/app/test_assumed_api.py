@@ -54,6 +54,7 @@ async def test_materials_that_were_left_out_are_said(api):
     assert "eccentricity_assumed" in [each["code"] for each in answer["warnings"]]
 
 
+@pytest.mark.slow
 async def test_a_solution_says_what_its_calculation_assumes(api):
     input = ONE_DISC | {"ratio": -30}
     target = {"pointer": "/peak_force_N", "at_most": 400}

@@ -208,6 +208,7 @@ async def test_a_gear_that_cannot_work_is_refused_with_its_place(api, change, pl
     assert place in response.json()["where"]
 
 
+@pytest.mark.slow
 def test_starting_the_service_loads_nothing_that_a_request_may_not_ask_for():
     """Nor do the processes for calculations."""
     heavy = "'mpmath', 'plotly', 'ezdxf', 'fontTools'"

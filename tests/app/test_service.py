@@ -272,6 +272,7 @@ async def test_refusals_are_part_of_the_description(api):
     assert list(operation["responses"]["422"]["content"]) == ["application/problem+json"]
 
 
+@pytest.mark.slow
 async def test_every_example_of_the_description_works_as_it_stands(api):
     paths = (await api.get("openapi.json")).json()["paths"]
     asked = 0
