@@ -119,7 +119,8 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
             most = max((angles[name] for name in self.include if name in angles), default=1)
             self.refuse_many_in_series(MAX_FORCES_IN_SERIES // times // most)
             if "over_turn" in self.include:
-                turns = positions_in_series(lobes=self.mechanism.satellite_teeth or 1)
+                lobes = self.mechanism.satellite_teeth or 1
+                turns = positions_in_series(lobes=lobes, pitches=lobes * (lobes + 1))
                 self.refuse_many_in_series(MAX_TURN_IN_SERIES // times // turns)
 
     def _refuse_pairs(self, limit: int) -> None:

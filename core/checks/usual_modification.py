@@ -185,11 +185,12 @@ def usual_modification(design: Design) -> UsualModification | None:
     placed = bool(made.ring_pin_radial or made.ring_pin_tangential)
     if not gear or gear.kind != "cycloid" or "teeth" not in design.scope:
         return None
-    if gear.modification is not None and placed:
+    known = gear.modification is not None
+    if known and placed:
         return None
     circle, ring_class = gear.ring_pin_circle_radius, ring_class_of(design)
     equidistant, zone = usual_sizes(ring_class=ring_class, circle_radius=circle)
-    if gear.modification is None:
+    if not known:
         design = changed(design, {"gear.modification": Modification(equidistant=equidistant)})
     try:
         mesh = Results(design).ring.mesh

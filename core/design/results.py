@@ -113,7 +113,7 @@ class Results:
         ring = self.ring.mesh
         pairs = self.design.mechanism.pairs + ring.disc.pins * self.design.mechanism.satellites
         lobes = ring.disc.satellite_teeth
-        pitches = lobes if ring.pins_alike else None
+        pitches = lobes if ring.pins_alike else lobes * (lobes + 1)
         return positions_in_series(lobes=lobes, pitches=pitches) * pairs
 
     @derived

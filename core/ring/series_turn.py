@@ -44,15 +44,15 @@ as many turns of the wave so many times as far.
 """
 
 
-def positions_in_series(*, lobes: int, pitches: int | None = None) -> int:
+def positions_in_series(*, lobes: int, pitches: int) -> int:
     """Positions of the even grid over a period: as many in each pitch of the ring's pins.
 
     Parameters
     ----------
     lobes : int
         Of a disc; as many turns of the crank, with one pin of the ring more.
-    pitches : int, optional
-        Of the period; those of all turns where not given.
+    pitches : int
+        Of the period: of all turns ``lobes*(lobes + 1)``.
 
     Returns
     -------
@@ -60,12 +60,11 @@ def positions_in_series(*, lobes: int, pitches: int | None = None) -> int:
 
     Examples
     --------
-    >>> positions_in_series(lobes=20), positions_in_series(lobes=59)
+    >>> positions_in_series(lobes=20, pitches=420), positions_in_series(lobes=59, pitches=3540)
     (1680, 3540)
     >>> positions_in_series(lobes=20, pitches=5)
     120
     """
-    pitches = lobes * (lobes + 1) if pitches is None else pitches
     least = math.ceil(max(LEAST_A_TURN, POSITIONS / lobes) / (lobes + 1))
     return pitches * max(least, min(OF_A_PITCH, MOST // pitches), math.ceil(LEAST / pitches))
 

@@ -2,6 +2,7 @@
 
 import math
 from contextlib import suppress
+from functools import partial
 from typing import Literal
 
 import numpy as np
@@ -161,14 +162,14 @@ def bearing_steps(results: Results) -> list[Step]:
     where = {"params": {"satellite": j + 1}}
     turn = ideal_turn(sheet, results=results)
     peak, ring = float(found.peak_load[j]), float(found.peak_ring_force[j])
+    least = partial(sheet.state, "min_load", "Q_min", found.min_load[j], "bearing_load", **where)
     if turn is None:
         sheet.state("peak_load", "Q_max", peak, "bearing_load", **where)
-    else:
-        _peak_load(sheet, results, turn, j, peak)
-    sheet.state("min_load", "Q_min", found.min_load[j], "bearing_load", **where)
-    if turn is None:
+        least()
         sheet.state("peak_ring_force", "F_r", ring, "bearing_load", **where)
     else:
+        _peak_load(sheet, results, turn, j, peak)
+        least()
         _ring_force(sheet, results, turn, j, ring)
     sheet.state("equivalent_load", "P", found.equivalent_load[j], "equivalent_load", **where)
     with suppress(*UNKNOWN):

@@ -2,6 +2,7 @@
 
 from core.design.results import Results
 from core.errors import if_known
+from core.output.losses import BarePins
 from core.worked.members import output_power_of, take_speed, take_torque
 from core.worked.step import Sheet, Step
 
@@ -20,7 +21,7 @@ def loss_steps(results: Results) -> list[Step]:
     """
     sheet, found, design = Sheet(), results.losses.pins, results.design
     load, contact, friction = design.load, design.contact, design.output_friction
-    radius, slow = ("r_in", "") if found.sleeve_speed is None else ("r_s", "*r_p/r_s")
+    radius, slow = ("r_in", "") if isinstance(found.rubbing, BarePins) else ("r_s", "*r_p/r_s")
     wave = sheet.take_ratio(design.mechanism.ratio)
     take_speed(sheet, results=results)
     sheet.take("e", "eccentricity", contact.eccentricity)

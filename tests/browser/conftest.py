@@ -35,7 +35,7 @@ def browser() -> Iterator[sync_api.Browser]:
             pytest.fail(reason)
         pytest.skip(reason)
     sync_api.expect.set_options(timeout=60_000)  # a busy machine is slow, not wrong
-    with chromium.started() as browser:
+    with chromium.started(*chromium.BRIEF) as browser:
         yield browser
 
 

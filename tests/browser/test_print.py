@@ -171,7 +171,7 @@ def test_the_report_of_a_design_with_all_sections_on_is_short_and_whole(
     drawn(page, service, "crank-planetary")
     for each in SECTIONS:
         page.locator(f'[data-path="{each}.on"] input').check()
-        settled(page)
+    settled(page)
     for each in SECTIONS:
         expect(page.locator(f'[data-wanted="{each}"] > :not(h2)')).to_be_attached()
     expect(page.locator('[data-wanted="real"] .figures').first).to_be_visible()
