@@ -2,11 +2,12 @@
 
 import math
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Self
 
-from core.errors import if_known
+from core.errors import NotKnown
 from core.hertz import HertzContact
 from core.output.over_turn import OverTurn
 from core.output.real_mechanism import RealMechanism
@@ -63,7 +64,9 @@ class RealForces:
         turns = {way: turn(way * torque) for way in ways}
 
         def pressure(way: float) -> float:
-            return if_known(lambda: turns[way].max_pressure) or math.inf
+            with suppress(NotKnown):  # of materials; a turn that cannot be solved is refused
+                return turns[way].max_pressure
+            return math.inf
 
         way = max(ways, key=pressure)
         return cls(turns[way].real, way, torque, turns[way])
