@@ -342,6 +342,7 @@ class OfArcs:
         values = found[row, section, beside]
         vertex, above = _vertex(grid[row, beside], values)
         above = np.maximum(top, above)
+        followed = seen is not None
         best, own = index[:, seen or 0], (slice(None), seen or 0)
         at = grid[row[:, 0], best]
         stuck = ((best == 0) | (best == 2 * CELLS)) & (at > 0) & (at < 1)
@@ -350,13 +351,13 @@ class OfArcs:
         settled = fall <= SETTLED * size
         parabolic = self.turn.smooth | (width <= np.minimum(place, 1 - place) / 2)
         if self.near:  # the parabola of so near places is right
-            enough = MISSED if seen is None else RISE
+            enough = RISE if followed else MISSED
             settled |= (above[own] - top[own] <= enough * size) & ~stuck & parabolic
         self.near = True
         self.place = np.where(stuck | (above == top)[own], at, vertex[own])
         narrower = np.where(parabolic, 1 / closer, 1 / min(closer, CELLS))
         self.width = width * np.where(stuck, 2.0, narrower)
-        if seen is not None:
+        if followed:
             self.width = np.maximum(self.width, FOLLOWED * np.abs(self.place - place))
         return top, above, np.where(settled, 0.0, np.where(stuck, np.inf, fall))
 
