@@ -38,7 +38,7 @@ from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import pin_strength
 from core.precession.contact_line import contact_lines
 from core.precession.rollers import RollerByLength
-from core.rollers.roller_strength import roller_strength
+from core.rollers.roller_strength import ByPoissonsRatio, PositionTolerance, roller_strength
 
 STEEL = ElasticMaterial(210e9, 0.3)
 
@@ -58,7 +58,7 @@ def _rollers() -> object:
     return roller_strength(
         output_torque=210.0, hole_circle_radius=0.03, rollers=4, cylinder_length=0.02,
         sphere_width=0.008, sphere_diameter=0.015, diameter=0.01, friction_coefficient=0.16,
-        youngs_modulus=210e9, poissons_ratio=0.3, position_tolerance=2e-6,
+        youngs_modulus=210e9, shear=ByPoissonsRatio(0.3), spacing=PositionTolerance(2e-6),
     )  # fmt: skip
 
 
