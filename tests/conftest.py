@@ -38,7 +38,6 @@ SLOW = {
         "app/test_tutorial.py",
         "app/test_verdicts_api.py",
         "app/test_work_precision_api.py",
-        "app/test_worked.py",
         "core/test_check_inputs.py",
         "core/test_checks_ring_load.py",
         "core/test_checks_strength.py",
