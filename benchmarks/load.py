@@ -30,6 +30,7 @@ from fastapi import FastAPI
 
 from app.examples import EXAMPLES
 from benchmarks.options import options
+from benchmarks.revision import ROOT
 
 CONNECTIONS = 1000
 WORKERS = 2
@@ -231,9 +232,14 @@ def _children(pid: int, called: bytes = b"") -> list[int]:
 
 
 @contextlib.contextmanager
-def service(*command: str, running: Sequence[int] | None = None) -> Iterator[Service]:
-    """Start a service with two workers on a free port, and stop it at the end; or take one that is
-    running, by its process and port.
+def service(
+    *command: str,
+    running: Sequence[int] | None = None,
+    workers: int = WORKERS,
+    folder: Path = ROOT,
+) -> Iterator[Service]:
+    """Start a service of the checkout in a folder on a free port, and stop it at the end; or take
+    one that is running, by its process and port.
     """
     if running:
         yield Service(*running)
@@ -241,12 +247,13 @@ def service(*command: str, running: Sequence[int] | None = None) -> Iterator[Ser
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
-    command = (sys.executable, "-m", *command, "--port", str(port), "--workers", str(WORKERS))
-    process = subprocess.Popen(command, stdout=subprocess.DEVNULL)
+    command = (sys.executable, "-m", *command, "--port", str(port), "--workers", str(workers))
+    environment = os.environ | {"PYTHONPATH": "."}
+    process = subprocess.Popen(command, cwd=folder, env=environment, stdout=subprocess.DEVNULL)
     try:
         started = Service(process.pid, port, process)
         deadline = time.monotonic() + 60
-        while len(started.workers()) < WORKERS or not _answers(port):
+        while len(started.workers()) < workers or not _answers(port):
             if time.monotonic() > deadline or process.poll() is not None:
                 raise TimeoutError("the service does not start")
             time.sleep(0.1)

@@ -26,6 +26,7 @@ import httpx
 from app.about import API
 from app.examples import REQUESTS
 from benchmarks.batches import TOGETHER
+from benchmarks.load import service
 from benchmarks.options import add_service
 from benchmarks.page import first_figure
 from benchmarks.revision import ROOT, extract
@@ -106,32 +107,15 @@ class Running:
 
 
 @contextmanager
-def started(folder: Path) -> Iterator[tuple[int, int]]:
-    """Start a service, and stop it at the end: its process and its port."""
-    environment = os.environ | {"PYTHONPATH": "."}
-    subprocess.run([sys.executable, "-m", "app.compiled"], cwd=folder, env=environment)
-    process = subprocess.Popen(
-        [sys.executable, "-m", "app.serve", "--port", "0"],
-        cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-    )  # fmt: skip
-    try:
-        assert process.stdout
-        line = next(each for each in process.stdout if "running on http" in each)
-        subprocess.Popen(["cat"], stdin=process.stdout, stdout=subprocess.DEVNULL)
-        address = line.split("running on ")[1].split()[0].rstrip('",')
-        yield process.pid, int(address.rpartition(":")[2])
-    finally:
-        process.terminate()
-        process.wait(60)
-
-
-@contextmanager
 def running(folder: Path, asked_of: Sequence[int] | None = None) -> Iterator[Running]:
     """The service of a revision: one that is running, by its process and port, or a new one."""
-    with ExitStack() as stack:
-        service = Running(folder, *(asked_of or stack.enter_context(started(folder))))
-        stack.callback(service.client.close)
-        yield service
+    if not asked_of:
+        environment = os.environ | {"PYTHONPATH": "."}
+        subprocess.run([sys.executable, "-m", "app.compiled"], cwd=folder, env=environment)
+    with service("app.serve", running=asked_of, workers=1, folder=folder) as started:
+        asked = Running(folder, started.pid, started.port)
+        yield asked
+        asked.client.close()
 
 
 def measured(both: list[Running], asked: Asked, rounds: int) -> Iterator[tuple[str, float, float]]:

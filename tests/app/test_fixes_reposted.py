@@ -68,6 +68,11 @@ async def test_several_inputs_cure_what_none_cures_alone(
     loads = {"/load/output_torque_Nm", "/load/input_speed_rpm"}
     alone = [each for each in answer["fixes"] if each["pointer"] not in loads]
     assert {each["verdict"] for each in alone} == {"fail"}
+    for fix in alone:
+        after = await answered(api, applied(body, fix["sets"]) | {"include": ["checks"]})
+        check = next(each for each in after["checks"] if each["code"] == fix["code"])
+        assert after["verdict"] == "fail"
+        assert fix["status"] != "solved" or check["status"] == "pass"
     found = answer["combined"]
     assert [step["pointer"] for step in found["steps"]] == variables
     assert not loads & found["sets"].keys()

@@ -507,6 +507,7 @@ EXAMPLE_VERDICTS = {
 }
 
 
+@pytest.mark.slow
 async def test_the_examples(api):
     found = {}
     for example in EXAMPLES:
@@ -694,6 +695,7 @@ async def test_a_pin_is_fixed_to_a_standard_size(api):
     assert pin["sets"]["/contact/hole_radius_mm"] == 14.5
 
 
+@pytest.mark.slow
 async def test_a_sleeve_has_no_standard_size(api):
     """Neither as a fix nor as a solution."""
     steel = {"youngs_modulus_GPa": 210.0, "poissons_ratio": 0.3}

@@ -103,6 +103,7 @@ def test_every_formula_gives_the_result(case: str) -> None:
     check(steps_of(*CASES[case]))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", REQUESTS)
 def test_every_formula_follows_the_inputs(case: str) -> None:
     """Where inputs move by a hundredth, core's numbers move, and the formulas with them."""

@@ -91,6 +91,7 @@ def pressed(force: float, angle: float) -> float:
     return math.sqrt(force * modulus * curved / (math.pi * length))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("factor", [1.0, 1.5])
 def test_the_pressure_is_the_largest_of_all_positions(factor: float) -> None:
     """Under the torque times its factor; where it is said to be, it is."""
@@ -161,6 +162,7 @@ def test_the_reserve_is_the_torque_at_which_the_limit_is_reached() -> None:
     assert verdict.largest_torque_of == ("teeth",)
 
 
+@pytest.mark.slow
 def test_of_both_directions_the_worse_is_judged() -> None:
     """Pins that are off their places make them differ."""
     off = tuple(2e-5 * math.sin(1.0 + 2.0 * k) for k in range(12))
@@ -205,6 +207,7 @@ def test_what_is_cut_too_large_presses_all_around(equidistant: float, interferen
     assert found.status == ("fail" if interference else "pass") and found.torque_reserve is None
 
 
+@pytest.mark.slow
 def test_what_presses_is_looked_for_over_the_turn() -> None:
     """A pin that is too thick presses most where its lever is shortest."""
     thick = Deviations(ring_pin_radius=(4e-5, *[0.0] * 11))
@@ -219,6 +222,7 @@ def test_what_presses_is_looked_for_over_the_turn() -> None:
     assert found == pytest.approx(max(each), rel=1e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("torque", "reason"), [(4e4, "beyond_hertz"), (4e7, "not_stable")])
 def test_what_presses_fails_where_no_force_is_known(torque: float, reason: str) -> None:
     off = -1e-4
@@ -239,6 +243,7 @@ def test_what_presses_fails_where_no_force_is_known(torque: float, reason: str) 
     assert check_of("ring_pressure_pin", design).reason == reason
 
 
+@pytest.mark.slow
 def test_the_largest_torque_of_discs_in_series() -> None:
     """There the first check is at its limit; of pins that deviate it is an estimate, and said."""
     coupled = {"satellites": 2, "satellite_coupling": RingInSeries()}
@@ -314,6 +319,7 @@ def moment(x: float, z: float, width: float) -> float:
     return (SPAN - z) / SPAN * x - into / width * (x - z + width / 2 - into / 2)
 
 
+@pytest.mark.slow
 def test_discs_bend_a_pin_together() -> None:
     """Of three discs two press a pin at once, each along its normal: position by position."""
     places, width = (0.012, 0.028, 0.047), 0.012
@@ -485,6 +491,7 @@ def test_pv_is_that_of_sleeves() -> None:
     assert uneven.value == pytest.approx(more.value, rel=EXACT)
 
 
+@pytest.mark.slow
 def test_pv_is_that_of_the_harder_direction() -> None:
     """Which need not be the one that loses more: sleeves of places that deviate."""
     random = Random(8)
