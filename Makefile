@@ -43,7 +43,7 @@ run: .venv/run  ## start the service on http://127.0.0.1:8000 (HOST, PORT, WORKE
 	@echo "KHV Calc: http://$(HOST):$(PORT) (the page), http://$(HOST):$(PORT)/docs (the API)"
 	@exec $(BIN)/python -m app.serve --host $(HOST) --port $(PORT) --workers $(WORKERS)
 
-check: .venv/test  ## what to run while working: style, types, imports, fast tests; some two minutes
+check: .venv/test  ## what to run while working: style, types, imports, fast tests; a minute
 	@$(MAKE) --no-print-directory --jobs 2 --output-sync lint types node fast \
 		QUICK=--hypothesis-profile=quick
 

@@ -106,22 +106,19 @@ def on_cluster(address: str, lost: Callable[[Lost], Mapped]) -> Mapped:
     -------
     callable
     """
-    # Elsewhere once the cluster is lost, which is not waited for again.
-    where: Mapped = lambda block, blocks: there(block, blocks)  # noqa: E731
-
-    def there(block: Block, blocks: Sequence[Drawn]) -> Iterator[Pieces]:
-        nonlocal where
-        done = 0
-        try:
-            for results in _there(address, block, blocks):
-                done += 1
-                yield results
-        except Lost as why:
-            LOG.warning("the cluster is lost: %s", why)
-            where = lost(why)
-            yield from where(block, blocks[done:])
+    elsewhere = list[Mapped]()  # once the cluster is lost, which is not waited for again
 
     def mapped(block: Block, blocks: Sequence[Drawn]) -> Iterator[Pieces]:
-        return where(block, blocks)
+        done = 0
+        if not elsewhere:
+            try:
+                for results in _there(address, block, blocks):
+                    done += 1
+                    yield results
+                return
+            except Lost as why:
+                LOG.warning("the cluster is lost: %s", why)
+                elsewhere.append(lost(why))
+        yield from elsewhere[0](block, blocks[done:])
 
     return mapped

@@ -21,7 +21,7 @@ from starlette.requests import ClientDisconnect
 from starlette.types import Receive, Scope, Send
 
 from app.middleware import PART_BYTES
-from app.model import Calculation, Export, Report, RequestModel, StudyCalculation, Values
+from app.model import Calculation, Export, Report, RequestModel, StudyCalculation, Values, untold
 from app.problems import (
     REFUSED,
     RESPONSES,
@@ -75,8 +75,6 @@ STREAMED: dict[int | str, dict[str, Any]] = RESPONSES | {
 
 Body = TypeVar("Body", bound=RequestModel)
 
-"""What is told which share of a study is done."""
-
 
 class FigureOut(BaseModel):
     """A Plotly figure, ready for Plotly.js."""
@@ -114,9 +112,7 @@ def route_of(calculation: Calculation, *, drawn: bool = False) -> type[APIRoute]
     return CalculationRoute
 
 
-def answered(
-    calculation: Calculation, body: RequestModel, report: Report = lambda share: None
-) -> Values:
+def answered(calculation: Calculation, body: RequestModel, report: Report = untold) -> Values:
     """Values of the answer to a request; of a study with what is told how much of it is done."""
     return calculated(body, partial(calculation.answered, body, report))
 

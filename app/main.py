@@ -184,7 +184,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         add_route(app, each)
     app.add_route("/static/{name:path}", static, include_in_schema=False)
     for each in CALCULATIONS.values():
-        if each.figure is not None:
+        if each.figure:
             add_route(app, each, drawn=True)
     for export in EXPORTS.values():
         add_export(app, export)

@@ -525,6 +525,14 @@ def _leave_to_checks(values: Values, checks: list[Values]) -> None:
             part |= {"warnings": kept} if kept else {}
 
 
+Report = Callable[[float], None]
+"""Is told how much of a study is done, from 0 to 1."""
+
+
+def untold(share: float) -> None:
+    """How much is done, where nobody is told."""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Calculation:
     """A calculation as the service offers it; `app.registry` lists all of them."""
@@ -545,11 +553,11 @@ class Calculation:
     # A function of a module: the worked steps of a request, as `app.worked` makes them.
     worked: Callable[[Any], list[Values]] | None = None
 
-    def solved(self, body: Any, report: "Report") -> Values:
+    def solved(self, body: Any, report: Report) -> Values:
         """Values of the answer to a request, by the calculation alone."""
         return self.solve(body)
 
-    def answered(self, body: Any, report: "Report" = lambda share: None) -> Values:
+    def answered(self, body: Any, report: Report = untold) -> Values:
         """Values of the answer to a request, with what was assumed and taken otherwise than typed.
 
         Parameters
@@ -576,10 +584,6 @@ class Calculation:
         if checks := values.get("checks"):
             _leave_to_checks(values, checks)
         return values
-
-
-Report = Callable[[float], None]
-"""Is told how much of a study is done, from 0 to 1."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -23,7 +23,6 @@ on these, smooth in eps and beta, were solved once at Chebyshev's nodes of both.
 
 import math
 from collections.abc import Callable
-from contextlib import suppress
 from functools import cache, lru_cache
 from typing import NamedTuple
 
@@ -48,7 +47,7 @@ from core.arrays import (
     sqrt,
     where,
 )
-from core.errors import NotKnown, is_known, required
+from core.errors import NotKnown, required
 from core.materials import Body, ContactLimit, ElasticMaterial, effective_modulus, mismatch
 from core.numerics.inverse import edge
 from core.precision import ROUNDING
@@ -658,7 +657,7 @@ class BodySafety(NamedTuple):
     safety_factor: Number
 
 
-class Conformal(NamedTuple):
+class ContactArc(NamedTuple):
     """A contact that is wide for Hertz, along its arc."""
 
     pressure: Number  # largest, Pa
@@ -699,9 +698,14 @@ class HertzContact(NamedTuple):
     accuracy: Accuracy
 
     @property
-    def conformal(self) -> Conformal:
+    def is_conformal(self) -> bool:
+        """Whether the contact is wide enough for the conformal one to apply."""
+        return self.conformal_pressure is not None
+
+    @property
+    def arc(self) -> ContactArc:
         """The contact along the arc, where it is wide enough to apply."""
-        return Conformal(
+        return ContactArc(
             required(self.conformal_pressure, "no_conformal_pressure"),
             required(self.conformal_half_angle, "no_conformal_pressure"),
             required(self.conformal_half_length, "no_conformal_pressure"),
@@ -909,12 +913,11 @@ def _safety(
         return ()
     pressure = where(governing > 0, governing, math.nan)
     bodies: tuple[tuple[Body, ElasticMaterial], ...] = (("pin", pin), ("hole", hole))
-    found = []
-    for body, material in bodies:
-        with suppress(NotKnown):
-            limit = material.known_limit
-            found.append(BodySafety(body, limit, limit.allowable / pressure))
-    return tuple(found)
+    return tuple(
+        BodySafety(body, limit, limit.allowable / pressure)
+        for body, material in bodies
+        if (limit := material.limit)
+    )
 
 
 def force_factor(
@@ -954,7 +957,7 @@ def force_factor(
     )
     # not beyond the limit, or the widest contact, by the rounding of forces
     factor = float(1 / (parameter * contact.conformity)) * (1 - 512 * ROUNDING)
-    if is_known(lambda: contact_at(factor).conformal):
+    if contact_at(factor).is_conformal:
         return factor
 
     def left(factor: float) -> float:
@@ -1003,7 +1006,7 @@ def conformal_profile(*, contact: HertzContact, samples: int = 81) -> tuple[Floa
     NotKnown
         If the contact has no conformal pressure.
     """
-    pressure, half_angle, half_length = contact.conformal
+    pressure, half_angle, half_length = contact.arc
     places = np.sin(np.linspace(-math.pi / 2, math.pi / 2, samples))
     shape = pressure_over_angle(
         angles=half_angle * places, tangent=math.tan(half_angle / 2), beta=contact.mismatch[1]

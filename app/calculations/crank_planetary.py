@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Callable
-from contextlib import suppress
 from functools import partial
 
 import numpy as np
@@ -77,7 +76,7 @@ from core.checks.usual_modification import usual_clearance_too
 from core.design.drawings import drawn_mesh, drawn_teeth
 from core.design.real_forces import RealForces
 from core.design.results import MOST_IN_SERIES
-from core.errors import UNKNOWN, if_known
+from core.errors import if_known
 from core.fixes.fix import Fix
 from core.materials import NOT_LISTED
 from core.output.contact_force import ContactForce, ForceCurves, PairNumber, drawing_angles
@@ -217,8 +216,8 @@ def _mesh(body: CrankPlanetaryRequest) -> Solved:
         "ideal": at_output(RingIdealOut.of(mesh.disc, each), members),
         "over_turn": at_output(shown.values(turn), members),
     }
-    with suppress(*UNKNOWN):
-        solved.values["efficiency"] = RingEfficiencyOut.values(body.results.ring.loss)
+    if loss := if_known(lambda: body.results.ring.loss):
+        solved.values["efficiency"] = RingEfficiencyOut.values(loss)
     solved.take(turn.accuracy, turn.notices)
     return solved
 

@@ -1,7 +1,6 @@
 """Hertz contact of pin and hole: request, answer, figure."""
 
 from collections.abc import Collection
-from contextlib import suppress
 from dataclasses import dataclass
 from functools import lru_cache, partial
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
@@ -44,7 +43,7 @@ from app.units import from_si, to_si
 from app.worked import worked
 from core.arrays import FloatArray
 from core.contact_life import CURVES, LifeCurve
-from core.errors import NotKnown, if_known
+from core.errors import if_known
 from core.hertz import (
     BodySafety,
     HertzContact,
@@ -331,7 +330,7 @@ class HertzRequest(ContactFields, WorkedFields, group="contact"):
         """Pressure distributions: name, places along the arc of the pin, m, pressures, Pa."""
         contact = self.solve()
         profiles = [("hertz", *pressure_profile(contact=contact))]
-        with suppress(NotKnown):
+        if contact.is_conformal:
             profiles.append(("conformal", *conformal_profile(contact=contact)))
         return profiles
 

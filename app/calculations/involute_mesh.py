@@ -2,7 +2,6 @@
 of it.
 """
 
-from contextlib import suppress
 from typing import Any, ClassVar, Literal
 
 import numpy as np
@@ -115,10 +114,10 @@ def solved_pair(
             unknown = (Notice(why.code),)
         values["stresses"] = InvoluteStressesOut.values(load, root=root)
         solved.take(load.accuracy, unknown)
-        with suppress(NotKnown):
+        if ring.friction_coefficient is not None:
             loss = involute_loss(
                 pair=pair,
-                friction=ring.known_friction,
+                friction=ring.friction_coefficient,
                 output_torque=output_torque,
                 input_speed=input_speed,
             )

@@ -28,7 +28,7 @@ class NamedBearingFields(RequestModel):
 
     @model_validator(mode="after")
     def _known_name(self) -> Self:
-        if "name" in self.given and self.named is None:
+        if "name" in self.given and not self.named:
             near = ", ".join(names_like(self.given["name"]) or BEARINGS)
             raise field_error("name", "no_such_bearing", near=near)
         return self
@@ -41,7 +41,7 @@ class NamedBearingFields(RequestModel):
     @cached_property
     def filled(self) -> dict[str, Any]:
         """Fields that the name says, as they are not typed."""
-        if self.named is None:
+        if not self.named:
             return {}
         said = {
             field: from_si(field, self.said(self.named, core_name(field)))

@@ -1,7 +1,6 @@
 """Fixes of a reducer: other sizes, and other materials and fits, which are chosen by name."""
 
 from collections.abc import Iterator
-from contextlib import suppress
 from typing import Any
 
 from pydantic import ValidationError
@@ -9,7 +8,7 @@ from pydantic import ValidationError
 from app.pointers import with_values
 from core.checks.check import Check, Verdict
 from core.checks.crank_planetary import crank_verdict
-from core.errors import CalculationError, NotKnown
+from core.errors import CalculationError
 from core.fixes.crank import CHOICES, aimed, crank_fixes
 from core.fixes.fix import Fix, beyond, in_order, side_effects
 from core.material_table import MATERIALS
@@ -84,12 +83,11 @@ def _materials(before: str) -> Iterator[str]:
     present = MATERIALS[before]
     if present.group in PLASTICS:
         return
-    metals = {name: each for name, each in MATERIALS.items() if each.group not in PLASTICS}
-    limits = {}
-    for name, each in metals.items():
-        if not each.missing:
-            with suppress(NotKnown):
-                limits[name] = each.material.known_limit.pressure
+    limits = {
+        name: limit.pressure
+        for name, each in MATERIALS.items()
+        if each.group not in PLASTICS and not each.missing and (limit := each.material.limit)
+    }
     least = limits.get(before, 0.0)
     yield from sorted((name for name in limits if limits[name] > least), key=limits.__getitem__)
 

@@ -1,6 +1,5 @@
 """The mesh of satellites with their ring, pins or involute teeth: request and answer."""
 
-from contextlib import suppress
 from functools import cached_property
 from typing import Annotated, Any, ClassVar, Literal, Self, get_args
 
@@ -43,12 +42,12 @@ from app.theme import Figure, Theme
 from app.units import to_si
 from app.worked import worked
 from core.design.ring import CycloidRing, InvoluteRing
-from core.errors import InvalidInput, NotKnown, if_known, required
+from core.errors import InvalidInput
 from core.output.elasticity import HertzLaw, SatelliteSupport, Shares
 from core.output.real_curves import stiffness_curve
 from core.output.turn import Turn
 from core.ring.involute import InvolutePair, involute_pair
-from core.ring.loss import RingFriction, ring_loss, sliding_part
+from core.ring.loss import RingFriction, RingLoss, ring_loss, sliding_part
 from core.ring.profile import CycloidDisc, outline_points
 from core.ring.sharing import (
     CycloidMesh,
@@ -310,10 +309,11 @@ class RingMeshRequest(RequestModel, group="positions"):
         given: float | None = to_si("input_speed_rpm", self.load.input_speed_rpm)
         return given
 
-    @property
-    def known_speed(self) -> float:
-        """That speed, which has to be given."""
-        return required(self.input_speed, "speed_missing", "load.input_speed")
+    def _loss(self, turn: MeshTurn) -> RingLoss | None:
+        """Friction over the turn, where its coefficient is given."""
+        if self.cycloid.friction_coefficient is None:
+            return None
+        return ring_loss(turn=turn, friction=self.friction, input_speed=self.input_speed)
 
     def solve_all(self) -> Solved:
         """What is asked for."""
@@ -333,9 +333,7 @@ class RingMeshRequest(RequestModel, group="positions"):
             )
             solved.values["over_turn"] = MeshTurnOut.values(turn)
             solved.take(turn.accuracy, turn.notices)
-            with suppress(NotKnown):
-                friction = self.cycloid.ring(CycloidRing).friction
-                loss = ring_loss(turn=turn, friction=friction, input_speed=self.input_speed)
+            if loss := self._loss(turn):
                 solved.values["efficiency"] = RingEfficiencyOut.values(loss)
         if "positions" in asked:
             solved.values["positions"] = [self._position(angle, solved) for angle in self.angles]
@@ -379,12 +377,10 @@ class RingMeshRequest(RequestModel, group="positions"):
                 force=turn.forces_at(place),
                 pressure=turn.max_pressure,
             )
-            with suppress(NotKnown):
-                friction = self.cycloid.ring(CycloidRing).known_friction
-                loss = ring_loss(turn=turn, friction=self.friction, input_speed=self.input_speed)
+            if loss := self._loss(turn):
                 steps["efficiency"] = ring_loss_steps(
                     loss=loss,
-                    coefficient=friction,
+                    coefficient=self.friction.coefficient,
                     torque=torque,
                     teeth=disc.satellite_teeth,
                     input_speed=self.input_speed,
@@ -412,9 +408,9 @@ class RingMeshRequest(RequestModel, group="positions"):
     def _position(self, angle: float, solved: Solved) -> Values:
         found = mesh_position(mesh=self.mesh, crank_angle=angle, output_torque=self.torque)
         solved.take(found.accuracy, found.notices)
-        speed = if_known(
-            lambda: found.sliding_distance * self.known_speed / self.disc.satellite_teeth
-        )
+        speed = None
+        if self.input_speed is not None:
+            speed = found.sliding_distance * self.input_speed / self.disc.satellite_teeth
         part = sliding_part(disc=self.disc, friction=self.friction)
         return MeshPositionOut.values(
             found,

@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Callable
-from contextlib import suppress
 from functools import cached_property
 from typing import Any, ClassVar
 
@@ -88,11 +87,8 @@ class LineContactFields(RequestModel, group="line_contact"):
 
     def pressure_limits(self) -> dict[str, float]:
         """Of roller and tooth, Pa, by their materials, as far as they are known."""
-        limits = {}
-        for name, each in zip(LINE_MATERIALS, self.materials(), strict=True):
-            with suppress(NotKnown):
-                limits[name] = float(each.known_limit.pressure)
-        return limits
+        limits = zip(LINE_MATERIALS, (each.limit for each in self.materials()), strict=True)
+        return {name: float(each.pressure) for name, each in limits if each}
 
 
 _GEAR = ("roller_radius_mm", "roller_circle_radius_mm")

@@ -66,7 +66,7 @@ class SharesOut(ResponseModel):
             "reason": found.reason,
             "governs": [each.check.code for each in found.governs],
         }
-        even = [_compared(each.even) for each in found.governs if each.even is not None]
+        even = [_compared(each.even) for each in found.governs if each.even]
         return values | ({"even": even} if even else {})
 
 
@@ -82,7 +82,7 @@ def shares_warnings(found: DiscShares) -> list[Values]:
     said = [warning(each) for each in found.notices]
     for values in said:
         for governed in found.governs[:1]:
-            if governed.even is None or governed.even.value is None:
+            if not governed.even or governed.even.value is None:
                 continue
             own, even = _compared(governed.check), _compared(governed.even)
             params: dict[str, Any] = {"check": own["check"], "check_value": own["value"]}

@@ -33,6 +33,7 @@ from app.model import (
     Whole,
     accuracy_values,
     quantity,
+    untold,
     warning,
 )
 from app.problems import refusal, timed, unavailable
@@ -99,8 +100,6 @@ DIAMETERS = ("pin_diameter", "hole_diameter")
 USUAL_SAMPLES = 4096
 USUAL_RANKED_SAMPLES = 1024
 """Samples where none are given and as many fit, the second with contributions."""
-
-"""What is told how much is done, from 0 to 1."""
 
 
 _limit = partial(quantity, help="Limit whose yield is asked; its quantity is calculated too.")
@@ -341,7 +340,7 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
             return self.drawn
         return self.drawn * (2 * len(self.spread.spreads()) + 3)
 
-    def solve(self, report: Report = lambda share: None) -> tuple[Values, Accuracy]:
+    def solve(self, report: Report = untold) -> tuple[Values, Accuracy]:
         """What is asked for, and its accuracy; how much of it is done is reported, from 0 to 1."""
         study = self.study(report)
         found = tolerance_study(study)
@@ -530,7 +529,7 @@ def solve(body: ToleranceStudyRequest) -> Values:
     With `Accept: application/x-ndjson` in lines, at most four a second: `{"progress": 0.25}`, from
     0 to 1, and at last `{"result": ...}` or `{"problem": ...}`. Closing the connection ends it.
     """
-    return reporting(body, lambda share: None)
+    return reporting(body, untold)
 
 
 def figure(body: ToleranceStudyRequest, theme: Theme = "light") -> Figure:

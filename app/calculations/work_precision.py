@@ -20,7 +20,7 @@ from app.calculations.roller_strength import RollerStrengthRequest
 from app.calculations.satellite_bearing import SatelliteBearingRequest
 from app.calculations.shaft_deflection import ShaftDeflectionRequest
 from app.calculations.tolerance_study import ToleranceStudyRequest
-from app.model import Calculation, RequestModel, ResponseModel, Values, result
+from app.model import Calculation, RequestModel, ResponseModel, Values, result, untold
 from app.rules import field_error
 from app.settings import Settings
 from app.theme import DASHES, Amount, Figure, Theme, axis, curve, layout, marker, text
@@ -306,7 +306,7 @@ class ToleranceSamplingStudy(Study):
         """The study."""
         asked = self.input.percentiles
         return tolerance_sampling_study(
-            study=self.input.study(lambda share: None),
+            study=self.input.study(untold),
             statistic=Percentile(max(asked)) if asked else Mean(),
         )
 

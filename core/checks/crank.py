@@ -282,7 +282,6 @@ def system_life(design: Design, results: Results) -> Check:
     found, power = results.crank.bearings, EXPONENTS[design.bearing.kind]
     if found.given_speed == 0:
         return Check(kind, "not_applicable", limit=limit, reason="members_locked")
-    _ = found.life  # which says what is missing first
     value = float(found.system_life)
     error = 4 * power * float(found.accuracy.relative_error)
     reserve = (value / limit) ** (1 / power)

@@ -275,7 +275,7 @@ def _static(body: Body) -> Kind:
     )
     def static(design: Design, results: Results) -> Check:
         material = design.lasting[body]
-        if body in design.plastics and not is_known(lambda: material.known_limit):
+        if body in design.plastics and not material.limit:
             return Check(static, "not_applicable", reason="plastic_rules")
         contact = results.static_contact
         pressure, unknown = (

@@ -82,7 +82,7 @@ class BentPins:
             lacks = ("direction_unknown", f"{pin.material_path}.layers")
         limit = judged_by(strength, *lacks, value=stress) / safety
         check = self.judged(kind, stress, limit, at=at)
-        return necessary(check) if material.plastic is not None else _of_size(pin, check)
+        return necessary(check) if material.plastic else _of_size(pin, check)
 
     @property
     def cycle(self) -> PinFatigue:

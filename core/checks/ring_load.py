@@ -135,7 +135,7 @@ def _pressed(results: Results, body: RingBody, *, static: bool) -> Pressed:
 def _of_material(limit: Limit | None, design: Design, body: RingBody, found: Pressed) -> Limit:
     """A limit of a pressure that its material has to have."""
     plastic = design.lasting_teeth[body].plastic
-    unknown = "limit_unknown" if plastic is None else "plastic_limit_unknown"
+    unknown = "plastic_limit_unknown" if plastic else "limit_unknown"
     missing = f"{_material(design, body)}.allowable_pressure"
     return judged_by(limit, unknown, missing, value=found.value, at=found.at)
 

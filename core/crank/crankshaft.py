@@ -7,8 +7,6 @@ that the shaft is bent one way all the time.
 """
 
 import math
-from collections.abc import Callable
-from contextlib import suppress
 from dataclasses import dataclass
 from itertools import product
 
@@ -27,7 +25,6 @@ from core.crank.balance import (
 from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
 from core.crank.ring_mesh import RingMesh
 from core.crank.satellite_bearing import BearingCurves, made_parts, mean_power, uneven_shares
-from core.errors import NotKnown, required
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
 from core.output.pin_search import MISSED, largest
@@ -48,14 +45,9 @@ class Crankshaft:
     # Time that 90 % of such bearings in the housing reach, s, by the bearing, 0 or 1: of those that
     # are loaded and whose rating and speed are known.
     basic_life: dict[int, float]
-    spin: Callable[[], Balance]  # works out the balance, where mass and speed are given
+    balance: Balance | None  # where mass and speed are given
     accuracy: Accuracy  # of all numbers; of the balance over the sum of the sizes it is made of
     notices: tuple[Notice, ...]  # those of the ring
-
-    @property
-    def balance(self) -> Balance:
-        """Balance at the speed of the crank."""
-        return self.spin()
 
 
 def crankshaft(
@@ -170,22 +162,19 @@ def crankshaft(
     held = carried(positions=satellite_positions, bearings=bearing_positions)
     arm_error = carried_error(held, positions=satellite_positions, bearings=bearing_positions)
     arm_error = arm_error + np.abs(held) * crank_error(np.array(mechanism.crank_angles))
-
-    def spin() -> Balance:
-        return balance(
-            satellite_mass=required(satellite_mass, "mass_unknown", "crankshaft.satellite_mass"),
+    spun = None
+    if satellite_mass is not None and input_speed is not None:
+        spun = balance(
+            satellite_mass=satellite_mass,
             eccentricity=eccentricity,
             crank_angles=mechanism.crank_angles,
             satellite_positions=satellite_positions,
             bearing_positions=bearing_positions,
             counterweights=counterweights,
-            input_speed=required(input_speed, "speed_missing", "load.input_speed"),
+            input_speed=input_speed,
             rotor_mass=rotor_mass,
         )
-
-    still = STILL
-    with suppress(NotKnown):
-        still = _still(spin())
+    still = _still(spun) if spun else STILL
     ways = WAYS[torque_direction]
     exponents = [EXPONENTS[kind] for kind in kinds]
     if made is None:
@@ -218,22 +207,14 @@ def crankshaft(
         load = float(found.equivalent[row])
         own = float(found.off[row]) / load
         error = max(error, own + MISSED + found.truncation)
-        with suppress(NotKnown):
-            rating = required(dynamic_ratings[row], "rating_unknown")
-            million = 1e6 * 2 * math.pi / _turning(speeds[row])
+        rating = dynamic_ratings[row]
+        if rating is not None and (speed := speeds[row]):
+            million = 1e6 * 2 * math.pi / speed
             lives[row] = million * rating_life(load=load, rating=rating, kind=kinds[row])
             error = max(error, exponents[row] * own + found.truncation)
     accuracy = Accuracy(found.method, error + 8 * ROUNDING, found.evaluations)
     notices = (*mesh.notices, *poorly_known(accuracy))
-    return Crankshaft(found.most, found.equivalent, lives, spin, accuracy, notices)
-
-
-def _turning(speed: float | None) -> float:
-    """Speed of a bearing, rad/s, which has to be known and to turn."""
-    found = required(speed, "speed_missing", "load.input_speed")
-    if found == 0:
-        raise NotKnown("members_locked")
-    return found
+    return Crankshaft(found.most, found.equivalent, lives, spun, accuracy, notices)
 
 
 @dataclass(frozen=True, slots=True)

@@ -124,9 +124,10 @@ class SatelliteBearings:
     @derived
     def system_life(self) -> Number:
         """Life of all of them together at that reliability, s, shape (...)."""
+        life = self.life  # without it its own reason counts
         slope = required(self.weibull_slope, "rating_unknown", "bearing.weibull_slope")
         factor = reliability_factor(percent=self.reliability_percent)
-        return _together(self.life, factor * self._turning * self._turns(self.lesser_load), slope)
+        return _together(life, factor * self._turning * self._turns(self.lesser_load), slope)
 
     @derived
     def accuracy(self) -> Accuracy:

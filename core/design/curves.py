@@ -1,11 +1,9 @@
 """Results of a design over crank angles."""
 
-from contextlib import suppress
-
 import numpy as np
 
 from core.arrays import ComplexArray, FloatArray, IntArray
-from core.crank.crankshaft import ReactionCurves, reaction_curves
+from core.crank.crankshaft import STILL, ReactionCurves, reaction_curves
 from core.crank.satellite_bearing import (
     BearingCurves,
     bearing_curves,
@@ -13,7 +11,6 @@ from core.crank.satellite_bearing import (
     uneven_shares,
 )
 from core.design.results import Results
-from core.errors import NotKnown
 from core.output.losses import LossCurves, PinLosses, loss_curves
 from core.output.sampled_turn import WAYS
 
@@ -140,16 +137,14 @@ def design_reactions(*, results: Results, crank_angle: FloatArray) -> ReactionCu
     shares = uneven_shares(
         satellites=design.mechanism.satellites, distribution_factor=design.disc_factor
     )
-    unbalanced = np.zeros(2, dtype=complex)
-    with suppress(NotKnown):
-        unbalanced = np.array(results.crank.shaft.balance.reaction)
+    spun = results.crank.shaft.balance
     cases = [
         reaction_curves(
             loads=each,
             crank_angles=cranks,
             satellite_positions=shaft.satellite_positions,
             bearing_positions=shaft.bearing_positions,
-            unbalanced=unbalanced,
+            unbalanced=np.array(spun.reaction) if spun else STILL[0],
         ).reaction
         for each in _load_curves(results, crank_angle, shares)
     ]

@@ -3,7 +3,6 @@ known.
 """
 
 from collections.abc import Callable
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from typing import Any
@@ -519,11 +518,11 @@ class Results:
         """Limits of the largest pressure, Pa, by the code of their check."""
         found: dict[str, float] = {}
         for body, material in self.design.lasting.items():
-            with suppress(NotKnown):
-                allowed = float(material.known_limit.allowable)
+            if material.limit:
+                allowed = float(material.limit.allowable)
                 safety = self.design.requirements.pitting_safety
                 found[f"contact_pressure_{body}"] = allowed / safety
-            flows = material.yield_governs and material.plastic is None
+            flows = material.yield_governs and not material.plastic
             if flows and material.yield_strength is not None:
                 friction, strength = self.design.sliding_friction, material.yield_strength
                 found[f"contact_shakedown_{body}"] = shakedown(friction) * strength
@@ -545,9 +544,9 @@ class Results:
         friction = if_known(lambda: self.design.hole_friction) or 0.0
         ratio = float(material.poissons_ratio)
         factor = first_yield(poissons_ratio=ratio, friction=friction)
-        if body == "hole" and is_known(lambda: contact.conformal):
+        if body == "hole" and contact.is_conformal:
             wrapped = first_yield_factor(
-                half_angle=contact.conformal.half_angle,
+                half_angle=contact.arc.half_angle,
                 poissons_ratio=ratio,
                 beta=contact.mismatch[1],
             )
@@ -574,7 +573,7 @@ class Results:
         """Whether the disc ends so near to its holes that the pressure of a contact is off by it,
         or is not known: of one that wraps around its pin.
         """
-        if not is_known(lambda: contact.conformal):
+        if not contact.is_conformal:
             return None
         distance = self.design.disc_distance
         if distance < OVALS:

@@ -4,14 +4,13 @@ other heights where these leave none, and the nearest eccentricity that leaves t
 
 import math
 from collections.abc import Iterable, Iterator
-from contextlib import suppress
 from typing import Any, NamedTuple
 
 from core.checks.check import Verdict
 from core.checks.crank_planetary import crank_verdict
 from core.design.document import changed, value_at
 from core.design.results import Results
-from core.errors import CalculationError, NotKnown
+from core.errors import CalculationError, if_known
 from core.fixes.changes import vary
 from core.fixes.fix import Fix, side_effects
 from core.ring.involute import HEIGHTS, TIPS_APART, InvoluteTeeth
@@ -115,8 +114,7 @@ def _choices(results: Results, teeth: InvoluteTeeth) -> Iterator[tuple[str, dict
     """The input that a choice is named by, and all that it sets."""
     line = results.ring.pair.line
     room = TIPS_APART + SPARE
-    with suppress(NotKnown):
-        best = shifts_at(teeth=teeth, eccentricity=line.eccentricity, room=room)
+    if best := if_known(lambda: shifts_at(teeth=teeth, eccentricity=line.eccentricity, room=room)):
         yield SHIFT, _values(results, best)
     possible = possible_teeth(
         satellite_teeth=teeth.satellite_teeth,
@@ -125,10 +123,9 @@ def _choices(results: Results, teeth: InvoluteTeeth) -> Iterator[tuple[str, dict
         eccentricity=line.eccentricity,
         rack=teeth.rack,
     )
-    with suppress(NotKnown):
+    if possible.teeth:
         yield SHIFT, _values(results, possible.teeth, lower=LOWER)
-    with suppress(NotKnown):
-        nearest = nearest_ring(teeth=teeth, room=room)
+    if nearest := if_known(lambda: nearest_ring(teeth=teeth, room=room)):
         values = _values(results, nearest.teeth)
         del values[SHIFT]
         step = math.floor(nearest.line.eccentricity / MICRON) * MICRON

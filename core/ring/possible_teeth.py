@@ -13,7 +13,6 @@ from functools import lru_cache
 import numpy as np
 
 from core.arrays import BoolArray, FloatArray
-from core.errors import required
 from core.ring.involute import TIPS_APART, InvoluteTeeth, Rack
 from core.ring.line_of_action import LineOfAction, involute, radius_at
 
@@ -42,13 +41,8 @@ class PossibleTeeth:
     """Which involute teeth mesh."""
 
     contact_ratio: float  # largest of usual teeth, 0 where none touch
-    first: InvoluteTeeth | None  # that have it, of module 1
+    teeth: InvoluteTeeth | None  # that have it, of module 1
     any_mesh: bool  # whether any have one of 1, or of what may be missed less
-
-    @property
-    def teeth(self) -> InvoluteTeeth:
-        """Teeth that have that contact ratio, of module 1."""
-        return required(self.first, "unusual_teeth")
 
 
 def possible_teeth(
@@ -145,7 +139,7 @@ def _possible(line: LineOfAction, rack: Rack) -> PossibleTeeth:
     ratio, best = _best(line, _looked(line, rack, USUAL_SHIFTS, USUAL_ADDENDA), TIPS_APART)
     return PossibleTeeth(
         contact_ratio=ratio,
-        first=_teeth(line, rack, best, ratio) if best.shift.size else None,
+        teeth=_teeth(line, rack, best, ratio) if best.shift.size else None,
         any_mesh=ratio >= 1
         or bool(_looked(line, rack, SHIFTS, ADDENDA).reach(line, 1 - MISSED, 0.0).any()),
     )

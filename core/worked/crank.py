@@ -2,7 +2,6 @@
 
 import math
 from contextlib import suppress
-from functools import partial
 from typing import Literal
 
 import numpy as np
@@ -12,7 +11,7 @@ from core.crank.balance import Balance
 from core.crank.bearing_life import EXPONENTS, Bearing
 from core.crank.satellite_bearing import SatelliteBearings
 from core.design.results import Results
-from core.errors import UNKNOWN, if_known, is_known
+from core.errors import NotKnown, if_known
 from core.output.sampled_turn import WAYS
 from core.precision import AS_TYPED
 from core.worked.members import take_speed, take_torque
@@ -162,17 +161,17 @@ def bearing_steps(results: Results) -> list[Step]:
     where = {"params": {"satellite": j + 1}}
     turn = ideal_turn(sheet, results=results)
     peak, ring = float(found.peak_load[j]), float(found.peak_ring_force[j])
-    least = partial(sheet.state, "min_load", "Q_min", found.min_load[j], "bearing_load", **where)
-    if turn is None:
-        sheet.state("peak_load", "Q_max", peak, "bearing_load", **where)
-        least()
-        sheet.state("peak_ring_force", "F_r", ring, "bearing_load", **where)
-    else:
+    if turn:
         _peak_load(sheet, results, turn, j, peak)
-        least()
+    else:
+        sheet.state("peak_load", "Q_max", peak, "bearing_load", **where)
+    sheet.state("min_load", "Q_min", found.min_load[j], "bearing_load", **where)
+    if turn:
         _ring_force(sheet, results, turn, j, ring)
+    else:
+        sheet.state("peak_ring_force", "F_r", ring, "bearing_load", **where)
     sheet.state("equivalent_load", "P", found.equivalent_load[j], "equivalent_load", **where)
-    with suppress(*UNKNOWN):
+    with suppress(NotKnown):
         basic = float(found.basic_life[j])
         _life(sheet, bearing.kind, bearing.dynamic_rating, basic, "P", "n")
         percent = {"params": {"percent": bearing.reliability_percent}}
@@ -254,7 +253,7 @@ def shaft_steps(results: Results) -> list[Step]:
     turn = ideal_turn(sheet, results=results)
     for i, letter in enumerate(LETTERS):
         peak, equivalent = float(found.peak_reaction[i]), float(found.equivalent_reaction[i])
-        if turn is None or not _reaction(sheet, results, turn, i, peak):
+        if not turn or not _reaction(sheet, results, turn, i, peak):
             sheet.state("peak", f"R_{letter}", peak, "reaction")
         load = f"P_{letter}"
         sheet.state("equivalent", load, equivalent, "equivalent_reaction")
@@ -265,7 +264,7 @@ def shaft_steps(results: Results) -> list[Step]:
                 sheet.take(speed, "bearing_speed", speeds.against(bearing.seat))
             rating, life = bearing.dynamic_rating, found.basic_life.get(i)
             _life(sheet, bearing.kind, rating, life, load, speed)
-    if is_known(lambda: found.balance):
+    if found.balance:
         _balance(sheet, results, found.balance)
     return sheet.steps
 

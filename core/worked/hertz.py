@@ -7,7 +7,7 @@ from typing import Any
 from core.contact_life import CURVES
 from core.design.real_forces import RealForces
 from core.design.results import Results
-from core.errors import NotKnown, if_known, is_known, required
+from core.errors import NotKnown, if_known, required
 from core.hertz import SHEAR_DEPTH, SHEAR_RATIO, HertzContact
 from core.materials import ElasticMaterial, LimitLife
 from core.precision import AS_TYPED
@@ -104,7 +104,7 @@ def _conformal(sheet: Sheet, found: HertzContact) -> None:
     """The conformal contact: its angle is the root of an equation, and of materials whose beta is
     not 0 its pressure follows from another.
     """
-    pressure, angle = found.conformal.pressure, float(found.conformal.half_angle)
+    pressure, angle = found.arc.pressure, float(found.arc.half_angle)
     tension = required(found.edge_tension, "conformal_solution")
     known = {name: each.value for name, each in sheet.known.items()}
     difference, load, modulus = known["r_out"] - known["r_in"], known["w"], known["E_star"]
@@ -155,7 +155,7 @@ def _safety(
 ) -> None:
     """Each body with a limit by this, under the pressure that governs; the smaller of both."""
     pressure = found.governing_pressure
-    by = "governs_conformal" if is_known(lambda: found.conformal) else "governs_hertz"
+    by = "governs_conformal" if found.is_conformal else "governs_hertz"
     sheet.state("governing_pressure", "p_g", pressure, by)
     for each in found.safety:
         index, limit = (1 if each.body == "pin" else 2), each.limit

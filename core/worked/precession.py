@@ -356,6 +356,6 @@ def _contact(
     sheet.work("max_pressure", "p_0", found.max_pressure, "sqrt(q*E_star/(pi*rho_c))", **JOHNSON)
     sheet.work("half_width", "a_c", found.half_width, "sqrt(4*q*rho_c/(pi*E_star))", **JOHNSON)
     for index, code in enumerate(("roller_safety", "mating_safety"), 1):
-        with suppress(*UNKNOWN):
-            sheet.take(f"p_P{index}", "limit", float(materials[index - 1].known_limit.pressure))
+        if limit := materials[index - 1].limit:
+            sheet.take(f"p_P{index}", "limit", float(limit.pressure))
             sheet.work(code, f"S_{index}", getattr(found, code), f"p_P{index}/p_0")

@@ -18,7 +18,7 @@ from core.design.curves import design_bearings, design_reactions
 from core.design.document import Design
 from core.design.results import Results
 from core.design.sections import RollingBearing, Shaft
-from core.errors import InvalidInput
+from core.errors import InvalidInput, NotKnown
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import Deviations
 from core.output.sampled_turn import SampledTurn
@@ -287,6 +287,13 @@ def test_curves_are_what_is_judged() -> None:
         reactions = np.abs(design_reactions(results=results, crank_angle=angles).reaction)
         peak = results.crank.shaft.peak_reaction
         assert reactions.max(axis=0) == pytest.approx(peak, rel=1e-4)
+
+
+def test_curves_of_a_shaft_of_which_nothing_is_known_are_not_known() -> None:
+    still = having(WHOLE, pin=None, fatigue=None, input_speed=None)
+    with pytest.raises(NotKnown) as raised:
+        design_reactions(results=Results(still), crank_angle=np.zeros(1))
+    assert raised.value.missing == ("load.input_speed",)
 
 
 def test_curves_of_loads_have_no_balance_of_their_own() -> None:

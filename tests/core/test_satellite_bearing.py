@@ -222,6 +222,9 @@ def test_life() -> None:
     assert found.life.tolist() == found.basic_life.tolist()
     assert found.static_safety_factor[1] == pytest.approx(50e3 / found.peak_load[1], rel=CONVERGED)
     assert found.system_life == pytest.approx(found.basic_life[0] * 2 ** (-0.9), rel=CONVERGED)
+    with pytest.raises(NotKnown) as unrated:  # before the slope is asked for
+        _ = satellite_bearings(**REF).system_life
+    assert unrated.value.missing == ("bearing.dynamic_rating",)
     surer = satellite_bearings(**REF, **ratings, reliability_percent=99.0)
     assert surer.life[0] == 0.25 * found.life[0]
     factor = satellite_bearings(**REF, **ratings, ring_factor=1.2)
