@@ -3,7 +3,6 @@ may turn so fast, whether they carry enough, and not too much.
 """
 
 import math
-from contextlib import suppress
 from functools import partial
 
 import numpy as np
@@ -249,7 +248,7 @@ def bearing_min_load(design: Design, results: Results) -> Check:
 def bearing_overload(design: Design, results: Results) -> Check:
     found = results.crank.bearings
     used = np.asarray(found.equivalent_load) / (MOST_DYNAMIC * _rating(design))
-    with suppress(NotKnown):
+    if design.bearing.static_rating:
         used = np.maximum(used, 1 / (MOST_STATIC * found.static_safety_factor))
     worst = int(np.argmax(used))
     return judged(

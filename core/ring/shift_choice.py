@@ -74,10 +74,10 @@ def nearest_ring(*, teeth: InvoluteTeeth, room: float = TIPS_APART) -> InvoluteP
             raise
 
     angles = np.linspace(alpha, STEEPEST, TRIED).tolist()
-    for before, angle in pairwise([angles[0], *angles]):
+    if spare(alpha) >= 0:
+        return at(alpha)
+    for before, angle in pairwise(angles):
         if spare(angle) >= 0:
-            if angle == before:
-                return at(alpha)
             inside, _ = edge(inside=angle, outside=before, excess=spare)
             return at(inside)
     raise NotKnown("tips_overlap")

@@ -6,7 +6,7 @@ A calculation gives its exact value and a table of `Method`; `work_precision` do
 import math
 import statistics
 import time
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -101,14 +101,14 @@ def work_precision(
     points, chosen = list[WorkPoint](), list[WorkPoint]()
     for method in methods:
         for setting in method.settings:
-            found = [*_measured(method, setting, exact)]
-            points += found
-            chosen += found if method.chosen else []
+            if point := _measured(method, setting, exact):
+                points.append(point)
+                chosen += [point] if method.chosen else []
     return WorkPrecision(reference, tuple(points), chosen[-1])
 
 
-def _measured(method: Method, setting: Setting, exact: Sequence[Any]) -> Iterator[WorkPoint]:
-    """A method at a setting, compared and timed; nothing where it gives no finite number."""
+def _measured(method: Method, setting: Setting, exact: Sequence[Any]) -> WorkPoint | None:
+    """A method at a setting, compared and timed; None where it gives no finite number."""
     import mpmath
 
     times: list[float] = []
@@ -120,12 +120,12 @@ def _measured(method: Method, setting: Setting, exact: Sequence[Any]) -> Iterato
         times.append((time.perf_counter_ns() - start) * 1e-9)
     components = [value] if isinstance(value, (int, float)) else list(value)
     if not all(math.isfinite(each) for each in components):
-        return
+        return None
     size = mpmath.sqrt(sum(each**2 for each in exact))
     off = mpmath.sqrt(
         sum((mpmath.mpf(got) - want) ** 2 for got, want in zip(components, exact, strict=True))
     )
-    yield WorkPoint(
+    return WorkPoint(
         method=method.code,
         setting=setting,
         relative_error=float(off / size),
