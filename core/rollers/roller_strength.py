@@ -130,11 +130,20 @@ def roller_arguments(**given: Any) -> dict[str, Any]:
     Returns
     -------
     dict
+
+    Raises
+    ------
+    InvalidInput
+        If two of one are given.
     """
     made = dict(given)
     for argument, kinds in KINDS.items():
-        for name in kinds.keys() & given.keys():
-            made[argument] = kinds[name](made.pop(name))
+        for name in kinds:
+            if name in given and argument in made:
+                (other,) = kinds.keys() - {name}
+                raise InvalidInput(name, given[name], "only_one", field=other)
+            if name in given:
+                made[argument] = kinds[name](made.pop(name))
     return made
 
 

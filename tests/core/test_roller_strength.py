@@ -233,6 +233,13 @@ def test_refusals(parameter: str, changes: dict[str, Any]) -> None:
     assert caught.value.parameter == parameter
 
 
+def test_one_of_a_kind_is_given() -> None:
+    for more in ({"gaps": [0.0] * 4}, {"shear_modulus": 80e9}):
+        with pytest.raises(InvalidInput) as caught:
+            strength(**DESIGN | more)
+        assert caught.value.code == "only_one" and caught.value.parameter in more
+
+
 @pytest.mark.parametrize(
     ("code", "changes"),
     [
