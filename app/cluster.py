@@ -106,9 +106,10 @@ def on_cluster(address: str, lost: Callable[[Lost], Mapped]) -> Mapped:
     -------
     callable
     """
-    elsewhere = list[Mapped]()  # once the cluster is lost, which is not waited for again
+    elsewhere: Mapped | None = None  # once the cluster is lost, which is not waited for again
 
     def mapped(block: Block, blocks: Sequence[Drawn]) -> Iterator[Pieces]:
+        nonlocal elsewhere
         done = 0
         if not elsewhere:
             try:
@@ -118,7 +119,7 @@ def on_cluster(address: str, lost: Callable[[Lost], Mapped]) -> Mapped:
                 return
             except Lost as why:
                 LOG.warning("the cluster is lost: %s", why)
-                elsewhere.append(lost(why))
-        yield from elsewhere[0](block, blocks[done:])
+                elsewhere = lost(why)
+        yield from elsewhere(block, blocks[done:])
 
     return mapped

@@ -17,6 +17,7 @@ from app.calculations.crank_planetary_request import CrankPlanetaryRequest
 from app.examples import REQUESTS
 from benchmarks.options import options
 from core.checks.crank_planetary import crank_checks
+from core.conformal import conformal_contact
 from core.crank.bearing_life import rating_life
 from core.crank.crankshaft import crankshaft
 from core.crank.ring_mesh import RingMesh
@@ -26,7 +27,7 @@ from core.design.results import Results
 from core.design.sections import Contact, Load, MechanismSection
 from core.fatigue import size_factor, utilisation
 from core.fixes.crank import crank_fixes
-from core.hertz import conformal_contact, hertz
+from core.hertz import hertz
 from core.material_table import MATERIALS
 from core.materials import ElasticMaterial
 from core.numerics.inverse import solve_for

@@ -29,7 +29,8 @@ bearings            rolling bearings by name, with the ratings of several makers
 numerics            tools that know nothing of their use: quadrature, extremes, the inverse
 load_sharing        one displacement shared by many unilateral contacts
 fatigue             endurance limit by named factors, criteria, finite life
-hertz               line contact of pin and hole: narrow, or conformal of any two materials
+conformal           a pin in a hole that fits closely, of any two materials
+hertz               line contact of pin and hole, narrow or conformal, against its limits
 output              the output mechanism: pins in the holes of satellites on cranks
 tolerance           what tolerances of the output mechanism do
 rollers             swinging rollers: stiffness, load sharing, bending stress, and their curves

@@ -13,15 +13,14 @@ from app.calculations.design import (
     DeviationsFields,
     RealContactFields,
 )
-from app.calculations.mechanism import (
+from app.calculations.fit_answer import (
     DiscOut,
     ElasticOut,
     FitPositionOut,
     FitResponse,
-    MechanismFields,
-    PinContactFields,
     WholeFitOut,
 )
+from app.calculations.mechanism import MechanismFields, PinContactFields
 from app.calculations.members_answer import at_output
 from app.model import (
     Angle,

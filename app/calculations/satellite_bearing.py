@@ -1,6 +1,7 @@
 """Load and life of the satellites' bearings: request, answer, figure."""
 
 from collections.abc import Iterator
+from contextlib import suppress
 from typing import Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
@@ -42,7 +43,7 @@ from core.crank.balance import Counterweight
 from core.crank.satellite_bearing import BearingCurves, SatelliteBearings
 from core.design.curves import design_bearings
 from core.design.sections import RollingBearing, Seat, Shaft
-from core.errors import is_known
+from core.errors import NotKnown
 from core.worked.crank import bearing_steps
 from core.worked.step import Step
 
@@ -250,11 +251,11 @@ class SatelliteBearingResponse(AssumingResponse):
     ) -> Values:
         """Values of the core's arrays, a row for each satellite."""
         carries = result.peak_load > 0
-        columns = {
-            name: from_si(name, np.where(carries, getattr(result, field), 0.0)).tolist()
-            for name, field in COLUMNS.items()
-            if is_known(lambda field=field: getattr(result, field))  # type: ignore[misc]
-        }
+        columns = {}
+        for name, field in COLUMNS.items():
+            with suppress(NotKnown):
+                known = np.where(carries, getattr(result, field), 0.0)
+                columns[name] = from_si(name, known).tolist()
         rows = [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
         for row, loaded in zip(rows, carries.tolist(), strict=True):
             if not loaded:

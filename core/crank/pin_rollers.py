@@ -265,7 +265,7 @@ def pin_rollers(
     return PinRollers(
         elements=elements,
         input_speed=input_speed,
-        waves_per_turn=1 + 1 / mechanism.ratio,
+        waves_per_turn=mechanism.waves_per_turn,
         eccentricity=eccentricity,
         pin_radius=pin_radius,
         peak_load=peak,

@@ -8,6 +8,7 @@ from functools import cache, cached_property
 from typing import Any
 
 from core.arrays import Number
+from core.conformal import OVALS, disc_error, first_yield_factor
 from core.crank.pin_rollers import PinRollers, pin_rollers
 from core.design.crank_results import MOST_BEARING_PAIRS, CrankResults
 from core.design.document import Design, changed, value_at
@@ -18,7 +19,7 @@ from core.design.refusals import named
 from core.design.ring_results import RingResults
 from core.design.sections import DesignPin
 from core.errors import InvalidInput, NotKnown, derived, if_known, is_known, required
-from core.hertz import OVALS, HertzContact, disc_error, first_yield_factor, force_factor, hertz
+from core.hertz import HertzContact, force_factor, hertz
 from core.materials import Body, first_yield, shakedown
 from core.output.contact_force import ContactForce, contact_force
 from core.output.edge_load import EdgeLoad, SlopingContacts

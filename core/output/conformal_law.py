@@ -7,13 +7,8 @@ import numpy as np
 from numpy.polynomial import chebyshev
 
 from core.arrays import FloatArray, Number, log, smaller, sqrt
-from core.hertz import (
-    HERTZ_TOLERANCE,
-    ConformalContact,
-    conformal_contact,
-    local_approach,
-    widest_load,
-)
+from core.conformal import ConformalContact, conformal_contact, local_approach, widest_load
+from core.hertz import HERTZ_TOLERANCE
 from core.materials import ElasticMaterial, effective_modulus, mismatch
 from core.numerics.inverse import edge
 from core.output.contact_kernel import excess
@@ -86,7 +81,7 @@ def conformal_curve(*, contact_length: float, pin: ElasticMaterial, hole: Elasti
 
     Notes
     -----
-    ``E*/Q`` times the approach after touching is that of `core.hertz.local_approach` and
+    ``E*/Q`` times the approach after touching is that of `core.conformal.local_approach` and
     `far_approach`: of the load ``Q/(E* dR)`` alone, by its logarithm and smooth besides.
     """
     modulus = float(effective_modulus(first=pin, second=hole))

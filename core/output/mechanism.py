@@ -917,7 +917,7 @@ def pin_geometry(
     direction = np.stack((np.sin(crank), np.cos(crank)), axis=-1)[:, None, :]
     wave = np.add.outer(crank, pin_angle) + math.pi / 2
     pressure_angles = np.remainder(wave + math.pi, 2 * math.pi) - math.pi
-    turned = abs(crank_angle) * (1 + 1 / mechanism.ratio) + abs(mechanism.initial_crank_angle)
+    turned = abs(crank_angle) * mechanism.waves_per_turn + abs(mechanism.initial_crank_angle)
     furthest = max(map(abs, mechanism.crank_angles))
     # Adding 0.0 turns the zero of a negative sine into a plain zero.
     return PinGeometry(

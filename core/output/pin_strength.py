@@ -162,7 +162,7 @@ class PinStresses:
             if cycle.cycles is not None:
                 notices += [Notice("low_cycle_fatigue")] if cycle.cycles < LOW_CYCLES else []
                 if input_speed is not None:
-                    frequency = input_speed * (1 + 1 / mechanism.ratio) / (2 * math.pi)
+                    frequency = input_speed * mechanism.waves_per_turn / (2 * math.pi)
                     cycle = replace(cycle, life=cycle.cycles / frequency)
         if min(positions) < pin.diameter / 2:
             notices.append(Notice("short_pin"))
@@ -517,7 +517,7 @@ def _locus(
         angles = places * mechanism.crank_angle_per_wave
     else:
         forces = case.turn.forces
-        angles = (case.turn.wave - mechanism.initial_crank_angle) / (1 + 1 / mechanism.ratio)
+        angles = (case.turn.wave - mechanism.initial_crank_angle) / mechanism.waves_per_turn
     stress = combine(arms=arms, forces=forces)[0]
     if chi is None:
         chi = float(np.angle(stress[np.abs(stress).argmax()]))

@@ -126,7 +126,7 @@ def ideal_samples(
         crank = 1j * np.exp(-1j * (wave + cranks[:, None]))[:, None]
         ratios = force_ratios(
             mechanism=mechanism,
-            crank_angles=(wave - first) / (1 + 1 / mechanism.ratio),
+            crank_angles=(wave - first) / mechanism.waves_per_turn,
             force_exponent=force_exponent,
         )
         acts = (torque / pin_circle_radius * ratios.transpose(1, 2, 0)) * crank

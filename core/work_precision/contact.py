@@ -6,8 +6,9 @@ from typing import Any
 import numpy as np
 
 from core.arrays import FloatArray
+from core.conformal import conformal_contact, integral_equation
 from core.errors import InvalidInput
-from core.hertz import HertzContact, conformal_contact, integral_equation
+from core.hertz import HertzContact
 from core.numerics.inverse import edge
 from core.work_precision.study import (
     DEFAULT,

@@ -98,13 +98,14 @@ def work_precision(
     -------
     WorkPrecision
     """
-    points, chosen = list[WorkPoint](), list[WorkPoint]()
-    for method in methods:
-        for setting in method.settings:
-            if point := _measured(method, setting, exact):
-                points.append(point)
-                chosen += [point] if method.chosen else []
-    return WorkPrecision(reference, tuple(points), chosen[-1])
+    measured = [
+        (method, point)
+        for method in methods
+        for setting in method.settings
+        if (point := _measured(method, setting, exact))
+    ]
+    *_, chosen = (point for method, point in measured if method.chosen)
+    return WorkPrecision(reference, tuple(point for _, point in measured), chosen)
 
 
 def _measured(method: Method, setting: Setting, exact: Sequence[Any]) -> WorkPoint | None:

@@ -7,10 +7,10 @@ from typing import Any
 import pytest
 
 from core.checks.crank_planetary import crank_checks
+from core.conformal import disc_error
 from core.design.document import Design
 from core.design.results import Results
 from core.fixes.changes import vary
-from core.hertz import disc_error
 from core.materials import ContactLimit, ElasticMaterial, first_yield
 from core.precision import EXACT, SAME, SEARCHED
 from tests.inputs.checks import HOLE, PIN, REF, check_of, fixes_of, having, says

@@ -6,8 +6,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from core.conformal import conformal_contact, local_approach
 from core.errors import ImpossibleMechanism
-from core.hertz import conformal_contact, local_approach
 from core.materials import ElasticMaterial, effective_modulus, mismatch
 from core.output.conformal_law import approach_over_load, conformal_curve, end, far_approach
 from core.output.contact_kernel import alone, given_over, law

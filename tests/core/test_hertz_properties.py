@@ -8,18 +8,15 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
+from core.conformal import closed_pressure, conformal_contact, load_under_pressure, widest_load
 from core.errors import InvalidInput
 from core.hertz import (
     HERTZ_TOLERANCE,
     NARROW_LOAD,
     HertzContact,
-    closed_pressure,
-    conformal_contact,
     force_factor,
     hertz,
-    load_under_pressure,
     pressure_profile,
-    widest_load,
 )
 from core.material_table import MATERIALS
 from core.materials import ContactLimit, ElasticMaterial, mismatch

@@ -19,18 +19,17 @@ import numpy as np
 import pytest
 from mpmath import mp, mpf
 
-from core.hertz import (
+from core.conformal import (
     ERROR,
-    HERTZ_TOLERANCE,
     closed_pressure,
     conformal_contact,
     edge_tension,
     first_yield_factor,
-    hertz,
     load_under_pressure,
     pressure_over_angle,
     widest_load,
 )
+from core.hertz import HERTZ_TOLERANCE, hertz
 from core.materials import ElasticMaterial, mismatch
 from core.precision import EXACT, SAME, SEARCHED
 from tests.oracles import conformal, dissimilar

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
-from core.hertz import conformal_contact, integral_equation, local_approach, widest_load
+from core.conformal import conformal_contact, integral_equation, local_approach, widest_load
 from core.materials import ElasticMaterial, effective_modulus, mismatch
 from core.output.conformal_law import (
     ERROR,

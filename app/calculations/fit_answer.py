@@ -1,0 +1,239 @@
+"""Answer of the fit: pins in their holes by geometry, before any force."""
+
+import math
+from typing import Any, Literal
+
+from app.calculations.mechanism import PairOut
+from app.model import (
+    AccuracyOut,
+    AssumingResponse,
+    Maybe,
+    ResponseModel,
+    Values,
+    WarningOut,
+    result,
+)
+from app.units import from_si
+from core.arrays import FloatArray
+from core.output.fit import Fit, Rooms
+from core.output.mechanism import Members
+
+ALL_ROUND = math.pi
+"""Lag to either side at which a pin is whose hole does not bound it, rad."""
+
+
+class BindingOut(PairOut):
+    """A pair that limits the room."""
+
+    side: Literal["driving", "reverse", "radial"] = result(
+        "In which sense of the output it holds; radial where in none."
+    )
+
+
+class FitOut(ResponseModel):
+    """How the pins fit into their holes by geometry, before any force."""
+
+    state: Literal["fits", "binds_in_turning", "does_not_fit", "no_bound"] = result(
+        "Whether there is room at all crank angles, at some, or at none; no_bound where the holes "
+        "do not hold their pins."
+    )
+    least_room_mm: Maybe[float] = result(
+        "Least room over the turn: by how much every pin might grow, or below 0 must shrink, until "
+        "it just fits; absent where holes do not hold their pins.",
+        equation="max over θ of min(C − |P·exp(−iθ) − H|)",
+    )
+    least_room_crank_angle_deg: Maybe[float] = result(
+        "First crank angle at which it is least; absent where it is the same at all."
+    )
+    binding: Maybe[list[BindingOut]] = result(
+        "The pairs that limit it there; absent where all do alike."
+    )
+    needed_hole_radius_mm: Maybe[float] = result(
+        "Radius of all holes with which the parts just fit, where they do not."
+    )
+    blocked_crank_deg: Maybe[list[list[float]]] = result(
+        "Stretches of the crank's turn in which the parts jam, where they go together in others."
+    )
+    renumbered: Maybe[list[int]] = result(
+        "By how many holes each satellite is put on the pins further, where one is."
+    )
+
+    @classmethod
+    def values(cls, result: Fit, run_time_us: float | None = None, **given: Any) -> Values:
+        """Values of a fit."""
+        room, holes = result.room, result.real.numbered[1]
+        found: dict[str, Any] = {"state": result.state}
+        if any(holes):
+            found["renumbered"] = [*holes]
+        if result.state == "no_bound":
+            return found
+        found["least_room_mm"] = from_si("least_room_mm", room.least)
+        if room.crank_angle is not None:
+            found["least_room_crank_angle_deg"] = from_si("angle_deg", room.crank_angle)
+        if room.binding:
+            found["binding"] = [
+                {"satellite": each.satellite, "pin": each.pin, "side": each.side}
+                for each in room.binding
+            ]
+        if room.state != "fits":
+            found["needed_hole_radius_mm"] = from_si("radius_mm", result.needed_hole_radius)
+        if room.state == "binds_in_turning":
+            blocked = [[*ends] for ends in result.rooms.blocked()]
+            found["blocked_crank_deg"] = from_si("angle_deg", blocked)
+        return found
+
+
+class DiscOut(ResponseModel):
+    """One satellite by itself."""
+
+    satellite: int = result("Number of the satellite, from 1.", symbol="j")
+    least_room_mm: float = result("Its least room over the turn.")
+    turned_deg: float = result(
+        "Its holes ahead of the pins, in the mean of least squares, where it is put on."
+    )
+
+
+class ElasticOut(ResponseModel):
+    """What rigid pins in elastic contact with their holes take up of a misfit."""
+
+    limit_mm: Maybe[float] = result(
+        "Largest approach that a pair takes elastically; absent where the limit of neither "
+        "material is known."
+    )
+    limit_force_N: Maybe[float] = result(
+        "The force under which it does: the pressure is what the weaker body stands at rest."
+    )
+    force_without_load_N: Maybe[float] = result(
+        "Largest force of a pair where the room is least, where parts press without load and an "
+        "elastic state is not ruled out."
+    )
+    pressure_without_load_MPa: Maybe[float] = result(
+        "Largest pressure there.", symbol="p_0", equation="Johnson 4.2"
+    )
+
+
+class WholeFitOut(FitOut):
+    """How the pins fit into their holes, and what becomes of a misfit."""
+
+    largest_hole_radius_mm: Maybe[float] = result(
+        "Where holes do not hold their pins: the radius below which they would.",
+        equation="min(R, √(r_in² + R²·sin²(π/N)))",
+    )
+    greatest_room_mm: Maybe[float] = result("Greatest room over the turn.")
+    room_error_mm: Maybe[float] = result("Bound of the error of each room.")
+    least_room_arcmin: Maybe[float] = result(
+        "Least angle that the unloaded output can turn, over the turn; below 0 by how much pairs "
+        "miss each other, absent where a pin is in its hole at no lag.",
+        symbol="θ₊ − θ₋",
+    )
+    greatest_room_arcmin: Maybe[float] = result("The greatest: the backlash.", symbol="θ₊ − θ₋")
+    angle_error_arcmin: Maybe[float] = result("Estimate of the error of both.")
+    blocked_share: Maybe[float] = result("Share of the turn in which the parts jam.")
+    misfit: Maybe[
+        Literal[
+            "fits_by_bearing_clearance",
+            "pressed_without_load",
+            "jams",
+            "discs_out_of_phase",
+            "cannot_assemble",
+        ]
+    ] = result(
+        "What becomes of parts that do not fit; absent where they do, and where holes do not hold "
+        "their pins."
+    )
+    discs: Maybe[list[DiscOut]] = result("Each satellite by itself, where asked.")
+    elastic: Maybe[ElasticOut] = result("What elasticity takes up, where asked.")
+
+    @classmethod
+    def values(cls, result: Fit, run_time_us: float | None = None, **given: Any) -> Values:
+        """Values of a fit."""
+        found, rooms = super().values(result), result.rooms
+        if result.state == "no_bound":
+            limit = from_si("radius_mm", result.largest_hole_radius)
+            return found | {"largest_hole_radius_mm": limit}
+        found["greatest_room_mm"] = from_si("greatest_room_mm", rooms.greatest())
+        found["room_error_mm"] = from_si("room_error_mm", rooms.error)
+        play = rooms.play()
+        for name in ("least", "greatest"):
+            if math.isfinite(angle := getattr(play, name)):
+                found[f"{name}_room_arcmin"] = from_si("room_arcmin", angle)
+                found["angle_error_arcmin"] = from_si("error_arcmin", play.error)
+        if blocked := found.get("blocked_crank_deg"):
+            turn = from_si("angle_deg", result.real.mechanism.crank_angle_per_wave)
+            found["blocked_share"] = math.fsum(end - start for start, end in blocked) / turn
+        if result.misfit:
+            found["misfit"] = result.misfit
+        return found
+
+
+class FitPositionOut(ResponseModel):
+    """Pins in their holes at one crank angle."""
+
+    crank_angle_deg: float = result("Crank angle.", symbol="φ")
+    room_mm: float = result(
+        "By how much every pin might grow there, or below 0 must shrink, until it just fits.",
+        equation="max over θ of min(C − |P·exp(−iθ) − H|)",
+    )
+    window_arcmin: Maybe[list[float]] = result(
+        "Least and largest lag of the unloaded output; absent where there is no room.",
+        symbol="θ₋, θ₊",
+    )
+    pairs: list[list[list[float]]] = result(
+        "Least and largest lag, ′, at which each pin is in its hole, a list for each satellite; "
+        "empty where at none, half a turn to either side where its hole is no bound."
+    )
+
+    @classmethod
+    def all_values(cls, rooms: Rooms, members: Members, crank_angle: FloatArray) -> list[Values]:
+        """Values at crank angles.
+
+        Parameters
+        ----------
+        rooms : Rooms
+            Pins in their holes.
+        members : Members
+            Which is the output.
+        crank_angle : array, shape (M,)
+            Crank angles, rad.
+
+        Returns
+        -------
+        list of dict, M
+        """
+        wave, pins = rooms.mechanism.wave_angle(crank_angle), rooms.mechanism.pins
+        found = []
+        for angle, room, low, high in zip(
+            crank_angle.tolist(),
+            rooms.rooms(wave)[0].tolist(),
+            *map(members.angle_at_output, rooms.arcs(wave)),
+            strict=True,
+        ):
+            arcs = [*map(_arc, low.tolist(), high.tolist())]
+            values = {
+                "crank_angle_deg": from_si("angle_deg", angle),
+                "room_mm": from_si("room_mm", room),
+                "pairs": [arcs[start : start + pins] for start in range(0, len(arcs), pins)],
+            }
+            if room >= 0:  # the two may cross by rounding
+                values["window_arcmin"] = sorted(_arc(float(low.max()), float(high.min())))
+            found.append(values)
+        return found
+
+
+def _arc(low: float, high: float) -> list[float]:
+    """Lags from and to, arcmin: none where the first is infinitely above the second."""
+    if low == math.inf:
+        return []
+    ends = (max(low, -ALL_ROUND), min(high, ALL_ROUND)) if math.isinf(low) else (low, high)
+    return [from_si("lag_arcmin", each) for each in ends]
+
+
+class FitResponse(AssumingResponse):
+    """Whether the parts go together and turn, and how much room is left."""
+
+    fit: WholeFitOut = result("How the pins fit into their holes.")
+    positions: Maybe[list[FitPositionOut]] = result(
+        "At the crank angles, where asked and holes hold their pins."
+    )
+    accuracy: AccuracyOut
+    warnings: Maybe[list[WarningOut]] = None
