@@ -51,8 +51,8 @@ from app.calculations.satellite_bearing import SatelliteBearingResponse
 from app.calculations.shares_answer import SharesOut, shares_warnings
 from app.calculations.solved import Solved
 from app.calculations.usual_fit_answer import UsualFitOut, UsualModificationOut
-from app.model import Calculation, Values, notices_of, present, warning
-from app.problems import refusal, timed
+from app.model import Calculation, Values, notices_of, present, timed, warning
+from app.problems import refusal
 from app.sources import (
     ARCHARD_1953,
     HARRIS,

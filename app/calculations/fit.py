@@ -31,9 +31,9 @@ from app.model import (
     Values,
     accuracy_values,
     quantity,
+    timed,
     warning,
 )
-from app.problems import timed
 from app.settings import Settings
 from app.sources import JOHNSON_1985
 from app.theme import INK, Amount, Figure, Text, Theme, axis, curve, layout, marker, text

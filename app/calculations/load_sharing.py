@@ -28,8 +28,7 @@ from app.calculations.load_sharing_figure import Drawn, load_sharing_figure
 from app.calculations.members_answer import at_output
 from app.calculations.real_design import LEFT_OUT
 from app.calculations.solved import Solved
-from app.model import LARGEST, Angle, Calculation, Maybe, Values, quantity
-from app.problems import timed
+from app.model import LARGEST, Angle, Calculation, Maybe, Values, quantity, timed
 from app.settings import Settings
 from app.sources import HARRIS, JOHNSON_1985, YANCHEVSKIY_2021
 from app.theme import Figure, Theme

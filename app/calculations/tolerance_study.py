@@ -33,10 +33,11 @@ from app.model import (
     Whole,
     accuracy_values,
     quantity,
+    timed,
     untold,
     warning,
 )
-from app.problems import refusal, timed, unavailable
+from app.problems import refusal, unavailable
 from app.rules import Rule, field_error
 from app.settings import Settings, current
 from app.sources import ISO_286, JANSEN_1999, YANCHEVSKIY_2021
