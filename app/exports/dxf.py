@@ -265,8 +265,6 @@ def write(body: DxfRequest) -> File:
     try:
         parts = body.drawn()
     except NotKnown as error:
-        if error.refusal:
-            raise
         missing = error.missing[0] if error.missing else "gear"
         raise refusal(pointer(body.path_of(missing)), "needed_to_draw") from error
     files = {part.said["part"]: _file(part) for part in parts}

@@ -7,16 +7,18 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from core.design.results import Results
 from core.errors import ImpossibleMechanism
 from core.hertz import hertz
 from core.material_table import MATERIALS
 from core.materials import ElasticMaterial
-from core.output.elasticity import CrankSupport, HertzLaw
+from core.output.elasticity import CrankSupport, HertzLaw, Shares
 from core.output.fit import Fit, solvable
 from core.output.mechanism import Mechanism, slip_notices
 from core.output.real_mechanism import RealMechanism
 from core.output.room import Deviations, Rooms
-from core.precision import EXACT, SAME
+from core.precision import AS_TYPED, EXACT, SAME
+from tests.inputs.checks import REF, having
 from tests.inputs.misfits import drawn
 from tests.oracles.room import highest, room
 from tests.oracles.seeds import seeds
@@ -253,6 +255,17 @@ def test_discs_out_of_phase_and_bearings_that_give_way() -> None:
     given = replace(PRESSED, clearance=-1e-6, exact=False, support=CrankSupport(1e9, 3e-6))
     assert fit_of(given).misfit == "fits_by_bearing_clearance"
     assert fit_of(replace(given, support=CrankSupport(1e9, 1e-6))).misfit == "pressed_without_load"
+
+
+def test_satellites_that_turn_for_themselves_have_each_its_own_room() -> None:
+    out = replace(PRESSED, clearance=1e-5, deviations=Deviations(disc_phase=(0.0, 0.005)))
+    apart = replace(out, exact=False, support=Shares((0.5, 0.5)))
+    assert out.rooms.room.state == "does_not_fit"
+    assert apart.rooms.room.least == pytest.approx(1e-5, rel=AS_TYPED)
+    design = having(REF, hole_radius=0.01001, deviations=out.deviations)
+    coupled = having(design, satellite_coupling=Shares((0.5, 0.5)))
+    assert Results(design).rooms.room.state == "does_not_fit"
+    assert Results(coupled).rooms.room.least == pytest.approx(1e-5, rel=AS_TYPED)
 
 
 def test_holes_that_do_not_hold_their_pins() -> None:
