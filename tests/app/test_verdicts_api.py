@@ -839,6 +839,21 @@ async def test_a_design_that_cannot_be_with_any_value_says_why(api):
     assert response.json()["errors"][0]["code"] == direct.json()["errors"][0]["code"]
 
 
+async def test_a_mechanism_that_cannot_work_with_any_value_is_refused_as_such(api):
+    """One pin at a dead centre: no field of the request is named, but the crank angle."""
+    body = {"pins": 1, "satellites": 1, "ratio": 20, "output_torque_Nm": 100}
+    body["pin_circle_radius_mm"] = 40
+    asked = {"calculation": "contact-force", "input": body}
+    asked["variable"] = {"pointer": "/output_torque_Nm", "from": 5.0, "to": 20.0}
+    asked["target"] = {"pointer": "/peak_force_N", "at_most": 1.0}
+    found, direct = [
+        (await api.post(path, json=sent)).json()
+        for path, sent in (("solve", asked), ("contact-force", body))
+    ]
+    assert found["type"] == direct["type"] == "/problems/impossible-mechanism"
+    assert found["where"] == direct["where"] != {}
+
+
 @pytest.mark.parametrize(
     ("changes", "pointer"),
     [
