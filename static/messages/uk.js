@@ -1006,7 +1006,7 @@ export default {
   service: {
     refusals: {
       not_this_mechanism: "має бути іншим: якщо вихідну ланку обертають кілька колінчастих валів, як у редукторах RV, цівок в отворах немає, і цей розрахунок про неї нічого не каже",
-      no_fit: "має бути полем допуску отвору й цівки за ISO 286, наприклад H7/f7",
+      no_fit: "має бути полем допуску отвору й цівки за ISO 286, наприклад H7/f7: відомі F, G, H і JS, та f, g, h, js і m",
       at_most: "має бути не більше ніж {field}, {limit}",
       different_length: "потрібно значень: {expected}, задано: {actual}",
       different_sum: "сума довжин має дорівнювати сумі: {field} та {other}, {needed_length_mm}, а не {given_length_mm}",
