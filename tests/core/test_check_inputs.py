@@ -202,7 +202,7 @@ DESIGNS = {
         ALL, pin=BOLTED, max_unbalance_share=1e-4, crank_spacing=2.0
     ),
     "a share of unbalance beside a stated sharing": having(
-        ALL, max_unbalance_share=1e-4, crank_spacing=2.0, distribution_factor=1.2
+        ALL, pin=None, max_unbalance_share=1e-4, crank_spacing=2.0, distribution_factor=1.2
     ),
     "a share of unbalance with clearance": having(
         ALL, max_unbalance_share=1e-4, crank_spacing=2.0, hole_radius=0.01002
@@ -536,7 +536,9 @@ SAME = 1e-6
 
 
 def moved(value: Any) -> Any:
-    """A number that is a little larger; None of what is no number."""
+    """A number that is a little larger, places of which the last is farther; None of others."""
+    if isinstance(value, tuple) and value and (last := moved(value[-1])) is not None:
+        return (*value[:-1], last)
     if isinstance(value, bool) or not isinstance(value, int | float):
         return None
     return value + 1 if isinstance(value, int) else 1.02 * value
