@@ -42,7 +42,7 @@ def under(design: Design, factor: float) -> Verdict:
     return crank_checks(Results(having(design, output_torque=design.load.output_torque * factor)))
 
 
-@pytest.mark.parametrize("times", [0.2, 8.0])
+@pytest.mark.parametrize("times", [0.2, 8.0, 60.0])
 def test_at_the_largest_torque_the_first_check_is_at_its_limit(times: float) -> None:
     assert MADE.load.output_torque is not None
     design = having(MADE, output_torque=MADE.load.output_torque * times)
