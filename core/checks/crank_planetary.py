@@ -276,6 +276,9 @@ logarithm of one is that needs no look."""
 STEEPEST = 3.0
 """Most that a reserve changes with the torque, as a slope of logarithms, and 1 over the least."""
 
+CURES_NOTHING = 0.01
+"""Slope of them below which less torque cures nothing: of parts that press without any."""
+
 
 def crank_verdict(results: Results, *, every: bool = False) -> Verdict:
     """All checks of a crank-planetary reducer, judged under the torque and under others.
@@ -459,6 +462,9 @@ class _Torques:
         holds = 1.0 if self.first() >= 0 else 0.0
         if left >= 0:
             holds = MARGIN
+        if self.found.impossible:
+            return holds, False
+        before, left_before = math.log(MARGIN), left
         for _ in range(LOOKS):
             x = self.first()
             if x >= unsolved:  # forces cannot be solved there
@@ -472,6 +478,9 @@ class _Torques:
                 return math.exp(self.first()), True
             elif left >= 0:
                 holds = max(holds, math.exp(x))
+            elif x < before and left - left_before < CURES_NOTHING * (before - x):
+                break
+            before, left_before = x, left
         return holds, False
 
     def guessed(self) -> float:
