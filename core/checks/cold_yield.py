@@ -1,4 +1,7 @@
-"""The torque at which a plastic contact yields at once: all that is known of what may not last."""
+"""The torque at which plastic pins or holes yield at once: all that is known of what may not last.
+
+Teeth of plastic are not in it, and may yield before: they are among what is open.
+"""
 
 from dataclasses import dataclass
 
@@ -76,6 +79,11 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
         for code in judged
         if checks[code].status == "not_checked" and not checks[code].only_needed
     )
+    teeth = (
+        each.code
+        for each in found.checks
+        if each.kind.part == "teeth" and each.reason == "plastic_limit_unknown"
+    )
     worn = checks.get("wear")
     known = worn is not None and (worn.value is not None or worn.status == "not_applicable")
     wears = () if known else ("wear",)
@@ -84,5 +92,5 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
         body=body,
         strength=strength,
         friction=friction,
-        open=(*unknown, *wears),
+        open=(*unknown, *wears, *teeth),
     )

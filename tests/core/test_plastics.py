@@ -12,12 +12,14 @@ from core.checks.crank_planetary import crank_verdict
 from core.checks.plastics import PLASTICS
 from core.design.document import Design
 from core.design.results import Results
+from core.design.ring import CycloidRing
 from core.design.sections import DesignPin, Friction, SatelliteBody, Temperatures
 from core.errors import InvalidInput, if_known
 from core.hertz import hertz
 from core.material_table import ALIASES, ELASTOMERS, MATERIALS, NAMES, SEVERAL, plain_name
 from core.materials import ContactLimit, ElasticMaterial, by_values
 from core.precision import EXACT, SAME
+from core.ring.profile import Modification
 from tests.inputs.checks import REF, check_of, fixes_of, having
 from tests.oracles.seeds import seeds
 
@@ -245,6 +247,19 @@ def test_cold_yield_is_the_torque_at_which_the_check_fails() -> None:
     assert cold_yield(results=Results(misfit), found=crank_verdict(Results(misfit))) is None
     steel = having(SOFT, hole_material=STEEL)
     assert cold_yield(results=Results(steel), found=crank_verdict(Results(steel))) is None
+
+
+def test_teeth_of_plastic_are_open_beside_the_cold_yield_of_the_holes() -> None:
+    ring = CycloidRing(
+        ring_pin_circle_radius=0.085,
+        ring_pin_radius=0.005,
+        modification=Modification(equidistant=1e-4),
+        pin_material=STEEL,
+        disc_material=PLA,
+    )
+    results = Results(having(SOFT, hole_radius=0.0102, gear=ring))
+    cold = cold_yield(results=results, found=crank_verdict(results))
+    assert cold is not None and cold.open[-1] == "ring_pressure_disc"
 
 
 def test_a_plastic_has_no_largest_torque() -> None:
