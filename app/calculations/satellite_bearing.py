@@ -31,8 +31,8 @@ from app.model import (
     WorkedFields,
     quantity,
     result,
+    timed,
 )
-from app.problems import timed
 from app.rules import Rule, field_error
 from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line

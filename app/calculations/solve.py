@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator
 from copy import deepcopy
-from functools import cached_property, partial
+from functools import cached_property
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, TypeAdapter, ValidationError
@@ -28,16 +28,16 @@ from app.model import (
     accuracy_values,
     present,
     result,
+    timed,
 )
 from app.pointers import holder, inner, keys, with_values
 from app.problems import (
     FieldProblem,
     Problem,
-    calculated,
     named,
     problem_of,
     refusal,
-    timed,
+    refuse_for,
     wrong_fields,
 )
 from app.rules import Forms
@@ -221,7 +221,7 @@ class SolveRequest(WorkedFields):
         def answer(value: float) -> float:
             try:
                 asked = adapter.validate_python(changed(value))
-                values = calculated(asked, partial(calculation.solve, asked))
+                values = _values(calculation, asked)
             except (Problem, CalculationError, ValidationError) as error:
                 if isinstance(error, Problem) and _is_of_a_list(error):
                     raise _refused(error) from error
@@ -273,6 +273,14 @@ def _outside(found: Solution, want: Want) -> float | None:
     if found.bracket is not None:
         return next(end for end in found.bracket if end != found.value)
     return found.value + (1 if want == "largest" else -1)
+
+
+def _values(calculation: Calculation, asked: RequestModel) -> Values:
+    """Values of an answer; a refusal names the fields of what was asked."""
+    try:
+        return calculation.solve(asked)
+    except CalculationError as error:
+        refuse_for(asked, error)
 
 
 def _wrong(adapter: TypeAdapter[RequestModel], changed: dict[str, Any]) -> set[str]:

@@ -11,7 +11,7 @@ from core.design.output_forces import OutputForces
 from core.design.refusals import named
 from core.design.ring_results import RingResults
 from core.errors import NotKnown, derived, if_known
-from core.output.real_mechanism import Deviations
+from core.output.room import Deviations
 
 MOST_BEARING_PAIRS = 2000
 """Most pairs of which the forces on the satellites are integrated over the turn."""

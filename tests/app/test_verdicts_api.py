@@ -841,6 +841,21 @@ async def test_a_design_that_cannot_be_with_any_value_says_why(api):
     assert response.json()["errors"][0]["code"] == direct.json()["errors"][0]["code"]
 
 
+async def test_a_mechanism_that_cannot_work_with_any_value_is_refused_as_such(api):
+    """One pin at a dead centre: no field of the request is named, but the crank angle."""
+    body = {"pins": 1, "satellites": 1, "ratio": 20, "output_torque_Nm": 100}
+    body["pin_circle_radius_mm"] = 40
+    asked = {"calculation": "contact-force", "input": body}
+    asked["variable"] = {"pointer": "/output_torque_Nm", "from": 5.0, "to": 20.0}
+    asked["target"] = {"pointer": "/peak_force_N", "at_most": 1.0}
+    found, direct = [
+        (await api.post(path, json=sent)).json()
+        for path, sent in (("solve", asked), ("contact-force", body))
+    ]
+    assert found["type"] == direct["type"] == "/problems/impossible-mechanism"
+    assert found["where"] == direct["where"] != {}
+
+
 @pytest.mark.parametrize(
     ("changes", "pointer"),
     [
@@ -888,11 +903,11 @@ async def test_an_edge_beyond_which_the_input_is_refused_says_so(api):
 def test_a_text_is_no_target_and_asks_for_one_look(monkeypatch):
     looks = []
 
-    def calculated(body, calculation):
-        looks.append(body)
-        return calculation()
+    def values(calculation, asked):
+        looks.append(asked)
+        return calculation.solve(asked)
 
-    monkeypatch.setattr("app.calculations.solve.calculated", calculated)
+    monkeypatch.setattr("app.calculations.solve._values", values)
     target = {"target": {"pointer": "/verdict", "equals": 1.0}}
     with pytest.raises(Problem) as refused:
         SolveRequest.model_validate(REQUESTS["solve"] | target).solve()

@@ -20,7 +20,7 @@ from core.design.sections import FatigueBasis, Friction
 from core.errors import InvalidInput
 from core.materials import ContactLimit, ElasticMaterial
 from core.output.elasticity import RingInSeries, Shares
-from core.output.real_mechanism import Deviations
+from core.output.room import Deviations
 from core.precision import EXACT, JUDGED, SAME, SEARCHED
 from core.ring.profile import Modification
 from core.ring.sharing import mesh_position

@@ -11,7 +11,7 @@ from core.design.results import Results
 from core.design.sections import DesignPin, FatigueBasis
 from core.material_table import MATERIALS
 from core.output.elasticity import LinearLaw
-from core.output.real_mechanism import Deviations
+from core.output.room import Deviations
 from tests.inputs.checks import design_of, having
 
 PIN = DesignPin(
