@@ -18,10 +18,10 @@ from starlette.types import Receive, Scope, Send
 from app import VERSION, theme
 from app.endpoint import COMPRESS_BYTES, JSON, takes_gzip
 from app.examples import EXAMPLES
-from app.model import NEGLECTED, SMALLEST, Calculation, Maybe, ResponseModel, present
+from app.model import SMALLEST, Calculation, Maybe, ResponseModel, present
 from app.problems import KINDS, RESPONSES, TEXTS
 from app.record import root_path
-from app.registry import CALCULATIONS
+from app.registry import CALCULATIONS, NEGLECTED
 from app.sources import ISO_286
 from app.units import api_value, core_name, from_si, to_si
 from app.worked import api_name

@@ -29,17 +29,8 @@ from app.endpoint import (
 )
 from app.examples import REQUESTS
 from app.jobs import Job, Jobs, Stopped, TooLong
-from app.model import Calculation, Maybe, RequestModel, ResponseModel
-from app.problems import (
-    MAX_NAME,
-    RESPONSES,
-    Problem,
-    ProblemOut,
-    impossible,
-    problem_of,
-    refusal,
-    too_long,
-)
+from app.model import MAX_NAME, Calculation, Maybe, RequestModel, ResponseModel
+from app.problems import RESPONSES, Problem, ProblemOut, impossible, problem_of, refusal, too_long
 from app.processes import Tell, in_parts, in_process, wanted
 from app.record import Record, at_hand
 from app.registry import CALCULATIONS

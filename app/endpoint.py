@@ -21,15 +21,25 @@ from starlette.requests import ClientDisconnect
 from starlette.types import Receive, Scope, Send
 
 from app.middleware import PART_BYTES
-from app.model import Calculation, Export, Report, RequestModel, StudyCalculation, Values, untold
+from app.model import (
+    Calculation,
+    Export,
+    Report,
+    RequestModel,
+    Result,
+    StudyCalculation,
+    Values,
+    timed,
+    untold,
+)
 from app.problems import (
     REFUSED,
     RESPONSES,
     Problem,
-    calculated,
     named,
     problem_of,
     refusal,
+    refuse_for,
     unavailable,
     wrong_fields,
 )
@@ -38,7 +48,7 @@ from app.record import Record, at_hand
 from app.registry import CALCULATIONS, EXPORTS
 from app.settings import Settings
 from app.theme import Theme, with_words
-from core.errors import ImpossibleMechanism, InvalidInput
+from core.errors import CalculationError, ImpossibleMechanism, InvalidInput
 
 JSON = "application/json"
 LINES = "application/x-ndjson"
@@ -115,6 +125,19 @@ def route_of(calculation: Calculation, *, drawn: bool = False) -> type[APIRoute]
 def answered(calculation: Calculation, body: RequestModel, report: Report = untold) -> Values:
     """Values of the answer to a request; of a study with what is told how much of it is done."""
     return calculated(body, partial(calculation.answered, body, report))
+
+
+def calculated(body: RequestModel, calculation: Callable[[], Result]) -> Result:
+    """What is calculated of a request, whose record has how long it took; a refusal names the
+    request's fields.
+    """
+    try:
+        result, run_time_us = timed(calculation)
+    except CalculationError as error:
+        refuse_for(body, error)
+    if record := at_hand.get():
+        record.calculation_took(run_time_us)
+    return result
 
 
 def content_of(

@@ -1,8 +1,10 @@
 """What every request and answer shares: strictness, units, accuracy, warnings."""
 
 import math
+import re
+import time
 from abc import abstractmethod
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property, lru_cache
 from itertools import chain
@@ -45,9 +47,10 @@ from app.rules import (
 from app.settings import Settings
 from app.units import (
     Convert,
-    api_value,
+    api_params,
     core_name,
     from_si_converter,
+    register,
     shown_unit,
     to_si_converter,
 )
@@ -105,29 +108,24 @@ Whole = Annotated[int, BeforeValidator(_whole)]
 """A whole number, as 3 or as 3.0: other programs write it so."""
 
 
+MAX_NAME = 64
+"""Most letters of a name in a pointer; longer ones are cut."""
+
+
+def pointer(path: Iterable[str | int]) -> str:
+    """JSON pointer (RFC 6901) of a path; names that are too long are cut."""
+    return "".join(map(_token, path))
+
+
+def _token(part: str | int) -> str:
+    name = str(part)
+    cut = name if len(name) <= MAX_NAME else name[: MAX_NAME - 1] + "…"
+    return "/" + cut.replace("~", "~0").replace("/", "~1")
+
+
 UNION_TAGS: set[str] = set()
 """Names of the branches of a field's unions: pydantic puts them into the path of an error; they are
 no fields."""
-
-
-_API_NAMES: dict[str, str] = {}
-
-
-def _register(model: type[BaseModel]) -> None:
-    for name in model.model_fields:
-        _API_NAMES.setdefault(core_name(name), name)
-
-
-NAMING = ("field", "other")
-"""Parameters of a refusal or notice that are names of fields."""
-
-
-def api_params(params: dict[str, Any]) -> dict[str, Any]:
-    """Parameters of a core's refusal or notice with the API's names of fields, in its units."""
-    return dict(
-        (name, _API_NAMES.get(value, value)) if name in NAMING else api_value(name, value)
-        for name, value in params.items()
-    )
 
 
 def _complete_schema(schema: dict[str, Any]) -> None:
@@ -196,7 +194,7 @@ class RequestModel(BaseModel):
 
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:
-        _register(cls)
+        register(cls)
 
     @cached_property
     def core_paths(self) -> dict[str, tuple[str, ...]]:
@@ -204,6 +202,22 @@ class RequestModel(BaseModel):
         name alone and beneath those of the models that hold it, ``pin.diameter``.
         """
         return core_paths(self.shape)
+
+    def path_of(self, parameter: str) -> tuple[str | int, ...]:
+        """Path of the field of a core parameter, ``rollers[2].z_max`` included; empty where it has
+        none.
+        """
+        path = self.core_paths.get(parameter, ())
+        if path or "[" not in parameter:
+            return path
+        parts = re.findall(r"[^.\[\]]+", parameter)
+        own = [part for part in parts if not part.isdigit()]
+        path = self.core_paths.get(".".join(own), ())
+        if not path:
+            return path
+        above = len(path) - len(own)
+        names = iter(path[above:])
+        return (*path[:above], *(int(part) if part.isdigit() else next(names) for part in parts))
 
     @cached_property
     def shape(self) -> "Shape":
@@ -482,7 +496,7 @@ class ResponseModel(BaseModel):
 
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:
-        _register(cls)
+        register(cls)
 
     @classmethod
     def values(cls, result: Any, run_time_us: float | None = None, **given: Any) -> Values:
@@ -547,7 +561,7 @@ class Calculation:
     # A function of a module: the Plotly figure of a request and a theme.
     figure: Callable[[Any, Any], dict[str, Any]] | None = None
     sources: tuple[str, ...] = ()  # where its formulas come from
-    # What its model leaves out with all of its sections given, keys of `NEGLECTED`.
+    # What its model leaves out with all of its sections given, keys of `app.registry.NEGLECTED`.
     neglects: tuple[str, ...] = ()
     batched: bool = True  # whether batches take it
     # A function of a module: the worked steps of a request, as `app.worked` makes them.
@@ -616,34 +630,6 @@ class Export:
     media_types: tuple[str, ...]  # which kinds of files
 
 
-NEGLECTED = {
-    "bearing_elasticity": "play and elasticity of the bearings",
-    "bodies_rigid": "the deformation of discs, hole walls, carrier and crankshaft",
-    "body_strength": "the strength of teeth, discs, carrier and crankshaft",
-    "centrifugal_forces": "the centrifugal forces of satellites whose mass is not given",
-    "clearance": "clearance of pins and holes, and with it lost motion",
-    "contact_compliance": "the compliance of the contacts of spheres and holes",
-    "deviations": "deviations of the parts from their nominal shape and place",
-    "edge_pressure": "the higher pressure at the ends of the contact",
-    "elasticity": "the elasticity of the parts besides the contacts",
-    "equal_discs": "uneven sharing between the satellites",
-    "friction": "friction",
-    "friction_on_forces": "what friction changes about the forces themselves",
-    "heat": "heat, and what it changes",
-    "lubricant_film": "the lubricant's film: the friction coefficient is the same everywhere",
-    "misalignment": "misalignment, so that the load is even along the contact",
-    "fretting": "fretting at the pin's seat, unless the notch factor covers it",
-    "pin_bending": "the bending of the pins",
-    "roller_tilt": "the tilt of the rollers against the discs",
-    "seat_compliance": "the give of the pin's seats",
-    "seals": "losses of seals, bearings and teeth",
-    "shaft_bearings": "play and elasticity of the crankshaft's bearings",
-    "shear": "the shear of the shaft",
-    "tilt": "the tilt of satellites in their bearings, and of pins and holes by errors",
-}
-"""What models leave out, by code."""
-
-
 class _Plan(NamedTuple):
     """How an answer is made of a core result."""
 
@@ -697,6 +683,16 @@ class AccuracyOut(BaseModel):
     )
     evaluations: int = Field(description="Evaluations of the function behind the method.")
     run_time_us: float = Field(description="Run time of the calculation.")
+
+
+Result = TypeVar("Result")
+
+
+def timed(calculation: Callable[[], Result]) -> tuple[Result, float]:
+    """Result of a calculation and its run time, microseconds to a tenth."""
+    start = time.perf_counter_ns()
+    result = calculation()
+    return result, (time.perf_counter_ns() - start) // 100 / 10
 
 
 def accuracy_values(accuracy: Accuracy, run_time_us: float) -> Values:

@@ -1,12 +1,10 @@
-"""Errors as problem details (RFC 9457): one shape, one table from exception to status; and a
-calculation for a request, timed, its refusals in the request's own names.
+"""Errors as problem details (RFC 9457): one shape, one table from exception to status; and the
+refusals of a calculation in the names of its request.
 """
 
-import re
-import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass, field, fields, replace
-from typing import Annotated, Any, Self, TypeVar, cast
+from typing import Annotated, Any, NoReturn, Self, cast
 
 import orjson
 from fastapi import Request
@@ -17,11 +15,11 @@ from pydantic_core import ErrorDetails
 from starlette.exceptions import HTTPException
 
 from app.jobs import Busy, CannotRun, Stopped, TooLong
-from app.model import REPLACED, UNION_TAGS, Maybe, RequestModel, api_params, present
-from app.record import at_hand, root_path
-from app.units import api_value, from_si
-from core.codes import CODES, REFUSALS, WAS
-from core.errors import ImpossibleMechanism, InvalidInput, NotKnown
+from app.model import REPLACED, UNION_TAGS, Maybe, RequestModel, pointer, present
+from app.record import root_path
+from app.units import IN_MILLIMETRES, api_params, api_value, from_si, sentence
+from core.codes import REFUSALS, WAS
+from core.errors import CalculationError, ImpossibleMechanism, InvalidInput, NotKnown
 
 MEDIA_TYPE = "application/problem+json"
 
@@ -33,10 +31,6 @@ MAX_ERRORS = 50
 
 MAX_DESCRIBED = 1000
 """Most errors that pydantic is asked to describe, which costs more than to find them."""
-
-MAX_NAME = 64
-"""Most letters of a name in a pointer; longer ones are cut."""
-
 
 OF_REQUESTS = {
     "bool_type": "must be true or false",
@@ -92,16 +86,6 @@ OF_REQUESTS = {
     "with_rollers": "must be at most {limit}, with {rollers} rollers",
 }
 """What is wrong with a request before anything is calculated, in the form of `core.codes`."""
-
-IN_MILLIMETRES = {
-    "cannot_assemble": "Pins and holes press: pin {pin} and its hole of satellite {satellite} lack "
-    "{missing_length_mm:.4g} mm of room; holes of a radius of {needed_length_mm:.6g} mm would do",
-    "different_sum": "must have lengths that add up to {field} and {other}, "
-    "{needed_length_mm:.9g} mm, not {given_length_mm:.9g} mm",
-    "no_mechanism": "Holes of a radius of {given_length_mm:.6g} mm do not hold their pins, "
-    "which could pass from one into the next: it must be less than {limit_length_mm:.6g} mm",
-}
-"""What the core says with lengths, in the API's unit."""
 
 TEXTS = {code: each.text for code, each in REFUSALS.items()} | OF_REQUESTS | IN_MILLIMETRES
 """What is wrong, by code: the rest of a sentence that starts with the field; the page has its own
@@ -210,11 +194,6 @@ def wrong(pointer: str, code: str, **params: Any) -> FieldProblem:
     """What is wrong with the field at a pointer: a key of `TEXTS`, and what its text names."""
     detail = TEXTS[code].format(**params)
     return FieldProblem(pointer, code, params, detail, WAS["errors"].get(code))
-
-
-def sentence(code: str, params: dict[str, Any]) -> str:
-    """What a code of the core says, with the API's names."""
-    return (IN_MILLIMETRES.get(code) or CODES[code].text).format(**params)
 
 
 @dataclass(slots=True)
@@ -337,17 +316,6 @@ def unavailable(detail: str, retry_after_s: int = RETRY_AFTER_S) -> Problem:
     return Problem("unavailable", detail, headers=headers)
 
 
-def pointer(path: Iterable[str | int]) -> str:
-    """JSON pointer (RFC 6901) of a path; names that are too long are cut."""
-    return "".join(map(_token, path))
-
-
-def _token(part: str | int) -> str:
-    name = str(part)
-    cut = name if len(name) <= MAX_NAME else name[: MAX_NAME - 1] + "…"
-    return "/" + cut.replace("~", "~0").replace("/", "~1")
-
-
 def wrong_fields(error: ValidationError) -> Problem:
     """Problem of what pydantic found wrong with a request."""
     count = error.error_count()
@@ -423,8 +391,6 @@ async def refused(_: Request, error: Exception) -> Response:
     return problem_of(error).response()
 
 
-Result = TypeVar("Result")
-
 COMPARING = frozenset(
     {
         "at_most",
@@ -449,57 +415,22 @@ COMPARING = frozenset(
 """Refusals whose `limit` is a value of the refused field, in its unit."""
 
 
-def timed(calculation: Callable[[], Result]) -> tuple[Result, float]:
-    """Result of a calculation and its run time, microseconds to a tenth."""
-    start = time.perf_counter_ns()
-    result = calculation()
-    return result, (time.perf_counter_ns() - start) // 100 / 10
-
-
-def calculated(body: RequestModel, calculation: Callable[[], Result]) -> Result:
-    """What is calculated of a request, whose record has how long it took; a refusal names the
-    body's fields.
-    """
-    try:
-        result, run_time_us = timed(calculation)
-    except InvalidInput as error:
+def refuse_for(body: RequestModel, error: CalculationError) -> NoReturn:
+    """Refuse a request by what its calculation raised, in the names of the request's fields."""
+    if isinstance(error, InvalidInput):
         raise named(error, body) from error
-    except NotKnown as error:
-        if error.refusal is None:  # what a section needs is required of its request
-            raise
+    if isinstance(error, NotKnown) and error.refusal:
         raise named(error.refusal, body) from error
-    except ImpossibleMechanism as error:
-        if not error.parameter:
-            raise
-        place = pointer(path_of(body, error.parameter))
-        raise impossible(error, place) from error
-    if record := at_hand.get():
-        record.calculation_took(run_time_us)
-    return result
+    if isinstance(error, ImpossibleMechanism) and error.parameter:
+        raise impossible(error, pointer(body.path_of(error.parameter))) from error
+    raise error
 
 
 def named(error: InvalidInput, body: RequestModel) -> Problem:
     """A refusal of the core in the names of a request's fields."""
-    path = path_of(body, error.parameter)
+    path = body.path_of(error.parameter)
     params = api_params(error.params)
     if error.code in COMPARING:
         field = next((part for part in reversed(path) if isinstance(part, str)), "")
         params["limit"] = from_si(field, params["limit"])
     return refusal(pointer(path), error.code, **params)
-
-
-def path_of(body: RequestModel, parameter: str) -> tuple[str | int, ...]:
-    """Path of the field of a core parameter in a request, ``rollers[2].z_max`` included; empty
-    where it has none.
-    """
-    path = body.core_paths.get(parameter, ())
-    if path or "[" not in parameter:
-        return path
-    parts = re.findall(r"[^.\[\]]+", parameter)
-    own = [part for part in parts if not part.isdigit()]
-    path = body.core_paths.get(".".join(own), ())
-    if not path:
-        return path
-    above = len(path) - len(own)
-    names = iter(path[above:])
-    return (*path[:above], *(int(part) if part.isdigit() else next(names) for part in parts))

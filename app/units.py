@@ -1,4 +1,4 @@
-"""The one conversion between the units of the API and SI.
+"""The one conversion between the names and units of the API and those of the core, which are SI.
 
 A physical quantity's name in the API ends in its unit; the name without it is the core's.
 """
@@ -9,6 +9,9 @@ from functools import cache
 from typing import Any
 
 import numpy as np
+from pydantic import BaseModel
+
+from core.codes import CODES
 
 DEGREE = math.pi / 180
 
@@ -159,3 +162,40 @@ def api_value(name: str, value: float) -> tuple[str, float]:
     unit = QUANTITIES.get(name.rsplit("_", 1)[-1], "")
     field = f"{name}_{unit}".removesuffix("_")
     return field, from_si(field, value)
+
+
+_API_NAMES: dict[str, str] = {}
+
+
+def register(model: type[BaseModel]) -> None:
+    """Know the names of a model's fields by the core's."""
+    for name in model.model_fields:
+        _API_NAMES.setdefault(core_name(name), name)
+
+
+NAMING = ("field", "other")
+"""Parameters of a refusal or notice that are names of fields."""
+
+
+def api_params(params: dict[str, Any]) -> dict[str, Any]:
+    """Parameters of a core's refusal or notice with the API's names of fields, in its units."""
+    return dict(
+        (name, _API_NAMES.get(value, value)) if name in NAMING else api_value(name, value)
+        for name, value in params.items()
+    )
+
+
+IN_MILLIMETRES = {
+    "cannot_assemble": "Pins and holes press: pin {pin} and its hole of satellite {satellite} lack "
+    "{missing_length_mm:.4g} mm of room; holes of a radius of {needed_length_mm:.6g} mm would do",
+    "different_sum": "must have lengths that add up to {field} and {other}, "
+    "{needed_length_mm:.9g} mm, not {given_length_mm:.9g} mm",
+    "no_mechanism": "Holes of a radius of {given_length_mm:.6g} mm do not hold their pins, "
+    "which could pass from one into the next: it must be less than {limit_length_mm:.6g} mm",
+}
+"""What the core says with lengths, in the API's unit."""
+
+
+def sentence(code: str, params: dict[str, Any]) -> str:
+    """What a code of the core says, with the API's names."""
+    return (IN_MILLIMETRES.get(code) or CODES[code].text).format(**params)

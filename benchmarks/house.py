@@ -20,8 +20,10 @@ KINDS = (".py", ".js", ".mjs", ".css", ".html", ".md")
 LARGE = 500
 """Lines of code from which a file is named."""
 
-SMALLEST = {
-    "mechanism": {"pins": 6, "ratio": 20},
+MECHANISM = {"mechanism": {"pins": 6, "ratio": 20}}
+"""The smallest request of the whole reducer that is answered."""
+
+STRESSED = MECHANISM | {
     "load": {"output_torque_Nm": 200, "pin_circle_radius_mm": 40},
     "contact": {
         "contact_length_mm": 12,
@@ -30,7 +32,7 @@ SMALLEST = {
         "hole_clearance_mm": 0,
     },
 }
-"""A request for a design that says no more than it has to."""
+"""The smallest one whose contacts are judged."""
 
 
 def files(room: str) -> Iterator[Path]:
@@ -88,15 +90,15 @@ def widest_union() -> tuple[int, str]:
     return widest
 
 
-def entered() -> tuple[int, int]:
-    """Files and functions of this project that the smallest request enters, once all is loaded."""
+def entered(request: dict[str, Any]) -> tuple[int, int]:
+    """Files and functions of this project that a request enters, once all is loaded."""
     from pydantic import TypeAdapter
 
     from app.endpoint import answered, encoded, read_body
     from app.registry import CALCULATIONS
     from app.settings import Settings
 
-    calculation, sent = CALCULATIONS["crank-planetary"], json.dumps(SMALLEST).encode()
+    calculation, sent = CALCULATIONS["crank-planetary"], json.dumps(request).encode()
     settings = Settings()  # which the service reads once
     assert TypeAdapter(calculation.request).validate_json(sent)
 
@@ -156,9 +158,11 @@ def main() -> None:
         print(f"| {room} | {sum(map(lines, files(room))):,} |")
     asked, said = optionals()
     width, place = widest_union()
-    many, functions = entered()
     number, twice = codes()
-    print(f"\nfiles entered by the smallest request: {many}, functions: {functions}")
+    print()
+    for name, request in {"of a mechanism": MECHANISM, "of its stress": STRESSED}.items():
+        many, functions = entered(request)
+        print(f"files entered by the smallest request {name}: {many}, functions: {functions}")
     print(f"`is None` in core and app: {asked}, `| None`: {said}")
     print(f"types in the widest union of a result: {width} ({place})")
     print(f"codes of refusals, notices, reasons, checks: {number}, in two tables: {twice}")

@@ -34,7 +34,8 @@ from core.output.elasticity import (
 from core.output.loop_rows import FORCE
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
-from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_mechanism import RealMechanism
+from core.output.room import Deviations
 from core.output.turn import Turn
 from tests.inputs.real_mechanisms import STEEL
 

@@ -22,7 +22,8 @@ from core.output.compiled import load
 from core.output.elasticity import LinearLaw, PowerLaw
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
-from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_mechanism import RealMechanism
+from core.output.room import Deviations
 from core.precision import CLASSES
 from tests.inputs.real_mechanisms import STEEL
 from tests.oracles.turns import Made, largest

@@ -47,10 +47,6 @@ SHEAR_RATIO = SHEAR_DEPTH * (1 - SHEAR_DEPTH**2)
 HERTZ_TOLERANCE = 0.01
 """Excess of the conformal pressure over Hertz's from which it is given beside it, and governs."""
 
-NARROW_LOAD = 785.0
-"""Load parameter ``E* dR/Q`` above which it is less for any two materials: that of Dundurs'
-constants -1 and -1/2, rounded up. Wider contacts have a smaller one."""
-
 HALF_WIDTH_RATIO_LIMIT = 0.159
 """Half-width over pin radius at which Hertz is off by `HERTZ_TOLERANCE` (identical materials)."""
 
@@ -222,7 +218,7 @@ def hertz(
 
     wide = _NARROW | {"governing": max_pressure}
     method, evaluations = "closed_form", 1
-    if some(line_load * NARROW_LOAD > modulus * difference):
+    if some(line_load * narrow_load(constants[1]) > modulus * difference):
         wide, method, evaluations = _conformal(
             line_load, pin_radius, hole_radius, modulus, constants, hole_material.poissons_ratio
         )
@@ -250,6 +246,25 @@ def hertz(
             evaluations=evaluations,
         ),
     )
+
+
+def narrow_load(beta: Number) -> Number:
+    """Load parameter ``E* dR/Q`` above which the conformal pressure is within `HERTZ_TOLERANCE` of
+    Hertz's: wider contacts have a smaller one.
+
+    Parameters
+    ----------
+    beta : float or array
+        Dundurs' beta.
+
+    Returns
+    -------
+    float or array
+        A bound for any alpha, by a line over the root of what is needed, which for alpha = 1 and
+        beta = 0 is 57.9, for -1 and -1/2 777.4.
+    """
+    root = 7.65 - 41.0 * smaller(beta, 0.0)
+    return root * root
 
 
 def _max_pressure(line_load: Number, reduced_radius: Number, modulus: Number) -> Number:
@@ -284,7 +299,7 @@ def _conformal(
     alpha, beta = constants
     difference = hole_radius - pin_radius
     max_pressure = _max_pressure(line_load, hole_radius / difference * pin_radius, modulus)
-    narrowest = modulus * difference / NARROW_LOAD
+    narrowest = modulus * difference / narrow_load(beta)
     near = line_load > narrowest
     load = where(near, line_load, narrowest)
     parameter = modulus * (difference / load)

@@ -20,7 +20,8 @@ from app.units import from_si, to_si
 from core.design.ring import CycloidRing
 from core.errors import InvalidInput
 from core.output.elasticity import RingInSeries, SatelliteSupport
-from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_mechanism import RealMechanism
+from core.output.room import Deviations
 from core.ring.series import MeshesInSeries, SeriesPosition
 from core.ring.sharing import CycloidMesh, RingDeviations
 

@@ -15,15 +15,15 @@ from app.model import (
     Shape,
     Size,
     Values,
-    api_params,
     core_paths,
     given_paths,
+    pointer,
     present,
     quantity,
     result,
 )
-from app.problems import named, path_of, pointer, sentence
-from app.units import from_si, shown_unit
+from app.problems import named
+from app.units import api_params, from_si, sentence, shown_unit
 from core.checks.check import (
     STATUSES,
     Check,
@@ -386,7 +386,7 @@ def check_values(check: Check, body: RequestModel, inputs: list[str]) -> Values:
         "life_factor": check.life_factor,
         "at": at or None,
         "inputs": inputs,
-        "missing": [pointer(path) for name in check.missing if (path := path_of(body, name))]
+        "missing": [pointer(path) for name in check.missing if (path := body.path_of(name))]
         or None,
     }
     return _kind_values(check.code) | present(values)
@@ -428,7 +428,7 @@ def _short(value: float) -> float:
 def _of_size(fix: Fix, body: RequestModel) -> tuple[tuple[str | int, ...], Values]:
     """Where a fix of a size is in a request, and its values with all that it sets there."""
     paths = [
-        path for each in SETS.get(fix.variable, (fix.variable,)) if (path := path_of(body, each))
+        path for each in SETS.get(fix.variable, (fix.variable,)) if (path := body.path_of(each))
     ]
     path = paths[0]
     typed = _typed(body)
@@ -535,7 +535,7 @@ def judgement(
 
 def part_values(found: PartVerdict, body: RequestModel) -> Values:
     """Values of what a part comes to."""
-    paths = [path for name in found.missing if (path := path_of(body, name))]
+    paths = [path for name in found.missing if (path := body.path_of(name))]
     values: Values = {
         "code": found.code,
         "title": PARTS[found.code].title,

@@ -21,8 +21,8 @@ from app.model import (
     Whole,
     quantity,
     result,
+    timed,
 )
-from app.problems import timed
 from app.rules import Forms
 from app.settings import Settings
 from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018, ZYL

@@ -17,8 +17,8 @@ from app.model import (
     WorkedResponse,
     quantity,
     result,
+    timed,
 )
-from app.problems import timed
 from app.sources import KHATETOVSKY_2020
 from app.theme import INK, Amount, Figure, Theme, axis, curve, layout, series_style, text
 from app.worked import worked

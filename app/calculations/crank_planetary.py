@@ -51,8 +51,8 @@ from app.calculations.satellite_bearing import SatelliteBearingResponse
 from app.calculations.shares_answer import SharesOut, shares_warnings
 from app.calculations.solved import Solved
 from app.calculations.usual_fit_answer import UsualFitOut, UsualModificationOut
-from app.model import Calculation, Values, notices_of, present, warning
-from app.problems import refusal, timed
+from app.model import Calculation, Values, notices_of, present, timed, warning
+from app.problems import refusal
 from app.sources import (
     ARCHARD_1953,
     HARRIS,
@@ -500,8 +500,8 @@ def solve(body: CrankPlanetaryRequest) -> Values:
     asked, results = body.sections, body.results
     sections = present({name: answer(body) for name, answer in ANSWERS.items() if name in asked})
     warnings = [warning(each) for each in _notices(body)]
-    if fit := if_known(lambda: results.fit):
-        sections["fit"] = FitOut.values(fit)
+    if rooms := if_known(lambda: results.rooms):
+        sections["fit"] = FitOut.values(rooms)
     judged = _judged(body)
     if results.uneven and (shares := disc_shares(results=results, found=body.verdict)):
         sections["shares"] = SharesOut.of(shares)

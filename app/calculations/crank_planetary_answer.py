@@ -66,7 +66,8 @@ class ColdYieldOut(ResponseModel):
     """When a plastic contact yields at once. Below that nothing says that it lasts."""
 
     torque_Nm: float = result(
-        "Torque above which the plastic yields at once, cold: the first time it acts, at 23 °C."
+        "Torque above which the plastic of pins or holes yields at once, cold: the first time it "
+        "acts, at 23 °C. Teeth may do so before, see `open`."
     )
     quarter_Nm: float = result("A quarter of it, at which the stress is half of the strength.")
     strength_MPa: float = result("Strength that this is by, in the direction that is loaded.")

@@ -16,8 +16,8 @@ from app.model import (
     Values,
     WarningOut,
     result,
+    timed,
 )
-from app.problems import timed
 from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si

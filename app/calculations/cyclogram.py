@@ -15,8 +15,8 @@ from app.model import (
     WorkedFields,
     quantity,
     result,
+    timed,
 )
-from app.problems import timed
 from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018
 from app.theme import IDEAL, INK, Amount, Figure, Theme, axis, hover, layout, series_style, text
 from app.units import UNITS

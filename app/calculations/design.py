@@ -61,7 +61,7 @@ from core.output.elasticity import (
     Shares,
 )
 from core.output.mechanism import Mechanism, PinFit, pin_fit
-from core.output.real_mechanism import Deviations
+from core.output.room import Deviations
 from core.output.sampled_turn import Direction
 from core.precision import SAME
 from core.results import Notice

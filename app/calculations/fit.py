@@ -31,9 +31,9 @@ from app.model import (
     Values,
     accuracy_values,
     quantity,
+    timed,
     warning,
 )
-from app.problems import timed
 from app.settings import Settings
 from app.sources import JOHNSON_1985
 from app.theme import INK, Amount, Figure, Text, Theme, axis, curve, layout, marker, text
@@ -42,9 +42,10 @@ from app.worked import stated
 from core.arrays import FloatArray
 from core.errors import InvalidInput
 from core.output.elasticity import RIGID_SUPPORT
-from core.output.fit import POSITIONS, Fit
+from core.output.fit import Fit
 from core.output.mechanism import SLIPPED, Mechanism, slip_notices
 from core.output.real_mechanism import RealMechanism
+from core.output.room import POSITIONS, Rooms
 from core.precision import ROUNDING
 from core.results import Accuracy, Notice
 
@@ -119,67 +120,69 @@ class FitRequest(RequestModel, group="positions"):
         """The pins in their holes, in SI units; bearings that give do so in first order."""
         given = self.crank_support
         support = RIGID_SUPPORT if given is None else given.section()
-        return Fit(
-            RealMechanism(
-                mechanism=self.built,
-                pin_circle_radius=to_si("radius_mm", self.load.pin_circle_radius_mm),
-                **self.contact.sizes(),
-                law=law_by_materials(self.contact),
-                deviations=self.deviations.section(),
-                exact=not support.first_order,
-                support=support,
-            )
+        real = RealMechanism(
+            mechanism=self.built,
+            pin_circle_radius=to_si("radius_mm", self.load.pin_circle_radius_mm),
+            **self.contact.sizes(),
+            law=law_by_materials(self.contact),
+            deviations=self.deviations.section(),
+            exact=not support.first_order,
+            support=support,
         )
+        return Fit(real.rooms, real)
 
-    def fit_to_draw(self) -> Fit:
-        """The same, of holes that hold their pins."""
-        fit = self.fit()
-        fit.refuse_without_bound()
-        return fit
+    def rooms_to_draw(self) -> Rooms:
+        """Their geometry, of holes that hold their pins."""
+        rooms = self.fit().rooms
+        rooms.refuse_without_bound()
+        return rooms
 
     def solve_all(self) -> tuple[Values, Accuracy, tuple[Notice, ...]]:
         """What is asked for, its accuracy, and what is to be known of it."""
-        fit = self.fit()
-        members = self.mechanism.members
-        values: Values = {"fit": at_output(WholeFitOut.values(fit), members)}
-        asked = {*self.include} if fit.state != "no_bound" else {}
+        fit, members = self.fit(), self.mechanism.members
+        rooms = fit.rooms
+        values: Values = {"fit": at_output(WholeFitOut.values(rooms), members)}
+        bound = rooms.state != "no_bound"
+        if bound and fit.misfit:
+            values["fit"]["misfit"] = fit.misfit
+        asked = {*self.include} if bound else {}
         if "discs" in asked:
-            values["fit"]["discs"] = [*map(DiscOut.values, fit.rooms.discs())]
+            values["fit"]["discs"] = [*map(DiscOut.values, rooms.discs())]
         if "elastic" in asked and (elastic := ElasticOut.values(fit.elastic)):
             values["fit"]["elastic"] = elastic
         if "positions" in asked:
             angles = np.array(to_si("crank_angle_deg", self.crank_angle_deg))
-            values["positions"] = FitPositionOut.all_values(fit.rooms, members, angles)
-        notices = fit_notices(self.contact, self.load.pin_circle_radius_mm, fit)
-        return values, room_accuracy(fit), notices
+            values["positions"] = FitPositionOut.all_values(rooms, members, angles)
+        notices = fit_notices(self.contact, self.load.pin_circle_radius_mm, rooms)
+        return values, room_accuracy(rooms), notices
 
 
 def fit_notices(
-    contact: PinContactFields, pin_circle_radius_mm: float, fit: Fit
+    contact: PinContactFields, pin_circle_radius_mm: float, rooms: Rooms
 ) -> tuple[Notice, ...]:
     """What of the sizes looks like a slip, and satellites that are put on by other holes."""
     sizes = contact.sizes_on(pin_circle_radius_mm)
     slips = slip_notices(**{name: sizes[name] for name in SLIPPED})
-    return (*slips, *((Notice("next_hole"),) if any(fit.real.numbered[1]) else ()))
+    return (*slips, *((Notice("next_hole"),) if any(rooms.numbered[1]) else ()))
 
 
-def room_accuracy(fit: Fit) -> Accuracy:
+def room_accuracy(rooms: Rooms) -> Accuracy:
     """Accuracy of the least room: relative to itself, at most 1."""
-    if fit.state == "no_bound":
+    if rooms.state == "no_bound":
         return Accuracy("closed_form", ROUNDING, 1)
-    if fit.rooms.even:
+    if rooms.even:
         return Accuracy("closed_form", 4 * ROUNDING, 1)
-    error, least = fit.room.error, abs(fit.room.least)
+    error, least = rooms.room.error, abs(rooms.room.least)
     return Accuracy("arcs_zoomed", error / least if error < least else 1.0, POSITIONS)
 
 
-def fit_figure(fit: Fit, theme: Theme) -> Figure:
+def fit_figure(rooms: Rooms, theme: Theme) -> Figure:
     """Room over a turn of the wave, in all and of each satellite by itself, with its least place;
     shaded where the parts jam.
 
     Parameters
     ----------
-    fit : Fit
+    rooms : Rooms
         Pins in their holes, which hold them.
     theme : {"light", "dark"}
         Look of the figure.
@@ -189,7 +192,7 @@ def fit_figure(fit: Fit, theme: Theme) -> Figure:
     dict
         ``{data, layout}``.
     """
-    rooms, mechanism, room = fit.rooms, fit.real.mechanism, fit.room
+    mechanism, room = rooms.mechanism, rooms.room
     end = mechanism.crank_angle_per_wave
     blocked = rooms.blocked() if room.state == "binds_in_turning" else ()
     edges = np.array([each % end for ends in blocked for each in ends])
@@ -262,8 +265,7 @@ def solve(body: FitRequest) -> Values:
 def figure(body: FitRequest, theme: Theme = "light") -> Figure:
     """Room over the crank angle, its least place, and where the parts jam, for Plotly.js."""
     body.mechanism.refuse_undrawable()
-    fit = body.fit_to_draw()
-    return fit_figure(fit, theme)
+    return fit_figure(body.rooms_to_draw(), theme)
 
 
 CALCULATION = Calculation(

@@ -15,8 +15,8 @@ from app.model import (
 )
 from app.units import from_si
 from core.arrays import FloatArray
-from core.output.fit import Fit, Rooms
 from core.output.mechanism import Members
+from core.output.room import Rooms
 
 ALL_ROUND = math.pi
 """Lag to either side at which a pin is whose hole does not bound it, rad."""
@@ -59,9 +59,9 @@ class FitOut(ResponseModel):
     )
 
     @classmethod
-    def values(cls, result: Fit, run_time_us: float | None = None, **given: Any) -> Values:
+    def values(cls, result: Rooms, run_time_us: float | None = None, **given: Any) -> Values:
         """Values of a fit."""
-        room, holes = result.room, result.real.numbered[1]
+        room, holes = result.room, result.numbered[1]
         found: dict[str, Any] = {"state": result.state}
         if any(holes):
             found["renumbered"] = [*holes]
@@ -78,7 +78,7 @@ class FitOut(ResponseModel):
         if room.state != "fits":
             found["needed_hole_radius_mm"] = from_si("radius_mm", result.needed_hole_radius)
         if room.state == "binds_in_turning":
-            blocked = [[*ends] for ends in result.rooms.blocked()]
+            blocked = [[*ends] for ends in result.blocked()]
             found["blocked_crank_deg"] = from_si("angle_deg", blocked)
         return found
 
@@ -145,24 +145,22 @@ class WholeFitOut(FitOut):
     elastic: Maybe[ElasticOut] = result("What elasticity takes up, where asked.")
 
     @classmethod
-    def values(cls, result: Fit, run_time_us: float | None = None, **given: Any) -> Values:
+    def values(cls, result: Rooms, run_time_us: float | None = None, **given: Any) -> Values:
         """Values of a fit."""
-        found, rooms = super().values(result), result.rooms
+        found = super().values(result)
         if result.state == "no_bound":
             limit = from_si("radius_mm", result.largest_hole_radius)
             return found | {"largest_hole_radius_mm": limit}
-        found["greatest_room_mm"] = from_si("greatest_room_mm", rooms.greatest())
-        found["room_error_mm"] = from_si("room_error_mm", rooms.error)
-        play = rooms.play()
+        found["greatest_room_mm"] = from_si("greatest_room_mm", result.greatest())
+        found["room_error_mm"] = from_si("room_error_mm", result.error)
+        play = result.play()
         for name in ("least", "greatest"):
             if math.isfinite(angle := getattr(play, name)):
                 found[f"{name}_room_arcmin"] = from_si("room_arcmin", angle)
                 found["angle_error_arcmin"] = from_si("error_arcmin", play.error)
         if blocked := found.get("blocked_crank_deg"):
-            turn = from_si("angle_deg", result.real.mechanism.crank_angle_per_wave)
+            turn = from_si("angle_deg", result.mechanism.crank_angle_per_wave)
             found["blocked_share"] = math.fsum(end - start for start, end in blocked) / turn
-        if result.misfit:
-            found["misfit"] = result.misfit
         return found
 
 

@@ -33,9 +33,9 @@ from app.model import (
     quantity,
     request_schema,
     result,
+    timed,
     warning,
 )
-from app.problems import timed
 from app.rules import field_error
 from app.sources import JOHNSON_1985, PERSSON_1964, YANCHEVSKY_2018
 from app.theme import INK, Amount, Figure, Theme, axis, curve, hover, layout, text

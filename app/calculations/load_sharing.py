@@ -28,8 +28,7 @@ from app.calculations.load_sharing_figure import Drawn, load_sharing_figure
 from app.calculations.members_answer import at_output
 from app.calculations.real_design import LEFT_OUT
 from app.calculations.solved import Solved
-from app.model import LARGEST, Angle, Calculation, Maybe, Values, quantity
-from app.problems import timed
+from app.model import LARGEST, Angle, Calculation, Maybe, Values, quantity, timed
 from app.settings import Settings
 from app.sources import HARRIS, JOHNSON_1985, YANCHEVSKIY_2021
 from app.theme import Figure, Theme
@@ -157,15 +156,15 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
         """What is asked for."""
         real = self.real()
         fit = solvable(real, in_series=self.in_series)
-        notices = fit_notices(self.contact, self.load.pin_circle_radius_mm, fit)
+        notices = fit_notices(self.contact, self.load.pin_circle_radius_mm, fit.rooms)
         asked, solved = {*self.include} - {"worked"} or {"positions"}, Solved()
         solved.notices |= {each.code: each for each in notices}
         try:
             self.solve_sections(real, asked, solved)
         except ImpossibleMechanism as refusal:
-            misfit = fit.room.least < 0 and not self.in_series
+            misfit = fit.rooms.room.least < 0 and not self.in_series
             raise (fit.refusal() if misfit else refusal) from refusal
-        solved.values["fit"] = FitOut.values(fit)
+        solved.values["fit"] = FitOut.values(fit.rooms)
         return solved
 
     def solve_sections(self, real: RealMechanism, asked: set[Section], solved: Solved) -> None:

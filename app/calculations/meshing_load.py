@@ -18,8 +18,8 @@ from app.model import (
     no_dust,
     quantity,
     result,
+    timed,
 )
-from app.problems import timed
 from app.sources import KHATETOVSKY_2020
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si, to_si

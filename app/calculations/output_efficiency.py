@@ -29,8 +29,8 @@ from app.model import (
     WarningOut,
     no_dust,
     quantity,
+    timed,
 )
-from app.problems import timed
 from app.rules import Forms
 from app.sources import ARCHARD_1953, WANG_2016, YANCHEVSKIY_2021
 from app.theme import (

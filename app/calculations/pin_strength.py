@@ -25,8 +25,8 @@ from app.model import (
     Values,
     WarningOut,
     result,
+    timed,
 )
-from app.problems import timed
 from app.rules import Rule, field_error
 from app.sources import SHIGLEY, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text

@@ -22,7 +22,8 @@ from app.units import to_si
 from core.errors import InvalidInput
 from core.output.elasticity import RIGID_PINS, PinSupport
 from core.output.mechanism import Mechanism, Members
-from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_mechanism import RealMechanism
+from core.output.room import Deviations
 
 TIMES_AS_LONG, TIED_AS_LONG = 4, 10
 """How many times as long a position takes whose satellites give, or whose pins a tie ring joins."""

@@ -33,8 +33,18 @@ from app.calculations.ring_parts import (
     RingTeethFields,
 )
 from app.calculations.solved import Solved
-from app.model import UNION_TAGS, Angle, Calculation, Maybe, RequestModel, Size, Values, quantity
-from app.problems import refusal, timed
+from app.model import (
+    UNION_TAGS,
+    Angle,
+    Calculation,
+    Maybe,
+    RequestModel,
+    Size,
+    Values,
+    quantity,
+    timed,
+)
+from app.problems import refusal
 from app.rules import field_error
 from app.settings import Settings
 from app.sources import ISO_6336, JOHNSON_1985

@@ -27,9 +27,9 @@ from app.model import (
     notices_of,
     quantity,
     result,
+    timed,
     warning,
 )
-from app.problems import timed
 from app.rules import Forms, field_error
 from app.sources import OVSYANNIKOV_2019, SHIGLEY
 from app.theme import (

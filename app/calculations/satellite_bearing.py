@@ -31,8 +31,8 @@ from app.model import (
     WorkedFields,
     quantity,
     result,
+    timed,
 )
-from app.problems import timed
 from app.rules import Rule, field_error
 from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
@@ -79,7 +79,8 @@ class BearingFields(ShaftBearingFields, group="bearing"):
     ring_factor: float = quantity("Factor of the rings", "V", default=1.0, step=0.1, ge=0.1, le=10)
     """Of the equivalent load: 1.2 is usual where the outer ring turns against the load."""
     weibull_slope: Maybe[float] = quantity("Weibull slope", "β", step=0.1, ge=0.1, le=10)
-    """Slope of the distribution of lives, for the life of all bearings together."""
+    """Slope of the distribution of lives, for the life of all satellites' bearings together; those
+    of the crankshaft are not in it."""
 
     def section(self, _: Any) -> RollingBearing:
         """The bearing in SI units."""

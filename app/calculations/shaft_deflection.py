@@ -28,9 +28,9 @@ from app.model import (
     notices_of,
     quantity,
     result,
+    timed,
     warning,
 )
-from app.problems import timed
 from app.rules import Forms
 from app.sources import JOHNSON_1985, KHATETOVSKY_2020, SHIGLEY
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line

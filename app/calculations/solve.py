@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator
 from copy import deepcopy
-from functools import cached_property, partial
+from functools import cached_property
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, TypeAdapter, ValidationError
@@ -28,9 +28,18 @@ from app.model import (
     accuracy_values,
     present,
     result,
+    timed,
 )
 from app.pointers import holder, inner, keys, with_values
-from app.problems import Problem, calculated, named, refusal, timed, wrong_fields
+from app.problems import (
+    FieldProblem,
+    Problem,
+    named,
+    problem_of,
+    refusal,
+    refuse_for,
+    wrong_fields,
+)
 from app.rules import Forms
 from app.settings import Settings
 from app.worked import stated
@@ -182,8 +191,10 @@ class SolveRequest(WorkedFields):
         except InvalidInput as error:
             raise _refused(named(error, asked)) from error
 
-    def solve(self) -> tuple[Solution, dict[str, float], list[str]]:
-        """The solution, what it sets, and which inputs were linked."""
+    def solve(self) -> tuple[Solution, dict[str, float], list[str], list[FieldProblem]]:
+        """The solution, what it sets, which inputs were linked, and why the input is refused beyond
+        its edge, where it is.
+        """
         calculation, adapter = SOLVED[self.calculation], self.adapter
         long = math.isinf(self.asked.cost())
         parts = keys(self.variable.pointer)
@@ -205,18 +216,21 @@ class SolveRequest(WorkedFields):
             return with_values(self.design, setting(value))
 
         results: list[float] = []
-        refusals: list[Exception] = []
+        refusals: dict[float, Exception] = {}
 
         def answer(value: float) -> float:
             try:
                 asked = adapter.validate_python(changed(value))
-                values = calculated(asked, partial(calculation.solve, asked))
+                values = _values(calculation, asked)
             except (Problem, CalculationError, ValidationError) as error:
                 if isinstance(error, Problem) and _is_of_a_list(error):
                     raise _refused(error) from error
-                refusals.append(error)
+                refusals[value] = error
                 return math.nan
-            results.append(_at(values, target))
+            found = _at(values, target)
+            if found is not None and not _is_number(found):
+                raise refusal("/target/pointer", "not_there", field="answer")
+            results.append(math.nan if found is None else float(found))
             return results[-1]
 
         between = math.floor(self.variable.low) + 0.5
@@ -241,11 +255,32 @@ class SolveRequest(WorkedFields):
             params = error.params | ({"field": "from"} if error.code == "larger_than" else {})
             raise refusal(f"/variable/{name}", error.code, **params) from error
         if not results:
-            raise _refused(refusals[0])
+            raise _refused(next(iter(refusals.values())))
         if all(map(math.isnan, results)):
             raise refusal("/target/pointer", "not_there", field="answer")
         sets = {} if found.value is None else setting(found.value)
-        return found, sets, linked
+        outside = _outside(found, self.want)
+        refused = []
+        if outside in refusals:
+            refused = problem_of(_refused(refusals[outside])).errors
+        return found, sets, linked, refused
+
+
+def _outside(found: Solution, want: Want) -> float | None:
+    """The input next to the edge that does not meet the target."""
+    if found.value is None or found.status == "always":
+        return None
+    if found.bracket is not None:
+        return next(end for end in found.bracket if end != found.value)
+    return found.value + (1 if want == "largest" else -1)
+
+
+def _values(calculation: Calculation, asked: RequestModel) -> Values:
+    """Values of an answer; a refusal names the fields of what was asked."""
+    try:
+        return calculation.solve(asked)
+    except CalculationError as error:
+        refuse_for(asked, error)
 
 
 def _wrong(adapter: TypeAdapter[RequestModel], changed: dict[str, Any]) -> set[str]:
@@ -274,12 +309,12 @@ def _is_number(value: Any) -> bool:
     return isinstance(value, (int, float)) and not isinstance(value, bool)
 
 
-def _at(answer: Values, target: list[str]) -> float:
-    """Number at a pointer of an answer; NaN where there is none."""
+def _at(answer: Values, target: list[str]) -> Any:
+    """What stands at a pointer of an answer; None where nothing does."""
     found: Any = answer
     for part in target:
         found = inner(found, part)
-    return float(found) if _is_number(found) else math.nan
+    return found
 
 
 class BestOut(ResponseModel):
@@ -301,6 +336,10 @@ class SolveResponse(WorkedResponse):
         description="All that it sets, by JSON pointer into `input`."
     )
     bracket: Maybe[tuple[float, float]] = result("The neighbours that the edge lies between.")
+    refused: Maybe[list[FieldProblem]] = Field(
+        description="Why the input is refused beyond that edge, where it is: the target may be met "
+        "there."
+    )
     intervals: list[tuple[float, float]] = result("Stretches that meet the target.")
     best: Maybe[BestOut] = None
     monotone: bool = result("Whether the result only grows or only falls, as sampled.")
@@ -316,13 +355,14 @@ class SolveResponse(WorkedResponse):
 
 def solve(body: SolveRequest) -> Values:
     """The smallest or largest value of an input with which a result is what is wanted."""
-    (found, sets, linked), run_time_us = timed(body.solve)
+    (found, sets, linked, refused), run_time_us = timed(body.solve)
     accuracy = Accuracy("bracketing", TOLERANCE, found.evaluations)
     values: Values = {
         "status": found.status,
         "value": found.value,
         "sets": sets or None,
         "bracket": found.bracket,
+        "refused": [each.body() for each in refused] or None,
         "intervals": found.intervals,
         "best": found.best and {"value": found.best[0], "target": found.best[1]},
         "monotone": found.monotone,

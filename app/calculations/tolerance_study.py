@@ -33,10 +33,11 @@ from app.model import (
     Whole,
     accuracy_values,
     quantity,
+    timed,
     untold,
     warning,
 )
-from app.problems import refusal, timed, unavailable
+from app.problems import refusal, unavailable
 from app.rules import Rule, field_error
 from app.settings import Settings, current
 from app.sources import ISO_286, JANSEN_1999, YANCHEVSKIY_2021
@@ -45,7 +46,8 @@ from app.units import core_name, from_si, to_si
 from app.worked import stated
 from core.arrays import FloatArray
 from core.errors import InvalidInput
-from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_mechanism import RealMechanism
+from core.output.room import Deviations
 from core.results import Accuracy, Notice
 from core.ring.series_study import FINER, SeriesStudy
 from core.tolerance.contributions import MOST_FIT, contributions

@@ -286,7 +286,7 @@ class FitStudy(Study):
 
     def solve(self) -> WorkPrecision:
         """The study."""
-        return least_room_study(rooms=self.input.fit_to_draw().rooms)
+        return least_room_study(rooms=self.input.rooms_to_draw())
 
 
 class ToleranceSamplingStudy(Study):

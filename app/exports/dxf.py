@@ -11,8 +11,8 @@ from pydantic import Field, model_validator
 from app import VERSION
 from app.calculations.crank_planetary_request import CrankPlanetaryRequest
 from app.calculations.mechanism import MAX_SATELLITES
-from app.model import Export, File, RequestModel, quantity
-from app.problems import Problem, calculated, path_of, pointer, refusal
+from app.model import Export, File, RequestModel, pointer, quantity
+from app.problems import Problem, refusal
 from app.rules import field_error
 from app.settings import Settings
 from app.units import from_si, to_si
@@ -263,10 +263,10 @@ def write(body: DxfRequest) -> File:
     their own centres.
     """
     try:
-        parts = calculated(body, body.drawn)
+        parts = body.drawn()
     except NotKnown as error:
         missing = error.missing[0] if error.missing else "gear"
-        raise refusal(pointer(path_of(body, missing)), "needed_to_draw") from error
+        raise refusal(pointer(body.path_of(missing)), "needed_to_draw") from error
     files = {part.said["part"]: _file(part) for part in parts}
     if len(files) == 1:
         ((name, content),) = files.items()

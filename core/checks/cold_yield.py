@@ -1,4 +1,6 @@
-"""The torque at which a plastic contact yields at once: all that is known of what may not last."""
+"""The torque at which a plastic contact of pins and holes yields at once: all that is known of what
+may not last.
+"""
 
 from dataclasses import dataclass
 
@@ -18,7 +20,9 @@ LASTING = 0.25
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ColdYield:
-    """When the weaker plastic body of a contact yields at once, of those with a known strength."""
+    """When the weaker plastic body of the contact of pins and holes yields at once, of those with a
+    known strength; its teeth may do so before.
+    """
 
     torque: float  # above which it does, N*m; the peak torque is as many times as large as it is
     body: Body  # which
@@ -79,10 +83,12 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
     worn = checks.get("wear")
     known = worn is not None and (worn.value is not None or worn.status == "not_applicable")
     wears = () if known else ("wear",)
+    teeth = (each.code for each in found.checks if each.reason == "plastic_limit_unknown"
+             and each.kind.part == "teeth")  # fmt: skip
     return ColdYield(
         torque=abs(design.load.output_torque) * factor,
         body=body,
         strength=strength,
         friction=friction,
-        open=(*unknown, *wears),
+        open=(*unknown, *wears, *teeth),
     )

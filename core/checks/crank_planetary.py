@@ -276,6 +276,9 @@ logarithm of one is that needs no look."""
 STEEPEST = 3.0
 """Most that a reserve changes with the torque, as a slope of logarithms, and 1 over the least."""
 
+CURES_NOTHING = 0.01
+"""Slope of them below which less torque cures nothing: of parts that press without any."""
+
 
 def crank_verdict(results: Results, *, every: bool = False) -> Verdict:
     """All checks of a crank-planetary reducer, judged under the torque and under others.
@@ -296,7 +299,8 @@ def crank_verdict(results: Results, *, every: bool = False) -> Verdict:
         times the torque, and the least reserve is that of the torque at which the first one fails;
         the others are by secants of what was looked at. Where no such torque is found, as forces
         cannot be solved or jump with it, the reserves stay estimates, and the largest torque looked
-        at under which all checks hold is given.
+        at under which all checks hold is given. Of a mechanism that cannot be no other torque is
+        looked at: no torque cures it.
 
     Notes
     -----
@@ -306,8 +310,10 @@ def crank_verdict(results: Results, *, every: bool = False) -> Verdict:
     if two_ways(results):
         surer = [judged_check(check.code, results) for check in found.checks]
         return of_parts(design=design, checks=surer)
-    if design.clearance_unknown or not any(
-        check.rough and check.torque_reserve for check in found.checks
+    if (
+        found.impossible
+        or design.clearance_unknown
+        or not any(check.rough and check.torque_reserve for check in found.checks)
     ):
         return found
     every = every and not results.in_series
@@ -419,13 +425,20 @@ class _Torques:
         return least if known else UNSOLVED
 
     def root(self, code: str) -> float:
-        """Logarithm of the factor at which a check fails, by the two looks next to it."""
+        """Logarithm of the factor at which a check fails, by the two looks next to it; between the
+        last that holds and the first that does not, where the two say that it lies elsewhere.
+        """
         (x1, y1), *others = sorted(self.looks[code], key=lambda look: abs(look[1]))
         if not math.isfinite(y1):
             return math.inf
         x0, y0 = others[0] if others else (x1, math.inf)
         slope = (y1 - y0) / (x1 - x0) if math.isfinite(y0) and x1 != x0 else -1.0
-        return x1 - y1 / max(-STEEPEST, min(slope, -1 / STEEPEST))
+        x = x1 - y1 / max(-STEEPEST, min(slope, -1 / STEEPEST))
+        lower = max((look for look in self.looks[code] if look[1] >= 0), default=(-math.inf, 0.0))
+        upper = min((look for look in self.looks[code] if look[1] < 0), default=(math.inf, 0.0))
+        if lower[0] < x < upper[0] or not math.isfinite(lower[0] - upper[0] + lower[1]):
+            return x
+        return (lower[0] * upper[1] - upper[0] * lower[1]) / (upper[1] - lower[1])
 
     def first(self) -> float:
         """Logarithm of the factor at which the first check fails."""
@@ -452,6 +465,7 @@ class _Torques:
         holds = 1.0 if self.first() >= 0 else 0.0
         if left >= 0:
             holds = MARGIN
+        before, left_before = math.log(MARGIN), left
         for _ in range(LOOKS):
             x = self.first()
             if x >= unsolved:  # forces cannot be solved there
@@ -465,6 +479,9 @@ class _Torques:
                 return math.exp(self.first()), True
             elif left >= 0:
                 holds = max(holds, math.exp(x))
+            elif x < before and left - left_before < CURES_NOTHING * (before - x):
+                break
+            before, left_before = x, left
         return holds, False
 
     def guessed(self) -> float:

@@ -59,7 +59,8 @@ def interference(design: Design, results: Results) -> Check:
     """By geometry, before any force: the room over the turn."""
     clearance = design.known_clearance
     try:
-        fit = results.fit
+        room = results.rooms.room
+        misfit = "" if room.state == "fits" else results.fit.misfit
     except NotKnown as why:
         if clearance >= 0 and not design.deviations:  # the room is the clearance
             return judged(interference, clearance, 0.0)._replace(utilisation=None)
@@ -76,21 +77,20 @@ def interference(design: Design, results: Results) -> Check:
             return found._replace(reason="cannot_assemble", params=lacking)
         return not_checked(interference, why)._replace(limit=0.0)
     at: dict[str, float] = {}
-    if fit.room.binding:
-        pair = fit.room.binding[0]
+    if room.binding:
+        pair = room.binding[0]
         at = {"satellite": pair.satellite, "pin": pair.pin}
-    at |= fit.room.where
-    misfit = fit.misfit
+    at |= room.where
     status: Status = "fail"
     if not misfit or misfit == "fits_by_bearing_clearance":
         status = "marginal" if misfit else "pass"
     return Check(
         interference,
         status,
-        value=0.0 if status == "pass" and fit.room.least < 0 else fit.room.least,
+        value=0.0 if status == "pass" and room.least < 0 else room.least,
         limit=0.0,
         reason=misfit,
-        params=fit.refusal().params if misfit == "cannot_assemble" else {},
+        params=results.fit.refusal().params if misfit == "cannot_assemble" else {},
         impossible=status == "fail" and misfit != "pressed_without_load",
         at=at,
     )

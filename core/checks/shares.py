@@ -11,7 +11,7 @@ from core.design.document import changed
 from core.design.results import Results
 from core.errors import if_known
 from core.output.elasticity import Shares, pin_compliance
-from core.output.real_mechanism import Deviations
+from core.output.room import Deviations
 from core.results import Notice
 
 ShareModel = Literal["real", "factor", "given"]

@@ -18,7 +18,7 @@ from core.design.document import Design, changed
 from core.design.results import Results
 from core.design.ring import RingClass
 from core.errors import UNKNOWN, ImpossibleMechanism
-from core.output.real_mechanism import Deviations
+from core.output.room import Deviations
 from core.output.sampled_turn import WAYS
 from core.output.turn import Turn
 from core.ring.profile import Modification

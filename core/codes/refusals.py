@@ -29,7 +29,8 @@ INVALID = {
     "than all of the torque",
     "needed": "is needed: this or {field}",
     "no_arm": "must not be a multiple of half a turn: there the contact has no arm",
-    "no_fit": "must be an ISO 286 class of the hole and one of the pin, such as H7/f7",
+    "no_fit": "must be an ISO 286 class of the hole and one of the pin, such as H7/f7: F, G, "
+    "H and JS, and f, g, h, js and m, are known",
     "no_class": "must be an ISO 286 class of the table, such as m6 or H7",
     "no_conformal_pressure": "must have a conformal pressure",
     "no_cycloid": "must be larger than the eccentricity times 1 more than {field}, {limit:.9g}: "

@@ -200,7 +200,7 @@ def satellite_bearings(
     ring_factor : float or array
         Factor V of the load for the ring that turns against it, > 0.
     weibull_slope : float or array, optional
-        Slope of the distribution of lives, for the life of all bearings together.
+        Slope of the distribution of lives, for the life of all of them together.
     peak_torque : float or array, optional
         Torque of the static safety, N*m, > 0; T where not given. The life takes T as it is, without
         an application factor.

@@ -11,7 +11,7 @@ from core.design.output_forces import OutputForces
 from core.design.refusals import named
 from core.design.ring_results import RingResults
 from core.errors import NotKnown, derived, if_known
-from core.output.real_mechanism import Deviations
+from core.output.room import Deviations
 
 MOST_BEARING_PAIRS = 2000
 """Most pairs of which the forces on the satellites are integrated over the turn."""
@@ -46,7 +46,7 @@ class CrankResults:
         bearing = self.design.bearing
         if not bearing:
             raise NotKnown("section_missing", "bearing")
-        mesh = self.ring.force
+        mesh = self.ring.on_crank
         self.output.limit_pairs(MOST_BEARING_PAIRS)
         return named(
             self.design,
@@ -82,7 +82,7 @@ class CrankResults:
         own = self.design.crankshaft
         if not own:
             raise NotKnown("section_missing", "crankshaft")
-        mesh, speeds = self.ring.force, self.design.known_speeds
+        mesh, speeds = self.ring.on_crank, self.design.known_speeds
         self.output.limit_pairs(MOST_BEARING_PAIRS)
         given = self.output.turning | self._on_shaft | {"input_speed": speeds.crank} | other
         if own.bearings:

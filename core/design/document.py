@@ -37,7 +37,7 @@ from core.output.elasticity import (
 from core.output.mechanism import Mechanism, Members, MemberSpeeds
 from core.output.pin_beam import check_apart
 from core.output.pin_section import MOST_BORE
-from core.output.real_mechanism import Deviations
+from core.output.room import Deviations
 from core.precision import AS_TYPED, SAME
 from core.ring.sharing import RingDeviations
 

@@ -23,7 +23,7 @@ from core.hertz import HertzContact, force_factor, hertz
 from core.materials import Body, first_yield, shakedown
 from core.output.contact_force import ContactForce, contact_force
 from core.output.edge_load import EdgeLoad, SlopingContacts
-from core.output.elasticity import RIGID_PINS, ContactLaw, contact_compliance, usual_law
+from core.output.elasticity import RIGID_PINS, ContactLaw, Shares, contact_compliance, usual_law
 from core.output.fit import Fit
 from core.output.loaded_position import loaded_position
 from core.output.mechanism import MemberLoads
@@ -31,8 +31,9 @@ from core.output.over_turn import OverTurn
 from core.output.pin_bolt import Grip, grip
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
-from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_mechanism import RealMechanism
 from core.output.real_turn import sampled
+from core.output.room import Deviations, Rooms
 from core.output.sampled_turn import WAYS, Made
 from core.output.turn import Turn
 from core.results import Notice
@@ -175,8 +176,8 @@ class Results:
         )
 
     @derived
-    def real(self) -> RealMechanism:
-        """The mechanism as it is made, of at most `MOST_REAL_PAIRS`, or `MOST_GIVING_PAIRS`."""
+    def rooms(self) -> Rooms:
+        """Pins in their holes by geometry, of at most `MOST_REAL_PAIRS`, or `MOST_GIVING_PAIRS`."""
         design = self.design
         radius, pair = design.load.pin_circle_radius, design.pair
         most = MOST_GIVING_PAIRS if design.support.first_order else MOST_REAL_PAIRS
@@ -189,25 +190,40 @@ class Results:
             than = {"field": "pin_circle_radius", "limit": radius}
             refusal = InvalidInput("contact.eccentricity", None, "smaller_than", **than)
             raise NotKnown(refusal.code, refusal=refusal)
-        bends = design.pin and design.pin.satellite_positions
-        pin = self.bent_pin if bends else RIGID_PINS
-        return RealMechanism(
+        return Rooms(
             mechanism=design.mechanism.built,
             pin_circle_radius=radius,
             pin_radius=pair.pin_radius,
             eccentricity=eccentricity,
-            contact_length=pair.contact_length,
-            law=self.law,
             clearance=design.contact.play,
+            deviations=design.output_deviations or Deviations(),
+            roller_play=design.roller_play,
+            apart=isinstance(design.support, Shares),
+        )
+
+    @derived
+    def real(self) -> RealMechanism:
+        """The mechanism as it is made."""
+        design, rooms = self.design, self.rooms
+        bends = design.pin and design.pin.satellite_positions
+        pin = self.bent_pin if bends else RIGID_PINS
+        return RealMechanism(
+            mechanism=rooms.mechanism,
+            pin_circle_radius=rooms.pin_circle_radius,
+            pin_radius=rooms.pin_radius,
+            eccentricity=rooms.eccentricity,
+            contact_length=design.pair.contact_length,
+            law=self.law,
+            clearance=rooms.clearance,
             pin_material=design.known_material("pin"),
             hole_material=design.known_material("hole"),
             pin=pin,
-            deviations=design.output_deviations or Deviations(),
+            deviations=rooms.deviations,
             exact=not design.support.first_order
             and not (bends and design.tied)
             and not self._by_flanks,
             support=design.support,
-            roller_play=design.roller_play,
+            roller_play=rooms.roller_play,
         )
 
     @property
@@ -253,8 +269,8 @@ class Results:
 
     @derived
     def fit(self) -> Fit:
-        """How pins and holes fit."""
-        return Fit(self.real)
+        """What becomes of pins that do not fit into their holes."""
+        return Fit(self.rooms, self.real)
 
     def real_forces_at(self, factor: float) -> RealForces:
         """Forces of the mechanism as it is made under so many times the torque.

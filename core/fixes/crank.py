@@ -286,7 +286,7 @@ def _fitting(results: Results, code: str, current: Verdict) -> Fix:
     design = results.design
     after = design.contact.pair.pin_radius + design.known_eccentricity
     with suppress(*UNKNOWN):
-        after = results.fit.needed_hole_radius
+        after = results.rooms.needed_hole_radius
     _, clearance = usual_clearance(design)
     after = math.ceil((after + clearance) * 1e6 - 1e-6) * 1e-6  # whole micrometres
     return _checked(_cure(design, code, "contact.hole_radius", current), after)

@@ -31,8 +31,9 @@ compiled            the same loops compiled, for turns and studies
 conformal_law       the law of contact of a pin that wraps, as one curve
 elasticity          what gives: contact of a pair, by its law; its pin; the satellites
 stage               what pairs share a torque by one lag: pins in holes, a ring on teeth
+room                what parts deviate, the room of pins in their holes, whether they go together
 real_mechanism      the mechanism as it is made: sizes, clearance, deviations, elasticity
-fit                 room of the pins in their holes over the turn, whether they go together
+fit                 what of a misfit elasticity takes up
 loaded_position     its forces, lag, play and stiffness at one position
 real_curves         curves of these over the turn, and of the lag over the torque
 summits             summits of a function over the turn

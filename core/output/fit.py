@@ -1,568 +1,16 @@
-"""The room that pins have in their holes, by geometry alone: whether parts go together and turn;
-and what of a misfit their elasticity takes up.
+"""What of a misfit of pins in their holes elasticity takes up."""
 
-A pin at P and its hole's centre at H, with C the difference of their radii: at a lag of the output
-their centres lie ``|P*exp(-i*lag) - H|`` apart, which must not exceed C. All of the room holds for
-clearances and misfits of any size, and asks for no force.
-"""
-
-import math
-from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass
 from functools import cached_property, partial
-from itertools import chain
-from typing import Literal, NamedTuple
+from typing import Literal
 
-import numpy as np
-
-from core.arrays import ComplexArray, FloatArray, IntArray
 from core.errors import ImpossibleMechanism, NotKnown, if_known
 from core.hertz import force_factor
-from core.numerics.extremes import CLOSER_BY, ZOOMS, zoom
 from core.output.contact_kernel import alone
-from core.output.elasticity import Shares
-from core.output.mechanism import Mechanism
-from core.output.real_mechanism import Deviations, RealMechanism
-from core.precision import AS_TYPED, ROUNDING
-
-State = Literal["fits", "binds_in_turning", "does_not_fit", "no_bound"]
-Side = Literal["driving", "reverse", "radial"]
-
-POSITIONS = 720
-"""Even positions of the turn: between two of them the room changes by at most the eccentricity
-times half their step."""
-
-FINEST = 2**14
-"""Positions at most that the sign of the room is looked at."""
-
-STEPS = 60
-"""Steps at most to the lag of a room."""
-
-HALVINGS = 48
-"""Halvings of a stretch of lags, to their rounding."""
-
-NEAR = 1e-7
-"""Wave angle within which a place is that of the turn's start, rad."""
-
-RADIAL = 1e-5
-"""Lever over the pin circle's radius below which a pair binds outward or inward, not in turning."""
-
-CLUSTER = 12
-"""How often the distance to a dead angle of a pair is halved, where the play has spikes."""
-
-NO_PLAY = -1e3
-"""Less play than any, rad: where a pin is in its hole at no lag."""
-
-TINY = 1e-300
-"""What is divided by in the place of 0."""
-
-
-@dataclass(frozen=True, slots=True)
-class Binding:
-    """A pair that limits the room."""
-
-    satellite: int  # from 1
-    pin: int  # from 1
-    side: Side  # in which sense of the output it holds; radial where in none
-
-
-@dataclass(frozen=True, slots=True)
-class DiscRoom:
-    """One satellite by itself."""
-
-    satellite: int  # from 1
-    least_room: float  # over the turn, m
-    turned: float  # its holes ahead of the pins, rad, in the mean of least squares
-
-
-class Play(NamedTuple):
-    """Play of the unloaded output over the turn; negative where the parts do not fit, infinitely
-    where a pin is in its hole at no lag.
-    """
-
-    least: float  # rad
-    greatest: float  # rad
-    error: float  # estimate of the error of both, rad
-
-
-@dataclass(frozen=True, slots=True)
-class TurnRoom:
-    """The room over the turn."""
-
-    # Whether there is room at all crank angles, at some, or at none; without a bound where no hole
-    # holds its pin.
-    state: State
-    # Least room, m: by how much all pins might grow, or below 0 must shrink, until they just fit.
-    least: float
-    error: float  # estimate of its error, m
-    crank_angle: float | None  # where it is least, rad; None where it is the same at all
-    binding: tuple[Binding, ...]  # the pairs that limit it there; none where all do alike
-
-    @property
-    def where(self) -> dict[str, float]:
-        """That crank angle by its name; nothing where it is the same at all."""
-        return {} if self.crank_angle is None else {"crank_angle": self.crank_angle}
-
-
-class _Extreme(NamedTuple):
-    """A largest or least value over the turn."""
-
-    place: float  # wave angle, rad
-    height: float  # in the unit of what is sampled
-    error: float  # in that unit
-
-
-class _Pairs(NamedTuple):
-    """Pins and the centres of their holes, of each position and pair: distances p and h from the
-    centre of the output, m, the lag at which the pin is nearest, rad, and C, m.
-    """
-
-    p: FloatArray
-    h: FloatArray
-    nearest: FloatArray
-    gap: FloatArray
-
-    def left(self, lag: FloatArray) -> FloatArray:
-        """What is left to each pair at a lag, m."""
-        sine = np.sin((lag - self.nearest) / 2)
-        apart = np.sqrt((self.p - self.h) ** 2 + 4 * self.p * self.h * sine * sine)
-        return np.asarray(self.gap - apart)
-
-    def chosen(self, pair: IntArray) -> "_Pairs":
-        """One pair of each position."""
-        row = np.arange(len(pair))
-        return _Pairs(*[each[row, pair] for each in self])
-
-
-class _Placed(NamedTuple):
-    """The parts at rest: pins, holes without their crank, differences of radii, eccentricities and
-    crank angles of the satellites.
-    """
-
-    pin: ComplexArray  # [N]
-    hole: ComplexArray  # [K, N]
-    gap: FloatArray  # [K, N]
-    eccentricity: FloatArray  # [K]
-    cranks: FloatArray  # [K]
-
-
-def _best_of_two(
-    low: FloatArray, high: FloatArray, one: _Pairs, other: _Pairs
-) -> tuple[FloatArray, FloatArray]:
-    """Lag between two at which the worse of two pairs has most left, and how much that is."""
-    for _ in range(HALVINGS):
-        lag = (low + high) / 2
-        ahead = lag > np.where(one.left(lag) < other.left(lag), one.nearest, other.nearest)
-        low, high = np.where(ahead, low, lag), np.where(ahead, lag, high)
-    lag = (low + high) / 2
-    return lag, np.minimum(one.left(lag), other.left(lag))
-
-
-@dataclass(frozen=True)
-class Rooms:
-    """Pins in their holes, over the turn.
-
-    Examples
-    --------
-    Two equal discs of 20 lobes with four holes, put on their cranks half a turn apart: the holes of
-    one are 9 degrees off, and nothing goes together though either disc alone has 0.5 mm of room.
-
-    >>> rooms = Rooms(
-    ...     mechanism=Mechanism.evenly_spaced(pins=4, satellites=2, ratio=20.0),
-    ...     pin_circle_radius=0.030, pin_radius=0.002, eccentricity=0.0015, clearance=0.0005,
-    ...     deviations=Deviations(disc_phase=(0.0, math.radians(9))))
-    >>> found = rooms.over_turn()
-    >>> found.state, round(found.least * 1e3, 4), round(rooms.greatest() * 1e3, 4)
-    ('does_not_fit', -1.8549, -1.6031)
-    """
-
-    mechanism: Mechanism
-    pin_circle_radius: float  # R, m, > 0
-    pin_radius: float  # r_p, m, > 0
-    eccentricity: float  # e, m, > 0
-    clearance: float  # radial, c, m; negative is interference
-    # Of the piece, its holes numbered as they come onto the pins (`Deviations.at_next_holes`).
-    deviations: Deviations = field(default_factory=Deviations)
-
-    @cached_property
-    def _placed(self) -> _Placed:
-        pins, satellites = self.mechanism.pins, self.mechanism.satellites
-        rows = self.deviations.rows(pins, satellites)
-        own = {name: np.array(row) for name, row in rows._asdict().items()}
-        for name in ("hole_radial", "hole_tangential", "hole_radius"):
-            own[name] = own[name].reshape(satellites, pins)
-        outward = 1j * np.exp(2j * np.pi * np.arange(pins) / pins)
-        pin = (self.pin_circle_radius + own["pin_radial"] + 1j * own["pin_tangential"]) * outward
-        turned = own["disc_phase"] + own["crank_phase"] / self.mechanism.ratio
-        hole = self.pin_circle_radius + own["hole_radial"] + 1j * own["hole_tangential"]
-        hole = hole * outward * np.exp(1j * turned)[:, None]
-        gap = self.eccentricity + self.clearance + own["hole_radius"] - own["pin_radius"]
-        cranks = np.array(self.mechanism.crank_angles) + own["crank_phase"]
-        return _Placed(pin, hole, gap, self.eccentricity + own["eccentricity"], cranks)
-
-    @property
-    def even(self) -> bool:
-        """Whether the room is the clearance at all angles: no deviations, and more than one pin."""
-        return self.deviations == Deviations() and self.mechanism.pins > 1
-
-    def _pairs(self, wave: FloatArray, disc: int | None) -> _Pairs:
-        pin, hole, gap, eccentricity, cranks = self._placed
-        chosen = slice(None) if disc is None else slice(disc, disc + 1)
-        angle = np.add.outer(wave, cranks[chosen])
-        centre = hole[chosen] + (eccentricity[chosen] * 1j * np.exp(-1j * angle))[..., None]
-        nearest = np.angle(pin * centre.conj()).reshape(len(wave), -1)
-        first = nearest[:, :1]
-        nearest = first + np.remainder(nearest - first + np.pi, 2 * np.pi) - np.pi
-        h = np.abs(centre).reshape(len(wave), -1)
-        p = np.broadcast_to(np.abs(pin), centre.shape).reshape(len(wave), -1)
-        return _Pairs(p, h, nearest, np.broadcast_to(gap[chosen].ravel(), h.shape))
-
-    def arcs(self, wave: FloatArray, disc: int | None = None) -> tuple[FloatArray, FloatArray]:
-        """Least and largest lag at which each pin is in its hole.
-
-        ``theta_c -+ 2*asin(sqrt((C - (p - h))*(C + (p - h))/(4*p*h)))``.
-
-        Parameters
-        ----------
-        wave : array, shape (M,)
-            Wave angles psi, rad.
-        disc : int, optional
-            Of this satellite alone, from 0.
-
-        Returns
-        -------
-        low, high : array, shape (M, pairs)
-            Lags, rad, satellite by satellite; of a pair that has none infinite, low above high, and
-            of one whose hole is no bound infinite, low below high.
-        """
-        p, h, nearest, gap = self._pairs(wave, disc)
-        off = p - h
-        square = (gap - off) * (gap + off) / np.maximum(4 * p * h, TINY)
-        half = 2 * np.arcsin(np.sqrt(np.clip(square, 0.0, 1.0)))
-        half = np.where(gap >= p + h, np.inf, half)
-        half = np.where(gap < np.abs(off) - self._rounding, -np.inf, half)
-        return nearest - half, nearest + half
-
-    def windows(self, wave: FloatArray, disc: int | None = None) -> tuple[FloatArray, FloatArray]:
-        """Least and largest lag at which all pins are in their holes: of all `arcs` the largest
-        least and the least largest.
-
-        Parameters
-        ----------
-        wave : array, shape (M,)
-            Wave angles psi, rad.
-        disc : int, optional
-            Of this satellite alone, from 0.
-
-        Returns
-        -------
-        low, high : array, shape (M,)
-            Lags, rad: low above high where there is none; infinite where a pair has none, or no
-            bound.
-        """
-        low, high = self.arcs(wave, disc)
-        return low.max(axis=1), high.min(axis=1)
-
-    def rooms(self, wave: FloatArray, disc: int | None = None) -> tuple[FloatArray, FloatArray]:
-        """Room at wave angles: the largest over the lag of the least ``C - |P*exp(-i*lag) - H|``.
-
-        Each distance falls up to its pair's own lag and rises after it: what is left to the worst
-        pair is largest where one of a rising and one of a falling pair are alike.
-
-        Parameters
-        ----------
-        wave : array, shape (M,)
-            Wave angles psi, rad.
-        disc : int, optional
-            Of this satellite alone, from 0.
-
-        Returns
-        -------
-        room : array, shape (M,)
-            m; negative where the pins have to shrink by as much.
-        lag : array, shape (M,)
-            Where, rad.
-        """
-        pairs, row = self._pairs(wave, disc), np.arange(len(wave))
-        low, high = pairs.nearest.min(axis=1), pairs.nearest.max(axis=1)
-        rising, falling = (pairs.left(lag[:, None]).argmin(axis=1) for lag in (low, high))
-        for _ in range(STEPS):
-            # of the worst pairs of both ends alone
-            lag, two = _best_of_two(low, high, pairs.chosen(rising), pairs.chosen(falling))
-            heights = pairs.left(lag[:, None])
-            worst = heights.argmin(axis=1)
-            room = heights[row, worst]
-            if (room >= two - self._rounding).all():
-                break
-            ahead = lag > pairs.nearest[row, worst]
-            low, rising = np.where(ahead, low, lag), np.where(ahead, rising, worst)
-            high, falling = np.where(ahead, lag, high), np.where(ahead, worst, falling)
-        return room, lag
-
-    @property
-    def _rounding(self) -> float:
-        return 4 * ROUNDING * self.pin_circle_radius
-
-    @property
-    def error(self) -> float:
-        """Bound of the error of rooms over the turn, m: the last places about an extreme are as
-        far apart, and a hole moves on a circle of the eccentricity.
-        """
-        last = 0.0 if self.even else 2 * np.pi / POSITIONS * CLOSER_BY**ZOOMS
-        return float(self._steepest * last) + 4 * self._rounding
-
-    @property
-    def closed(self) -> bool:
-        """Whether a hole is no larger than its pin."""
-        return bool((self._placed.gap <= 0).any())
-
-    def _start(self) -> float:
-        return self.mechanism.initial_crank_angle
-
-    def _grid(self) -> FloatArray:
-        return self._start() + 2 * np.pi * np.arange(POSITIONS) / POSITIONS
-
-    def _narrowed(
-        self,
-        values: Callable[[FloatArray], FloatArray],
-        places: FloatArray,
-        width: FloatArray | float,
-        sign: int,
-    ) -> _Extreme:
-        """First place and height of the largest value (sign 1) or the least near some places: the
-        best of some points, then of as many closer ones.
-        """
-        places, height, errors = zoom(
-            values=lambda wave: sign * values(wave), places=places, width=width
-        )
-        alike = places[height >= height.max() - AS_TYPED * self.eccentricity]
-        first = alike[((alike - self._start() + NEAR) % (2 * np.pi)).argmin()]
-        error = float(errors[height.argmax()]) + self._rounding
-        return _Extreme(float(first), float(sign * height.max()), error)
-
-    def _extreme(self, grid: FloatArray, heights: FloatArray, sign: int, disc: int | None
-                 ) -> _Extreme:  # fmt: skip
-        """Place and height of the greatest room over the turn (sign 1), or of the least."""
-        signed, step = sign * heights, 2 * np.pi / len(grid)
-        best = signed.max()
-        tops = (signed >= np.roll(signed, 1)) & (signed >= np.roll(signed, -1))
-        tops &= signed >= best - self._steepest * step / 2
-        return self._narrowed(lambda wave: self.rooms(wave, disc)[0], grid[tops], step, sign)
-
-    @property
-    def _steepest(self) -> float:
-        """How fast the room may change with the wave angle, m/rad: a hole moves on a circle of the
-        eccentricity.
-        """
-        return float(np.abs(self._placed.eccentricity).max())
-
-    def over_turn(self, disc: int | None = None) -> TurnRoom:
-        """The room over the turn, and where it is least.
-
-        Parameters
-        ----------
-        disc : int, optional
-            Of this satellite alone, from 0.
-
-        Returns
-        -------
-        TurnRoom
-        """
-        pin, hole, gap, eccentricity, _ = self._placed
-        if (gap >= np.abs(pin) + np.abs(hole) + eccentricity[:, None]).all():
-            return TurnRoom("no_bound", math.inf, 0.0, None, ())
-        if self.even:
-            return self._turn_room(self.clearance, self._rounding, None, (), disc)
-        grid = self._grid()
-        heights, _ = self.rooms(grid, disc)
-        least, flat, error = float(heights.min()), self._flat(heights), self._rounding
-        if not flat:
-            place, least, error = self._extreme(grid, heights, -1, disc)
-        below = self._below(grid, heights, disc) if least >= 0 else None
-        if below is not None:  # between positions, where no least one was seen
-            place, least, error = self._narrowed(
-                lambda wave: self.rooms(wave, disc)[0], np.array([below]), 1e-3, -1
-            )
-        elif flat:
-            error = AS_TYPED * self.eccentricity
-            return self._turn_room(least, error, None, (), disc)
-        angle = self.crank_angle(place)
-        return self._turn_room(least, error, angle, self._binding(place, disc), disc)
-
-    def _turn_room(
-        self,
-        least: float,
-        error: float,
-        angle: float | None,
-        binding: tuple[Binding, ...],
-        disc: int | None,
-    ) -> TurnRoom:
-        state: State = "fits"
-        nothing = -AS_TYPED * (self.pin_radius + self.eccentricity)
-        if least < nothing:
-            state = "binds_in_turning" if self.greatest(disc) >= nothing else "does_not_fit"
-        return TurnRoom(state, least, error, angle, binding)
-
-    def _flat(self, heights: FloatArray) -> bool:
-        """Whether the room is the same at all positions."""
-        return float(np.ptp(heights)) <= AS_TYPED * self.eccentricity
-
-    def greatest(self, disc: int | None = None) -> float:
-        """Greatest room over the turn, m.
-
-        Parameters
-        ----------
-        disc : int, optional
-            Of this satellite alone, from 0.
-
-        Returns
-        -------
-        float
-        """
-        if self.even:
-            return self.clearance
-        grid = self._grid()
-        heights, _ = self.rooms(grid, disc)
-        if self._flat(heights):
-            return float(heights.max())
-        return self._extreme(grid, heights, 1, disc).height
-
-    def _below(self, grid: FloatArray, heights: FloatArray, disc: int | None) -> float | None:
-        """A position without room between those of a grid that all have some, or None: intervals in
-        which the room may fall below 0 are halved.
-        """
-        low, step, rooms = grid, 2 * np.pi / len(grid), heights
-        following = np.roll(heights, -1)
-        while len(low) and 2 * np.pi / step < FINEST:
-            doubtful = (rooms + following) / 2 < self._steepest * step / 2
-            low, rooms, following = low[doubtful], rooms[doubtful], following[doubtful]
-            if not len(low):
-                return None
-            middle = low + step / 2
-            first, last = self.windows(middle, disc)
-            if (first > last).any():
-                return float(middle[(first > last).argmax()])
-            between, _ = self.rooms(middle, disc)
-            low = np.concatenate([low, middle])
-            following = np.concatenate([between, following])
-            rooms = np.concatenate([rooms, between])
-            step /= 2
-        return None
-
-    def _binding(self, wave: float, disc: int | None) -> tuple[Binding, ...]:
-        """The pairs that limit the room at a wave angle."""
-        where = np.array([wave])
-        (room,), (lag,) = self.rooms(where, disc)
-        pairs = _Pairs(*[row[0] for row in self._pairs(where, disc)])
-        left = pairs.left(lag)
-        away = np.maximum(pairs.gap - left, TINY)
-        lever = pairs.p * pairs.h * np.sin(lag - pairs.nearest) / away
-        found = []
-        for i in np.flatnonzero(left <= room + AS_TYPED * self.eccentricity):
-            j, n = divmod(int(i), self.mechanism.pins)
-            side: Side = "driving" if lever[i] > 0 else "reverse"
-            if abs(lever[i]) <= RADIAL * self.pin_circle_radius:
-                side = "radial"
-            found.append(Binding((disc or 0) + j + 1, n + 1, side))
-        return tuple(found)
-
-    def crank_angle(self, wave: float) -> float:
-        """First crank angle >= 0 of a wave angle, rad."""
-        off = (wave - self._start()) % (2 * math.pi)
-        if off > 2 * math.pi - NEAR:
-            off = 0.0
-        return off / (1 + 1 / self.mechanism.ratio)
-
-    def discs(self) -> tuple[DiscRoom, ...]:
-        """Each satellite by itself.
-
-        Returns
-        -------
-        tuple of DiscRoom, K
-        """
-        placed = self._placed
-        turned = np.angle((placed.hole * placed.pin.conj()).sum(axis=1))
-        return tuple(
-            DiscRoom(j + 1, self.over_turn(j).least, float(turned[j]))
-            for j in range(self.mechanism.satellites)
-        )
-
-    def play(self) -> Play:
-        """Least and greatest play of the unloaded output over the turn.
-
-        Their error is what more of room by that of the room would change: between two crank angles
-        the holes move by no more than that.
-
-        Returns
-        -------
-        Play
-        """
-        pins, cranks = self.mechanism.pins, self._placed.cranks
-        period = 2 * np.pi / (pins if self.even else 1)
-        step = period / POSITIONS
-        dead = np.add.outer(-cranks, -2 * np.pi * np.arange(2 * pins) / (2 * pins)).ravel()
-        near = step * 2.0 ** -np.arange(1, CLUSTER + 1)
-        around = np.add.outer(dead, np.concatenate([-near, [0.0], near])).ravel() - self._start()
-        wave = np.unique(np.concatenate([step * np.arange(POSITIONS), around % period]))
-        wave = self._start() + wave[np.diff(wave, append=period) > AS_TYPED]
-
-        def height(places: FloatArray) -> FloatArray:
-            low, high = self.windows(places)
-            return np.maximum(high - low, NO_PLAY)
-
-        heights, ends, error = height(wave), [], 0.0
-        wider = replace(self, clearance=self.clearance + self.error)
-        after = np.diff(wave, append=wave[0] + period)
-        before = np.roll(after, 1)
-        for sign in (-1, 1):
-            signed = sign * heights
-            up, down = signed - np.roll(signed, 1), signed - np.roll(signed, -1)
-            tops = (up >= 0) & (down >= 0)
-            # between places it rises no steeper than to them
-            tops &= signed + np.maximum(up * after / before, down * before / after) >= signed.max()
-            place, found = float(wave[signed.argmax()]), float(heights[signed.argmax()])
-            if found > NO_PLAY:
-                width = np.maximum(after, before)[tops]
-                narrowed, closer, _ = self._narrowed(height, wave[tops], width, sign)
-                if sign * closer > sign * found:
-                    place, found = narrowed, closer
-            if found > NO_PLAY:
-                low, high = wider.windows(np.array([place]))
-                error = max(error, float(high[0] - low[0]) - found)
-            ends.append(found if found > NO_PLAY else -math.inf)
-        return Play(ends[0], ends[1], error)
-
-    def blocked(self) -> tuple[tuple[float, float], ...]:
-        """Stretches of the crank's turn in which there is no room.
-
-        Returns
-        -------
-        tuple of (float, float)
-            Crank angles from and to, rad, from 0 to the end of a turn of the wave; the last one may
-            go on beyond it.
-        """
-        grid = self._grid()
-        heights, _ = self.rooms(grid)
-        free = heights >= 0
-        if free.all() or not free.any():
-            return ()
-        turns = np.flatnonzero(free != np.roll(free, -1))
-        low, high = grid[turns], grid[turns] + 2 * np.pi / POSITIONS
-        for _ in range(HALVINGS):
-            middle = (low + high) / 2
-            before = (self.rooms(middle)[0] >= 0) == free[turns]
-            low, high = np.where(before, middle, low), np.where(before, high, middle)
-        ends = [*zip(map(self.crank_angle, high.tolist()), free[turns].tolist(), strict=True)]
-        turn = self.mechanism.crank_angle_per_wave
-        starts = [angle for angle, begins in ends if begins]
-        stops = [angle for angle, begins in ends if not begins]
-        return tuple(
-            (start, min(stop + (0.0 if stop > start else turn) for stop in stops
-                        if stop > start or stop == min(stops)))
-            for start in starts
-        )  # fmt: skip
-
+from core.output.real_mechanism import RealMechanism
+from core.output.room import Binding, Rooms
+from core.precision import AS_TYPED
 
 Misfit = Literal[
     "", "fits_by_bearing_clearance", "pressed_without_load", "jams", "discs_out_of_phase",
@@ -589,79 +37,10 @@ class Elastic:
 
 @dataclass(frozen=True)
 class Fit:
-    """How the pins of a mechanism fit into their holes, over the turn."""
+    """What becomes of a misfit of the pins of a mechanism in their holes."""
 
-    real: RealMechanism  # its torque is not asked
-
-    @cached_property
-    def rooms(self) -> Rooms:
-        """The geometry: pins in their holes."""
-        real = self.real
-        return Rooms(
-            mechanism=real.mechanism,
-            pin_circle_radius=real.pin_circle_radius,
-            pin_radius=real.pin_radius,
-            eccentricity=real.eccentricity,
-            clearance=real.clearance + real.roller_play,
-            deviations=real.numbered[0],
-        )
-
-    @cached_property
-    def room(self) -> TurnRoom:
-        """The room over the turn; of given shares, where each satellite turns for itself, that of
-        the satellite with the least.
-        """
-        if not isinstance(self.real.support, Shares):
-            return self.rooms.over_turn()
-        turns = [self.rooms.over_turn(j) for j in range(self.real.mechanism.satellites)]
-        return min(turns, key=lambda turn: turn.least)
-
-    @property
-    def hole_radius(self) -> float:
-        """Radius of all holes, m."""
-        return self.real.pin_radius + self.real.eccentricity + self.real.clearance
-
-    @property
-    def largest_hole_radius(self) -> float:
-        """Radius of holes below which they hold their pins, m: from it on a pin can pass into the
-        next one, or around the centre of the satellite.
-        """
-        real = self.real
-        if real.mechanism.pins == 1:
-            return real.pin_circle_radius
-        apart = real.pin_circle_radius * math.sin(math.pi / real.mechanism.pins)
-        return min(real.pin_circle_radius, math.hypot(real.pin_radius, apart))
-
-    def refuse_without_bound(self) -> None:
-        """Refuse holes that do not hold their pins.
-
-        Raises
-        ------
-        ImpossibleMechanism
-            If they do not.
-        """
-        if self.state == "no_bound":
-            larger = max(chain(*self.real.deviations.hole_radius), default=0.0)
-            raise ImpossibleMechanism(
-                "no_mechanism",
-                parameter="hole_radius",
-                given_length=self.hole_radius + larger,
-                limit_length=self.largest_hole_radius,
-            )
-
-    @property
-    def state(self) -> State:
-        """Whether there is room at all crank angles, at some, or at none; without a bound where the
-        holes do not hold their pins.
-        """
-        return "no_bound" if self.hole_radius >= self.largest_hole_radius else self.room.state
-
-    @property
-    def needed_hole_radius(self) -> float:
-        """Radius of all holes with which it would fit, m: exact, as one hole is as much larger as
-        the room is short.
-        """
-        return self.hole_radius - self.room.least
+    rooms: Rooms  # the geometry
+    real: RealMechanism  # of these sizes; its torque is not asked
 
     @cached_property
     def forces_at_limit(self) -> tuple[float, ...]:
@@ -704,7 +83,7 @@ class Fit:
     def _short(self) -> float:
         """By how much the pins are too thick, m; bearings of cranks give their clearance."""
         nothing = AS_TYPED * (self.real.pin_radius + self.real.eccentricity)
-        short = -self.room.least - self.real.support.loose
+        short = -self.rooms.room.least - self.real.support.loose
         return short if short > nothing else 0.0
 
     @cached_property
@@ -712,15 +91,15 @@ class Fit:
         """What does not fit. Parts are pressed where at the position of the least room every pair
         stands what presses it without load, or where no limit is known and the forces are solved.
         """
-        if self.room.state == "fits":
+        if self.rooms.room.state == "fits":
             return ""
-        if self.room.state == "no_bound":
+        if self.rooms.room.state == "no_bound":
             return "cannot_assemble"
         if not self._short:
             return "fits_by_bearing_clearance"
         if not self.impossible and self._pressed():
             return "pressed_without_load"
-        if self.room.state == "binds_in_turning":
+        if self.rooms.room.state == "binds_in_turning":
             return "jams"
         several = self.real.mechanism.satellites > 1
         if several and all(disc.least_room >= 0 for disc in self.rooms.discs()):
@@ -733,7 +112,7 @@ class Fit:
         satellite; no forces where none balance there.
         """
         real, room = self.real, self.real.room()
-        psi = real.wave(self.room.crank_angle or 0.0)
+        psi = real.wave(self.rooms.room.crank_angle or 0.0)
         torque = NO_TORQUE * real.pin_circle_radius * min(self.forces_at_limit or (1.0,))
         try:
             real.solved(psi, torque, real.setup(1.0), room)
@@ -775,7 +154,7 @@ class Fit:
         -------
         ImpossibleMechanism
         """
-        room, where = self.room, self.room.where
+        room, where = self.rooms.room, self.rooms.room.where
         (pair, *_) = room.binding if where else (Binding(1, 1, "radial"),)  # all alike: any
         return ImpossibleMechanism(
             "cannot_assemble",
@@ -784,7 +163,7 @@ class Fit:
             satellite=pair.satellite,
             pin=pair.pin,
             missing_length=-room.least,
-            needed_length=self.needed_hole_radius,
+            needed_length=self.rooms.needed_hole_radius,
         )
 
 
@@ -814,8 +193,8 @@ def solvable(real: RealMechanism, *, in_series: bool = False) -> Fit:
         If a hole is no larger than its pin, if the holes do not hold their pins, which could pass
         from one into the next or around the satellite's centre, or if no elastic state exists.
     """
-    fit = Fit(real)
-    fit.refuse_without_bound()
+    fit = Fit(real.rooms, real)
+    real.rooms.refuse_without_bound()
     real.pairs  # noqa: B018 - refuses holes that are no larger than their pins
     if fit.impossible and not in_series:
         raise fit.refusal()

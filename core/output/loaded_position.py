@@ -9,7 +9,6 @@ from core.arrays import FloatArray, check_finite, check_single
 from core.errors import InvalidInput
 from core.hertz import HertzContact
 from core.output.elasticity import HertzLaw
-from core.output.fit import Fit
 from core.output.real_mechanism import RealMechanism
 from core.output.sharing_kernel import at, pressing
 from core.results import Accuracy, Notice, poorly_known
@@ -162,7 +161,7 @@ def least_interference(*, real: RealMechanism, psi: float) -> float:
         Positive where pairs press without load.
     """
     if real.exact:
-        least, _ = Fit(real).rooms.rooms(np.array([psi]))
+        least, _ = real.rooms.rooms(np.array([psi]))
         return -float(least[0])
     setup, room = real.setup(1.0), real.room()
     at(psi, setup, real.pairs, room)

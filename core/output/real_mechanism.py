@@ -7,7 +7,7 @@ each approach, and the torque of all forces must be the load.
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
@@ -25,134 +25,17 @@ from core.output.elasticity import (
     ContactLaw,
     Pins,
     SatelliteSupport,
+    Shares,
     check_law,
     law_constants,
     law_curve,
     law_kind,
 )
-from core.output.loop_rows import TIED, Errors, Law, Pairs, Room, Row, Setup, Wrap
+from core.output.loop_rows import TIED, Law, Pairs, Room, Setup, Wrap
 from core.output.mechanism import Mechanism
+from core.output.room import Deviations, Rooms
 from core.output.sharing_kernel import prepare
 from core.output.stage import Stage, blank_rows, in_floats
-
-
-@dataclass(frozen=True, slots=True)
-class Deviations:
-    """What a piece deviates from its nominal sizes; empty tuples are zeros.
-
-    Positive: outward, in the driving sense, larger, ahead. N pins, K satellites.
-    """
-
-    pin_radial: tuple[float, ...] = ()  # place of each pin, m, N values
-    pin_tangential: tuple[float, ...] = ()  # m, N
-    pin_radius: tuple[float, ...] = ()  # m, N
-    hole_radial: tuple[tuple[float, ...], ...] = ()  # the same of each hole, m, K x N
-    hole_tangential: tuple[tuple[float, ...], ...] = ()  # m, K x N
-    hole_radius: tuple[tuple[float, ...], ...] = ()  # m, K x N
-    eccentricity: tuple[float, ...] = ()  # of each crank, m, K
-    crank_phase: tuple[float, ...] = ()  # angle of each crank, rad, K
-    disc_phase: tuple[float, ...] = ()  # of each disc's holes against its teeth, rad, K
-    ring_pin_radial: tuple[float, ...] = ()  # place of each pin of a ring, m, z_p values
-    ring_pin_tangential: tuple[float, ...] = ()  # m, z_p
-    ring_pin_radius: tuple[float, ...] = ()  # m, z_p
-
-    @property
-    def of_output(self) -> "Deviations":
-        """The same without a ring."""
-        return replace(self, ring_pin_radial=(), ring_pin_tangential=(), ring_pin_radius=())
-
-    @property
-    def of_ring(self) -> bool:
-        """Whether any is of the pins of a ring."""
-        return self != self.of_output
-
-    def rows(self, pins: int, satellites: int) -> Errors[Row]:
-        """Flat rows for the kernel.
-
-        Parameters
-        ----------
-        pins, satellites : int
-            Numbers N and K.
-
-        Returns
-        -------
-        Errors
-
-        Raises
-        ------
-        InvalidInput
-            If a list has another length, or an entry is not finite.
-        """
-
-        def row(name: str, values: Sequence[float], expected: int) -> list[float]:
-            if not values:
-                return [0.0] * expected
-            if len(values) != expected:
-                raise InvalidInput(
-                    name, values, "different_length", expected=expected, actual=len(values)
-                )
-            for index, value in enumerate(values):
-                check_finite(**{f"{name}[{index}]": value})
-            return [float(value) for value in values]
-
-        def table(name: str) -> list[float]:
-            values = getattr(self, name)
-            if values and len(values) != satellites:
-                raise InvalidInput(
-                    name, values, "different_length", expected=satellites, actual=len(values)
-                )
-            if not values:
-                return [0.0] * (pins * satellites)
-            return [x for j, each in enumerate(values) for x in row(f"{name}[{j}]", each, pins)]
-
-        return Errors(
-            *[row(name, getattr(self, name), pins) for name in Errors._fields[:3]],
-            *[table(name) for name in Errors._fields[3:6]],
-            *[row(name, getattr(self, name), satellites) for name in Errors._fields[6:]],
-        )
-
-    def at_next_holes(self, mechanism: Mechanism) -> "tuple[Deviations, tuple[int, ...]]":
-        """The piece with each satellite put on the pins by the holes that lie next to them.
-
-        A satellite that is turned against the first one by more than half the pitch of its holes
-        goes onto the pins by other holes.
-
-        Parameters
-        ----------
-        mechanism : Mechanism
-            Pins, satellites, ratio.
-
-        Returns
-        -------
-        deviations : Deviations
-            With the holes renumbered.
-        holes : tuple of int, K
-            By how many holes each satellite is put on further.
-        """
-        pins, pitch = mechanism.pins, 2 * math.pi / mechanism.pins
-        zeros = (0.0,) * mechanism.satellites
-        phases, cranks = self.disc_phase or zeros, self.crank_phase or zeros
-        turned = [
-            phase + crank / mechanism.ratio for phase, crank in zip(phases, cranks, strict=True)
-        ]
-        further = [round((each - turned[0]) / pitch) for each in turned]
-        if not any(further):
-            return self, (0,) * mechanism.satellites
-
-        def moved(rows: tuple[tuple[float, ...], ...]) -> tuple[tuple[float, ...], ...]:
-            return tuple(
-                tuple(row[(n - by) % pins] for n in range(pins))
-                for row, by in zip(rows, further, strict=bool(rows))
-            )
-
-        renumbered = replace(
-            self,
-            disc_phase=tuple(phase - by * pitch for phase, by in zip(phases, further, strict=True)),
-            hole_radial=moved(self.hole_radial),
-            hole_tangential=moved(self.hole_tangential),
-            hole_radius=moved(self.hole_radius),
-        )
-        return renumbered, tuple(by % pins for by in further)
 
 
 @dataclass(frozen=True)
@@ -279,18 +162,24 @@ class RealMechanism(Stage):
         return [each for angle in angles for each in (-math.sin(angle), math.cos(angle))]
 
     @cached_property
-    def numbered(self) -> tuple[Deviations, tuple[int, ...]]:
-        """The deviations with the holes numbered as they come onto the pins, and by how many holes
-        each satellite is put on further.
-        """
-        self.deviations.rows(self.mechanism.pins, self.mechanism.satellites)
-        return self.deviations.at_next_holes(self.mechanism)
+    def rooms(self) -> Rooms:
+        """The geometry: pins in their holes."""
+        return Rooms(
+            mechanism=self.mechanism,
+            pin_circle_radius=self.pin_circle_radius,
+            pin_radius=self.pin_radius,
+            eccentricity=self.eccentricity,
+            clearance=self.clearance,
+            deviations=self.deviations,
+            roller_play=self.roller_play,
+            apart=isinstance(self.support, Shares),
+        )
 
     @cached_property
     def _prepared(self) -> tuple[Pairs, list[float]]:
         """Constants of the pairs, and their pins' radii."""
         pins, satellites = self.mechanism.pins, self.mechanism.satellites
-        errors = self.numbered[0].rows(pins, satellites)
+        errors = self.rooms.numbered[0].rows(pins, satellites)
         pairs: Pairs = self.blank(Pairs)
         phase = list(self.mechanism.crank_angles)
         setup = self.setup(1.0)

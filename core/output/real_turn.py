@@ -11,7 +11,8 @@ from typing import NamedTuple
 import numpy as np
 
 from core.arrays import ComplexArray, FloatArray
-from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_mechanism import RealMechanism
+from core.output.room import Deviations
 from core.output.sampled_turn import SampledTurn, off_straight
 from core.output.turn import Rows, Turn, joined
 from core.precision import JUDGED

@@ -20,7 +20,8 @@ from core.hertz import HertzContact
 from core.output.compiled import at_hand, plain
 from core.output.loaded_position import bent_together, notices
 from core.output.mechanism import Mechanism
-from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_mechanism import RealMechanism
+from core.output.room import Deviations
 from core.output.sharing_kernel import too_wide
 from core.output.stage import Stage, divisible, in_floats
 from core.precision import SAME
@@ -118,7 +119,7 @@ class MeshesInSeries(Stage):
         """
         ring, output, own = self.ring, self.output, self.mechanism
         assert ring.pairs and output.pairs  # refuse what has no size, by its own number
-        errors, found = output.numbered[0], []
+        errors, found = output.rooms.numbered[0], []
         for j, angle in enumerate(own.crank_angles):
 
             def of(values: tuple[Any, ...], j: int = j) -> tuple[Any, ...]:

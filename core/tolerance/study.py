@@ -21,7 +21,8 @@ from core.output.loop_rows import (
     Pieces,
     Room,
 )
-from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_mechanism import RealMechanism
+from core.output.room import Deviations
 from core.output.stage import blank_rows
 from core.output.summits import summits
 from core.output.turn import Turn, as_rows

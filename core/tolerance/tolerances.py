@@ -8,7 +8,7 @@ import numpy as np
 
 from core.arrays import FloatArray, check_positive
 from core.output.loop_rows import Errors
-from core.output.real_mechanism import Deviations
+from core.output.room import Deviations
 from core.tolerance.draws import (
     KINDS,
     OF_RING,

@@ -6,8 +6,8 @@ import numpy as np
 
 from core.arrays import FloatArray
 from core.numerics.extremes import zoom
-from core.output.fit import POSITIONS, Rooms
 from core.output.real_cyclogram import HALVINGS, SAMPLES, carried_ends
+from core.output.room import POSITIONS, Rooms
 from core.output.stage import Stage
 from core.work_precision.peaks import REAL_DIGITS, SUMMITS, real_turn
 from core.work_precision.study import (

@@ -9,8 +9,9 @@ import pytest
 from app.calculations.checks import check_values
 from app.examples import REQUESTS
 from app.model import warning
-from app.problems import IN_MILLIMETRES, OF_REQUESTS, TEXTS, refusal
+from app.problems import OF_REQUESTS, TEXTS, refusal
 from app.registry import CALCULATIONS
+from app.units import IN_MILLIMETRES
 from core.checks.check import Check
 from core.checks.records import CHECKS
 from core.codes import CODES, REFUSALS, WARNINGS, WAS, checks, refusals

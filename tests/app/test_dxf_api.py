@@ -17,10 +17,10 @@ import numpy as np
 import pytest
 
 from app import VERSION
-from app.endpoint import read_body
+from app.endpoint import calculated, read_body
 from app.examples import EXAMPLES, REQUESTS
 from app.exports.dxf import DXF, LAYERS, MOST_CIRCLES, ZIP, DxfRequest, write
-from app.problems import Problem, calculated
+from app.problems import Problem
 from app.registry import EXPORTS
 from app.settings import Settings
 from core.output.elasticity import LinearLaw

@@ -7,7 +7,6 @@ import pytest
 from app.calculations.checks import judgement
 from app.calculations.crank_planetary_request import CrankPlanetaryRequest
 from app.calculations.mechanism import MechanismFields
-from app.problems import path_of
 from core.checks.crank_planetary import crank_checks
 
 BODY: dict[str, Any] = {
@@ -39,7 +38,7 @@ PIN = {"satellite_positions_mm": [15.0, 37.0]}
 )
 def test_the_path_of_a_parameter(given: dict[str, Any], parameter: str, path: Any) -> None:
     """The same whether the section is given, so that a refusal can name what is missing."""
-    assert path_of(CrankPlanetaryRequest.model_validate(BODY | given), parameter) == path
+    assert CrankPlanetaryRequest.model_validate(BODY | given).path_of(parameter) == path
 
 
 def test_what_is_kept_of_a_request_is_of_the_fields_that_it_has() -> None:

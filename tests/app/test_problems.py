@@ -8,7 +8,8 @@ import pytest
 
 from app.examples import REQUESTS
 from app.main import create_app
-from app.problems import MAX_NAME, TEXTS, pointer
+from app.model import MAX_NAME, pointer
+from app.problems import TEXTS
 from app.settings import Settings
 from core.codes import WARNINGS
 from core.precision import CONVERGED

@@ -10,7 +10,9 @@ from copy import deepcopy
 
 import pytest
 
+from app.calculations.solve import SolveRequest
 from app.examples import EXAMPLES, REQUESTS
+from app.problems import Problem
 from core.checks.records import CHECKS
 from core.checks.words import CHECK_SOURCES, GROUPS
 from core.materials import LIMIT_SOURCES
@@ -839,6 +841,21 @@ async def test_a_design_that_cannot_be_with_any_value_says_why(api):
     assert response.json()["errors"][0]["code"] == direct.json()["errors"][0]["code"]
 
 
+async def test_a_mechanism_that_cannot_work_with_any_value_is_refused_as_such(api):
+    """One pin at a dead centre: no field of the request is named, but the crank angle."""
+    body = {"pins": 1, "satellites": 1, "ratio": 20, "output_torque_Nm": 100}
+    body["pin_circle_radius_mm"] = 40
+    asked = {"calculation": "contact-force", "input": body}
+    asked["variable"] = {"pointer": "/output_torque_Nm", "from": 5.0, "to": 20.0}
+    asked["target"] = {"pointer": "/peak_force_N", "at_most": 1.0}
+    found, direct = [
+        (await api.post(path, json=sent)).json()
+        for path, sent in (("solve", asked), ("contact-force", body))
+    ]
+    assert found["type"] == direct["type"] == "/problems/impossible-mechanism"
+    assert found["where"] == direct["where"] != {}
+
+
 @pytest.mark.parametrize(
     ("changes", "pointer"),
     [
@@ -862,6 +879,39 @@ async def test_what_cannot_be_solved_is_refused_at_its_place(api, changes, point
     response = await api.post("solve", json=REQUESTS["solve"] | changes)
     assert response.status_code == 422, response.text
     assert response.json()["errors"][0]["pointer"] == pointer
+
+
+async def test_an_edge_beyond_which_the_input_is_refused_says_so(api):
+    """The pressure allows 1,000 times the torque, and the peak torque 500 N*m."""
+    asked = {
+        "calculation": "crank-planetary",
+        "input": design(load__peak_torque_Nm=500.0),
+        "variable": {"pointer": "/load/output_torque_Nm", "from": 100.0, "to": 2000.0},
+        "target": {"pointer": "/hertz/max_pressure_MPa", "at_most": 1e5},
+        "want": "largest",
+    }
+    answer = (await api.post("solve", json=asked)).json()
+    assert answer["value"] == pytest.approx(500.0)
+    (refused,) = answer["refused"]
+    assert refused["code"] == "below_working"
+    assert refused["pointer"] == "/input/load/peak_torque_Nm"
+    asked["target"]["at_most"] = 200.0  # which is met up to a torque that is not refused
+    answer = (await api.post("solve", json=asked)).json()
+    assert answer["value"] < 499.0 and "refused" not in answer
+
+
+def test_a_text_is_no_target_and_asks_for_one_look(monkeypatch):
+    looks = []
+
+    def values(calculation, asked):
+        looks.append(asked)
+        return calculation.solve(asked)
+
+    monkeypatch.setattr("app.calculations.solve._values", values)
+    target = {"target": {"pointer": "/verdict", "equals": 1.0}}
+    with pytest.raises(Problem) as refused:
+        SolveRequest.model_validate(REQUESTS["solve"] | target).solve()
+    assert refused.value.errors[0].pointer == "/target/pointer" and len(looks) == 1
 
 
 def test_every_check_has_all_its_words():

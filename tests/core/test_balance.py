@@ -20,7 +20,7 @@ from core.design.results import Results
 from core.design.sections import RollingBearing, Shaft
 from core.errors import InvalidInput, NotKnown
 from core.output.mechanism import Mechanism
-from core.output.real_mechanism import Deviations
+from core.output.room import Deviations
 from core.output.sampled_turn import SampledTurn
 from core.precision import EXACT, SAME
 from tests.inputs.checks import WHOLE, check_of, having, says

@@ -22,7 +22,7 @@ from core.materials import ContactLimit
 from core.output.contact_force import ContactForce
 from core.output.elasticity import LinearLaw
 from core.output.pin_strength import PinStrength
-from core.output.real_mechanism import Deviations
+from core.output.room import Deviations
 from core.precision import CONVERGED, EXACT, JUDGED, SAME
 from tests.inputs.checks import HOLE, PIN, REF, check_of, design_of, fixes_of, having, says
 from tests.oracles.checks import MODULUS

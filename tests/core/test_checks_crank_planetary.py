@@ -16,7 +16,7 @@ from core.design.ring import CycloidRing, InvoluteRing
 from core.design.sections import RollingBearing
 from core.errors import NotKnown
 from core.output.contact_force import ContactForce
-from core.output.real_mechanism import Deviations
+from core.output.room import Deviations
 from core.precision import EXACT, SAME
 from tests.inputs.checks import REF, WHOLE, check_of, having, says
 

@@ -18,7 +18,7 @@ from core.design.sections import Friction
 from core.errors import NotKnown
 from core.materials import ContactLimit, ElasticMaterial
 from core.output.elasticity import Shares
-from core.output.real_mechanism import Deviations
+from core.output.room import Deviations
 from core.precision import EXACT, SAME
 from core.ring.involute import HEIGHTS
 from tests.inputs.checks import REF, check_of, design_of, having

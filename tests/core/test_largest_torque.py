@@ -11,7 +11,7 @@ from core.design.results import Results
 from core.design.sections import DesignPin, FatigueBasis
 from core.material_table import MATERIALS
 from core.output.elasticity import LinearLaw
-from core.output.real_mechanism import Deviations
+from core.output.room import Deviations
 from tests.inputs.checks import design_of, having
 
 PIN = DesignPin(
@@ -42,7 +42,7 @@ def under(design: Design, factor: float) -> Verdict:
     return crank_checks(Results(having(design, output_torque=design.load.output_torque * factor)))
 
 
-@pytest.mark.parametrize("times", [0.2, 8.0])
+@pytest.mark.parametrize("times", [0.2, 60.0])
 def test_at_the_largest_torque_the_first_check_is_at_its_limit(times: float) -> None:
     assert MADE.load.output_torque is not None
     design = having(MADE, output_torque=MADE.load.output_torque * times)
@@ -117,3 +117,23 @@ def test_where_looking_ends_the_largest_torque_that_holds_is_answered(
     monkeypatch.setattr("core.checks.crank_planetary.LOOKS", 0)  # none was seen that holds
     found = crank_verdict(Results(design))
     assert found.torque_reserve is None and not found.largest_torque_known
+
+
+@pytest.mark.parametrize(
+    ("change", "looks"), [({"hole_radius": 0.0095}, 2), ({"pin_circle_radius": 0.011}, 0)]
+)
+def test_no_torque_is_sought_where_less_of_it_cures_nothing(
+    change: dict[str, float], looks: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    design = having(MADE, output_torque=3000.0, contact_law=None, **change)
+    assert crank_checks(Results(design)).impossible == (not looks)
+    seen: list[float] = []
+
+    def looked(*, design: Design, factor: float) -> Design:
+        seen.append(factor)
+        return having(design, output_torque=3000.0 * factor)
+
+    monkeypatch.setattr("core.checks.crank_planetary.under", looked)
+    found = crank_verdict(Results(design))
+    assert found.verdict == "fail" and not found.largest_torque_known
+    assert len(seen) == looks

@@ -1,6 +1,7 @@
 """Parts of a reducer: what each comes to, what opens it, and the verdict of all."""
 
 import itertools
+import re
 from dataclasses import replace
 from typing import Any, get_args
 
@@ -9,6 +10,7 @@ import pytest
 from core.checks.check import PartStatus, PartVerdict, whole
 from core.checks.crank_planetary import CRANK_CHECKS, PARTS, crank_checks, crank_verdict
 from core.checks.usual_fit import usual_fit
+from core.codes import REFUSALS
 from core.design.document import Design
 from core.design.results import Results
 from core.design.ring import CycloidRing, OtherRing
@@ -17,7 +19,7 @@ from core.material_table import MATERIALS
 from core.materials import ContactLimit, ElasticMaterial
 from core.precision import EXACT, SAME
 from core.ring.profile import Modification
-from core.tolerance.iso286 import fit_clearance
+from core.tolerance.iso286 import CLASSES, fit_clearance
 from tests.inputs.checks import HOLE, PIN, REF, WHOLE, check_of, having
 
 BEARING = RollingBearing(
@@ -288,3 +290,8 @@ def test_the_usual_fit_is_the_design_with_its_clearance() -> None:
 def test_the_mean_clearance_of_a_fit(fit: str, hole: float, pin: float, clearance: float) -> None:
     found = fit_clearance(fit=fit, hole_diameter=hole, pin_diameter=pin)
     assert found == pytest.approx(clearance * 1e-6, rel=EXACT)
+
+
+def test_a_fit_that_is_not_known_is_told_which_are() -> None:
+    """H8/e8 is a class of ISO 286, too."""
+    assert {*CLASSES} <= {*re.findall(r"\w+", REFUSALS["no_fit"].text)}

@@ -191,7 +191,7 @@ def test_the_clearance_of_rollers_adds_half_of_itself() -> None:
     )
     peak = alike.loading.turn.peak_force
     assert own.loading.turn.peak_force == pytest.approx(peak, rel=1e-4)
-    assert own.fit.room.least == pytest.approx(alike.fit.room.least, rel=EXACT)
+    assert own.rooms.room.least == pytest.approx(alike.rooms.room.least, rel=EXACT)
     one, other = own.real.contact(0, 1e3), alike.real.contact(0, 1e3)
     assert one and other and one.reduced_radius > other.reduced_radius * 1.003
     nearly = [

@@ -12,12 +12,14 @@ from core.checks.crank_planetary import crank_verdict
 from core.checks.plastics import PLASTICS
 from core.design.document import Design
 from core.design.results import Results
+from core.design.ring import CycloidRing
 from core.design.sections import DesignPin, Friction, SatelliteBody, Temperatures
 from core.errors import InvalidInput, if_known
 from core.hertz import hertz
 from core.material_table import ALIASES, ELASTOMERS, MATERIALS, NAMES, SEVERAL, plain_name
 from core.materials import ContactLimit, ElasticMaterial, by_values
 from core.precision import EXACT, SAME
+from core.ring.profile import Modification
 from tests.inputs.checks import REF, check_of, fixes_of, having
 from tests.oracles.seeds import seeds
 
@@ -241,6 +243,16 @@ def test_cold_yield_is_the_torque_at_which_the_check_fails() -> None:
         )
         near = check_of("contact_static_cold", having(design, output_torque=cold.torque))
         assert near.utilisation == pytest.approx(1, rel=1e-3)
+    teeth = CycloidRing(
+        ring_pin_circle_radius=0.12,
+        ring_pin_radius=0.005,
+        modification=Modification(equidistant=6e-5),
+        disc_material=PLA,
+        pin_material=STEEL,
+    )
+    results = Results(having(SOFT, gear=teeth))
+    cold = cold_yield(results=results, found=crank_verdict(results))
+    assert cold is not None and cold.open[-2:] == ("wear", "ring_pressure_disc")
     misfit = having(SOFT, hole_radius=0.0095)
     assert cold_yield(results=Results(misfit), found=crank_verdict(Results(misfit))) is None
     steel = having(SOFT, hole_material=STEEL)

@@ -10,7 +10,8 @@ from core.output.loaded_position import loaded_position
 from core.output.mechanism import Mechanism
 from core.output.over_turn import OverTurn
 from core.output.real_cyclogram import RealCyclogram, carried_forces, real_cyclogram
-from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_mechanism import RealMechanism
+from core.output.room import Deviations
 from core.output.turn import Turn
 from core.precision import EXACT
 from tests.inputs.real_mechanisms import STEEL

@@ -24,8 +24,9 @@ from core.output.loop_rows import FORCE
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_curves import RealCurves, real_curves
-from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_mechanism import RealMechanism
 from core.output.real_turn import sampled
+from core.output.room import Deviations
 from core.output.summits import summits
 from core.output.turn import Turn
 from core.precision import CONVERGED, EXACT, JUDGED, SEARCHED

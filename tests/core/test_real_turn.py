@@ -31,8 +31,9 @@ from core.output.pin_beam import face_load_factor
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import pin_strength
 from core.output.real_curves import real_curves
-from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_mechanism import RealMechanism
 from core.output.real_turn import refined
+from core.output.room import Deviations
 from core.precision import CONVERGED, EXACT, JUDGED, SAME
 from tests.inputs.real_mechanisms import UNLIKE, design, made, real_turn, reals
 

@@ -7,15 +7,18 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from core.design.results import Results
 from core.errors import ImpossibleMechanism
 from core.hertz import hertz
 from core.material_table import MATERIALS
 from core.materials import ElasticMaterial
-from core.output.elasticity import CrankSupport, HertzLaw
-from core.output.fit import Fit, Rooms, solvable
+from core.output.elasticity import CrankSupport, HertzLaw, Shares
+from core.output.fit import Fit, solvable
 from core.output.mechanism import Mechanism, slip_notices
-from core.output.real_mechanism import Deviations, RealMechanism
-from core.precision import EXACT, SAME
+from core.output.real_mechanism import RealMechanism
+from core.output.room import Deviations, Rooms
+from core.precision import AS_TYPED, EXACT, SAME
+from tests.inputs.checks import REF, having
 from tests.inputs.misfits import drawn
 from tests.oracles.room import highest, room
 from tests.oracles.seeds import seeds
@@ -35,6 +38,10 @@ def rooms(
         clearance=clearance * MM,
         **more,
     )
+
+
+def fit_of(real: RealMechanism) -> Fit:
+    return Fit(real.rooms, real)
 
 
 def turned(degrees: float) -> Deviations:
@@ -218,12 +225,12 @@ def test_pressed_or_impossible() -> None:
     """Every pair is pressed by exactly the misfit; where that is more than its bodies stand at rest
     nothing goes together.
     """
-    fit = Fit(PRESSED)
+    fit = fit_of(PRESSED)
     assert fit.elastic.limit == pytest.approx(0.035671122444567e-3, rel=EXACT)
     assert fit.forces_at_limit[0] == pytest.approx(45027.03351387924, rel=EXACT)
     assert fit.misfit == "pressed_without_load" and not fit.impossible
-    assert fit.needed_hole_radius == pytest.approx(0.010, rel=SAME)
-    beyond = Fit(replace(PRESSED, clearance=-3.6e-5))
+    assert fit.rooms.needed_hole_radius == pytest.approx(0.010, rel=SAME)
+    beyond = fit_of(replace(PRESSED, clearance=-3.6e-5))
     assert beyond.misfit == "cannot_assemble" and beyond.impossible
     with pytest.raises(ImpossibleMechanism) as refusal:
         solvable(beyond.real)
@@ -235,7 +242,7 @@ def test_pressed_or_impossible() -> None:
 
 def test_the_force_at_the_limit_is_that_of_the_weaker_body() -> None:
     soft = replace(STEEL, yield_strength=400e6)
-    fit = Fit(replace(PRESSED, hole_material=soft, clearance=1e-5))
+    fit = fit_of(replace(PRESSED, hole_material=soft, clearance=1e-5))
     contact = hertz(force=fit.forces_at_limit[0], contact_length=0.02, pin_radius=0.008,
                     hole_radius=0.01001, pin_material=STEEL, hole_material=soft)  # fmt: skip
     assert contact.governing_pressure == pytest.approx(1.79 * 400e6, rel=SAME)
@@ -244,10 +251,21 @@ def test_the_force_at_the_limit_is_that_of_the_weaker_body() -> None:
 
 def test_discs_out_of_phase_and_bearings_that_give_way() -> None:
     out = replace(PRESSED, clearance=1e-5, deviations=Deviations(disc_phase=(0.0, 0.005)))
-    assert Fit(out).misfit == "discs_out_of_phase"
+    assert fit_of(out).misfit == "discs_out_of_phase"
     given = replace(PRESSED, clearance=-1e-6, exact=False, support=CrankSupport(1e9, 3e-6))
-    assert Fit(given).misfit == "fits_by_bearing_clearance"
-    assert Fit(replace(given, support=CrankSupport(1e9, 1e-6))).misfit == "pressed_without_load"
+    assert fit_of(given).misfit == "fits_by_bearing_clearance"
+    assert fit_of(replace(given, support=CrankSupport(1e9, 1e-6))).misfit == "pressed_without_load"
+
+
+def test_satellites_that_turn_for_themselves_have_each_its_own_room() -> None:
+    out = replace(PRESSED, clearance=1e-5, deviations=Deviations(disc_phase=(0.0, 0.005)))
+    apart = replace(out, exact=False, support=Shares((0.5, 0.5)))
+    assert out.rooms.room.state == "does_not_fit"
+    assert apart.rooms.room.least == pytest.approx(1e-5, rel=AS_TYPED)
+    design = having(REF, hole_radius=0.01001, deviations=out.deviations)
+    coupled = having(design, satellite_coupling=Shares((0.5, 0.5)))
+    assert Results(design).rooms.room.state == "does_not_fit"
+    assert Results(coupled).rooms.room.least == pytest.approx(1e-5, rel=AS_TYPED)
 
 
 def test_holes_that_do_not_hold_their_pins() -> None:

@@ -22,7 +22,8 @@ from core.output.elasticity import (
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_curves import real_curves
-from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_mechanism import RealMechanism
+from core.output.room import Deviations
 from core.precision import JUDGED, SAME, SEARCHED
 from tests.inputs.real_mechanisms import (
     STEEL,

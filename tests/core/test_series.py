@@ -11,7 +11,8 @@ from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.elasticity import ElasticMesh, LinearLaw, PinSupport, Shares
 from core.output.loaded_position import loaded_position
 from core.output.mechanism import Mechanism
-from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_mechanism import RealMechanism
+from core.output.room import Deviations
 from core.precision import EXACT, JUDGED, SAME, SEARCHED
 from core.ring.profile import CycloidDisc, Modification
 from core.ring.series import MeshesInSeries, SeriesPosition, series_position

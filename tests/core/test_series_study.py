@@ -11,7 +11,7 @@ import pytest
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.compiled import in_place_of
 from core.output.elasticity import PinSupport
-from core.output.real_mechanism import Deviations
+from core.output.room import Deviations
 from core.precision import EXACT
 from core.ring.profile import Modification
 from core.ring.series import MeshesInSeries, series_position

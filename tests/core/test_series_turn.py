@@ -13,7 +13,8 @@ from core.output.elasticity import LinearLaw
 from core.output.loop_rows import LOST_MOTION
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
-from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_mechanism import RealMechanism
+from core.output.room import Deviations
 from core.precision import EXACT
 from core.ring.profile import CycloidDisc, Modification
 from core.ring.series import MeshesInSeries

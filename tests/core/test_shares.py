@@ -11,7 +11,7 @@ from core.checks.shares import DiscShares, disc_shares
 from core.design.document import Design
 from core.design.results import Results
 from core.output.elasticity import CrankSupport, LinearLaw, Shares
-from core.output.real_mechanism import Deviations
+from core.output.room import Deviations
 from core.precision import EXACT, SAME, SEARCHED
 from tests.inputs.checks import REF, WHOLE, having
 

@@ -18,7 +18,8 @@ from core.output.loaded_position import LoadedPosition, loaded_position
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam
 from core.output.pin_strength import PinStrength, pin_strength
-from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_mechanism import RealMechanism
+from core.output.room import Deviations
 from core.output.tie_ring import RingForces, RingJoint, TieRing, ring_forces
 from core.output.tied_pin import TiedPin
 from core.output.turn import Turn

@@ -14,7 +14,6 @@ import pytest
 from core.errors import InvalidInput
 from core.output.compiled import PLAIN, in_place_of
 from core.output.elasticity import RIGID_SUPPORT, ContactLaw, HertzLaw, LinearLaw, PowerLaw, Shares
-from core.output.fit import Fit
 from core.output.loop_rows import BINDS, FITS, JUST, NOWHERE, Pairs, Room, Setup
 from core.output.mechanism import Mechanism
 from core.precision import CONVERGED, EXACT, SEARCHED
@@ -244,7 +243,7 @@ def test_pieces_that_do_not_fit_are_counted_and_left_out() -> None:
     assert fitting.value == 1
     # As each piece by itself.
     pieces = study.pieces()
-    states = [Fit(study.piece(pieces, i)).room.state for i in range(40)]
+    states = [study.piece(pieces, i).rooms.room.state for i in range(40)]
     assert [state == "fits" for state in states] == found.fits.tolist()
     assert [state == "binds_in_turning" for state in states] == found.binds.tolist()
 

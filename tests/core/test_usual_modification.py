@@ -22,7 +22,7 @@ from core.design.document import Design
 from core.design.results import Results
 from core.design.ring import CycloidRing, OtherRing
 from core.materials import ContactLimit, ElasticMaterial
-from core.output.real_mechanism import Deviations
+from core.output.room import Deviations
 from core.precision import SAME
 from core.ring.profile import Modification
 from core.ring.sharing import RingDeviations, mesh_over_turn

@@ -16,7 +16,8 @@ from core.output.elasticity import ConformalLaw, HertzLaw, LinearLaw
 from core.output.loaded_position import loaded_position
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
-from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_mechanism import RealMechanism
+from core.output.room import Deviations
 from core.precision import CONVERGED, SAME
 from core.tolerance.study import Evaluation, Study
 from core.tolerance.tolerances import Tolerances

@@ -2,9 +2,8 @@
 
 import random
 
-from core.output.fit import Rooms
 from core.output.mechanism import Mechanism
-from core.output.real_mechanism import Deviations
+from core.output.room import Deviations, Rooms
 from tests.oracles.room import Sizes
 
 MM = 1e-3

@@ -24,8 +24,9 @@ from core.output.elasticity import (
 from core.output.loaded_position import LoadedPosition, loaded_position
 from core.output.mechanism import Mechanism
 from core.output.pin_fatigue import FatigueStrength
-from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_mechanism import RealMechanism
 from core.output.real_turn import sampled
+from core.output.room import Deviations
 from core.output.sampled_turn import SampledTurn
 from core.output.turn import Turn
 

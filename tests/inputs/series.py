@@ -7,7 +7,8 @@ from typing import Any
 
 from core.output.elasticity import ContactLaw, HertzLaw, LinearLaw, PalmgrenLaw, PowerLaw
 from core.output.mechanism import Mechanism
-from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_mechanism import RealMechanism
+from core.output.room import Deviations
 from core.ring.profile import CycloidDisc, Modification
 from core.ring.series import MeshesInSeries
 from core.ring.sharing import CycloidMesh, RingDeviations

@@ -27,7 +27,8 @@ from core.output.contact_kernel import excess
 from core.output.elasticity import RIGID_PINS, ConformalLaw, PinSupport, contact_compliance
 from core.output.loaded_position import loaded_position
 from core.output.mechanism import Mechanism
-from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_mechanism import RealMechanism
+from core.output.room import Deviations
 from core.precision import EXACT
 from tests.oracles import dissimilar, rims
 from tests.oracles.load_sharing import exact_position

@@ -16,7 +16,8 @@ from core.output.elasticity import (
 )
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
-from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_mechanism import RealMechanism
+from core.output.room import Deviations
 from core.precision import EXACT, SAME
 from tests.inputs.real_mechanisms import STEEL, crank_angles, flat, held, solved, torques
 from tests.oracles.load_sharing import exact_position

@@ -13,7 +13,8 @@ import pytest
 
 from core.output.elasticity import LinearLaw
 from core.output.mechanism import Mechanism
-from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_mechanism import RealMechanism
+from core.output.room import Deviations
 from core.precision import EXACT
 from core.ring.profile import CycloidDisc, Modification
 from core.ring.series import MeshesInSeries, series_position

@@ -11,7 +11,8 @@ import pytest
 from core.output.elasticity import LinearLaw
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
-from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_mechanism import RealMechanism
+from core.output.room import Deviations
 from tests.inputs.real_mechanisms import STEEL
 from tests.oracles.turns import Made, largest
 

@@ -25,7 +25,8 @@ from core.output.elasticity import (
 from core.output.loaded_position import loaded_position
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
-from core.output.real_mechanism import Deviations, RealMechanism
+from core.output.real_mechanism import RealMechanism
+from core.output.room import Deviations
 from core.precision import CONVERGED, SAME
 from tests.inputs.real_mechanisms import STEEL
 
