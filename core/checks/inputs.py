@@ -2,6 +2,7 @@
 
 FORCE = (
     "load.output_torque",
+    "load.torque_direction",
     "load.pin_circle_radius",
     "mechanism.pins",
     "mechanism.satellites",

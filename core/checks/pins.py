@@ -178,7 +178,7 @@ def pin_slope(design: Design, results: Results) -> Measure:
     title="Fatigue of the pins",
     formula="n ≥ S_D",
     why="Below it the pins break after some time where they bend most.",
-    inputs=(*LOADED, *FATIGUE, *LIFE, "requirements.fatigue_safety"),
+    inputs=(*LOADED, "pin.rotates", *FATIGUE, *LIFE, "requirements.fatigue_safety"),
     source="shigley",
     keep="above",
 )

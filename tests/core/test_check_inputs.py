@@ -140,14 +140,15 @@ SEATED = having(
 """Bearings of the crankshaft in members that turn."""
 BOLTED = replace(
     ALL.pin,  # type: ignore[type-var]
+    support="supported",
+    span=0.062,
     bore_diameter=0.007,
-    bolt=PinBolt(core_diameter=0.005, preload=40e3, preload_scatter=1.4),
+    bolt=PinBolt(core_diameter=0.005, preload=10e3, preload_scatter=1.4),
 )
 DESIGNS = {
     "a dead centre, satellites alike": design_of(
         pins=2, satellites=2, ratio=3.0, crank_spacing=math.pi, satellite_teeth=3
     ),
-    "bored pins": having(ALL, pin=replace(ALL.pin, bore_diameter=0.007)),  # type: ignore[type-var]
     "rollers": ROLLED,
     "rollers, held by their bending": having(
         ROLLED, rollers=replace(ROLLERS, max_static_radial_load=math.inf), max_lost_motion=0.02
@@ -187,7 +188,7 @@ DESIGNS = {
         bearing=replace(ALL.bearing, static_rating=1e5),  # type: ignore[type-var]
         crankshaft=replace(ALL.crankshaft, eccentric_diameter=0.024),  # type: ignore[type-var]
     ),
-    "peak torque, bolted pins": having(ALL, pin=BOLTED, peak_torque=2000.0),
+    "peak torque": having(ALL, peak_torque=2000.0),
     "a factor, bolted pins, bearings of a small static rating": having(
         ALL,
         pin=BOLTED,
@@ -195,8 +196,13 @@ DESIGNS = {
         bearing=replace(ALL.bearing, static_rating=5e3),  # type: ignore[type-var]
     ),
     "peak torque, ideal forces": having(ALL, pin=None, fatigue=None, peak_torque=900.0),
-    "peak torque, uneven cranks": having(
-        ALL, peak_torque=700.0, crank_spacing=2.0, hole_radius=0.01002
+    "peak torque, bolted pins, uneven cranks": having(
+        ALL,
+        pin=BOLTED,
+        torque_direction="reverse",
+        peak_torque=700.0,
+        crank_spacing=2.0,
+        hole_radius=0.01002,
     ),
     "a share of unbalance, bolted pins": having(
         ALL, pin=BOLTED, max_unbalance_share=1e-4, crank_spacing=2.0
@@ -235,7 +241,9 @@ DESIGNS = {
         ALL, root_radius=None, outer_radius=None, scope=("body",), pin=None
     ),
     "rim within the roots": having(ALL, root_radius=None, outer_radius=0.02),
-    "bolted pins that drive a ring": having(ALL, pin=BOLTED, output="ring", hole_radius=0.01002),
+    "bolted pins that drive a ring": having(
+        ALL, pin=BOLTED, crankshaft=None, output="ring", hole_radius=0.01002
+    ),
     "both as output, by the ring": having(
         SEATED,
         output="both",
@@ -386,7 +394,7 @@ MANY = having(
 )
 TOOTH = having(TOOTHED, scope=("teeth",), satellite_body=None, friction=None)
 DESIGNS |= {
-    "teeth": having(TOOTHED, fatigue=None),
+    "teeth": having(TOOTHED, fatigue=None, torque_direction="reverse"),
     "teeth under a factor": having(TOOTH, application_factor=1.2),
     "teeth under a stated sharing": having(TOOTH, distribution_factor=1.2, peak_torque=200.0),
     "teeth that press": having(
@@ -462,6 +470,7 @@ DESIGNS |= {
     "both meshes": SERIES,
     "both meshes, turned flanks, uneven cranks": having(
         SERIES,
+        torque_direction="reverse",
         crank_spacing=2.0,
         application_factor=1.2,
         peak_torque=None,
@@ -470,6 +479,7 @@ DESIGNS |= {
     ),
     "both meshes, rollers": having(
         ROLLED,
+        torque_direction="reverse",
         pins=10,
         peak_torque=700.0,
         satellite_coupling=RingInSeries(),
@@ -531,6 +541,9 @@ MATERIALS_OF = (
 WHOLES = (*MATERIALS_OF, "gear.contact_law", "contact_law", "pin.bolt")
 """The same, laws of contact, and a bolt."""
 
+OTHERS = {"reverse": "driving", "supported": "fixed"}
+"""Of what is one of some values another one."""
+
 SAME = 1e-6
 """Relative change that is no more than the error of a search."""
 
@@ -539,7 +552,9 @@ def moved(value: Any) -> Any:
     """A number that is a little larger, places of which the last is farther; None of others."""
     if isinstance(value, tuple) and value and (last := moved(value[-1])) is not None:
         return (*value[:-1], last)
-    if isinstance(value, bool) or not isinstance(value, int | float):
+    if isinstance(value, str | bool):
+        return OTHERS.get(value)
+    if not isinstance(value, int | float):
         return None
     return value + 1 if isinstance(value, int) else 1.02 * value
 

@@ -113,9 +113,9 @@ def test_fatigue_over_the_life() -> None:
         ):
             lasting = equally("pin_fatigue", other)
             assert lasting.value == pytest.approx(1.504829, abs=5e-7) and not lasting.reason
-        rotating = part(design, "pin", rotates=True)
-        reversed_safety = equally("pin_fatigue", rotating).value
-        assert reversed_safety == pytest.approx(300e6 / STRESS, rel=EXACT)
+        rotating = equally("pin_fatigue", part(design, "pin", rotates=True))
+        assert rotating.value == pytest.approx(300e6 / STRESS, rel=EXACT)
+        assert "pin.rotates" in rotating.kind.inputs
 
 
 UNKNOWN: dict[str, tuple[dict[str, Any], dict[str, Any], str, tuple[str, ...]]] = {
@@ -722,15 +722,3 @@ def test_a_thicker_pin_in_its_sleeve_lowers_the_pressure() -> None:
     plain = having(design, friction=None)
     (fix,) = (each for each in fixes_of(plain, [code]) if each.variable == "pin.diameter")
     assert fix.standard and fix.after == 0.016
-
-
-@pytest.mark.parametrize("code", ["contact_pressure_hole", "wear"])
-def test_what_hangs_on_the_bending_of_the_pins_says_so(code: str) -> None:
-    design = having(WHOLE, crankshaft=None)
-    found = check_of(code, design)
-    assert set(found.kind.inputs) >= {
-        "pin.diameter", "pin.satellite_positions", "pin.support", "pin.span"
-    }  # fmt: skip
-    for change in ({"diameter": 0.0155}, {"satellite_positions": (0.015, 0.04)}):
-        changed = part(design, "pin", **change)
-        assert check_of(code, changed).value != pytest.approx(found.value, rel=1e-3)
