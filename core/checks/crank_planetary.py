@@ -299,7 +299,8 @@ def crank_verdict(results: Results, *, every: bool = False) -> Verdict:
         times the torque, and the least reserve is that of the torque at which the first one fails;
         the others are by secants of what was looked at. Where no such torque is found, as forces
         cannot be solved or jump with it, the reserves stay estimates, and the largest torque looked
-        at under which all checks hold is given.
+        at under which all checks hold is given. Of a mechanism that cannot be no other torque is
+        looked at: no torque cures it.
 
     Notes
     -----
@@ -309,8 +310,10 @@ def crank_verdict(results: Results, *, every: bool = False) -> Verdict:
     if two_ways(results):
         surer = [judged_check(check.code, results) for check in found.checks]
         return of_parts(design=design, checks=surer)
-    if design.clearance_unknown or not any(
-        check.rough and check.torque_reserve for check in found.checks
+    if (
+        found.impossible
+        or design.clearance_unknown
+        or not any(check.rough and check.torque_reserve for check in found.checks)
     ):
         return found
     every = every and not results.in_series
@@ -462,8 +465,6 @@ class _Torques:
         holds = 1.0 if self.first() >= 0 else 0.0
         if left >= 0:
             holds = MARGIN
-        if self.found.impossible:
-            return holds, False
         before, left_before = math.log(MARGIN), left
         for _ in range(LOOKS):
             x = self.first()

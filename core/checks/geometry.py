@@ -247,6 +247,7 @@ def dead_centre(design: Design, results: Results) -> Check:
     inputs=(
         "mechanism.satellite_teeth",
         "mechanism.ring_teeth",
+        "mechanism.ratio",
         "mechanism.pins",
         "mechanism.satellites",
         "mechanism.crank_spacing",

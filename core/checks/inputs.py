@@ -103,6 +103,7 @@ LIFE = (*SPEEDS, "requirements.life")
 FATIGUE = (
     "fatigue.surface",
     "fatigue.surface_factor",
+    "fatigue.edition",
     "fatigue.reliability_percent",
     "fatigue.reliability_factor",
     "fatigue.fatigue_notch_factor",

@@ -81,8 +81,10 @@ _INPUTS = (
     "cylinder_length",
     "sphere_width",
     "sphere_diameter",
+    "friction_coefficient",
     "youngs_modulus",
     "poissons_ratio",
+    "shear_modulus",
     "position_tolerance",
     "gaps",
 )
@@ -151,6 +153,7 @@ def cycle_check(
         "stress_concentration",
         "roller_rotates",
         "tensile_strength",
+        "yield_strength",
         *FATIGUE,
         "fatigue_safety",
     ),

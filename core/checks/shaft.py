@@ -191,8 +191,9 @@ def shaft_static(design: ShaftDesign) -> Check:
     inputs=(
         *_INPUTS,
         "load_rotates_with_shaft",
+        "youngs_modulus",  # whether it is a steel
         "tensile_strength",
-        *FATIGUE,
+        *(each for each in FATIGUE if each != "fatigue.criterion"),  # no mean stress counts
         "fatigue_safety",
     ),
     fixes=("shaft_diameter", "overhang"),

@@ -46,7 +46,7 @@ class CrankResults:
         bearing = self.design.bearing
         if not bearing:
             raise NotKnown("section_missing", "bearing")
-        mesh = self.ring.force
+        mesh = self.ring.on_crank
         self.output.limit_pairs(MOST_BEARING_PAIRS)
         return named(
             self.design,
@@ -82,7 +82,7 @@ class CrankResults:
         own = self.design.crankshaft
         if not own:
             raise NotKnown("section_missing", "crankshaft")
-        mesh, speeds = self.ring.force, self.design.known_speeds
+        mesh, speeds = self.ring.on_crank, self.design.known_speeds
         self.output.limit_pairs(MOST_BEARING_PAIRS)
         given = self.output.turning | self._on_shaft | {"input_speed": speeds.crank} | other
         if own.bearings:

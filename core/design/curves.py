@@ -55,7 +55,7 @@ def _load_curves(
     torque, and by each row of shares over 1/K, of ideal forces.
     """
     design, load = results.design, results.design.load
-    eccentricity, rho = design.known_eccentricity, float(results.ring.force.radial_force_ratio)
+    eccentricity, rho = design.known_eccentricity, float(results.ring.on_crank.radial_force_ratio)
     ways = WAYS[load.torque_direction]
     curves = []
     if not results.solved:

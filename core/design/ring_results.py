@@ -3,6 +3,7 @@ result worked out when it is asked for, once, or why it is not known.
 """
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cache, cached_property
 from typing import Any, TypeVar
 
@@ -11,7 +12,7 @@ from core.design.output_forces import OutputForces
 from core.design.pin_fatigue import fatigue_of
 from core.design.refusals import named
 from core.design.sections import DesignPin
-from core.errors import InvalidInput, NotKnown, derived, if_known, required
+from core.errors import UNKNOWN, InvalidInput, NotKnown, derived, if_known, required
 from core.output.elasticity import RIGID_SUPPORT, Shares
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
@@ -55,6 +56,19 @@ class RingResults:
             "gear",
             lambda: gear.mesh(eccentricity=eccentricity, ratio=ratio),
         )
+
+    @derived
+    def on_crank(self) -> RingMesh:
+        """The ring's force on a satellite as its bearing feels it: of forces that are solved the
+        mean of its mesh, where that is solved too.
+        """
+        force = self.force
+        if not self.output.solved or self.output.in_series:
+            return force
+        try:
+            return replace(force, radial_force_ratio=self.working[0].mean_radial_force_ratio)
+        except UNKNOWN:
+            return force
 
     @derived
     def mesh(self) -> CycloidMesh:

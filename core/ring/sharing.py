@@ -702,16 +702,32 @@ class MeshTurn(OverTurn):
         places, _ = self.turn.positions()
         return np.searchsorted(self.turn.fine["wave"], places)
 
-    @derived
-    def _sliding(self) -> Extreme:
+    @property
+    def _even_forces(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Forces of all pairs where these are even, N, the angles of the pins from the cranks, rad,
+        and the distances to the pitch points over the radius of the pins' circle, shape (M, pairs).
+        """
         (wave, force), there, disc = self.samples, self.even, self.mesh.disc
         phases = np.array(self.mesh.pairs.phase[: len(self.mesh.crank_angles)])
         ring = 2 * np.pi * np.arange(disc.pins) / disc.pins
         angle = wave[there, None] + (phases[:, None] + ring).ravel()
         k = disc.shortening_coefficient
-        slope = np.sqrt((1 - k) ** 2 + 4 * k * np.sin(angle / 2) ** 2)
+        return force[there], angle, np.sqrt((1 - k) ** 2 + 4 * k * np.sin(angle / 2) ** 2)
+
+    @property
+    def mean_radial_force_ratio(self) -> float:
+        """Mean over the turn of the forces of all discs along their cranks, over that of those
+        across them, by the normals of perfect parts.
+        """
+        force, angle, slope = self._even_forces
+        along = force * (np.cos(angle) - self.mesh.disc.shortening_coefficient) / slope
+        return float(along.sum() / abs((force * np.sin(angle) / slope).sum()))
+
+    @derived
+    def _sliding(self) -> Extreme:
+        (force, _, slope), disc = self._even_forces, self.mesh.disc
         far = np.abs(disc.ring_pin_circle_radius * slope - disc.ring_pin_radius)
-        rub = (force[there] * far).sum(axis=1) / abs(self.turn.torque)
+        rub = (force * far).sum(axis=1) / abs(self.turn.torque)
         mean = float(rub.mean())
         return Extreme(mean, abs(mean - float(rub[::2].mean())) + 8 * ROUNDING * mean)
 

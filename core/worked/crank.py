@@ -94,6 +94,10 @@ class _Loads:
 def _ring(sheet: Sheet, results: Results, found: SatelliteBearings) -> None:
     """The ring's force along the crank over that across it."""
     gear, ratio = results.design.gear, float(found.radial_force_ratio)
+    ideal = float(results.ring.force.radial_force_ratio)
+    if not math.isclose(ratio, ideal, rel_tol=AS_TYPED):
+        sheet.state("radial_force_ratio", "rho", ratio, "mean_of_mesh")
+        return
     if gear.kind == "cycloid":
         sheet.take("R_p", "ring_pin_circle_radius", gear.ring_pin_circle_radius)
         k = sheet.known["e"].value * (results.design.mechanism.ratio + 1) / sheet.known["R_p"].value
@@ -246,7 +250,7 @@ def shaft_steps(results: Results) -> list[Step]:
     _take(sheet, results)
     speeds = results.design.known_speeds
     sheet.take("n_1", "input_speed", speeds.crank)
-    sheet.take("rho", "radial_force_ratio", results.ring.force.radial_force_ratio)
+    sheet.take("rho", "radial_force_ratio", results.ring.on_crank.radial_force_ratio)
     for letter, place in zip(LETTERS, shaft.bearing_positions, strict=True):
         sheet.take(f"z_{letter}", "bearing_position", place)
     _centrifugal(sheet, results, "n_1")

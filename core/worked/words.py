@@ -128,6 +128,7 @@ NOTES = {
     "deflected": "Of the loaded beam with its shear, at satellite {satellite}; the largest over "
     "the turn.",
     "mean_of_turn": "Mean over the turn of the sum of all contact forces, as a share of T/R.",
+    "mean_of_mesh": "Mean over the turn of the ring's mesh, as it is solved.",
     "over_turn": "Over the turn.",
     "couple": "By so much the loss is too large: this share of the torque does no sliding.",
     "bearing_load": "Of the pins and the ring together over the turn; satellite {satellite}, "

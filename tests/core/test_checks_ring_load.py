@@ -4,6 +4,7 @@ mesh that are looked at one by one, and statics by hand.
 
 import math
 from dataclasses import replace
+from itertools import chain
 from random import Random
 from typing import Any
 
@@ -79,6 +80,22 @@ def test_the_mesh_is_that_of_the_published_case() -> None:
     found = mesh_position(mesh=mesh, crank_angle=math.radians(33.3), output_torque=400.0)
     assert found.max_pressure == pytest.approx(1208.519e6, rel=SEARCHED)
     assert found.rotation[0] / ARCMIN == pytest.approx(1.7777511833, rel=EXACT)
+
+
+@pytest.mark.parametrize("design", [A7, FEW])
+def test_the_bearing_feels_the_mean_of_the_mesh(design: Design) -> None:
+    """Of exact normals at 240 positions; A7 lags far, which turns them."""
+    results = Results(design)
+    mesh, turn = results.ring.mesh, results.ring.working[0]
+    places = [
+        mesh_position(mesh=mesh, crank_angle=angle, output_torque=turn.turn.torque)
+        for angle in np.linspace(0, 2 * math.pi, 240, endpoint=False)
+    ]
+    along, across = (
+        math.fsum(chain.from_iterable(getattr(each, name) for each in places))
+        for name in ("crank_along", "crank_across")
+    )
+    assert turn.mean_radial_force_ratio == pytest.approx(along / across, abs=2e-3)
 
 
 def pressed(force: float, angle: float) -> float:
