@@ -299,8 +299,8 @@ def crank_verdict(results: Results, *, every: bool = False) -> Verdict:
         times the torque, and the least reserve is that of the torque at which the first one fails;
         the others are by secants of what was looked at. Where no such torque is found, as forces
         cannot be solved or jump with it, the reserves stay estimates, and the largest torque looked
-        at under which all checks hold is given. Of a mechanism that cannot be no other torque is
-        looked at: no torque cures it.
+        at under which all checks hold is given. Of a mechanism that cannot be none is looked for:
+        no torque cures it.
 
     Notes
     -----
@@ -310,10 +310,8 @@ def crank_verdict(results: Results, *, every: bool = False) -> Verdict:
     if two_ways(results):
         surer = [judged_check(check.code, results) for check in found.checks]
         return of_parts(design=design, checks=surer)
-    if (
-        found.impossible
-        or design.clearance_unknown
-        or not any(check.rough and check.torque_reserve for check in found.checks)
+    if design.clearance_unknown or not any(
+        check.rough and check.torque_reserve for check in found.checks
     ):
         return found
     every = every and not results.in_series
@@ -465,6 +463,8 @@ class _Torques:
         holds = 1.0 if self.first() >= 0 else 0.0
         if left >= 0:
             holds = MARGIN
+        if self.found.impossible:
+            return holds, False
         before, left_before = math.log(MARGIN), left
         for _ in range(LOOKS):
             x = self.first()
@@ -507,7 +507,8 @@ class _Torques:
         for check in self.found.checks:
             if check.code in self.looks:
                 own = math.exp(self.root(check.code))
-                raised = max(own, limit) if limit else None  # none is given where none holds
+                known = limit or self.found.impossible  # none is given where none holds
+                raised = max(own, limit) if known else None
                 reserve = raised if check.code in self.counted else own
                 rough = not settled or self.away(check.code) > NEAR
                 check = check._replace(torque_reserve=reserve, rough=rough)
