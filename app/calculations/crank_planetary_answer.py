@@ -66,12 +66,16 @@ class ColdYieldOut(ResponseModel):
     """When a plastic contact yields at once. Below that nothing says that it lasts."""
 
     torque_Nm: float = result(
-        "Torque above which the plastic of pins or holes yields at once, cold: the first time it "
-        "acts, at 23 °C. Teeth may do so before, see `open`."
+        "Torque above which the plastic yields at once, cold: the first time it acts, at 23 °C."
+    )
+    part: Literal["contact", "teeth"] = result(
+        "What yields: a pin or a hole, or the teeth of a disc on pins whose forces are known."
     )
     quarter_Nm: float = result("A quarter of it, at which the stress is half of the strength.")
     strength_MPa: float = result("Strength that this is by, in the direction that is loaded.")
-    friction: float = result("Friction coefficient of what slides in the holes.", symbol="μ")
+    friction: float = result(
+        "Friction coefficient of what slides there; of teeth 0 where it is not known.", symbol="μ"
+    )
     source: Maybe[str] = result("Where the strength comes from; absent where it was given.")
     open: list[str] = Field(
         description="Checks of what nothing here says, or more would have to be given for.",

@@ -52,7 +52,11 @@ class MembersOut(ResponseModel):
         "Speed of the crank against the ring, from which the calculations start.", symbol="n₁ − n_r"
     )
     pin_torque_Nm: float = result("Torque on the pins.", symbol="T")
-    crank_torque_Nm: float = result("Torque on the crank.", symbol="T₁", equation="T/u")
+    crank_torque_Nm: float = result(
+        "Torque on the crank of a reducer without losses: the motor gives what these take besides.",
+        symbol="T₁",
+        equation="T/u",
+    )
     ring_torque_Nm: float = result("Torque on the ring.", symbol="T_r", equation="−T·(1 + 1/u)")
     crank_power_W: Maybe[float] = result("Power that enters by the crank.", symbol="P₁")
     carrier_power_W: Maybe[float] = result("Power that enters by the pins.", symbol="P_c")

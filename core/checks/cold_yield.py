@@ -1,15 +1,15 @@
-"""The torque at which a plastic contact of pins and holes yields at once: all that is known of what
-may not last.
-"""
+"""The torque at which a plastic yields at once: all that is known of what may not last."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Literal
 
 from core.checks.check import Verdict
 from core.checks.crank_planetary import crank_check, under
 from core.checks.plastics import PLASTICS, cold_limits
 from core.design.results import Results
-from core.errors import required
-from core.materials import Body
+from core.errors import UNKNOWN, if_known, required
+from core.materials import Body, first_yield
 
 LOOKS, NEAR = 6, 1e-4
 """Torques at most that are looked at where forces are solved; how near 1 the last reserve is."""
@@ -20,14 +20,15 @@ LASTING = 0.25
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ColdYield:
-    """When the weaker plastic body of the contact of pins and holes yields at once, of those with a
-    known strength; its teeth may do so before.
+    """When the first plastic body yields at once, of those with a known strength: pin or hole, or
+    the teeth of a disc.
     """
 
     torque: float  # above which it does, N*m; the peak torque is as many times as large as it is
+    part: Literal["contact", "teeth"]  # of the reducer
     body: Body  # which
     strength: float  # its strength in the direction that is loaded, Pa
-    friction: float  # mu in the holes
+    friction: float  # mu of what slides there; of teeth 0 where it is not known, which bears more
     open: tuple[str, ...]  # codes of checks that would have to be made before it may last
 
     @property
@@ -37,7 +38,7 @@ class ColdYield:
 
 
 def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
-    """The torque at which a plastic contact yields at once.
+    """The torque at which a plastic yields at once.
 
     Parameters
     ----------
@@ -62,15 +63,16 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
     misfits = {each.code for each in found.checks if each.status == "fail"} & {"interference"}
     if check is None or found.impossible or misfits or not check.by_torque:
         return None
+
+    def left(there: Results) -> float:
+        seen = crank_check("contact_static_cold", there)
+        return required(seen.torque_reserve, "value_unknown")
+
     friction, factor = design.hole_friction, check.reserve
-    for _ in range(LOOKS if check.rough or results.solved else 0):
-        there = Results(under(design=design, factor=factor), equal=results.shared_equally)
-        seen = crank_check(check.code, there)
-        if not seen.by_torque:
-            return None
-        factor *= seen.reserve
-        if abs(seen.reserve - 1) <= NEAR:
-            break
+    try:
+        factor = _settled(results, left, factor, LOOKS if check.rough or results.solved else 0)
+    except UNKNOWN:
+        return None
     limits = cold_limits(results=results, contact=results.static_contact)
     body = min(limits, key=limits.__getitem__)
     strength = required(design.lasting[body].loaded_strength(body), "yield_unknown")
@@ -83,12 +85,63 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
     worn = checks.get("wear")
     known = worn is not None and (worn.value is not None or worn.status == "not_applicable")
     wears = () if known else ("wear",)
-    teeth = (each.code for each in found.checks if each.reason == "plastic_limit_unknown"
-             and each.kind.part == "teeth")  # fmt: skip
-    return ColdYield(
+    teeth = (
+        each.code
+        for each in found.checks
+        if each.kind.part == "teeth" and each.reason == "plastic_limit_unknown"
+    )
+    contact = ColdYield(
         torque=abs(design.load.output_torque) * factor,
+        part="contact",
         body=body,
         strength=strength,
         friction=friction,
         open=(*unknown, *wears, *teeth),
+    )
+    return if_known(lambda: _of_teeth(results, contact, factor)) or contact
+
+
+def _settled(
+    results: Results, left: Callable[[Results], float], factor: float, looks: int
+) -> float:
+    """Factor on the torque at which nothing is left, from a guess of it on."""
+    for _ in range(looks):
+        there = Results(under(design=results.design, factor=factor), equal=results.shared_equally)
+        reserve = left(there)
+        factor *= reserve
+        if abs(reserve - 1) <= NEAR:
+            break
+    return factor
+
+
+def _of_teeth(results: Results, contact: ColdYield, factor: float) -> ColdYield | None:
+    """The same where plastic teeth of discs on their pins yield before; None where they do not.
+
+    Raises
+    ------
+    NotKnown
+        If nothing is known of teeth on pins, or of their forces.
+    """
+    design = results.design
+    material = required(design.lasting_teeth.get("disc"), "section_missing", "gear.disc_material")
+    if not material.plastic:
+        return None
+    strength = required(material.loaded_strength("hole"), "yield_unknown")
+    friction = if_known(lambda: design.cycloid.known_friction) or 0.0
+    limit = strength * first_yield(poissons_ratio=float(material.poissons_ratio), friction=friction)
+
+    def left(there: Results) -> float:
+        return float((limit / there.ring.static.max_pressure) ** 2)
+
+    beyond = Results(under(design=design, factor=factor), equal=results.shared_equally)
+    reserve = left(beyond)
+    if reserve >= 1:
+        return None
+    return ColdYield(
+        torque=abs(design.load.output_torque) * _settled(results, left, factor * reserve, LOOKS),
+        part="teeth",
+        body="hole",
+        strength=strength,
+        friction=friction,
+        open=contact.open,
     )

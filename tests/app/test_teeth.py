@@ -118,6 +118,7 @@ def test_teeth_of_a_design_that_is_shown_exist(design):
     assert exist(design)
 
 
+@pytest.mark.slow
 def test_teeth_that_the_page_starts_from_exist():
     command = ["node", "--input-type=module", "--eval", STARTS]
     designs = json.loads(subprocess.check_output(command, cwd=ROOT, text=True))

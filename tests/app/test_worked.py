@@ -98,7 +98,10 @@ def refused(calculation: str, body: dict[str, Any], paths: list[tuple[Any, ...]]
     return count(paths)
 
 
-@pytest.mark.parametrize("case", CASES)
+@pytest.mark.parametrize(
+    "case",
+    [pytest.param(each, marks=[pytest.mark.slow] * (each == "cycloid")) for each in CASES],
+)
 def test_every_formula_gives_the_result(case: str) -> None:
     check(steps_of(*CASES[case]))
 

@@ -137,6 +137,7 @@ def test_documented_parameters_are_the_signature():
     assert wrong == {}
 
 
+@pytest.mark.slow
 def test_every_field_of_a_record_says_what_it_is():
     wrong = {}
     for cls in DATACLASSES + RECORDS:

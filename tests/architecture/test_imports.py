@@ -40,6 +40,7 @@ def module(file: Path) -> str:
     return ".".join(file.relative_to(ROOT).with_suffix("").parts)
 
 
+@pytest.mark.slow
 def test_a_file_imports_what_it_may() -> None:
     wrong = [
         (module(file), name)

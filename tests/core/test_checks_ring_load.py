@@ -84,12 +84,12 @@ def test_the_mesh_is_that_of_the_published_case() -> None:
 
 @pytest.mark.parametrize("design", [A7, FEW])
 def test_the_bearing_feels_the_mean_of_the_mesh(design: Design) -> None:
-    """Of exact normals at 240 positions; A7 lags far, which turns them."""
+    """Of exact normals at 60 positions; A7 lags far, which turns them."""
     results = Results(design)
     mesh, turn = results.ring.mesh, results.ring.working[0]
     places = [
         mesh_position(mesh=mesh, crank_angle=angle, output_torque=turn.turn.torque)
-        for angle in np.linspace(0, 2 * math.pi, 240, endpoint=False)
+        for angle in np.linspace(0, 2 * math.pi, 60, endpoint=False)
     ]
     along, across = (
         math.fsum(chain.from_iterable(getattr(each, name) for each in places))

@@ -243,16 +243,6 @@ def test_cold_yield_is_the_torque_at_which_the_check_fails() -> None:
         )
         near = check_of("contact_static_cold", having(design, output_torque=cold.torque))
         assert near.utilisation == pytest.approx(1, rel=1e-3)
-    teeth = CycloidRing(
-        ring_pin_circle_radius=0.12,
-        ring_pin_radius=0.005,
-        modification=Modification(equidistant=6e-5),
-        disc_material=PLA,
-        pin_material=STEEL,
-    )
-    results = Results(having(SOFT, gear=teeth))
-    cold = cold_yield(results=results, found=crank_verdict(results))
-    assert cold is not None and cold.open[-2:] == ("wear", "ring_pressure_disc")
     misfit = having(SOFT, hole_radius=0.0095)
     assert cold_yield(results=Results(misfit), found=crank_verdict(Results(misfit))) is None
     steel = having(SOFT, hole_material=STEEL)
@@ -410,6 +400,44 @@ def test_with_much_friction_shakedown_is_known_at_its_ends_only() -> None:
         )
     says_so = crank_verdict(Results(having(dry, output_torque=500.0 * (2 * 430e6 / pressure) ** 2)))
     assert says_so["contact_shakedown_hole"].status == "marginal"
+
+
+@pytest.mark.parametrize(
+    ("friction", "changes", "part", "factor"),
+    [
+        (None, {}, "teeth", 1.858),  # f of the table in the theory, v 0.36
+        (0.3, {}, "teeth", 1.626),
+        (0.3, {"peak_torque": 40.0}, "teeth", 1.626),
+        (None, {"hole_radius": 0.0102}, "contact", None),
+    ],
+)
+def test_plastic_teeth_may_yield_before_the_holes(
+    friction: float | None, changes: dict[str, float], part: str, factor: float | None
+) -> None:
+    teeth = CycloidRing(
+        ring_pin_circle_radius=0.12,
+        ring_pin_radius=0.005,
+        modification=Modification(equidistant=6e-5),
+        friction_coefficient=friction,
+        disc_material=PLA,
+        pin_material=STEEL,
+    )
+    design = having(SOFT, gear=teeth, **changes)
+    results = Results(design)
+    cold = cold_yield(results=results, found=crank_verdict(results))
+    assert cold is not None and cold.part == part
+    assert "ring_pressure_disc" in cold.open
+    times = cold.torque / 20.0
+    near = having(design, output_torque=cold.torque)
+    if "peak_torque" in changes:
+        near = having(near, peak_torque=40.0 * times)
+    pressure = Results(near).ring.static.max_pressure
+    if factor is None:
+        assert check_of("contact_static_cold", near).utilisation == pytest.approx(1, rel=1e-3)
+        assert pressure < 1.858 * 23e6
+    else:
+        assert (cold.friction, cold.strength) == (friction or 0.0, 23e6)
+        assert pressure == pytest.approx(factor * 23e6, rel=5e-4)
 
 
 def test_of_two_plastics_the_weaker_one_and_the_hotter_one_are_judged() -> None:
