@@ -1,6 +1,7 @@
 """Verdict, checks and fixes in requests and answers."""
 
 import math
+from collections.abc import Iterator
 from functools import cache, lru_cache
 from typing import Annotated, Any, Literal
 
@@ -331,14 +332,39 @@ def _kind_values(code: str) -> Values:
     )
 
 
+FOLLOWS = {
+    "load.output_torque": ("load.input_torque", "load.efficiency"),
+    "mechanism.ratio": (
+        "mechanism.output_ratio",
+        "mechanism.satellite_teeth",
+        "mechanism.ring_teeth",
+    ),
+    "gear.teeth_difference": ("mechanism.satellite_teeth", "mechanism.ring_teeth"),
+    "contact.hole_radius": (
+        "contact.pin_radius",
+        "contact.eccentricity",
+        "contact.hole_clearance",
+        "contact.fit",
+    ),
+}
+"""Values of a design that a request need not give, with what they follow from there."""
+
+
 @lru_cache(maxsize=64)
 def _inputs(shape: Shape) -> dict[str, list[str]]:
-    """Of each check, JSON pointers to its inputs that are given, in requests of a shape."""
+    """Of each check, JSON pointers to its inputs that are given, in requests of a shape, or to what
+    these follow from.
+    """
     paths, given = core_paths(shape), {*given_paths(shape)}
-    return {
-        code: [pointer(paths[name]) for name in kind.inputs if paths.get(name) in given]
-        for code, kind in CHECKS.items()
-    }
+
+    def there(*names: str) -> Iterator[str]:
+        for name in names:
+            if paths.get(name) in given:
+                yield pointer(paths[name])
+            else:
+                yield from there(*FOLLOWS.get(name, ()))
+
+    return {code: [*dict.fromkeys(there(*kind.inputs))] for code, kind in CHECKS.items()}
 
 
 def _reason(found: Check | PartVerdict, body: RequestModel) -> Values:

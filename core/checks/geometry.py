@@ -246,7 +246,6 @@ def dead_centre(design: Design, results: Results) -> Check:
     why="Otherwise they are different parts that can be exchanged by mistake.",
     inputs=(
         "mechanism.satellite_teeth",
-        "mechanism.ring_teeth",
         "mechanism.ratio",
         "mechanism.pins",
         "mechanism.satellites",

@@ -50,11 +50,11 @@ def test_what_is_kept_of_a_request_is_of_the_fields_that_it_has() -> None:
     assert not body.model_copy(update={"contact": None}).design.contact
 
 
-def inputs(**changes: Any) -> set[str]:
-    """Inputs of the contact's check that a request has given."""
+def inputs(code: str = "contact_pressure_hole", **changes: Any) -> set[str]:
+    """Inputs of a check that a request has given."""
     body = CrankPlanetaryRequest.model_validate(BODY | changes)
     answer = judgement(crank_checks(body.results), body, torque=500.0, checks=True)
-    return {*next(each for each in answer["checks"] if each["code"].endswith("hole"))["inputs"]}
+    return {*next(each for each in answer["checks"] if each["code"] == code)["inputs"]}
 
 
 def test_the_inputs_of_a_check_are_those_that_are_given() -> None:
@@ -66,3 +66,36 @@ def test_the_inputs_of_a_check_are_those_that_are_given() -> None:
     thinner = inputs(pin=PIN | {"diameter_mm": 15.0})
     assert thinner - alone == bent | {"/pin/diameter_mm"}
     assert inputs() == alone
+
+
+def test_for_an_input_that_is_not_given_there_is_what_it_follows_from() -> None:
+    teeth = {"satellite_teeth": 40, "ring_teeth": 42}
+    load = {"pin_circle_radius_mm": 50.0, "input_torque_Nm": 25.0, "efficiency": 0.9}
+    rubs = {"friction": {"coefficient": 0.1}}
+    for code, names, changes in (
+        (
+            "sliding_speed",
+            ["mechanism/satellite_teeth", "mechanism/ring_teeth"],
+            {"mechanism": {"pins": 6} | teeth},
+        ),
+        (
+            "sliding_speed",
+            ["mechanism/output_ratio"],
+            {"mechanism": {"pins": 6, "output": "ring", "output_ratio": 21.0}},
+        ),
+        ("lost_motion", ["load/input_torque_Nm", "load/efficiency"], {"load": load}),
+    ):
+        found, said = inputs(code, **rubs, **changes), inputs(code, **rubs)
+        assert found - said == {f"/{name}" for name in names}
+        assert len(said - found) == 1
+    contact = BODY["contact"]
+    sizes = {"/contact/pin_radius_mm", "/contact/eccentricity_mm"}
+    others = {"/mechanism/pins", "/load/pin_circle_radius_mm"}
+    for name, value in (("hole_clearance_mm", 0.02), ("fit", "H7/f7")):
+        found = inputs("wall_holes", contact=contact | {name: value})
+        assert found == sizes | others | {f"/contact/{name}"}
+    hole = contact | {"hole_radius_mm": 10.02}
+    assert inputs("wall_holes", contact=hole) == others | {"/contact/hole_radius_mm"}
+    gear = {"kind": "involute", "module_mm": 1.75}
+    found = inputs("pressure_angle", mechanism={"pins": 6} | teeth, gear=gear)
+    assert {"/mechanism/satellite_teeth", "/mechanism/ring_teeth"} <= found
