@@ -439,15 +439,15 @@ class Study:
     def missed_by_finer(
         self, pieces: Drawn, values: FloatArray, times: int, narrowed: Sequence[str] = ()
     ) -> dict[str, float]:
-        """What the first pieces have at so many times as many positions, over what they have at
-        those asked.
+        """What the first pieces have at so many times as many positions and one more, over what
+        they have at those asked: places between which a grid lies evenly miss what it misses.
 
         Parameters
         ----------
         pieces, values : Drawn and array
             As `grid_errors` takes them.
         times : int
-            How many times as many.
+            How many times as many, but for the one.
         narrowed : sequence of str
             Quantities that are left out.
 
@@ -459,7 +459,7 @@ class Study:
         asked, missed = self.asked, {}
         others = tuple(name for name in asked.quantities if name not in narrowed)
         if others:
-            finer = replace(asked, quantities=others, positions=times * asked.positions)
+            finer = replace(asked, quantities=others, positions=times * asked.positions + 1)
             fine, _ = replace(self, asked=finer).values_of(pieces.part(0, FINER_SAMPLES))
             for name, column in zip(others, fine.T, strict=True):
                 coarse = values[:FINER_SAMPLES, asked.quantities.index(name)]

@@ -216,7 +216,7 @@ def test_a_study_says_what_its_positions_miss_and_which_tolerance_does_most() ->
     asked = Evaluation(("ring_peak_force", "max_pressure"), torque, 3)
     study = SeriesStudy(series, alone, asked, samples=8)
     found = tolerance_study(study)
-    finer = replace(study, asked=replace(asked, positions=8 * 3))
+    finer = replace(study, asked=replace(asked, positions=8 * 3 + 1))
     fine, _ = finer.values(finer.pieces())
     for index, name in enumerate(asked.quantities):
         off = np.abs(fine - found.values)[:, index].sum() / fine[:, index].sum()
