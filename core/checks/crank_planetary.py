@@ -507,8 +507,8 @@ class _Torques:
         for check in self.found.checks:
             if check.code in self.looks:
                 own = math.exp(self.root(check.code))
-                known = limit or self.found.impossible  # none is given where none holds
-                raised = max(own, limit) if known else None
+                given = limit > 0 or self.found.impossible  # none is where none holds
+                raised = max(own, limit) if given else None
                 reserve = raised if check.code in self.counted else own
                 rough = not settled or self.away(check.code) > NEAR
                 check = check._replace(torque_reserve=reserve, rough=rough)
