@@ -181,6 +181,7 @@ async def test_refusals_name_the_field(api, sections, pointer, code):
     assert [(each["pointer"], each["code"]) for each in errors] == [(pointer, code)]
 
 
+@pytest.mark.slow
 async def test_limits_are_in_the_units_of_their_fields(api):
     body = changed(gear={"ring_pin_radius_mm": 14.0})
     error = (await api.post(PATH, json=body)).json()["errors"][0]

@@ -181,6 +181,7 @@ async def test_a_satellite_that_carries_nothing_is_said(api, phases):
     assert worst == {name: pytest.approx(value, rel=1e-3) for name, value in alone.items()}
 
 
+@pytest.mark.slow
 async def test_a_satellite_that_carries_nothing_refuses_nothing(api):
     places = [10.0, 20.0, 30.0]
     support = {"support": "supported", "span_mm": 40.0, "satellite_positions_mm": places}

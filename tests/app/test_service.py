@@ -76,6 +76,7 @@ async def test_calculations_are_found_below_the_root_of_the_service(root, path, 
         assert (await client.post(path, json=JOB)).status_code == status
 
 
+@pytest.mark.slow
 async def test_what_the_service_says_of_its_addresses_has_its_prefix():
     transport = httpx.ASGITransport(create_app(Settings(root_path="/reducers")))
     async with httpx.AsyncClient(transport=transport, base_url=f"{SITE}/reducers/") as client:

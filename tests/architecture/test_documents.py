@@ -21,6 +21,7 @@ README = (ROOT / "README.md").read_text()
 SOURCE = "\n".join(path.read_text() for path in sorted(ROOT.glob("core/**/*.py")))
 
 
+@pytest.mark.slow
 def test_names_of_the_nomenclature_are_those_of_the_core():
     rows = [line.split(" | ") for line in (ROOT / "docs/nomenclature.md").read_text().splitlines()]
     names = {name for row in rows if len(row) > 3 for name in re.findall(r"`(\w+)`", row[1])}
@@ -81,6 +82,7 @@ def test_the_readme_lists_the_calculations_of_the_registry():
     assert dict(rows) == {name: each.title for name, each in CALCULATIONS.items()}
 
 
+@pytest.mark.slow
 def test_the_documents_of_the_api_name_every_path_and_kind_of_problem():
     text = (ROOT / "docs/api.md").read_text()
     named = {*re.findall(r"`(?:POST|GET) (/[\w/.-]*)`", text)}
