@@ -1,15 +1,14 @@
 """The torque at which a plastic yields at once: all that is known of what may not last."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
-from core.checks.check import Verdict
+from core.checks.check import Check, Verdict
 from core.checks.crank_planetary import crank_check, under
 from core.checks.plastics import PLASTICS, cold_limits
 from core.design.results import Results
 from core.errors import UNKNOWN, if_known, required
-from core.materials import Body, first_yield
+from core.materials import Body
 
 LOOKS, NEAR = 6, 1e-4
 """Torques at most that are looked at where forces are solved; how near 1 the last reserve is."""
@@ -64,18 +63,20 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
     if check is None or found.impossible or misfits or not check.by_torque:
         return None
 
-    def left(there: Results) -> float:
-        seen = crank_check("contact_static_cold", there)
-        return required(seen.torque_reserve, "value_unknown")
-
-    friction, factor = design.hole_friction, check.reserve
+    friction, looks = design.hole_friction, LOOKS if check.rough or results.solved else 0
     try:
-        factor = _settled(results, left, factor, LOOKS if check.rough or results.solved else 0)
+        factor = _settled(results, check, looks)
     except UNKNOWN:
         return None
     limits = cold_limits(results=results, contact=results.static_contact)
     body = min(limits, key=limits.__getitem__)
     strength = required(design.lasting[body].loaded_strength(body), "yield_unknown")
+    teeth = checks.get("ring_static_cold")
+    of_teeth = if_known(lambda: _settled(results, teeth, LOOKS)) if teeth else None
+    part: Literal["contact", "teeth"] = "contact"
+    if of_teeth and of_teeth < factor:
+        part, body, factor = "teeth", "hole", of_teeth
+        strength, friction = results.ring.teeth_strength, results.ring.teeth_friction
     judged = [kind.code for kind in PLASTICS if kind is not check.kind]
     unknown = (
         code
@@ -85,63 +86,34 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
     worn = checks.get("wear")
     known = worn is not None and (worn.value is not None or worn.status == "not_applicable")
     wears = () if known else ("wear",)
-    teeth = (
+    pressed = (
         each.code
         for each in found.checks
         if each.kind.part == "teeth" and each.reason == "plastic_limit_unknown"
     )
-    contact = ColdYield(
+    return ColdYield(
         torque=abs(design.load.output_torque) * factor,
-        part="contact",
+        part=part,
         body=body,
         strength=strength,
         friction=friction,
-        open=(*unknown, *wears, *teeth),
+        open=(*unknown, *wears, *pressed),
     )
-    return if_known(lambda: _of_teeth(results, contact, factor)) or contact
 
 
-def _settled(
-    results: Results, left: Callable[[Results], float], factor: float, looks: int
-) -> float:
-    """Factor on the torque at which nothing is left, from a guess of it on."""
-    for _ in range(looks):
-        there = Results(under(design=results.design, factor=factor), equal=results.shared_equally)
-        reserve = left(there)
-        factor *= reserve
-        if abs(reserve - 1) <= NEAR:
-            break
-    return factor
-
-
-def _of_teeth(results: Results, contact: ColdYield, factor: float) -> ColdYield | None:
-    """The same where plastic teeth of discs on their pins yield before; None where they do not.
+def _settled(results: Results, check: Check, looks: int) -> float:
+    """Factor on the torque at which a check is at its limit, by looks at others.
 
     Raises
     ------
     NotKnown
-        If nothing is known of teeth on pins, or of their forces.
+        If it has none.
     """
-    design = results.design
-    material = required(design.lasting_teeth.get("disc"), "section_missing", "gear.disc_material")
-    if not material.plastic:
-        return None
-    strength = required(material.loaded_strength("hole"), "yield_unknown")
-    friction = if_known(lambda: design.cycloid.known_friction) or 0.0
-    limit = strength * first_yield(poissons_ratio=float(material.poissons_ratio), friction=friction)
-
-    def left(there: Results) -> float:
-        return float((limit / there.ring.static.max_pressure) ** 2)
-
-    beyond = Results(under(design=design, factor=factor), equal=results.shared_equally)
-    reserve = left(beyond)
-    if reserve >= 1:
-        return None
-    return ColdYield(
-        torque=abs(design.load.output_torque) * _settled(results, left, factor * reserve, LOOKS),
-        part="teeth",
-        body="hole",
-        strength=strength,
-        friction=friction,
-        open=contact.open,
-    )
+    factor = required(check.torque_reserve, "value_unknown")
+    for _ in range(looks):
+        there = Results(under(design=results.design, factor=factor), equal=results.shared_equally)
+        reserve = required(crank_check(check.code, there).torque_reserve, "value_unknown")
+        factor *= reserve
+        if abs(reserve - 1) <= NEAR:
+            break
+    return factor

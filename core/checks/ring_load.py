@@ -6,7 +6,7 @@ efficiency, pv.
 from functools import partial
 from typing import Any, TypeVar, get_args
 
-from core.checks.check import Check, Kind, Measure, design_check, judged, judged_by
+from core.checks.check import Check, Kind, Measure, design_check, judged, judged_by, necessary
 from core.checks.crank import other_ring
 from core.checks.geometry import of_both
 from core.checks.inputs import (
@@ -198,6 +198,30 @@ def _static(body: RingBody) -> Kind:
         return judged(static, **pressed._asdict(), limit=limit, reserve=reserve, **source)
 
     return static
+
+
+@_check(
+    "ring_static_cold",
+    title="First yield of the satellites' plastic teeth",
+    unit="MPa",
+    formula="p ≤ f(ν, μ)·R_min",
+    why="Above it the teeth yield under the first load, even cold.",
+    inputs=(
+        *TEETH_GIVE,
+        "load.output_torque",
+        "load.peak_torque",
+        "contact.dynamic_factor",
+        "gear.friction_coefficient",
+    ),
+    fixes=(*_FIXES, "load.output_torque", "load.peak_torque"),
+    source="first_yield",
+    needs=("load", "contact", "plastic_teeth"),
+)
+def ring_static_cold(design: Design, results: Results) -> Check:
+    """Without friction where that is not known: what fails so does with it."""
+    pressed, limit = _pressed(results, "disc", static=True), results.ring.cold_limit
+    reserve = (limit / pressed.value) ** 2
+    return necessary(judged(ring_static_cold, **pressed._asdict(), limit=limit, reserve=reserve))
 
 
 @_check(
@@ -414,6 +438,7 @@ RING_LOAD = (
     ring_pressed,
     *map(_pressure, BODIES),
     *map(_static, BODIES),
+    ring_static_cold,
     ring_backlash,
     ring_transmission_error,
     ring_pin_stress,

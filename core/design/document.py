@@ -617,6 +617,11 @@ class Design:
         }
 
     @property
+    def plastic_teeth(self) -> bool:
+        """Whether the satellites' teeth are of plastic."""
+        return bool(self.gear and self.disc_material and self.disc_material.plastic)
+
+    @property
     def sliding_friction(self) -> float:
         """Friction coefficient of what slides in the holes: 0 where sleeves or rollers roll there,
         and where none is given.

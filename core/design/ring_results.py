@@ -13,6 +13,7 @@ from core.design.pin_fatigue import fatigue_of
 from core.design.refusals import named
 from core.design.sections import DesignPin
 from core.errors import UNKNOWN, InvalidInput, NotKnown, derived, if_known, required
+from core.materials import first_yield
 from core.output.elasticity import RIGID_SUPPORT, Shares
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
@@ -216,6 +217,25 @@ class RingResults:
     def static(self) -> MeshTurn:
         """The same under the torque of static strength."""
         return self.turns(self.design.static_torque * self.design.ring_factor)[0]
+
+    @derived
+    def teeth_strength(self) -> float:
+        """Strength of satellites' teeth in the direction that is loaded, Pa."""
+        material = required(self.design.disc_material, "section_missing", "contact.hole_material")
+        name = "contact.hole_material"
+        return required(material.loaded_strength("hole"), "yield_unknown", name)
+
+    @property
+    def teeth_friction(self) -> float:
+        """Friction coefficient of teeth; 0 where it is not known, which bears more."""
+        return if_known(lambda: self.design.gear.known_friction) or 0.0
+
+    @derived
+    def cold_limit(self) -> float:
+        """Pressure at which teeth of plastic yield at once, Pa."""
+        material = required(self.design.disc_material, "section_missing", "contact.hole_material")
+        ratio = float(material.poissons_ratio)
+        return self.teeth_strength * first_yield(poissons_ratio=ratio, friction=self.teeth_friction)
 
     @property
     def pin(self) -> DesignPin:

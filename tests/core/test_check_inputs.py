@@ -409,6 +409,16 @@ DESIGNS |= {
             disc_material=LASTING,
         ),
     ),
+    "teeth of plastic": having(
+        TOOTH,
+        hole_material=SOFT,
+        fatigue=None,
+        output_torque=5.0,
+        gear=replace(
+            TOOTHED.gear,  # type: ignore[type-var]
+            modification=Modification(equidistant=-5e-6, pin_circle=-1e-6, rotation=1e-4),
+        ),
+    ),
     "teeth in seats": having(
         TOOTH,
         fatigue=None,
@@ -502,6 +512,9 @@ DESIGNS |= {
             satellite_tip_radius=0.0370125,
             ring_tip_radius=0.036575,
         ),
+    ),
+    "involute teeth of plastic": having(
+        TIPS, peak_torque=None, gear=replace(INVOLUTE, satellite_material=SOFT)
     ),
     "involute teeth, those of the ring higher": having(
         TIPS, gear=replace(INVOLUTE, satellite_addendum=0.5, ring_addendum=0.6)

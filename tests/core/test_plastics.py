@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from core.checks.cold_yield import cold_yield
-from core.checks.crank_planetary import crank_verdict
+from core.checks.crank_planetary import crank_verdict, under
 from core.checks.plastics import PLASTICS
 from core.design.document import Design
 from core.design.results import Results
@@ -438,6 +438,10 @@ def test_plastic_teeth_may_yield_before_the_holes(
     else:
         assert (cold.friction, cold.strength) == (friction or 0.0, 23e6)
         assert pressure == pytest.approx(factor * 23e6, rel=5e-4)
+        below, above = (
+            check_of("ring_static_cold", under(design=near, factor=each)) for each in (0.99, 1.01)
+        )
+        assert below.only_needed and above.status == "fail"
 
 
 def test_of_two_plastics_the_weaker_one_and_the_hotter_one_are_judged() -> None:
