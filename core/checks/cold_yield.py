@@ -49,8 +49,8 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
     Returns
     -------
     ColdYield or None
-        None where no plastic touches, where its strength or the clearance is not known, and where
-        the parts do not go together.
+        None where no plastic touches, where its strength is not known, and where the parts do not
+        go together.
 
     Raises
     ------
@@ -60,9 +60,7 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
     design, checks = results.design, {each.code: each for each in found.checks}
     check = checks.get("contact_static_cold")
     misfits = {each.code for each in found.checks if each.status == "fail"} & {"interference"}
-    if design.clearance_unknown or found.impossible or misfits:
-        return None
-    if check is None or not check.by_torque:
+    if check is None or found.impossible or misfits or not check.by_torque:
         return None
 
     friction, looks = design.hole_friction, LOOKS if check.rough or results.solved else 0
