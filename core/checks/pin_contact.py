@@ -5,7 +5,7 @@ are in `core.checks.plastics`.
 from functools import partial
 from typing import Any, get_args
 
-from core.checks.check import Check, Kind, design_check, judged, judged_by
+from core.checks.check import Check, Kind, Unjudged, design_check, judged, judged_by
 from core.checks.inputs import LIFE, LOADED, SLIDING
 from core.design.document import Design
 from core.design.results import Results
@@ -136,27 +136,37 @@ def over_life(*, found: Check, limit: ContactLimit) -> Check:
 
 
 def static_limit(
-    *, material: ElasticMaterial, pressure: float
-) -> tuple[float, dict[str, Any]] | None:
+    *, material: ElasticMaterial, missing: str, value: float, **known: Any
+) -> tuple[float, dict[str, Any]]:
     """What a surface bears once: what it bears for ever it bears once too.
 
     Parameters
     ----------
     material : ElasticMaterial
         Of the surface.
-    pressure : float
-        What it is to bear, Pa.
+    missing : str
+        Core name of its limit.
+    value : float
+        Pressure that it is to bear, Pa.
+    **known
+        What else is known of the check.
 
     Returns
     -------
-    tuple of float and dict, or None
-        The limit, Pa, and whence it is; None where that is not known, as beyond a lasting limit.
+    tuple of float and dict
+        The limit, Pa, and whence it is.
+
+    Raises
+    ------
+    Unjudged
+        If it is not known, as beyond a lasting limit.
     """
     if material.static_pressure is not None:
         return material.static_pressure, {}
-    lasting = material.limit
-    if lasting is None or pressure > lasting.pressure:
-        return None
+    unknown = "plastic_limit_unknown" if material.plastic else "limit_unknown"
+    lasting = judged_by(material.limit, unknown, missing, value=value, **known)
+    if value > lasting.pressure:
+        raise Unjudged("static_limit_unknown", value=value, **known)
     return float(lasting.pressure), whence(lasting)
 
 
@@ -278,12 +288,9 @@ def _static(body: Body) -> Kind:
         if body in design.plastics and not material.limit:
             return Check(static, "not_applicable", reason="plastic_rules")
         contact = results.static_contact
-        pressure, unknown = (
-            contact.governing_pressure,
-            f"contact.{body}_material.allowable_pressure",
-        )
-        known = static_limit(material=material, pressure=pressure)
-        limit, source = judged_by(known, "limit_unknown", unknown, value=pressure)
+        pressure = contact.governing_pressure
+        missing = f"contact.{body}_material.allowable_pressure"
+        limit, source = static_limit(material=material, missing=missing, value=pressure)
         return in_disc(
             kind=static,
             results=results,

@@ -4,7 +4,7 @@ efficiency, pv.
 """
 
 from functools import partial
-from typing import Any, TypeVar, get_args
+from typing import Any, get_args
 
 from core.checks.check import Check, Kind, Measure, design_check, judged, judged_by, necessary
 from core.checks.crank import other_ring
@@ -31,8 +31,6 @@ from core.design.ring import RingBody, RingKind
 from core.errors import ImpossibleMechanism, NotKnown
 from core.precision import AS_TYPED
 from core.ring.sharing import MeshTurn
-
-Limit = TypeVar("Limit")
 
 FIRST_ORDER = 0.02
 """Error of a pressure in first order, of the mesh: of the peak force up to 4 % were seen."""
@@ -132,14 +130,6 @@ def _pressed(results: Results, body: RingBody, *, static: bool) -> Pressed:
     return Pressed(value, _error(turn), True, at)
 
 
-def _of_material(limit: Limit | None, design: Design, body: RingBody, found: Pressed) -> Limit:
-    """A limit of a pressure that its material has to have."""
-    plastic = design.lasting_teeth[body].plastic
-    unknown = "plastic_limit_unknown" if plastic else "limit_unknown"
-    missing = f"{_material(design, body)}.allowable_pressure"
-    return judged_by(limit, unknown, missing, value=found.value, at=found.at)
-
-
 def _pressure(body: RingBody) -> Kind:
 
     def limits(design: Design, results: Results) -> dict[str, Any]:
@@ -164,7 +154,10 @@ def _pressure(body: RingBody) -> Kind:
     )
     def pressure(design: Design, results: Results) -> Check:
         pressed = _pressed(results, body, static=False)
-        limit = _of_material(design.lasting_teeth[body].limit, design, body, pressed)
+        material = design.lasting_teeth[body]
+        unknown = "plastic_limit_unknown" if material.plastic else "limit_unknown"
+        missing = f"{_material(design, body)}.allowable_pressure"
+        limit = judged_by(material.limit, unknown, missing, value=pressed.value, at=pressed.at)
         known = limits(design, results)
         found = judged(
             pressure,
@@ -192,8 +185,12 @@ def _static(body: RingBody) -> Kind:
     )
     def static(design: Design, results: Results) -> Check:
         pressed = _pressed(results, body, static=True)
-        known = static_limit(material=design.lasting_teeth[body], pressure=pressed.value)
-        limit, source = _of_material(known, design, body, pressed)
+        limit, source = static_limit(
+            material=design.lasting_teeth[body],
+            missing=f"{_material(design, body)}.allowable_pressure",
+            value=pressed.value,
+            at=pressed.at,
+        )
         reserve = (limit / pressed.value) ** 2
         return judged(static, **pressed._asdict(), limit=limit, reserve=reserve, **source)
 

@@ -67,6 +67,8 @@ UNKNOWN = {
     "plastic_rules": "A plastic creeps instead of settling: it is judged by rules of its own",
     "shakedown_unknown": "Up to first yield it holds for certain; from there to the limit nothing "
     "is known with so much friction",
+    "static_limit_unknown": "The pressure is above what the surface bears for ever, and no source "
+    "says what it bears once",
     "softening_unknown": "At which temperature this plastic goes soft is not known",
     "solid_wall_unknown": "How thick the solid wall of the holes is, is not given: perimeters "
     "times line width",

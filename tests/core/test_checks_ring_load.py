@@ -162,7 +162,7 @@ def test_the_peak_torque_is_held_against_static_limits() -> None:
     alone = check_of("ring_pressure_pin", having(A7, output_torque=700.0))
     assert pin.value == disc.value == pytest.approx(alone.value, rel=SAME)
     assert (pin.limit, pin.status) == (4e9, "pass")
-    assert (disc.status, disc.reason) == ("not_checked", "limit_unknown")  # above 1500 MPa
+    assert (disc.status, disc.reason) == ("not_checked", "static_limit_unknown")  # above 1500 MPa
     less = having(geared(), peak_torque=450.0)
     assert check_of("ring_static_disc", less).limit == 1500e6
 

@@ -247,7 +247,7 @@ def test_the_contact_at_the_peak_torque_by_the_static_limit(share: float) -> Non
             assert (found.status, found.criterion) == ("pass", "given")
             assert found.limit == pytest.approx(share * at_peak, rel=SAME)
         else:
-            assert (found.status, found.reason) == ("not_checked", "limit_unknown")
+            assert (found.status, found.reason) == ("not_checked", "static_limit_unknown")
         limitless = having(design, **{f"{body}_material": replace(PIN, limit=None)})
         assert check_of(f"contact_static_{body}", limitless).reason == "limit_unknown"
     # with clearance the forces are those that are solved at the peak
