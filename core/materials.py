@@ -187,6 +187,31 @@ class ElasticMaterial:
         flat = (self.plastic.layers or usual) == "flat"
         return self.yield_strength if flat else self.plastic.strength_across
 
+    def known_strength(self, body: Body, name: str) -> float:
+        """That strength, Pa, which has to be known.
+
+        Parameters
+        ----------
+        body : {"pin", "hole"}
+            The body.
+        name : str
+            Core name of the material.
+
+        Returns
+        -------
+        float
+
+        Raises
+        ------
+        NotKnown
+            If it, or the direction in which the layers lie, is not given.
+        """
+        strength = self.loaded_strength(body)
+        if strength is None:
+            required(self.yield_strength, "yield_unknown", f"{name}.yield_strength", name)
+            raise NotKnown("direction_unknown", f"{name}.layers", name)
+        return strength
+
     @property
     def plane_modulus(self) -> Number:
         """Modulus in plane strain ``E/(1 - v^2)``, Pa."""

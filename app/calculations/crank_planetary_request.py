@@ -278,7 +278,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         that do not fit the mechanism.
         """
         super().refuse_beyond(settings)
-        if self.load is not None:
+        if self.load:
             self.load.refuse_beyond(settings)
 
     @cached_property

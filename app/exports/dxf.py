@@ -1,7 +1,6 @@
 """Satellites and their ring, its pins or its teeth, as DXF files, for drawing and cutting."""
 
 import io
-import math
 import re
 import zipfile
 from typing import TYPE_CHECKING, NamedTuple, Self
@@ -173,7 +172,6 @@ def _satellite(drawn: DrawnSatellite, design: Design) -> _Part:
         for each in (drawn.chord_error, drawn.hole_radius, drawn.hole_circle_radius)
     )
     bore = from_si("radius_mm", drawn.bore_radius)
-    _refuse_in_pieces(np.hypot(*outline.T).min(), pitch, len(holes), radius, bore or 0.0)
     x, y = (round(from_si("centre_mm", each), DIGITS) + 0.0 for each in drawn.centre)
     if design.gear.kind == "involute":
         form = _teeth(design, design.lobes, design.involute.satellite_profile_shift)
@@ -204,19 +202,6 @@ def _satellite(drawn: DrawnSatellite, design: Design) -> _Part:
             f"At the crank angle 0 this centre is at X {x:.6f}, Y {y:.6f} mm",
         ],
     )
-
-
-def _refuse_in_pieces(roots: float, pitch: float, holes: int, radius: float, bore: float) -> None:
-    """Refuse holes that break out of the teeth, into the bore or into each other; radii in mm."""
-    place = "/design/load/pin_circle_radius_mm"
-    apart = radius / math.sin(math.pi / holes) if holes > 1 else 0.0
-    if pitch + radius >= roots:
-        raise refusal(place, "less_than", limit=float(f"{roots - radius:.9g}"))
-    if pitch <= apart:
-        raise refusal(place, "greater_than", limit=float(f"{apart:.9g}"))
-    if bore >= pitch - radius:
-        place = "/design/satellite_body/bore_radius_mm"
-        raise refusal(place, "less_than", limit=float(f"{pitch - radius:.9g}"))
 
 
 def _teeth(design: Design, teeth: int, shift: float | None) -> tuple[str, str]:

@@ -70,7 +70,7 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
         return None
     limits = cold_limits(results=results, contact=results.static_contact)
     body = min(limits, key=limits.__getitem__)
-    strength = required(design.lasting[body].loaded_strength(body), "yield_unknown")
+    strength = design.lasting[body].known_strength(body, f"contact.{body}_material")
     teeth = checks.get("ring_static_cold")
     of_teeth = if_known(lambda: _settled(results, teeth, LOOKS)) if teeth else None
     part: Literal["contact", "teeth"] = "contact"

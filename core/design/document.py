@@ -612,9 +612,7 @@ class Design:
         """Which of pin and hole are plastic, and what is known of that."""
         if not self.touching:
             return {}
-        return {
-            body: each.plastic for body, each in self.lasting.items() if each.plastic is not None
-        }
+        return {body: each.plastic for body, each in self.lasting.items() if each.plastic}
 
     @property
     def plastic_teeth(self) -> bool:

@@ -161,6 +161,21 @@ def drawn_pair(*, design: Design) -> InvolutePair:
         raise
 
 
+def _refuse_in_pieces(
+    *, roots: float, circle: float, holes: int, radius: float, bore: float
+) -> None:
+    """Refuse holes that break out of the roots of the teeth, into each other or into the bore, by
+    their radii and that of their circle, m.
+    """
+    name, apart = "load.pin_circle_radius", radius / math.sin(math.pi / holes) if holes > 1 else 0.0
+    if circle >= roots - radius:
+        raise InvalidInput(name, circle, "less_than", limit=roots - radius)
+    if circle <= apart:
+        raise InvalidInput(name, circle, "greater_than", limit=apart)
+    if bore >= circle - radius:
+        raise InvalidInput("satellite_body.bore_radius", bore, "less_than", limit=circle - radius)
+
+
 def drawn_satellites(
     *, design: Design, numbers: tuple[int, ...], chord_error: float
 ) -> tuple[DrawnSatellite, ...]:
@@ -184,8 +199,8 @@ def drawn_satellites(
     NotKnown
         If a size is not known.
     InvalidInput
-        If there is no such disc, it is undercut, or all would take more points than
-        `core.ring.profile.MOST_POINTS`.
+        If there is no such disc, it is undercut, its holes break out of it, or all would take more
+        points than `core.ring.profile.MOST_POINTS`.
     ImpossibleMechanism
         See `core.ring.tooth_outline.satellite_outline`.
     """
@@ -221,6 +236,14 @@ def drawn_satellites(
             lambda: outline_points(disc=disc, chord_error=chord_error, most=most),
         )
         points, error = own.points @ np.array([1, 1j]), own.chord_error
+    bore = if_known(lambda: design.bore_radius)
+    _refuse_in_pieces(
+        roots=float(np.abs(points).min()),
+        circle=circle,
+        holes=built.pins,
+        radius=pair.hole_radius,
+        bore=bore or 0.0,
+    )
     found = []
     for number in numbers:
         crank = built.crank_angles[number - 1]
@@ -236,7 +259,7 @@ def drawn_satellites(
                 hole_circle_radius=circle,
                 hole_centres=geometry.pin_centres,
                 hole_radius=pair.hole_radius,
-                bore_radius=if_known(lambda: design.bore_radius),
+                bore_radius=bore,
             )
         )
     return tuple(found)

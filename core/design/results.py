@@ -554,10 +554,7 @@ class Results:
         where that is not known, which is more.
         """
         material = self.design.known_material(body)
-        strength, name = material.loaded_strength(body), f"contact.{body}_material"
-        if strength is None:
-            required(material.yield_strength, "yield_unknown", f"{name}.yield_strength", name)
-            raise NotKnown("direction_unknown", f"{name}.layers", name)
+        strength = material.known_strength(body, f"contact.{body}_material")
         friction = if_known(lambda: self.design.hole_friction) or 0.0
         ratio = float(material.poissons_ratio)
         factor = first_yield(poissons_ratio=ratio, friction=friction)

@@ -12,8 +12,8 @@ from core.design.output_forces import OutputForces
 from core.design.pin_fatigue import fatigue_of
 from core.design.refusals import named
 from core.design.sections import DesignPin
-from core.errors import UNKNOWN, InvalidInput, NotKnown, derived, if_known, required
-from core.materials import first_yield
+from core.errors import InvalidInput, NotKnown, derived, if_known, required
+from core.materials import ElasticMaterial, first_yield
 from core.output.elasticity import RIGID_SUPPORT, Shares
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
@@ -63,13 +63,11 @@ class RingResults:
         """The ring's force on a satellite as its bearing feels it: of forces that are solved the
         mean of its mesh, where that is solved too.
         """
-        force = self.force
-        if not self.output.solved or self.output.in_series:
+        force, alone = self.force, self.output.solved and not self.output.in_series
+        if not (alone and (turns := if_known(lambda: self.working))):
             return force
-        try:
-            return replace(force, radial_force_ratio=self.working[0].mean_radial_force_ratio)
-        except UNKNOWN:
-            return force
+        mean = turns[0].mean_radial_force_ratio
+        return replace(force, radial_force_ratio=mean.value, error=force.error + mean.error)
 
     @derived
     def mesh(self) -> CycloidMesh:
@@ -218,12 +216,15 @@ class RingResults:
         """The same under the torque of static strength."""
         return self.turns(self.design.static_torque * self.design.ring_factor)[0]
 
-    @derived
+    @property
+    def teeth_material(self) -> ElasticMaterial:
+        """Material of satellites' teeth, which has to be given."""
+        return required(self.design.disc_material, "section_missing", "contact.hole_material")
+
+    @property
     def teeth_strength(self) -> float:
-        """Strength of satellites' teeth in the direction that is loaded, Pa."""
-        material = required(self.design.disc_material, "section_missing", "contact.hole_material")
-        name = "contact.hole_material"
-        return required(material.loaded_strength("hole"), "yield_unknown", name)
+        """Their strength in the direction that is loaded, Pa."""
+        return self.teeth_material.known_strength("hole", "contact.hole_material")
 
     @property
     def teeth_friction(self) -> float:
@@ -233,8 +234,7 @@ class RingResults:
     @derived
     def cold_limit(self) -> float:
         """Pressure at which teeth of plastic yield at once, Pa."""
-        material = required(self.design.disc_material, "section_missing", "contact.hole_material")
-        ratio = float(material.poissons_ratio)
+        ratio = float(self.teeth_material.poissons_ratio)
         return self.teeth_strength * first_yield(poissons_ratio=ratio, friction=self.teeth_friction)
 
     @property

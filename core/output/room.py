@@ -9,7 +9,7 @@ clearances and misfits of any size, and asks for no force.
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cache, cached_property
 from itertools import chain
 from typing import Literal, NamedTuple
 
@@ -449,6 +449,11 @@ class Rooms:
     def _start(self) -> float:
         return self.mechanism.initial_crank_angle
 
+    @cached_property
+    def _heights(self) -> Callable[[int | None], FloatArray]:
+        """Room at the places of the grid, m, of all satellites or of one, each once."""
+        return cache(lambda disc: self.rooms(self._grid(), disc)[0])
+
     def _grid(self) -> FloatArray:
         return self._start() + 2 * np.pi * np.arange(POSITIONS) / POSITIONS
 
@@ -503,8 +508,7 @@ class Rooms:
             return TurnRoom("no_bound", math.inf, 0.0, None, ())
         if self.even:
             return self._turn_room(self._play, self._rounding, None, (), disc)
-        grid = self._grid()
-        heights, _ = self.rooms(grid, disc)
+        grid, heights = self._grid(), self._heights(disc)
         least, flat, error = float(heights.min()), self._flat(heights), self._rounding
         if not flat:
             place, least, error = self._extreme(grid, heights, -1, disc)
@@ -607,8 +611,7 @@ class Rooms:
         """
         if self.even:
             return self._play
-        grid = self._grid()
-        heights, _ = self.rooms(grid, disc)
+        grid, heights = self._grid(), self._heights(disc)
         if self._flat(heights):
             return float(heights.max())
         return self._extreme(grid, heights, 1, disc).height
@@ -728,8 +731,7 @@ class Rooms:
             go on beyond it.
         """
         grid = self._grid()
-        heights, _ = self.rooms(grid)
-        free = heights >= 0
+        free = self._heights(None) >= 0
         if free.all() or not free.any():
             return ()
         turns = np.flatnonzero(free != np.roll(free, -1))

@@ -493,6 +493,7 @@ export default {
     used: "{check}, % of its limit",
     smallest: "{field}: at least {value}.", largest: "{field}: at most {value}.",
     standard: "Next standard size: {size}.",
+    refused: "Beyond it the input is refused: {why}",
     always: "{target}: kept at every value tried.",
     never: "{target}: no value tried keeps it.",
     notEnough: "Not enough: at best {value}, at {at}.",

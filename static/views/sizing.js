@@ -37,7 +37,8 @@ export function createSizing({ calculator, client, titles, on }) {
       client.post("/solve", solveBody(calculator, field, shown, target, amount, want), { signal }));
     if (superseded) return;
     solution = answer ? solutionOf(field, target, want, answer) : { text: problemText(problem, titles) };
-    result.textContent = solution.text;
+    const refused = answer?.refused && message("sizing.refused", { why: problemText({ errors: answer.refused }, titles) });
+    result.textContent = [solution.text, refused].filter(Boolean).join(" ");
     apply.disabled = !solution.sets;
   }
 

@@ -16,6 +16,7 @@ from core.output.compiled import PLAIN, in_place_of
 from core.output.elasticity import RIGID_SUPPORT, ContactLaw, HertzLaw, LinearLaw, PowerLaw, Shares
 from core.output.loop_rows import BINDS, FITS, JUST, NOWHERE, Pairs, Room, Setup
 from core.output.mechanism import Mechanism
+from core.output.over_turn import over_turn
 from core.precision import CONVERGED, EXACT, SEARCHED
 from core.tolerance.contributions import contributions
 from core.tolerance.draws import Spread, uniforms, zone_places
@@ -444,3 +445,17 @@ def test_every_quantity_of_an_exact_piece_is_that_of_the_nominal() -> None:
     assert found.angle_grid_error.keys() == {*QUANTITIES}
     assert 0 <= found.angle_grid_error["peak_force"] < 0.05
     assert all(0 <= each <= 1 for each in found.angle_grid_error.values())
+
+
+@pytest.mark.parametrize("positions", [60, 240])
+def test_what_the_angles_miss_of_parts_that_are_alike(positions: int) -> None:
+    """Against the turn itself, whose extremes are narrowed."""
+    mechanism = Mechanism.evenly_spaced(pins=8, satellites=2, ratio=20.0)
+    real = design(mechanism=mechanism, law=HertzLaw(), exact=False)
+    names = ("max_pressure", "transmission_error", "stiffness_min")
+    none = Tolerances(hole_radius=Spread(0.0, 0.0))
+    found = tolerance_study(Study(real, none, Evaluation(names, 30.0, positions), samples=2))
+    turn = over_turn(real=real, output_torque=30.0)
+    for name in names:
+        missed = abs(found.nominal[name] / getattr(turn, name) - 1)
+        assert 0.7 * missed < found.angle_grid_error[name] < 1.4 * missed, name
