@@ -300,7 +300,8 @@ def _made_reactions(
         reaction = carried @ (parts.load * _cranks(turn.crank_angles)[:, None]) + still[:, None]
         sizes = turn.error * np.abs(parts.load)
         if not parts.solved:
-            sizes = sizes + mesh.error * np.abs(parts.ring)
+            sizes = sizes + mesh.error * np.abs(parts.ring.real)
+            sizes = sizes + mesh.ratio_error * np.abs(parts.ring.imag)
         lost = (np.abs(carried) @ sizes).max(axis=1) + still_error
         for row, size in enumerate(np.abs(reaction)):
             off[row] = max(off[row], turn.missed(reaction[row]) + lost[row])

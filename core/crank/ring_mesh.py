@@ -28,10 +28,9 @@ class RingMesh:
     """The ratio rho of the ring's force along the crank to that across it."""
 
     radial_force_ratio: Number  # rho
-    # Of the force along the crank, over the larger of it and that across: by rounding, large where
-    # an angle is small.
-    error: float = 0.0
+    error: float = 0.0  # relative, of all, by rounding: large where an angle is small
     notices: tuple[Notice, ...] = ()
+    ratio_error: float = 0.0  # of rho besides, of a mesh that is solved
 
     @property
     def operating_pressure_angle(self) -> Number:

@@ -440,7 +440,8 @@ def _made_loads(
     loads, rings, means, missed, ratios = [], [], [], [], []
     for turn in turns:
         parts = made_parts(turn=turn, arm=arm, radial_force_ratio=float(mesh.radial_force_ratio))
-        off = 0.0 if parts.solved else mesh.error * max(1.0, abs(parts.ratio))
+        given = mesh.error * max(1.0, abs(parts.ratio)) + mesh.ratio_error
+        off = 0.0 if parts.solved else given
         held = parts.load - centrifugal
         load = np.abs(held)
         loads.append(load)

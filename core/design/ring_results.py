@@ -67,7 +67,7 @@ class RingResults:
         if not (alone and (turns := if_known(lambda: self.working))):
             return force
         mean = turns[0].mean_radial_force_ratio
-        return replace(force, radial_force_ratio=mean.value, error=force.error + mean.error)
+        return replace(force, radial_force_ratio=mean.value, ratio_error=mean.error)
 
     @derived
     def mesh(self) -> CycloidMesh:
