@@ -31,7 +31,7 @@ from core.checks.words import CHECK_SOURCES, NOT_CONSIDERED
 from core.checks.words import GROUPS as CHECK_GROUPS
 from core.codes import CODES, REFUSALS, WARNINGS, WAS, Code
 from core.contact_life import LifeCurve
-from core.errors import PLACES
+from core.errors import METHODS, PLACES
 from core.material_table import ALIASES, MATERIALS
 from core.materials import (
     CRITERIA,
@@ -45,7 +45,6 @@ from core.materials import (
     TableMaterial,
     Verified,
 )
-from core.results import METHODS
 from core.tolerance.iso286 import CLASSES, GRADES, SIZES, Limits, class_limits
 from core.tolerance.processes import PROCESSES, Process, ProcessName, Size
 from core.work_precision.study import SETTINGS

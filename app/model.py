@@ -55,8 +55,7 @@ from app.units import (
     to_si_converter,
 )
 from core.codes import WARNINGS, WAS
-from core.errors import NotKnown
-from core.results import METHODS, Accuracy, Notice
+from core.errors import METHODS, Accuracy, Notice, NotKnown
 
 SMALLEST = 1e-12
 LARGEST = 1e12

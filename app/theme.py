@@ -11,7 +11,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from core.results import METHODS
+from core.errors import METHODS
 from core.work_precision.study import SETTINGS
 
 Theme = Literal["light", "dark"]

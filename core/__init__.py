@@ -18,10 +18,10 @@ pin and hole; everything else is beside or below them.
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------
 codes               what is refused, strained, not known: a code for each fact, its words
-errors              what a calculation refuses, and why; what is worked out once, or not known
-arrays              one function for a number and for arrays of designs; types
 precision           what methods promise, and what is one number but for rounding
-results             accuracy and validity notices that every result carries
+errors              what is refused, and why; what is worked out once, or not known; how wrong a
+                    result may be, and what it strains
+arrays              one function for a number and for arrays of designs; types
 contact_life        how the limit of a pressure falls with the number of loads
 materials           elastic materials, two together, first yield; what is known of one, from where
 material_table      a small table of them, and by which names they are found

@@ -9,8 +9,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from core.arrays import Number, check_not_negative, check_positive, larger, smaller, where
-from core.errors import InvalidInput
-from core.results import Notice
+from core.errors import InvalidInput, Notice
 
 Surface = Literal["ground", "machined", "hot_rolled", "forged"]
 Edition = Literal["shigley_9", "shigley_11"]

@@ -32,11 +32,10 @@ from core.conformal import (
     load_under_pressure,
     pressure_over_angle,
 )
-from core.errors import NotKnown, required
+from core.errors import Accuracy, Notice, NotKnown, poorly_known, required
 from core.materials import Body, ContactLimit, ElasticMaterial, effective_modulus, mismatch
 from core.numerics.inverse import edge
 from core.precision import ROUNDING
-from core.results import Accuracy, Notice, poorly_known
 
 SHEAR_DEPTH = math.sqrt((math.sqrt(5) - 1) / 2)
 """Depth of the largest shear stress over the half-width, 0.786."""

@@ -55,4 +55,4 @@ CLASSES = {
     "segments_roots": EXACT,
     "segments_tanh_sinh": EXACT,
 }
-"""What the methods of results promise, by their codes (`core.results.METHODS`)."""
+"""What the methods of results promise, by their codes (`core.errors.METHODS`)."""

@@ -76,13 +76,12 @@ from core.checks.usual_modification import usual_clearance_too
 from core.design.drawings import drawn_mesh, drawn_teeth
 from core.design.real_forces import RealForces
 from core.design.results import MOST_IN_SERIES
-from core.errors import if_known
+from core.errors import Notice, if_known
 from core.fixes.fix import Fix
 from core.materials import NOT_LISTED
 from core.output.contact_force import ContactForce, ForceCurves, PairNumber, drawing_angles
 from core.output.mechanism import PinGeometry, pin_fit, pin_geometry
 from core.output.real_cyclogram import RealCyclogram, carried_forces, real_cyclogram
-from core.results import Notice
 from core.ring.mesh_curves import MeshCurves, SeriesCurves
 from core.ring.series_teeth import TeethInSeries
 from core.ring.series_turn import SeriesOverTurn

@@ -24,11 +24,10 @@ from core.checks.crank_planetary import crank_verdict
 from core.checks.usual_modification import UsualModification, usual_modification
 from core.design.crank_results import MOST_BEARING_PAIRS
 from core.design.results import MOST_PIN_PAIRS, Results
-from core.errors import CalculationError, if_known, is_known
+from core.errors import CalculationError, Notice, if_known, is_known
 from core.output.elasticity import RingInSeries
 from core.output.mechanism import Mechanism
 from core.output.turn import Turn
-from core.results import Notice
 
 Section = Literal[
     "cyclogram",

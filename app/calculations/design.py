@@ -50,7 +50,7 @@ from core.design.sections import (
     SatelliteBody,
     Temperatures,
 )
-from core.errors import if_known, required
+from core.errors import Notice, if_known, required
 from core.output.contact_force import drawing_angles
 from core.output.elasticity import (
     RIGID_SUPPORT,
@@ -64,7 +64,6 @@ from core.output.mechanism import Mechanism, PinFit, pin_fit
 from core.output.room import Deviations
 from core.output.sampled_turn import Direction
 from core.precision import SAME
-from core.results import Notice
 
 Phase = Annotated[float, Field(ge=-360, le=360)]
 

@@ -40,14 +40,13 @@ from app.theme import INK, Amount, Figure, Text, Theme, axis, curve, layout, mar
 from app.units import from_si, to_si
 from app.worked import stated
 from core.arrays import FloatArray
-from core.errors import InvalidInput
+from core.errors import Accuracy, InvalidInput, Notice
 from core.output.elasticity import RIGID_SUPPORT
 from core.output.fit import Fit
 from core.output.mechanism import SLIPPED, Mechanism, slip_notices
 from core.output.real_mechanism import RealMechanism
 from core.output.room import POSITIONS, Rooms
 from core.precision import ROUNDING
-from core.results import Accuracy, Notice
 
 Section = Literal["positions", "elastic", "discs", "worked"]
 

@@ -43,7 +43,7 @@ from app.units import from_si, to_si
 from app.worked import worked
 from core.arrays import FloatArray
 from core.contact_life import CURVES, LifeCurve
-from core.errors import if_known
+from core.errors import Notice, if_known
 from core.hertz import (
     BodySafety,
     HertzContact,
@@ -63,7 +63,6 @@ from core.materials import (
     TableMaterial,
     by_values,
 )
-from core.results import Notice
 from core.worked.hertz import hertz_steps
 from core.worked.step import Step
 

@@ -22,8 +22,7 @@ from app.calculations.solved import Solved
 from app.model import Maybe, Size, Values, quantity
 from app.rules import Forms
 from core.design.ring import InvoluteRing
-from core.errors import NotKnown
-from core.results import Notice
+from core.errors import Notice, NotKnown
 from core.ring.involute import InvolutePair
 from core.ring.involute_load import involute_load, involute_loss, pressure_along, root_stress
 from core.ring.shared_pairs import pairs_that_carry

@@ -34,9 +34,8 @@ from app.rules import Forms, Kinds, Rule, field_error
 from app.settings import Settings
 from app.units import to_si
 from core.design.sections import Contact, MechanismSection, SharedBy
-from core.errors import InvalidInput
+from core.errors import InvalidInput, Notice
 from core.output.mechanism import Mechanism, Members, Output, felt, ratio_from_teeth
-from core.results import Notice
 from core.tolerance.iso286 import CLASSES, GRADES, SIZES, fit_clearance
 
 MAX_PAIRS = 10_000

@@ -10,12 +10,12 @@ from app.calculations.mechanism import MAX_SATELLITES
 from app.model import Maybe, PartFields, RequestModel, Size, quantity
 from app.rules import Forms, Kinds
 from app.units import from_si, to_si
+from core.errors import Notice
 from core.material_table import MATERIALS
 from core.materials import NOT_LISTED
 from core.output.pin_beam import Support
 from core.output.pin_bolt import PinBolt, bolt_preload
 from core.output.tie_ring import RingJoint
-from core.results import Notice
 
 
 def strengths_of(given: str | MaterialFields) -> dict[str, Any]:

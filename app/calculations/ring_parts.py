@@ -26,7 +26,7 @@ from app.problems import invalid_input, wrong
 from app.rules import Forms, Kinds
 from app.units import to_si
 from core.design.sections import MechanismSection
-from core.results import Notice
+from core.errors import Notice
 from core.ring.sharing import RingDeviations
 
 

@@ -49,10 +49,9 @@ from app.units import from_si, to_si
 from app.worked import worked
 from core.checks.check import Verdict
 from core.checks.rollers import RollerDesign, roller_checks
-from core.errors import NotKnown
+from core.errors import Notice, NotKnown
 from core.fatigue import CycleFatigue
 from core.fixes.plain import plain_fixes
-from core.results import Notice
 from core.rollers.roller_curves import RollerCurves, roller_curves
 from core.rollers.roller_strength import (
     RollerStrength,

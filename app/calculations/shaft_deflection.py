@@ -39,7 +39,7 @@ from app.worked import worked
 from core.checks.check import Verdict
 from core.checks.shaft import LINE_MATERIALS, ShaftDesign, shaft_checks
 from core.design.document import not_given
-from core.errors import NotKnown, if_known
+from core.errors import Notice, NotKnown, if_known
 from core.fatigue import FatigueStrength
 from core.fixes.plain import plain_fixes
 from core.materials import ElasticMaterial
@@ -48,7 +48,6 @@ from core.precession.meshing_load import MeshingLoad
 from core.precession.shaft import ShaftDiagram, ShaftSection, shaft_diagram
 from core.precession.shaft_deflection import ShaftDeflection, shaft_deflection
 from core.precession.shaft_strength import ShaftStrength, shaft_strength
-from core.results import Notice
 from core.worked.precession import shaft_steps
 from core.worked.step import Step
 

@@ -43,7 +43,7 @@ from app.problems import (
 from app.rules import Forms
 from app.settings import Settings
 from app.worked import stated
-from core.errors import CalculationError, InvalidInput
+from core.errors import Accuracy, CalculationError, InvalidInput, Notice
 from core.fixes.fix import PIN_SIZES
 from core.numerics.inverse import (
     MOST_WHOLE,
@@ -56,7 +56,6 @@ from core.numerics.inverse import (
     Want,
     solve_for,
 )
-from core.results import Accuracy, Notice
 
 SOLVED = {
     each.name: each

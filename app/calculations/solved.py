@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 
 from app.model import Values, accuracy_values, warning
-from core.results import Accuracy, Notice
+from core.errors import Accuracy, Notice
 
 
 @dataclass(slots=True)

@@ -45,10 +45,9 @@ from app.theme import Figure, Theme
 from app.units import core_name, from_si, to_si
 from app.worked import stated
 from core.arrays import FloatArray
-from core.errors import InvalidInput
+from core.errors import Accuracy, InvalidInput, Notice
 from core.output.real_mechanism import RealMechanism
 from core.output.room import Deviations
-from core.results import Accuracy, Notice
 from core.ring.series_study import FINER, SeriesStudy
 from core.tolerance.contributions import MOST_FIT, contributions
 from core.tolerance.quantiles import Estimate, refuse_few

@@ -26,8 +26,7 @@ from app.settings import Settings
 from app.theme import DASHES, Amount, Figure, Theme, axis, curve, layout, marker, text
 from app.units import to_si
 from core.design.results import Results
-from core.errors import InvalidInput
-from core.results import METHODS
+from core.errors import METHODS, InvalidInput
 from core.ring.sharing import MeshTurn
 from core.work_precision.contact import contact_pressure_study
 from core.work_precision.means import (

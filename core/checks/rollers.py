@@ -18,8 +18,8 @@ from core.checks.check import (
 from core.checks.inputs import FATIGUE
 from core.design.document import not_given
 from core.design.sections import Requirements
+from core.errors import Notice
 from core.fatigue import CycleFatigue
-from core.results import Notice
 from core.rollers.roller_strength import RollerStrength, Spacing
 
 MISSING = {

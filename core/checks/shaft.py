@@ -20,12 +20,11 @@ from core.checks.inputs import FATIGUE
 from core.checks.rollers import cycle_check
 from core.design.document import not_given
 from core.design.sections import Requirements
-from core.errors import if_known
+from core.errors import Notice, if_known
 from core.precession.line_contact import LineContact
 from core.precession.shaft_deflection import ShaftDeflection
 from core.precession.shaft_strength import ShaftStrength
 from core.precision import AS_TYPED
-from core.results import Notice
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -9,10 +9,9 @@ from core.checks.check import Check, Verdict
 from core.checks.crank_planetary import crank_check
 from core.design.document import changed
 from core.design.results import Results
-from core.errors import if_known
+from core.errors import Notice, if_known
 from core.output.elasticity import Shares, pin_compliance
 from core.output.room import Deviations
-from core.results import Notice
 
 ShareModel = Literal["real", "factor", "given"]
 

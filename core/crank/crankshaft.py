@@ -25,13 +25,13 @@ from core.crank.balance import (
 from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
 from core.crank.ring_mesh import RingMesh
 from core.crank.satellite_bearing import BearingCurves, made_parts, mean_power, uneven_shares
+from core.errors import Accuracy, Notice, poorly_known
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
 from core.output.pin_search import MISSED, largest
 from core.output.pin_turn import satellite_turn
 from core.output.sampled_turn import WAYS, Direction, Made, SampledTurn
 from core.precision import ROUNDING
-from core.results import Accuracy, Notice, poorly_known
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,13 +13,12 @@ import numpy as np
 
 from core.arrays import check_positive
 from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
-from core.errors import required
+from core.errors import Accuracy, Notice, poorly_known, required
 from core.output.contact_force import force_peak
 from core.output.mechanism import Mechanism
 from core.output.pin_turn import COARSEST, pin_turn
 from core.output.sampled_turn import WAYS, Direction, Made
 from core.precision import ROUNDING
-from core.results import Accuracy, Notice, poorly_known
 
 RollerKind = Literal["ball", "cylindrical", "needle"]
 

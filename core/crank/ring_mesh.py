@@ -10,9 +10,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from core.arrays import Number, check_positive, every, refuse
-from core.errors import NotKnown
+from core.errors import Notice, NotKnown
 from core.precision import ROUNDING
-from core.results import Notice
 
 STEEP = math.radians(55)
 """Operating pressure angle above which the ring presses the satellite more than it turns it."""

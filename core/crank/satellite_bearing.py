@@ -39,14 +39,13 @@ from core.crank.bearing_life import (
     system_life,
 )
 from core.crank.ring_mesh import RingMesh
-from core.errors import NotKnown, derived, is_known, required
+from core.errors import Accuracy, Notice, NotKnown, derived, is_known, poorly_known, required
 from core.output.contact_force import force_peak, force_ratios
 from core.output.mechanism import Mechanism, pressure_cosines
 from core.output.pin_search import MISSED, largest
 from core.output.pin_turn import BLOCK, COARSEST, SatelliteTurn, combine, satellite_turn
 from core.output.sampled_turn import WAYS, Direction, Made, SampledTurn
 from core.precision import CONVERGED, ROUNDING
-from core.results import Accuracy, Notice, poorly_known
 
 FINEST = 9
 """Level of the last rule of the mean, some 3500 nodes an arc."""

@@ -9,10 +9,9 @@ import numpy as np
 from core.design.output_forces import OutputForces
 from core.design.refusals import named
 from core.design.ring_results import RingResults
-from core.errors import NotKnown, derived
+from core.errors import Accuracy, Notice, NotKnown, derived
 from core.output.losses import BarePins, PinLosses, Sleeves, pin_losses
 from core.output.sampled_turn import WAYS, SampledTurn
-from core.results import Accuracy, Notice
 
 
 def made_losses(

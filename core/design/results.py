@@ -18,7 +18,7 @@ from core.design.real_forces import RealForces
 from core.design.refusals import named
 from core.design.ring_results import RingResults
 from core.design.sections import DesignPin
-from core.errors import InvalidInput, NotKnown, derived, if_known, is_known, required
+from core.errors import InvalidInput, Notice, NotKnown, derived, if_known, is_known, required
 from core.hertz import HertzContact, force_factor, hertz
 from core.materials import Body, first_yield, shakedown
 from core.output.contact_force import ContactForce, contact_force
@@ -36,7 +36,6 @@ from core.output.real_turn import sampled
 from core.output.room import Deviations, Rooms
 from core.output.sampled_turn import WAYS, Made
 from core.output.turn import Turn
-from core.results import Notice
 from core.ring.series import MeshesInSeries, series_position
 from core.ring.series_samples import sampled_in_series
 from core.ring.series_turn import SeriesOverTurn, SeriesTurn, positions_in_series

@@ -10,7 +10,7 @@ from typing import Literal, NamedTuple, get_args
 from core.crank.balance import Counterweight
 from core.crank.bearing_life import Bearing
 from core.crank.pin_rollers import FRICTION, Ratings, RollerKind
-from core.errors import InvalidInput, NotKnown, derived, if_known, required
+from core.errors import InvalidInput, Notice, NotKnown, derived, if_known, required
 from core.fatigue import (
     NOTCH_STRENGTHS,
     SIZES,
@@ -32,7 +32,6 @@ from core.output.pin_bolt import PinBolt
 from core.output.pin_fatigue import FatigueStrength
 from core.output.sampled_turn import Direction
 from core.precision import SAME
-from core.results import Notice
 
 SharedBy = Literal["discs", "pins"]
 """Whose uneven share a distribution factor states: of satellites, or of the pairs of one."""

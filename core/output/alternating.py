@@ -5,12 +5,12 @@ from dataclasses import replace
 from typing import Any
 
 from core.arrays import FloatArray
+from core.errors import Accuracy, Notice
 from core.output.loaded_position import loaded_position
 from core.output.over_turn import OverTurn
 from core.output.real_curves import RealCurves, real_curves
 from core.output.stage import Stage
 from core.precision import AS_TYPED
-from core.results import Accuracy, Notice
 
 
 def _reverse(driving: float, reverse: float) -> bool:

@@ -28,12 +28,11 @@ from typing import NamedTuple, NoReturn
 import numpy as np
 
 from core.arrays import FloatArray, check_not_negative, check_positive, check_single
-from core.errors import ImpossibleMechanism, InvalidInput
+from core.errors import Accuracy, ImpossibleMechanism, InvalidInput, Notice, poorly_known
 from core.output.driving_set import segments
 from core.output.force_laws import force_law
 from core.output.mechanism import Mechanism, WavePhases, pressure_cosines
 from core.precision import ROUNDING, SAME
-from core.results import Accuracy, Notice, poorly_known
 
 MAX_DRIVING_PHASES = 40_000
 """Most driving phases (pairs times wave turns) that one cyclogram lists."""

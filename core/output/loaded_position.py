@@ -6,12 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.arrays import FloatArray, check_finite, check_single
-from core.errors import InvalidInput
+from core.errors import Accuracy, InvalidInput, Notice, poorly_known
 from core.hertz import HertzContact
 from core.output.elasticity import HertzLaw
 from core.output.real_mechanism import RealMechanism
 from core.output.sharing_kernel import at, pressing
-from core.results import Accuracy, Notice, poorly_known
 
 LARGE_ROTATION = 0.1
 """Movement of the pins over the eccentricity above which the position is a strange one."""

@@ -14,14 +14,13 @@ from functools import cached_property, lru_cache
 import numpy as np
 
 from core.arrays import FloatArray, Number, check_not_negative, check_positive, every, refuse
-from core.errors import NotKnown, required
+from core.errors import Accuracy, Notice, NotKnown, poorly_known, required
 from core.numerics.extremes import zoom
 from core.numerics.quadrature import tanh_sinh_rule
 from core.output.contact_force import PHASE_ROUNDING, force_peak, force_ratios
 from core.output.driving_set import Segment, segments
 from core.output.mechanism import Mechanism, WavePhases
 from core.precision import CONVERGED, ROUNDING
-from core.results import Accuracy, Notice, poorly_known
 
 COARSEST, FINEST = 3, 9
 """Levels of the first and the last rule: 56 and some 3500 nodes a segment."""

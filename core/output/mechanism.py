@@ -31,9 +31,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.arrays import FloatArray, Number, check_positive, check_single
-from core.errors import InvalidInput, required
+from core.errors import Accuracy, InvalidInput, Notice, required
 from core.precision import AS_TYPED, ROUNDING, SAME
-from core.results import Accuracy, Notice
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from core.arrays import FloatArray, check_finite, check_single
-from core.errors import InvalidInput, derived
+from core.errors import Accuracy, InvalidInput, Notice, derived, poorly_known
 from core.hertz import HertzContact
 from core.numerics.extremes import second_look
 from core.output.contact_force import PairNumber
@@ -33,7 +33,6 @@ from core.output.real_mechanism import RealMechanism
 from core.output.summits import Grid, Summit, all_summits, highest, summits
 from core.output.turn import Rows, Turn
 from core.precision import AS_TYPED, ROUNDING, SAME
-from core.results import Accuracy, Notice, poorly_known
 
 HALVINGS = 16
 """How often a step of the grid in which pairs take over from each other is halved."""

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from core.arrays import FloatArray, check_positive, check_single
-from core.errors import InvalidInput, required
+from core.errors import Accuracy, InvalidInput, Notice, poorly_known, required
 from core.fatigue import LOW_CYCLES
 from core.materials import ElasticMaterial
 from core.output.contact_force import force_peak
@@ -31,7 +31,6 @@ from core.output.sampled_turn import WAYS, Direction, PinForces, PinSamples, Pin
 from core.output.tie_ring import RingJoint, TieRing
 from core.output.tied_pin import TiedPin, TieRingLoad, ideal_samples
 from core.precision import ROUNDING
-from core.results import Accuracy, Notice, poorly_known
 
 AT_ZERO = 1e-6
 """Directions closer to 0 than this, rad, are 0: none is known better."""

@@ -7,10 +7,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from core.arrays import FloatArray, check_single
-from core.errors import InvalidInput
+from core.errors import Accuracy, InvalidInput
 from core.output.mechanism import Members
 from core.output.stage import Stage
-from core.results import Accuracy
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,11 +12,11 @@ from typing import NamedTuple
 import numpy as np
 
 from core.arrays import BoolArray, FloatArray, IntArray
+from core.errors import Accuracy
 from core.output.contact_force import CountInterval, DrivingPair
 from core.output.mechanism import Mechanism
 from core.output.turn import Turn
 from core.precision import ROUNDING
-from core.results import Accuracy
 
 SAMPLES = 720
 """Places of the grid over a turn of the wave, none of which is a switching angle."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.arrays import FloatArray
-from core.errors import ImpossibleMechanism, InvalidInput
+from core.errors import Accuracy, ImpossibleMechanism, InvalidInput, Notice, poorly_known
 from core.numerics.quadrature import TRUNCATION
 from core.precession.contact_curve import ContactCurve, Limits, LinePoint, Places, axial_scale
 from core.precession.rollers import (
@@ -19,7 +19,6 @@ from core.precession.rollers import (
     stands_in_line,
 )
 from core.precision import ROUNDING
-from core.results import Accuracy, Notice, poorly_known
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,11 +4,10 @@ import math
 from dataclasses import dataclass
 
 from core.arrays import check_positive
-from core.errors import InvalidInput
+from core.errors import Accuracy, InvalidInput, Notice
 from core.hertz import HALF_WIDTH_RATIO_LIMIT
 from core.materials import ElasticMaterial, effective_modulus
 from core.precision import ROUNDING
-from core.results import Accuracy, Notice
 
 
 @dataclass(frozen=True, slots=True)

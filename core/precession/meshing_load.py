@@ -15,11 +15,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.arrays import FloatArray, Vector
-from core.errors import InvalidInput
+from core.errors import Accuracy, InvalidInput, Notice, poorly_known
 from core.precession.contact_line import ContactLine, contact_lines
 from core.precession.rollers import Roller
 from core.precision import ROUNDING
-from core.results import Accuracy, Notice, poorly_known
 
 SMALL_ARM = 0.1
 """Arm over R_C below which the line load grows so steeply that lines in truth share it."""

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from core.arrays import Vector
+from core.errors import Accuracy, Notice, poorly_known
 from core.precession.shaft import (
     Plane,
     ShaftSection,
@@ -15,7 +16,6 @@ from core.precession.shaft import (
     shaft_stretches,
 )
 from core.precision import ROUNDING
-from core.results import Accuracy, Notice, poorly_known
 
 SHORT_SHAFT = 3.3
 """Length over largest diameter below which shear adds more than 5 % to a deflection."""

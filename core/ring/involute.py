@@ -10,9 +10,8 @@ from functools import cached_property, partial
 from typing import NamedTuple
 
 from core.arrays import Number, check_finite, check_positive
-from core.errors import InvalidInput
+from core.errors import Accuracy, InvalidInput
 from core.precision import ROUNDING, SAME
-from core.results import Accuracy
 from core.ring.line_of_action import LineOfAction, TipCrossing, involute, roll
 
 MOST_DIFFERENCE = 8

@@ -10,10 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.arrays import Number, check_positive
-from core.errors import NotKnown
+from core.errors import Accuracy, NotKnown
 from core.materials import ElasticMaterial, effective_modulus
 from core.precision import ROUNDING
-from core.results import Accuracy
 from core.ring.involute import InvolutePair
 from core.ring.loss import RingLoss
 

@@ -16,9 +16,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from core.arrays import ComplexArray, FloatArray, check_finite, check_positive, check_single
-from core.errors import InvalidInput
+from core.errors import Accuracy, InvalidInput
 from core.precision import ROUNDING
-from core.results import Accuracy
 
 MOST_POINTS = 200_000
 """Most points of an outline."""

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from core.arrays import check_finite, check_single
-from core.errors import InvalidInput
+from core.errors import Accuracy, InvalidInput, Notice, poorly_known
 from core.hertz import HertzContact
 from core.output.compiled import at_hand, plain
 from core.output.loaded_position import bent_together, notices
@@ -25,7 +25,6 @@ from core.output.room import Deviations
 from core.output.sharing_kernel import too_wide
 from core.output.stage import Stage, divisible, in_floats
 from core.precision import SAME
-from core.results import Accuracy, Notice, poorly_known
 from core.ring import series_kernel
 from core.ring.series_disc import SeriesPairs, SeriesRoom, SeriesSetup
 from core.ring.sharing import CycloidMesh

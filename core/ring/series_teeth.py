@@ -3,13 +3,12 @@
 import numpy as np
 
 from core.arrays import FloatArray, IntArray
-from core.errors import derived
+from core.errors import Accuracy, derived
 from core.output.contact_force import PairNumber
 from core.output.over_turn import Extreme
 from core.output.real_turn import CloseSamples
 from core.output.summits import Summit
 from core.output.turn import Turn
-from core.results import Accuracy
 from core.ring.approach import ALONG_LEAST, ALONG_MOST, RUB, RUB_AND_PRESS
 from core.ring.series_kernel import MESH_PRESSURE
 from core.ring.series_samples import teeth_samples

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.arrays import ComplexArray, FloatArray, check_finite, check_single
-from core.errors import InvalidInput, derived
+from core.errors import InvalidInput, Notice, derived, poorly_known
 from core.numerics.extremes import LOOKED, zoom
 from core.output.contact_force import PairNumber
 from core.output.loaded_position import notices
@@ -22,7 +22,6 @@ from core.output.real_turn import refined
 from core.output.sampled_turn import off_straight
 from core.output.summits import Summit
 from core.output.turn import LOOKED_AGAIN, POSITIONS, Rows, Turn
-from core.results import Notice, poorly_known
 from core.ring.series import MeshesInSeries
 from core.ring.series_kernel import MESH_FORCE, MESH_PRESSURE, SeriesPoses
 

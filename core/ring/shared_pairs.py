@@ -14,10 +14,9 @@ from typing import NamedTuple
 import numpy as np
 
 from core.arrays import BoolArray, FloatArray, IntArray, check_positive
-from core.errors import ImpossibleMechanism
+from core.errors import Accuracy, ImpossibleMechanism
 from core.numerics.extremes import other_places, zoom
 from core.precision import ROUNDING
-from core.results import Accuracy
 from core.ring.involute import InvolutePair
 from core.ring.line_of_action import involute, roll
 

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from core.arrays import FloatArray, IntArray, check_finite, check_positive, check_single
-from core.errors import ImpossibleMechanism, InvalidInput, derived
+from core.errors import Accuracy, ImpossibleMechanism, InvalidInput, Notice, derived, poorly_known
 from core.materials import ElasticMaterial, effective_modulus
 from core.output.compiled import at_hand, plain
 from core.output.conformal_law import NO_CURVE, NO_WRAP
@@ -37,7 +37,6 @@ from core.output.stage import Stage, blank_rows, in_floats
 from core.output.summits import Summit, summits
 from core.output.turn import Turn
 from core.precision import ROUNDING
-from core.results import Accuracy, Notice, poorly_known
 from core.ring import approach
 from core.ring.approach import ALONG_LEAST, ALONG_MOST, RUB, RUB_AND_PRESS
 from core.ring.exact_touch import MeshPairs, MeshRoom, MeshSetup, quarter, touch

@@ -11,12 +11,11 @@ from dataclasses import dataclass
 from typing import Any
 
 from core.arrays import IntArray, Number, ascending, check_not_negative, check_positive, smaller
-from core.errors import InvalidInput
+from core.errors import Accuracy, InvalidInput, Notice, poorly_known
 from core.fatigue import CycleFatigue, FatigueStrength, judge_cycle
 from core.load_sharing import share_load
 from core.materials import check_poissons_ratio
 from core.precision import ROUNDING
-from core.results import Accuracy, Notice, poorly_known
 
 SHEAR_FACTOR = 1.11
 """Uneven shear over a round section, the source's rounding of 10/9."""

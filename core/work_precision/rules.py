@@ -97,7 +97,7 @@ def by_rule(
     rule : Rule
         The rule.
     code : str
-        Code of the method, a key of `core.results.METHODS`.
+        Code of the method, a key of `core.errors.METHODS`.
     value : callable
         Value, or components of a vector, by the rule.
     intervals : int

@@ -45,7 +45,7 @@ _BUDGET_S = 0.02
 class Method:
     """A way to calculate a quantity, at one or several settings."""
 
-    code: str  # a key of `core.results.METHODS`
+    code: str  # a key of `core.errors.METHODS`
     settings: Sequence[Setting]  # what it is run at
     function: Callable[[Any], Outcome]  # `Outcome` at the value of a setting
     chosen: bool = False  # whether the calculators use it
@@ -55,7 +55,7 @@ class Method:
 class WorkPoint:
     """One method at one setting."""
 
-    method: str  # a key of `core.results.METHODS`
+    method: str  # a key of `core.errors.METHODS`
     setting: Setting  # number of samples, nodes or steps
     relative_error: float  # measured against the reference
     run_time: float  # median, s
@@ -66,7 +66,7 @@ class WorkPoint:
 class Reference:
     """What the errors are measured against."""
 
-    method: str  # a key of `core.results.METHODS`
+    method: str  # a key of `core.errors.METHODS`
     digits: int = REFERENCE_DIGITS  # with which it was calculated
 
 

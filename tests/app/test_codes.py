@@ -18,7 +18,7 @@ from core.codes import CODES, REFUSALS, WARNINGS, WAS, checks, refusals
 from core.codes.given import OF_INPUT
 from core.codes.limits import OF_RESULTS
 from core.codes.reasons import UNKNOWN
-from core.results import Notice
+from core.errors import Notice
 
 ROOT = Path(__file__).parents[2]
 TABLES = (refusals.INVALID, refusals.IMPOSSIBLE, UNKNOWN, OF_INPUT, OF_RESULTS, checks.CHECKS)

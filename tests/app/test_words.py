@@ -10,7 +10,7 @@ import pytest
 from app import theme
 from app.examples import REQUESTS
 from app.registry import CALCULATIONS
-from core.results import METHODS
+from core.errors import METHODS
 from core.work_precision.study import SETTINGS
 
 pytestmark = pytest.mark.anyio

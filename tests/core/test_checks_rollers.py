@@ -8,9 +8,9 @@ import pytest
 
 from core.checks.check import Verdict
 from core.checks.rollers import RollerDesign, roller_checks
+from core.errors import Notice
 from core.fatigue import CycleFatigue, FatigueStrength
 from core.precision import EXACT, SAME
-from core.results import Notice
 from core.rollers.roller_strength import (
     ByPoissonsRatio,
     GivenGaps,

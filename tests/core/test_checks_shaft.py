@@ -8,9 +8,9 @@ import pytest
 
 from core.checks.check import Verdict
 from core.checks.shaft import LINE_MATERIALS, ShaftDesign, shaft_checks
+from core.errors import Notice
 from core.fatigue import FatigueStrength, judge_cycle
 from core.precision import EXACT, SAME
-from core.results import Notice
 from tests.inputs.checks import says, with_requirements
 
 

@@ -1,8 +1,8 @@
 """Classes of precision: what loops that are compiled by themselves repeat of them, and methods."""
 
 from core import precision
+from core.errors import METHODS
 from core.output import loop_rows
-from core.results import METHODS
 
 
 def test_the_compiled_loops_have_the_same_constants() -> None:

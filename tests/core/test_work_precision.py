@@ -6,11 +6,11 @@ import mpmath
 import numpy as np
 import pytest
 
+from core.errors import METHODS
 from core.output.contact_force import force_ratios
 from core.output.mechanism import Mechanism, pressure_cosines
 from core.precession.rollers import RollerByLength
 from core.precision import CONVERGED, EXACT
-from core.results import METHODS
 from core.work_precision.exact import pair_forces, pair_phases
 from core.work_precision.precession import meshing_load_study
 from core.work_precision.rules import rules
