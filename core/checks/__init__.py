@@ -8,11 +8,11 @@ Modules, in reading order (each may use those above it)
 -------------------------------------------------------
 inputs              inputs that checks of several elements depend on
 check               a check and its record, a value against its limit, the verdict of parts and all
-pin_contact         pressure, shakedown and yield where pin and hole touch
+contact             pins in holes: room and play, walls and gaps, pressure, shakedown, yield
 plastics            plastic pins and holes: what is necessary, and never enough
 pins                static strength, fatigue, deflection and slope of the pins
 friction            efficiency, sliding speed, pv and wear
-geometry            what geometry allows: room and play of pins in holes, walls, gaps, dead centres
+body                what the holes leave of a satellite to rim and bore, the room that it takes
 crank               ring, bearings of the satellites, crankshaft
 ring_pins           cycloid discs on the pins of a ring: what geometry alone says
 involute_mesh       involute teeth: path of contact, tips, undercut, roots

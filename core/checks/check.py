@@ -332,7 +332,7 @@ def judged(
     Examples
     --------
     >>> from core.checks.pins import pin_static
-    >>> from core.checks.geometry import wall_holes
+    >>> from core.checks.contact import wall_holes
     >>> judged(pin_static, 90.0, 100.0, reserve=1.2).status
     'pass'
     >>> judged(pin_static, 99.0, 100.0, reserve=1.02).status

@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
+from core.checks.body import within_roots
 from core.checks.check import Check, design_check, judged
-from core.checks.geometry import within_roots
 from core.checks.inputs import BEARING_LOAD, LIFE, OF_DISCS, RING, ROOTS
 from core.crank.bearing_life import EXPONENTS, PEAK_SAFETY, STATIC_SAFETY, Bearing
 from core.crank.ring_mesh import STEEP

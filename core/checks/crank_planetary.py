@@ -13,12 +13,12 @@ from functools import cache
 
 from core.checks.balance import BALANCE
 from core.checks.bearings import BEARINGS
+from core.checks.body import BODY
 from core.checks.check import MARGIN, Check, PartVerdict, Verdict, make_check, rank, verdict
+from core.checks.contact import CONTACT, CRANKS, FIT, LAYOUT, PLAY, life_considered
 from core.checks.crank import CRANK
 from core.checks.friction import FRICTION
-from core.checks.geometry import CRANKS, FIT, PLAY, SPACE
 from core.checks.involute_mesh import INVOLUTE_MESH
-from core.checks.pin_contact import CONTACT, life_considered
 from core.checks.pin_rollers import PIN_ROLLERS
 from core.checks.pins import PINS
 from core.checks.plastics import PLASTICS
@@ -38,7 +38,8 @@ CRANK_CHECKS = {
         *CONTACT,
         *PLASTICS,
         *PLAY,
-        *SPACE,
+        *LAYOUT,
+        *BODY,
         *PINS,
         *FRICTION,
         *CRANK,

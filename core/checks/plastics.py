@@ -9,8 +9,8 @@ from contextlib import suppress
 from functools import partial
 
 from core.checks.check import Check, Unjudged, design_check, judged, judged_by, necessary
+from core.checks.contact import FIXES, in_disc
 from core.checks.inputs import LOADED, SLIDING
-from core.checks.pin_contact import FIXES, in_disc
 from core.design.document import Design, value_at
 from core.design.results import Results
 from core.errors import UNKNOWN, NotKnown, required

@@ -7,8 +7,8 @@ from functools import partial
 from typing import Any, get_args
 
 from core.checks.check import Check, Kind, Measure, design_check, judged, judged_by, necessary
+from core.checks.contact import of_both, over_life, static_limit, whence
 from core.checks.crank import other_ring
-from core.checks.geometry import of_both
 from core.checks.inputs import (
     FATIGUE,
     INVOLUTE_TEETH,
@@ -22,7 +22,6 @@ from core.checks.inputs import (
     TEETH_LOADED,
 )
 from core.checks.involute_mesh import Pressed, involute_pressed, refused
-from core.checks.pin_contact import over_life, static_limit, whence
 from core.checks.pins import BentPins
 from core.checks.ring_pins import CYCLOID
 from core.design.document import Design
