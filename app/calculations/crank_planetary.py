@@ -23,11 +23,11 @@ from app.calculations.crank_planetary_answer import (
 from app.calculations.crank_planetary_request import CrankPlanetaryRequest, Section
 from app.calculations.crankshaft import CrankshaftResponse
 from app.calculations.cyclogram import CyclogramResponse, cyclogram_figure, over_one_axis
-from app.calculations.fit_answer import FitOut
 from app.calculations.geometry_answer import GeometryOut
 from app.calculations.hertz import entry_of
 from app.calculations.involute_mesh import drawn_path, solved_pair
 from app.calculations.load_sharing_answer import RealCyclogramOut
+from app.calculations.mechanism import FitOut
 from app.calculations.members_answer import MembersOut, at_output
 from app.calculations.output_efficiency import OutputEfficiencyResponse
 from app.calculations.pin_rollers_answer import RollersOut

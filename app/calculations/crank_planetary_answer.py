@@ -10,10 +10,10 @@ from app.calculations.contact_force import ContactForceResponse, ForceCurvesOut
 from app.calculations.crankshaft import CrankshaftResponse
 from app.calculations.cyclogram import CyclogramResponse
 from app.calculations.design import ForcesUsed, forces_used
-from app.calculations.fit_answer import FitOut
 from app.calculations.geometry_answer import GeometryOut
 from app.calculations.hertz import HertzResponse
 from app.calculations.load_sharing_answer import OverTurnOut, RealCyclogramOut
+from app.calculations.mechanism import FitOut
 from app.calculations.members_answer import MembersOut
 from app.calculations.output_efficiency import OutputEfficiencyResponse
 from app.calculations.pin_rollers_answer import RollersOut

@@ -3,7 +3,7 @@
 import math
 from typing import Any, Literal
 
-from app.calculations.mechanism import PairOut
+from app.calculations.mechanism import FitOut
 from app.model import (
     AccuracyOut,
     AssumingResponse,
@@ -20,67 +20,6 @@ from core.output.room import Rooms
 
 ALL_ROUND = math.pi
 """Lag to either side at which a pin is whose hole does not bound it, rad."""
-
-
-class BindingOut(PairOut):
-    """A pair that limits the room."""
-
-    side: Literal["driving", "reverse", "radial"] = result(
-        "In which sense of the output it holds; radial where in none."
-    )
-
-
-class FitOut(ResponseModel):
-    """How the pins fit into their holes by geometry, before any force."""
-
-    state: Literal["fits", "binds_in_turning", "does_not_fit", "no_bound"] = result(
-        "Whether there is room at all crank angles, at some, or at none; no_bound where the holes "
-        "do not hold their pins."
-    )
-    least_room_mm: Maybe[float] = result(
-        "Least room over the turn: by how much every pin might grow, or below 0 must shrink, until "
-        "it just fits; absent where holes do not hold their pins.",
-        equation="max over θ of min(C − |P·exp(−iθ) − H|)",
-    )
-    least_room_crank_angle_deg: Maybe[float] = result(
-        "First crank angle at which it is least; absent where it is the same at all."
-    )
-    binding: Maybe[list[BindingOut]] = result(
-        "The pairs that limit it there; absent where all do alike."
-    )
-    needed_hole_radius_mm: Maybe[float] = result(
-        "Radius of all holes with which the parts just fit, where they do not."
-    )
-    blocked_crank_deg: Maybe[list[list[float]]] = result(
-        "Stretches of the crank's turn in which the parts jam, where they go together in others."
-    )
-    renumbered: Maybe[list[int]] = result(
-        "By how many holes each satellite is put on the pins further, where one is."
-    )
-
-    @classmethod
-    def values(cls, result: Rooms, run_time_us: float | None = None, **given: Any) -> Values:
-        """Values of a fit."""
-        room, holes = result.room, result.numbered[1]
-        found: dict[str, Any] = {"state": result.state}
-        if any(holes):
-            found["renumbered"] = [*holes]
-        if result.state == "no_bound":
-            return found
-        found["least_room_mm"] = from_si("least_room_mm", room.least)
-        if room.crank_angle is not None:
-            found["least_room_crank_angle_deg"] = from_si("angle_deg", room.crank_angle)
-        if room.binding:
-            found["binding"] = [
-                {"satellite": each.satellite, "pin": each.pin, "side": each.side}
-                for each in room.binding
-            ]
-        if room.state != "fits":
-            found["needed_hole_radius_mm"] = from_si("radius_mm", result.needed_hole_radius)
-        if room.state == "binds_in_turning":
-            blocked = [[*ends] for ends in result.blocked()]
-            found["blocked_crank_deg"] = from_si("angle_deg", blocked)
-        return found
 
 
 class DiscOut(ResponseModel):

@@ -16,7 +16,6 @@ from app.calculations.both_meshes import (
 )
 from app.calculations.contact_force import CurveFields
 from app.calculations.fit import fit_notices
-from app.calculations.fit_answer import FitOut
 from app.calculations.load_sharing_answer import (
     LoadSharingResponse,
     OverTurnOut,
@@ -25,6 +24,7 @@ from app.calculations.load_sharing_answer import (
     StiffnessCurveOut,
 )
 from app.calculations.load_sharing_figure import Drawn, load_sharing_figure
+from app.calculations.mechanism import FitOut
 from app.calculations.members_answer import at_output
 from app.calculations.real_design import LEFT_OUT
 from app.calculations.solved import Solved

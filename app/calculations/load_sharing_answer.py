@@ -5,8 +5,7 @@ from typing import Any, Literal
 
 from app.calculations.both_meshes import RingPartOut, RingTurnOut
 from app.calculations.cyclogram import CountIntervalOut, Range
-from app.calculations.fit_answer import FitOut
-from app.calculations.mechanism import PairOut
+from app.calculations.mechanism import FitOut, PairOut
 from app.model import (
     AccuracyOut,
     AssumingResponse,
