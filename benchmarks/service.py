@@ -30,13 +30,11 @@ from pydantic import TypeAdapter
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app.about import API
-from app.calculations.contact_force import (
-    ContactForceRequest,
-    ContactForceResponse,
-)
+from app.calculations.contact_force import ContactForceRequest
 from app.calculations.contact_force import figure as contact_force_chart
-from app.calculations.cyclogram import CyclogramRequest, CyclogramResponse
+from app.calculations.cyclogram import CyclogramRequest
 from app.calculations.hertz import HertzRequest, HertzResponse
+from app.calculations.ideal_forces import ContactForceResponse, CyclogramResponse
 from app.calculations.roller_strength import RollerStrengthRequest, RollerStrengthResponse
 from app.endpoint import encoded
 from app.examples import REQUESTS

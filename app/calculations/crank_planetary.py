@@ -9,11 +9,7 @@ import numpy as np
 from app.calculations.both_meshes import RingTurnOut
 from app.calculations.checks import codes_to_fix, fix_values, judgement
 from app.calculations.combined import combined
-from app.calculations.contact_force import (
-    ContactForceResponse,
-    ForceCurvesOut,
-    contact_force_figure,
-)
+from app.calculations.contact_force import contact_force_figure
 from app.calculations.crank_planetary_answer import (
     ColdYieldOut,
     CrankPlanetaryResponse,
@@ -22,9 +18,10 @@ from app.calculations.crank_planetary_answer import (
 )
 from app.calculations.crank_planetary_request import CrankPlanetaryRequest, Section
 from app.calculations.crankshaft import CrankshaftResponse
-from app.calculations.cyclogram import CyclogramResponse, cyclogram_figure, over_one_axis
+from app.calculations.cyclogram import cyclogram_figure, over_one_axis
 from app.calculations.geometry_answer import GeometryOut
 from app.calculations.hertz import entry_of
+from app.calculations.ideal_forces import ContactForceResponse, CyclogramResponse, ForceCurvesOut
 from app.calculations.involute_mesh import drawn_path, solved_pair
 from app.calculations.load_sharing_answer import RealCyclogramOut
 from app.calculations.mechanism import FitOut

@@ -6,12 +6,11 @@ from pydantic import Field
 
 from app.calculations.checks import JudgedResponse, PartOut
 from app.calculations.combined import CombinedOut
-from app.calculations.contact_force import ContactForceResponse, ForceCurvesOut
 from app.calculations.crankshaft import CrankshaftResponse
-from app.calculations.cyclogram import CyclogramResponse
 from app.calculations.design import ForcesUsed, forces_used
 from app.calculations.geometry_answer import GeometryOut
 from app.calculations.hertz import HertzResponse
+from app.calculations.ideal_forces import ContactForceResponse, CyclogramResponse, ForceCurvesOut
 from app.calculations.load_sharing_answer import OverTurnOut, RealCyclogramOut
 from app.calculations.mechanism import FitOut
 from app.calculations.members_answer import MembersOut

@@ -9,9 +9,9 @@ from pydantic import Field, model_validator
 
 from app.calculations.both_meshes import DesignCouplingFields
 from app.calculations.checks import FixesFor, ScopedRequirementsFields
-from app.calculations.cyclogram import CyclogramFields
 from app.calculations.design import DesignFields, SatelliteBodyFields, TemperaturesFields
 from app.calculations.fatigue import PinFatigueFields
+from app.calculations.ideal_forces import CyclogramFields
 from app.calculations.mechanism import MAX_PAIRS
 from app.calculations.output_efficiency import FrictionFields
 from app.calculations.ring import RING_PIN_LISTS, RingFields

@@ -1,91 +1,17 @@
-"""Cyclogram: request, answer, figure."""
+"""Cyclogram: its request and its figure."""
 
-import math
-
-from app.calculations.mechanism import MechanismFields, PairOut
+from app.calculations.ideal_forces import CyclogramFields, CyclogramResponse, Range
 from app.model import (
-    AccuracyOut,
-    AssumingResponse,
     Calculation,
-    Maybe,
-    RequestModel,
-    ResponseModel,
     Values,
-    WarningOut,
     WorkedFields,
-    quantity,
-    result,
     timed,
 )
 from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018
 from app.theme import IDEAL, INK, Amount, Figure, Theme, axis, hover, layout, series_style, text
-from app.units import UNITS
 from app.worked import worked
-from core.errors import InvalidInput
-from core.output.contact_force import Cyclogram, cyclogram
-from core.output.mechanism import AssemblyAngle, Mechanism, assembly_angles
 from core.worked.mechanism import cyclogram_steps
 from core.worked.step import Step
-
-Range = tuple[float, float]
-
-ANGLE_DIGITS = 16
-"""Digits of a period, or of a range shorter than that, to which angles are rounded: a part of their
-own error."""
-
-_, DEGREE = UNITS["deg"]
-"""Size of a degree, rad."""
-
-MAX_DRAWN_PHASES = 2000
-"""Most driving phases that a figure shows."""
-
-
-class RangeFields(RequestModel, group="mechanism"):
-    """How much of the turn the cyclogram shows."""
-
-    revolutions: float = quantity(
-        "Crank revolutions", default=1.0, step=1, advanced=True, gt=0, le=1e6
-    )
-    """Length of the cyclogram, in turns of the crank."""
-
-
-class CyclogramFields(MechanismFields, RangeFields):
-    """A mechanism and the range of its cyclogram."""
-
-    def cost(self) -> float:
-        """Points of its pairs and turns."""
-        return self.points(revolutions=self.revolutions)
-
-    @property
-    def driving_phases(self) -> float:
-        """About how often pairs drive in the range, at least once each."""
-        return self.pairs * max(1.0, self.revolutions * self.mechanism().waves_per_turn)
-
-    def refuse_undrawable(self) -> None:
-        """Refuse a figure of more pairs or driving phases than anyone can tell apart.
-
-        Raises
-        ------
-        InvalidInput
-            If there are.
-        """
-        super().refuse_undrawable()
-        if self.driving_phases > MAX_DRAWN_PHASES:
-            most = MAX_DRAWN_PHASES * self.revolutions / self.driving_phases
-            raise InvalidInput("revolutions", self.revolutions, "to_be_drawn", limit=most)
-
-    def solve(self) -> tuple[Cyclogram, tuple[AssemblyAngle, ...]]:
-        """Cyclogram, and the assembly angles where the numbers of teeth are given."""
-        return self.solve_for(self.mechanism())
-
-    def solve_for(self, mechanism: Mechanism) -> tuple[Cyclogram, tuple[AssemblyAngle, ...]]:
-        """The same of this mechanism under a torque: of the one whose pairs drive where its pairs
-        carry.
-        """
-        found = cyclogram(mechanism=mechanism, revolutions=self.revolutions)
-        if teeth := self.satellite_teeth:
-            return found, assembly_angles(mechanism=mechanism, satellite_teeth=teeth)
-        return found, ()
 
 
 class CyclogramRequest(CyclogramFields, WorkedFields):
@@ -95,99 +21,6 @@ class CyclogramRequest(CyclogramFields, WorkedFields):
         """Worked steps of the cyclogram."""
         found, _ = self.solve()
         return cyclogram_steps(found=found, **self.cyclogram_given())
-
-
-class DrivingPairOut(PairOut):
-    """When one pair drives."""
-
-    driving_deg: list[Range] = result(
-        "Ranges of crank angle within a period in which it drives.",
-        symbol="φ",
-        equation="2021, eq. 6",
-    )
-
-
-class CountIntervalOut(ResponseModel):
-    """A range of crank angle with one number of driving pairs."""
-
-    from_deg: float = result("Where the range begins.", symbol="φ")
-    to_deg: float = result("Where it ends.", symbol="φ")
-    pairs: int = result("Driving pairs within it.")
-
-
-class AssemblyAngleOut(ResponseModel):
-    """Rotation of one satellite's holes against its teeth."""
-
-    satellite: int = result("Number of the satellite, from 1.", symbol="j")
-    hole_rotation_deg: float = result(
-        "Rotation of its holes against its teeth.", symbol="ψ_j", equation="2021, after eq. 11"
-    )
-    identical: bool = result("Whether it may be made like the first satellite.")
-
-
-class CyclogramResponse(AssumingResponse):
-    """Which pairs drive, when, how many together."""
-
-    working_phase_deg: float = result(
-        "Crank angle through which a pair drives at a time.", equation="2018; 2021, eq. 6"
-    )
-    period_deg: float = result("Crank angle after which the same pairs drive again.")
-    pattern_period_deg: float = result("Crank angle after which as many pairs drive again.")
-    pairs: list[DrivingPairOut] = result("The pairs, satellite by satellite.")
-    driving_count: list[CountIntervalOut] = result(
-        "Numbers of driving pairs over a pattern's period."
-    )
-    min_driving: int = result("Fewest pairs that drive together.")
-    max_driving: int = result("Most pairs that drive together.")
-    mean_driving: float = result("Mean number of driving pairs.")
-    dead_centres_deg: list[float] = result("Crank angles at which no pair drives.")
-    dead_zones_deg: Maybe[list[Range]] = result("Ranges of crank angle in which no pair drives.")
-    assembly: Maybe[list[AssemblyAngleOut]] = result(
-        "How the satellites' holes stand against their teeth, where the teeth are given."
-    )
-    accuracy: AccuracyOut
-    warnings: Maybe[list[WarningOut]] = None
-
-    @classmethod
-    def values(
-        cls,
-        result: tuple[Cyclogram, tuple[AssemblyAngle, ...]],
-        run_time_us: float | None = None,
-        **given: object,
-    ) -> Values:
-        """Values of the core's result."""
-        found, assembly = result
-        # One by one and in one step: there are too few for arrays, and none is below 0.
-        finest = min(found.driving_count[-1].end, found.period) / DEGREE
-        place = 10.0 ** (ANGLE_DIGITS - 1 - math.floor(math.log10(finest)))
-
-        def degrees(angle: float) -> float:
-            return int(angle / DEGREE * place + 0.5) / place
-
-        return super().values(
-            found,
-            run_time_us,
-            working_phase_deg=degrees(found.working_phase),
-            period_deg=degrees(found.period),
-            pattern_period_deg=degrees(found.pattern_period),
-            pairs=[
-                {
-                    "satellite": satellite,
-                    "pin": pin,
-                    "driving_deg": [(degrees(start), degrees(stop)) for start, stop in driving],
-                }
-                for satellite, pin, driving in found.pairs
-            ],
-            driving_count=[
-                {"from_deg": degrees(start), "to_deg": degrees(stop), "pairs": pairs}
-                for start, stop, pairs in found.driving_count
-            ],
-            dead_centres_deg=[*map(degrees, found.dead_centres)],
-            dead_zones_deg=[(degrees(start), degrees(stop)) for start, stop in found.dead_zones]
-            or None,
-            assembly=[AssemblyAngleOut.values(each) for each in assembly] or None,
-            **given,
-        )
 
 
 def cyclogram_figure(answer: Values, theme: Theme, real: Values | None = None) -> Figure:

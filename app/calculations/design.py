@@ -11,15 +11,15 @@ from typing import Annotated, Any, ClassVar, Literal, Self, TypeVar, cast
 
 from pydantic import AfterValidator, Field, field_validator, model_validator
 
-from app.calculations.contact_force import (
+from app.calculations.contact_law import ContactLawFields
+from app.calculations.hertz import Material, distribution_factor, eccentricity, material_of
+from app.calculations.ideal_forces import (
     LoadFields,
     TorqueFields,
     application_factor,
     force_of_one,
     peak_torque,
 )
-from app.calculations.contact_law import ContactLawFields
-from app.calculations.hertz import Material, distribution_factor, eccentricity, material_of
 from app.calculations.mechanism import MAX_SATELLITES, Deviation, MechanismFields, PinContactFields
 from app.calculations.pin import HeldPinFields, PinBoltFields, pin_places, strengths_of
 from app.calculations.pin_rollers import RollersFields

@@ -6,7 +6,6 @@ from typing import Literal
 import numpy as np
 from pydantic import Field
 
-from app.calculations.contact_force import pin_circle_radius
 from app.calculations.contact_law import law_by_materials
 from app.calculations.design import (
     CrankSupportFields,
@@ -20,6 +19,7 @@ from app.calculations.fit_answer import (
     FitResponse,
     WholeFitOut,
 )
+from app.calculations.ideal_forces import pin_circle_radius
 from app.calculations.mechanism import MechanismFields, PinContactFields
 from app.calculations.members_answer import at_output
 from app.model import (

@@ -14,8 +14,8 @@ from app.calculations.both_meshes import (
     SeriesFields,
     ring_values,
 )
-from app.calculations.contact_force import CurveFields
 from app.calculations.fit import fit_notices
+from app.calculations.ideal_forces import CurveFields
 from app.calculations.load_sharing_answer import (
     LoadSharingResponse,
     OverTurnOut,

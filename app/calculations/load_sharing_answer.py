@@ -4,7 +4,7 @@ from functools import partial
 from typing import Any, Literal
 
 from app.calculations.both_meshes import RingPartOut, RingTurnOut
-from app.calculations.cyclogram import CountIntervalOut, Range
+from app.calculations.ideal_forces import CountIntervalOut, Range
 from app.calculations.mechanism import FitOut, PairOut
 from app.model import (
     AccuracyOut,

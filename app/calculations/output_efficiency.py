@@ -6,7 +6,6 @@ from typing import Any, ClassVar, Literal
 import numpy as np
 from pydantic import Field, field_validator
 
-from app.calculations.contact_force import CurveFields
 from app.calculations.design import (
     DesignFields,
     DrivenLoadFields,
@@ -15,6 +14,7 @@ from app.calculations.design import (
     forces_used,
 )
 from app.calculations.hertz import eccentricity
+from app.calculations.ideal_forces import CurveFields
 from app.calculations.mechanism import PinContactFields
 from app.model import (
     NO_DUST,

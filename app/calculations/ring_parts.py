@@ -4,7 +4,6 @@ from typing import ClassVar, Literal, Self
 
 from pydantic import model_validator
 
-from app.calculations.contact_force import application_factor
 from app.calculations.design import (
     PerSatellite,
     PhasePerSatellite,
@@ -12,6 +11,7 @@ from app.calculations.design import (
     input_speed,
 )
 from app.calculations.hertz import Material, contact_length, eccentricity
+from app.calculations.ideal_forces import application_factor
 from app.calculations.mechanism import MAX_SATELLITES, count_satellites
 from app.calculations.ring import (
     DISC_MATERIAL,

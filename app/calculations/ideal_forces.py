@@ -1,0 +1,436 @@
+"""Cyclogram and contact force by the ideal forces: what requests say of them, what is answered."""
+
+import math
+from dataclasses import replace
+from functools import partial
+from typing import Any, ClassVar, Literal
+
+import numpy as np
+from pydantic import Field
+
+from app.calculations.mechanism import MechanismFields, PairOut
+from app.model import (
+    AccuracyOut,
+    AssumingResponse,
+    Maybe,
+    RequestModel,
+    ResponseModel,
+    Size,
+    Values,
+    WarningOut,
+    Whole,
+    quantity,
+    result,
+)
+from app.rules import Forms
+from app.settings import Settings
+from app.units import UNITS, from_si, rounded, to_si
+from core.arrays import FloatArray
+from core.errors import ImpossibleMechanism, InvalidInput
+from core.output.contact_force import (
+    ContactForce,
+    Cyclogram,
+    ForceCurves,
+    contact_force,
+    cyclogram,
+    drawing_angles,
+    force_curves,
+    force_ratios,
+    output_torque_from_input,
+    reference_force,
+)
+from core.output.mechanism import AssemblyAngle, Mechanism, Members, assembly_angles
+
+Range = tuple[float, float]
+
+ANGLE_DIGITS = 16
+"""Digits of a period, or of a range shorter than that, to which angles are rounded: a part of their
+own error."""
+
+_, DEGREE = UNITS["deg"]
+"""Size of a degree, rad."""
+
+MAX_DRAWN_PHASES = 2000
+"""Most driving phases that a figure shows."""
+
+
+ForceSection = Literal["curves", "equal_sharing", "approximation"]
+
+MAX_SAMPLES = 10_001
+
+FORCE_DIGITS = 12
+"""Digits of the largest force of curves: fewer bytes, and still finer than any use."""
+
+MAX_CURVE_VALUES = 1_000_000
+
+
+class RangeFields(RequestModel, group="mechanism"):
+    """How much of the turn the cyclogram shows."""
+
+    revolutions: float = quantity(
+        "Crank revolutions", default=1.0, step=1, advanced=True, gt=0, le=1e6
+    )
+    """Length of the cyclogram, in turns of the crank."""
+
+
+class CyclogramFields(MechanismFields, RangeFields):
+    """A mechanism and the range of its cyclogram."""
+
+    def cost(self) -> float:
+        """Points of its pairs and turns."""
+        return self.points(revolutions=self.revolutions)
+
+    @property
+    def driving_phases(self) -> float:
+        """About how often pairs drive in the range, at least once each."""
+        return self.pairs * max(1.0, self.revolutions * self.mechanism().waves_per_turn)
+
+    def refuse_undrawable(self) -> None:
+        """Refuse a figure of more pairs or driving phases than anyone can tell apart.
+
+        Raises
+        ------
+        InvalidInput
+            If there are.
+        """
+        super().refuse_undrawable()
+        if self.driving_phases > MAX_DRAWN_PHASES:
+            most = MAX_DRAWN_PHASES * self.revolutions / self.driving_phases
+            raise InvalidInput("revolutions", self.revolutions, "to_be_drawn", limit=most)
+
+    def solve(self) -> tuple[Cyclogram, tuple[AssemblyAngle, ...]]:
+        """Cyclogram, and the assembly angles where the numbers of teeth are given."""
+        return self.solve_for(self.mechanism())
+
+    def solve_for(self, mechanism: Mechanism) -> tuple[Cyclogram, tuple[AssemblyAngle, ...]]:
+        """The same of this mechanism under a torque: of the one whose pairs drive where its pairs
+        carry.
+        """
+        found = cyclogram(mechanism=mechanism, revolutions=self.revolutions)
+        if teeth := self.satellite_teeth:
+            return found, assembly_angles(mechanism=mechanism, satellite_teeth=teeth)
+        return found, ()
+
+
+class DrivingPairOut(PairOut):
+    """When one pair drives."""
+
+    driving_deg: list[Range] = result(
+        "Ranges of crank angle within a period in which it drives.",
+        symbol="φ",
+        equation="2021, eq. 6",
+    )
+
+
+class CountIntervalOut(ResponseModel):
+    """A range of crank angle with one number of driving pairs."""
+
+    from_deg: float = result("Where the range begins.", symbol="φ")
+    to_deg: float = result("Where it ends.", symbol="φ")
+    pairs: int = result("Driving pairs within it.")
+
+
+class AssemblyAngleOut(ResponseModel):
+    """Rotation of one satellite's holes against its teeth."""
+
+    satellite: int = result("Number of the satellite, from 1.", symbol="j")
+    hole_rotation_deg: float = result(
+        "Rotation of its holes against its teeth.", symbol="ψ_j", equation="2021, after eq. 11"
+    )
+    identical: bool = result("Whether it may be made like the first satellite.")
+
+
+class CyclogramResponse(AssumingResponse):
+    """Which pairs drive, when, how many together."""
+
+    working_phase_deg: float = result(
+        "Crank angle through which a pair drives at a time.", equation="2018; 2021, eq. 6"
+    )
+    period_deg: float = result("Crank angle after which the same pairs drive again.")
+    pattern_period_deg: float = result("Crank angle after which as many pairs drive again.")
+    pairs: list[DrivingPairOut] = result("The pairs, satellite by satellite.")
+    driving_count: list[CountIntervalOut] = result(
+        "Numbers of driving pairs over a pattern's period."
+    )
+    min_driving: int = result("Fewest pairs that drive together.")
+    max_driving: int = result("Most pairs that drive together.")
+    mean_driving: float = result("Mean number of driving pairs.")
+    dead_centres_deg: list[float] = result("Crank angles at which no pair drives.")
+    dead_zones_deg: Maybe[list[Range]] = result("Ranges of crank angle in which no pair drives.")
+    assembly: Maybe[list[AssemblyAngleOut]] = result(
+        "How the satellites' holes stand against their teeth, where the teeth are given."
+    )
+    accuracy: AccuracyOut
+    warnings: Maybe[list[WarningOut]] = None
+
+    @classmethod
+    def values(
+        cls,
+        result: tuple[Cyclogram, tuple[AssemblyAngle, ...]],
+        run_time_us: float | None = None,
+        **given: object,
+    ) -> Values:
+        """Values of the core's result."""
+        found, assembly = result
+        # One by one and in one step: there are too few for arrays, and none is below 0.
+        finest = min(found.driving_count[-1].end, found.period) / DEGREE
+        place = 10.0 ** (ANGLE_DIGITS - 1 - math.floor(math.log10(finest)))
+
+        def degrees(angle: float) -> float:
+            return int(angle / DEGREE * place + 0.5) / place
+
+        return super().values(
+            found,
+            run_time_us,
+            working_phase_deg=degrees(found.working_phase),
+            period_deg=degrees(found.period),
+            pattern_period_deg=degrees(found.pattern_period),
+            pairs=[
+                {
+                    "satellite": satellite,
+                    "pin": pin,
+                    "driving_deg": [(degrees(start), degrees(stop)) for start, stop in driving],
+                }
+                for satellite, pin, driving in found.pairs
+            ],
+            driving_count=[
+                {"from_deg": degrees(start), "to_deg": degrees(stop), "pairs": pairs}
+                for start, stop, pairs in found.driving_count
+            ],
+            dead_centres_deg=[*map(degrees, found.dead_centres)],
+            dead_zones_deg=[(degrees(start), degrees(stop)) for start, stop in found.dead_zones]
+            or None,
+            assembly=[AssemblyAngleOut.values(each) for each in assembly] or None,
+            **given,
+        )
+
+
+application_factor = partial(
+    quantity,
+    "Application factor",
+    "K_A",
+    step=0.05,
+    help="Factor on the torque for stresses and pressures, not for losses, wear and the life of "
+    "bearings; not beside the contact's dynamic factor, which is the same.",
+)
+
+pin_circle_radius = partial(
+    quantity,
+    "Pin circle radius",
+    "R",
+    step=1,
+    help="Radius of the circle of pin centres.",
+)
+
+peak_torque = partial(
+    quantity,
+    "Peak torque",
+    "T_max",
+    step=10,
+    help="Largest torque, for static strength, at least the torque times its factor; that where "
+    "not given.",
+)
+
+
+class TorqueFields(RequestModel, group="load"):
+    """Torque, lever and load sharing of the pins."""
+
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
+        (("output_torque_Nm",), ("input_torque_Nm", "efficiency")),
+    )
+
+    output_torque_Nm: Maybe[Size] = quantity("Output torque", "T", step=10)
+    """Torque of the output; where both are it that on the pins."""
+    input_torque_Nm: Maybe[Size] = quantity("Input torque", "T₁", step=1)
+    """Torque on the crankshaft; T = T₁·i·η, i being u, or u + 1 where the ring is the output."""
+    efficiency: Maybe[float] = quantity("Efficiency", "η", step=0.01, ge=1e-3, le=1)
+    """Efficiency of the reducer, needed with the input torque."""
+    pin_circle_radius_mm: Size = pin_circle_radius()
+    force_exponent: float = quantity("Force exponent", "v", default=1.0, step=0.1, ge=0, le=1e6)
+    """Force ∝ approach^v: 0 equal sharing, 1 linear, 10/9 and 3/2 the usual contact laws."""
+
+    def force_given(self, members: Members) -> dict[str, Any]:
+        """The load as the worked steps of the force take it."""
+        return {
+            "members": members,
+            "output_torque": self.torque(members),
+            "pin_circle_radius": to_si("pin_circle_radius_mm", self.pin_circle_radius_mm),
+            "force_exponent": self.force_exponent,
+            "driven_by": self._driven_by,
+        }
+
+    @property
+    def _driven_by(self) -> tuple[float, float] | None:
+        """Torque on the crankshaft, N*m, and efficiency, where these are given."""
+        match self.given:
+            case {"input_torque_Nm": torque, "efficiency": efficiency}:
+                return torque, efficiency
+        return None
+
+    def torque(self, members: Members) -> float:
+        """Torque of the output, N*m."""
+        match self.given:
+            case {"output_torque_Nm": torque}:
+                return float(torque)
+            case given:
+                return output_torque_from_input(
+                    input_torque=given["input_torque_Nm"],
+                    ratio=members.torque_ratio,
+                    efficiency=given["efficiency"],
+                )
+
+    def pin_torque(self, members: Members) -> float:
+        """Torque on the pins, N*m."""
+        return self.torque(members) * members.pin_share
+
+
+class CurveFields(RequestModel, group="load"):
+    """How finely curves are asked."""
+
+    samples: Whole = quantity("Samples", default=361, step=1, advanced=True, ge=2, le=MAX_SAMPLES)
+    """Number of points of each curve."""
+
+    def refuse_beyond(self, settings: Settings) -> None:
+        """Refuse more samples than the operator allows.
+
+        Raises
+        ------
+        InvalidInput
+            If there are.
+        """
+        if self.samples > settings.max_curve_samples:
+            raise InvalidInput(
+                "samples", self.samples, "service_limit", limit=settings.max_curve_samples
+            )
+        super().refuse_beyond(settings)
+
+    def samples_of(self, mechanism: Mechanism) -> int:
+        """Points of each curve, where the service sends so many for a mechanism.
+
+        Raises
+        ------
+        InvalidInput
+            If there are more than `MAX_CURVE_VALUES` for all pairs.
+        """
+        pairs = mechanism.pins * mechanism.satellites
+        if self.samples * pairs > MAX_CURVE_VALUES:
+            raise InvalidInput(
+                "samples", self.samples, "service_limit", limit=MAX_CURVE_VALUES // pairs
+            )
+        return self.samples
+
+
+class LoadFields(CurveFields, TorqueFields):
+    """Torque, lever and load sharing of the pins, and what is asked of the force."""
+
+    include: list[ForceSection] = Field(
+        default=[], max_length=3, description="Optional results: what is not named is not computed."
+    )
+
+    @property
+    def curve_samples(self) -> int:
+        """Points of each curve; 0 where none is asked."""
+        return self.samples if "curves" in self.include else 0
+
+    def solve_for(self, mechanism: Mechanism, members: Members) -> ContactForce:
+        """Contact force of a mechanism under this load; what is not included is not computed."""
+        return contact_force(
+            mechanism=mechanism,
+            output_torque=self.pin_torque(members),
+            pin_circle_radius=to_si("pin_circle_radius_mm", self.pin_circle_radius_mm),
+            force_exponent=self.force_exponent,
+            curve_samples=self.samples_of(mechanism) if "curves" in self.include else None,
+            equal_sharing="equal_sharing" in self.include,
+            approximation="approximation" in self.include,
+        )
+
+    def forces_at(self, mechanism: Mechanism, members: Members, crank_angle: float) -> FloatArray:
+        """Force of every pair, N, shape (K, N), at a crank angle, rad."""
+        reference = reference_force(
+            output_torque=self.pin_torque(members),
+            pin_circle_radius=to_si("pin_circle_radius_mm", self.pin_circle_radius_mm),
+        )
+        ratios = force_ratios(
+            mechanism=mechanism,
+            crank_angles=np.array([crank_angle]),
+            force_exponent=self.force_exponent,
+        )
+        forces: FloatArray = reference * ratios[0]
+        return forces
+
+    def solve_for_drawing(
+        self, mechanism: Mechanism, members: Members
+    ) -> tuple[ContactForce, FloatArray]:
+        """Contact force with curves fit to be drawn, and the switching angles, rad."""
+        angles, switching = drawing_angles(mechanism=mechanism)
+        force = self.model_copy(update={"include": []}).solve_for(mechanism, members)
+        curves = force_curves(
+            mechanism=mechanism,
+            crank_angle=angles,
+            reference=force.reference_force,
+            force_exponent=self.force_exponent,
+        )
+        return replace(force, curves=curves), switching
+
+
+def force_of_one(mechanism: MechanismFields, load: LoadFields) -> Values:
+    """The peak force of one satellite alone, which answers say where their number is assumed."""
+    one = mechanism.model_copy(update={"satellites": 1, "crank_spacing_deg": None}).mechanism()
+    try:
+        found = contact_force(
+            mechanism=one,
+            output_torque=load.pin_torque(mechanism.members),
+            pin_circle_radius=to_si("pin_circle_radius_mm", load.pin_circle_radius_mm),
+            force_exponent=load.force_exponent,
+        )
+    except ImpossibleMechanism:  # at a dead centre of fewer pairs
+        return {}
+    return {"without": {"peak_force_N": from_si("peak_force_N", found.peak_force)}}
+
+
+class ForceCurvesOut(ResponseModel):
+    """Force of every pair over the turn: one list for each pair, in the order of `pairs`, rounded
+    to 12 digits of the largest force.
+    """
+
+    crank_angle_deg: list[float] = result("Crank angles of the curves.", symbol="φ")
+    force_N: list[list[float]] = result(
+        "Forces, a list for each pair.", symbol="F_jn", equation="2021, eq. 10"
+    )
+    pairs: list[PairOut] = result("The pairs, in the order of the forces.")
+
+    @classmethod
+    def values(cls, result: ForceCurves, run_time_us: float | None = None, **given: Any) -> Values:
+        """Values of the core's curves."""
+        forces = rounded(from_si("force_N", result.force), FORCE_DIGITS)
+        return super().values(result, run_time_us, force_N=forces, **given)
+
+
+class ContactForceResponse(AssumingResponse):
+    """The exact peak of the contact force, and what was asked besides."""
+
+    reference_force_N: float = result(
+        "Torque over the radius of the pin circle.", symbol="F_0", equation="2018; 2021"
+    )
+    peak_force_N: float = result(
+        "Largest ideal contact force over the turn, by force_exponent.",
+        symbol="F_max",
+        equation="2021, eq. 10",
+    )
+    peak_force_ratio: float = result(
+        "Largest contact force over the reference force.", symbol="f", equation="2021, eq. 11"
+    )
+    peak_crank_angle_deg: float = result("Crank angle of the peak.", symbol="φ")
+    peak_pair: PairOut = result("The pair that carries the peak.")
+    curves: Maybe[ForceCurvesOut] = result("Force of every pair over the turn, where asked.")
+    equal_sharing_peak_N: Maybe[float] = result(
+        "Largest force if all driving pairs carried alike.", symbol="F_max", equation="Zyl, eq. 1"
+    )
+    approximate_peak_N: Maybe[float] = result(
+        "Largest force by the approximate formula for 3 to 5 pins.",
+        symbol="F_max",
+        equation="2018, eq. 5",
+    )
+    approximate_peak_error: Maybe[float] = result("The approximation over the exact peak, less 1.")
+    accuracy: AccuracyOut
+    warnings: Maybe[list[WarningOut]] = None
