@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 
 from app.calculations.crank_planetary import solve
-from app.calculations.crank_planetary_request import STRENGTH as STRENGTH_SECTIONS
-from app.calculations.crank_planetary_request import CrankPlanetaryRequest
+from app.calculations.crank_planetary_sections import STRENGTH as STRENGTH_SECTIONS
+from app.calculations.crank_planetary_sections import CrankPlanetaryRequest
 from app.examples import REQUESTS
 from benchmarks.options import options
 from core.checks.crank_planetary import crank_checks

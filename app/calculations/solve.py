@@ -15,7 +15,7 @@ from app.calculations import (
     roller_strength,
     shaft_deflection,
 )
-from app.calculations.crank_planetary_request import SECTIONS, CrankPlanetaryRequest
+from app.calculations.crank_planetary_sections import SECTIONS, CrankPlanetaryRequest
 from app.model import (
     AccuracyOut,
     Calculation,

@@ -9,7 +9,7 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from app import VERSION
-from app.calculations.crank_planetary_request import CrankPlanetaryRequest
+from app.calculations.crank_planetary_sections import CrankPlanetaryRequest
 from app.calculations.mechanism import MAX_SATELLITES
 from app.model import Export, File, RequestModel, pointer, quantity
 from app.problems import Problem, refusal

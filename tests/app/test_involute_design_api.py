@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from app.calculations.crank_planetary_request import CrankPlanetaryRequest
+from app.calculations.crank_planetary_sections import CrankPlanetaryRequest
 from app.examples import EXAMPLES
 from core.precision import JUDGED
 

@@ -5,7 +5,7 @@ from typing import Any
 import pytest
 
 from app.calculations.checks import judgement
-from app.calculations.crank_planetary_request import CrankPlanetaryRequest
+from app.calculations.crank_planetary_sections import CrankPlanetaryRequest
 from app.calculations.mechanism import MechanismFields
 from core.checks.crank_planetary import crank_checks
 

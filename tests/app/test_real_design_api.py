@@ -7,7 +7,7 @@ from copy import deepcopy
 import numpy as np
 import pytest
 
-from app.calculations.crank_planetary_request import CrankPlanetaryRequest
+from app.calculations.crank_planetary_sections import CrankPlanetaryRequest
 from app.endpoint import LIGHT_COST
 from app.examples import REQUESTS
 

@@ -11,7 +11,7 @@ import pytest
 
 from app.calculations import crank_planetary
 from app.calculations.crank_planetary import solve
-from app.calculations.crank_planetary_request import CrankPlanetaryRequest
+from app.calculations.crank_planetary_sections import CrankPlanetaryRequest
 from app.examples import REQUESTS
 from core.checks.usual_modification import usual_modification
 from core.precision import EXACT, JUDGED, SAME, SEARCHED

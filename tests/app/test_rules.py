@@ -10,11 +10,7 @@ from pydantic import TypeAdapter, ValidationError
 
 import app.registry
 from app.calculations.both_meshes import RingInSeriesFields
-from app.calculations.crank_planetary_request import (
-    INVOLUTE_NEEDS,
-    NEEDS,
-    CrankPlanetaryRequest,
-)
+from app.calculations.crank_planetary_sections import INVOLUTE_NEEDS, NEEDS, CrankPlanetaryRequest
 from app.calculations.mechanism import PinContactFields
 from app.calculations.ring import RING_PIN_LISTS
 from app.model import Maybe, RequestModel

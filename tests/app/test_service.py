@@ -14,7 +14,7 @@ import httpx
 import pytest
 
 from app import VERSION, main, observability, sources
-from app.calculations.crank_planetary_request import CrankPlanetaryRequest
+from app.calculations.crank_planetary_sections import CrankPlanetaryRequest
 from app.examples import EXAMPLES, REQUESTS
 from app.main import create_app
 from app.problems import KINDS

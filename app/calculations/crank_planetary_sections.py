@@ -1,33 +1,91 @@
-"""The request for a crank-planetary reducer: the design, and which sections of the answer."""
+"""The request for a crank-planetary reducer: the design, which sections of the answer are wanted,
+what each needs and how it is answered.
+"""
 
 import math
-from collections.abc import Iterator
-from functools import cached_property
+from collections.abc import Callable, Iterator
+from functools import cached_property, partial
 from typing import Any, Literal, Self, get_args
 
+import numpy as np
 from pydantic import Field, model_validator
 
-from app.calculations.both_meshes import DesignCouplingFields
-from app.calculations.checks import FixesFor, ScopedRequirementsFields
+from app.calculations.both_meshes import DesignCouplingFields, RingTurnOut
+from app.calculations.checks import (
+    FixesFor,
+    ScopedRequirementsFields,
+    codes_to_fix,
+    fix_values,
+    judgement,
+)
+from app.calculations.combined import combined
+from app.calculations.crank_planetary_answer import (
+    ColdYieldOut,
+    DesignHertzOut,
+    LoadSharingOut,
+)
+from app.calculations.crankshaft import CrankshaftResponse
 from app.calculations.design import DesignFields, SatelliteBodyFields, TemperaturesFields
+from app.calculations.design_mesh import drawing_of, mesh_of
 from app.calculations.fatigue import PinFatigueFields
-from app.calculations.ideal_forces import CyclogramFields
-from app.calculations.mechanism import MAX_PAIRS
-from app.calculations.output_efficiency import FrictionFields
+from app.calculations.geometry_answer import GeometryOut
+from app.calculations.hertz import entry_of
+from app.calculations.ideal_forces import (
+    ContactForceResponse,
+    CyclogramFields,
+    CyclogramResponse,
+    ForceCurvesOut,
+)
+from app.calculations.load_sharing_answer import RealCyclogramOut
+from app.calculations.mechanism import MAX_PAIRS, FitOut
+from app.calculations.members_answer import MembersOut, at_output
+from app.calculations.output_efficiency import FrictionFields, OutputEfficiencyResponse
+from app.calculations.pin_rollers_answer import RollersOut
+from app.calculations.pin_strength import PinStrengthResponse
+from app.calculations.reducer_fixes import fixes_of
 from app.calculations.ring import RING_PIN_LISTS, RingFields
-from app.calculations.satellite_bearing import BearingFields, CrankshaftFields
-from app.model import Angle, Maybe, Values, quantity
+from app.calculations.satellite_bearing import (
+    BearingFields,
+    CrankshaftFields,
+    SatelliteBearingResponse,
+)
+from app.calculations.shares_answer import SharesOut, shares_warnings
+from app.calculations.usual_fit_answer import UsualFitOut, UsualModificationOut
+from app.model import (
+    Angle,
+    Maybe,
+    Values,
+    notices_of,
+    present,
+    quantity,
+    timed,
+    warning,
+)
 from app.rules import field_error
 from app.settings import Settings
+from app.units import to_si
+from core.arrays import FloatArray
 from core.checks.check import Verdict
+from core.checks.cold_yield import ColdYield, cold_yield
 from core.checks.crank_planetary import crank_verdict
-from core.checks.usual_modification import UsualModification, usual_modification
+from core.checks.shares import disc_shares
+from core.checks.usual_modification import (
+    UsualModification,
+    usual_clearance_too,
+    usual_modification,
+)
 from core.design.crank_results import MOST_BEARING_PAIRS
-from core.design.results import MOST_PIN_PAIRS, Results
+from core.design.real_forces import RealForces
+from core.design.results import MOST_IN_SERIES, MOST_PIN_PAIRS, Results
 from core.errors import CalculationError, Notice, if_known, is_known
+from core.fixes.fix import Fix
+from core.materials import NOT_LISTED
+from core.output.contact_force import ContactForce, ForceCurves, PairNumber, drawing_angles
 from core.output.elasticity import RingInSeries
-from core.output.mechanism import Mechanism
+from core.output.mechanism import Mechanism, PinGeometry, pin_fit, pin_geometry
+from core.output.real_cyclogram import RealCyclogram, carried_forces, real_cyclogram
 from core.output.turn import Turn
+from core.ring.series_turn import SeriesOverTurn
 
 Section = Literal[
     "cyclogram",
@@ -323,3 +381,229 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         """The turn under the torque of the forces that are solved, in their direction."""
         solved = self.results.real_forces
         return self.results.turn(solved.way * solved.torque)
+
+
+def _cyclogram(body: CrankPlanetaryRequest) -> Values:
+    pattern = timed(lambda: body.mechanism.solve_for(body.design.driven))
+    return CyclogramResponse.values(*pattern)
+
+
+def _members(body: CrankPlanetaryRequest) -> Values:
+    loads, took_us = timed(lambda: body.results.member_loads)
+    return MembersOut.values(loads, took_us, output=body.mechanism.output)
+
+
+def ideal_force(body: CrankPlanetaryRequest) -> ContactForce:
+    """Contact force; without its own section only what the others need of it."""
+    load = body.known_load
+    if "contact_force" not in body.sections:
+        load = load.model_copy(update={"include": []})
+    return load.solve_for(body.design.driven, body.design.members)
+
+
+def _contact_force(body: CrankPlanetaryRequest) -> Values:
+    return ContactForceResponse.values(*timed(partial(ideal_force, body)))
+
+
+def _load_sharing(body: CrankPlanetaryRequest) -> Values:
+    """The forces that are solved over the turn, at the torque itself."""
+    sharing, run_us = timed(lambda: body.results.real_forces)
+    forces = if_known(lambda: body.results.judged_forces)
+    force_N = forces.force if isinstance(forces, RealForces) else None
+    curves = None
+    load = body.known_load
+    if load.curve_samples:
+        curves = real_curves(body, load.samples_of(body.built))
+    drawn = curves and ForceCurvesOut.values(curves)
+    ring = sharing.turn.ring if isinstance(sharing.turn, SeriesOverTurn) else None
+    values = LoadSharingOut.values(
+        sharing,
+        run_us,
+        judged_force_N=force_N,
+        curves=drawn,
+        ring=ring and RingTurnOut.values(ring),
+    )
+    return at_output(values, body.design.members)
+
+
+def real_curves(body: CrankPlanetaryRequest, samples: int) -> ForceCurves:
+    """Forces that are solved, over the range of the figure of forces."""
+    angles, _ = drawing_angles(mechanism=body.built, samples=2)
+    turns = float(angles[-1]) / (2 * math.pi)
+    carried = real_cyclogram(turn=body.solved_turn, revolutions=turns)
+    crank_angle, force = carried_forces(
+        turn=body.solved_turn,
+        carried=carried,
+        places=[body.results.real_forces.turn.peak_crank_angle],
+        samples=samples,
+    )
+    pairs = tuple(PairNumber(each.satellite, each.pin) for each in carried.pairs)
+    return ForceCurves(pairs, crank_angle, force)
+
+
+def carrying_pairs(body: CrankPlanetaryRequest) -> RealCyclogram:
+    """Which pairs carry."""
+    return real_cyclogram(turn=body.solved_turn, revolutions=body.mechanism.revolutions)
+
+
+def _real_cyclogram(body: CrankPlanetaryRequest) -> Values:
+    return RealCyclogramOut.values(*timed(partial(carrying_pairs, body)))
+
+
+def _hertz(body: CrankPlanetaryRequest) -> Values:
+    contact, took_us = timed(lambda: body.results.hertz)
+    factor = body.results.line_load_factor if body.pin else None
+    return DesignHertzOut.values(contact, took_us, line_load_factor=factor)
+
+
+def _ring_mesh(body: CrankPlanetaryRequest) -> Values:
+    mesh, took_us = timed(partial(mesh_of, body.results))
+    return mesh.answer(took_us)
+
+
+def _drawing(body: CrankPlanetaryRequest) -> Values | None:
+    return drawing_of(body.results)
+
+
+def _pin_strength(body: CrankPlanetaryRequest) -> Values:
+    found, took_us = timed(lambda: body.results.pin_strength)
+    return PinStrengthResponse.values(found, took_us, forces=body.forces)
+
+
+def _output_efficiency(body: CrankPlanetaryRequest) -> Values:
+    found, took_us = timed(lambda: body.results.losses.pins)
+    return OutputEfficiencyResponse.values((found, None), took_us, forces=body.forces)
+
+
+def _satellite_bearing(body: CrankPlanetaryRequest) -> Values:
+    found, took_us = timed(lambda: body.results.crank.bearings)
+    return SatelliteBearingResponse.values(found, took_us, forces=body.forces)
+
+
+def _crankshaft(body: CrankPlanetaryRequest) -> Values:
+    found, took_us = timed(lambda: body.results.crank.shaft)
+    return CrankshaftResponse.values(found, took_us, forces=body.forces)
+
+
+def _rollers(body: CrankPlanetaryRequest) -> Values:
+    found, took_us = timed(lambda: body.results.rollers)
+    return RollersOut.values(found, took_us, forces=body.forces)
+
+
+def _pins_and_holes(body: CrankPlanetaryRequest) -> tuple[PinGeometry, FloatArray]:
+    """Pins and holes at the crank angle, and the force of each pair there, N."""
+    load = body.known_load
+    crank_angle = to_si("crank_angle_deg", body.crank_angle_deg)
+    sizes = body.given["contact"].sizes_on(load.pin_circle_radius_mm)
+    sizes["eccentricity"] = pin_fit(pins=body.mechanism.pins, **sizes).eccentricity
+    geometry = pin_geometry(mechanism=body.built, crank_angle=crank_angle, **sizes)
+    if not body.results.solved:
+        forces = load.forces_at(body.design.driven, body.design.members, crank_angle)
+    else:
+        forces = np.array(body.results.forces_at(crank_angle))
+    return geometry, forces
+
+
+def _geometry(body: CrankPlanetaryRequest) -> Values:
+    return GeometryOut.values(*timed(partial(_pins_and_holes, body)))
+
+
+def _usual_fit(body: CrankPlanetaryRequest) -> Values | None:
+    """The design with a usual clearance, where none is known or 0 is stated."""
+    found = usual_clearance_too(design=body.design, ring=body.usual_ring)
+    return UsualFitOut.of(*found) if found else None
+
+
+def _usual_modification(body: CrankPlanetaryRequest) -> Values | None:
+    found = body.usual_ring
+    return UsualModificationOut.of(found) if found else None
+
+
+ANSWERS: dict[Section, Callable[[CrankPlanetaryRequest], Values | None]] = {
+    "cyclogram": _cyclogram,
+    "members": _members,
+    "contact_force": _contact_force,
+    "load_sharing": _load_sharing,
+    "real_cyclogram": _real_cyclogram,
+    "hertz": _hertz,
+    "ring_mesh": _ring_mesh,
+    "ring_drawing": _drawing,
+    "pin_strength": _pin_strength,
+    "output_efficiency": _output_efficiency,
+    "satellite_bearing": _satellite_bearing,
+    "crankshaft": _crankshaft,
+    "rollers": _rollers,
+    "geometry": _geometry,
+    "usual_fit": _usual_fit,
+    "usual_modification": _usual_modification,
+}
+"""What answers a section, in the order of the answer; None where there is nothing to say. Checks
+and fixes are of the verdict.
+"""
+
+
+def _judged(body: CrankPlanetaryRequest) -> Values:
+    """Verdict, and checks and fixes, of one input and of several, where asked."""
+    found = body.verdict
+    fixes: list[Fix] = []
+    if {"fixes", "combined"} & {*body.sections}:
+        codes = codes_to_fix(found, body.fixes_for)
+        fixes = fixes_of(body, codes, found)
+    values: Values = {}
+    judged = partial(cold_yield, results=body.results, found=found)
+    if body.design.plastics and (cold := if_known(judged)):
+        values["cold_yield"] = _cold_values(body, cold)
+    values |= judgement(
+        found,
+        body,
+        torque=body.design.load.output_torque if body.design.load else 0.0,
+        checks="checks" in body.sections,
+    )
+    if "fixes" in body.sections:
+        values["fixes"] = [fix_values(each, body) for each in fixes]
+    if "combined" in body.sections:
+        values["combined"] = combined(body, found, fixes)
+    return present(values)
+
+
+def _cold_values(body: CrankPlanetaryRequest, cold: ColdYield) -> Values:
+    """When a plastic contact yields at once, and where its strength comes from."""
+    given = getattr(body.given["contact"], f"{cold.body}_material")
+    own = not isinstance(given, str) and (given.yield_strength_MPa or given.tensile_strength_MPa)
+    entry = NOT_LISTED if own else entry_of(given)
+    return ColdYieldOut.values(cold, source=entry.strength.source or None)
+
+
+def _notices(body: CrankPlanetaryRequest) -> tuple[Notice, ...]:
+    """What is to be said of the design, whichever sections are asked."""
+    results, found = body.results, notices_of(if_known(body.solve_fit))
+    if body.contact is not None:
+        found += body.contact.material_notices()
+    if results.in_series:
+        found += (Notice("both_meshes"),)
+    elif forces := results.forces_in_series:
+        found += (Notice("meshes_apart", {"forces": forces, "limit": MOST_IN_SERIES}),)
+    found += notices_of(if_known(lambda: results.disc_of(results.hertz)))
+    if "pin_strength" not in body.sections:  # which tells it itself
+        found += results.size_notices
+    return found
+
+
+def solve(body: CrankPlanetaryRequest) -> Values:
+    """Cyclogram, contact force, load sharing, Hertz stress, pins, efficiency, bearings, crankshaft,
+    geometry: the sections that are asked.
+
+    Verdict and warnings are there whichever sections are asked.
+    """
+    asked, results = body.sections, body.results
+    sections = present({name: answer(body) for name, answer in ANSWERS.items() if name in asked})
+    warnings = [warning(each) for each in _notices(body)]
+    if rooms := if_known(lambda: results.rooms):
+        sections["fit"] = FitOut.values(rooms)
+    judged = _judged(body)
+    if results.uneven and (shares := disc_shares(results=results, found=body.verdict)):
+        sections["shares"] = SharesOut.of(shares)
+        warnings += shares_warnings(shares)
+    if warnings:
+        sections["warnings"] = warnings
+    return judged | {"model": body.forces} | sections
