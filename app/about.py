@@ -32,19 +32,9 @@ from core.checks.words import GROUPS as CHECK_GROUPS
 from core.codes import CODES, REFUSALS, WARNINGS, WAS, Code
 from core.contact_life import LifeCurve
 from core.errors import METHODS, PLACES
+from core.hertz import CRITERIA, LIMIT_SOURCES, VERIFIED, Criterion, Verified
 from core.material_table import ALIASES, MATERIALS
-from core.materials import (
-    CRITERIA,
-    GROUPS,
-    LIMIT_SOURCES,
-    VERIFIED,
-    Criterion,
-    Fact,
-    Range,
-    Seen,
-    TableMaterial,
-    Verified,
-)
+from core.materials import GROUPS, Fact, Range, Seen, TableMaterial
 from core.tolerance.iso286 import CLASSES, GRADES, SIZES, Limits, class_limits
 from core.tolerance.processes import PROCESSES, Process, ProcessName, Size
 from core.work_precision.study import SETTINGS

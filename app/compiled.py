@@ -55,7 +55,7 @@ def cached() -> bool:
 
 def _turns() -> None:
     """All that is called of pins in holes, over the turn and of pieces."""
-    from core.materials import ElasticMaterial
+    from core.hertz import ElasticMaterial
     from core.output.elasticity import LinearLaw
     from core.output.mechanism import Mechanism
     from core.output.over_turn import over_turn
@@ -82,7 +82,7 @@ def _turns() -> None:
 
 def _meshes() -> None:
     """All that is called of discs on the pins of their ring."""
-    from core.materials import ElasticMaterial
+    from core.hertz import ElasticMaterial
     from core.output.elasticity import LinearLaw
     from core.ring.profile import CycloidDisc
     from core.ring.sharing import CycloidMesh, mesh_over_turn
@@ -105,7 +105,7 @@ def _meshes() -> None:
 
 def _series() -> None:
     """All that is called of both meshes in series."""
-    from core.materials import ElasticMaterial
+    from core.hertz import ElasticMaterial
     from core.output.elasticity import LinearLaw
     from core.output.loop_rows import LOST_MOTION
     from core.output.mechanism import Mechanism

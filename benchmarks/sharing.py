@@ -15,7 +15,7 @@ from dataclasses import replace
 import numpy as np
 
 from benchmarks.options import options
-from core.materials import ElasticMaterial
+from core.hertz import ElasticMaterial
 from core.output import compiled
 from core.output.elasticity import (
     RIGID_PINS,

@@ -27,9 +27,8 @@ from core.design.results import Results
 from core.design.sections import Contact, Load, MechanismSection
 from core.fatigue import size_factor, utilisation
 from core.fixes.crank import crank_fixes
-from core.hertz import hertz
+from core.hertz import ElasticMaterial, hertz
 from core.material_table import MATERIALS
-from core.materials import ElasticMaterial
 from core.numerics.inverse import solve_for
 from core.output.contact_force import contact_force, cyclogram, peak_force
 from core.output.losses import BarePins, pin_losses

@@ -23,14 +23,14 @@ errors              what is refused, and why; what is worked out once, or not kn
                     result may be, and what it strains
 arrays              one function for a number and for arrays of designs; types
 contact_life        how the limit of a pressure falls with the number of loads
-materials           elastic materials, two together, first yield; what is known of one, from where
-material_table      a small table of them, and by which names they are found
 bearings            rolling bearings by name, with the ratings of several makers
 numerics            tools that know nothing of their use: quadrature, extremes, the inverse
 load_sharing        one displacement shared by many unilateral contacts
 fatigue             endurance limit by named factors, criteria, finite life
 conformal           a pin in a hole that fits closely, of any two materials
-hertz               line contact of pin and hole, narrow or conformal, against its limits
+hertz               elastic bodies in line contact, narrow or conformal, against their limits
+materials           what is known of a material, from where
+material_table      a small table of them, and by which names they are found
 output              the output mechanism: pins in the holes of satellites on cranks
 tolerance           what tolerances of the output mechanism do
 rollers             swinging rollers: stiffness, load sharing, bending stress, and their curves

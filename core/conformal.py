@@ -7,7 +7,7 @@ Disc in a hole of an infinite plane, plane strain, no friction. With ``x = tan(a
         = E* dR/(2*R_m) + (1 + alpha)/2*p_0 + (1 + beta)*Q/(pi*R_m)*cos(angle)
 
 with Dundurs' alpha and beta (both positive where the pin is the stiffer, as
-`core.materials.mismatch` has them for pin and hole), the mean p_0 of the pressure over the whole
+`core.hertz.mismatch` has them for pin and hole), the mean p_0 of the pressure over the whole
 rim, the load per length Q, the difference dR of the radii and ``R_m = sqrt(r*R)``. So over Q/R_m
 the pressure of a half-angle depends on beta alone, and
 

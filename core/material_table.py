@@ -4,16 +4,8 @@ import re
 from dataclasses import replace
 
 from core.contact_life import LifeCurve
-from core.materials import (
-    ELASTIC,
-    ContactLimit,
-    Criterion,
-    Fact,
-    Range,
-    Seen,
-    Strength,
-    TableMaterial,
-)
+from core.hertz import ContactLimit, Criterion
+from core.materials import ELASTIC, Fact, Range, Seen, Strength, TableMaterial
 
 LIFE_CURVES: dict[str, LifeCurve] = {
     "iso_6336_5": "hardened",

@@ -41,7 +41,7 @@ from core.codes import CODES, WAS
 from core.design.sections import PART_NAMES, PartName, Requirements
 from core.errors import if_known
 from core.fixes.fix import Fix, FixStatus
-from core.materials import LIMIT_SOURCES, Criterion, Verified
+from core.hertz import LIMIT_SOURCES, Criterion, Verified
 
 FixesFor = Literal["governing", "failed"]
 

@@ -45,24 +45,19 @@ from core.arrays import FloatArray
 from core.contact_life import CURVES, LifeCurve
 from core.errors import Notice, if_known
 from core.hertz import (
+    LIMIT_SOURCES,
     BodySafety,
+    ContactLimit,
+    Criterion,
+    ElasticMaterial,
     HertzContact,
+    Layers,
     conformal_profile,
     hertz,
     pressure_profile,
 )
 from core.material_table import ALIASES, ELASTOMERS, MATERIALS, NAMES, SEVERAL, plain_name
-from core.materials import (
-    GROUPS,
-    LIMIT_SOURCES,
-    NOT_LISTED,
-    ContactLimit,
-    Criterion,
-    ElasticMaterial,
-    Layers,
-    TableMaterial,
-    by_values,
-)
+from core.materials import GROUPS, NOT_LISTED, TableMaterial, by_values
 from core.worked.hertz import hertz_steps
 from core.worked.step import Step
 

@@ -42,7 +42,7 @@ from core.design.document import not_given
 from core.errors import Notice, NotKnown, if_known
 from core.fatigue import FatigueStrength
 from core.fixes.plain import plain_fixes
-from core.materials import ElasticMaterial
+from core.hertz import ElasticMaterial
 from core.precession.line_contact import LineContact, line_contact
 from core.precession.meshing_load import MeshingLoad
 from core.precession.shaft import ShaftDiagram, ShaftSection, shaft_diagram

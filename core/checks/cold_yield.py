@@ -8,7 +8,7 @@ from core.checks.crank_planetary import crank_check, under
 from core.checks.plastics import PLASTICS, cold_limits
 from core.design.results import Results
 from core.errors import UNKNOWN, if_known, required
-from core.materials import Body
+from core.hertz import Body
 
 LOOKS, NEAR = 6, 1e-4
 """Torques at most that are looked at where forces are solved; how near 1 the last reserve is."""

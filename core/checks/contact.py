@@ -25,9 +25,8 @@ from core.checks.inputs import HOLE, LIFE, LOADED, RING_GIVES, SHARING, SLIDING
 from core.design.document import Design
 from core.design.results import Results
 from core.errors import NotKnown, if_known, is_known
-from core.hertz import HertzContact, force_factor
-from core.materials import SLIDING as KNOWN_SLIDING
-from core.materials import Body, ContactLimit, ElasticMaterial
+from core.hertz import SLIDING as KNOWN_SLIDING
+from core.hertz import Body, ContactLimit, ElasticMaterial, HertzContact, force_factor
 from core.output.mechanism import assembly_angles
 
 BODIES: tuple[Body, ...] = get_args(Body)

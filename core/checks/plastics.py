@@ -14,8 +14,7 @@ from core.checks.inputs import LOADED, SLIDING
 from core.design.document import Design, value_at
 from core.design.results import Results
 from core.errors import UNKNOWN, NotKnown, required
-from core.hertz import HertzContact, force_factor
-from core.materials import Body
+from core.hertz import Body, HertzContact, force_factor
 from core.numerics.inverse import edge
 
 DEEP = 3.0

@@ -5,7 +5,7 @@ from core.checks.crank_planetary import crank_verdict
 from core.design.document import Design, changed
 from core.design.results import Results
 from core.errors import InvalidInput, if_known, is_known
-from core.materials import ElasticMaterial
+from core.hertz import ElasticMaterial
 from core.tolerance.iso286 import fit_clearance
 
 USUAL_FIT = "H7/f7"

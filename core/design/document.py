@@ -27,7 +27,7 @@ from core.design.sections import (
     Temperatures,
 )
 from core.errors import InvalidInput, NotKnown, if_known, is_known, required
-from core.materials import Body, ElasticMaterial, Plastic
+from core.hertz import Body, ElasticMaterial, Plastic
 from core.output.elasticity import (
     RIGID_SUPPORT,
     ContactLaw,

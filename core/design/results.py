@@ -19,8 +19,7 @@ from core.design.refusals import named
 from core.design.ring_results import RingResults
 from core.design.sections import DesignPin
 from core.errors import InvalidInput, Notice, NotKnown, derived, if_known, is_known, required
-from core.hertz import HertzContact, force_factor, hertz
-from core.materials import Body, first_yield, shakedown
+from core.hertz import Body, HertzContact, first_yield, force_factor, hertz, shakedown
 from core.output.contact_force import ContactForce, contact_force
 from core.output.edge_load import EdgeLoad, SlopingContacts
 from core.output.elasticity import RIGID_PINS, ContactLaw, Shares, contact_compliance, usual_law

@@ -7,7 +7,7 @@ from typing import Any, Literal
 from core.crank.ring_mesh import RingMesh, cycloid_mesh, involute_mesh
 from core.design.sections import DesignPin
 from core.errors import InvalidInput, Notice, NotKnown, required
-from core.materials import ElasticMaterial
+from core.hertz import ElasticMaterial
 from core.output.elasticity import RIGID_PINS, ContactLaw, HertzLaw
 from core.ring.involute import HEIGHTS, Cutter, InvoluteTeeth, addendum_of, rack_of
 from core.ring.loss import RingFriction

@@ -13,7 +13,7 @@ from core.design.pin_fatigue import fatigue_of
 from core.design.refusals import named
 from core.design.sections import DesignPin
 from core.errors import InvalidInput, NotKnown, derived, if_known, required
-from core.materials import ElasticMaterial, first_yield
+from core.hertz import ElasticMaterial, first_yield
 from core.output.elasticity import RIGID_SUPPORT, Shares
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, PinStresses, pin_stresses

@@ -25,7 +25,7 @@ from core.fatigue import (
     size_factor,
     surface_factor,
 )
-from core.materials import ElasticMaterial
+from core.hertz import ElasticMaterial
 from core.output.elasticity import PinSupport
 from core.output.mechanism import Mechanism, Members, Output, felt
 from core.output.pin_bolt import PinBolt

@@ -8,8 +8,7 @@ from numpy.polynomial import chebyshev
 
 from core.arrays import FloatArray, Number, log, smaller, sqrt
 from core.conformal import ConformalContact, conformal_contact, local_approach, widest_load
-from core.hertz import HERTZ_TOLERANCE
-from core.materials import ElasticMaterial, effective_modulus, mismatch
+from core.hertz import HERTZ_TOLERANCE, ElasticMaterial, effective_modulus, mismatch
 from core.numerics.inverse import edge
 from core.output.contact_kernel import excess
 from core.output.loop_rows import BEND, Curve, Wrap

@@ -13,7 +13,8 @@ from typing import ClassVar, Self
 
 from core.arrays import Number, check_positive, larger, log
 from core.errors import InvalidInput
-from core.materials import SOFT, ElasticMaterial, effective_modulus
+from core.hertz import ElasticMaterial, effective_modulus
+from core.materials import SOFT
 from core.output.conformal_law import NO_CURVE, approach_over_load, conformal_curve, end
 from core.output.contact_kernel import pair_law
 from core.output.loop_rows import (

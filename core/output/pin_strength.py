@@ -17,7 +17,7 @@ import numpy as np
 from core.arrays import FloatArray, check_positive, check_single
 from core.errors import Accuracy, InvalidInput, Notice, poorly_known, required
 from core.fatigue import LOW_CYCLES
-from core.materials import ElasticMaterial
+from core.hertz import ElasticMaterial
 from core.output.contact_force import force_peak
 from core.output.loaded_pin import LoadedPin, PinLoads
 from core.output.mechanism import Mechanism

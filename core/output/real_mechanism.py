@@ -15,8 +15,7 @@ import numpy as np
 
 from core.arrays import Number, check_finite, check_positive, check_single
 from core.errors import ImpossibleMechanism, InvalidInput
-from core.hertz import HertzContact, hertz
-from core.materials import ElasticMaterial
+from core.hertz import ElasticMaterial, HertzContact, hertz
 from core.output.compiled import PLAIN, at_hand
 from core.output.conformal_law import conformal_wrap
 from core.output.elasticity import (

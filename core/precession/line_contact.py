@@ -5,8 +5,7 @@ from dataclasses import dataclass
 
 from core.arrays import check_positive
 from core.errors import Accuracy, InvalidInput, Notice
-from core.hertz import HALF_WIDTH_RATIO_LIMIT
-from core.materials import ElasticMaterial, effective_modulus
+from core.hertz import HALF_WIDTH_RATIO_LIMIT, ElasticMaterial, effective_modulus
 from core.precision import ROUNDING
 
 

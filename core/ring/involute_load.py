@@ -11,7 +11,7 @@ import numpy as np
 
 from core.arrays import Number, check_positive
 from core.errors import Accuracy, NotKnown
-from core.materials import ElasticMaterial, effective_modulus
+from core.hertz import ElasticMaterial, effective_modulus
 from core.precision import ROUNDING
 from core.ring.involute import InvolutePair
 from core.ring.loss import RingLoss

@@ -13,7 +13,7 @@ import numpy as np
 
 from core.arrays import FloatArray, IntArray, check_finite, check_positive, check_single
 from core.errors import Accuracy, ImpossibleMechanism, InvalidInput, Notice, derived, poorly_known
-from core.materials import ElasticMaterial, effective_modulus
+from core.hertz import ElasticMaterial, effective_modulus
 from core.output.compiled import at_hand, plain
 from core.output.conformal_law import NO_CURVE, NO_WRAP
 from core.output.contact_force import PairNumber

@@ -13,8 +13,8 @@ from typing import Any
 from core.arrays import IntArray, Number, ascending, check_not_negative, check_positive, smaller
 from core.errors import Accuracy, InvalidInput, Notice, poorly_known
 from core.fatigue import CycleFatigue, FatigueStrength, judge_cycle
+from core.hertz import check_poissons_ratio
 from core.load_sharing import share_load
-from core.materials import check_poissons_ratio
 from core.precision import ROUNDING
 
 SHEAR_FACTOR = 1.11

@@ -8,8 +8,7 @@ from core.contact_life import CURVES
 from core.design.real_forces import RealForces
 from core.design.results import Results
 from core.errors import NotKnown, if_known, required
-from core.hertz import SHEAR_DEPTH, SHEAR_RATIO, HertzContact
-from core.materials import ElasticMaterial, LimitLife
+from core.hertz import SHEAR_DEPTH, SHEAR_RATIO, ElasticMaterial, HertzContact, LimitLife
 from core.precision import AS_TYPED
 from core.worked.step import Sheet, Step
 

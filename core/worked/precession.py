@@ -7,7 +7,7 @@ from typing import Any
 
 from core.design.sections import FatigueBasis
 from core.errors import UNKNOWN, if_known
-from core.materials import ElasticMaterial
+from core.hertz import ElasticMaterial
 from core.precession.contact_line import ContactLine, ContactLines
 from core.precession.line_contact import LineContact
 from core.precession.meshing_load import MeshingLoad

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 
 from core.design.results import Results
 from core.errors import UNKNOWN, NotKnown
-from core.materials import effective_modulus
+from core.hertz import effective_modulus
 from core.ring.involute import InvolutePair
 from core.ring.loss import RingLoss
 from core.ring.profile import CycloidDisc

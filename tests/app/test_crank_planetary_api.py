@@ -85,10 +85,10 @@ async def test_only_what_is_asked_is_in_the_answer(api):
 @pytest.mark.parametrize(
     ("asked", "not_run"),
     [
-        (["cyclogram"], ["contact_force.contact_force", "crank_planetary.pin_geometry"]),
-        (["contact_force"], ["cyclogram.cyclogram", "crank_planetary.pin_geometry"]),
-        (["hertz"], ["cyclogram.cyclogram", "crank_planetary.pin_geometry"]),
-        (["geometry"], ["cyclogram.cyclogram", "contact_force.contact_force"]),
+        (["cyclogram"], ["ideal_forces.contact_force", "crank_planetary_sections.pin_geometry"]),
+        (["contact_force"], ["ideal_forces.cyclogram", "crank_planetary_sections.pin_geometry"]),
+        (["hertz"], ["ideal_forces.cyclogram", "crank_planetary_sections.pin_geometry"]),
+        (["geometry"], ["ideal_forces.cyclogram", "ideal_forces.contact_force"]),
     ],
 )
 async def test_what_is_not_asked_is_not_run(api, asked, not_run):

@@ -11,7 +11,7 @@ from app.calculations.involute_teeth import (
 )
 from app.calculations.ring import ring_of
 from core.design.ring import InvoluteRing
-from core.materials import ElasticMaterial
+from core.hertz import ElasticMaterial
 from core.precision import CONVERGED
 from core.ring.involute import involute_pair
 from core.ring.involute_load import involute_load, root_stress

@@ -15,7 +15,7 @@ from app.examples import EXAMPLES, REQUESTS
 from app.problems import Problem
 from core.checks.records import CHECKS
 from core.checks.words import CHECK_SOURCES, GROUPS
-from core.materials import LIMIT_SOURCES
+from core.hertz import LIMIT_SOURCES
 from core.precision import CONVERGED, EXACT, SAME
 from tests.oracles import conformal
 

@@ -33,8 +33,8 @@ from core.design.sections import (
     Temperatures,
 )
 from core.errors import CalculationError, if_known
+from core.hertz import ContactLimit, ElasticMaterial, Plastic
 from core.material_table import MATERIALS
-from core.materials import ContactLimit, ElasticMaterial, Plastic
 from core.output import real_mechanism
 from core.output.edge_load import SlopingContacts
 from core.output.elasticity import PowerLaw, RingInSeries

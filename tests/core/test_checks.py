@@ -15,8 +15,8 @@ from core.design.results import Results
 from core.fixes.changes import vary
 from core.fixes.fix import PIN_SIZES
 from core.fixes.fix import WHOLE as WHOLE_NUMBERS
+from core.hertz import SHAKEDOWN, ContactLimit, ElasticMaterial
 from core.material_table import MATERIALS
-from core.materials import SHAKEDOWN, ContactLimit, ElasticMaterial
 from core.precision import CONVERGED, EXACT
 from core.rollers.roller_strength import ByPoissonsRatio, PositionTolerance, roller_strength
 from tests.inputs.checks import REF as KNOWN

@@ -18,7 +18,7 @@ from core.design.results import MOST_REAL_PAIRS, Results
 from core.design.sections import DesignPin, Friction
 from core.fixes.changes import vary
 from core.fixes.fix import WHOLE
-from core.materials import ContactLimit
+from core.hertz import ContactLimit
 from core.output.contact_force import ContactForce
 from core.output.elasticity import LinearLaw
 from core.output.pin_strength import PinStrength

@@ -16,7 +16,7 @@ from core.design.results import Results
 from core.design.ring import InvoluteRing, OtherRing
 from core.design.sections import Friction
 from core.errors import NotKnown
-from core.materials import ContactLimit, ElasticMaterial
+from core.hertz import ContactLimit, ElasticMaterial
 from core.output.elasticity import Shares
 from core.output.room import Deviations
 from core.precision import EXACT, SAME

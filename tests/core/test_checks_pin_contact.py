@@ -11,7 +11,7 @@ from core.conformal import disc_error
 from core.design.document import Design
 from core.design.results import Results
 from core.fixes.changes import vary
-from core.materials import ContactLimit, ElasticMaterial, first_yield
+from core.hertz import ContactLimit, ElasticMaterial, first_yield
 from core.precision import EXACT, SAME, SEARCHED
 from tests.inputs.checks import HOLE, PIN, REF, check_of, fixes_of, having, says
 from tests.oracles.checks import PRESSURE

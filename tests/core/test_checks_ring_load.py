@@ -19,7 +19,7 @@ from core.design.ring import CycloidRing, OtherRing
 from core.design.ring_results import MOST_RING_PAIRS
 from core.design.sections import FatigueBasis, Friction
 from core.errors import InvalidInput
-from core.materials import ContactLimit, ElasticMaterial
+from core.hertz import ContactLimit, ElasticMaterial
 from core.output.elasticity import RingInSeries, Shares
 from core.output.room import Deviations
 from core.precision import EXACT, JUDGED, SAME, SEARCHED

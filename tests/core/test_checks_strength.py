@@ -20,8 +20,8 @@ from core.design.ring import CycloidRing, InvoluteRing, OtherRing
 from core.design.sections import RollingBearing, Shaft
 from core.errors import InvalidInput
 from core.fixes.changes import value_of, vary
+from core.hertz import ElasticMaterial
 from core.material_table import MATERIALS
-from core.materials import ElasticMaterial
 from core.output.elasticity import LinearLaw
 from core.precision import EXACT, JUDGED, SAME, SEARCHED
 from tests.inputs.checks import REF, WHOLE, check_of, fixes_of, having, says

@@ -8,7 +8,7 @@ import pytest
 
 from core.conformal import conformal_contact, local_approach
 from core.errors import ImpossibleMechanism
-from core.materials import ElasticMaterial, effective_modulus, mismatch
+from core.hertz import ElasticMaterial, effective_modulus, mismatch
 from core.output.conformal_law import approach_over_load, conformal_curve, end, far_approach
 from core.output.contact_kernel import alone, given_over, law
 from core.output.elasticity import (

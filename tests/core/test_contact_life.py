@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 from core.contact_life import LifeCurve, life_factor
 from core.errors import InvalidInput
+from core.hertz import ContactLimit
 from core.material_table import MATERIALS
-from core.materials import ContactLimit
 from core.precision import CONVERGED
 
 CURVES = get_args(LifeCurve)

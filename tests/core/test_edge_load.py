@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from core.checks.crank_planetary import crank_check
 from core.design.results import Results
-from core.materials import ElasticMaterial
+from core.hertz import ElasticMaterial
 from core.output.edge_load import SlopingContacts
 from core.output.elasticity import (
     ContactLaw,

@@ -12,14 +12,16 @@ from core.conformal import closed_pressure, conformal_contact, load_under_pressu
 from core.errors import InvalidInput
 from core.hertz import (
     HERTZ_TOLERANCE,
+    ContactLimit,
+    ElasticMaterial,
     HertzContact,
     force_factor,
     hertz,
+    mismatch,
     narrow_load,
     pressure_profile,
 )
 from core.material_table import MATERIALS
-from core.materials import ContactLimit, ElasticMaterial, mismatch
 from core.precision import CONVERGED, EXACT, JUDGED, SAME
 
 STEEL = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3)

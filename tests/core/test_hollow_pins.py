@@ -8,7 +8,7 @@ import pytest
 
 from core.design.results import Results
 from core.errors import InvalidInput
-from core.materials import ElasticMaterial
+from core.hertz import ElasticMaterial
 from core.output.elasticity import PinSupport, pin_compliance
 from core.output.pin_beam import PinBeam, section_stress
 from core.output.pin_section import GIVES, UNDER_LOAD, WALL_BORE, PinSection

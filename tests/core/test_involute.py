@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from core.errors import ImpossibleMechanism, InvalidInput, NotKnown
-from core.materials import ElasticMaterial
+from core.hertz import ElasticMaterial
 from core.precision import CONVERGED, EXACT, SAME, SEARCHED
 from core.ring.involute import Cutter, InvoluteTeeth, Rack, angle_of, involute_pair, usual_rack
 from core.ring.involute_load import (

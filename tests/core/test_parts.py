@@ -15,8 +15,8 @@ from core.design.document import Design
 from core.design.results import Results
 from core.design.ring import CycloidRing, OtherRing
 from core.design.sections import PART_NAMES, RollingBearing
+from core.hertz import ContactLimit, ElasticMaterial
 from core.material_table import MATERIALS
-from core.materials import ContactLimit, ElasticMaterial
 from core.precision import EXACT, SAME
 from core.ring.profile import Modification
 from core.tolerance.iso286 import CLASSES, fit_clearance

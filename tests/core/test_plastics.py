@@ -15,9 +15,9 @@ from core.design.results import Results
 from core.design.ring import CycloidRing
 from core.design.sections import DesignPin, Friction, SatelliteBody, Temperatures
 from core.errors import InvalidInput, if_known
-from core.hertz import hertz
+from core.hertz import ContactLimit, ElasticMaterial, hertz
 from core.material_table import ALIASES, ELASTOMERS, MATERIALS, NAMES, SEVERAL, plain_name
-from core.materials import ContactLimit, ElasticMaterial, by_values
+from core.materials import by_values
 from core.precision import EXACT, SAME
 from core.ring.profile import Modification
 from tests.inputs.checks import REF, check_of, fixes_of, having

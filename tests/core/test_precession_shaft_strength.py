@@ -12,8 +12,7 @@ from hypothesis import strategies as st
 
 from core.errors import InvalidInput, is_known
 from core.fatigue import EnduranceFactors, FatigueStrength, endurance_limit, size_factor
-from core.hertz import hertz
-from core.materials import ContactLimit, ElasticMaterial
+from core.hertz import ContactLimit, ElasticMaterial, hertz
 from core.precession.line_contact import line_contact
 from core.precession.shaft import ShaftSection, bearing_reactions
 from core.precession.shaft_strength import ShaftStrength, shaft_strength

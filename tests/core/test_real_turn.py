@@ -16,7 +16,7 @@ from core.crank.crankshaft import crankshaft, reaction_curves
 from core.crank.ring_mesh import RingMesh
 from core.crank.satellite_bearing import bearing_curves, made_parts, satellite_bearings
 from core.errors import ImpossibleMechanism, InvalidInput
-from core.materials import ElasticMaterial
+from core.hertz import ElasticMaterial
 from core.output.elasticity import (
     RIGID_SUPPORT,
     CrankSupport,

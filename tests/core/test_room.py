@@ -9,9 +9,8 @@ import pytest
 
 from core.design.results import Results
 from core.errors import ImpossibleMechanism
-from core.hertz import hertz
+from core.hertz import ElasticMaterial, hertz
 from core.material_table import MATERIALS
-from core.materials import ElasticMaterial
 from core.output.elasticity import CrankSupport, HertzLaw, Shares
 from core.output.fit import Fit, solvable
 from core.output.mechanism import Mechanism, slip_notices

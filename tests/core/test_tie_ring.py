@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from core.errors import InvalidInput
-from core.materials import ElasticMaterial
+from core.hertz import ElasticMaterial
 from core.output.contact_force import force_ratios
 from core.output.elasticity import CrankSupport, LinearLaw, PinSupport, PowerLaw, ring_of
 from core.output.loaded_position import LoadedPosition, loaded_position

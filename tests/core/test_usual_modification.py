@@ -21,7 +21,7 @@ from core.checks.usual_modification import (
 from core.design.document import Design
 from core.design.results import Results
 from core.design.ring import CycloidRing, OtherRing
-from core.materials import ContactLimit, ElasticMaterial
+from core.hertz import ContactLimit, ElasticMaterial
 from core.output.room import Deviations
 from core.precision import SAME
 from core.ring.profile import Modification

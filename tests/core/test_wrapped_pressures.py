@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 
 from core.errors import ImpossibleMechanism, NotKnown
-from core.hertz import HertzContact, hertz
-from core.materials import ElasticMaterial
+from core.hertz import ElasticMaterial, HertzContact, hertz
 from core.output.alternating import WorseTurn
 from core.output.conformal_law import PRESSURE_ERROR, conformal_wrap
 from core.output.contact_kernel import excess

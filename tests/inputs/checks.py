@@ -26,7 +26,7 @@ from core.design.sections import (
 )
 from core.fixes.crank import crank_fixes
 from core.fixes.fix import Fix
-from core.materials import ContactLimit, ElasticMaterial
+from core.hertz import ContactLimit, ElasticMaterial
 from core.precision import SAME
 
 PIN = ElasticMaterial(210e9, 0.3, ContactLimit("given", 900e6), yield_strength=300e6)

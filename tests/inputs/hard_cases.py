@@ -15,8 +15,7 @@ from mpmath import mp, mpf
 
 from core.arrays import FloatArray
 from core.errors import CalculationError
-from core.hertz import hertz
-from core.materials import ElasticMaterial
+from core.hertz import ElasticMaterial, hertz
 from core.output.contact_force import peak_force
 from core.output.mechanism import Mechanism, pin_geometry
 from core.precession.contact_line import contact_lines

@@ -6,7 +6,7 @@ from functools import cache
 
 from hypothesis import strategies as st
 
-from core.materials import ElasticMaterial
+from core.hertz import ElasticMaterial
 from core.output.elasticity import (
     RIGID_PINS,
     ConformalLaw,

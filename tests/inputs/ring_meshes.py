@@ -4,7 +4,7 @@ import math
 import random
 from typing import Any
 
-from core.materials import ElasticMaterial
+from core.hertz import ElasticMaterial
 from core.output.elasticity import (
     RIGID_SUPPORT,
     ContactLaw,

@@ -29,8 +29,7 @@ from core.conformal import (
     pressure_over_angle,
     widest_load,
 )
-from core.hertz import HERTZ_TOLERANCE, hertz
-from core.materials import ElasticMaterial, mismatch
+from core.hertz import HERTZ_TOLERANCE, ElasticMaterial, hertz, mismatch
 from core.precision import EXACT, SAME, SEARCHED
 from tests.oracles import conformal, dissimilar
 from tests.oracles.hertz import exact_pressure, exact_tangent

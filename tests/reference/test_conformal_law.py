@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from core.conformal import conformal_contact, integral_equation, local_approach, widest_load
-from core.materials import ElasticMaterial, effective_modulus, mismatch
+from core.hertz import ElasticMaterial, effective_modulus, mismatch
 from core.output.conformal_law import (
     ERROR,
     FAR,

@@ -6,7 +6,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from core.materials import SHAKEDOWN, first_yield, shakedown, squared_stress
+from core.hertz import SHAKEDOWN, first_yield, shakedown, squared_stress
 from core.precision import EXACT, SAME
 from tests.oracles import sliding
 

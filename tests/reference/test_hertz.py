@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 from mpmath import mp, mpf
 
-from core.hertz import HALF_WIDTH_RATIO_LIMIT, conformal_profile, hertz
-from core.materials import ElasticMaterial
+from core.hertz import HALF_WIDTH_RATIO_LIMIT, ElasticMaterial, conformal_profile, hertz
 from core.precision import CONVERGED, SEARCHED
 from tests.oracles.hertz import axis_shear, exact_pressure, exact_tangent
 from tests.oracles.seeds import seeds

@@ -2,8 +2,8 @@
 
 import pytest
 
+from core.hertz import ElasticMaterial, effective_modulus, mismatch
 from core.material_table import MATERIALS
-from core.materials import ElasticMaterial, effective_modulus, mismatch
 from core.precision import JUDGED
 
 WORM = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3)

@@ -12,8 +12,7 @@ import numpy as np
 import pytest
 
 from core.errors import ImpossibleMechanism
-from core.hertz import hertz
-from core.materials import ElasticMaterial
+from core.hertz import ElasticMaterial, hertz
 from core.output.contact_force import approximate_peak_ratio, cyclogram, force_ratios, peak_force
 from core.output.mechanism import Mechanism, ratio_from_teeth
 from core.precision import CONVERGED, SEARCHED

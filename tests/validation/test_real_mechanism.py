@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from core.materials import ElasticMaterial
+from core.hertz import ElasticMaterial
 from core.output.elasticity import (
     RIGID_PINS,
     ContactLaw,
