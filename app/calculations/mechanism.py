@@ -34,6 +34,7 @@ from app.model import (
 from app.rules import Forms, Kinds, Rule, field_error
 from app.settings import Settings
 from app.units import from_si, to_si
+from core.design.document import built
 from core.design.sections import Contact, MechanismSection, SharedBy
 from core.errors import InvalidInput, Notice
 from core.output.mechanism import Mechanism, Members, Output, felt, ratio_from_teeth
@@ -296,12 +297,12 @@ class MechanismFields(RequestModel, group="mechanism"):
 
     def mechanism(self) -> Mechanism:
         """The mechanism in SI units."""
-        return self.in_si.built
+        return built(self.in_si)
 
     @property
     def members(self) -> Members:
         """Crank, pins and ring, one of which is the output."""
-        return self.in_si.members
+        return Members(self.in_si.output, self.in_si.ratio)
 
 
 class PairOut(ResponseModel):
@@ -400,7 +401,7 @@ class PinContactFields(ContactFields, group="contact"):
     @property
     def clearance_unknown(self) -> bool:
         """Whether pin, hole and eccentricity are given, and nothing is known of their clearance."""
-        return self._sized and self.in_si.clearance_unknown
+        return self._sized and not (self.in_si.clearance_stated or self.clearance_mm())
 
     @property
     def _sized(self) -> bool:

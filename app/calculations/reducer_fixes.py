@@ -94,7 +94,7 @@ def _materials(before: str) -> Iterator[str]:
 
 def _fits(request: Any, before: str) -> list[str]:
     """The other usual fits by how far their clearance is from the present one."""
-    pair = request.design.contact.pair
+    pair = request.design.nominal_pair
     pin, hole = 2 * pair.pin_radius, 2 * pair.hole_radius
 
     def loose(fit: str) -> float:

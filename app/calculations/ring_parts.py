@@ -25,6 +25,7 @@ from app.model import Angle, Maybe, RequestModel, Size, Whole, quantity
 from app.problems import invalid_input, wrong
 from app.rules import Forms, Kinds
 from app.units import to_si
+from core.design.document import built
 from core.design.sections import MechanismSection
 from core.errors import Notice
 from core.ring.sharing import RingDeviations
@@ -74,7 +75,7 @@ class RingTeethFields(RequestModel, group="mechanism"):
             crank_spacing=to_si("spacing_deg", self.crank_spacing_deg),
             crank_angles=angles and tuple(angles),
         )
-        return section.built.crank_angles
+        return built(section).crank_angles
 
 
 class RingLoadFields(RequestModel, group="load"):

@@ -31,7 +31,7 @@ class UsualFitOut(ResponseModel):
         forces = if_known(lambda: results.judged_forces)
         values: Values = {
             "class": name,
-            "hole_clearance_mm": from_si("clearance_mm", results.design.contact.clearance),
+            "hole_clearance_mm": from_si("clearance_mm", results.design.clearance),
             "peak_force_N": forces.turn.peak_force if isinstance(forces, RealForces) else None,
             "largest_torque_Nm": _largest_torque(results, judged),
             "verdict": judged.verdict,

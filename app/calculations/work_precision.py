@@ -122,7 +122,7 @@ class PinStrengthStudy(Study):
         loaded = results.loaded_pins | equally
         if self.quantity != "edge_load":
             return pin_bending_study(quantity=self.quantity, **loaded)
-        length = results.design.contact.pair.contact_length
+        length = results.design.nominal_pair.contact_length
         return edge_load_study(edge_length=length, compliance=results.compliance, **loaded)
 
 
@@ -130,7 +130,7 @@ def _turning(results: Results) -> dict[str, Any]:
     """What presses the cranks over the turn, as arguments."""
     design = results.design
     return {
-        "mechanism": design.mechanism.built,
+        "mechanism": design.built,
         "force_exponent": design.load.force_exponent,
         "pin_circle_radius": design.load.pin_circle_radius,
         "eccentricity": design.known_eccentricity,

@@ -2,7 +2,7 @@
 
 from functools import partial
 
-from core.checks.check import Check, Kind, design_check, judged
+from core.checks.check import Check, Kind, asked_of, design_check, judged
 from core.checks.inputs import OF_DISCS
 from core.design.document import Design
 from core.design.results import Results
@@ -62,7 +62,7 @@ def _against(kind: Kind, results: Results, value: float, *demands: str) -> Check
     """What is not balanced, against the least limit that is asked; without one a force against the
     usual grade, and a couple, of which no grade says anything, against nothing.
     """
-    asked = results.design.requirements.asked(*demands)
+    asked = asked_of(results.design, *demands)
     limits = [_limit(results, value, *each) for each in asked.items()]
     if limits:
         return judged(kind, value, min(limits))._replace(limit_source="user")

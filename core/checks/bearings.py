@@ -90,7 +90,7 @@ def _bounds(design: Design) -> Bounds:
                 kind=bearing.kind,
                 least_bore=least,
                 outer_diameter=outer,
-                width=design.contact.pair.contact_length,
+                width=design.nominal_pair.contact_length,
             )
     bore, outer, width = _known_sizes(bearing, *_SIZES)
     return largest_ratings(kind=bearing.kind, bore_diameter=bore, outer_diameter=outer, width=width)
@@ -170,7 +170,7 @@ def bearing_fits(design: Design, results: Results) -> Check:
     found = judged(bearing_fits, _room(design), 0.0)
     if found.status == "fail":
         return found._replace(impossible=True)
-    if (design.bearing.width or 0.0) > design.contact.pair.contact_length:
+    if (design.bearing.width or 0.0) > design.nominal_pair.contact_length:
         return found._replace(status="marginal", warning=True, reason="wider_than_satellite")
     return found
 
@@ -187,7 +187,7 @@ def bearing_fits(design: Design, results: Results) -> Check:
     needed=False,
 )
 def bearing_speed(design: Design, results: Results) -> Check:
-    value = design.known_speeds.turning * design.mechanism.built.waves_per_turn
+    value = design.known_speeds.turning * design.built.waves_per_turn
     said = {"value": value, "status": "not_asked"}
     speed = design.bearing.limiting_speed
     limit = judged_by(speed, "no_limit", "bearing.limiting_speed", **said)

@@ -42,7 +42,7 @@ def within_roots(*, design: Design, kind: Kind, solid: bool = False) -> Check:
     -------
     Check
     """
-    size = design.contact.pair.hole_radius
+    size = design.nominal_pair.hole_radius
     reach = design.load.pin_circle_radius + size
     known = design.satellite_body and design.satellite_body.root_radius
     source = "roots" if design.gear and not known else ""
@@ -109,7 +109,7 @@ def wall_rim(design: Design, results: Results) -> Check:
     source="wang_2016",
 )
 def wall_bore(design: Design, results: Results) -> Check:
-    size = design.contact.pair.hole_radius
+    size = design.nominal_pair.hole_radius
     bore = required(design.bore_radius, "size_missing", "satellite_body.bore_radius")
     width, least = design.load.pin_circle_radius - size - bore, design.requirements.min_wall
     return wall(wall_bore, width=width, size=size, least=least, guide=design.wall_guide)

@@ -13,6 +13,7 @@ from core.checks.check import (
     Measure,
     Status,
     Unjudged,
+    asked_of,
     design_check,
     gap,
     judged,
@@ -102,7 +103,7 @@ def dead_centre(design: Design, results: Results) -> Check:
     zones = design.driven.phases.dead_zones()
     if not zones:
         return Check(dead_centre, "pass", value=0.0, limit=0.0)
-    start = zones[0][0] * design.mechanism.built.crank_angle_per_wave
+    start = zones[0][0] * design.built.crank_angle_per_wave
     at = {"crank_angle": start}
     return judged(dead_centre, float(len(zones)), 0.0, impossible=True, at=at)
 
@@ -126,7 +127,7 @@ def dead_centre(design: Design, results: Results) -> Check:
 def assembly(design: Design, results: Results) -> Check:
     name = "mechanism.satellite_teeth"
     teeth = judged_by(design.mechanism.satellite_teeth, "", name, status="not_asked")
-    angles = assembly_angles(mechanism=design.mechanism.built, satellite_teeth=teeth)
+    angles = assembly_angles(mechanism=design.built, satellite_teeth=teeth)
     different = sum(not each.identical for each in angles)
     return judged(assembly, float(different), 0.0, warning="different_parts")
 
@@ -156,7 +157,7 @@ def interference(design: Design, results: Results) -> Check:
                 "satellite": 1,
                 "pin": 1,
                 "missing_length": -clearance,
-                "needed_length": design.contact.pair.hole_radius - clearance,
+                "needed_length": design.nominal_pair.hole_radius - clearance,
             }
             found = Check(interference, "fail", value=clearance, limit=0.0, impossible=True)
             return found._replace(reason="cannot_assemble", params=lacking)
@@ -256,7 +257,7 @@ def lost_motion(design: Design, results: Results) -> Measure:
     is that of the softest material that sources allow.
     """
     solved = results.solved and design.load_factor == 1
-    asked, _ = design.requirements.asked("max_lost_motion"), design.known_clearance
+    asked, _ = asked_of(design, "max_lost_motion"), design.known_clearance
     if not (solved or asked):
         raise NotKnown("no_limit")
     made = results.softest if asked else results
@@ -277,7 +278,7 @@ def clearance(design: Design, results: Results) -> Check:
     wanted = [
         make_check(play, design, results).status == "pass"
         for play in (backlash, lost_motion)
-        if share > MOST_PLAY and design.requirements.asked(play.asks)
+        if share > MOST_PLAY and asked_of(design, play.asks)
     ]
     if wanted and all(wanted):  # as much play as is asked for
         return Check(clearance, "pass", value=share, limit=MOST_PLAY)
@@ -309,7 +310,7 @@ def _between(design: Design, radius: float) -> float:
     source="wang_2016",
 )
 def wall_holes(design: Design, results: Results) -> Check:
-    radius, least = design.contact.pair.hole_radius, design.requirements.min_wall
+    radius, least = design.nominal_pair.hole_radius, design.requirements.min_wall
     width = _between(design, radius)
     if math.isinf(width):
         return Check(wall_holes, "not_applicable", reason="one_only")
@@ -325,7 +326,7 @@ def wall_holes(design: Design, results: Results) -> Check:
     fixes=("load.pin_circle_radius", "contact.pin_radius", "mechanism.pins"),
 )
 def pins_apart(design: Design, results: Results) -> Check:
-    radius = design.contact.pair.pin_radius
+    radius = design.nominal_pair.pin_radius
     width = _between(design, radius)
     if math.isinf(width):
         return Check(pins_apart, "not_applicable", reason="one_only")
@@ -341,7 +342,7 @@ def pins_apart(design: Design, results: Results) -> Check:
     fixes=("load.pin_circle_radius", "contact.pin_radius"),
 )
 def holes_off_centre(design: Design, results: Results) -> Check:
-    size = design.contact.pair.hole_radius
+    size = design.nominal_pair.hole_radius
     return gap(holes_off_centre, width=design.load.pin_circle_radius - size, size=size)
 
 

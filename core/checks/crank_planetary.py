@@ -14,7 +14,16 @@ from functools import cache
 from core.checks.balance import BALANCE
 from core.checks.bearings import BEARINGS
 from core.checks.body import BODY
-from core.checks.check import MARGIN, Check, PartVerdict, Verdict, make_check, rank, verdict
+from core.checks.check import (
+    MARGIN,
+    Check,
+    PartVerdict,
+    Verdict,
+    asked_of,
+    make_check,
+    rank,
+    verdict,
+)
 from core.checks.contact import CONTACT, CRANKS, FIT, LAYOUT, PLAY, life_considered
 from core.checks.crank import CRANK
 from core.checks.friction import FRICTION
@@ -140,7 +149,7 @@ def crank_codes(design: Design) -> tuple[str, ...]:
         Their codes, first of those that need less.
     """
     there = [need for need in _NEEDS if getattr(design, need)]
-    asked = design.requirements.asked(*_ASKED_ALONE)
+    asked = asked_of(design, *_ASKED_ALONE)
     return _codes(frozenset((*there, *asked)), design.scope)
 
 
@@ -205,7 +214,7 @@ def _part(design: Design, part: Part, made: list[Check]) -> PartVerdict:
     """What a part comes to, by the checks that are made, the one that decides first."""
     if part.code not in design.scope:
         return PartVerdict(code=part.code, status="left_out")
-    demanded = design.requirements.asked(*part.demands)
+    demanded = asked_of(design, *part.demands)
     if part.demands and not demanded and not getattr(design, part.sections[-1]):
         return PartVerdict(code=part.code, status="not_asked")
     own = [check for check in made if check.kind.part == part.code]

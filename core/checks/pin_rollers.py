@@ -165,7 +165,7 @@ def pin_roller_min_load(design: Design, results: Results) -> Check:
 )
 def pin_roller_speed(design: Design, results: Results) -> Check:
     turned = design.known_eccentricity / design.pair.pin_radius
-    value = design.known_speeds.turning * design.mechanism.built.waves_per_turn * turned
+    value = design.known_speeds.turning * design.built.waves_per_turn * turned
     said = {"value": value, "status": "not_asked"}
     speed = design.rollers.limiting_speed
     limit = judged_by(speed, "no_limit", "rollers.limiting_speed", **said)
@@ -194,7 +194,7 @@ def pin_roller_fits(design: Design, results: Results) -> Check:
         raise NotKnown("size_missing", "rollers.width")
     places = sorted(design.pin.satellite_positions) if design.pin else []
     pitch = min((other - one for one, other in pairwise(places)), default=math.inf)
-    width = design.contact.pair.contact_length
+    width = design.nominal_pair.contact_length
     found = judged(pin_roller_fits, min(pitch, max(width, length)) - length, 0.0)
     if found.status == "fail":
         return found._replace(impossible=True)

@@ -5,7 +5,17 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
-from core.checks.check import Check, Kind, Measure, design_check, judged, judged_by, necessary, wall
+from core.checks.check import (
+    Check,
+    Kind,
+    Measure,
+    asked_of,
+    design_check,
+    judged,
+    judged_by,
+    necessary,
+    wall,
+)
 from core.checks.inputs import FATIGUE, LIFE, LOADED
 from core.design.document import Design
 from core.design.results import Results
@@ -142,7 +152,7 @@ def _bent(results: Results) -> BentPins:
 
 def _softest(results: Results, asked: str) -> BentPins:
     """The same, where a limit is asked, of the softest material that sources allow."""
-    return _bent(results.softest if results.design.requirements.asked(asked) else results)
+    return _bent(results.softest if asked_of(results.design, asked) else results)
 
 
 @_check(
@@ -232,7 +242,7 @@ wrapped bushes 0.1."""
 def wall_sleeve(design: Design, results: Results) -> Check:
     if not design.sleeved:
         return Check(wall_sleeve, "not_applicable", reason="without_sleeve")
-    radius, diameter = design.contact.pair.pin_radius, design.pin.diameter
+    radius, diameter = design.nominal_pair.pin_radius, design.pin.diameter
     width, guide = radius - diameter / 2, SLEEVE * diameter
     return wall(wall_sleeve, width=width, size=radius, guide=guide)
 

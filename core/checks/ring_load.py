@@ -6,7 +6,16 @@ efficiency, pv.
 from functools import partial
 from typing import Any, get_args
 
-from core.checks.check import Check, Kind, Measure, design_check, judged, judged_by, necessary
+from core.checks.check import (
+    Check,
+    Kind,
+    Measure,
+    asked_of,
+    design_check,
+    judged,
+    judged_by,
+    necessary,
+)
 from core.checks.contact import of_both, over_life, static_limit, whence
 from core.checks.crank import other_ring
 from core.checks.inputs import (
@@ -341,7 +350,7 @@ def ring_pin_fatigue(design: Design, results: Results) -> Check:
     asks="max_slope",
 )
 def ring_pin_slope(design: Design, results: Results) -> Check | Measure:
-    made = results.softest if design.requirements.asked("max_slope") else results
+    made = results.softest if asked_of(design, "max_slope") else results
     return _pins(made).bent("slope", "slope_satellite")
 
 

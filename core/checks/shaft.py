@@ -9,6 +9,7 @@ from core.checks.check import (
     Check,
     Measure,
     Verdict,
+    asked_of,
     design_check,
     gap,
     judged,
@@ -268,7 +269,7 @@ def shaft_checks(design: ShaftDesign) -> Verdict:
     Verdict
     """
     limits = {"deflection": "max_deflection", "slope": "max_slope"}
-    left = [name for name, limit in limits.items() if not design.requirements.asked(limit)]
+    left = [name for name, limit in limits.items() if not asked_of(design, limit)]
     if not design.contact:
         left.append("line_pressure")
     if not design.strength:

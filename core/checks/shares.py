@@ -125,7 +125,7 @@ def _by_forces(results: Results) -> Sharing | None:
     forces, torque = results.real_forces, design.pin_torque
     turn = results.made(forces.way * torque)
     means = turn.mean(turn.couple)
-    wave = design.mechanism.built.wave_angle(forces.turn.peak_crank_angle)
+    wave = design.built.wave_angle(forces.turn.peak_crank_angle)
     there = turn.at(wave=wave, values=turn.couple)
     shares, at_peak = means / means.sum(), there / there.sum()
     discs = tuple(
@@ -140,7 +140,7 @@ def _by_forces(results: Results) -> Sharing | None:
 def _alike(results: Results) -> bool:
     """Whether every satellite meets over the turn what every other one does."""
     design = results.design
-    angles = sorted(each % (2 * math.pi) for each in design.mechanism.built.crank_angles)
+    angles = sorted(each % (2 * math.pi) for each in design.built.crank_angles)
     gap = 2 * math.pi / len(angles)
     even = all(abs(b - a - gap) < EVEN_CRANKS for a, b in pairwise(angles))
     bends = design.pin and design.pin.satellite_positions

@@ -56,10 +56,9 @@ def usual_clearance(design: Design) -> tuple[str, float]:
     InvalidInput
         If the diameters are not in the tables of fits.
     """
-    contact = design.contact
-    if soft(contact.hole_material):
+    if soft(design.contact.hole_material):
         return PRINTED, PRINTED_CLEARANCE
-    pin = contact.pair.pin_radius
+    pin = design.nominal_pair.pin_radius
     hole = pin + design.known_eccentricity
     fit = ROLLER_FIT if design.rollers else USUAL_FIT
     return fit, fit_clearance(fit=fit, hole_diameter=2 * hole, pin_diameter=2 * pin)
@@ -79,7 +78,7 @@ def usual_fit(design: Design) -> tuple[str, Results, Verdict] | None:
         The fit, the results with it and the verdict; None where the design has a clearance, or is
         beyond the sizes of the fit.
     """
-    if if_known(lambda: design.contact.clearance) != 0:
+    if if_known(lambda: design.clearance) != 0:
         return None
     try:
         name, clearance = usual_clearance(design)
@@ -115,7 +114,7 @@ def _cleared(design: Design, clearance: float) -> Design:
     return changed(
         design,
         {
-            "contact.hole_radius": design.contact.pair.hole_radius + clearance,
+            "contact.hole_radius": design.nominal_pair.hole_radius + clearance,
             "contact.clearance_stated": True,
             "contact.distribution_factor": 1.0,
         },

@@ -251,7 +251,7 @@ def usual_clearance_too(
     """
     if ring is None or design.cycloid.modification is not None:
         return usual_fit(design)
-    if design.clearance_unknown and ring.results.design.contact.play:
+    if design.clearance_unknown and ring.results.design.play:
         return usual_clearance(design)[0], ring.results, ring.verdict
     made = ring.results.design
     own = {"gear.modification": made.cycloid.modification, "deviations": made.deviations}

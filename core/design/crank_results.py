@@ -122,7 +122,7 @@ class CrankResults:
             "crankshaft",
             lambda: balance(
                 eccentricity=eccentricity,
-                crank_angles=design.mechanism.built.crank_angles,
+                crank_angles=design.built.crank_angles,
                 input_speed=speed,
                 **self._on_shaft,
             ),

@@ -42,7 +42,7 @@ def design_losses(*, results: Results, losses: PinLosses, crank_angle: FloatArra
             force_exponent=design.load.force_exponent,
             crank_angle=crank_angle,
         )
-    wave, turn = design.mechanism.built.wave_angle(crank_angle), results.losses.turn
+    wave, turn = design.built.wave_angle(crank_angle), results.losses.turn
     total = turn.at(wave=wave, values=turn.total[None])[0]
     loss = losses.mean_loss * total / turn.mean(turn.total)
     return LossCurves(crank_angle, loss, 1 / (1 + loss / losses.output_power))
@@ -61,7 +61,7 @@ def _load_curves(
     if not results.solved:
         for way in ways:
             found = bearing_curves(
-                mechanism=design.mechanism.built,
+                mechanism=design.built,
                 force_exponent=load.force_exponent,
                 output_torque=design.pin_torque,
                 pin_circle_radius=load.pin_circle_radius,
@@ -74,7 +74,7 @@ def _load_curves(
             curves += [_of_loads(crank_angle, own * loads) for own in shares]
         return curves
     arm = eccentricity * design.mechanism.ratio
-    wave = design.mechanism.built.wave_angle(crank_angle)
+    wave = design.built.wave_angle(crank_angle)
     for way in ways:
         turn = results.made(way * design.pin_torque)
         parts = made_parts(turn=turn, arm=arm, radial_force_ratio=rho)
@@ -130,7 +130,7 @@ def design_reactions(*, results: Results, crank_angle: FloatArray) -> ReactionCu
     ReactionCurves
     """
     design, shaft, load = results.design, results.design.crankshaft, results.design.load
-    cranks = design.mechanism.built.crank_angles
+    cranks = design.built.crank_angles
     if results.solved:
         torque = WAYS[load.torque_direction][0] * design.pin_torque
         cranks = results.made(torque).crank_angles

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any, TypeVar, cast
 
 from core.design.ring import CycloidRing, InvoluteRing, Ring, RingBody
@@ -26,7 +26,7 @@ from core.design.sections import (
     SharedBy,
     Temperatures,
 )
-from core.errors import InvalidInput, NotKnown, if_known, is_known, required
+from core.errors import InvalidInput, NotKnown, derived, if_known, is_known, required
 from core.hertz import Body, ElasticMaterial, Plastic
 from core.output.elasticity import (
     RIGID_SUPPORT,
@@ -34,7 +34,7 @@ from core.output.elasticity import (
     RingInSeries,
     SatelliteSupport,
 )
-from core.output.mechanism import Mechanism, Members, MemberSpeeds
+from core.output.mechanism import Mechanism, Members, MemberSpeeds, felt
 from core.output.pin_beam import check_apart
 from core.output.pin_section import MOST_BORE
 from core.output.room import Deviations
@@ -85,6 +85,36 @@ def not_given(section: str) -> Any:
     NotGiven
     """
     return NotGiven(section)
+
+
+@lru_cache(maxsize=1024)
+def built(given: MechanismSection) -> Mechanism:
+    """The mechanism of pins and cranks.
+
+    Parameters
+    ----------
+    given : MechanismSection
+        Its section of a design.
+
+    Returns
+    -------
+    Mechanism
+        The same one for the same numbers.
+    """
+    if given.crank_angles:
+        return Mechanism(
+            pins=given.pins,
+            crank_angles=given.crank_angles,
+            ratio=given.ratio,
+            initial_crank_angle=given.initial_crank_angle,
+        )
+    return Mechanism.evenly_spaced(
+        pins=given.pins,
+        satellites=given.satellites,
+        ratio=given.ratio,
+        crank_spacing=given.crank_spacing,
+        initial_crank_angle=given.initial_crank_angle,
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -173,7 +203,7 @@ class Design:
             raise InvalidInput("pin.bore_diameter", bore, "less_than_equal", limit=limit)
         if not (self.pin and self.touching):
             return
-        radius, diameter = self.contact.pair.pin_radius, self.pin.diameter
+        radius, diameter = self.nominal_pair.pin_radius, self.pin.diameter
         if diameter > 2 * radius * (1 + SAME):
             most = {"field": "pin_radius", "limit": 2 * radius}
             raise InvalidInput("pin.diameter", diameter, "too_thick", **most)
@@ -232,6 +262,16 @@ class Design:
             raise InvalidInput("load.peak_torque", peak, "below_working", limit=working)
 
     @property
+    def built(self) -> Mechanism:
+        """The mechanism of pins and cranks."""
+        return built(self.mechanism)
+
+    @property
+    def pairs(self) -> int:
+        """Number of pairs of pin and hole."""
+        return self.mechanism.pins * self.mechanism.satellites
+
+    @property
     def support(self) -> SatelliteSupport:
         """What the satellites give by themselves."""
         held = self.crank_support
@@ -274,7 +314,7 @@ class Design:
         """Whether clearance, deviations, a law of contact or satellites that give are stated, or
         both meshes are in series.
         """
-        clearance = self.contact.play if self.contact else 0.0
+        clearance = self.play
         if self.touching and not self.clearance_unknown:
             clearance += self.roller_play
         given = clearance > 0 or self.support.first_order
@@ -366,10 +406,20 @@ class Design:
         """What rollers give to either side on their pins, m: it adds to the clearance."""
         return self.rollers.play if self.rollers else 0.0
 
+    @cached_property
+    def nominal_pair(self) -> PairSizes:
+        """Sizes of a pair as wide as its satellite, where there are pins."""
+        contact, lacks = self.contact, ("section_missing", "contact")
+        return PairSizes(
+            contact_length=required(contact.contact_length, *lacks),
+            pin_radius=required(contact.pin_radius, *lacks),
+            hole_radius=required(contact.hole_radius, *lacks),
+        )
+
     @property
     def pair(self) -> PairSizes:
         """Sizes of a pair that touches: no longer than its rollers are."""
-        pair = self.contact.pair
+        pair = self.nominal_pair
         length = self.rollers.length if self.rollers else math.inf
         return pair._replace(contact_length=min(pair.contact_length, length))
 
@@ -385,8 +435,24 @@ class Design:
 
     @property
     def clearance_unknown(self) -> bool:
-        """Whether pins and holes are given, and nothing is known of their clearance."""
-        return self.touching and self.contact.clearance_unknown
+        """Whether pins and holes are given, and nothing is known of their clearance: none is
+        stated, as of perfect parts, and the sizes leave none.
+        """
+        return self.touching and not (self.contact.clearance_stated or self.play)
+
+    @derived
+    def clearance(self) -> float:
+        """Hole radius less pin radius and eccentricity, m: interference below 0, and 0 within
+        `core.precision.AS_TYPED`.
+        """
+        pin = required(self.contact.pin_radius, "section_missing", "contact")
+        hole = required(self.contact.hole_radius, "section_missing", "contact")
+        return felt(clearance=hole - (pin + self.known_eccentricity), hole_radius=hole)
+
+    @property
+    def play(self) -> float:
+        """The same where it is known, else 0, m."""
+        return if_known(lambda: self.clearance) or 0.0
 
     @property
     def scope(self) -> tuple[str, ...]:
@@ -455,14 +521,13 @@ class Design:
     @property
     def known_eccentricity(self) -> float:
         """The eccentricity, which has to be given, m."""
-        if not self.contact:
-            raise NotKnown("eccentricity_assumed", "contact.eccentricity")
-        return self.contact.known_eccentricity
+        given = self.contact.eccentricity if self.contact else None
+        return required(given, "eccentricity_assumed", "contact.eccentricity")
 
     @property
     def known_clearance(self) -> float:
         """The clearance, which needs the eccentricity, m."""
-        clearance = self.contact.clearance
+        clearance = self.clearance
         if self.clearance_unknown:
             raise NotKnown("clearance_unknown", "contact.hole_clearance")
         return clearance
@@ -476,7 +541,7 @@ class Design:
     @property
     def members(self) -> Members:
         """Crank, pins and ring, one of which is the output."""
-        return self.mechanism.members
+        return Members(self.mechanism.output, self.mechanism.ratio)
 
     @property
     def pin_torque(self) -> float:
@@ -554,7 +619,7 @@ class Design:
         -------
         Mechanism
         """
-        built = self.mechanism.built
+        built = self.built
         if way > 0:
             return built
         return replace(built, initial_crank_angle=built.initial_crank_angle + math.pi)
@@ -569,7 +634,7 @@ class Design:
         """How often a place of pin or hole is loaded over a life, s, once a turn of the satellite
         against its crank; infinite without a speed, or without an end.
         """
-        return self._loads(life, self.mechanism.built.crank_angle_per_wave)
+        return self._loads(life, self.built.crank_angle_per_wave)
 
     def _loads(self, life: float, angle: float) -> float:
         """How often over a life, s, the crank turns by an angle, rad, against the ring."""
@@ -670,7 +735,7 @@ class Design:
         teeth, over the hole's radius; infinite where neither is known.
         """
         low, _ = self.roots
-        circle, hole = self.load.pin_circle_radius, self.contact.pair.hole_radius
+        circle, hole = self.load.pin_circle_radius, self.nominal_pair.hole_radius
         known = [low - circle] if low else []
         with suppress(NotKnown):
             known.append(circle - self.bore_radius)
@@ -702,7 +767,7 @@ class Design:
         """Whether what touches the hole is not the pin, but a sleeve of it."""
         if self.rollers or not (self.pin and self.touching):
             return False
-        touching = 2 * self.contact.pair.pin_radius
+        touching = 2 * self.nominal_pair.pin_radius
         return not math.isclose(self.pin.diameter, touching, rel_tol=SAME)
 
     @property

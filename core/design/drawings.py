@@ -204,7 +204,7 @@ def drawn_satellites(
     ImpossibleMechanism
         See `core.ring.tooth_outline.satellite_outline`.
     """
-    built, pair, involute = design.mechanism.built, design.pair, design.gear.kind == "involute"
+    built, pair, involute = design.built, design.pair, design.gear.kind == "involute"
     most = MOST_POINTS // len(numbers)
     if involute:
         teeth = drawn_pair(design=design)
@@ -284,7 +284,7 @@ def drawn_ring_pins(*, design: Design) -> DrawnRingPins:
     InvalidInput
         If no disc rolls on them.
     """
-    disc, start = drawn_disc(design=design), design.mechanism.built.initial_crank_angle
+    disc, start = drawn_disc(design=design), design.built.initial_crank_angle
     step = 2 if design.cycloid.every_second_pin else 1
     around = 2 * math.pi * np.arange(0, disc.pins, step) / disc.pins - start
     return DrawnRingPins(
@@ -317,7 +317,7 @@ def drawn_ring(*, design: Design, chord_error: float) -> DrawnRing:
     ImpossibleMechanism
         See `core.ring.tooth_outline.ring_outline`.
     """
-    pair, start = drawn_pair(design=design), design.mechanism.built.initial_crank_angle
+    pair, start = drawn_pair(design=design), design.built.initial_crank_angle
     pitch = named(design, "gear", lambda: ring_outline(pair=pair, chord_error=chord_error))
     return DrawnRing(
         teeth=pitch.teeth,
@@ -347,7 +347,7 @@ def drawn_teeth(*, design: Design, chord_error: float) -> DrawnTeeth:
     CalculationError
         As `drawn_ring` and `drawn_satellites`.
     """
-    pair, built = drawn_pair(design=design), design.mechanism.built
+    pair, built = drawn_pair(design=design), design.built
     return DrawnTeeth(
         lobe=satellite_outline(pair=pair, chord_error=chord_error).points,
         turns=tuple(_turn(design, crank) for crank in built.crank_angles),
@@ -372,7 +372,7 @@ def drawn_mesh(*, design: Design, mesh: CycloidMesh, chord_error: float) -> Draw
     -------
     DrawnMesh
     """
-    disc, made, built = mesh.disc, mesh.deviations, design.mechanism.built
+    disc, made, built = mesh.disc, mesh.deviations, design.built
     lobe = None
     if disc.modification.rotation == 0:
         points = outline_points(disc=disc, chord_error=chord_error).points
@@ -393,7 +393,7 @@ def _turn(design: Design, crank: float) -> float:
     that faced the crank at first, or of a tooth that did.
     """
     half = math.pi / design.lobes if design.gear.kind == "involute" else 0.0
-    return crank / design.mechanism.ratio + half - design.mechanism.built.initial_crank_angle
+    return crank / design.mechanism.ratio + half - design.built.initial_crank_angle
 
 
 def _plane(points: ComplexArray) -> FloatArray:

@@ -117,7 +117,7 @@ class LossResults:
             output_power=self.output.member_loads.output_power,
         )
         bare = design.sleeved and not friction.sleeve
-        if bare and design.pin.diameter < 2 * design.contact.pair.pin_radius:
+        if bare and design.pin.diameter < 2 * design.nominal_pair.pin_radius:
             found = replace(found, notices=(*found.notices, Notice("thin_without_sleeve")))
         if not turns:
             return found

@@ -110,7 +110,7 @@ class Results:
         if not (self.design.in_series and is_known(lambda: self.ring.mesh)):
             return 0
         ring = self.ring.mesh
-        pairs = self.design.mechanism.pairs + ring.disc.pins * self.design.mechanism.satellites
+        pairs = self.design.pairs + ring.disc.pins * self.design.mechanism.satellites
         lobes = ring.disc.satellite_teeth
         pitches = lobes if ring.pins_alike else lobes * (lobes + 1)
         return positions_in_series(lobes=lobes, pitches=pitches) * pairs
@@ -179,7 +179,7 @@ class Results:
         design = self.design
         radius, pair = design.load.pin_circle_radius, design.pair
         most = MOST_GIVING_PAIRS if design.support.first_order else MOST_REAL_PAIRS
-        if design.mechanism.pairs > most:
+        if design.pairs > most:
             raise design.too_many(most)
         eccentricity = design.contact.eccentricity
         if eccentricity is None:
@@ -189,11 +189,11 @@ class Results:
             refusal = InvalidInput("contact.eccentricity", None, "smaller_than", **than)
             raise NotKnown(refusal.code, refusal=refusal)
         return Rooms(
-            mechanism=design.mechanism.built,
+            mechanism=design.built,
             pin_circle_radius=radius,
             pin_radius=pair.pin_radius,
             eccentricity=eccentricity,
-            clearance=design.contact.play,
+            clearance=design.play,
             deviations=design.output_deviations or Deviations(),
             roller_play=design.roller_play,
             apart=isinstance(design.support, Shares),
@@ -366,7 +366,7 @@ class Results:
         """What the forces follow from, as arguments."""
         load = self.design.load
         return {
-            "mechanism": self.design.mechanism.built,
+            "mechanism": self.design.built,
             "force_exponent": load.force_exponent,
             "output_torque": self.design.pin_torque,
             "pin_circle_radius": load.pin_circle_radius,
@@ -385,7 +385,7 @@ class Results:
 
     def limit_pairs(self, most: int) -> None:
         """Refuse more pairs than ideal forces are integrated of."""
-        if not self.solved and self.design.mechanism.pairs > most:
+        if not self.solved and self.design.pairs > most:
             raise self.design.too_many(most)
 
     @derived

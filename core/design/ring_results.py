@@ -93,7 +93,7 @@ class RingResults:
         return self._of_ring(
             lambda: gear.cycloid_mesh(
                 disc=disc,
-                crank_angles=design.mechanism.built.crank_angles,
+                crank_angles=design.built.crank_angles,
                 contact_length=length,
                 disc_material=material,
                 law=gear.law,

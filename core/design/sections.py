@@ -4,13 +4,12 @@ bearings, crankshaft, body of the satellite, requirements.
 
 import math
 from dataclasses import dataclass, replace
-from functools import cached_property, lru_cache
 from typing import Literal, NamedTuple, get_args
 
 from core.crank.balance import Counterweight
 from core.crank.bearing_life import Bearing
 from core.crank.pin_rollers import FRICTION, Ratings, RollerKind
-from core.errors import InvalidInput, Notice, NotKnown, derived, if_known, required
+from core.errors import InvalidInput, Notice, NotKnown, required
 from core.fatigue import (
     NOTCH_STRENGTHS,
     SIZES,
@@ -27,7 +26,7 @@ from core.fatigue import (
 )
 from core.hertz import ElasticMaterial
 from core.output.elasticity import PinSupport
-from core.output.mechanism import Mechanism, Members, Output, felt
+from core.output.mechanism import Output
 from core.output.pin_bolt import PinBolt
 from core.output.pin_fatigue import FatigueStrength
 from core.output.sampled_turn import Direction
@@ -48,7 +47,7 @@ PART_NAMES: tuple[PartName, ...] = get_args(PartName)
 """Parts of a reducer: `PARTS` of `core.checks.crank_planetary`."""
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class MechanismSection:
     """Pins, satellites and cranks."""
 
@@ -60,39 +59,6 @@ class MechanismSection:
     crank_angles: tuple[float, ...] = ()  # of each crank, rad, instead of a spacing
     initial_crank_angle: float = 0.0  # wave angle at crank angle 0, rad
     satellite_teeth: int | None = None  # z2
-
-    @property
-    def pairs(self) -> int:
-        """Number of pairs of pin and hole."""
-        return self.pins * self.satellites
-
-    @property
-    def members(self) -> Members:
-        """Crank, pins and ring, one of which is the output."""
-        return Members(self.output, self.ratio)
-
-    @property
-    def built(self) -> Mechanism:
-        """The mechanism of these, the same one for the same numbers."""
-        return _built(self)
-
-
-@lru_cache(maxsize=1024)
-def _built(given: MechanismSection) -> Mechanism:
-    if given.crank_angles:
-        return Mechanism(
-            pins=given.pins,
-            crank_angles=given.crank_angles,
-            ratio=given.ratio,
-            initial_crank_angle=given.initial_crank_angle,
-        )
-    return Mechanism.evenly_spaced(
-        pins=given.pins,
-        satellites=given.satellites,
-        ratio=given.ratio,
-        crank_spacing=given.crank_spacing,
-        initial_crank_angle=given.initial_crank_angle,
-    )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -135,7 +101,7 @@ class PairSizes(NamedTuple):
     hole_radius: float  # r_out
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Contact:
     """Pin and hole, the crank between them, and their materials; of the crank alone no pins."""
 
@@ -151,43 +117,6 @@ class Contact:
     own_limits: tuple[str, ...] = ()  # which of the two materials are given by values
     clearance_stated: bool = False  # whether one of 0 is: else a hole of just pin and e says none
     iso_fit: str = ""  # the classes that the clearance is of, as H7/f7; empty where it is a number
-
-    @cached_property
-    def pair(self) -> PairSizes:
-        """Sizes of a pair, where there are pins."""
-        lacks = ("section_missing", "contact")
-        return PairSizes(
-            contact_length=required(self.contact_length, *lacks),
-            pin_radius=required(self.pin_radius, *lacks),
-            hole_radius=required(self.hole_radius, *lacks),
-        )
-
-    @property
-    def clearance_unknown(self) -> bool:
-        """Whether nothing is known of the clearance: none is stated, as of perfect parts, and the
-        sizes leave none.
-        """
-        return not (self.clearance_stated or self.play)
-
-    @derived
-    def clearance(self) -> float:
-        """Hole radius less pin radius and eccentricity, m: interference below 0, and 0 within
-        `core.precision.AS_TYPED`.
-        """
-        pin = required(self.pin_radius, "section_missing", "contact")
-        hole = required(self.hole_radius, "section_missing", "contact")
-        clearance = hole - (pin + self.known_eccentricity)
-        return felt(clearance=clearance, hole_radius=hole)
-
-    @property
-    def play(self) -> float:
-        """The same where it is known, else 0, m."""
-        return if_known(lambda: self.clearance) or 0.0
-
-    @property
-    def known_eccentricity(self) -> float:
-        """The eccentricity, which has to be given, m."""
-        return required(self.eccentricity, "eccentricity_assumed", "contact.eccentricity")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -261,27 +190,6 @@ class Requirements:
     max_unbalance_couple: float | None = None
     max_unbalance_share: float | None = None
     balance_grade: float | None = None
-
-    def asked(self, *names: str) -> dict[str, float]:
-        """Those of some requirements that are asked.
-
-        Parameters
-        ----------
-        *names : str
-            Their names.
-
-        Returns
-        -------
-        dict
-            What is asked, by its name.
-
-        Examples
-        --------
-        >>> Requirements(max_wear=1e-4).asked("max_pv", "max_wear")
-        {'max_wear': 0.0001}
-        """
-        values = {name: getattr(self, name) for name in names}
-        return {name: value for name, value in values.items() if value is not None}
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,7 +1,6 @@
 """Inputs of a crank-planetary reducer, and the reducer with another value of one."""
 
 from core.design.document import Design, changed, value_at
-from core.design.sections import Contact
 from core.errors import required
 from core.fixes.fix import WHOLE
 from core.output.elasticity import Shares
@@ -41,14 +40,16 @@ def vary(*, design: Design, variable: str, value: float) -> Design:
     found = changed(design, values)
     if variable not in ("contact.pin_radius", "contact.eccentricity") or not found.contact.iso_fit:
         return found
-    return changed(found, {"contact.hole_radius": _hole_of_fit(found.contact)})
+    return changed(found, {"contact.hole_radius": _hole_of_fit(found)})
 
 
-def _hole_of_fit(contact: Contact) -> float:
+def _hole_of_fit(design: Design) -> float:
     """Radius of a hole that has the mean clearance of its fit, m."""
-    pin = contact.pair.pin_radius
-    hole = pin + (contact.eccentricity or 0.0)
-    clearance = fit_clearance(fit=contact.iso_fit, hole_diameter=2 * hole, pin_diameter=2 * pin)
+    pin = design.nominal_pair.pin_radius
+    hole = pin + (design.contact.eccentricity or 0.0)
+    clearance = fit_clearance(
+        fit=design.contact.iso_fit, hole_diameter=2 * hole, pin_diameter=2 * pin
+    )
     return hole + clearance
 
 

@@ -284,7 +284,7 @@ def _checked(cure: Cure, exact: float) -> Fix:
 def _fitting(results: Results, code: str, current: Verdict) -> Fix:
     """The hole with which the parts fit, and have a clearance as usual."""
     design = results.design
-    after = design.contact.pair.pin_radius + design.known_eccentricity
+    after = design.nominal_pair.pin_radius + design.known_eccentricity
     with suppress(*UNKNOWN):
         after = results.rooms.needed_hole_radius
     _, clearance = usual_clearance(design)

@@ -290,7 +290,7 @@ def _reaction(sheet: Sheet, results: Results, turn: IdealTurn, i: int, peak: flo
     """Reaction of a bearing by moments about the other; whether it is written out."""
     if peak == 0 or results.design.disc_factor != 1:  # which satellite carries most is chosen
         return False
-    shaft, mechanism = results.design.crankshaft, results.design.mechanism.built
+    shaft, mechanism = results.design.crankshaft, results.design.built
     first, last = shaft.bearing_positions
     places = np.array(shaft.satellite_positions)
     carried = (last - places if i == 0 else places - first) / (last - first)
@@ -350,7 +350,7 @@ def _weights(sheet: Sheet, results: Results) -> list[str]:
 
 def _balance(sheet: Sheet, results: Results, balance: Balance) -> None:
     """Unbalance of what turns, force and couple, and what balances it in A and B."""
-    shaft, cranks = results.design.crankshaft, results.design.mechanism.built.crank_angles
+    shaft, cranks = results.design.crankshaft, results.design.built.crank_angles
     sheet.take("m", "satellite_mass", shaft.satellite_mass)
     marks = [str(j + 1) for j in range(len(cranks))]
     for mark, angle, place in zip(marks, cranks, shaft.satellite_positions, strict=True):

@@ -207,7 +207,7 @@ def judged_steps(results: Results) -> list[Step]:
     list of Step
     """
     design, found, force = results.design, results.hertz, results.judged_forces
-    length, radius, hole = design.contact.pair
+    length, radius, hole = design.nominal_pair
     real = isinstance(force, RealForces)
     if real:  # with what deviates of them
         own = float(found.half_width / found.half_width_ratio)

@@ -158,10 +158,10 @@ def ideal_turn(sheet: Sheet, *, results: Results) -> IdealTurn | None:
     IdealTurn or None
     """
     design = results.design
-    if results.solved or design.mechanism.pairs > MOST_PAIRS:
+    if results.solved or design.pairs > MOST_PAIRS:
         return None
     sheet.take("v", "force_exponent", design.load.force_exponent)
-    return IdealTurn(design.mechanism.built, design.load.force_exponent)
+    return IdealTurn(design.built, design.load.force_exponent)
 
 
 class Shares:

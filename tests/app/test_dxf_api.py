@@ -123,7 +123,7 @@ def test_each_ring_pin_is_as_far_from_the_outline_as_the_gap_says(start):
     assert radii == [5.0] * 12
     mesh = made.gear.cycloid_mesh(
         disc=made.gear.disc(satellite_teeth=11, eccentricity=2.5e-3),
-        crank_angles=made.mechanism.built.crank_angles,
+        crank_angles=made.built.crank_angles,
         contact_length=made.ring_length,
         disc_material=made.disc_material,
         law=LinearLaw(1e8),

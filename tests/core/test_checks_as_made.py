@@ -272,7 +272,7 @@ def test_deviations_that_press_are_interference() -> None:
     worse = having(A, deviations=replace(large, pin_radial=(1e-3, *[0.0] * 7)))
     jams = check_of("interference", worse)
     assert (jams.status, jams.reason, jams.impossible) == ("fail", "jams", True)
-    assert jams.value == pytest.approx(worse.contact.clearance - 1e-3, rel=SAME)
+    assert jams.value == pytest.approx(worse.clearance - 1e-3, rel=SAME)
     assert check_of("contact_pressure_hole", worse).reason == "cannot_assemble"
 
 

@@ -333,7 +333,7 @@ def test_satellites_carry_on_their_teeth_what_their_pins_do() -> None:
     assert found.value == pytest.approx(one * math.sqrt(0.7), rel=1e-3) and found.rough
     loose = having(
         two,
-        hole_radius=two.contact.pair.hole_radius + 2e-5,
+        hole_radius=two.nominal_pair.hole_radius + 2e-5,
         deviations=Deviations(disc_phase=(2e-4, 0.0)),
     )
     results = Results(loose)

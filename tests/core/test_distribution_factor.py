@@ -86,7 +86,7 @@ def test_all_bearings_together_do_not_outlast_one() -> None:
     bearing = having(WHOLE, pin=None, fatigue=None).bearing
     slope = 1.2
     own = {
-        "mechanism": WHOLE.mechanism.built,
+        "mechanism": WHOLE.built,
         "mesh": RingMesh(0.7),
         "kind": bearing.kind,
         "dynamic_rating": bearing.dynamic_rating,

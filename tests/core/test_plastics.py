@@ -61,7 +61,7 @@ def test_a_plastic_hole_yields_at_the_pressure_calculated_by_hand(
     narrow = results.cold_limit("hole", results.static_contact)
     assert narrow / 1e6 == pytest.approx(pressure, rel=3e-3)
     pressed = hertz(
-        **design.contact.pair._asdict(),
+        **design.nominal_pair._asdict(),
         force=force,
         pin_material=design.contact.pin_material,  # type: ignore[arg-type]
         hole_material=hole,
