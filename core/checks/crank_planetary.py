@@ -309,8 +309,9 @@ def crank_verdict(results: Results, *, every: bool = False) -> Verdict:
         times the torque, and the least reserve is that of the torque at which the first one fails;
         the others are by secants of what was looked at. Where no such torque is found, as forces
         cannot be solved or jump with it, the reserves stay estimates, and the largest torque looked
-        at under which all checks hold is given. Of a mechanism that cannot be none is looked for:
-        no torque cures it.
+        at under which all checks hold is given. None is stated beyond a torque under which forces
+        cannot be solved: it is estimated between that and the last at which they can. Of a
+        mechanism that cannot be none is looked for: no torque cures it.
 
     Notes
     -----
@@ -408,6 +409,8 @@ class _Torques:
         self.counted = {each.code for each in found.checks if not each.warning}
         # by code: logarithms of factors on the torque, and of the reserve that is left there
         self.looks: dict[str, list[tuple[float, float]]] = {}
+        # logarithms of factors under which a check is not known
+        self.unsolved: dict[str, list[float]] = {each.code: [] for each in found.checks}
         for each in found.checks:
             if each.rough and each.torque_reserve:
                 self.looks[each.code] = [(0.0, math.log(each.torque_reserve))]
@@ -429,6 +432,7 @@ class _Torques:
                 looks.append((x, math.log(reserve)))
                 least = min(least, looks[-1][1] if code in self.counted else math.inf)
             else:
+                self.unsolved[code].append(x)
                 known = known and code not in self.counted
         return least if known else UNSOLVED
 
@@ -448,6 +452,18 @@ class _Torques:
             return x
         return (lower[0] * upper[1] - upper[0] * lower[1]) / (upper[1] - lower[1])
 
+    def within(self, code: str) -> float:
+        """The same; between the next look and the torque without forces that is next to that,
+        where the two looks say that it lies beyond.
+        """
+        x = self.root(code)
+        known = min((look for look, _ in self.looks[code]), key=lambda look: abs(look - x))
+        beyond = [each for each in self.unsolved[code] if abs(each - known) <= abs(x - known)]
+        between = [each for each in beyond if (each - known) * (x - known) > 0]
+        if not between or not math.isfinite(x):
+            return x
+        return (known + min(between, key=lambda each: abs(each - known))) / 2
+
     def first(self) -> float:
         """Logarithm of the factor at which the first check fails."""
         roots = [self.root(code) for code in self.looks if code in self.counted]
@@ -455,15 +471,18 @@ class _Torques:
 
     def away(self, code: str) -> float:
         """How far the factor at which a check fails lies from the next look, as a logarithm."""
-        return min(abs(self.root(code) - x) for x, _ in self.looks[code])
+        return min(abs(self.within(code) - x) for x, _ in self.looks[code])
 
     def look_further(self) -> None:
-        """Looks at the torques under which the other checks fail, farthest from what is known."""
+        """Looks at the torques under which the other checks fail, farthest from what is known;
+        where one is without forces, nearer.
+        """
         for _ in range(FURTHER):
             away = {self.away(code): code for code in self.looks}
             farthest = max(filter(math.isfinite, away), default=0.0)
-            if farthest <= NEAR or self.look(math.exp(self.root(away[farthest]))) == UNSOLVED:
+            if farthest <= NEAR:
                 return
+            self.look(math.exp(self.within(away[farthest])))
 
     def largest(self, left: float) -> tuple[float, bool]:
         """The largest factor that is known to hold, 0 where none is, and whether the first check
@@ -516,11 +535,12 @@ class _Torques:
         checks = []
         for check in self.found.checks:
             if check.code in self.looks:
-                own = math.exp(self.root(check.code))
+                own = math.exp(self.within(check.code))
                 given = limit > 0 or self.found.impossible  # none is where none holds
                 raised = max(own, limit) if given else None
                 reserve = raised if check.code in self.counted else own
-                rough = not settled or self.away(check.code) > NEAR
+                seen = self.away(check.code) <= NEAR and own == math.exp(self.root(check.code))
+                rough = not (settled and seen)
                 check = check._replace(torque_reserve=reserve, rough=rough)
                 check = _under_margin(check, at_margin.get(check.code, -1.0) >= 0)
             checks.append(check)

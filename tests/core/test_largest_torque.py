@@ -4,6 +4,7 @@ from itertools import pairwise
 
 import pytest
 
+from core.checks import crank_planetary
 from core.checks.check import Verdict
 from core.checks.crank_planetary import crank_checks, crank_verdict
 from core.design.document import Design
@@ -78,6 +79,35 @@ def test_a_reserve_that_was_not_looked_at_nearby_is_an_estimate() -> None:
     }
     assert len(off) == 5
     assert {code for code in off if found[code].rough} == {code for code in off if off[code] > 0.01}
+
+
+@pytest.mark.parametrize(("stiffness", "torque"), [(1.26e6, 777.0), (3e5, 100.0)])
+def test_no_reserve_is_far_beyond_the_torque_up_to_which_forces_can_be_solved(
+    stiffness: float, torque: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    law = LinearLaw(stiffness)
+    design = having(MADE, output_torque=torque, hole_radius=0.0102, contact_law=law)
+    solved, unsolved = 3.0, 30.0
+    while unsolved > 1.05 * solved:
+        between = (solved * unsolved) ** 0.5
+        if under(design, between)["pin_static"].by_torque:
+            solved = between
+        else:
+            unsolved = between
+    looked: list[float] = []
+    look = crank_planetary.under
+
+    def seen(*, design: Design, factor: float) -> Design:
+        looked.append(factor)
+        return look(design=design, factor=factor)
+
+    monkeypatch.setattr(crank_planetary, "under", seen)
+    found = crank_verdict(Results(design), every=True)
+    with_others = len(looked)
+    late = [each for each in found.checks if each.by_torque and each.reserve > solved]
+    assert late and all(each.rough and each.reserve < 1.25 * unsolved for each in late)
+    crank_verdict(Results(design))
+    assert with_others - (len(looked) - with_others) <= crank_planetary.FURTHER
 
 
 @pytest.mark.parametrize("torque", [280.0, 300.0, 320.0, 340.0])
