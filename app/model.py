@@ -172,6 +172,9 @@ class RequestModel(BaseModel):
     KIND: ClassVar[str] = "kind"
     """The field that says of which kind it is."""
 
+    OF_OTHERS: ClassVar[tuple[str, str]] = ("of_another_kind", "kind")
+    """Code of what belongs to another one, and its parameter that names the one that is given."""
+
     KINDS: ClassVar[Kinds] = {}
     """What its kinds have; fields that no kind has are those of all. None: without a kind."""
 
@@ -248,9 +251,10 @@ class RequestModel(BaseModel):
         for name in self.KINDS[kind][0]:
             if name not in given:
                 raise field_error(name, "needed_beside", field=self.KIND)
+        code, named = self.OF_OTHERS
         for name in of_other_kinds(type(self), kind):
             if name in given:
-                raise field_error(name, "of_another_kind", kind=kind or "none")
+                raise field_error(name, code, **{named: kind or "none"})
 
     def says(self, path: str) -> bool:
         """Whether the field at a path is given.

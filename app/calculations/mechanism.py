@@ -90,6 +90,7 @@ class MechanismFields(RequestModel, group="mechanism"):
         (("crank_spacing_deg",), ("crank_angles_deg",), ()),
     )
     KIND: ClassVar[str] = "output"
+    OF_OTHERS: ClassVar[tuple[str, str]] = ("of_other_output", "output")
     KINDS: ClassVar[Kinds] = {
         "pins": ((), OF_RINGS),
         "ring": ((), (*OF_RINGS, "output_ratio")),
