@@ -6,11 +6,14 @@ calculations read it as they start; where it is missing or broken they make it.
 
 import logging
 import os
+import pickle
 import signal
 import subprocess
 import sys
 from contextlib import ExitStack, suppress
+from importlib.metadata import version
 from pathlib import Path
+from typing import Any
 
 LOG = logging.getLogger("khv.compiled")
 
@@ -47,10 +50,43 @@ def _files(name: str = "*") -> list[Path]:
     ]
 
 
+class _Unread:
+    """A type that numba keeps in an index, which nobody asks for here."""
+
+    def __new__(cls, *_: Any, **__: Any) -> "_Unread":
+        return super().__new__(cls)
+
+    def __setstate__(self, _: Any) -> None:
+        pass
+
+
+class _Index(pickle.Unpickler):
+    """Reads an index of numba's without numba."""
+
+    def find_class(self, *_: str) -> Any:
+        return _Unread
+
+
+def _stamp(index: Path) -> tuple[Any, ...]:
+    """What an index of numba's says that it was made of: numba's version, times and sizes of the
+    sources; empty where it cannot be read.
+    """
+    with suppress(Exception), index.open("rb") as file:
+        made_by, (sources, _) = _Index(file).load(), _Index(file).load()
+        return made_by, *sorted(sources)
+    return ()
+
+
 def cached() -> bool:
-    """Whether there is a cache, whole and made after the last change of its sources."""
-    changed = max(source.stat().st_mtime for source in SOURCES)
-    return any(file.stat().st_mtime >= changed for file in _files(LAST))
+    """Whether there is a cache, whole, which numba takes for one of the sources as they are: they
+    have the very times and sizes that they had then.
+    """
+    stats = [source.stat() for source in (CORE / "output" / "compiled.py", *SOURCES)]
+    sources = sorted((each.st_mtime, each.st_size) for each in stats)
+    with suppress(ModuleNotFoundError):
+        expected = (version("numba"), *sources)
+        return any(_stamp(file) == expected for file in _files(LAST))
+    return False
 
 
 def _turns() -> None:

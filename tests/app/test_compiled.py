@@ -2,7 +2,6 @@
 
 import ast
 import json
-import os
 import signal
 import subprocess
 import sys
@@ -11,6 +10,7 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
+from numba.core.caching import IndexDataCacheFile
 from pydantic import ValidationError
 
 import core
@@ -131,17 +131,41 @@ def elsewhere(monkeypatch, tmp_path):
     return tmp_path
 
 
-def test_a_cache_is_one_that_was_made_after_its_source(elsewhere):
+def indexed(place, stamp=None, name=compiled.LAST):
+    """An index as numba writes it of what it compiles last, for its stamp of the sources."""
+    pieces = loops.in_place_of(series_pieces).pieces
+    own = loops.Place.from_function(pieces, series_pieces.__file__).get_source_stamp()
+    base = f"series_pieces.{name}-1.py311"
+    IndexDataCacheFile(str(place), base, own if stamp is None else stamp(own)).flush()
+
+
+def test_a_cache_is_one_that_numba_takes_for_that_of_the_sources(elsewhere, monkeypatch):
     assert not compiled.cached()
-    made = elsewhere / "output_0" / f"turn_kernel.{compiled.LAST}-1.py311.nbi"
-    made.parent.mkdir()
-    (made.parent / "turn_kernel.poses-1.py311.nbi").touch()
+    place = elsewhere / "ring_0"
+    place.mkdir()
+    indexed(place, name="cut")
     assert not compiled.cached()
-    made.touch()
+    indexed(place)
     assert compiled.cached()
-    changed = max(source.stat().st_mtime for source in compiled.SOURCES)
-    os.utime(made, (changed - 1, changed - 1))
+    monkeypatch.setattr(compiled, "version", lambda _: "0.1")
     assert not compiled.cached()
+
+
+def test_a_cache_of_sources_of_other_times_is_none(elsewhere):
+    """As of a tree that was copied by whole seconds, with the cache that was made before."""
+    indexed(elsewhere, lambda own: [(float(int(time) - 1), size) for time, size in own])
+    assert not compiled.cached()
+    indexed(elsewhere, lambda own: [(time, size + 1) for time, size in own])
+    assert not compiled.cached()
+    indexed(elsewhere)
+    (index,) = elsewhere.glob("*.nbi")
+    index.write_bytes(index.read_bytes()[:40])
+    assert not compiled.cached()
+
+
+def test_the_cache_that_is_loaded_is_one():
+    compiled.load()
+    assert compiled.cached()
 
 
 def test_a_broken_cache_is_made_anew(elsewhere, monkeypatch):
@@ -179,7 +203,7 @@ def test_a_service_without_a_cache_makes_one_first(elsewhere, monkeypatch, caplo
         assert named == [["turns"], ["meshes"], ["series"]]
         assert ended == [*["waited"] * 2, *["killed"] * 2, "waited", "killed"]
         assert "once an installation" in caplog.text
-        (elsewhere / f"turn_kernel.{compiled.LAST}-1.py311.nbi").touch()
+        indexed(elsewhere)
         compiled.make_cache()
     assert len(run) == 3 and len(caplog.records) == 1
 
