@@ -32,6 +32,7 @@ from app.model import (
     Size,
     no_dust,
     notices_of,
+    of_load_factor,
     quantity,
     result,
 )
@@ -407,6 +408,10 @@ class DesignLoadFields(LoadFields, group="load"):
     """The same of the pins, instead."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("ring_speed_rpm",), ("carrier_speed_rpm",), ()),)
+
+    def notices(self) -> tuple[Notice, ...]:
+        """Also that the application factor takes some of the torque away."""
+        return super().notices() + of_load_factor(self.application_factor)
 
     def section(self, whole: Any) -> Load:
         """The load in SI units."""

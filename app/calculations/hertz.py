@@ -29,6 +29,7 @@ from app.model import (
     WarningOut,
     WorkedFields,
     no_dust,
+    of_load_factor,
     present,
     quantity,
     request_schema,
@@ -271,6 +272,10 @@ class ContactFields(RequestModel, group="contact"):
         bodies = (("pin", self.pin_material), ("hole", self.hole_material))
         limits = present({body: material_of(given).limit for body, given in bodies})
         return [(body, float(limit.pressure)) for body, limit in limits.items()]
+
+    def notices(self) -> tuple[Notice, ...]:
+        """Also that the dynamic factor takes some of the force away."""
+        return super().notices() + of_load_factor(self.dynamic_factor)
 
     def material_notices(self) -> tuple[Notice, ...]:
         """What a name of a material does not say."""

@@ -21,7 +21,7 @@ from app.calculations.ring import (
     pin_circle_radius,
     ring_pin_radius,
 )
-from app.model import Angle, Maybe, RequestModel, Size, Whole, quantity
+from app.model import Angle, Maybe, RequestModel, Size, Whole, of_load_factor, quantity
 from app.problems import invalid_input, wrong
 from app.rules import Forms, Kinds
 from app.units import to_si
@@ -93,6 +93,10 @@ class RingLoadFields(RequestModel, group="load"):
     input_speed_rpm: Maybe[Size] = input_speed()
     pin_circle_radius_mm: Maybe[Size] = quantity("Pin circle radius", "R", step=1)
     """Radius of the circle of the output's pins; not needed here."""
+
+    def notices(self) -> tuple[Notice, ...]:
+        """Also that the application factor takes some of the torque away."""
+        return super().notices() + of_load_factor(self.application_factor)
 
 
 class RingCrankFields(RequestModel, group="contact"):

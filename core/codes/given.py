@@ -197,6 +197,15 @@ OF_INPUT = {
         why="The pins of every such mechanism turn against the crank: the sign is known.",
         mend="Nothing, if it is meant so.",
     ),
+    "load_factor_below_one": limit(
+        "The factor on the load is {factor:.3g}: stresses and pressures are those of less than the "
+        "load that is given.",
+        title="Factor on the load below 1",
+        tests="Whether the factor on the load is at least 1.",
+        why="Shocks only add to a load. A factor below 1 is right where a given spectrum of loads "
+        "is worth less than the load that is typed.",
+        mend="Give at least 1, or the load that acts.",
+    ),
     "roller_clearance_unknown": limit(
         "The clearance of the rollers on the pins is not given: the numbers are those of rollers "
         "without, which every real one misses.",

@@ -133,6 +133,27 @@ async def test_a_negative_ratio_has_the_sign_of_the_output(api):
     assert signed == plain
 
 
+HELD = {"support": "cantilever", "satellite_positions_mm": [10]}
+
+
+@pytest.mark.parametrize(
+    ("path", "body", "section", "name"),
+    [
+        ("hertz", ENDPOINTS["hertz"] | {"eccentricity_mm": None}, "", "dynamic_factor"),
+        ("pin-strength", PRINTED | {"pin": HELD}, "contact", "dynamic_factor"),
+        ("pin-strength", PRINTED | {"pin": HELD}, "load", "application_factor"),
+    ],
+)
+async def test_a_factor_that_takes_of_the_load_is_said(api, path, body, section, name):
+    for factor, said in ((0.8, True), (1.0, False), (1.25, False)):
+        own = (body[section] if section else body) | {name: factor}
+        asked = body | {section: own} if section else own
+        asked = {key: value for key, value in asked.items() if value is not None}
+        warnings = (await answered(api, path, asked)).get("warnings", ())
+        found = [each["params"] for each in warnings if each["code"] == "load_factor_below_one"]
+        assert found == [{"factor": factor}] * said
+
+
 @pytest.mark.parametrize("ratio", [0.05, -0.05, 0.999])
 async def test_a_ratio_below_1_is_refused_with_its_inverse(api, ratio):
     response = await api.post("contact-force", json=ONE_DISC | {"ratio": ratio})
