@@ -155,6 +155,7 @@ def _dispatchers(*over: types.ModuleType) -> dict[str, Any]:
     os.environ.setdefault("NUMBA_CACHE_LOCATOR_CLASSES", f"{__name__}.{Place.__name__}")
     import numba
 
+    numba.config.reload_config()  # which reads it as it is imported, by whoever does so first
     of_others = {name: _of(plain.__module__)[plain.__name__] for name, plain in _borrowed(over)}
 
     def made(copy: Any) -> Any:

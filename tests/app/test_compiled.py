@@ -124,6 +124,19 @@ print(compiled.at_hand() is compiled.PLAIN)
     assert "numba is not installed" in done.stderr
 
 
+def test_who_has_imported_numba_before_reads_the_same_cache():
+    code = """
+import numba
+from app import compiled
+compiled.load()
+from core.output import compiled as loops
+print(numba.config.CPU_NAME, loops.at_hand().poses.stats.cache_misses)
+"""
+    compiled.load()
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "generic Counter()"
+
+
 @pytest.fixture
 def elsewhere(monkeypatch, tmp_path):
     """A place of its own for the cache."""
