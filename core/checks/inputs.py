@@ -134,11 +134,11 @@ RING_FORCES = tuple(
         (
             *RING_SHARING,
             *(each for each in FORCE if each != "load.force_exponent"),
-            *SHARING,
+            *(each for each in SHARING if each != "crank_support"),
         )
     )
 )
-"""Of these in series with the pins of the output, too."""
+"""Of these in series with the pins of the output, too, with cranks that do not give then."""
 
 RING_LOADED = (
     *RING_FORCES,

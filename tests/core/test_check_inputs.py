@@ -37,9 +37,10 @@ from core.hertz import ContactLimit, ElasticMaterial, Plastic
 from core.material_table import MATERIALS
 from core.output import real_mechanism
 from core.output.edge_load import SlopingContacts
-from core.output.elasticity import PowerLaw, RingInSeries
+from core.output.elasticity import CrankSupport, PowerLaw, RingInSeries
 from core.output.pin_bolt import PinBolt
 from core.output.pin_strength import PinStresses
+from core.output.room import Deviations
 from core.ring.profile import Modification
 from tests.inputs.checks import WHOLE, design_of, having
 from tests.oracles.seeds import TIMES
@@ -281,6 +282,13 @@ DESIGNS = {
             ring_pin_radius=0.005,
             teeth_difference=1,
         ),
+    ),
+    "cycloid on an even number of pins": design_of(
+        pins=6,
+        satellites=2,
+        ratio=49.0,
+        eccentricity=0.002,
+        gear=CycloidRing(ring_pin_circle_radius=0.2, ring_pin_radius=0.005),
     ),
 }
 SOFT = ElasticMaterial(
@@ -534,9 +542,60 @@ DESIGNS |= {
     ),
 }
 
+OF_DISCS = ("eccentricity", "disc_phase")
+OF_CRANKS = {"eccentricity": (4e-6,), "disc_phase": (1e-4,)}
+OF_PINS = {"pin_radial": (8e-6,), "pin_radius": (1e-6, -2e-6)}
+OF_RING = {"ring_pin_radial": (3e-6, -2e-6), "ring_pin_tangential": (0.0, 4e-6)}
+ELASTIC = CrankSupport(stiffness=2e8, radial_clearance=1e-5)
+
+
+def erring(design: Design, **made: tuple[float, ...]) -> Design:
+    """A design with deviations of the last of its pins, satellites or pins of the ring."""
+    rows = {}
+    for name, row in made.items():
+        of = design.mechanism.satellites if name in OF_DISCS else design.mechanism.pins
+        count = design.ring_pins if name.startswith("ring_") else of
+        rows[name] = (*[0.0] * (count - len(row)), *row[-count:])
+    return having(design, deviations=Deviations(**rows))
+
+
+LOOSE = {
+    "all": having(ALL, hole_radius=0.01002),
+    "bolted pins": having(ALL, pin=BOLTED, hole_radius=0.01002, peak_torque=700.0),
+    "unbalance": having(
+        ALL,
+        hole_radius=0.01002,
+        pin_material=LASTING,
+        hole_material=LASTING,
+        peak_torque=700.0,
+        max_unbalance_share=1e-4,
+        crank_spacing=2.0,
+    ),
+    "rollers": ROLLED,
+    "plastic": having(PLASTIC, hole_radius=0.01002, peak_torque=2000.0),
+}
+TEETH = (
+    "teeth",
+    "teeth under a factor",
+    "teeth that press",
+    "teeth of plastic",
+    "teeth in seats",
+    "such teeth that press",
+)
+AS_MADE = {
+    **{f"{name}, deviations": erring(each, **OF_PINS) for name, each in LOOSE.items()},
+    **{f"{name}, elastic": having(each, crank_support=ELASTIC) for name, each in LOOSE.items()},
+    **{name: erring(DESIGNS[name], **OF_RING, **OF_CRANKS) for name in TEETH},
+    "cranks that deviate": erring(LOOSE["all"], **OF_CRANKS),
+    "teeth on elastic cranks": having(TOOTHED, crank_support=ELASTIC, hole_radius=0.00802),
+}
+"""Designs in which deviations are moved, or what gives on the cranks."""
+
 INPUTS = {
     "pin.tensile_strength": "pin.material",
+    "pin.steel": "pin.material",
     "gear.pin_tensile_strength": "gear.pin_material",
+    "gear.pin_steel": "gear.pin_material",
 }
 """Inputs by the paths of a design that have other names."""
 
@@ -551,8 +610,10 @@ MATERIALS_OF = (
 )
 """Inputs that are materials, each with values of its own."""
 
-WHOLES = (*MATERIALS_OF, "gear.contact_law", "contact_law", "pin.bolt")
-"""The same, laws of contact, and a bolt."""
+OF_MADE = ("deviations", "crank_support")
+
+WHOLES = (*MATERIALS_OF, "gear.contact_law", "contact_law", "pin.bolt", *OF_MADE)
+"""The same, laws of contact, a bolt, deviations and what gives."""
 
 OTHERS = {"reverse": "driving", "supported": "fixed"}
 """Of what is one of some values another one."""
@@ -562,10 +623,14 @@ SAME = 1e-6
 
 
 def moved(value: Any) -> Any:
-    """A number that is a little larger, places of which the last is farther; None of others."""
+    """A number that is a little larger, places of which the last is farther, what is not so; None
+    of others.
+    """
     if isinstance(value, tuple) and value and (last := moved(value[-1])) is not None:
         return (*value[:-1], last)
-    if isinstance(value, str | bool):
+    if isinstance(value, bool):
+        return not value
+    if isinstance(value, str):
         return OTHERS.get(value)
     if not isinstance(value, int | float):
         return None
@@ -593,13 +658,15 @@ def differ(one: float | None, two: float | None) -> bool:
 
 
 def by_code(design: Design, codes: Container[str] = CHECKS) -> dict[str, Check]:
-    """Checks of a design of which something is known, as far as they are asked for."""
+    """Checks of a design of which something is known, or that are none of it, as far as they are
+    asked for.
+    """
     results = Results(design)
     checks = [crank_check(code, results) for code in crank_codes(design) if code in codes]
     return {
         check.code: check
         for check in checks
-        if check.status in ("pass", "marginal", "fail") or check.only_needed
+        if check.status in ("pass", "marginal", "fail", "not_applicable") or check.only_needed
     }
 
 
@@ -701,13 +768,18 @@ def solved_once() -> Iterator[None]:
         yield
 
 
-def look(design: Design, found: dict[tuple[str, str], bool]) -> None:
-    """Move each input of a design, and see which checks move: those of which it is not known yet
-    that they do, as their names of inputs say.
+def look(
+    design: Design, found: dict[tuple[str, str], bool], inputs: Container[str] | None = None
+) -> None:
+    """Move each input of a design, or some, and see which checks move: those of which it is not
+    known yet that they do, as their names of inputs say.
     """
-    before = by_code(design)
+    made = by_code(design).items()
+    before = {code: check for code, check in made if check.status != "not_applicable"}
     for name, change in moves(design):
         of = input_of(name)
+        if inputs and of not in inputs:
+            continue
         open_ = {code for code in before if not (named(code, of) and found.get((code, of)))}
         try:
             after = by_code(change(), open_)
@@ -716,7 +788,8 @@ def look(design: Design, found: dict[tuple[str, str], bool]) -> None:
         for code, two in after.items():
             one = before[code]
             values = (one.value, two.value), (one.limit, two.limit)
-            moves_it = one.warning != two.warning or any(differ(*each) for each in values)
+            of_other = one.warning != two.warning or two.status == "not_applicable"
+            moves_it = of_other or any(differ(*each) for each in values)
             found[code, of] = found.get((code, of), False) or moves_it
 
 
@@ -727,6 +800,9 @@ def seen() -> dict[tuple[str, str], bool]:
     for design in DESIGNS.values():
         with nullcontext() if TIMES > 1 else solved_once():
             look(design, found)
+    for design in AS_MADE.values():
+        with nullcontext() if TIMES > 1 else solved_once():
+            look(design, found, OF_MADE)
     return found
 
 
@@ -748,14 +824,17 @@ def test_what_moves_a_check_is_named(seen: dict[tuple[str, str], bool]) -> None:
 
 def test_what_a_check_names_moves_it(seen: dict[tuple[str, str], bool]) -> None:
     """Of both meshes in series forces are one solution: an input of the ring moves the checks of
-    the pins through these alone, and the other way round, so that one check has to show it.
+    the pins through these alone, and the other way round, so that one check has to show it; but of
+    what is moved in designs of its own.
     """
     felt = {(of_ring(code), name) for (code, name), moves_it in seen.items() if moves_it}
     idle = {
         (code, name)
         for (code, name), moves_it in seen.items()
         if named(code, name) and not moves_it
-        if of_ring(code) == name.startswith("gear.") or (of_ring(code), name) not in felt
+        if of_ring(code) == name.startswith("gear.")
+        or (of_ring(code), name) not in felt
+        or name in OF_MADE
     }
     assert idle == set()
 
