@@ -286,6 +286,12 @@ logarithm of one is that needs no look."""
 STEEPEST = 3.0
 """Most that a reserve changes with the torque, as a slope of logarithms, and 1 over the least."""
 
+WITHOUT_FORCES = ("not_stable", "not_balanced", "beyond_first_order", "beyond_hertz")
+"""Reasons for which a check is not known under a torque, and may be under less."""
+
+LESS = 0.1
+"""Factor on a torque without forces at which they are looked for next."""
+
 CURES_NOTHING = 0.01
 """Slope of them below which less torque cures nothing: of parts that press without any."""
 
@@ -305,19 +311,23 @@ def crank_verdict(results: Results, *, every: bool = False) -> Verdict:
     Returns
     -------
     Verdict
-        Where forces are solved a check is marginal that fails, or is not known, under `MARGIN`
-        times the torque, and the least reserve is that of the torque at which the first one fails;
-        the others are by secants of what was looked at. Where no such torque is found, as forces
-        cannot be solved or jump with it, the reserves stay estimates, and the largest torque looked
-        at under which all checks hold is given. None is stated beyond a torque under which forces
-        cannot be solved: it is estimated between that and the last at which they can. Of a
-        mechanism that cannot be none is looked for: no torque cures it.
+        Where forces cannot be solved a check fails that does so under less torque, at which they
+        can, but of discs in series, which take long. Where they are solved a check is marginal that
+        fails, or is not known, under `MARGIN` times the torque, and the least reserve is that of
+        the torque at which the first one fails; the others are by secants of what was looked at.
+        Where no such torque is found, as forces cannot be solved or jump with it, the reserves stay
+        estimates, and the largest torque looked at under which all checks hold is given. None is
+        stated beyond a torque under which forces cannot be solved: it is estimated between that and
+        the last at which they can. Of a mechanism that cannot be none is looked for: no torque
+        cures it.
 
     Notes
     -----
     Secants of the logarithms of reserve and torque, of all checks at once.
     """
     found, design = crank_checks(results), results.design
+    if found.verdict != "fail" and not design.clearance_unknown:
+        found = _failed_before(results, found)
     if two_ways(results):
         surer = [judged_check(check.code, results) for check in found.checks]
         return of_parts(design=design, checks=surer)
@@ -327,6 +337,38 @@ def crank_verdict(results: Results, *, every: bool = False) -> Verdict:
         return found
     every = every and not results.in_series
     return _Torques(design, found).judged(every=every, guess=_guess(results))
+
+
+def _failed_before(results: Results, found: Verdict) -> Verdict:
+    """The same where checks that are not known, as there are no forces under the torque, fail under
+    less: that is passed on the way to it, whatever comes then.
+    """
+    unknown = [each for each in found.checks if each.opens and each.reason in WITHOUT_FORCES]
+    if not unknown or results.in_series:
+        return found
+    design, solved, unsolved = results.design, 0.0, 1.0
+    for _ in range(LOOKS):
+        factor = math.sqrt(solved * unsolved) or LESS * unsolved
+        there = Results(under(design=design, factor=factor))
+        looked = [crank_check(each.code, there) for each in unknown]
+        broken = {
+            each.code: factor * each.torque_reserve
+            for each in looked
+            if each.status == "fail" and each.torque_reserve
+        }
+        if broken:
+            checks = (
+                each._replace(status="fail", torque_reserve=broken[each.code], rough=True)
+                if each.code in broken
+                else each
+                for each in found.checks
+            )
+            return of_parts(design=design, checks=checks)
+        if all(each.reason in WITHOUT_FORCES for each in looked):
+            unsolved = factor
+        else:
+            solved = factor
+    return found
 
 
 def two_ways(results: Results) -> bool:

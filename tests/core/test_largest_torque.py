@@ -129,6 +129,26 @@ def test_under_the_largest_torque_nothing_breaks() -> None:
     assert under(design, 1.0001 * found.torque_reserve).counts["fail"]
 
 
+@pytest.mark.parametrize("times", [1e3, 1e5])
+def test_an_overload_without_forces_fails_as_it_does_on_the_way(times: float) -> None:
+    design = having(MADE, output_torque=300.0 * times)
+    unknown = crank_checks(Results(design))
+    assert unknown.verdict == "incomplete" and not unknown.counts["fail"]
+    found = crank_verdict(Results(design))
+    assert found.verdict == "fail" and found.governing == "pin_fatigue"
+    assert found["pin_fatigue"].reason == unknown["pin_fatigue"].reason == "not_stable"
+    assert found["pin_fatigue"].value is None
+    assert found.torque_reserve is not None and not found.largest_torque_estimated
+    assert under(design, found.torque_reserve).torque_reserve == pytest.approx(1.0, abs=1e-4)
+
+
+def test_what_holds_up_to_where_forces_end_does_not_fail() -> None:
+    soft = having(MADE, contact_law=LinearLaw(1e5), hole_radius=0.0102, output_torque=3000.0)
+    found = crank_verdict(Results(soft))
+    assert found["contact_pressure_pin"].reason == "not_stable"
+    assert found.verdict == "incomplete" and not found.counts["fail"]
+
+
 def test_ideal_forces_are_not_solved_again(monkeypatch: pytest.MonkeyPatch) -> None:
     ideal = Results(having(IDEAL, pin=None, fatigue=None, max_deflection=None))
     monkeypatch.setattr("core.checks.crank_planetary.under", None)
