@@ -4,17 +4,21 @@ import { execFileSync } from "node:child_process";
 import { afterEach, test } from "node:test";
 import { fileURLToPath } from "node:url";
 
+import { CALCULATORS, calculatorOf } from "../../static/calculators/index.js";
+import { listedOf } from "../../static/lib/checks.js";
 import { formatNumber } from "../../static/lib/format.js";
 import { mathml, plainSymbol, plainText } from "../../static/lib/formula/mathml.js";
 import { parse } from "../../static/lib/formula/notation.js";
 import { setUnits } from "../../static/lib/units.js";
 import { LANGUAGES, useLanguage } from "../../static/messages/index.js";
+import { valuesMarkup } from "../../static/views/results.js";
 import { askSteps, groupMarkup } from "../../static/views/worked.js";
 import "./service.mjs";
 
 const ROOT = fileURLToPath(new URL("../..", import.meta.url));
 const ASK = `
 import json
+import orjson
 from pydantic import TypeAdapter
 from app.registry import CALCULATIONS
 from core.output import compiled
@@ -24,11 +28,13 @@ compiled.load()
 found = {}
 for word, (name, body) in REQUESTS.items():
     asked = CALCULATIONS[name]
-    body = body | {"include": [*body.get("include", []), "worked"]}
-    found[word] = asked.answered(TypeAdapter(asked.request).validate_json(json.dumps(body)))["worked"]
-print(json.dumps(found))
+    read = TypeAdapter(asked.request).validate_json
+    work = body | {"include": [*body.get("include", []), "worked"]}
+    found[word] = name, asked.answered(read(json.dumps(body))), asked.answered(read(json.dumps(work)))["worked"]
+print(orjson.dumps(found, option=orjson.OPT_SERIALIZE_NUMPY).decode())
 `;
-const steps = JSON.parse(execFileSync(`${ROOT}.venv/bin/python`, ["-c", ASK], { cwd: ROOT, encoding: "utf8", maxBuffer: 2 ** 25 }));
+const answers = JSON.parse(execFileSync(`${ROOT}.venv/bin/python`, ["-c", ASK], { cwd: ROOT, encoding: "utf8", maxBuffer: 2 ** 27 }));
+const steps = Object.fromEntries(Object.entries(answers).map(([word, [, , worked]]) => [word, worked]));
 const accuracy = { relative_error: 1e-12, method: "closed form", method_code: "closed_form" };
 
 afterEach(async () => {
@@ -48,6 +54,25 @@ for (const language of Object.keys(LANGUAGES)) {
         assert.equal(markup.match(/<li /g).length, own.length);
         assert.doesNotMatch(markup, /<mi>[^<]*(alpha|gamma|delta|eps|eta|lambda|mu|nu|rho|sigma|tau|phi|chi|psi|star|prime)/i, `${word} ${section}`);
       }
+    }
+  });
+}
+
+/** The sections that a calculator lists of an answer: parts of the whole design's, its mesh as that has it, and of the others all. */
+function listed(calculator, name, { kind, positions, ...answer }) {
+  const sections = name === "crank-planetary" ? answer : { [name.split("/").at(-1).replaceAll("-", "_")]: answer };
+  const own = ["crank-planetary", "ring-mesh"].includes(name) === (calculator.id === "crank-planetary");
+  return own ? listedOf(calculator, [sections]).filter((id) => sections[id]).map((id) => [id, sections[id]]) : [];
+}
+
+for (const calculator of CALCULATORS) {
+  test(`every result that is listed has its words: ${calculator}`, async () => {
+    const own = await calculatorOf(calculator);
+    const sections = Object.values(answers).flatMap(([name, answer]) => listed(own, name, answer));
+    assert.deepEqual(new Set(own.sections.filter((id) => !sections.some(([other]) => other === id))), new Set());
+    for (const [id, section] of sections) {
+      const markup = valuesMarkup(id, section, own.elsewhere, new Map()).toString();
+      assert.doesNotMatch(markup, /undefined|NaN|\[object/, id);
     }
   });
 }
