@@ -18,13 +18,14 @@ from app.calculations import (
 from app.calculations.crank_planetary_sections import SECTIONS, CrankPlanetaryRequest
 from app.model import (
     AccuracyOut,
+    AssumingResponse,
     Calculation,
     Maybe,
     RequestModel,
     ResponseModel,
     Values,
+    WarningOut,
     WorkedFields,
-    WorkedResponse,
     accuracy_values,
     present,
     result,
@@ -323,7 +324,7 @@ class BestOut(ResponseModel):
     target: float = result("Its result.")
 
 
-class SolveResponse(WorkedResponse):
+class SolveResponse(AssumingResponse):
     """Where the target is met."""
 
     status: SolveStatus = Field(
@@ -350,6 +351,7 @@ class SolveResponse(WorkedResponse):
         description="Of the search: the width of the bracket. The error that the calculation "
         "states of the result moves the value besides, by less the more the result follows it."
     )
+    warnings: Maybe[list[WarningOut]] = Field(description="What `input` is taken for.")
 
 
 def solve(body: SolveRequest) -> Values:
