@@ -231,6 +231,8 @@ class SolveRequest(WorkedFields):
             if found is not None and not _is_number(found):
                 raise refusal("/target/pointer", "not_there", field="answer")
             results.append(math.nan if found is None else float(found))
+            if long and len(results) == LONG_SAMPLES and all(map(math.isnan, results)):
+                raise refusal("/target/pointer", "not_there", field="answer")
             return results[-1]
 
         between = math.floor(self.variable.low) + 0.5

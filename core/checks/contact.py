@@ -8,6 +8,7 @@ from functools import partial
 from typing import Any, get_args
 
 from core.checks.check import (
+    MARGIN,
     Check,
     Kind,
     Measure,
@@ -397,7 +398,10 @@ def in_disc(
         if disc.code == "disc_ovals" and pressure <= limit:
             said = {"reason": disc.code, "params": disc.params, "at": more.get("at", {})}
             return Check(kind, "not_checked", value=pressure, limit=limit, **said)
+    reserve = more.get("reserve") or math.inf
     rough = results.solved or bool(results.design.pin)
+    if not rough and reserve < math.inf:
+        rough = results.ovals_under(max(reserve, MARGIN))
     return judged(kind, pressure, limit, error=error, rough=rough, **more)
 
 

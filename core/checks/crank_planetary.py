@@ -286,7 +286,7 @@ logarithm of one is that needs no look."""
 STEEPEST = 3.0
 """Most that a reserve changes with the torque, as a slope of logarithms, and 1 over the least."""
 
-WITHOUT_FORCES = ("not_stable", "not_balanced", "beyond_first_order", "beyond_hertz")
+TOO_MUCH = ("not_stable", "not_balanced", "beyond_first_order", "beyond_hertz", "contact_wraps")
 """Reasons for which a check is not known under a torque, and may be under less."""
 
 LESS = 0.1
@@ -311,8 +311,9 @@ def crank_verdict(results: Results, *, every: bool = False) -> Verdict:
     Returns
     -------
     Verdict
-        Where forces cannot be solved a check fails that does so under less torque, at which they
-        can, but of discs in series, which take long. Where they are solved a check is marginal that
+        Where forces cannot be solved, or a contact wraps around its pin, a check fails that does so
+        under less torque, at which it is known, but of discs in series on unlike pins, which take
+        long. Where forces are solved a check is marginal that
         fails, or is not known, under `MARGIN` times the torque, and the least reserve is that of
         the torque at which the first one fails; the others are by secants of what was looked at.
         Where no such torque is found, as forces cannot be solved or jump with it, the reserves stay
@@ -326,10 +327,10 @@ def crank_verdict(results: Results, *, every: bool = False) -> Verdict:
     Secants of the logarithms of reserve and torque, of all checks at once.
     """
     found, design = crank_checks(results), results.design
-    if found.verdict != "fail" and not design.clearance_unknown:
-        found = _failed_before(results, found)
+    found = _failed_before(results, found)
     if two_ways(results):
-        surer = [judged_check(check.code, results) for check in found.checks]
+        equal = _failed_before(results.equal, crank_checks(results.equal))
+        surer = [_surer(check, equal[check.code]) for check in found.checks]
         return of_parts(design=design, checks=surer)
     if design.clearance_unknown or not any(
         check.rough and check.torque_reserve for check in found.checks
@@ -340,16 +341,21 @@ def crank_verdict(results: Results, *, every: bool = False) -> Verdict:
 
 
 def _failed_before(results: Results, found: Verdict) -> Verdict:
-    """The same where checks that are not known, as there are no forces under the torque, fail under
-    less: that is passed on the way to it, whatever comes then.
+    """The same where checks that are not known, as the torque is too much, fail under less: that is
+    passed on the way to it, whatever comes then.
     """
-    unknown = [each for each in found.checks if each.opens and each.reason in WITHOUT_FORCES]
-    if not unknown or results.in_series:
+    open_parts = {part.code for part in found.parts if part.status == "open"}
+    unknown = [
+        each
+        for each in found.checks
+        if each.opens and each.reason in TOO_MUCH and each.kind.part in open_parts
+    ]
+    if not unknown or (results.in_series and not results.series.pins_alike):
         return found
     design, solved, unsolved = results.design, 0.0, 1.0
     for _ in range(LOOKS):
         factor = math.sqrt(solved * unsolved) or LESS * unsolved
-        there = Results(under(design=design, factor=factor))
+        there = Results(under(design=design, factor=factor), equal=results.shared_equally)
         looked = [crank_check(each.code, there) for each in unknown]
         broken = {
             each.code: factor * each.torque_reserve
@@ -364,7 +370,7 @@ def _failed_before(results: Results, found: Verdict) -> Verdict:
                 for each in found.checks
             )
             return of_parts(design=design, checks=checks)
-        if all(each.reason in WITHOUT_FORCES for each in looked):
+        if any(each.reason in TOO_MUCH for each in looked):
             unsolved = factor
         else:
             solved = factor
@@ -388,27 +394,12 @@ def two_ways(results: Results) -> bool:
     return design.clearance_unknown and results.solved and not design.as_made
 
 
-def judged_check(code: str, results: Results) -> Check:
-    """One check of a design under its torque. Where its satellites may share the load in two ways
-    it fails where it fails by both, and is not judged where by one.
-
-    Parameters
-    ----------
-    code : str
-        Which.
-    results : Results
-        Results of a design.
-
-    Returns
-    -------
-    Check
+def _surer(solved: Check, equal: Check) -> Check:
+    """A check of satellites that may share the load in two ways: it fails where it fails by both,
+    and is not judged where by one.
     """
-    solved = crank_check(code, results)
-    if not two_ways(results):
-        return solved
-    equal = crank_check(code, results.equal)
     if solved.status == equal.status:
-        return solved
+        return equal if solved.reason in TOO_MUCH else solved
     if "fail" not in (solved.status, equal.status):
         return equal
     return equal._replace(
@@ -451,6 +442,15 @@ class _Torques:
         self.counted = {each.code for each in found.checks if not each.warning}
         # by code: logarithms of factors on the torque, and of the reserve that is left there
         self.looks: dict[str, list[tuple[float, float]]] = {}
+        # checks that hold, that the torque moves, and of which no reserve is known
+        self.others = [
+            each
+            for each in found.checks
+            if each.status in ("pass", "marginal")
+            and not (each.warning or each.by_torque)
+            and each.utilisation
+            and "load.output_torque" in each.kind.inputs
+        ]
         # logarithms of factors under which a check is not known
         self.unsolved: dict[str, list[float]] = {each.code: [] for each in found.checks}
         for each in found.checks:
@@ -468,8 +468,12 @@ class _Torques:
         """
         there, x = Results(under(design=self.design, factor=factor)), math.log(factor)
         least, known = min(self.exact, default=math.inf) - x, True
+        for check in [*self.others]:
+            if crank_check(check.code, there).status == "fail":
+                self.others.remove(check)
+                self.looks[check.code] = [(0.0, math.log(_left(check)))]
         for code, looks in self.looks.items():
-            reserve = crank_check(code, there).torque_reserve
+            reserve = _left(crank_check(code, there))
             if reserve:
                 looks.append((x, math.log(reserve)))
                 least = min(least, looks[-1][1] if code in self.counted else math.inf)
@@ -480,17 +484,20 @@ class _Torques:
 
     def root(self, code: str) -> float:
         """Logarithm of the factor at which a check fails, by the two looks next to it; between the
-        last that holds and the first that does not, where the two say that it lies elsewhere.
+        last that holds and the first that does not, where there are such, and the two say that it
+        lies elsewhere.
         """
         (x1, y1), *others = sorted(self.looks[code], key=lambda look: abs(look[1]))
         if not math.isfinite(y1):
             return math.inf
         x0, y0 = others[0] if others else (x1, math.inf)
         slope = (y1 - y0) / (x1 - x0) if math.isfinite(y0) and x1 != x0 else -1.0
-        x = x1 - y1 / max(-STEEPEST, min(slope, -1 / STEEPEST))
         lower = max((look for look in self.looks[code] if look[1] >= 0), default=(-math.inf, 0.0))
         upper = min((look for look in self.looks[code] if look[1] < 0), default=(math.inf, 0.0))
-        if lower[0] < x < upper[0] or not math.isfinite(lower[0] - upper[0] + lower[1]):
+        if not math.isfinite(lower[0] - upper[0] + lower[1]):
+            return x1 - y1 / max(-STEEPEST, min(slope, -1 / STEEPEST))
+        x = x1 - y1 / slope if slope < 0 else math.nan
+        if lower[0] < x < upper[0]:
             return x
         return (lower[0] * upper[1] - upper[0] * lower[1]) / (upper[1] - lower[1])
 
@@ -512,8 +519,11 @@ class _Torques:
         return min([*roots, *self.exact], default=math.inf)
 
     def away(self, code: str) -> float:
-        """How far the factor at which a check fails lies from the next look, as a logarithm."""
-        return min(abs(self.within(code) - x) for x, _ in self.looks[code])
+        """How far the factor at which a check fails lies from the next look, as a logarithm, or
+        what is left there, where that is more.
+        """
+        x = self.within(code)
+        return min(max(abs(x - look), abs(left)) for look, left in self.looks[code])
 
     def look_further(self) -> None:
         """Looks at the torques under which the other checks fail, farthest from what is known;
@@ -566,6 +576,7 @@ class _Torques:
         """
         left = self.look(MARGIN)
         at_margin = {code: looks[1][1] for code, looks in self.looks.items() if looks[1:]}
+        at_margin |= {check.code: 0.0 for check in self.others}
         if guess is None:
             limit, settled = self.largest(left)
         else:
@@ -591,6 +602,13 @@ class _Torques:
             return found
         least = found.torque_reserve if settled else limit
         return replace(found, torque_reserve=least, largest_torque_estimated=not settled)
+
+
+def _left(check: Check) -> float:
+    """What is left of a check under its torque, as its reserve or else of its limit; 0 where
+    neither is known.
+    """
+    return check.torque_reserve or 1 / (check.utilisation or math.inf)
 
 
 def _guess(results: Results) -> float | None:

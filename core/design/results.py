@@ -594,6 +594,13 @@ class Results:
         params = {"distance": distance, "error": error}
         return Notice("finite_disc", params) if error else None
 
+    def ovals_under(self, factor: float) -> bool:
+        """Whether the disc ends so near to its holes that the pressure is not known under so many
+        times the torque.
+        """
+        near = self.design.disc_distance < OVALS
+        return near and self.static_contact_at(factor).is_conformal
+
     def static_contact_at(self, factor: float) -> HertzContact:
         """The contact under so many times its force at the peak torque."""
         factor *= self.line_load_factor

@@ -87,7 +87,7 @@ def value_of(*, design: Design, variable: str) -> float:
 
 
 def count_may_change(design: Design) -> bool:
-    """Whether the number of satellites may change: nothing is listed for each of them.
+    """Whether the number of satellites may change: of no coupling, and nothing is listed for each.
 
     Parameters
     ----------
@@ -99,6 +99,8 @@ def count_may_change(design: Design) -> bool:
     bool
     """
     cranks = design.mechanism
+    if cranks.output == "coupling":  # which has one
+        return False
     listed = (cranks.crank_angles, cranks.crank_spacing, design.pin, design.crankshaft)
     shares = isinstance(design.support, Shares)
     return not (shares or design.deviations or any(listed))

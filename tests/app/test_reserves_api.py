@@ -110,3 +110,157 @@ async def test_a_cycloid_that_is_none_is_refused_with_the_number(api):
     (error,) = (await api.post("crank-planetary", json=body)).json()["errors"]
     assert error["code"] == "no_cycloid" and error["params"]["limit"] == pytest.approx(40)
     assert "40" in error["detail"]
+
+
+CONTACT = {
+    "mechanism": {"pins": 8, "satellites": 2, "ratio": 20},
+    "load": {"output_torque_Nm": 100, "pin_circle_radius_mm": 35},
+    "contact": {
+        "contact_length_mm": 10,
+        "pin_radius_mm": 5,
+        "eccentricity_mm": 1,
+        "hole_clearance_mm": 0,
+    },
+    "requirements": {"scope": ["contact"]},
+    "include": ["checks"],
+}
+
+
+def times(body, factor):
+    """A design under so many times its torque."""
+    body = copy.deepcopy(body)
+    body["load"]["output_torque_Nm"] *= factor
+    return body
+
+
+def having(**sections):
+    return CONTACT | {name: CONTACT.get(name, {}) | own for name, own in sections.items()}
+
+
+async def test_ideal_forces_do_not_pass_what_a_tenth_more_torque_leaves_unknown(api):
+    """The contact wraps, in a disc that ends near its holes."""
+    body = having(
+        mechanism={"pins": 6},
+        load={"output_torque_Nm": 1300, "pin_circle_radius_mm": 40},
+        contact={
+            "pin_radius_mm": 7,
+            "eccentricity_mm": 0.5,
+            "hole_material": "steel_case_hardened",
+        },
+        satellite_body={"bore_radius_mm": 29},
+    )
+    more = await answered(api, times(body, 1.1))
+    assert more["verdict"] == "incomplete"
+    assert {each.get("reason", {}).get("code") for each in more["checks"]} >= {"disc_ovals"}
+    found = await answered(api, body)
+    assert found["verdict"] == "marginal" and found["largest_torque_estimated"]
+    assert 1 <= found["torque_reserve"] < 1.1
+    farther = await answered(api, body | {"satellite_body": {"bore_radius_mm": 20}})
+    assert (farther["verdict"], farther["torque_reserve"] > 2) == ("pass", True)
+    assert "largest_torque_estimated" not in farther
+
+
+@pytest.mark.parametrize(("limit", "verdict"), [(4.262, "marginal"), (4.2645, "pass")])
+async def test_lost_motion_fails_under_more_torque_as_pressures_do(api, limit, verdict):
+    body = having(
+        contact={"hole_clearance_mm": 0.02}, requirements={"max_lost_motion_arcmin": limit}
+    )
+    found = await answered(api, body)
+    assert (found["verdict"], found["governing"]) == (verdict, "lost_motion")
+    (lost,) = (each for each in found["checks"] if each["code"] == "lost_motion")
+    assert lost["torque_reserve"] == found["torque_reserve"] < 1.33
+    at_limit = await checks_of(api, times(body, found["torque_reserve"]))
+    assert at_limit["lost_motion"]["utilisation"] == pytest.approx(1, abs=1e-5)
+    assert (await answered(api, times(body, 1.01 * found["torque_reserve"])))["verdict"] == "fail"
+    easy = await answered(api, having(contact={"hole_clearance_mm": 0.02}))
+    assert easy["torque_reserve"] > found["torque_reserve"]
+
+
+TIED = {
+    "mechanism": {"pins": 3, "satellite_teeth": 10, "ring_teeth": 11},
+    "load": {"output_torque_Nm": 960.9, "pin_circle_radius_mm": 49.6},
+    "contact": CONTACT["contact"] | {"pin_material": "plastic_pla_printed"},
+    "pin": {"satellite_positions_mm": [6, 18], "support": "tie_ring", "span_mm": 24},
+    "include": ["checks"],
+}
+BENDING = {"satellite_positions_mm": [6, 18]}
+SERIES = {
+    "mechanism": {"pins": 8, "satellites": 2, "satellite_teeth": 10, "ring_teeth": 11},
+    "load": {"output_torque_Nm": 100, "pin_circle_radius_mm": 25},
+    "contact": {
+        "contact_length_mm": 15,
+        "pin_radius_mm": 4,
+        "eccentricity_mm": 2,
+        "hole_clearance_mm": 0.01,
+    },
+    "gear": {
+        "kind": "cycloid",
+        "ring_pin_circle_radius_mm": 40,
+        "ring_pin_radius_mm": 4,
+        "modification": {"equidistant_mm": 0.02},
+    },
+    "requirements": {"scope": ["contact"]},
+    "include": ["checks"],
+}
+UNKNOWN = having(pin=BENDING) | {
+    "contact": {
+        name: size for name, size in CONTACT["contact"].items() if name != "hole_clearance_mm"
+    }
+}
+OVERLOADED = {
+    "a contact wraps": having(contact={"pin_material": "plastic_pla_printed"}),
+    "a tie ring, and a contact wraps": TIED,
+    "clearance unknown": UNKNOWN,
+    "in series": SERIES,
+    "another part fails": having(
+        contact={"hole_clearance_mm": 0.02},
+        satellite_body={"root_radius_mm": 30},
+        requirements={"scope": ["contact", "body"]},
+    ),
+}
+
+
+@pytest.mark.parametrize("name", OVERLOADED)
+@pytest.mark.parametrize("factor", [1e3, 1e4, 1e6])
+async def test_what_fails_under_less_torque_fails(api, name, factor):
+    """As far as anything is known there: on the way to the torque it is passed."""
+    found = await answered(api, times(OVERLOADED[name], factor))
+    assert found["verdict"] == "fail"
+    (contact,) = (part for part in found["parts"] if part["code"] == "contact")
+    assert contact["status"] == "fail"
+
+
+async def test_a_reserve_far_from_what_was_looked_at_is_said_to_be_an_estimate(api):
+    """Two looks on one side of the limit, where both know the life to be enough, led beyond."""
+    body = {
+        "mechanism": {"pins": 5, "satellites": 2, "satellite_teeth": 40, "ring_teeth": 42},
+        "load": {
+            "output_torque_Nm": 275,
+            "pin_circle_radius_mm": 18.6,
+            "input_speed_rpm": 3000,
+        },
+        "contact": SERIES["contact"],
+        "gear": {"kind": "involute", "module_mm": 1.6, "teeth_difference": 2},
+        "crankshaft": {
+            "satellite_positions_mm": [30, 47],
+            "bearing_positions_mm": [0, 94],
+            "bearings": [{"kind": "ball", "dynamic_rating_N": 14000}] * 2,
+            "satellite_mass_kg": 0.5,
+        },
+        "requirements": {"scope": ["contact", "crank_bearings"]},
+        "include": ["checks"],
+    }
+    life = (await checks_of(api, body))["crank_bearing_life"]
+    there = (await checks_of(api, times(body, life["torque_reserve"])))["crank_bearing_life"]
+    assert life["torque_reserve_estimated"]
+    assert there["value"] == pytest.approx(there["limit"], rel=0.3)
+
+
+async def test_a_coupling_is_offered_no_second_satellite(api):
+    body = having(
+        load={"output_torque_Nm": 300},
+        contact={"hole_clearance_mm": 0.02},
+    ) | {"mechanism": {"pins": 8, "satellites": 1, "output": "coupling"}, "include": ["fixes"]}
+    found = await answered(api, body)
+    offered = {each["pointer"] for each in found["fixes"]}
+    assert "/mechanism/pins" in offered and "/mechanism/satellites" not in offered

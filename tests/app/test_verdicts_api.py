@@ -900,7 +900,8 @@ async def test_an_edge_beyond_which_the_input_is_refused_says_so(api):
     assert answer["value"] < 499.0 and "refused" not in answer
 
 
-def test_a_text_is_no_target_and_asks_for_one_look(monkeypatch):
+@pytest.mark.parametrize(("target", "most"), [("/verdict", 1), ("/nowhere", 17)])
+def test_what_is_no_number_is_no_target_and_takes_few_looks(monkeypatch, target, most):
     looks = []
 
     def values(calculation, asked):
@@ -908,10 +909,11 @@ def test_a_text_is_no_target_and_asks_for_one_look(monkeypatch):
         return calculation.solve(asked)
 
     monkeypatch.setattr("app.calculations.solve._values", values)
-    target = {"target": {"pointer": "/verdict", "equals": 1.0}}
+    asked = deepcopy(REQUESTS["solve"]) | {"target": {"pointer": target, "equals": 1.0}}
+    asked["input"]["contact"]["hole_radius_mm"] = 10.02
     with pytest.raises(Problem) as refused:
-        SolveRequest.model_validate(REQUESTS["solve"] | target).solve()
-    assert refused.value.errors[0].pointer == "/target/pointer" and len(looks) == 1
+        SolveRequest.model_validate(asked).solve()
+    assert refused.value.errors[0].pointer == "/target/pointer" and len(looks) == most
 
 
 def test_every_check_has_all_its_words():

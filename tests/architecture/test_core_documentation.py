@@ -55,7 +55,6 @@ ORDERED = {
     "core.checks.check.verdict",
     "core.checks.crank.other_ring",
     "core.checks.crank_planetary.crank_check",
-    "core.checks.crank_planetary.judged_check",
     "core.design.document.changed",
     "core.design.document.value_at",
     "core.design.refusals.named",
