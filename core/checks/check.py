@@ -160,6 +160,11 @@ class Check(NamedTuple):
         return required(self.value, *lacks), required(self.limit, *lacks)
 
     @property
+    def loaded(self) -> bool:
+        """Whether the torque of the output moves it."""
+        return "load.output_torque" in self.kind.inputs
+
+    @property
     def by_torque(self) -> bool:
         """Whether a factor on the torque is known at which it is at its limit."""
         return self.torque_reserve is not None

@@ -449,7 +449,7 @@ class _Torques:
             if each.status in ("pass", "marginal")
             and not (each.warning or each.by_torque)
             and each.utilisation
-            and "load.output_torque" in each.kind.inputs
+            and each.loaded
         ]
         # logarithms of factors under which a check is not known
         self.unsolved: dict[str, list[float]] = {each.code: [] for each in found.checks}

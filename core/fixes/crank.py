@@ -104,7 +104,8 @@ def _fix(results: Results, code: str, variable: str, current: Verdict) -> Fix:
 
 
 def aimed(*, design: Design, check: Check) -> Check:
-    """A check of another design, under so many times the torque as a fix of it is to bear.
+    """A check of another design, under so many times the torque as a fix of it is to bear; of one
+    without a reserve the worse one of that and the torque itself.
 
     Parameters
     ----------
@@ -117,11 +118,11 @@ def aimed(*, design: Design, check: Check) -> Check:
     -------
     Check
     """
-    factor = aim(check) if check.by_torque else 1.0
-    results = Results(under(design=design, factor=factor))
-    ways = (results, results.equal) if two_ways(results) else (results,)
+    factors = {aim(check) if check.by_torque else 1.0, aim(check) if check.loaded else 1.0}
+    under_each = [Results(under(design=design, factor=factor)) for factor in factors]
+    ways = [*under_each, *(each.equal for each in under_each if two_ways(each))]
     found = min((crank_check(check.code, way) for way in ways), key=_least_met)
-    return found._replace(torque_reserve=found.reserve * factor) if found.by_torque else found
+    return found._replace(torque_reserve=found.reserve * max(factors)) if found.by_torque else found
 
 
 def _cure(design: Design, code: str, variable: str, current: Verdict) -> Cure:
@@ -240,7 +241,7 @@ def _less_clearance(results: Results, code: str, current: Verdict) -> Fix:
     """Fix of backlash or lost motion, which grow with the clearance almost straight."""
     design, clearance = results.design, results.design.known_clearance
     cure = _cure(design, code, "contact.hole_radius", current)
-    hole, (value, limit) = cure.before, current[code].compared
+    hole, (value, limit) = cure.before, aimed(design=design, check=current[code]).compared
     backlash = crank_check("backlash", results).value
     if not clearance or not backlash:
         raise NoFix
@@ -255,7 +256,7 @@ def _less_clearance(results: Results, code: str, current: Verdict) -> Fix:
         smaller = vary(
             design=design, variable="contact.hole_radius", value=hole + place - clearance
         )
-        value, _ = crank_check(code, Results(smaller)).compared
+        value, _ = aimed(design=smaller, check=current[code]).compared
         if value >= former:
             raise NoFix
         slope = (former - value) / (before - place)
