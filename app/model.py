@@ -781,11 +781,6 @@ class AssumingResponse(WorkedResponse):
     assumed: Maybe[list[AssumedOut]] = assumptions()
 
 
-def of_load_factor(factor: float | None) -> tuple[Notice, ...]:
-    """That a factor on the load takes some of it away, where it does."""
-    return (Notice("load_factor_below_one", {"factor": factor}),) if (factor or 1.0) < 1 else ()
-
-
 def notices_of(*results: Any) -> tuple[Notice, ...]:
     """Notices of core results, of those that there are; one may be a notice itself."""
     found: list[Notice] = []

@@ -12,7 +12,13 @@ from typing import Annotated, Any, ClassVar, Literal, Self, TypeVar, cast
 from pydantic import AfterValidator, Field, field_validator, model_validator
 
 from app.calculations.contact_law import ContactLawFields
-from app.calculations.hertz import Material, distribution_factor, eccentricity, material_of
+from app.calculations.hertz import (
+    Material,
+    distribution_factor,
+    eccentricity,
+    material_of,
+    of_load_factor,
+)
 from app.calculations.ideal_forces import (
     LoadFields,
     TorqueFields,
@@ -32,7 +38,6 @@ from app.model import (
     Size,
     no_dust,
     notices_of,
-    of_load_factor,
     quantity,
     result,
 )

@@ -29,7 +29,6 @@ from app.model import (
     WarningOut,
     WorkedFields,
     no_dust,
-    of_load_factor,
     present,
     quantity,
     request_schema,
@@ -249,6 +248,11 @@ distribution_factor = partial(
     "force goes. Torque, loss and efficiency are those of all forces together.",
 )
 """Fields that may be left out in some requests, and not in others, or have other limits."""
+
+
+def of_load_factor(factor: float | None) -> tuple[Notice, ...]:
+    """That a factor on the load takes some of it away, where it does."""
+    return (Notice("load_factor_below_one", {"factor": factor}),) if (factor or 1.0) < 1 else ()
 
 
 class ContactFields(RequestModel, group="contact"):

@@ -34,7 +34,7 @@ from app.model import (
 from app.rules import Forms, Kinds, Rule, field_error
 from app.settings import Settings
 from app.units import from_si, to_si
-from core.design.document import built
+from core.design.document import mechanism_of
 from core.design.sections import Contact, MechanismSection, SharedBy
 from core.errors import InvalidInput, Notice
 from core.output.mechanism import Mechanism, Members, Output, felt, ratio_from_teeth
@@ -298,7 +298,7 @@ class MechanismFields(RequestModel, group="mechanism"):
 
     def mechanism(self) -> Mechanism:
         """The mechanism in SI units."""
-        return built(self.in_si)
+        return mechanism_of(self.in_si)
 
     @property
     def members(self) -> Members:

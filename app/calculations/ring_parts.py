@@ -10,7 +10,7 @@ from app.calculations.design import (
     SatelliteCouplingFields,
     input_speed,
 )
-from app.calculations.hertz import Material, contact_length, eccentricity
+from app.calculations.hertz import Material, contact_length, eccentricity, of_load_factor
 from app.calculations.ideal_forces import application_factor
 from app.calculations.mechanism import MAX_SATELLITES, count_satellites
 from app.calculations.ring import (
@@ -21,11 +21,11 @@ from app.calculations.ring import (
     pin_circle_radius,
     ring_pin_radius,
 )
-from app.model import Angle, Maybe, RequestModel, Size, Whole, of_load_factor, quantity
+from app.model import Angle, Maybe, RequestModel, Size, Whole, quantity
 from app.problems import invalid_input, wrong
 from app.rules import Forms, Kinds
 from app.units import to_si
-from core.design.document import built
+from core.design.document import mechanism_of
 from core.design.sections import MechanismSection
 from core.errors import Notice
 from core.ring.sharing import RingDeviations
@@ -75,7 +75,7 @@ class RingTeethFields(RequestModel, group="mechanism"):
             crank_spacing=to_si("spacing_deg", self.crank_spacing_deg),
             crank_angles=angles and tuple(angles),
         )
-        return built(section).crank_angles
+        return mechanism_of(section).crank_angles
 
 
 class RingLoadFields(RequestModel, group="load"):

@@ -290,7 +290,7 @@ TOO_MUCH = ("not_stable", "not_balanced", "beyond_first_order", "beyond_hertz", 
 """Reasons for which a check is not known under a torque, and may be under less."""
 
 LESS = 0.1
-"""Factor on a torque without forces at which they are looked for next."""
+"""Factor on a torque that is too much, at which is looked next."""
 
 CURES_NOTHING = 0.01
 """Slope of them below which less torque cures nothing: of parts that press without any."""
@@ -313,14 +313,13 @@ def crank_verdict(results: Results, *, every: bool = False) -> Verdict:
     Verdict
         Where forces cannot be solved, or a contact wraps around its pin, a check fails that does so
         under less torque, at which it is known, but of discs in series on unlike pins, which take
-        long. Where forces are solved a check is marginal that
-        fails, or is not known, under `MARGIN` times the torque, and the least reserve is that of
-        the torque at which the first one fails; the others are by secants of what was looked at.
-        Where no such torque is found, as forces cannot be solved or jump with it, the reserves stay
-        estimates, and the largest torque looked at under which all checks hold is given. None is
-        stated beyond a torque under which forces cannot be solved: it is estimated between that and
-        the last at which they can. Of a mechanism that cannot be none is looked for: no torque
-        cures it.
+        long. Where forces are solved a check is marginal that fails, or is not known, under
+        `MARGIN` times the torque, and the least reserve is that of the torque at which the first
+        one fails; the others are by secants of what was looked at. Where no such torque is found,
+        as forces cannot be solved or jump with it, the reserves stay estimates, and the largest
+        torque looked at under which all checks hold is given. None is stated beyond a torque under
+        which forces cannot be solved: it is estimated between that and the last at which they can.
+        Of a mechanism that cannot be none is looked for: no torque cures it.
 
     Notes
     -----
@@ -332,12 +331,12 @@ def crank_verdict(results: Results, *, every: bool = False) -> Verdict:
         equal = _failed_before(results.equal, crank_checks(results.equal))
         surer = [_surer(check, equal[check.code]) for check in found.checks]
         return of_parts(design=design, checks=surer)
-    if design.clearance_unknown or not any(
-        check.rough and check.torque_reserve for check in found.checks
-    ):
+    torques = _Torques(design, found)
+    moved = torques.looks or (results.solved and torques.others)
+    if design.clearance_unknown or not moved:
         return found
     every = every and not results.in_series
-    return _Torques(design, found).judged(every=every, guess=_guess(results))
+    return torques.judged(every=every, guess=_guess(results))
 
 
 def _failed_before(results: Results, found: Verdict) -> Verdict:

@@ -203,7 +203,7 @@ OF_INPUT = {
         title="Factor on the load below 1",
         tests="Whether the factor on the load is at least 1.",
         why="Shocks only add to a load. A factor below 1 is right where a given spectrum of loads "
-        "is worth less than the load that is typed.",
+        "is equivalent to less than the load that is typed.",
         mend="Give at least 1, or the load that acts.",
     ),
     "roller_clearance_unknown": limit(

@@ -88,7 +88,7 @@ def not_given(section: str) -> Any:
 
 
 @lru_cache(maxsize=1024)
-def built(given: MechanismSection) -> Mechanism:
+def mechanism_of(given: MechanismSection) -> Mechanism:
     """The mechanism of pins and cranks.
 
     Parameters
@@ -264,7 +264,7 @@ class Design:
     @property
     def built(self) -> Mechanism:
         """The mechanism of pins and cranks."""
-        return built(self.mechanism)
+        return mechanism_of(self.mechanism)
 
     @property
     def pairs(self) -> int:

@@ -264,3 +264,23 @@ async def test_a_coupling_is_offered_no_second_satellite(api):
     found = await answered(api, body)
     offered = {each["pointer"] for each in found["fixes"]}
     assert "/mechanism/pins" in offered and "/mechanism/satellites" not in offered
+
+
+async def test_losses_alone_are_looked_at_under_more_torque_too(api):
+    """No pressure is judged, and the efficiency falls with the torque."""
+    body = having(
+        load={"input_speed_rpm": 1000},
+        contact={"hole_clearance_mm": 0.02},
+        requirements={"scope": ["losses"], "min_efficiency": 0.9},
+    ) | {"friction": {"coefficient": 0.05}}
+    now, more = [
+        (await checks_of(api, times(body, each)))["efficiency"]["value"] for each in (1, 1.1)
+    ]
+    assert more < now
+    asked = body | {"requirements": {"scope": ["losses"], "min_efficiency": (now + more) / 2}}
+    found = await answered(api, asked)
+    assert (found["verdict"], found["governing"]) == ("marginal", "efficiency")
+    assert 1 < found["torque_reserve"] < 1.1
+    assert (await answered(api, times(asked, 1.1)))["verdict"] == "fail"
+    sure = await answered(api, body)
+    assert sure["verdict"] == "pass" and "torque_reserve" not in sure
