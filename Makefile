@@ -101,8 +101,8 @@ mutations: .venv/test  ## change 60 places of revision BASE, drawn by SEED: does
 ratios: .venv/test  ## time requests and the page of this revision against those of BASE, in one run
 	PYTHONPATH=. $(BIN)/python -m benchmarks.ratios $(BASE)
 
-house: .venv/test  ## what the code weighs: the numbers that every larger change reports
-	PYTHONPATH=. $(BIN)/python -m benchmarks.house
+house: .venv/test  ## what the code weighs, the numbers of every larger change; START=1: its first start
+	PYTHONPATH=. $(BIN)/python -m benchmarks.house $(if $(START),--start)
 
 bench: .venv/test  ## time calculations and requests against each other, as ratios in one run
 	PYTHONPATH=. $(BIN)/python -m benchmarks.speed
