@@ -2,9 +2,10 @@
 
 A corpus of requests (tests/corpus) is asked of that revision, in a work tree of its own, and of
 this one. Codes, verdicts, pointers and all that is no number have to be the same, numbers within
-the errors that both state; texts for people are counted only. A code that says by `was` that it is
-the other one is the same, and a warning that a check of the answer says instead is none: both are
-counted. What the description of the API says otherwise is printed. It ends with 1 where anything
+the class of their field, whatever error is stated; texts for people are counted only. A code that
+says by `was` that it is the other one is the same, and a warning that a check of the answer says
+instead is none: both are counted. A table says by case how many numbers were compared and how much
+processor time both took. The description's differences are printed. It ends with 1 where anything
 differs.
 """
 
@@ -13,11 +14,13 @@ import asyncio
 import difflib
 import json
 import math
+import os
 import subprocess
 import sys
 import tempfile
 from collections import Counter
 from collections.abc import Iterator
+from contextlib import suppress
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -25,8 +28,13 @@ from typing import Any
 ROOT = Path(__file__).parent.parent
 CORPUS = ROOT / "tests" / "corpus" / "requests.json"
 
-COSTS = {"run_time_us", "evaluations"}
-"""What a number cost, which is no part of it."""
+LEFT_OUT = {
+    *("run_time_us", "evaluations", "relative_error", "sampling_error", "angle_grid_error"),
+    *("angle_error_arcmin", "conformal_error", "end_error_deg", "force_error_N", "loss_error"),
+    *("pair_error", "peak_error", "play_error_arcmin", "ratio_error", "ripple_error_Nm"),
+    *("room_error_mm", "rotation_error_arcmin", "stiffness_error"),
+}
+"""What a number cost and the errors that are stated for it, which are no part of it."""
 
 TEXTS = {"detail", "title", "why", "formula", "source", "method"}
 """What is said to people: it is counted where it differs."""
@@ -34,9 +42,36 @@ TEXTS = {"detail", "title", "why", "formula", "source", "method"}
 NAMED = {"params", "pointer"}
 """What such a text names: it is counted where only one of both says it beside its text."""
 
-LEAST, TOO_MUCH, INSTEAD = 1e-12, 1e-3, 1e-6
-"""Relative differences that are rounding; stated errors that hide too much, and what is allowed in
-their place."""
+POSITION, EXTREME, DRAWN, PLACE = 1e-9, 1e-6, 1e-5, 1e-3
+"""Relative differences that numbers may have: of a position and of all else; of extremes over a
+turn and what follows from them; rounded to six digits; the crank angle of an extreme, which is
+known to the root of that."""
+
+CLASSES = {
+    **dict.fromkeys(
+        (
+            *("over_turn", "load_sharing", "efficiency", "fit", "loaded_deg", "loaded_count"),
+            *("quantities", "contributions", "fit_contributions", "cannot_assemble", "shares"),
+            *("checks", "fixes", "torque_reserve", "largest_torque_Nm", "cold_yield", "worked"),
+            *("usual_fit", "usual_modification", "combined", "hertz", "pin_strength", "rollers"),
+            *("output_efficiency", "satellite_bearing", "crankshaft", "/solve", "/pin-strength"),
+            *("/output-efficiency", "/satellite-bearing", "/crankshaft"),
+        ),
+        EXTREME,
+    ),
+    "ring_drawing": DRAWN,
+    **dict.fromkeys(
+        ("peak_crank_angle_deg", "least_room_crank_angle_deg", "blocked_crank_deg", "at"), PLACE
+    ),
+}
+"""Fields, sections with all that is in them, and requests by their path, whose numbers are no
+positions; the widest that a number stands in counts."""
+
+FLOOR = 1e-4
+"""Size below which a number, or the largest of its list, counts as one of this size."""
+
+COLUMNS = ("case", "requests", "answered", "numbers", "texts", "before, s", "after, s")
+"""What is said of each case: numbers that were compared, texts that differ, processor time."""
 
 SHOWN = 12
 """Differences of a request, and lines of the description, that are shown."""
@@ -52,16 +87,28 @@ async def _answers(requests: list[dict[str, Any]]) -> dict[str, Any]:
     async with httpx.AsyncClient(
         transport=transport, base_url="http://service/api/v1/", timeout=None
     ) as client:
-        found = []
+        found, spent = [], _spent()
         for each in requests:
             kind = {"content-type": "application/json"}
             sent = json.dumps(each["body"])
             answer = await client.post(each["path"], content=sent, headers=kind)
-            found.append({"status": answer.status_code, "answer": answer.json()})
+            before, spent = spent, _spent()
+            told = {"status": answer.status_code, "answer": answer.json()}
+            found.append({"told": told, "seconds": spent - before})
         description = (await client.get("openapi.json")).json()
         words = (await client.get("words")).json()
     was = words.get("was", {}).get("warnings", {})
     return {"answers": found, "description": description, "was": was}
+
+
+def _spent() -> float:
+    """Processor time of all processes of this session, s."""
+    ticks, session = 0, os.getsid(0)
+    for file in Path("/proc").glob("[0-9]*/stat"):
+        with suppress(OSError):
+            row = [int(each) for each in file.read_text().rpartition(")")[2].split()[1:15]]
+            ticks += sum(row[10:]) if row[2] == session else 0
+    return ticks / os.sysconf("SC_CLK_TCK")
 
 
 def ask(requests: str) -> None:
@@ -82,7 +129,8 @@ def answers(folder: Path, requests: Path) -> dict[str, Any]:
     Returns
     -------
     dict
-        Its `answers`, its `description` of the API, and what codes of warnings `was` before.
+        Its `answers`, what each was `told` and its `seconds`; its `description` of the API, and
+        what codes of warnings `was` before.
     """
     run = partial(
         subprocess.run,
@@ -91,6 +139,7 @@ def answers(folder: Path, requests: Path) -> dict[str, Any]:
         stdout=subprocess.PIPE,
         check=True,
         text=True,
+        start_new_session=True,
     )
     run([sys.executable, "-m", "app.compiled"])  # studies say it where their loops are not at hand
     done = run([sys.executable, __file__, "--ask", str(requests)])
@@ -114,19 +163,23 @@ class Difference:
         Numbers that were compared, and texts that differ.
     renamed, left_to_checks : Counter of str
         Codes that are called otherwise now, and warnings that checks say.
-    loose : list of str
-        Numbers whose stated error is too large to compare by.
     """
 
     def __init__(self, was: dict[str, str] | None = None) -> None:
         self.now = {old: code for code, old in (was or {}).items()}
         self.differences: list[str] = []
-        self.loose: list[str] = []
         self.numbers = self.worded = 0
         self._said: set[str] = set()
         self.renamed, self.left_to_checks = Counter[str](), Counter[str]()
 
-    def compare(self, before: Any, after: Any, place: str = "", error: float = LEAST) -> None:
+    def compare(
+        self,
+        before: Any,
+        after: Any,
+        place: str = "",
+        error: float = POSITION,
+        largest: float = FLOOR,
+    ) -> None:
         """Compare two parts of answers.
 
         Parameters
@@ -136,14 +189,15 @@ class Difference:
         place : str
             Where it stands.
         error : float
-            Relative error that is stated for it.
+            Relative difference that its numbers may have.
+        largest : float
+            Largest number of the list that it is in.
         """
         if isinstance(before, dict) and isinstance(after, dict):
-            error = self._stated(before, after, place, error)
             after = self._as_before(before, after)
             before = self._unrepeated(before, after)
             for name in {**before, **after}:
-                if name in COSTS:
+                if name in LEFT_OUT:
                     continue
                 if name in NAMED and "detail" in before and (name in before) != (name in after):
                     self.worded += 1
@@ -153,13 +207,15 @@ class Difference:
                 elif name in TEXTS and isinstance(before[name], str):
                     self.worded += before[name] != after[name]
                 else:
-                    self.compare(before[name], after[name], f"{place}/{name}", error)
+                    allowed = max(error, CLASSES.get(name, error))
+                    self.compare(before[name], after[name], f"{place}/{name}", allowed)
         elif isinstance(before, list) and isinstance(after, list) and len(before) == len(after):
+            largest = max(largest, _largest(before))
             for index, each in enumerate(zip(before, after, strict=True)):
-                self.compare(*each, f"{place}/{index}", error)
+                self.compare(*each, f"{place}/{index}", error, largest)
         elif _number(before) and _number(after):
             self.numbers += 1
-            if not math.isclose(before, after, rel_tol=error, abs_tol=error):
+            if not math.isclose(before, after, rel_tol=error, abs_tol=error * largest):
                 self.differences.append(f"{place}: {before!r} -> {after!r}")
         elif before != after:
             self.differences.append(f"{place}: {before!r} -> {after!r}"[:300])
@@ -192,17 +248,16 @@ class Difference:
         others = {name: value for name, value in before.items() if name != "warnings"}
         return others | ({"warnings": kept} if kept else {})
 
-    def _stated(self, before: Any, after: Any, place: str, error: float) -> float:
-        stated = [each["accuracy"] for each in (before, after) if "accuracy" in each]
-        found = max((float(each["relative_error"]) for each in stated), default=0.0)
-        if found > TOO_MUCH:
-            self.loose.append(place or "/")
-            found = INSTEAD
-        return max(error, 2 * found)
-
 
 def _number(value: Any) -> bool:
     return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+def _largest(value: Any) -> float:
+    """The largest number of a list, of lists in it too, in size."""
+    if isinstance(value, list):
+        return max(map(_largest, value), default=0.0)
+    return abs(value) if _number(value) else 0.0
 
 
 def described(before: Any, after: Any) -> Iterator[str]:
@@ -231,29 +286,34 @@ def main(base: str, smallest: bool = False) -> int:
                 before = answers(other, file)
             finally:
                 subprocess.run([*git, "remove", "--force", str(other)], check=True)
-    numbers = worded = different = 0
+    different = 0
     renamed, left_to_checks = Counter[str](), Counter[str]()
-    loose: dict[str, int] = {}
+    table: dict[str, Counter[str]] = {}
     pairs = zip(requests, before["answers"], after["answers"], strict=True)
     for index, (request, one, two) in enumerate(pairs):
-        found = Difference(after["was"])
-        found.compare(one, two)
-        numbers, worded = numbers + found.numbers, worded + found.worded
+        path, found = request["path"], Difference(after["was"])
+        found.compare(one["told"], two["told"], "", CLASSES.get(f"/{path}", POSITION))
+        row = table.setdefault(request.get("case", path), Counter())
+        row["requests"] += 1
+        row["answered"] += two["told"]["status"] == 200
+        row["numbers"] += found.numbers
+        row["texts"] += found.worded
+        row["before, s"] += one["seconds"]
+        row["after, s"] += two["seconds"]
         renamed, left_to_checks = renamed + found.renamed, left_to_checks + found.left_to_checks
-        for place in found.loose:
-            loose[request["path"] + place] = loose.get(request["path"] + place, 0) + 1
         if found.differences:
             different += 1
-            print(f"{index} {request['path']}: {len(found.differences)} differences")
+            print(f"{index} {path}: {len(found.differences)} differences")
             for each in found.differences[:SHOWN]:
                 print(f"    {each}")
     lines = [*described(before["description"], after["description"])]
     for line in lines[:SHOWN]:
         print(line)
-    answered = sum(each["status"] == 200 for each in after["answers"])
-    print(f"{len(requests)} requests, {answered} answered, {numbers} numbers compared")
-    print(f"{worded} texts differ, {len(lines)} lines of the description; stated errors above "
-          f"{TOO_MUCH:g} in {loose or 'none'}")  # fmt: skip
+    table["all"] = sum(table.values(), Counter())
+    print("".join(f"{name:>26}" if name == "case" else f"{name:>12}" for name in COLUMNS))
+    for case, row in table.items():
+        print(f"{case:>26}" + "".join(f"{round(row[name], 1):12,}" for name in COLUMNS[1:]))
+    print(f"{len(lines)} lines of the description differ")
     print(f"renamed: {dict(renamed) or 'none'}; warnings that checks say: {dict(left_to_checks)}")
     print(f"{different} requests answered otherwise")
     return 1 if different else 0

@@ -1,7 +1,8 @@
 """Make the corpus anew: `python -m tests.corpus.draw`.
 
 Examples and paper figures, what the API's description shows, the tutorial, what calculations are
-held to exact values with, random whole designs, and what is refused.
+held to exact values with, random whole designs, what is refused, and every case of the load
+sharing.
 """
 
 import json
@@ -14,6 +15,7 @@ from app.examples import EXAMPLES, REQUESTS
 from app.registry import EXPORTS
 from tests.app.worked_designs import BARE_4000, SLEEVED_4000
 from tests.app.worked_designs import REQUESTS as WORKED
+from tests.corpus.engine import engine
 from tests.inputs.fuzz_requests import DESIGNS, mutated
 from tests.inputs.fuzz_requests import Draw as Wide
 from tests.inputs.in_process import Service
@@ -175,7 +177,7 @@ def main() -> None:
         if service.post(each["path"], each["body"])[0] == 200
     ]
     good += drawn(COUNT - REFUSED - len(good), service)
-    lines = [json.dumps(each) for each in good + refused(good)]
+    lines = [json.dumps(each) for each in good + refused(good) + engine()]
     CORPUS.write_text("[\n" + ",\n".join(lines) + "\n]\n", encoding="utf-8")
     print(f"{len(lines)} requests in {CORPUS.name}")
 
