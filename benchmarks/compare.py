@@ -70,8 +70,8 @@ positions; the widest that a number stands in counts."""
 FLOOR = 1e-4
 """Size below which a number, or the largest of its list, counts as one of this size."""
 
-COLUMNS = ("case", "requests", "answered", "numbers", "texts", "before, s", "after, s")
-"""What is said of each case: numbers that were compared, texts that differ, processor time."""
+COLUMNS = ("requests", "answered", "numbers", "texts", "before", "after")
+"""What is said of each case: numbers that were compared, texts that differ, processor time, s."""
 
 SHOWN = 12
 """Differences of a request, and lines of the description, that are shown."""
@@ -294,12 +294,9 @@ def main(base: str, smallest: bool = False) -> int:
         path, found = request["path"], Difference(after["was"])
         found.compare(one["told"], two["told"], "", CLASSES.get(f"/{path}", POSITION))
         row = table.setdefault(request.get("case", path), Counter())
-        row["requests"] += 1
-        row["answered"] += two["told"]["status"] == 200
-        row["numbers"] += found.numbers
-        row["texts"] += found.worded
-        row["before, s"] += one["seconds"]
-        row["after, s"] += two["seconds"]
+        row.update(requests=1, answered=two["told"]["status"] == 200)
+        row.update(numbers=found.numbers, texts=found.worded)
+        row.update(before=one["seconds"], after=two["seconds"])
         renamed, left_to_checks = renamed + found.renamed, left_to_checks + found.left_to_checks
         if found.differences:
             different += 1
@@ -310,9 +307,9 @@ def main(base: str, smallest: bool = False) -> int:
     for line in lines[:SHOWN]:
         print(line)
     table["all"] = sum(table.values(), Counter())
-    print("".join(f"{name:>26}" if name == "case" else f"{name:>12}" for name in COLUMNS))
+    print(f"{'case':>27}" + "".join(f"{name:>10}" for name in COLUMNS))
     for case, row in table.items():
-        print(f"{case:>26}" + "".join(f"{round(row[name], 1):12,}" for name in COLUMNS[1:]))
+        print(f"{case:>27}" + "".join(f"{round(row[name], 1):10,}" for name in COLUMNS))
     print(f"{len(lines)} lines of the description differ")
     print(f"renamed: {dict(renamed) or 'none'}; warnings that checks say: {dict(left_to_checks)}")
     print(f"{different} requests answered otherwise")
