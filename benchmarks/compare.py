@@ -55,7 +55,7 @@ CLASSES = {
             *("checks", "fixes", "torque_reserve", "largest_torque_Nm", "cold_yield", "worked"),
             *("usual_fit", "usual_modification", "combined", "hertz", "pin_strength", "rollers"),
             *("output_efficiency", "satellite_bearing", "crankshaft", "/solve", "/pin-strength"),
-            *("/output-efficiency", "/satellite-bearing", "/crankshaft"),
+            *("/output-efficiency", "/satellite-bearing", "/crankshaft", "ratio", "params"),
         ),
         EXTREME,
     ),
