@@ -421,6 +421,8 @@ def refuse_for(body: RequestModel, error: CalculationError) -> NoReturn:
         raise named(error, body) from error
     if isinstance(error, NotKnown) and error.refusal:
         raise named(error.refusal, body) from error
+    if isinstance(error, NotKnown) and error.missing:
+        raise refusal(pointer(body.path_of(error.missing[0])), "missing") from error
     if isinstance(error, ImpossibleMechanism) and error.parameter:
         raise impossible(error, pointer(body.path_of(error.parameter))) from error
     raise error

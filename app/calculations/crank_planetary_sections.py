@@ -159,8 +159,8 @@ STRENGTH: tuple[Section, ...] = (
 )
 """Sections of strength and life."""
 
-AS_MADE = ("hertz", "geometry", *STRENGTH)
-"""Sections that follow from the forces of the mechanism as it is made, where it is given so."""
+BY_FORCES = ("load_sharing", "real_cyclogram", "hertz", "ring_mesh", *STRENGTH)
+"""Sections that rest on forces that are judged."""
 
 MOST_PAIRS: dict[Section, int] = {
     "pin_strength": MOST_PIN_PAIRS,
@@ -295,8 +295,8 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     @cached_property
     def sections(self) -> list[Section]:
         """Sections of the answer."""
-        named = [each for each in self.include or () if not self._unfit(each)]
-        return named if self.include else self.usual_sections()
+        wanted = self.include or self.usual_sections()
+        return [each for each in wanted if not self._unfit(each)]
 
     def usual_sections(self) -> list[Section]:
         """Sections where none are named."""
@@ -313,7 +313,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
             return allowed
         if not is_known(lambda: self.results.judged_forces):
             return [each for each in allowed if each != "hertz" and each not in STRENGTH]
-        return [each for each in (*allowed, "load_sharing") if not self._unfit(each)]
+        return [*allowed, "load_sharing"]
 
     @property
     def _draws_ring(self) -> bool:
@@ -325,10 +325,8 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
 
     def _unfit(self, section: Section) -> bool:
         """Whether a section rests on forces of parts that cannot be put together."""
-        made = section in ("load_sharing", "real_cyclogram") or (
-            section in AS_MADE and self.results.solved
-        )
-        return made and bool(if_known(lambda: self.results.fit.impossible))
+        solved = section == "geometry" and self.results.solved
+        return (section in BY_FORCES or solved) and self.verdict.unforced
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse what exceeds the operator's limits in mechanism or load, and lists of deviations
@@ -357,7 +355,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     @cached_property
     def verdict(self) -> Verdict:
         """The verdict of the design."""
-        return crank_verdict(self.results, every="checks" in self.sections)
+        return crank_verdict(self.results, every="checks" in (self.include or ()))
 
     @cached_property
     def usual_ring(self) -> UsualModification | None:
@@ -601,7 +599,8 @@ def solve(body: CrankPlanetaryRequest) -> Values:
     if rooms := if_known(lambda: results.rooms):
         sections["fit"] = FitOut.values(rooms)
     judged = _judged(body)
-    if results.uneven and (shares := disc_shares(results=results, found=body.verdict)):
+    shares = disc_shares(results=results, found=body.verdict)
+    if shares and not body.verdict.unforced:
         sections["shares"] = SharesOut.of(shares)
         warnings += shares_warnings(shares)
     if warnings:

@@ -5,13 +5,12 @@ from functools import partial
 from typing import Any, ClassVar
 
 from app.calculations.fatigue import STEEL_GPA
-from app.calculations.hertz import MaterialFields
+from app.calculations.hertz import MaterialFields, entry_of, material_of
 from app.calculations.mechanism import MAX_SATELLITES
 from app.model import Maybe, PartFields, RequestModel, Size, quantity
 from app.rules import Forms, Kinds
 from app.units import from_si, to_si
 from core.errors import Notice
-from core.material_table import MATERIALS
 from core.materials import NOT_LISTED
 from core.output.pin_beam import Support
 from core.output.pin_bolt import PinBolt, bolt_preload
@@ -22,27 +21,23 @@ def strengths_of(given: str | MaterialFields) -> dict[str, Any]:
     """Material of a pin with its yield strength, and what its strength is judged by, as
     `core.design.sections.DesignPin` names it.
     """
-    if isinstance(given, str):
-        entry = MATERIALS[given]
-        strength = entry.strength
+    entry, material = entry_of(given), material_of(given)
+    tensile = None if isinstance(given, str) else given.tensile_strength_MPa
+    typed = tensile or (None if isinstance(given, str) else given.yield_strength_MPa)
+    if entry is NOT_LISTED or typed:
+        low, high = STEEL_GPA
         return {
-            "material": replace(
-                entry.material,
-                yield_strength=strength.yield_strength or entry.material.yield_strength,
-            ),
-            "tensile_strength": strength.tensile,
-            "steel": entry.group == "steel",
-            "valid_diameter": strength.valid_diameter,
+            "material": material,
+            "tensile_strength": to_si("strength_MPa", tensile),
+            "steel": low <= from_si("modulus_GPa", material.youngs_modulus) <= high,
         }
-    material, base = given.material(), given.base
-    strengths = (given.tensile_strength_MPa, given.yield_strength_MPa)
-    if base is not NOT_LISTED and not any(strengths):
-        return strengths_of(base.name) | {"material": material}
-    low, high = STEEL_GPA
+    strength = entry.strength
+    yields = strength.yield_strength or material.yield_strength
     return {
-        "material": material,
-        "tensile_strength": to_si("strength_MPa", given.tensile_strength_MPa),
-        "steel": low <= from_si("modulus_GPa", material.youngs_modulus) <= high,
+        "material": replace(material, yield_strength=yields),
+        "tensile_strength": strength.tensile,
+        "steel": entry.group == "steel",
+        "valid_diameter": strength.valid_diameter,
     }
 
 

@@ -61,6 +61,11 @@ class Kind:
     # The check of a design; of what somebody may ask, a measure will do.
     judge: "Callable[..., Check | Measure]"
 
+    @property
+    def loaded(self) -> bool:
+        """Whether the torque of the output moves it."""
+        return "load.output_torque" in self.inputs
+
     def sections(self, given: Set[str]) -> tuple[str, ...]:
         """What has to be there of a design that has these, or asks them: that may be enough."""
         return (self.asks,) if self.asked_alone and self.asks in given else self.needs
@@ -160,11 +165,6 @@ class Check(NamedTuple):
         return required(self.value, *lacks), required(self.limit, *lacks)
 
     @property
-    def loaded(self) -> bool:
-        """Whether the torque of the output moves it."""
-        return "load.output_torque" in self.kind.inputs
-
-    @property
     def by_torque(self) -> bool:
         """Whether a factor on the torque is known at which it is at its limit."""
         return self.torque_reserve is not None
@@ -194,7 +194,7 @@ class Check(NamedTuple):
         return self.kind.needed and self.reason != "no_sourced_limit"
 
 
-def make_check(kind: Kind, *design: Any) -> Check:
+def make_check(kind: Kind, *design: Any, unforced: bool = False) -> Check:
     """A check of a design; it says why where it could not be made.
 
     Parameters
@@ -203,20 +203,23 @@ def make_check(kind: Kind, *design: Any) -> Check:
         Which.
     *design
         What its function takes: the design, which has the requirements, and what follows from it.
+    unforced : bool
+        Whether no force is known, as the parts that hand it on cannot exist or move.
 
     Returns
     -------
     Check
     """
     try:
-        found = _made(kind, *design)
+        found = _made(kind, *design, unforced=unforced)
     except Unjudged as why:
         found = not_checked(kind, why)._replace(**why.known)
     except UNKNOWN as why:
         found = not_checked(kind, why)
         demanded = [value_at(design[0], path) is not None for path in kind.demands]
         asked = any(demanded) or not (kind.demands and isinstance(why, NotKnown))
-        found = found._replace(**kind.known(*design) if asked else {"status": "not_asked"})
+        known = {} if unforced else kind.known(*design)
+        found = found._replace(**known if asked else {"status": "not_asked"})
     if kind.asks:
         return _asked(kind, found, getattr(design[0].requirements, kind.asks))
     assert isinstance(found, Check)
@@ -242,7 +245,7 @@ def asked_of(design: Any, *names: str) -> dict[str, float]:
     return {name: value for name, value in values.items() if value is not None}
 
 
-def _made(kind: Kind, *design: Any) -> "Check | Measure":
+def _made(kind: Kind, *design: Any, unforced: bool) -> "Check | Measure":
     """What its function finds, where the record says nothing that keeps it from looking."""
     if reason := kind.not_of(*design):
         return Check(kind, "not_applicable", reason=reason)
@@ -250,6 +253,8 @@ def _made(kind: Kind, *design: Any) -> "Check | Measure":
         required(value_at(design[0], path), code, path)
     if kind.only_asked and not asked_of(design[0], kind.asks):
         raise NotKnown("no_limit")
+    if unforced:
+        raise NotKnown("cannot_be")
     return kind.judge(*design)
 
 
@@ -623,14 +628,19 @@ class Verdict:
     @property
     def impossible(self) -> bool:
         """Whether such a design cannot exist or move."""
-        return _cannot_be(self.checks)
+        return cannot_be(self.checks)
+
+    @property
+    def unforced(self) -> bool:
+        """Whether no force is known of it, as it cannot exist or move."""
+        return any(each.reason == "cannot_be" for each in self.checks)
 
     def __getitem__(self, code: str) -> Check:
         """The check of a code."""
         return next(each for each in self.checks if each.code == code)
 
 
-def _cannot_be(checks: Iterable[Check]) -> bool:
+def cannot_be(checks: Iterable[Check]) -> bool:
     """Whether a check says that the design cannot exist or move."""
     return any(each.impossible and each.status == "fail" for each in checks)
 
@@ -694,7 +704,7 @@ def verdict(
     decided = [each for each in ranked if each.status in ("fail", "marginal", "pass")]
     held = (each for each in ranked if each.only_needed)
     counted = [each for each in (*decided, *held) if each.by_torque and not each.warning]
-    bears = bool(counted) and not _cannot_be(ranked)
+    bears = bool(counted) and not cannot_be(ranked)
     least = min(each.reserve for each in counted) if bears else None
     outcome: Outcome = "pass"
     if parts:

@@ -59,8 +59,7 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
     """
     design, checks = results.design, {each.code: each for each in found.checks}
     check = checks.get("contact_static_cold")
-    misfits = {each.code for each in found.checks if each.status == "fail"} & {"interference"}
-    if check is None or found.impossible or misfits or not check.by_torque:
+    if check is None or not check.by_torque:
         return None
 
     friction, looks = design.hole_friction, LOOKS if check.rough or results.solved else 0

@@ -29,6 +29,7 @@ from core.design.results import Results
 from core.errors import NotKnown, if_known, is_known
 from core.hertz import SLIDING as KNOWN_SLIDING
 from core.hertz import Body, ContactLimit, ElasticMaterial, HertzContact, force_factor
+from core.output.fit import FITS
 from core.output.mechanism import assembly_angles
 
 BODIES: tuple[Body, ...] = get_args(Body)
@@ -169,7 +170,7 @@ def interference(design: Design, results: Results) -> Check:
         at = {"satellite": pair.satellite, "pin": pair.pin}
     at |= room.where
     status: Status = "fail"
-    if not misfit or misfit == "fits_by_bearing_clearance":
+    if misfit in FITS:
         status = "marginal" if misfit else "pass"
     return Check(
         interference,
@@ -178,7 +179,7 @@ def interference(design: Design, results: Results) -> Check:
         limit=0.0,
         reason=misfit,
         params=results.fit.refusal().params if misfit == "cannot_assemble" else {},
-        impossible=status == "fail" and misfit != "pressed_without_load",
+        impossible=status == "fail",
         at=at,
     )
 

@@ -20,6 +20,7 @@ from core.checks.check import (
     PartVerdict,
     Verdict,
     asked_of,
+    cannot_be,
     make_check,
     rank,
     verdict,
@@ -114,6 +115,9 @@ PARTS = {
 }
 """By code, in the order in which they are shown."""
 
+MESHES = ("contact", "teeth")
+"""Parts without which there are no forces."""
+
 UNCOVERED = ("crankshaft", "output_bearing", "housing", "lubrication", "dynamics")
 """What no part covers."""
 
@@ -172,9 +176,16 @@ def crank_checks(results: Results) -> Verdict:
     Returns
     -------
     Verdict
+        Nothing that hangs on forces is checked where pins in holes or teeth cannot be.
     """
-    design = results.design
-    checks = [crank_check(code, results) for code in crank_codes(design)]
+    design, codes = results.design, crank_codes(results.design)
+    checks = [crank_check(code, results) for code in codes if not CRANK_CHECKS[code].loaded]
+    unforced = cannot_be(check for check in checks if check.kind.part in MESHES)
+    checks += (
+        make_check(CRANK_CHECKS[code], design, results, unforced=unforced)
+        for code in codes
+        if CRANK_CHECKS[code].loaded
+    )
     return of_parts(design=design, checks=checks)
 
 
@@ -448,7 +459,7 @@ class _Torques:
             if each.status in ("pass", "marginal")
             and not (each.warning or each.by_torque)
             and each.utilisation
-            and each.loaded
+            and each.kind.loaded
         ]
         # logarithms of factors under which a check is not known
         self.unsolved: dict[str, list[float]] = {each.code: [] for each in found.checks}

@@ -97,19 +97,21 @@ def ring_pressed(design: Design, results: Results) -> Check:
         pair = results.ring.pair
         over = -pair.normal_backlash
         felt = over > AS_TYPED * pair.teeth.module
-        return judged(ring_pressed, over if felt else 0.0, 0.0)
+        return judged(ring_pressed, over if felt else 0.0, 0.0, impossible=True)
     try:
         over = results.ring.working[0].interference
     except ImpossibleMechanism as why:  # of the forces, which this asks for no more
-        if (angle := why.where.get("crank_angle")) is None:
+        angle = why.where.get("crank_angle")
+        if angle is None or why.code == "cannot_assemble":  # which says nothing of the teeth
             raise
         own = results.series.discs if results.in_series else ((results.ring.mesh, None),)
         over = max(teeth.pressing_at(teeth.wave(angle)) for teeth, _ in own)
         if not over > 0:
             raise
         place: dict[str, Any] = why.where | why.params
-        return judged(ring_pressed, over, 0.0, reason=why.code, params=place, at=why.where)
-    return judged(ring_pressed, over, 0.0, reason=ring_alone(results) or "")
+        said: dict[str, Any] = {"reason": why.code, "params": place, "at": why.where}
+        return judged(ring_pressed, over, 0.0, impossible=True, **said)
+    return judged(ring_pressed, over, 0.0, impossible=True, reason=ring_alone(results) or "")
 
 
 NAMES: dict[RingBody, str] = {

@@ -2,6 +2,7 @@
 
 UNKNOWN = {
     "bearing_overloaded": "The load is beyond what the formula of the life is made for",
+    "cannot_be": "The parts cannot be put together, or cannot move: no force is known",
     "bearing_slips": "The bearing carries too little for its rolling elements to roll",
     "envelope_unknown": "The sizes of the bearing are not given",
     "no_peak_torque": "No peak torque is given",

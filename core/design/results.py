@@ -23,7 +23,7 @@ from core.hertz import Body, HertzContact, first_yield, force_factor, hertz, sha
 from core.output.contact_force import ContactForce, contact_force
 from core.output.edge_load import EdgeLoad, SlopingContacts
 from core.output.elasticity import RIGID_PINS, ContactLaw, Shares, contact_compliance, usual_law
-from core.output.fit import Fit
+from core.output.fit import FITS, Fit
 from core.output.loaded_position import loaded_position
 from core.output.mechanism import MemberLoads
 from core.output.over_turn import OverTurn
@@ -287,8 +287,6 @@ class Results:
         ImpossibleMechanism
             See `core.output.real_mechanism.RealMechanism.solved`.
         """
-        if self.fit.impossible:
-            raise self.fit.refusal()
         load = self.design.load
         return RealForces.solved(
             turn=self.over_turn,
@@ -314,7 +312,11 @@ class Results:
 
     @cached_property
     def turn(self) -> Callable[[float], Turn]:
-        """The mechanism as it is made over the turn, of a torque, N*m, negative in reverse."""
+        """The mechanism as it is made over the turn, of a torque, N*m, negative in reverse, where
+        its pins fit.
+        """
+        if self.fit.misfit not in FITS:
+            raise self.fit.refusal()
         if self.in_series:
             return cache(lambda torque: SeriesTurn(self.series, torque))
         return cache(lambda torque: Turn(self.real, torque))

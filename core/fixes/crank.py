@@ -118,7 +118,7 @@ def aimed(*, design: Design, check: Check) -> Check:
     -------
     Check
     """
-    factors = {aim(check) if check.by_torque else 1.0, aim(check) if check.loaded else 1.0}
+    factors = {aim(check) if check.by_torque else 1.0, aim(check) if check.kind.loaded else 1.0}
     under_each = [Results(under(design=design, factor=factor)) for factor in factors]
     ways = [*under_each, *(each.equal for each in under_each if two_ways(each))]
     found = min((crank_check(check.code, way) for way in ways), key=_least_met)

@@ -192,6 +192,8 @@ class Cure:
             if any(start <= size <= end for start, end in found.intervals)
         )
         after, standard, verdict = self._made([*within, (exact, False)])
+        if verdict.unforced and not self.current.unforced:  # which cannot be put together
+            raise NoFix
         effects = side_effects(code=self.code, current=self.current, found=verdict)
         outcome = verdict.verdict
         return Fix(

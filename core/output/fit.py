@@ -18,6 +18,9 @@ Misfit = Literal[
 ]  # fmt: skip
 """What does not fit, a key of `core.codes.CODES`; empty where all does."""
 
+FITS: tuple[Misfit, ...] = ("", "fits_by_bearing_clearance")
+"""Those that are none."""
+
 NO_TORQUE = 1e-9
 """Part of the torque at the elastic limit that stands for none."""
 

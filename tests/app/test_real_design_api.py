@@ -321,3 +321,66 @@ def test_only_what_solves_or_searches_over_the_turn_is_long():
         assert (read.cost() > LIGHT_COST) == long, body
     read = CrankPlanetaryRequest.model_validate(changed(load=None, include=None))
     assert read.cost() <= LIGHT_COST  # without a load there is nothing to solve
+
+
+PRINTED = {
+    "mechanism": {"pins": 4, "satellites": 2, "satellite_teeth": 20, "ring_teeth": 21},
+    "load": {"output_torque_Nm": 5.4, "pin_circle_radius_mm": 30},
+    "contact": {
+        "contact_length_mm": 10,
+        "pin_radius_mm": 2,
+        "hole_radius_mm": 4,
+        "eccentricity_mm": 1.5,
+    },
+    "gear": {
+        "kind": "cycloid",
+        "ring_pin_circle_radius_mm": 54,
+        "ring_pin_radius_mm": 2,
+        "modification": {"equidistant_mm": 0.25},
+    },
+    "bearing": {"kind": "ball", "dynamic_rating_N": 6000, "static_rating_N": 3250},
+    "pin": {"satellite_positions_mm": [7, 19], "support": "cantilever", "diameter_mm": 4},
+}
+"""A public design of printed discs."""
+
+TEETH = {
+    "kind": "involute",
+    "module_mm": 2.5,
+    "satellite_profile_shift": 0,
+    "ring_profile_shift": 0,
+    "satellite_addendum": 1,
+    "ring_addendum": 1,
+    "ring_material": "steel_case_hardened",
+}
+
+
+@pytest.mark.parametrize(
+    ("change", "governing"),
+    [
+        ({"deviations": {"disc_phase_deg": [0, 9]}}, "interference"),
+        ({"gear__modification__equidistant_mm": -0.1}, "ring_pressed"),
+        ({"gear": TEETH, "load__pin_circle_radius_mm": 10}, "mesh_involute"),
+    ],
+)
+async def test_nothing_of_forces_stands_beside_what_cannot_be_put_together(api, change, governing):
+    """A public design, one disc printed twice: satellite 2 carried 28.5 times the torque."""
+    body = changed(PRINTED, **change)
+    usual = await answered(api, body)
+    body["include"] = ["hertz", "load_sharing", "ring_mesh", "pin_strength", "checks"]
+    answer = await answered(api, body)
+    assert (answer["verdict"], answer["governing"]) == ("fail", governing)
+    assert answer["checks"][0]["impossible"]
+    forces = {"shares", "torque_reserve", "largest_torque_Nm", "hertz", "load_sharing", "ring_mesh"}
+    assert not (forces | {"pin_strength"}) & ({*answer} | {*usual})
+    assert "uneven_sharing" not in [each["code"] for each in answer.get("warnings", [])]
+    loaded = [each for each in answer["checks"] if "/load/output_torque_Nm" in each["inputs"]]
+    assert len(loaded) > 10
+    for each in loaded:
+        assert each["status"] in ("not_checked", "not_asked", "not_applicable")
+        assert not {"value", "torque_reserve"} & {*each}
+
+
+async def test_a_mesh_without_a_height_of_its_teeth_is_refused(api):
+    teeth = {name: value for name, value in TEETH.items() if name != "ring_addendum"}
+    body = changed(PRINTED, gear=teeth, include=["ring_mesh"])
+    assert await refused(api, body) == ("/gear/ring_addendum", "missing")

@@ -239,7 +239,7 @@ def test_play_without_clearance() -> None:
 
 
 UNSOLVED: dict[str, tuple[dict[str, Any], str]] = {
-    "too many pairs": ({"pins": MOST_REAL_PAIRS + 1}, "too_many_pairs"),
+    "too many pairs": ({"pins": MOST_REAL_PAIRS + 1, "pin_circle_radius": 0.5}, "too_many_pairs"),
     "too soft": ({"contact_law": LinearLaw(stiffness=1e3)}, "not_stable"),
     "too wide": ({"contact_law": None, "output_torque": 1e5}, "beyond_hertz"),
     "holes around the centre": ({"eccentricity": 0.021, "hole_radius": 0.0245}, "smaller_than"),
@@ -253,7 +253,8 @@ def test_where_the_forces_are_not_known_nothing_passes(name: str) -> None:
     found = crank_checks(Results(design))
     for code in ("contact_pressure_pin", "contact_yield_hole", "backlash"):
         check = found[code]
-        assert (check.status, check.reason, check.value) == ("not_checked", reason, None), code
+        assert (check.status, check.value) == ("not_checked", None), code
+        assert check.reason in (reason, "cannot_be"), code
         assert check.torque_reserve is None
     assert found["lost_motion"].status == "not_checked"
     assert found["clearance"].status in ("pass", "marginal")  # which is geometry
@@ -266,7 +267,7 @@ def test_deviations_that_press_are_interference() -> None:
     large = Deviations(pin_radial=(2.2e-5, 0, 0, 0, 2.2e-5, 0, 0, 0))
     found = crank_checks(Results(having(A, deviations=large)))
     fit = found["interference"]
-    assert (fit.status, fit.reason, fit.impossible) == ("fail", "pressed_without_load", False)
+    assert (fit.status, fit.reason, fit.impossible) == ("fail", "pressed_without_load", True)
     assert found.verdict == "fail"
     assert check_of("interference", having(A, deviations=UNEVEN)).status == "pass"
     worse = having(A, deviations=replace(large, pin_radial=(1e-3, *[0.0] * 7)))

@@ -170,13 +170,13 @@ def test_where_looking_ends_the_largest_torque_that_holds_is_answered(
 
 
 @pytest.mark.parametrize(
-    ("change", "looks"), [({"hole_radius": 0.0095}, 2), ({"pin_circle_radius": 0.011}, 1)]
+    ("change", "looks"), [({"hole_radius": 0.0095}, 0), ({"pin_circle_radius": 0.013}, 1)]
 )
 def test_no_torque_is_sought_where_less_of_it_cures_nothing(
     change: dict[str, float], looks: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     design = having(MADE, output_torque=3000.0, contact_law=None, **change)
-    assert crank_checks(Results(design)).impossible == (looks == 1)
+    assert crank_checks(Results(design)).impossible
     seen: list[float] = []
 
     def looked(*, design: Design, factor: float) -> Design:
