@@ -701,7 +701,7 @@ async def test_a_pin_is_fixed_to_a_standard_size(api):
 async def test_a_sleeve_has_no_standard_size(api):
     """Neither as a fix nor as a solution."""
     steel = {"youngs_modulus_GPa": 210.0, "poissons_ratio": 0.3}
-    body = design(load__output_torque_Nm=1100.0)
+    body = design(load__output_torque_Nm=1500.0, load__pin_circle_radius_mm=160.0)
     body["pin"] = {"diameter_mm": 4.0, "satellite_positions_mm": [15.0, 37.0], "material": steel}
     answer, _ = await asked(api, "crank-planetary", body | {"include": ["fixes"]})
     fixes = [each for each in answer["fixes"] if each["pointer"] == "/contact/pin_radius_mm"]
