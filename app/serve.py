@@ -95,6 +95,22 @@ def refuse_taken(path: str) -> None:
     raise ValueError(f"{PREFIX}UNIX_SOCKET: somebody listens at {path}")
 
 
+def refuse_address(name: str, family: socket.AddressFamily, address: Any) -> None:
+    """Refuse an address that cannot be listened at, before anything is imported or compiled.
+
+    Raises
+    ------
+    ValueError
+        If it cannot; its text names the setting.
+    """
+    try:
+        with socket.socket(family) as trying:
+            trying.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            trying.bind(address)
+    except (OSError, UnicodeError) as error:
+        raise ValueError(f"{PREFIX}{name}: nothing can listen at {address}: {error}") from None
+
+
 def main() -> None:
     """Serve until stopped; requests in flight are answered first."""
     open_standard_files()
@@ -109,6 +125,11 @@ def main() -> None:
         settings = Settings.from_environment()
         if settings.unix_socket:
             refuse_taken(settings.unix_socket)
+            refuse_address("UNIX_SOCKET", socket.AF_UNIX, settings.unix_socket)
+            os.unlink(settings.unix_socket)
+        else:
+            of = socket.AF_INET6 if ":" in settings.host else socket.AF_INET
+            refuse_address("HOST, KHV_PORT", of, (settings.host, settings.port))
         connections = connections_within(settings.max_connections)
     except ValueError as error:
         sys.exit(str(error))

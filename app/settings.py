@@ -59,7 +59,7 @@ class Settings(BaseSettings):
     """path of a Unix socket, which is listened at instead"""
     workers: int = Field(1, ge=1, le=256)
     """processes that answer requests"""
-    root_path: str = Field("", pattern=r"^(/[A-Za-z0-9._~-]+)*$")
+    root_path: str = Field("", pattern=r"^(/\.*[A-Za-z0-9_~-][A-Za-z0-9._~-]*)*$")
     """path prefix at which a proxy shows the service, such as `/reducers`"""
     trusted_proxies: Annotated[tuple[Address, ...], *BY_COMMAS] = ()
     """networks of proxies whose `X-Forwarded-For` is believed; over a Unix socket all are"""

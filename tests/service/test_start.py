@@ -21,6 +21,11 @@ from tests.running_service import eventually, family
         ("KHV_MAX_SECONDS", "nan", "finite"),
         ("KHV_MAX_BODY_BYTE", "5", "KHV_MAX_BODY_BYTES is"),
         ("KHV_WORKERS", "0", "greater than or equal to 1"),
+        ("KHV_ROOT_PATH", "/reducers/..", "match pattern"),
+        ("KHV_HOST", "192.0.2.1", "192.0.2.1"),  # of no machine (RFC 5737)
+        ("KHV_HOST", "no host..", "no host.."),
+        ("KHV_UNIX_SOCKET", "/proc/nowhere/socket", "/proc/nowhere/socket"),
+        ("KHV_UNIX_SOCKET", "/tmp/" + "x" * 200, "too long"),
     ],
 )
 def test_what_cannot_be_set_ends_the_start_with_one_line(setting, text, said):
@@ -31,6 +36,16 @@ def test_what_cannot_be_set_ends_the_start_with_one_line(setting, text, said):
     assert ended.returncode == 1 and ended.stdout == ""
     (line,) = ended.stderr.splitlines()
     assert line.startswith(setting) and said in line
+
+
+def test_a_port_that_is_taken_ends_the_start_with_one_line(service):
+    environment = os.environ | {"PYTHONPATH": ".", "KHV_PORT": str(service.port)}
+    ended = subprocess.run(
+        [sys.executable, "-m", "app.serve"], env=environment, capture_output=True, text=True
+    )
+    assert ended.returncode == 1 and ended.stdout == ""
+    (line,) = ended.stderr.splitlines()
+    assert line.startswith("KHV_HOST, KHV_PORT: ") and str(service.port) in line
 
 
 def test_the_effective_settings_are_the_first_line(service):
