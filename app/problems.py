@@ -116,6 +116,7 @@ KINDS = {
         "The path is there, but not for this method; `Allow` names those it has.",
     ),
     "not-found": (404, "There is nothing at this path; the API's description lists all."),
+    "not-implemented": (501, "The body is sent in a transfer coding that the service has not."),
     "request-timeout": (
         408,
         "The body did not arrive whole in the time that the service waits.",

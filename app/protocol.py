@@ -28,6 +28,8 @@ MAX_HEAD_BYTES = 65_536
 LAST_REQUEST_SECONDS = 0.5
 """How long an idle connection may still bring a request while the service stops."""
 
+CODING = b"transfer-encoding"
+
 PROBES = ("/livez", "/metrics")
 """Paths that are answered even beyond the limit of connections: to be full is not to be dead."""
 
@@ -97,8 +99,12 @@ class PatientProtocol(HttpToolsProtocol):
         """Hand a request over; while the service stops, its answer is the connection's last."""
         self.head_bytes = None
         if len(self.url) + sum(map(len, chain(*self.headers))) > MAX_HEAD_BYTES:
-            self._give_up(HEAD_TOO_LARGE)
-            self._read_no_more()
+            self._refuse(HEAD_TOO_LARGE)
+        if coded := [value.strip().lower() for name, value in self.headers if name == CODING]:
+            if self.parser.get_http_version() == "1.0":
+                self._refuse(CODED_TOO_EARLY)
+            if coded != [b"chunked"]:
+                self._refuse(UNKNOWN_CODING)
         super().on_headers_complete()
         if self.stopping:
             self.cycle.keep_alive = False
@@ -148,6 +154,11 @@ class PatientProtocol(HttpToolsProtocol):
         self.ending = True
         raise ConnectionAbortedError
 
+    def _refuse(self, problem: Problem) -> NoReturn:
+        """Say why what comes is not read."""
+        self._give_up(problem)
+        self._read_no_more()
+
     def _give_up(self, problem: Problem) -> None:
         """Say why to a client that awaits an answer, and close the connection."""
         LOG.warning({"message": problem.detail, "status": problem.status})
@@ -181,6 +192,8 @@ class Full:
 
 TOO_SLOW = Problem("request-timeout", "The body did not arrive in time")
 HEAD_TOO_LARGE = Problem("headers-too-large", f"The headers exceed {MAX_HEAD_BYTES} bytes")
+UNKNOWN_CODING = Problem("not-implemented", "Send the body without a coding, or chunked alone")
+CODED_TOO_EARLY = Problem("bad-request", "HTTP/1.0 has no Transfer-Encoding")
 FULL = unavailable("Too many connections are open")
 
 

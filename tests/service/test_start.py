@@ -192,3 +192,27 @@ def test_what_is_no_http_is_refused_as_a_problem(service):
         head, _, body = received.partition(b"\r\n\r\n")
         assert head.startswith(b"HTTP/1.1 400 ") and b"nosniff" in head
         assert json.loads(body)["type"] == "/problems/bad-request"
+
+
+@pytest.mark.parametrize(
+    ("version", "codings", "status"),
+    [
+        ("1.1", ["gzip, chunked"], 501),
+        ("1.1", ["gzip", "chunked"], 501),
+        ("1.1", ["chunked, chunked"], 400),
+        ("1.1", ["x-none"], 501),
+        ("1.0", ["chunked"], 400),
+        ("1.1", [" Chunked "], 200),
+    ],
+)
+def test_a_body_in_another_coding_than_chunked_is_not_read(service, version, codings, status):
+    """RFC 9112, 6.1: its end is not known, so that nothing behind it is read either."""
+    body = b'{"pins": 3, "ratio": 20}'
+    head = f"POST /api/v1/cyclogram HTTP/{version}\r\nhost: x\r\ncontent-type: application/json\r\n"
+    head += "".join(f"transfer-encoding: {each}\r\n" for each in codings)
+    with socket.create_connection(("127.0.0.1", service.port), timeout=10) as connection:
+        connection.sendall(f"{head}\r\n{len(body):x}\r\n".encode() + body + b"\r\n0\r\n\r\n")
+        received = b""
+        while part := connection.recv(65536):
+            received += part
+    assert received.startswith(b"HTTP/1.1 %d " % status) and received.count(b"HTTP/1.1 ") == 1
