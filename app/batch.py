@@ -147,8 +147,8 @@ async def batch(request: Request) -> Response:
     """
     record, jobs = at_hand.get() or Record(), request.app.state.jobs
     jobs.admit(record.client)
-    await take_place(record)
     content = await received(record, record.settings.max_batch_bytes)
+    take_place(record)
     async with wanted(record):
         calculation, requests, ids = await in_process(
             jobs, split, content, record.settings, record=record

@@ -243,8 +243,9 @@ def by_lines(record: Record) -> bool:
     return LINES.encode() in record.headers.get(b"accept", b"")
 
 
-async def take_place(record: Record) -> None:
-    """Take one of the worker's places for what is large, which are few, until it is answered.
+def take_place(record: Record) -> None:
+    """Take one of the worker's places for what is large, which are few, until it is answered. Of
+    one client there are no more than are free besides, so that others find one too.
 
     Raises
     ------
@@ -252,9 +253,10 @@ async def take_place(record: Record) -> None:
         If there is none.
     """
     if not record.has_place:
-        if record.places.locked():
+        free = record.settings.max_large - record.places.total()
+        if record.places[record.client] >= free:
             raise unavailable("Too many large requests or answers are under way")
-        await record.places.acquire()
+        record.places[record.client] += 1
         record.has_place = True
 
 
@@ -288,7 +290,7 @@ async def received(record: Record, limit: int) -> bytes:
         if len(content) > limit:
             raise Problem("too-large", f"The body exceeds {limit} bytes")
         if len(content) > LIGHT_BYTES:
-            await take_place(record)
+            take_place(record)
     record.received = time.perf_counter()
     return bytes(content)
 
@@ -395,7 +397,7 @@ class Answer(Response):
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Send it."""
         if len(self.body) > PART_BYTES:
-            await take_place(self.record)
+            take_place(self.record)
         start = {"type": "http.response.start", "status": 200, "headers": self.raw_headers}
         await send(start)
         await send({"type": "http.response.body", "body": self.body})

@@ -4,6 +4,7 @@ import asyncio
 import random
 import re
 import time
+from collections import Counter
 from collections.abc import Awaitable
 
 from starlette.requests import ClientDisconnect
@@ -50,7 +51,7 @@ class Requests:
     def __init__(self, app: ASGIApp, settings: Settings) -> None:
         self.app = app
         self.settings = settings
-        self.places = asyncio.Semaphore(settings.max_large)
+        self.places: Counter[str] = Counter()
         version = f"{VERSION}+{settings.build}".rstrip("+")
         self.headers = [*HEADERS, (b"server", f"khv-calc/{version}".encode())]
 
@@ -112,7 +113,7 @@ class Requests:
                 await Problem("failure", detail).response()(scope, receive, with_headers)
         finally:
             if record.has_place:
-                self.places.release()
+                self.places -= Counter((client,))
             route = path if "endpoint" in scope else "unknown"
             observability.end(record, method, route, failed)
 

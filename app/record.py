@@ -1,7 +1,7 @@
 """What is known of the request at hand, for its log line, its metrics and its calculations."""
 
 import time
-from asyncio import Semaphore
+from collections import Counter
 from collections.abc import Awaitable, Callable
 from contextvars import ContextVar
 from dataclasses import dataclass, field
@@ -27,8 +27,8 @@ class Record:
     receive: Callable[[], Awaitable[Any]] = _nothing_more
     # Its address, as the service or a trusted proxy sees it; `unix` over a Unix socket.
     client: str = ""
-    # The worker's places for what is large.
-    places: Semaphore = field(default_factory=lambda: Semaphore(current().max_large))
+    # How many of the worker's places for what is large each client has.
+    places: Counter[str] = field(default_factory=Counter)
     has_place: bool = False  # whether it has one of them, until it has been answered
     # When the request came, its body was whole, its last calculation was done, its answer started:
     # seconds of `time.perf_counter`, 0 where it has not happened.
