@@ -32,6 +32,9 @@ from core.precession.contact_line import (
 from core.worked.precession import line_steps
 from core.worked.step import Step
 
+POINT_NUMBERS = 6
+"""Numbers that are written of a point."""
+
 MAX_POINT_VALUES = 200_000
 """Most points of all contact lines together."""
 
@@ -50,8 +53,8 @@ class ContactLineRequest(GearFields, group="load"):
     """Number of points of each curve."""
 
     def cost(self) -> float:
-        """Points of the contact lines, and those that are asked."""
-        return self.points(self.samples if "points" in self.include else 0)
+        """Points of the contact lines, and numbers of those that are asked."""
+        return self.points(POINT_NUMBERS * self.samples if "points" in self.include else 0)
 
     def solve(self) -> tuple[ContactLines, list[ContactPoints] | None]:
         """Contact lines, and their points where asked."""

@@ -150,6 +150,9 @@ INVOLUTE_NEEDS = (
 SEARCHED = frozenset(("fixes", "combined", "usual_fit", "usual_modification"))
 """Sections for which designs are tried."""
 
+SOLVED = frozenset(("load_sharing", "real_cyclogram", "ring_mesh", "ring_drawing"))
+"""Sections for which forces are solved."""
+
 STRENGTH: tuple[Section, ...] = (
     "pin_strength",
     "output_efficiency",
@@ -279,7 +282,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         include, given = self.include or (), self.given.keys()
         cranked = not given.isdisjoint(("bearing", "crankshaft"))
         searches = "pin" in given or (cranked and "gear" in given)
-        solves = self.as_made or "load_sharing" in include
+        solves = self.as_made or not SOLVED.isdisjoint(include)
         solves |= self.says("gear/modification") or self.says("requirements/max_lost_motion_arcmin")
         loaded = given >= {"load", "contact"}
         if SEARCHED & {*include} or (loaded and (searches or solves)):

@@ -1,12 +1,15 @@
 """Long calculations: they hold nobody up, end in time, and end when their client has gone."""
 
 import asyncio
+import gzip
 import json
 import os
 import random
 import signal
+import time
 from contextlib import suppress
 from copy import deepcopy
+from functools import partial
 
 import httpx
 import pytest
@@ -23,6 +26,7 @@ from app.problems import Problem
 from app.registry import CALCULATIONS
 from app.settings import Settings
 from core.errors import ImpossibleMechanism
+from tests.inputs.loop_requests import largest_in_the_loop
 from tests.oracles.work import steps
 from tests.running_service import lives
 
@@ -272,6 +276,41 @@ def test_what_stays_in_the_event_loop_is_little_work_whatever_the_exponent_is(na
     by_exponent = {"contact-force", "crank-planetary", "output-efficiency", "satellite-bearing"}
     if name in by_exponent:
         assert admitted == (3 if exponent <= 1 else 2 if exponent < 10 else exponent < 100)
+
+
+@pytest.fixture(scope="module")
+def thirty_ms():
+    """What a quiet machine does in 30 ms: packing a megabyte of digits."""
+    digits = random.Random(1)
+    return partial(gzip.compress, ",".join(str(digits.random()) for _ in range(50_000)).encode(), 3)
+
+
+@pytest.mark.parametrize("name", CALCULATIONS)
+def test_the_largest_answer_of_the_event_loop_holds_it_for_less_than_30_ms(name, thirty_ms):
+    """Read, calculated, written and packed, in processor time: 20 variants by a seed."""
+    calculation, held = CALCULATIONS[name], 0.0
+    for seed in range(20):
+        asked = largest_in_the_loop(calculation, random.Random(seed))
+        if asked is None:
+            continue
+        sent = json.dumps(asked).encode()
+        for theme in (None, "light") if calculation.figure else (None,):
+
+            def answer(sent=sent, theme=theme):
+                with suppress(Problem, ImpossibleMechanism):
+                    body = read_body(calculation, sent, Settings())
+                    body.cost()
+                    endpoint.content_of(calculation, body, theme, zipped=True)
+
+            held = max(held, min(spent_s(answer), spent_s(answer)))
+    assert held < min(spent_s(thirty_ms) for _ in range(3))
+
+
+def spent_s(work):
+    """Seconds that this thread calculates for it."""
+    before = time.thread_time()
+    work()
+    return time.thread_time() - before
 
 
 @pytest.mark.parametrize("name", ["pin-strength", "crankshaft"])
