@@ -38,3 +38,27 @@ def with_values(document: dict[str, Any], values: Mapping[str, Any]) -> dict[str
         place = holder(found, path)
         place[int(path[-1]) if isinstance(place, list) else path[-1]] = value
     return found
+
+
+def has_number(schema: dict[str, Any], path: list[str]) -> bool:
+    """Whether documents of a JSON schema, as pydantic writes it, may have a number at a path."""
+
+    def found(part: Any, path: list[str]) -> bool:
+        if "$ref" in part:
+            part = schema["$defs"][part["$ref"].rpartition("/")[2]]
+        if "anyOf" in part:
+            return any(found(each, path) for each in part["anyOf"])
+        if not path:
+            return part.get("type") in ("number", "integer")
+        key, *rest = path
+        if part.get("type") == "array":
+            of = part["items"] if "items" in part else {"anyOf": part["prefixItems"]}
+            return (key.isdecimal() or found_code(of, key)) and found(of, rest)
+        of = part.get("properties", {}).get(key) or part.get("additionalProperties")
+        return isinstance(of, dict) and found(of, rest)
+
+    def found_code(part: Any, code: str) -> bool:
+        named = schema["$defs"][part["$ref"].rpartition("/")[2]] if "$ref" in part else part
+        return code in named.get("properties", {}).get("code", {}).get("enum", ())
+
+    return found(schema, path)

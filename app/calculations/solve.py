@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator
 from copy import deepcopy
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, TypeAdapter, ValidationError
@@ -31,7 +31,7 @@ from app.model import (
     result,
     timed,
 )
-from app.pointers import holder, inner, keys, with_values
+from app.pointers import has_number, holder, inner, keys, with_values
 from app.problems import (
     FieldProblem,
     Problem,
@@ -80,6 +80,9 @@ HOLE = "/contact/hole_radius_mm"
 
 LONG_SAMPLES = 17
 """Places at which the range is looked at first where each takes long."""
+
+FEW_SAMPLES = 3
+"""Answers without the part that a target stands in after which it is looked for no longer."""
 
 Pointer = Annotated[str, Field(pattern="^/", max_length=200)]
 
@@ -202,6 +205,8 @@ class SolveRequest(WorkedFields):
         if not isinstance(place, dict) or not _is_number(place.get(parts[-1], 0)):
             raise refusal("/variable/pointer", "not_there", field="input")
         target = keys(self.target.pointer)
+        if not has_number(_schema(self.calculation), target):
+            raise refusal("/target/pointer", "not_there", field="answer")
         start: Any = place.get(parts[-1])
         hole = holder(self.input, keys(HOLE))
         linked = []
@@ -228,10 +233,9 @@ class SolveRequest(WorkedFields):
                 refusals[value] = error
                 return math.nan
             found = _at(values, target)
-            if found is not None and not _is_number(found):
-                raise refusal("/target/pointer", "not_there", field="answer")
-            results.append(math.nan if found is None else float(found))
-            if long and len(results) == LONG_SAMPLES and all(map(math.isnan, results)):
+            results.append(float(found) if _is_number(found) else math.nan)
+            most = FEW_SAMPLES if holder(values, target) is None else LONG_SAMPLES
+            if long and len(results) >= most and all(map(math.isnan, results)):
                 raise refusal("/target/pointer", "not_there", field="answer")
             return results[-1]
 
@@ -266,6 +270,12 @@ class SolveRequest(WorkedFields):
         if outside in refusals:
             refused = problem_of(_refused(refusals[outside])).errors
         return found, sets, linked, refused
+
+
+@cache
+def _schema(name: str) -> dict[str, Any]:
+    """The JSON schema of a calculation's answer."""
+    return SOLVED[name].answer.model_json_schema()
 
 
 def _outside(found: Solution, want: Want) -> float | None:

@@ -900,8 +900,23 @@ async def test_an_edge_beyond_which_the_input_is_refused_says_so(api):
     assert answer["value"] < 499.0 and "refused" not in answer
 
 
-@pytest.mark.parametrize(("target", "most"), [("/verdict", 1), ("/nowhere", 17)])
-def test_what_is_no_number_is_no_target_and_takes_few_looks(monkeypatch, target, most):
+@pytest.mark.parametrize("sense", ["at_least", "at_most", "equals"])
+@pytest.mark.parametrize(
+    ("target", "most"),
+    [
+        ("/verdict", 0),
+        ("/nowhere", 0),
+        ("/checks", 0),
+        ("/checks/nowhere/utilisation", 0),
+        ("/checks/pin_static/nowhere", 0),
+        ("/checks/0/code", 0),
+        ("/geometry/pairs/0/hole_centre_mm/x", 0),
+        ("/checks/999/utilisation", 3),
+        ("/checks/ring_undercut/utilisation", 3),  # of another design
+        ("/checks/contact_yield_pin/value", 17),  # not checked of this one
+    ],
+)
+def test_what_is_no_number_is_no_target_and_takes_few_looks(monkeypatch, target, most, sense):
     looks = []
 
     def values(calculation, asked):
@@ -909,7 +924,7 @@ def test_what_is_no_number_is_no_target_and_takes_few_looks(monkeypatch, target,
         return calculation.solve(asked)
 
     monkeypatch.setattr("app.calculations.solve._values", values)
-    asked = deepcopy(REQUESTS["solve"]) | {"target": {"pointer": target, "equals": 1.0}}
+    asked = deepcopy(REQUESTS["solve"]) | {"target": {"pointer": target, sense: 1.0}}
     asked["input"]["contact"]["hole_radius_mm"] = 10.02
     with pytest.raises(Problem) as refused:
         SolveRequest.model_validate(asked).solve()
