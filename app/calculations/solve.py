@@ -275,7 +275,7 @@ class SolveRequest(WorkedFields):
 @cache
 def _schema(name: str) -> dict[str, Any]:
     """The JSON schema of a calculation's answer."""
-    return SOLVED[name].answer.model_json_schema()
+    return TypeAdapter(SOLVED[name].answer).json_schema()
 
 
 def _outside(found: Solution, want: Want) -> float | None:
