@@ -11,6 +11,7 @@ from core.checks.crank_planetary import crank_check, crank_verdict, two_ways, un
 from core.checks.usual_fit import usual_clearance
 from core.design.document import Design, value_at
 from core.design.results import Results
+from core.design.ring import CycloidRing
 from core.errors import UNKNOWN, CalculationError
 from core.fixes.changes import count_may_change, value_of, vary
 from core.fixes.fix import (
@@ -76,7 +77,24 @@ def crank_fixes(*, results: Results, codes: Iterable[str], current: Verdict) -> 
                 continue
             with suppress(CalculationError):  # a size that would cure it may make no design
                 fixes.append(_fix(results, code, variable, current))
-    return in_order(fixes)
+    return in_order(each for each in fixes if _has_room(results.design, each))
+
+
+def _has_room(design: Design, fix: Fix) -> bool:
+    """Whether a fix leaves a reducer that can be made: nothing reaches into another part, and discs
+    are no wider than the circle of their pins, or of the ring's, is in radius.
+    """
+    wide = design.load.pin_circle_radius
+    if isinstance(design.gear, CycloidRing):
+        wide = design.gear.ring_pin_circle_radius
+    length = fix.exact if fix.variable.endswith("contact_length") else None
+    if length is not None and length > wide:
+        return False
+    made = ((each.before, each.after) for each in fix.side_effects)
+    return not any(
+        after.impossible and after.status == "fail" and before.status != "fail"
+        for before, after in made
+    )
 
 
 def _fix(results: Results, code: str, variable: str, current: Verdict) -> Fix:
