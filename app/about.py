@@ -99,11 +99,19 @@ FACT_NAMES = {
     "strength_across": "strength_across_MPa",
     "softening": "softening_C",
     "friction": "friction",
+    "dry_friction": "dry_friction",
     "wear_rate": "wear_rate_mm3_per_Nm",
 }
 """Names of values whose sources differ, by those of the core."""
 
-OWN_FACTS = ("strength_in_plane", "strength_across", "softening", "friction", "wear_rate")
+OWN_FACTS = (
+    "strength_in_plane",
+    "strength_across",
+    "softening",
+    "friction",
+    "dry_friction",
+    "wear_rate",
+)
 """Those that no other field of a material has."""
 
 
@@ -134,13 +142,16 @@ class MaterialOut(ResponseModel):
         description="Where they come from: a standard, as in two secondary sources."
     )
     strength_in_plane_MPa: Maybe[float] = Field(
-        description="Strength of a printed plastic in the plane of its layers, the least seen."
+        description="Usual strength of a printed plastic in the plane of its layers."
     )
     strength_across_MPa: Maybe[float] = Field(description="The same across its layers.")
     softening_C: Maybe[float] = Field(
         description="Heat deflection temperature under 1.8 MPa, or where it goes soft."
     )
-    friction: Maybe[float] = Field(description="Largest friction coefficient seen, dry.")
+    friction: Maybe[float] = Field(description="Usual friction coefficient of running pairs.")
+    dry_friction: Maybe[float] = Field(
+        description="Largest friction coefficient of data sheets, dry: shown only."
+    )
     wear_rate_mm3_per_Nm: Maybe[float] = Field(
         description="Largest wear coefficient seen, dry: shown only, no check takes it by itself."
     )

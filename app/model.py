@@ -49,6 +49,7 @@ from app.units import (
     Convert,
     api_params,
     core_name,
+    from_si,
     from_si_converter,
     register,
     shown_unit,
@@ -56,6 +57,7 @@ from app.units import (
 )
 from core.codes import WARNINGS, WAS
 from core.errors import METHODS, Accuracy, Notice, NotKnown
+from core.hertz import Spread
 
 SMALLEST = 1e-12
 LARGEST = 1e12
@@ -590,7 +592,7 @@ class Calculation:
         """
         values = self.solved(body, report)
         if assumed := [
-            {"pointer": "/" + "/".join(path), "value": value} | body.without(path)
+            {"pointer": "/" + "/".join(path), **_taken(path[-1], value), **body.without(path)}
             for path, value in body.assumed()
         ]:
             values["assumed"] = assumed
@@ -714,6 +716,10 @@ class AssumedOut(BaseModel):
 
     pointer: str = Field(description="JSON pointer to the field.")
     value: float | str | dict[str, Any] = Field(description="What is taken for it.")
+    low: Maybe[float] = Field(
+        description="Of a material whose sources differ: the least. Checks are judged over all."
+    )
+    high: Maybe[float] = Field(description="The largest.")
     without: Maybe[dict[str, float]] = Field(
         description="Of the number of satellites: the peak force of one, by the ideal forces."
     )
@@ -802,6 +808,14 @@ class WarningOut(BaseModel):
     params: dict[str, Any] = Field(description="What the text names: numbers and fields.")
     detail: str = Field(description="The same in English.")
     was: Maybe[str] = Field(default=None, description=REPLACED)
+
+
+def _taken(name: str, value: object) -> Values:
+    """What is assumed of a field, with between what it may lie where sources differ."""
+    if not isinstance(value, Spread):
+        return {"value": value}
+    usual, low, high = from_si(name, value)
+    return {"value": usual} | ({"low": low, "high": high} if low < high else {})
 
 
 def warning(notice: Notice) -> Values:

@@ -140,6 +140,25 @@ class ContactLimit:
         return LIMITS_VERIFIED.get(self.source, "secondary") if self.source else None
 
 
+class Spread(NamedTuple):
+    """A value of a material whose sources differ, or that is given."""
+
+    usual: float  # what is shown where it is not given
+    low: float  # the least
+    high: float  # the largest
+
+    @classmethod
+    def of(cls, value: float) -> Self:
+        """One that is given."""
+        return cls(value, value, value)
+
+
+STRONGEST, STRONGEST_FILLED, FILLED = 97e6, 190e6, 5e9
+"""Largest strength that a source gives of a thermoplastic, Pa: of PEEK (Victrex 450G), and of one
+with fibres (PA66 with 30 % glass, dry: Academic Press Encyclopedia), stiffer than the third.
+"""
+
+
 @dataclass(frozen=True, slots=True)
 class Plastic:
     """What a plastic is judged by, as far as it is known: it creeps, and has no shakedown."""
@@ -147,8 +166,8 @@ class Plastic:
     layered: bool = True  # whether it may be printed in layers, across which it is weaker
     layers: Layers | None = None  # how they lie, where that is said
     strength_across: float | None = None  # strength across them, Pa
-    friction: float | None = None  # largest friction coefficient seen, dry
-    softening: float | None = None  # temperature at which it goes soft, degrees Celsius
+    friction: Spread | None = None  # friction coefficient of what slides on it
+    softening: Spread | None = None  # temperature at which it goes soft, degrees Celsius
     long_term_factor: float | None = None  # strength in the long run over that of a short test
 
 
@@ -168,6 +187,7 @@ class ElasticMaterial:
     # Least modulus, Pa, where sources differ: then E is the largest one, for pressures and forces.
     least_modulus: float | None = None
     plastic: Plastic | None = None  # None of metals
+    strengths: Spread | None = None  # of a plastic whose sources differ, Pa: Re is the least
 
     def __post_init__(self) -> None:
         check_positive(youngs_modulus=self.youngs_modulus)
@@ -212,6 +232,53 @@ class ElasticMaterial:
         flat = (self.plastic.layers or usual) == "flat"
         return self.yield_strength if flat else self.plastic.strength_across
 
+    @property
+    def most_strength(self) -> float:
+        """A strength that a plastic does not exceed in any direction, Pa: where none is known the
+        largest of its kind.
+        """
+        if self.strengths is not None:
+            return self.strengths.high
+        filled = float(self.youngs_modulus) > FILLED
+        return self.yield_strength or (STRONGEST_FILLED if filled else STRONGEST)
+
+    def most_pressure(self, friction: float | None) -> float:
+        """A pressure at which a plastic yields for certain, Pa: that of shakedown where nothing is
+        known of its strength.
+
+        Parameters
+        ----------
+        friction : float or None
+            Least friction coefficient; None where it is not known.
+
+        Returns
+        -------
+        float
+        """
+        if self.yield_strength is None:
+            return SHAKEDOWN * self.most_strength
+        ratio = float(self.poissons_ratio)
+        return self.most_strength * first_yield(poissons_ratio=ratio, friction=friction or 0.0)
+
+    def usual(self, path: str) -> dict[str, Spread]:
+        """Values of a plastic that are not given and whose sources differ.
+
+        Parameters
+        ----------
+        path : str
+            Of the material in its design.
+
+        Returns
+        -------
+        dict
+            By their paths.
+        """
+        found = {f"{path}.yield_strength": self.strengths} if self.strengths else {}
+        if self.least_modulus is not None:
+            modulus = float(self.youngs_modulus)
+            found[f"{path}.youngs_modulus"] = Spread(modulus, self.least_modulus, modulus)
+        return found
+
     def known_strength(self, body: Body, name: str) -> float:
         """That strength, Pa, which has to be known.
 
@@ -233,7 +300,9 @@ class ElasticMaterial:
         """
         strength = self.loaded_strength(body)
         if strength is None:
-            required(self.yield_strength, "yield_unknown", f"{name}.yield_strength", name)
+            upright = self.plastic is not None and self.plastic.layers == "upright"
+            known = None if upright else self.yield_strength
+            required(known, "yield_unknown", f"{name}.yield_strength", name)
             raise NotKnown("direction_unknown", f"{name}.layers", name)
         return strength
 

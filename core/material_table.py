@@ -73,7 +73,8 @@ def _printed(
     """A printed plastic: what one source has of its strength is for reference only."""
     sure, strength = strength_in_plane.seen == "two", Strength()
     if sure:
-        strength = Strength(yield_strength=strength_in_plane.value, source=strength_in_plane.source)
+        least, source = strength_in_plane.spread.low, strength_in_plane.source
+        strength = Strength(yield_strength=least, source=source)
     entry = _entry(
         name, title, "plastic_printed", moduli, source, strength=strength, density=density
     )
@@ -153,6 +154,20 @@ MATERIALS: dict[str, TableMaterial] = {
                 tensile_MPa=580,
                 yield_MPa=305,
                 size_mm=100,
+            ),
+            density=_STEEL_DENSITY,
+        ),
+        _entry(
+            "steel_bolt",
+            "Bolt steel, class 8.8",
+            "steel",
+            (206.0, 0.3),
+            _ISO_6336_2,
+            strength=_strength(
+                "ISO 898-1; as in BBS Halmstad and usefastener.com",
+                tensile_MPa=800,
+                yield_MPa=640,
+                size_mm=16,
             ),
             density=_STEEL_DENSITY,
         ),
@@ -312,6 +327,7 @@ MATERIALS: dict[str, TableMaterial] = {
             strength=_strength("TECAFORM AH and Penn Fibre, 23 degrees C", yield_MPa=61),
             density=(1400.0, "TECAFORM AH and Delrin data sheets, 1390 to 1410"),
             youngs_modulus=_GPa(2.8, 2.6, 3.1, "TECAFORM AH, Penn Fibre and Delrin data sheets"),
+            yield_strength=_MPa(61, 61, 67, "TECAFORM AH and Penn Fibre, 61 to 67"),
             friction=Fact(0.2, "VDI 2736, dry on steel, as in GEARpie", seen="one"),
         ),
         _entry(
@@ -339,6 +355,7 @@ MATERIALS: dict[str, TableMaterial] = {
             strength=_strength("Victrex 450G and MakeItFrom, 23 degrees C", tensile_MPa=97),
             density=(1300.0, "Victrex 450G and Wikipedia, 1300 to 1320"),
             youngs_modulus=_GPa(3.7, 3.6, 4.0, "Victrex 450G, Wikipedia and MakeItFrom"),
+            yield_strength=_MPa(97, 97, 100, "Victrex 450G and MakeItFrom, 97 to 100"),
         ),
         _printed(
             "plastic_pla_printed",
@@ -352,11 +369,24 @@ MATERIALS: dict[str, TableMaterial] = {
             ),
             poissons_ratio=Fact(0.36, "SD3D, as in FreeCAD", seen="one"),
             strength_in_plane=_MPa(
-                23, 23, 65, "PolyTerra (Polymaker 2023) 23.2, Stratasys 26 flat and 45 on edge"
+                45,
+                23,
+                65,
+                "PolyTerra (Polymaker 2023) 23.2, Stratasys 26 flat and 45 on edge, Flexiwire 60, "
+                "additive.tools 50 to 65",
             ),
             strength_across=_MPa(12, 12, 45, "PolyTerra (Polymaker 2023) 12.2", "one"),
             softening=Range(51.0, "Stratasys 51, PolyTerra 52: HDT under 1.8 MPa", 51.0, 52.0),
-            friction=Range(0.76, "Materials Science-Poland 43 (2025), dry", 0.62, 0.76, seen="one"),
+            friction=Range(
+                0.2,
+                "running pairs: three printed drives, efficiencies of 66, 61.8 and 70 %, by their "
+                "losses",
+                0.15,
+                0.35,
+            ),
+            dry_friction=Range(
+                0.76, "Materials Science-Poland 43 (2025), dry", 0.62, 0.76, seen="one"
+            ),
             wear_rate=Range(
                 4.4e-13, "from Materials Science-Poland 43 (2025), dry", 1e-13, 4.4e-13, seen="one"
             ),
@@ -380,7 +410,9 @@ MATERIALS: dict[str, TableMaterial] = {
             density=(1050.0, "CR-3D and CCT Precision"),
             youngs_modulus=_GPa(2.4, 1.4, 2.5, "Kimya 1.4, CR-3D 2.4, Stratasys ABS-M30 2.4"),
             poissons_ratio=Fact(0.37, "MatWeb, as in FreeCAD", seen="one"),
-            strength_in_plane=_MPa(33, 33, 40, "Stratasys ABS-M30 33 and 36, Kimya 34.5 and 35.3"),
+            strength_in_plane=_MPa(
+                35, 33, 40, "Stratasys ABS-M30 33 and 36, Kimya 34.5 and 35.3, CR-3D 40"
+            ),
             softening=Range(90.0, "hyiger FDM 90 to 98, CR-3D 95, CCT Precision 104", 90.0, 104.0),
             friction=Fact(0.35, "CCT Precision, moulded, dry on steel", seen="one"),
         ),
@@ -404,7 +436,9 @@ MATERIALS: dict[str, TableMaterial] = {
             layered=False,
             youngs_modulus=_GPa(1.7, 1.4, 1.8, "3D Systems 1.4, HP 1.8"),
             poissons_ratio=Range(0.43, "HP: 0.43 to 0.47", 0.43, 0.47, seen="one"),
-            strength_in_plane=_MPa(43, 43, 54, "3D Systems 43, HP 48 in either direction"),
+            strength_in_plane=_MPa(
+                48, 43, 54, "3D Systems 43, HP 48 in either direction, additive.tools 44 to 54"
+            ),
         ),
         _printed(
             "plastic_pa_cf_printed",
@@ -428,6 +462,7 @@ ALIASES: dict[str, tuple[str, ...]] = {
     "steel_s355": ("S355", "S355J2"),
     "steel_through_hardened": ("42CrMo4", "4140"),
     "steel_c45": ("C45", "1045"),
+    "steel_bolt": ("8.8",),
     "steel_case_hardened": ("18CrNiMo7-6", "16MnCr5", "20MnCr5"),
     "steel_bearing": ("100Cr6", "GCr15", "SUJ2", "52100"),
     "iron_grey": ("GJL-250",),

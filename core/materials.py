@@ -6,7 +6,7 @@ from functools import cached_property
 from typing import Literal, TypedDict, Unpack, cast
 
 from core.errors import InvalidInput
-from core.hertz import ContactLimit, ElasticMaterial, Layers, Plastic
+from core.hertz import ContactLimit, ElasticMaterial, Layers, Plastic, Spread
 
 GROUPS = {
     "steel": "Steel",
@@ -52,6 +52,11 @@ class Fact:
     source: str  # where it was seen
     seen: Seen = field(default="two", kw_only=True)  # one: for reference
 
+    @property
+    def spread(self) -> Spread:
+        """It with its ends."""
+        return Spread.of(self.value)
+
 
 @dataclass(frozen=True, slots=True)
 class Range(Fact):
@@ -59,6 +64,11 @@ class Range(Fact):
 
     low: float  # the least that was seen
     high: float  # the largest
+
+    @property
+    def spread(self) -> Spread:
+        """It with its ends."""
+        return Spread(self.value, self.low, self.high)
 
 
 ELASTIC = ("youngs_modulus", "poissons_ratio")
@@ -146,7 +156,15 @@ class TableMaterial:
             static_pressure=next(iter(static), None),
             **least,
             plastic=self._plastic if self.group in PLASTICS else None,
+            strengths=self._strengths,
         )
+
+    @property
+    def _strengths(self) -> Spread | None:
+        """Strength of a plastic by two sources that differ."""
+        known = self.facts.get("strength_in_plane", self.facts.get("yield_strength"))
+        sure = known is not None and known.seen == "two" and self.group in PLASTICS
+        return known.spread if known and sure else None
 
     @property
     def _strength(self) -> float | None:
@@ -157,8 +175,8 @@ class TableMaterial:
 
     @property
     def _plastic(self) -> Plastic:
-        values = {name: each.value for name, each in self.facts.items()}
-        sure = {name: each.value for name, each in self.facts.items() if each.seen == "two"}
+        values = {name: each.spread for name, each in self.facts.items()}
+        sure = {name: each.spread for name, each in self.facts.items() if each.seen == "two"}
         return Plastic(
             layered=self.layered, friction=values.get("friction"), softening=sure.get("softening")
         )
@@ -229,5 +247,6 @@ def by_values(
         made,
         limit=limit or made.limit,
         yield_strength=made.yield_strength if strength is None else strength,
+        strengths=made.strengths if strength is None else None,
         plastic=plastic,
     )

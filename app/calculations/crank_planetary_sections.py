@@ -263,15 +263,14 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
             yield Notice("ring_deviations_unknown")
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
-        """Also the friction of plastics, by which they yield, where it is known."""
+        """Also values of plastics by which they yield, where sources have them."""
         yield from super().assumed()
         try:
             design = self.design
         except CalculationError:  # of which a solution is asked: a size that makes none yet
             return
-        dry = design.plastics and not (design.friction or design.sleeved or design.rollers)
-        if dry and is_known(lambda: design.dry_friction):
-            yield ("friction", "coefficient"), design.dry_friction
+        for name, spread in design.usual_values.items():
+            yield tuple(map(str, self.path_of(name))), spread
 
     def without(self, path: tuple[str, ...]) -> Values:
         """The peak force of one satellite, where forces are asked and their number is assumed."""

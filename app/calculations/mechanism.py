@@ -438,7 +438,6 @@ class PinContactFields(ContactFields, group="contact"):
     @cached_property
     def in_si(self) -> Contact:
         """The same in SI units."""
-        given = {name: getattr(self, name) for name in ("pin_material", "hole_material")}
         return Contact(
             contact_length=to_si("contact_length_mm", self.contact_length_mm),
             pin_radius=to_si("pin_radius_mm", self.pin_radius_mm),
@@ -449,8 +448,8 @@ class PinContactFields(ContactFields, group="contact"):
             distribution_of=self.distribution_of,
             clearance_stated=self.stated_clearance_mm is not None,
             iso_fit=self.fit or "",
-            own_limits=tuple(name for name, each in given.items() if not isinstance(each, str)),
-            **{name: material_of(each) for name, each in given.items()},
+            pin_material=material_of(self.pin_material),
+            hole_material=material_of(self.hole_material),
         )
 
     def section(self, _: Any) -> Contact:

@@ -1,11 +1,12 @@
 """The pin as a section of a design: beam and material."""
 
+from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
 from typing import Any, ClassVar
 
 from app.calculations.fatigue import STEEL_GPA
-from app.calculations.hertz import MaterialFields, entry_of, material_of
+from app.calculations.hertz import Material, MaterialFields, entry_of, material_of
 from app.calculations.mechanism import MAX_SATELLITES
 from app.model import Maybe, PartFields, RequestModel, Size, quantity
 from app.rules import Forms, Kinds
@@ -15,6 +16,9 @@ from core.materials import NOT_LISTED
 from core.output.pin_beam import Support
 from core.output.pin_bolt import PinBolt, bolt_preload
 from core.output.tie_ring import RingJoint
+
+BOLT_MATERIAL = "steel_bolt"
+"""Of a bolt, where it is not given."""
 
 
 def strengths_of(given: str | MaterialFields) -> dict[str, Any]:
@@ -60,6 +64,14 @@ class PinBoltFields(PartFields, group="pin"):
         "Friction on the carrier", "μ", default=0.15, step=0.01, ge=0.01, le=1
     )
     """Of the spacer on the carrier, which keeps it from slipping."""
+    bolt_material: Maybe[Material] = quantity("Material of the bolt")
+    """A name of the table of materials, or values; steel of class 8.8 where not given."""
+
+    def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
+        """Also that of the bolt."""
+        yield from super().assumed()
+        if self.bolt_material is None:
+            yield ("bolt_material",), BOLT_MATERIAL
 
     def notices(self) -> tuple[Notice, ...]:
         """That the preload is estimated from a torque."""
@@ -73,6 +85,7 @@ class PinBoltFields(PartFields, group="pin"):
         if "tightening_torque" in own:
             core, torque = own["core_diameter"], own.pop("tightening_torque")
             own["preload"] = bolt_preload(tightening_torque=torque, core_diameter=core)
+        own |= strengths_of(own.pop("bolt_material", BOLT_MATERIAL))
         return PinBolt(**own)
 
 

@@ -7,6 +7,7 @@ from typing import Any, Literal, NamedTuple, TypeVar, get_args
 
 from core.design.document import value_at
 from core.errors import UNKNOWN, ImpossibleMechanism, InvalidInput, NotKnown, required
+from core.hertz import Spread
 from core.precision import AS_TYPED, ROUNDING
 
 Status = Literal["pass", "marginal", "fail", "not_checked", "not_asked", "not_applicable"]
@@ -416,6 +417,38 @@ def necessary(found: Check) -> Check:
     if found.status in ("fail", "not_checked"):
         return found
     return found._replace(status="not_checked", reason="necessary_only")
+
+
+def over_range(
+    *, least: Callable[[], Check], most: Callable[[], Check], values: Mapping[str, Spread]
+) -> Check:
+    """A necessary condition by a material, over all that sources have of it.
+
+    Parameters
+    ----------
+    least : callable
+        The check by the least that they have; `NotKnown` where they have nothing.
+    most : callable
+        The same by the largest, or by what no such material exceeds.
+    values : mapping
+        Values that are not given, as sources have them, by their paths.
+
+    Returns
+    -------
+    Check
+        It fails where it does by all. A bound that it fails by lends it no reserve.
+    """
+    differ = tuple(path for path, each in values.items() if each.low < each.high)
+    try:
+        found = least()
+    except NotKnown as why:
+        sure, missing = most(), tuple(dict.fromkeys((*why.missing, *differ)))
+        if sure.status == "fail":
+            return sure._replace(torque_reserve=None, reason="above_any", missing=missing)
+        raise Unjudged(why.code, *missing, value=sure.value, at=sure.at) from why
+    if found.status == "fail" and differ and most().status != "fail":
+        return found._replace(status="marginal", reason="range_decides", missing=differ)
+    return necessary(found)
 
 
 class Measure(NamedTuple):

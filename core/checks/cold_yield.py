@@ -19,15 +19,15 @@ LASTING = 0.25
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ColdYield:
-    """When the first plastic body yields at once, of those with a known strength: pin or hole, or
-    the teeth of a disc.
+    """When the first plastic body may yield at once, by the least strength and the largest friction
+    that it may have: pin or hole, or teeth of disc or ring.
     """
 
     torque: float  # above which it does, N*m; the peak torque is as many times as large as it is
     part: Literal["contact", "teeth"]  # of the reducer
     body: Body  # which
     strength: float  # its strength in the direction that is loaded, Pa
-    friction: float  # mu of what slides there; of teeth 0 where it is not known, which bears more
+    friction: float  # mu of what slides there
     open: tuple[str, ...]  # codes of checks that would have to be made before it may last
 
     @property
@@ -37,7 +37,7 @@ class ColdYield:
 
 
 def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
-    """The torque at which a plastic yields at once.
+    """The torque at which a plastic may yield at once.
 
     Parameters
     ----------
@@ -49,8 +49,8 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
     Returns
     -------
     ColdYield or None
-        None where no plastic touches, where its strength is not known, and where the parts do not
-        go together.
+        None where no plastic touches, where the strength of one is not known, and where the parts
+        do not go together.
 
     Raises
     ------
@@ -62,7 +62,7 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
     if check is None or not check.by_torque:
         return None
 
-    friction, looks = design.hole_friction, LOOKS if check.rough or results.solved else 0
+    friction, looks = design.hole_friction.high, LOOKS if check.rough or results.solved else 0
     try:
         factor = _settled(results, check, looks)
     except UNKNOWN:
@@ -74,8 +74,9 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
     of_teeth = if_known(lambda: _settled(results, teeth, LOOKS)) if teeth else None
     part: Literal["contact", "teeth"] = "contact"
     if of_teeth and of_teeth < factor:
-        part, body, factor = "teeth", "hole", of_teeth
-        strength, friction = results.ring.teeth_strength, results.ring.teeth_friction
+        own = min(design.plastic_teeth, key=results.ring.cold_limit)
+        part, body, factor = "teeth", "hole" if own == "disc" else "pin", of_teeth
+        strength, friction = results.ring.teeth_strength(own), design.teeth_friction.high
     judged = [kind.code for kind in PLASTICS if kind is not check.kind]
     unknown = (
         code

@@ -28,7 +28,14 @@ from core.design.document import Design
 from core.design.results import Results
 from core.errors import NotKnown, if_known, is_known
 from core.hertz import SLIDING as KNOWN_SLIDING
-from core.hertz import Body, ContactLimit, ElasticMaterial, HertzContact, force_factor
+from core.hertz import (
+    Body,
+    ContactLimit,
+    ElasticMaterial,
+    HertzContact,
+    force_factor,
+    shakedown,
+)
 from core.output.fit import FITS
 from core.output.mechanism import assembly_angles
 
@@ -542,20 +549,20 @@ def _plastic(body: Body, name: str, warning: str = "", **said: str) -> Kind:
             return Check(plastic, "not_applicable", reason="plastic_rules")
         if not material.yield_governs:
             return Check(plastic, "not_applicable", reason="tested_limit")
-        judged_by(
-            material.yield_strength,
-            "yield_unknown",
-            f"contact.{body}_material.yield_strength",
-            status="not_asked"
-            if f"{body}_material" in design.contact.own_limits
-            else "not_checked",
-        )
+        path = f"contact.{body}_material.yield_strength"
+        strength = judged_by(material.yield_strength, "yield_unknown", path)
         found = _against_limit(plastic, results, warning)
-        sliding, yielding = design.sliding_friction, results.pressure_limits
-        if name == "yield" or sliding <= KNOWN_SLIDING or found.status == "fail":
+        if name == "yield":
             return found
+        pressure, sliding = results.hertz.governing_pressure, results.sliding_friction
+        if found.status == "fail":
+            if pressure > shakedown(sliding.low) * strength:
+                return found
+            decides = ("friction.coefficient",)
+            return found._replace(status="marginal", reason="range_decides", missing=decides)
         # between the pressure up to which nothing yields and the one from which it goes on
-        if results.hertz.governing_pressure > yielding[f"contact_yield_{body}"]:
+        yields = results.pressure_limits[f"contact_yield_{body}"]
+        if sliding.high > KNOWN_SLIDING and pressure > yields:
             return found._replace(status="marginal", reason="shakedown_unknown")
         return found
 

@@ -216,9 +216,26 @@ def of_parts(*, design: Design, checks: Iterable[Check]) -> Verdict:
     }
     found = verdict(made, tuple(name for name, so in left_out.items() if so), parts)
     soft = "contact" in design.scope and bool(design.load) and design.plastics
+    if any(_unknown(design, each) for each in made):
+        found = replace(found, torque_reserve=None, largest_torque_known=False)
     if design.clearance_unknown or soft:  # with any clearance it is less; plastics may not last
         return replace(found, largest_torque_known=False, largest_torque_of=())
     return found
+
+
+NOTHING_KNOWN = ("limit_unknown", "yield_unknown", "direction_unknown", "friction_unknown")
+"""Reasons for which a check knows nothing of what a body bears, which may be less than all else."""
+
+
+def _unknown(design: Design, check: Check) -> bool:
+    """Whether a check knows nothing of what a body bears, or only a bound above it; of a metal of
+    whose contact no limit is known its yield strength says something.
+    """
+    if check.reason == "limit_unknown" and check.code.startswith("contact_pressure"):
+        material = design.lasting["pin" if check.code.endswith("pin") else "hole"]
+        return check.opens and not (material.yield_governs and material.yield_strength)
+    bounded = check.status == "fail" and check.reason == "above_any"
+    return bounded or (check.opens and check.reason in NOTHING_KNOWN)
 
 
 def _part(design: Design, part: Part, made: list[Check]) -> PartVerdict:
@@ -436,7 +453,7 @@ def under(*, design: Design, factor: float) -> Design:
     return changed(design, more)
 
 
-DOUBTS = ("pressure_error", "shakedown_unknown")
+DOUBTS = ("pressure_error", "shakedown_unknown", "range_decides")
 """Reasons for which a check is marginal whatever it is under other torques."""
 
 

@@ -1,6 +1,6 @@
 """Checks of the pins as beams: static strength, fatigue, deflection, slope."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -13,7 +13,7 @@ from core.checks.check import (
     design_check,
     judged,
     judged_by,
-    necessary,
+    over_range,
     wall,
 )
 from core.checks.inputs import FATIGUE, LIFE, LOADED
@@ -58,6 +58,17 @@ def _of_size(pin: DesignPin, check: Check) -> Check:
     )
 
 
+def _of_plastic(pin: DesignPin, by: Callable[[float], Check]) -> Check:
+    """A check of a plastic pin, by a strength: across its layers, which is no more than in them."""
+    material, path = pin.material, pin.material_path
+    strengths = {name: each for name, each in material.usual(path).items() if "strength" in name}
+    return over_range(
+        least=lambda: by(material.known_strength("pin", path)),
+        most=lambda: by(material.most_strength),
+        values=strengths,
+    )
+
+
 @dataclass(frozen=True, slots=True)
 class BentPins:
     """Pins that bend, of the output or of the ring, as they are judged."""
@@ -84,15 +95,16 @@ class BentPins:
         across its layers, unless they are said to lie otherwise: necessary only.
         """
         stress, pin, material = self.found.static_stress, self.pin, self.pin.material
-        strength, tensile = material.loaded_strength("pin"), pin.tensile_strength
+        if material.plastic:
+            return _of_plastic(
+                pin, lambda strength: self.judged(kind, stress, strength / safety, at=at)
+            )
+        strength, tensile = material.yield_strength, pin.tensile_strength
         if strength is None and tensile is not None and tensile > HARDENED:
             strength = tensile
         lacks = ("yield_unknown", f"{pin.material_path}.yield_strength")
-        if material.yield_strength is not None:
-            lacks = ("direction_unknown", f"{pin.material_path}.layers")
         limit = judged_by(strength, *lacks, value=stress) / safety
-        check = self.judged(kind, stress, limit, at=at)
-        return necessary(check) if material.plastic else _of_size(pin, check)
+        return _of_size(pin, self.judged(kind, stress, limit, at=at))
 
     @property
     def cycle(self) -> PinFatigue:
@@ -146,8 +158,8 @@ def _section(design: Design, position: float) -> dict[str, str]:
 
 
 def _bent(results: Results) -> BentPins:
-    """The pins of the output."""
-    return BentPins(results.pin_strength, results.design.pin, rough=results.solved)
+    """The pins of the output, or the bolts through them."""
+    return BentPins(results.pin_strength, results.bent_pin, rough=results.solved)
 
 
 def _softest(results: Results, asked: str) -> BentPins:
@@ -213,14 +225,19 @@ def pin_wall(design: Design, results: Results) -> Check:
     if not pin.section.walled:
         return Check(pin_wall, "not_applicable", reason="solid_pin")
     stress = results.wall_stress
+    error = 4 * results.pin_loads.accuracy.relative_error
+
+    def by(strength: float) -> Check:
+        limit = strength / design.requirements.bending_safety
+        return judged(
+            pin_wall, stress, limit, reserve=limit / stress, error=error, rough=results.solved
+        )
+
+    if pin.material.plastic:
+        return _of_plastic(pin, by)
     yields, unknown = pin.material.yield_strength, "pin.material.yield_strength"
     strength = judged_by(yields, "yield_unknown", unknown, value=stress)
-    limit = strength / design.requirements.bending_safety
-    error = 4 * results.pin_loads.accuracy.relative_error
-    found = judged(
-        pin_wall, stress, limit, reserve=limit / stress, error=error, rough=results.solved
-    )
-    return _of_size(pin, found)
+    return _of_size(pin, by(strength))
 
 
 SLEEVE = 0.1

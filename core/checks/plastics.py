@@ -5,15 +5,14 @@ long. So each check here may fail, and none passes: what holds is `necessary_onl
 """
 
 from collections.abc import Callable, Mapping
-from contextlib import suppress
 from functools import partial
 
-from core.checks.check import Check, Unjudged, design_check, judged, judged_by, necessary
+from core.checks.check import Check, design_check, judged, judged_by, over_range
 from core.checks.contact import FIXES, in_disc
 from core.checks.inputs import LOADED, SLIDING
 from core.design.document import Design, value_at
 from core.design.results import Results
-from core.errors import UNKNOWN, NotKnown, required
+from core.errors import NotKnown, required
 from core.hertz import Body, HertzContact, force_factor
 from core.numerics.inverse import edge
 
@@ -40,37 +39,33 @@ _check = partial(
     source="first_yield",
 )
 def contact_static_cold(design: Design, results: Results) -> Check:
-    """Of the weaker body; where its friction is not known it fails where it would without."""
-    limits, unknown, contact = list[float](), list[NotKnown](), results.static_contact
-    try:
-        _ = design.hole_friction
-    except NotKnown as why:
-        unknown.append(why)
-    for body in design.plastics:
-        try:
-            limits.append(results.cold_limit(body, contact))
-        except NotKnown as why:
-            unknown.append(why)
-    if not limits:
-        raise unknown[0]
-    pressure, limit = contact.governing_pressure, min(limits)
-    found = in_disc(
-        kind=contact_static_cold,
-        results=results,
-        contact=contact,
-        pressure=pressure,
-        limit=limit,
-        reserve=_yielding(contact, results.static_contact_at, results),
-        at=results.peak,
-    )
-    if found.status == "fail" or not unknown:
-        return necessary(found)
-    first = unknown[0]
-    raise Unjudged(first.code, *first.missing, value=pressure, at=found.at)
+    """Of the weaker body."""
+
+    def by(made: Results, *, most: bool = False) -> Check:
+        contact, reserve = made.static_contact, None
+        limits = cold_limits(results=results, contact=results.static_contact, most=most)
+        if not most:
+            reserve = _yielding(contact, made.static_contact_at, made)
+        return in_disc(
+            kind=contact_static_cold,
+            results=made,
+            contact=contact,
+            pressure=contact.governing_pressure,
+            limit=min(limits.values()),
+            reserve=reserve,
+            at=results.peak,
+        )
+
+    def most() -> Check:
+        return by_softest(results=results, judge=lambda made: by(made, most=True))
+
+    return over_range(least=lambda: by(results), most=most, values=design.usual_in_holes)
 
 
-def cold_limits(*, results: Results, contact: HertzContact) -> dict[Body, float]:
-    """Pressures at which plastic bodies of a contact yield at once, as far as they are known.
+def cold_limits(
+    *, results: Results, contact: HertzContact, most: bool = False
+) -> dict[Body, float]:
+    """Pressures at which plastic bodies of a contact yield at once.
 
     Parameters
     ----------
@@ -78,17 +73,36 @@ def cold_limits(*, results: Results, contact: HertzContact) -> dict[Body, float]
         Results of the design.
     contact : HertzContact
         The contact.
+    most : bool
+        Whether those at which they do for certain are wanted, not the least ones.
 
     Returns
     -------
     dict
         Pa, by body.
     """
-    limits = dict[Body, float]()
-    for body in results.design.plastics:
-        with suppress(*UNKNOWN):
-            limits[body] = results.cold_limit(body, contact)
-    return limits
+    return {body: results.cold_limit(body, contact, most=most) for body in results.design.plastics}
+
+
+def by_softest(*, results: Results, judge: Callable[[Results], Check]) -> Check:
+    """A pressure that fails for certain, as it does with the least moduli that sources have, too.
+
+    Parameters
+    ----------
+    results : Results
+        Results of a design.
+    judge : callable
+        The check of such results.
+
+    Returns
+    -------
+    Check
+        Its numbers are those of the largest moduli.
+    """
+    found = judge(results)
+    if found.status != "fail" or results.softest is results:
+        return found
+    return found if judge(results.softest).status == "fail" else found._replace(status="pass")
 
 
 def _yielding(
@@ -138,8 +152,16 @@ def contact_solid_depth(design: Design, results: Results) -> Check:
     given = design.satellite_body.solid_wall if design.satellite_body else None
     depth = DEEP * float(results.static_contact.half_width)
     wall = judged_by(given, "solid_wall_unknown", "satellite_body.solid_wall", value=depth)
-    reserve = (wall / depth) ** 2
-    return necessary(judged(contact_solid_depth, depth, wall, reserve=reserve, rough=True))
+
+    def by(made: Results) -> Check:
+        depth = DEEP * float(made.static_contact.half_width)
+        reserve = (wall / depth) ** 2
+        return judged(contact_solid_depth, depth, wall, reserve=reserve, rough=True)
+
+    moduli = {
+        path: each for path, each in design.usual_in_holes.items() if path.endswith("modulus")
+    }
+    return over_range(least=lambda: by(results.softest), most=lambda: by(results), values=moduli)
 
 
 def _temperature(design: Design, body: Body) -> Check:
@@ -147,8 +169,13 @@ def _temperature(design: Design, body: Body) -> Check:
     path = "temperatures.satellite" if body == "hole" else "temperatures.pins"
     given = required(value_at(design, path), "temperature_unknown", path)
     softening = design.plastics[body].softening
-    limit = required(softening, "softening_unknown", f"contact.{body}_material")
-    return necessary(judged(temperature, given, limit))
+    name = f"contact.{body}_material"
+    known = required(softening, "softening_unknown", name)
+    return over_range(
+        least=lambda: judged(temperature, given, known.low),
+        most=lambda: judged(temperature, given, known.high),
+        values={name: known},
+    )
 
 
 @_check(
@@ -196,22 +223,28 @@ def creep(design: Design, results: Results) -> Check:
     for body, plastic in design.plastics.items():
         path = f"contact.{body}_material.long_term_factor"
         lasting[body] = required(plastic.long_term_factor, "creep_unknown", path)
-    _ = design.hole_friction
-    contact, largest = results.hertz, results.line_load_factor
-    limit = min(share * results.cold_limit(body, contact) for body, share in lasting.items())
-    pressure = contact.governing_pressure
-    found = in_disc(
-        kind=creep,
-        results=results,
-        contact=contact,
-        pressure=pressure,
-        limit=limit,
-        reserve=_yielding(
-            contact, lambda factor: results.contact_at(factor * largest), results, lasting
-        ),
-        at=results.peak,
-    )
-    return necessary(found)
+
+    def by(made: Results, *, most: bool = False) -> Check:
+        contact, largest, reserve = made.hertz, made.line_load_factor, None
+        limits = cold_limits(results=results, contact=results.hertz, most=most)
+        if not most:
+            reserve = _yielding(
+                contact, lambda factor: made.contact_at(factor * largest), made, lasting
+            )
+        return in_disc(
+            kind=creep,
+            results=made,
+            contact=contact,
+            pressure=contact.governing_pressure,
+            limit=min(share * limits[body] for body, share in lasting.items()),
+            reserve=reserve,
+            at=results.peak,
+        )
+
+    def most() -> Check:
+        return by_softest(results=results, judge=lambda made: by(made, most=True))
+
+    return over_range(least=lambda: by(results), most=most, values=design.usual_in_holes)
 
 
 @_check(

@@ -14,7 +14,7 @@ from core.checks.check import (
     design_check,
     judged,
     judged_by,
-    necessary,
+    over_range,
 )
 from core.checks.contact import of_both, over_life, static_limit, whence
 from core.checks.crank import other_ring
@@ -32,6 +32,7 @@ from core.checks.inputs import (
 )
 from core.checks.involute_mesh import Pressed, involute_pressed, refused
 from core.checks.pins import BentPins
+from core.checks.plastics import by_softest
 from core.checks.ring_pins import CYCLOID
 from core.design.document import Design
 from core.design.results import Results
@@ -120,13 +121,6 @@ NAMES: dict[RingBody, str] = {
 }
 
 
-def _material(design: Design, body: RingBody) -> str:
-    """Path of a material."""
-    if body == "disc":
-        return "contact.hole_material"
-    return "gear.ring_material" if design.gear.kind == "involute" else "gear.pin_material"
-
-
 def _pressed(results: Results, body: RingBody, *, static: bool) -> Pressed:
     """Largest pressure over the turn, under the dynamic load, or at the peak torque."""
     design = results.design
@@ -166,7 +160,7 @@ def _pressure(body: RingBody) -> Kind:
         pressed = _pressed(results, body, static=False)
         material = design.lasting_teeth[body]
         unknown = "plastic_limit_unknown" if material.plastic else "limit_unknown"
-        missing = f"{_material(design, body)}.allowable_pressure"
+        missing = f"{design.teeth_path(body)}.allowable_pressure"
         limit = judged_by(material.limit, unknown, missing, value=pressed.value, at=pressed.at)
         known = limits(design, results)
         found = judged(
@@ -197,7 +191,7 @@ def _static(body: RingBody) -> Kind:
         pressed = _pressed(results, body, static=True)
         limit, source = static_limit(
             material=design.lasting_teeth[body],
-            missing=f"{_material(design, body)}.allowable_pressure",
+            missing=f"{design.teeth_path(body)}.allowable_pressure",
             value=pressed.value,
             at=pressed.at,
         )
@@ -209,7 +203,7 @@ def _static(body: RingBody) -> Kind:
 
 @_check(
     "ring_static_cold",
-    title="First yield of the satellites' plastic teeth",
+    title="First yield of plastic teeth",
     unit="MPa",
     formula="p ≤ f(ν, μ)·R_min",
     why="Above it the teeth yield under the first load, even cold.",
@@ -219,16 +213,25 @@ def _static(body: RingBody) -> Kind:
         "load.peak_torque",
         "contact.dynamic_factor",
         "gear.friction_coefficient",
+        "gear.rolling",
     ),
     fixes=(*_FIXES, "load.output_torque", "load.peak_torque"),
     source="first_yield",
     needs=("load", "contact", "plastic_teeth"),
 )
 def ring_static_cold(design: Design, results: Results) -> Check:
-    """Without friction where that is not known: what fails so does with it."""
-    pressed, limit = _pressed(results, "disc", static=True), results.ring.cold_limit
-    reserve = (limit / pressed.value) ** 2
-    return necessary(judged(ring_static_cold, **pressed._asdict(), limit=limit, reserve=reserve))
+    """Of satellites' teeth, and of the ring's teeth or pins, whichever bear less."""
+
+    def by(made: Results, *, most: bool = False) -> Check:
+        pressed = _pressed(made, "disc", static=True)
+        limit = min(made.ring.cold_limit(body, most=most) for body in design.plastic_teeth)
+        reserve = None if most else (limit / pressed.value) ** 2
+        return judged(ring_static_cold, **pressed._asdict(), limit=limit, reserve=reserve)
+
+    def most() -> Check:
+        return by_softest(results=results, judge=lambda made: by(made, most=True))
+
+    return over_range(least=lambda: by(results), most=most, values=design.usual_in_teeth)
 
 
 @_check(

@@ -1,12 +1,16 @@
 """What says why a check stands as it does, where numbers do not."""
 
 UNKNOWN = {
+    "above_any": "It is above all that the material may bear: by what is known of it, or by the "
+    "strongest of its kind",
     "bearing_overloaded": "The load is beyond what the formula of the life is made for",
     "cannot_be": "The parts cannot be put together, or cannot move: no force is known",
     "bearing_slips": "The bearing carries too little for its rolling elements to roll",
     "envelope_unknown": "The sizes of the bearing are not given",
     "no_peak_torque": "No peak torque is given",
     "no_sourced_limit": "Nobody asked for a limit, and no source gives one for such parts",
+    "range_decides": "It fails by the least that sources give of what is not given here, and holds "
+    "by the largest: enter the values that your material has",
     "rating_high": "The rating is higher than that of any known bearing of these sizes",
     "rating_low": "The rating is less than a twentieth of what fits: is it given in kN?",
     "thin_wall": "It is thinner than usual",

@@ -3,7 +3,7 @@ is the JSON pointer less the unit (`contact.pin_radius`).
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
@@ -27,7 +27,8 @@ from core.design.sections import (
     Temperatures,
 )
 from core.errors import InvalidInput, NotKnown, derived, if_known, is_known, required
-from core.hertz import Body, ElasticMaterial, Plastic
+from core.hertz import SLIDING as KNOWN_SLIDING
+from core.hertz import Body, ElasticMaterial, Plastic, Spread
 from core.output.elasticity import (
     RIGID_SUPPORT,
     ContactLaw,
@@ -679,30 +680,85 @@ class Design:
             return {}
         return {body: each.plastic for body, each in self.lasting.items() if each.plastic}
 
-    @property
-    def plastic_teeth(self) -> bool:
-        """Whether the satellites' teeth are of plastic."""
-        return bool(self.gear and self.disc_material and self.disc_material.plastic)
+    @cached_property
+    def plastic_teeth(self) -> dict[RingBody, ElasticMaterial]:
+        """Which of the ring's pins or teeth and of the satellites' teeth are of plastic."""
+        teeth = self.lasting_teeth if self.gear else {}
+        return {body: each for body, each in teeth.items() if each.plastic}
 
-    @property
-    def sliding_friction(self) -> float:
-        """Friction coefficient of what slides in the holes: 0 where sleeves or rollers roll there,
-        and where none is given.
+    def teeth_path(self, body: RingBody) -> str:
+        """Path of their material.
+
+        Parameters
+        ----------
+        body : {"pin", "disc"}
+            Which.
+
+        Returns
+        -------
+        str
         """
-        given = self.friction and not (self.friction.sleeve or self.rollers)
-        return self.friction.coefficient if given else 0.0
+        if body == "disc":
+            return "contact.hole_material"
+        return "gear.ring_material" if self.gear.kind == "involute" else "gear.pin_material"
 
     @property
-    def hole_friction(self) -> float:
-        """The same for plastics, of which it is that of `dry_friction` where none is given."""
-        dry = self.plastics and not (self.friction or self.sleeved or self.rollers)
-        return self.dry_friction if dry else self.sliding_friction
+    def hole_friction(self) -> Spread:
+        """Friction coefficient of what slides in the holes: 0 where sleeves or rollers roll there;
+        where none is given that which such plastics, or metals in oil, have.
+        """
+        if self.rollers or (self.friction.sleeve if self.friction else self.sleeved):
+            return Spread.of(0.0)
+        if self.friction:
+            return Spread.of(self.friction.coefficient)
+        if not self.plastics:
+            return Spread(KNOWN_SLIDING, 0.0, KNOWN_SLIDING)
+        return _of_plastics(self.plastics.values(), "friction.coefficient")
 
     @property
-    def dry_friction(self) -> float:
-        """Largest friction coefficient that was seen of the plastics that touch, dry."""
-        lacks = ("friction_unknown", "friction.coefficient")
-        return max(required(each.friction, *lacks) for each in self.plastics.values())
+    def teeth_friction(self) -> Spread:
+        """Friction coefficient of plastic teeth likewise: on sleeves or rolling elements none."""
+        friction = self.gear.friction_coefficient
+        if friction is None and self.gear.rolls:
+            friction = 0.0
+        if friction is not None:
+            return Spread.of(friction)
+        plastics = (each.plastic for each in self.plastic_teeth.values() if each.plastic)
+        return _of_plastics(plastics, "gear.friction_coefficient")
+
+    @property
+    def usual_in_holes(self) -> dict[str, Spread]:
+        """Values by which plastic pins and holes are judged and that are not given, by their paths,
+        as far as sources have them.
+        """
+        found = {
+            path: spread
+            for body in self.plastics
+            for path, spread in self.lasting[body].usual(f"contact.{body}_material").items()
+        }
+        assumed = bool(self.plastics) and not self.friction
+        friction = if_known(lambda: self.hole_friction) if assumed else None
+        return found | ({"friction.coefficient": friction} if friction and friction.high else {})
+
+    @property
+    def usual_values(self) -> dict[str, Spread]:
+        """All such values of plastics, of pins that bend too."""
+        pin = self.pin.material.usual(self.pin.material_path) if self.pin else {}
+        return pin | self.usual_in_holes | (self.usual_in_teeth if self.plastic_teeth else {})
+
+    @property
+    def usual_in_teeth(self) -> dict[str, Spread]:
+        """The same of plastic teeth."""
+        found = {
+            path: spread
+            for body, each in self.plastic_teeth.items()
+            for path, spread in each.usual(self.teeth_path(body)).items()
+        }
+        given = self.gear.friction_coefficient is not None
+        friction = None if given else if_known(lambda: self.teeth_friction)
+        return found | (
+            {"gear.friction_coefficient": friction} if friction and friction.high else {}
+        )
 
     @cached_property
     def roots(self) -> tuple[float, float]:
@@ -781,6 +837,12 @@ class Design:
     def static_share(self) -> float:
         """That torque over the one with the factor."""
         return self.static_torque / (self.pin_torque * self.load_factor)
+
+
+def _of_plastics(plastics: Iterable[Plastic], path: str) -> Spread:
+    """Friction coefficient that plastics have which touch, the larger one."""
+    spreads = [required(each.friction, "friction_unknown", path) for each in plastics]
+    return Spread(*(max(values) for values in zip(*spreads, strict=True)))
 
 
 Document = TypeVar("Document")

@@ -19,7 +19,7 @@ from core.design.refusals import named
 from core.design.ring_results import RingResults
 from core.design.sections import DesignPin
 from core.errors import InvalidInput, Notice, NotKnown, derived, if_known, is_known, required
-from core.hertz import Body, HertzContact, first_yield, force_factor, hertz, shakedown
+from core.hertz import Body, HertzContact, Spread, first_yield, force_factor, hertz, shakedown
 from core.output.contact_force import ContactForce, contact_force
 from core.output.edge_load import EdgeLoad, SlopingContacts
 from core.output.elasticity import RIGID_PINS, ContactLaw, Shares, contact_compliance, usual_law
@@ -246,12 +246,14 @@ class Results:
             changed(self.design, {"pin.bolt": None}), equal=self.shared_equally
         ).pin_loads
         peak = max(1.0, spacer.static_stress / spacer.peak_equivalent_stress)
+        core = bolt.material or pin.material
         return grip(
             bolt=bolt,
             diameter=pin.diameter,
             bore=pin.bore_diameter,
             moment=peak * spacer.peak_moment,
             shear_force=peak * spacer.peak_shear_force,
+            modulus_ratio=float(core.youngs_modulus / pin.material.youngs_modulus),
         )
 
     @derived
@@ -483,8 +485,8 @@ class Results:
 
     @property
     def size_notices(self) -> tuple[Notice, ...]:
-        """Whether the pin is thicker than its material's strengths hold for."""
-        return self.design.pin.thick if self.design.pin else ()
+        """Whether the pin that bends is thicker than its material's strengths hold for."""
+        return self.bent_pin.thick if self.design.pin else ()
 
     @derived
     def hertz(self) -> HertzContact:
@@ -541,31 +543,59 @@ class Results:
                 found[f"contact_pressure_{body}"] = allowed / safety
             flows = material.yield_governs and not material.plastic
             if flows and material.yield_strength is not None:
-                friction, strength = self.design.sliding_friction, material.yield_strength
+                friction, strength = self.sliding_friction.high, material.yield_strength
                 found[f"contact_shakedown_{body}"] = shakedown(friction) * strength
                 found[f"contact_yield_{body}"] = strength * first_yield(
                     poissons_ratio=float(material.poissons_ratio), friction=friction
                 )
         return found
 
-    def cold_limit(self, body: Body, contact: HertzContact) -> float:
-        """Largest pressure at which a plastic body yields at once, Pa: cold, in the direction in
-        which it is loaded, the less the further a contact wraps around its pin; without friction
-        where that is not known, which is more.
+    @property
+    def sliding_friction(self) -> Spread:
+        """Friction coefficient in the holes for metals: beside a plastic of which it is not known
+        none, as that is open by itself.
         """
-        material = self.design.known_material(body)
-        strength = material.known_strength(body, f"contact.{body}_material")
-        friction = if_known(lambda: self.design.hole_friction) or 0.0
+        return if_known(lambda: self.design.hole_friction) or Spread.of(0.0)
+
+    def cold_limit(self, body: Body, contact: HertzContact, *, most: bool = False) -> float:
+        """Least pressure at which a plastic body may yield at once, Pa, or one at which it does for
+        certain: cold, in the direction in which it is loaded, the less the further a contact wraps
+        around its pin.
+        """
+        material, design = self.design.known_material(body), self.design
         ratio = float(material.poissons_ratio)
-        factor = first_yield(poissons_ratio=ratio, friction=friction)
-        if body == "hole" and contact.is_conformal:
+        if most:
+            strength = material.most_strength
+            limit = material.most_pressure(if_known(lambda: design.hole_friction.low))
+        else:
+            strength = material.known_strength(body, f"contact.{body}_material")
+            friction = design.hole_friction.high
+            limit = strength * first_yield(poissons_ratio=ratio, friction=friction)
+        there = contact if most else self.softest_contact(contact)
+        if body == "hole" and there.is_conformal and material.yield_strength is not None:
             wrapped = first_yield_factor(
-                half_angle=contact.arc.half_angle,
+                half_angle=there.arc.half_angle,
                 poissons_ratio=ratio,
-                beta=contact.mismatch[1],
+                beta=there.mismatch[1],
             )
-            factor = min(factor, float(wrapped))
-        return strength * factor
+            limit = min(limit, strength * float(wrapped))
+        return limit
+
+    def softest_contact(self, contact: HertzContact) -> HertzContact:
+        """A contact under the same load with the least moduli that sources have, which wraps
+        farther around its pin.
+        """
+        pin, hole = self.design.known_material("pin"), self.design.known_material("hole")
+        if pin.softest is pin and hole.softest is hole:
+            return contact
+        pair = self.design.pair
+        load = contact.conformity * contact.effective_modulus * (pair.hole_radius - pair.pin_radius)
+        return hertz(
+            **pair._asdict(),
+            force=load * pair.contact_length,
+            pin_material=pin.softest,
+            hole_material=hole.softest,
+        )
 
     @derived
     def contact_reserves(self) -> dict[str, float]:

@@ -52,6 +52,11 @@ class AnyRing:
         return RingFriction(self.known_friction)
 
     @property
+    def rolls(self) -> bool:
+        """Whether flanks roll on sleeves or rolling elements, in which all slides."""
+        return False
+
+    @property
     def known_friction(self) -> float:
         """Its friction coefficient, which has to be given."""
         name = "gear.friction_coefficient"
@@ -155,6 +160,11 @@ class CycloidRing(AnyRing):
     def of_satellites(self) -> ElasticMaterial | None:
         """Material of the discs, where it is given here."""
         return self.disc_material
+
+    @property
+    def rolls(self) -> bool:
+        """Whether there are such."""
+        return self.rolling or self.sleeve_bore_radius > 0
 
     @property
     def changed(self) -> Modification:

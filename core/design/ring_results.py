@@ -11,9 +11,10 @@ from core.crank.ring_mesh import RingMesh
 from core.design.output_forces import OutputForces
 from core.design.pin_fatigue import fatigue_of
 from core.design.refusals import named
+from core.design.ring import RingBody
 from core.design.sections import DesignPin
 from core.errors import InvalidInput, NotKnown, derived, if_known, required
-from core.hertz import ElasticMaterial, first_yield
+from core.hertz import Body, first_yield
 from core.output.elasticity import RIGID_SUPPORT, Shares
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
@@ -216,26 +217,19 @@ class RingResults:
         """The same under the torque of static strength."""
         return self.turns(self.design.static_torque * self.design.ring_factor)[0]
 
-    @property
-    def teeth_material(self) -> ElasticMaterial:
-        """Material of satellites' teeth, which has to be given."""
-        return required(self.design.disc_material, "section_missing", "contact.hole_material")
+    def teeth_strength(self, body: RingBody) -> float:
+        """Strength of plastic teeth, or pins of a ring, in the direction that is loaded, Pa."""
+        own: Body = "pin" if body == "pin" and self.design.gear.kind == "cycloid" else "hole"
+        material = self.design.plastic_teeth[body]
+        return material.known_strength(own, self.design.teeth_path(body))
 
-    @property
-    def teeth_strength(self) -> float:
-        """Their strength in the direction that is loaded, Pa."""
-        return self.teeth_material.known_strength("hole", "contact.hole_material")
-
-    @property
-    def teeth_friction(self) -> float:
-        """Friction coefficient of teeth; 0 where it is not known, which bears more."""
-        return if_known(lambda: self.design.gear.known_friction) or 0.0
-
-    @derived
-    def cold_limit(self) -> float:
-        """Pressure at which teeth of plastic yield at once, Pa."""
-        ratio = float(self.teeth_material.poissons_ratio)
-        return self.teeth_strength * first_yield(poissons_ratio=ratio, friction=self.teeth_friction)
+    def cold_limit(self, body: RingBody, *, most: bool = False) -> float:
+        """Least pressure at which they may yield at once, Pa, or one at which they do for sure."""
+        material, design = self.design.plastic_teeth[body], self.design
+        if most:
+            return material.most_pressure(if_known(lambda: design.teeth_friction.low))
+        ratio, strength = float(material.poissons_ratio), self.teeth_strength(body)
+        return strength * first_yield(poissons_ratio=ratio, friction=design.teeth_friction.high)
 
     @property
     def pin(self) -> DesignPin:

@@ -114,7 +114,6 @@ class Contact:
     dynamic_factor: float = 1.0  # on the force, where the load has no application factor
     distribution_factor: float = 1.0  # K_alpha, on the largest force by an uneven share
     distribution_of: SharedBy | None = None  # whose share; None: discs where there are several
-    own_limits: tuple[str, ...] = ()  # which of the two materials are given by values
     clearance_stated: bool = False  # whether one of 0 is: else a hole of just pin and e says none
     iso_fit: str = ""  # the classes that the clearance is of, as H7/f7; empty where it is a number
 
@@ -247,7 +246,17 @@ class DesignPin(PinSupport):
 
     def bolt_alone(self, bolt: PinBolt) -> "DesignPin":
         """The bolt as the pin: the spacer is only what touches the hole."""
-        return replace(self, diameter=bolt.core_diameter, bore_diameter=0.0, bolt=None)
+        alone = replace(self, diameter=bolt.core_diameter, bore_diameter=0.0, bolt=None)
+        if bolt.material is None:
+            return alone
+        return replace(
+            alone,
+            material=bolt.material,
+            tensile_strength=bolt.tensile_strength,
+            steel=bolt.steel,
+            valid_diameter=bolt.valid_diameter,
+            material_path="pin.bolt.bolt_material",
+        )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

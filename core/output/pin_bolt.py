@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from core.arrays import check_positive
 from core.errors import InvalidInput
+from core.hertz import ElasticMaterial
 from core.output.pin_section import PinSection
 
 NUT_FACTOR, THREAD = 0.2, 1.25
@@ -24,6 +25,10 @@ class PinBolt:
     preload: float | None = None  # F_v as it is tightened, N, > 0; unknown where not given
     preload_scatter: float = 1.8  # largest over least preload of the way it is tightened, >= 1
     friction_coefficient: float = 0.15  # mu of the spacer on the carrier, > 0
+    material: ElasticMaterial | None = None  # of its core, with Re; that of the spacer without
+    tensile_strength: float | None = None  # Rm of that, Pa
+    steel: bool = False  # whether it is a steel, as `DesignPin` says it
+    valid_diameter: float | None = None  # largest one that these strengths hold for, m
 
     def __post_init__(self) -> None:
         check_positive(
@@ -116,7 +121,15 @@ class PreloadedGrip(Grip):
         return not (self.opens or self.slips)
 
 
-def grip(*, bolt: PinBolt, diameter: float, bore: float, moment: float, shear_force: float) -> Grip:
+def grip(
+    *,
+    bolt: PinBolt,
+    diameter: float,
+    bore: float,
+    moment: float,
+    shear_force: float,
+    modulus_ratio: float = 1.0,
+) -> Grip:
     """What a bolt and its spacer bear at their root.
 
     Parameters
@@ -127,6 +140,8 @@ def grip(*, bolt: PinBolt, diameter: float, bore: float, moment: float, shear_fo
         Outer and inner diameter of the spacer, m.
     moment, shear_force : float
         Largest ones of the root, as the spacer carries them, N*m and N.
+    modulus_ratio : float
+        Young's modulus E_b of the bolt over E_s of the spacer.
 
     Returns
     -------
@@ -136,7 +151,7 @@ def grip(*, bolt: PinBolt, diameter: float, bore: float, moment: float, shear_fo
     -----
     With the least preload ``F_min``, preload over scatter: the face of the spacer is pressed
     everywhere up to ``M = F_min*(d^2 + d_i^2)/(8*d)``, and does not slip up to ``mu*F_min``.
-    While it is closed the bolt takes the part ``I_b/(I_b + I_s)`` of the moment. Derived.
+    While it is closed the bolt takes ``E_b*I_b/(E_b*I_b + E_s*I_s)`` of the moment. Derived.
 
     Examples
     --------
@@ -147,7 +162,8 @@ def grip(*, bolt: PinBolt, diameter: float, bore: float, moment: float, shear_fo
     (False, 1.3223, 1130.3)
     """
     spacer, core = PinSection(diameter, bore), PinSection(bolt.core_diameter)
-    shared = moment * core.inertia / (core.inertia + spacer.inertia)
+    stiffness = modulus_ratio * core.inertia
+    shared = moment * stiffness / (stiffness + spacer.inertia)
     found = {
         "moment": moment,
         "shear_force": shear_force,

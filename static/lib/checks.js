@@ -199,10 +199,11 @@ export function notConsidered({ not_considered: all = [], parts = [] }) {
 /** What was not given and is assumed, in words. */
 export function assumedIn({ assumed = [] }) {
   if (assumed.length === 0) return "";
-  const what = assumed.map(({ pointer, value, without }) => {
+  const what = assumed.map(({ pointer, value, low, high, without }) => {
     const [name, part] = pointer.split("/").filter((each) => !/^\d+$/.test(each)).reverse();
     const group = part === "bearings" ? "bearing" : part; // of the list of those of the shaft
-    const shown = typeof value === "number" ? formatQuantity(value, unitOf(name)) : said("materials", value) ?? message("option")[value] ?? "";
+    const between = low === undefined ? "" : ` (${formatNumber(low)}\u2013${formatNumber(high)})`;
+    const shown = typeof value === "number" ? formatQuantity(value, unitOf(name)) + between : said("materials", value) ?? message("option")[value] ?? "";
     const words = { title: fieldWords(name, group)?.title ?? name, value: shown };
     if (!without) return message("checks.assumedOne", words);
     return message("checks.assumedWithout", { ...words, force: formatQuantity(without.peak_force_N, "N") });

@@ -33,7 +33,7 @@ from core.design.sections import (
     Temperatures,
 )
 from core.errors import CalculationError, if_known
-from core.hertz import ContactLimit, ElasticMaterial, Plastic
+from core.hertz import ContactLimit, ElasticMaterial, Plastic, Spread
 from core.material_table import MATERIALS
 from core.output import real_mechanism
 from core.output.edge_load import SlopingContacts
@@ -292,7 +292,7 @@ DESIGNS = {
     ),
 }
 SOFT = ElasticMaterial(
-    3e9, 0.36, yield_strength=60e6, plastic=Plastic(softening=60.0, long_term_factor=0.5)
+    3e9, 0.36, yield_strength=60e6, plastic=Plastic(softening=Spread.of(60.0), long_term_factor=0.5)
 )
 PLASTIC = having(
     ALL,

@@ -102,6 +102,7 @@ const STRENGTH = {
   "pin.bolt.tightening_torque_Nm": bolted,
   "pin.bolt.preload_scatter": bolted,
   "pin.bolt.friction_coefficient": bolted,
+  "pin.bolt.bolt_material": { ...bolted, without: ["allowable_pressure_MPa", "life_curve", "long_term_factor"] },
   ...asked("bending_safety", "fatigue_safety", "max_deflection_mm", "max_slope_mrad"),
 };
 
