@@ -626,6 +626,8 @@ def moved(value: Any) -> Any:
     """A number that is a little larger, places of which the last is farther, what is not so; None
     of others.
     """
+    if isinstance(value, Spread):
+        return Spread.of(1.02 * value.usual)
     if isinstance(value, tuple) and value and (last := moved(value[-1])) is not None:
         return (*value[:-1], last)
     if isinstance(value, bool):

@@ -305,7 +305,6 @@ def test_fixes_cure() -> None:
                 "contact.pin_radius",
                 "load.pin_circle_radius",
                 "load.output_torque",
-                "mechanism.pins",
                 "mechanism.satellites",
             )
         ),

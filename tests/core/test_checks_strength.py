@@ -631,12 +631,9 @@ FIXED = {
     "pin_deflection": {"contact.pin_radius", "load.pin_circle_radius", "load.output_torque"},
     "efficiency": {"friction.coefficient", "load.pin_circle_radius"},
     "sliding_speed": {"load.input_speed"},
-    "pv": {
-        "contact.pin_radius", "load.pin_circle_radius", "load.input_speed", "load.output_torque",
-    },
+    "pv": {"load.pin_circle_radius", "load.input_speed", "load.output_torque"},
     "wear": {
-        "friction.wear_rate", "contact.pin_radius", "load.pin_circle_radius", "load.input_speed",
-        "load.output_torque",
+        "friction.wear_rate", "load.pin_circle_radius", "load.input_speed", "load.output_torque",
     },
     "pressure_angle": {"gear.module"},
     "mesh_possible": {"gear.module"},

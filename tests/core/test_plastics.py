@@ -277,6 +277,30 @@ def test_a_fix_cures_what_fails_at_once() -> None:
     assert all(fix.verdict != "pass" for fix in fixes)
 
 
+def test_a_fix_leaves_a_reducer_that_can_be_made() -> None:
+    """Discs of 46 mm in a ring of 41.5, pins in holes that overlap, or on a circle beyond the ring
+    would cure it too.
+    """
+    design = having(
+        SOFT,
+        ratio=11.0,
+        pin_circle_radius=0.02605,
+        pin_radius=0.0045,
+        hole_radius=0.006525,
+        eccentricity=0.002025,
+        contact_length=0.01,
+        output_torque=60.0,
+        satellite_body=SatelliteBody(bore_radius=0.016),
+        gear=CycloidRing(ring_pin_circle_radius=0.0415, ring_pin_radius=0.0045),
+        friction=Friction(coefficient=0.2),
+    )
+    found = {fix.variable: fix for fix in fixes_of(design, ["contact_static_cold"])}
+    assert found.keys() == {"load.output_torque", "mechanism.satellites"}
+    less = having(design, output_torque=30.0)
+    longer = {fix.variable: fix for fix in fixes_of(less, ["contact_static_cold"])}
+    assert longer["contact.contact_length"].status == "solved"
+
+
 def test_deflections_are_those_of_the_softest_material() -> None:
     design = having(SOFT, max_lost_motion=1.0, hole_radius=0.0102, hole_material=NAMED)
     soft = having(design, hole_material=replace(NAMED, youngs_modulus=1.6e9, least_modulus=None))
