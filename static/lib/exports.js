@@ -77,7 +77,7 @@ const isSection = (value) => typeof value === "object" && value !== null && !Arr
  * their limits and where these are from; last the warnings, by their codes.
  */
 export function flatValues(input, answer) {
-  const found = leaves("", input, "").map(([name, value, unit]) => ({ section: "inputs", name, value, unit }));
+  const found = leaves("", input, "").map(([name, value, unit]) => ({ section: "inputs", name: name.replace(/^besides\./, ""), value, unit }));
   const sections = Object.entries(answer).filter(([name, value]) => isSection(value) && !ASIDE.includes(name));
   for (const [section, values] of sections) {
     for (const [name, value] of Object.entries(values).filter(([key]) => !ASIDE.includes(key))) {

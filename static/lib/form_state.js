@@ -231,12 +231,13 @@ export function withLinks(model, state) {
   return { ...state, texts };
 }
 
-/** The boxes of a state that say something, by groups: `[{ id, entries: [{ field, value }] }]`. */
+/** The boxes of a state that say something, by groups: `[{ id, title, entries: [{ field, value }] }]`; a group that is off until wanted has the title of its switch. */
 export function listedInputs(model, state) {
   const shown = new Set(shownFields(model, state));
   const { filled } = readState(model, state);
-  return model.groups.map(({ id, items }) => ({
+  return model.groups.map(({ id, wanted, items }) => ({
     id,
+    title: wanted && items[0].title,
     entries: items.flatMap(fieldsOf)
       .filter((field) => shown.has(field))
       .map((field) => ({ field, value: valueAt(filled, placeOf(field)) }))

@@ -323,8 +323,6 @@ export default {
   },
   label: { title: "Title", date: "Date", author: "Author", revision: "Revision", note: "Note" },
   group: {
-    real: "Clearance and errors",
-    study: "Tolerances",
     requirements: "Requirements",
     satellite_body: "Body of the satellite",
     reducer: "Reducer",
@@ -337,13 +335,6 @@ export default {
     gear: "Mesh",
     rollers: "Rollers",
     shaft: "Shaft",
-    strength: "Strength of the pins",
-    losses: "Friction and wear",
-    rolling: "Rollers on the pins",
-    bearings: "Ring and bearings of the satellites",
-    crank: "Crankshaft",
-    endurance: "Fatigue",
-    lines: "Pressure along the contact lines",
   },
   rows: {
     add: "Add a row",

@@ -317,8 +317,6 @@ export default {
   },
   label: { title: "Название", date: "Дата", author: "Автор", revision: "Редакция", note: "Примечание" },
   group: {
-    real: "Зазоры и погрешности",
-    study: "Допуски",
     requirements: "Требования",
     satellite_body: "Тело сателлита",
     reducer: "Редуктор",
@@ -331,13 +329,6 @@ export default {
     gear: "Зацепление",
     rollers: "Ролики",
     shaft: "Вал",
-    strength: "Прочность пальцев",
-    losses: "Трение и износ",
-    rolling: "Ролики на пальцах",
-    bearings: "Центральное колесо и подшипники сателлитов",
-    crank: "Эксцентриковый вал",
-    endurance: "Усталость",
-    lines: "Давление вдоль линий контакта",
   },
   rows: {
     add: "Добавить строку",

@@ -317,8 +317,6 @@ export default {
   },
   label: { title: "Назва", date: "Дата", author: "Автор", revision: "Редакція", note: "Примітка" },
   group: {
-    real: "Зазори й похибки",
-    study: "Допуски",
     requirements: "Вимоги",
     satellite_body: "Тіло сателіта",
     reducer: "Редуктор",
@@ -331,13 +329,6 @@ export default {
     gear: "Зачеплення",
     rollers: "Ролики",
     shaft: "Вал",
-    strength: "Міцність цівок",
-    losses: "Тертя і знос",
-    rolling: "Ролики на цівках",
-    bearings: "Центральне колесо й підшипники сателітів",
-    crank: "Колінчастий вал",
-    endurance: "Втома",
-    lines: "Тиск уздовж ліній контакту",
   },
   rows: {
     add: "Додати рядок",

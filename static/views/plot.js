@@ -142,9 +142,11 @@ export function createPlot({ label, follows, picked, clicked }) {
       moveCursor();
       if (other) Plotly.restyle(root, emphasis(root.data));
     },
-    /** Fit what is drawn to paper, at once; null undoes it. */
+    /** Fit what is drawn to paper, at once, the names of its rows to their height; null undoes it. */
     fit(size) {
-      Plotly.relayout(root, size ? { autosize: false, ...size } : { autosize: true, width: null, height: null });
+      Plotly.relayout(root, size ? { autosize: false, ...size } : { autosize: true, width: null, height: null, "yaxis.tickfont.size": null });
+      const { tickvals: rows = [], tickfont, _length: tall } = root._fullLayout.yaxis ?? {};
+      if (size && tall < rows.length * tickfont.size) Plotly.relayout(root, { "yaxis.tickfont.size": tall / rows.length });
     },
     purge: () => Plotly?.purge(root),
   };

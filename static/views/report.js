@@ -9,7 +9,7 @@ import { download } from "./files.js";
 import { symbolMarkup, tableMarkup } from "./parts.js";
 
 const PAPER_WIDTH = 660; // of a figure, in the pixels of a print: A4 less its margins
-const PAPER_HEIGHT = 0.58; // of that on the screen, where that leaves its titles room
+const PAPER_HEIGHT = 0.54; // of that on the screen, where that leaves its titles room
 const LEAST_HEIGHT = 200;
 const LEFT_OUT = "button, input, select, .motion, .figure-tools, .compare, .say, .cursor, .accuracy-fold, [hidden], script, link";
 
@@ -23,8 +23,10 @@ function valueText(field, value, catalogue) {
 }
 
 function inputRow({ field, value }, catalogues) {
-  return html`<tr data-path="${field.path}"><th scope="row">${field.title}</th><td class="symbol-cell">${symbolMarkup(field.symbol)}</td>
-    <td class="value ${typeof value === "string" && "long"}">${valueText(field, value, catalogues[field.path])}</td><td class="unit-cell">${shownUnit(field.unit)}</td></tr>`;
+  const text = valueText(field, value, catalogues[field.path]);
+  const cells = typeof value === "string" || field.kind === "names" ? html`<td class="value long" colspan="3">${text}</td>` : html`
+    <td class="symbol-cell">${symbolMarkup(field.symbol)}</td><td class="value">${text}</td><td class="unit-cell">${shownUnit(field.unit)}</td>`;
+  return html`<tr data-path="${field.path}"><th scope="row">${field.title}</th>${cells}</tr>`;
 }
 
 function recordsTable({ field, value }) {
@@ -37,9 +39,9 @@ function recordsTable({ field, value }) {
 }
 
 function inputsMarkup(groups, catalogues) {
-  return groups.map(({ id, entries }) => {
+  return groups.map(({ id, title, entries }) => {
     const flat = entries.filter(({ field }) => !["records", "switch"].includes(field.kind));
-    return html`<section class="given"><h3>${message(`group.${id}`)}</h3>
+    return html`<section class="given"><h3>${title ?? message(`group.${id}`)}</h3>
       ${flat.length > 0 && html`<table class="quantities"><tbody>${flat.map((entry) => inputRow(entry, catalogues))}</tbody></table>`}
       ${entries.filter(({ field }) => field.kind === "records").map(recordsTable)}</section>`;
   });
@@ -95,7 +97,7 @@ export function createReport({ calculator, model, catalogues, version, outputs, 
         <th scope="row">${message("label.date")}</th><td>${new Date().toISOString().slice(0, 10)}</td></tr></tbody></table>
       ${now.typed.texts.note && html`<p class="report-note">${now.typed.texts.note}</p>`}
       <p class="made">${message("report.made", { version, date: new Date().toISOString().slice(0, 10) })}</p>
-      <p class="made">${location.href}</p>`);
+      <p class="made link-of">${location.href}</p>`);
     fill(givens, html`<h2>${message("report.inputs")}</h2>
       <div class="givens">${inputsMarkup(listedInputs(model, now.typed), catalogues)}</div>`);
     const closed = ":is(.checks details.more, .torque details):not([open])";

@@ -117,7 +117,9 @@ def printed(page: Page) -> PdfReader:
 def text_of(pdf: PdfReader) -> str:
     """The words on paper; ligatures taken apart."""
     text = " ".join(page.extract_text() for page in pdf.pages)
-    return re.sub(r"\s+", " ", text.replace("ﬂ", "fl").replace("ﬁ", "fi").replace("ﬀ", "ff"))
+    for joined, letters in {"ﬂ": "fl", "ﬁ": "fi", "ﬀ": "ff", "ﬃ": "ffi"}.items():
+        text = text.replace(joined, letters)
+    return re.sub(r"\s+", " ", text)
 
 
 # What is the same in all languages: names of programs, files, units, keys, standards.
