@@ -1,19 +1,19 @@
 /** Asking the service for results: 50 ms after the last key or at once, the newest request only. */
 import { newestOnly, Problem } from "./lib/api.js";
 import { readState, stateFromInput } from "./lib/form_state.js";
-import { judgedOf } from "./lib/checks.js";
+import { isMended, judgedOf, usuallyOf } from "./lib/checks.js";
 import { answered, asked, compared, failed, mended, withUsual } from "./store.js";
 
 const DEBOUNCE_MS = 50;
 const AGAIN_MS = [1000, 2000, 4000, 8000]; // after a failure of the service; the last from then on
 
-/** Posts that are sent once, however often they are asked for; `done` gathers what was answered. */
-function postingOnce(client, signal, done = []) {
+/** Posts that are sent once, however often they are asked for; `done` gathers what was answered; `aside`, after all else. */
+function postingOnce(client, signal, done = [], aside = false) {
   const answers = new Map();
   return (path, body) => {
     const key = `${path} ${JSON.stringify(body)}`;
     if (!answers.has(key)) {
-      answers.set(key, client.post(path, body, { signal }).then((answer) => {
+      answers.set(key, client.post(path, body, { signal, aside }).then((answer) => {
         done.push({ path: client.base + path, body, answer });
         return answer;
       }));
@@ -43,8 +43,7 @@ async function askSections({ client, calculator, input, filled, tables, signal }
 export function createAsking({ store, client, designs }) {
   const { model, calculator } = store.state.about;
   const newest = newestOnly();
-  const fixing = newestOnly();
-  const usually = newestOnly();
+  const further = newestOnly();
   const answers = new Map(); // of the designs that are kept, by their inputs
   let timer = 0;
   let failures = 0;
@@ -78,25 +77,21 @@ export function createAsking({ store, client, designs }) {
   function cancel() {
     clearTimeout(timer);
     newest.cancel();
-    fixing.cancel();
-    usually.cancel();
+    further.cancel();
   }
 
-  /** What would mend the design that is shown, asked for after its answer. */
-  async function mend(shown) {
-    const failing = ["fail", "marginal"].includes(judgedOf(calculator, shown.answer)?.verdict);
-    if (!calculator.mend || !failing) return;
-    const { answer, problem } = await fixing.ask((signal) => calculator.mend({ post: postingOnce(client, signal), get: client.get, ...shown }));
-    if (answer) store.apply(mended, shown, [answer.combined ?? [], judgedOf(calculator, answer)?.fixes ?? []].flat());
-    if (problem?.kind === "too-long") store.apply(mended, shown, [], true);
-  }
-
-  /** What becomes of it with what is usual of what is not known, asked for beside that. */
-  async function compareUsual(shown) {
-    const include = calculator.usual?.(shown.answer) ?? [];
+  /** After all that somebody waits for, one after the other: what mends the design that is shown, what becomes of it with what is usual. */
+  async function lookFurther(shown) {
+    const look = (own) => further.ask((signal) => calculator.mend({ post: postingOnce(client, signal, [], true), get: client.get, ...own, ...shown }));
+    if (isMended(calculator, shown.answer)) {
+      const { answer = {}, problem, superseded } = await look();
+      if (superseded) return;
+      store.apply(mended, shown, [answer.combined ?? [], judgedOf(calculator, answer)?.fixes ?? []].flat(), problem?.kind === "too-long");
+    }
+    const include = usuallyOf(calculator, shown.answer);
     if (include.length === 0) return;
-    const { answer } = await usually.ask((signal) => calculator.mend({ post: postingOnce(client, signal), get: client.get, include, ...shown }));
-    if (answer) store.apply(withUsual, shown, answer);
+    const { answer = {}, superseded } = await look({ include });
+    if (!superseded) store.apply(withUsual, shown, answer);
   }
 
   async function now() {
@@ -118,10 +113,7 @@ export function createAsking({ store, client, designs }) {
     }
     failures = 0;
     store.apply(answered, answer);
-    if (answer.answer) {
-      mend(store.state.shown);
-      compareUsual(store.state.shown);
-    }
+    if (answer.answer) lookFurther(store.state.shown);
     const { shown, kept } = store.state;
     if (shown && (!kept || kept.some((design) => design.answer === undefined))) compare();
   }

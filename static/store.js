@@ -245,10 +245,10 @@ function announced(shown, { calculator, titles }) {
 }
 
 /** What would mend the design that is shown; of another one it is passed over. */
-export const mended = (state, of, list, long = false) => (state.shown === of ? { ...state, fixes: { of, list, long } } : state);
+export const mended = (state, of, list, long = false) => (state.shown?.answer === of.answer ? { ...state, fixes: { of, list, long } } : state);
 
 /** What becomes of that design with what is usual of what is not known of it. */
-export const withUsual = (state, of, { usual_fit: fit, usual_modification: ring }) => (state.shown === of ? { ...state, usual: { of, fit, ring } } : state);
+export const withUsual = (state, of, { usual_fit: fit, usual_modification: ring }) => (state.shown?.answer === of.answer ? { ...state, usual: { of, fit, ring } } : state);
 
 /** Values put in by JSON pointer: a fix, a size that was looked for. */
 export function applied(state, sets, time) {

@@ -1,6 +1,7 @@
 /** The REST service as promises. The only module that calls `fetch`. No DOM. */
 
 const LINES = "application/x-ndjson";
+const ASIDE_MS = 250; // how often what waits for all else looks whether it may be asked
 const KINDS = { 500: "failure", 502: "unavailable", 503: "unavailable", 504: "unavailable" }; // of answers that are not the service's own
 
 /** What the service (or the way to it) refused: RFC 9457, with the pointers of the wrong fields. */
@@ -73,7 +74,8 @@ async function fileOf(response) {
 
 /**
  * `get(path)` and `post(path, body, { signal, query })` below `base`, which is below the page; with `progressed(share)`
- * the answer may come as lines that say how far it is. `file(path, body)` answers `{ name, content }`.
+ * the answer may come as lines that say how far it is; what is posted `aside` waits for all else that is posted, gives way
+ * to it, and is asked again. `file(path, body)` answers `{ name, content }`.
  */
 export function createClient({ base = "/api/v1", fetch = globalThis.fetch } = {}) {
   async function ask(path, options, read = saidBy) {
@@ -86,6 +88,37 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch } = {}
       throw new Problem({ title: "unreachable" });
     }
   }
+  let waiting = 0; // posts that somebody waits for
+  let giveWay = null; // ends what is asked aside
+
+  /** Asked at once; what is asked aside gives way to it. */
+  async function first(asked) {
+    waiting += 1;
+    giveWay?.abort();
+    try {
+      return await asked();
+    } finally {
+      waiting -= 1;
+    }
+  }
+
+  /** Asked once nobody waits for anything else, and anew where it had to give way. */
+  async function aside(asked, signal) {
+    for (;;) {
+      await new Promise((resolve) => { setTimeout(resolve, ASIDE_MS); });
+      signal.throwIfAborted();
+      if (waiting > 0) continue;
+      const way = new AbortController();
+      giveWay = way;
+      signal.addEventListener("abort", () => way.abort(), { signal: way.signal });
+      try {
+        return await asked(way.signal);
+      } catch (error) {
+        if (signal.aborted || error.name !== "AbortError") throw error;
+      }
+    }
+  }
+
   const sending = (body, accept, signal) => ({
     method: "POST",
     signal,
@@ -95,13 +128,15 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch } = {}
   return {
     base,
     get: (path) => ask(path), // without headers: so it takes what the page's head has asked for
-    post: (path, body, { signal, query, progressed } = {}) =>
-      ask(
+    post(path, body, { signal, query, progressed, aside: waits } = {}) {
+      const asked = (until = signal) => ask(
         query ? `${path}?${new URLSearchParams(query)}` : path,
-        sending(body, progressed ? `${LINES}, application/json` : "application/json", signal),
+        sending(body, progressed ? `${LINES}, application/json` : "application/json", until),
         (response) => saidBy(response, progressed),
-      ),
-    file: (path, body) => ask(path, sending(body, "*/*"), fileOf),
+      );
+      return waits ? aside(asked, signal) : first(asked);
+    },
+    file: (path, body) => first(() => ask(path, sending(body, "*/*"), fileOf)),
   };
 }
 

@@ -31,6 +31,12 @@ export function judgedOf({ judgedIn }, answer) {
   return part?.verdict ? part : null;
 }
 
+/** Whether it is looked for what mends a design. */
+export const isMended = (calculator, answer) => Boolean(calculator.mend) && ["fail", "marginal"].includes(judgedOf(calculator, answer)?.verdict);
+
+/** What is usual of what is not known of it, with which it is looked at too. */
+export const usuallyOf = ({ usual = () => [] }, answer) => usual(answer);
+
 /** The checks that a value may be looked for by: those that say how much of their limit is used. */
 export const sizedBy = (judged) => (judged?.checks ?? []).filter(({ utilisation }) => utilisation !== undefined);
 

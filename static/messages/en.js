@@ -445,6 +445,7 @@ export default {
     notByTorque: "not known: less torque does not cure “{check}”",
     estimated: "an estimate",
     usual: "with {fit}, {clearance}: {result}", printed: "a printed hole",
+    usualSought: "Looking at what is usual …",
     usualRing: "with a ring that is {made}: {result}",
     usualRingMade: "Modification {modification}, pins anywhere within ⌀ {zone}: in nine of ten a pressure up to {pressure}.",
     rings: { ground: "ground", machined: "machined", printed: "printed" },
@@ -465,6 +466,7 @@ export default {
   },
   fixes: {
     title: "What mends it",
+    seeking: "Looking for what mends it …",
     long: "Which changes would help took longer to find than the service allows. Fewer sections, or no clearance and errors, make it faster; “Size for …” beside a field looks for one value.",
     change: "{field} {from} → {to} ({change})",
     choice: "{field}: {from} → {to}",
@@ -935,6 +937,7 @@ export default {
     crankLabel: "The crankshaft to scale along its axis with its two bearings, the satellites on their cranks, and the largest reaction of each bearing as an arrow.",
   },
   figure: {
+    older: "Of older inputs",
     measureExample: "Measure an example with a trade-off",
     largest: "Largest force",
     largestReal: "Largest force, real",

@@ -1,8 +1,8 @@
 /** All checks, the one that governs first: how much of its limit each uses, from where the limit is, what mends it. */
-import { checkRow, fixRow, judgedOf, percent } from "../lib/checks.js";
+import { checkRow, fixRow, isMended, judgedOf, percent } from "../lib/checks.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
-import { following } from "../store.js";
+import { following, stale } from "../store.js";
 import { barMarkup, keepRoom, sign, symbolMarkup } from "./parts.js";
 
 const AT_ONCE = 6; // rows in sight; the rest is folded
@@ -55,6 +55,38 @@ export function createChecks({ calculator, titles, fieldAt, askedAt, on }) {
   let list = [];
   const keep = keepRoom(root);
 
+  const rows = following(({ shown }) => [shown], ({ shown }) => {
+    const judged = judgedOf(calculator, shown?.answer);
+    root.style.visibility = shown && !judged?.checks ? "hidden" : "";
+    root.querySelector(".waiting").hidden = Boolean(judged?.checks);
+    if (!judged?.checks) return;
+    const all = judged.checks.map((check) => checkRow(check, titles))
+      .map((row) => ({ ...row, missing: [...new Set(row.missing.map(askedAt))] }));
+    // No more stand in sight however many are asked for, so that what is under them keeps its place.
+    const inSight = all.filter(({ judged: known, status, needed }) => known || (status === "not_checked" && needed)).slice(0, AT_ONCE);
+    fill(first, html`${inSight.map((row) => rowMarkup(row, fieldAt))}`);
+    const others = all.filter((row) => !inSight.includes(row));
+    more.hidden = others.length === 0;
+    more.querySelector("summary").textContent = message("checks.more", { count: others.length });
+    fill(rest, html`${others.map((row) => rowMarkup(row, fieldAt))}`);
+  });
+
+  /** What mends the design, or that it is looked for. */
+  const mending = following((state) => [state.shown, state.fixes, stale(state)], (state) => {
+    const { shown, fixes: found } = state;
+    const judged = judgedOf(calculator, shown?.answer);
+    if (!judged?.checks) return;
+    const [open, known] = [isMended(calculator, shown.answer), found?.of.answer === shown.answer];
+    fixes.dataset.open = String(open);
+    list = known ? found.list.slice(0, FIXES) : [];
+    const seeks = open && !known && !stale(state);
+    const note = seeks ? html`<p class="note">${message("fixes.seeking")}</p><progress class="seeking" aria-hidden="true"></progress>`
+      : known && found.long && html`<p class="note">${message("fixes.long")}</p>`;
+    fill(fixes, !note && list.length === 0 ? html`` : html`<h3>${message("fixes.title")}</h3>
+      ${note}<ul>${list.map((fix) => fixRow(fix, fieldAt, judged)).map(fixMarkup)}</ul>`);
+    keep(!more.open);
+  });
+
   root.addEventListener("click", ({ target }) => {
     const { fix, ask } = target.closest("[data-fix], [data-ask]")?.dataset ?? {};
     if (fix) on.fixed(list[fix].sets);
@@ -72,27 +104,9 @@ export function createChecks({ calculator, titles, fieldAt, askedAt, on }) {
       row.querySelector("summary").focus();
       row.scrollIntoView({ block: "center" });
     },
-    update: following(({ shown, fixes: found }) => [shown, found], ({ shown, fixes: found }) => {
-      const judged = judgedOf(calculator, shown?.answer);
-      root.style.visibility = shown && !judged?.checks ? "hidden" : "";
-      root.querySelector(".waiting").hidden = Boolean(judged?.checks);
-      if (!judged?.checks) return;
-      const rows = judged.checks.map((check) => checkRow(check, titles))
-        .map((row) => ({ ...row, missing: [...new Set(row.missing.map(askedAt))] }));
-      // What is asked for stands in sight wherever it comes.
-      const inSight = rows.filter(({ judged: known, status, needed }, i) => (known && i < AT_ONCE) || (status === "not_checked" && needed));
-      fill(first, html`${inSight.map((row) => rowMarkup(row, fieldAt))}`);
-      const others = rows.filter((row) => !inSight.includes(row));
-      more.hidden = others.length === 0;
-      more.querySelector("summary").textContent = message("checks.more", { count: others.length });
-      fill(rest, html`${others.map((row) => rowMarkup(row, fieldAt))}`);
-      fixes.dataset.open = String(Boolean(calculator.mend) && ["fail", "marginal"].includes(judged.verdict));
-      list = found?.of === shown ? found.list.slice(0, FIXES) : [];
-      const long = found?.of === shown && found.long;
-      fill(fixes, list.length === 0 && !long ? html`` : html`<h3>${message("fixes.title")}</h3>
-        ${long && html`<p class="note">${message("fixes.long")}</p>`}
-        <ul>${list.map((fix) => fixRow(fix, fieldAt, judged)).map(fixMarkup)}</ul>`);
-      keep(!more.open);
-    }),
+    update(state) {
+      rows(state);
+      mending(state);
+    },
   };
 }

@@ -3,7 +3,7 @@
  * stays in sight; under it stand the few numbers of the calculator and the line of warnings.
  */
 import {
-  assumedIn, checkRow, coldYield, decisive, judgedOf, levelOfWord, notConsidered, partRow, torqueDigits, torqueUnknown, wordNote, wordOf, wordText,
+  assumedIn, checkRow, coldYield, decisive, judgedOf, levelOfWord, notConsidered, partRow, torqueDigits, torqueUnknown, usuallyOf, wordNote, wordOf, wordText,
 } from "../lib/checks.js";
 import { formatQuantity, quantityParts } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
@@ -45,8 +45,9 @@ function governingMarkup(judged, titles) {
 const becomes = ({ largest_torque_Nm: torque, verdict }) =>
   [torque !== undefined && formatQuantity(torque, "N·m", 3), wordText({ verdict, parts: [] })].filter(Boolean).join(", ");
 
-/** What becomes of the design with a usual clearance, and with a usual ring of pins. */
-function usualMarkup({ fit, ring }) {
+/** What becomes of the design with a usual clearance, and with a usual ring of pins; or that it is looked for. */
+function usualMarkup({ sought, fit, ring }) {
+  if (sought) return html`<p class="note usual">${message("checks.usualSought")}</p>`;
   return html`${fit && html`<p class="note usual">${message("checks.usual", {
     fit: fit.class === "printed" ? message("checks.printed") : fit.class, clearance: formatQuantity(fit.hole_clearance_mm, "mm", 3), result: becomes(fit),
   })}</p>`}${ring && html`<details class="note usual"><summary>${message("checks.usualRing", { made: message(`checks.rings.${ring.class}`), result: becomes(ring) })}</summary>
@@ -54,6 +55,11 @@ function usualMarkup({ fit, ring }) {
       modification: formatQuantity(ring.equidistant_mm, "mm", 3), zone: formatQuantity(ring.pin_zone_diameter_mm, "mm", 3),
       pressure: formatQuantity(ring.max_pressure_MPa.percent_90, "MPa", 4),
     })}</details>`}`;
+}
+
+function usualOf({ shown, usual }, calculator) {
+  if (usual?.of.answer === shown.answer) return usual;
+  return usuallyOf(calculator, shown.answer).length > 0 && { sought: true };
 }
 
 function torqueMarkup({ numbers }, judged, usual) {
@@ -119,7 +125,7 @@ export function createVerdict({ calculator, titles, scope: all = [], on }) {
       const stands = standing(state);
       fill(part("judged"), wordMarkup(stands, judged));
       fill(part("governing"), governingMarkup(judged, titles));
-      fill(part("torque"), torqueMarkup(stands, judged, state.usual?.of === state.shown && stands.numbers === "fresh" && state.usual));
+      fill(part("torque"), torqueMarkup(stands, judged, stands.numbers === "fresh" && usualOf(state, calculator)));
       judgedNow = judged;
       if (all.length === 0) return;
       const parts = stands.numbers !== "part" && judged?.parts;

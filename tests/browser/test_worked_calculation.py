@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from playwright.sync_api import Locator, Page, expect
+from playwright.sync_api import Locator, Page, Request, Route, expect
 
 from core.precision import JUDGED
 from tests.browser.calculator_page import ask, box, first_example, number, settled, show
@@ -160,3 +160,42 @@ def test_a_fix_and_a_size_are_applied_by_a_click(page: Page, service: str) -> No
     settled(page)
     row = page.locator('.results [data-name="safety_factor"] .value')
     assert number(row.text_content() or "") == pytest.approx(1.5, rel=2e-3)
+
+
+def test_what_mends_is_looked_for_last_and_gives_way(page: Page, service: str) -> None:
+    """While it is looked for, that is said in its room; a size that is asked for comes first."""
+    held: list[Route] = []
+    ended: list[Request] = []
+
+    def mends(request: Request) -> bool:
+        return "fixes" in (request.post_data or "")
+
+    page.route(
+        "**/crank-planetary",
+        lambda route: held.append(route) if mends(route.request) else route.continue_(),
+    )
+    page.on("requestfailed", lambda request: ended.append(request) if mends(request) else None)
+    show(page, service, "crank-planetary")
+    load, fixes = box(page, "load.output_torque_Nm"), page.locator(".fixes")
+    with page.expect_request(mends):
+        load.fill("1500")
+    settled(page)
+    expect(fixes).to_contain_text("Looking for what mends it")
+    height = fixes.evaluate("(one) => one.offsetHeight")
+    with page.expect_request("**/solve"):
+        page.get_by_role("button", name="Size Pin radius for").click()
+    with page.expect_request(mends):  # again, after it
+        expect(page.locator('#sizing [data-part="result"]')).to_contain_text("at least")
+    assert ended
+    page.keyboard.press("Escape")
+    held[-1].continue_()
+    expect(fixes.locator(".fix").first).to_be_visible()
+    expect(fixes).not_to_contain_text("Looking")
+    assert fixes.evaluate("(one) => one.offsetHeight") == height
+    with page.expect_request(mends):
+        load.fill("1600")
+    given_way = len(ended)
+    load.fill("x")  # a key ends it
+    settled(page, "wrong")
+    expect(fixes).not_to_contain_text("Looking")
+    assert len(ended) == given_way + 1

@@ -100,3 +100,38 @@ test("a file comes with its name, and why there is none as a problem", async () 
   const refused = answering(422, { status: 422, errors }, "application/problem+json").client;
   await assert.rejects(refused.file("/export/dxf", {}), (problem) => problem instanceof Problem && problem.errors[0].pointer === "/design/contact");
 });
+
+test("what is asked aside waits for all else, gives way to it, is asked again, and ends with its signal", async () => {
+  const sent = [];
+  const fetch = (url, { signal }) => new Promise((resolve, reject) => {
+    sent.push({ url, signal, done: () => resolve(new Response("{}", { status: 200 })) });
+    signal?.addEventListener("abort", () => reject(signal.reason));
+  });
+  const until = async (count) => {
+    while (sent.length < count) await later(10);
+  };
+  const client = createClient({ base: "", fetch });
+  const stop = new AbortController();
+  const main = client.post("/main", {});
+  const found = client.post("/fixes", {}, { signal: stop.signal, aside: true });
+  await later(300);
+  assert.deepEqual(sent.map(({ url }) => url), ["./main"]);
+  sent[0].done();
+  await main;
+  await until(2);
+  const drawing = client.file("/dxf", {});
+  assert.ok(sent[1].signal.aborted && sent[2].url === "./dxf");
+  await later(300);
+  assert.equal(sent.length, 3);
+  sent[2].done();
+  await drawing;
+  await until(4);
+  assert.equal(sent[3].url, "./fixes");
+  sent[3].done();
+  assert.deepEqual(await found, {});
+  const ended = client.post("/fixes", {}, { signal: stop.signal, aside: true });
+  await until(5);
+  stop.abort();
+  await assert.rejects(ended, { name: "AbortError" });
+  assert.ok(sent[4].signal.aborted);
+});

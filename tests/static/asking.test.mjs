@@ -138,6 +138,29 @@ test("what is usual is asked for apart from what mends the design, and where som
   }
 });
 
+test("what mends a design and what is usual are asked for aside, one after the other, and not of a design that is typed over", async () => {
+  const asked = [];
+  const own = {
+    usual: () => ["usual_fit"],
+    mend: ({ post, include = ["fixes"] }) => post("/job", { include }),
+  };
+  const failing = { verdict: "fail", checks: [{ code: "x", title: "X", status: "fail" }], counts: {} };
+  const { store, client, asking } = working((body) => ({ ...answerTo(body), ...failing }), [], {}, own);
+  const { post } = client;
+  client.post = (path, body, { signal, aside }) => (aside
+    ? new Promise((resolve) => { asked.push({ include: body.include[0], signal, done: () => resolve(failing) }); }) : post(path, body));
+  await asking.now();
+  await tick();
+  assert.deepEqual(asked.map(({ include }) => include), ["fixes"]);
+  asked[0].done();
+  await tick();
+  assert.deepEqual([store.state.fixes.of === store.state.shown, asked.length, asked[1].include], [true, 2, "usual_fit"]);
+  store.apply(typedIn, "mechanism.pins", "7", 0);
+  asking.soon();
+  assert.ok(asked[1].signal.aborted);
+  asking.cancel();
+});
+
 test("a live group that the service could not answer asks again by itself, unless its inputs have changed", async () => {
   mock.timers.enable({ apis: ["setTimeout"] });
   let asked = 0;

@@ -130,6 +130,8 @@ test("a fix is applied as one step, and one of another design is passed over", (
   const mended = next.mended(state, state.shown, [{ sets: { "/mechanism/pins": 5 } }]);
   assert.equal(mended.fixes.of, mended.shown);
   assert.equal(next.mended(state, {}, []), state);
+  const named = next.labelled(state, "title", "Wheel", 0); // while it was looked for
+  assert.equal(next.mended(named, state.shown, []).fixes.of.answer, named.shown.answer);
   const applied = next.applied(mended, { "/mechanism/pins": 5, "/not/here": 1 }, 0);
   assert.equal(applied.reading.input.mechanism.pins, 5);
   assert.equal(next.steppedBack(applied).reading.input.mechanism.pins, 3);
