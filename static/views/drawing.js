@@ -7,7 +7,7 @@ import { formatAngle } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 import { drawable, following } from "../store.js";
-import { enlargeButton } from "./parts.js";
+import { enlargeButton, olderMark } from "./parts.js";
 
 const TURN_MS = 12_000;
 const STEPS = 720; // of the slider
@@ -31,7 +31,7 @@ export function createDrawingView({ calculator, on }) {
         <label>${message("drawing.select")} <select id="pair" class="box"></select></label>
       </div>`}
       <div class="drawing" role="img" aria-label="${message(`drawing.${calculator.id}Label`)}"></div>
-      <p class="scale"></p>
+      ${olderMark()}<p class="scale"></p>
     </section>`);
   const place = root.querySelector(".drawing");
   const controls = root.querySelectorAll(".save, .motion button, .motion input, .motion select");

@@ -5,7 +5,7 @@ import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 import { passingText, problemText } from "../service_texts.js";
 import { following } from "../store.js";
-import { enlargeButton, tableMarkup } from "./parts.js";
+import { enlargeButton, olderMark, tableMarkup } from "./parts.js";
 import { createPlot, loadPlotly, pictureOf } from "./plot.js";
 
 const NONE = [];
@@ -42,6 +42,7 @@ export function createFigure({ figure: about, client, titles, on }) {
       <div class="canvas">
         <div class="figure-table" tabindex="0" role="region" aria-label="${title}" hidden></div>
         <p class="figure-message" hidden></p>
+        ${olderMark()}
         ${figure.onDemand && html`<p class="measures"><button type="button" class="measure">${message("figure.measure")}</button>
           ${figure.example && html`<button type="button" class="measure example">${message("figure.measureExample")}</button>`}</p>`}
       </div>

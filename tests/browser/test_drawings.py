@@ -453,3 +453,27 @@ def test_a_drawing_is_saved_as_it_is_light_on_white(page: Page, service: str, th
     assert content[:8] == b"\x89PNG\r\n\x1a\n"
     width = int.from_bytes(content[16:20], "big")
     assert width == 2 * int(float(saved.get("width") or 0))
+
+
+def test_what_is_drawn_of_older_inputs_says_so(page: Page, service: str) -> None:
+    open_mechanism(page, service)
+    marks = page.locator(".mechanism .older, [data-figure=force] .older")
+    expect(marks.filter(visible=True)).to_have_count(0)
+    room = page.locator(".mechanism").bounding_box()
+    held: list[Route] = []
+    page.route("**/contact-force/chart*", lambda route: held.append(route))
+    box(page, "load.output_torque_Nm").fill("60")
+    settled(page)
+    expect(marks.filter(visible=True)).to_have_text(["Of older inputs"] * 2)
+    assert page.locator(".mechanism").bounding_box() == room
+    for route in held:
+        route.continue_()
+    page.unroute("**/contact-force/chart*")
+    expect(marks.filter(visible=True)).to_have_count(0)
+    # A figure that is refused leaves the drawing without its forces.
+    page.locator("#example").select_option("cycloid")
+    settled(page)
+    expect(marks.filter(visible=True)).to_have_count(0)
+    box(page, "mechanism.satellites").fill("40")
+    settled(page, "wrong")
+    expect(page.locator(".shown .mechanism .older")).to_be_visible()
