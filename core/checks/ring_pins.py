@@ -10,7 +10,6 @@ from core.design.refusals import named
 from core.design.results import Results
 from core.design.ring import RingKind
 from core.errors import NotKnown
-from core.precision import AS_TYPED
 from core.ring.profile import CycloidDisc
 
 NEAR_UNDERCUT = 1.1
@@ -59,10 +58,10 @@ def _disc(design: Design) -> CycloidDisc:
 def ring_undercut(design: Design, results: Results) -> Check:
     if design.lobes < 2:
         return Check(ring_undercut, "not_applicable", reason="one_only")
-    margin = _disc(design).undercut_margin
-    if not margin > 1 + AS_TYPED:
-        return judged(ring_undercut, margin, NEAR_UNDERCUT)._replace(impossible=True)
-    found = judged(ring_undercut, margin, NEAR_UNDERCUT, warning="near_undercut")
+    disc = _disc(design)
+    if disc.undercut:
+        return judged(ring_undercut, disc.undercut_margin, NEAR_UNDERCUT)._replace(impossible=True)
+    found = judged(ring_undercut, disc.undercut_margin, NEAR_UNDERCUT, warning="near_undercut")
     return found._replace(limit_source="guide")
 
 

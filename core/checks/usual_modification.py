@@ -22,7 +22,7 @@ from core.output.room import Deviations
 from core.output.sampled_turn import WAYS
 from core.output.turn import Turn
 from core.ring.profile import Modification
-from core.ring.sharing import LOST, CycloidMesh
+from core.ring.sharing import CycloidMesh
 from core.tolerance.draws import KINDS, uniforms, zone_places
 
 SAMPLES, SEED = 64, 0
@@ -198,7 +198,6 @@ def usual_modification(design: Design) -> UsualModification | None:
         return None
     if not design.load:
         return None
-    mesh = mesh if mesh.valley_gap <= LOST else replace(mesh, exact=False)
     places = [] if placed else ring_places(pins=design.ring_pins, radius=zone, samples=SAMPLES)
     pieces = [
         replace(made, ring_pin_radial=outward, ring_pin_tangential=along)

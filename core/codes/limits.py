@@ -197,14 +197,6 @@ OF_RESULTS = {
         why="The eccentricity is larger than that at which teeth fill their spaces.",
         mend="Make the eccentricity smaller, or the profile shift of the ring larger.",
     ),
-    "valley": limit(
-        "In a valley of the satellite's teeth a pin of the ring is {share:.3g} times as far off as "
-        "its path is round there: which point it touches is hardly known.",
-        title="Gap in the valleys",
-        tests="Whether gaps are small beside the radius of the pins' path in the valleys.",
-        why="From half that radius on, the nearest point of the path is hardly the only one.",
-        mend="Make the modification smaller, or the shortening coefficient.",
-    ),
     "both_meshes": limit(
         "The mesh with the ring and that with the pins are in series: each disc finds its place "
         "between both, and forces, play and stiffness are those of both. Clearance and elasticity "

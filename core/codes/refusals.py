@@ -93,7 +93,5 @@ IMPOSSIBLE = {
     "is no outline to draw",
     "teeth_interfere": "The teeth run into each other, or touch where they are no involutes",
     "unloaded": "The loads cancel: nothing presses the bearings",
-    "valley_lost": "In a valley of the satellite's teeth a pin of the ring is {share:.3g} times as "
-    "far off as its path is round there, {radius:.3g} mm: which point it touches cannot be said",
 }
 """What cannot be."""

@@ -30,7 +30,7 @@ INLINED = {
     *("at", "play", "played", "touch_error", "shift", "start", "balance", "freed", "carry"),
     *("carried_errors", "judged", "largest", "hardest", "close_by", "fitting", "ahead", "clear"),
     *("place", "press", "widest", "at_most", "piece"),
-    *("reach", "part", "between", "pins_at", "held", "linked"),
+    *("reach", "straddles", "part", "between", "pins_at", "held", "linked"),
 }
 """Functions that take more rows than a call should hand on: it takes a third of a microsecond."""
 

@@ -156,11 +156,11 @@ def alone(kind: int, force: float, a: float, b: float, n: float, curve: Curve) -
 def within(x: float, change: float, low: float, high: float, step: int) -> float:
     """The next place of Newton inside a bracket, at one of its ends where nothing is left of it.
 
-    Below the exponent 1 each touch is a step of the torque, over which Newton goes back and forth:
-    then every second time the stretch is halved.
+    Below the exponent 1 each touch is a step of the torque, over which Newton goes back and forth,
+    and within rounding it creeps: then every second time the stretch is halved, or its end sought.
     """
     following = x + change
-    if low < following < high and not (step > NEWTON_ALONE and step % 2 and high - low < math.inf):
+    if low < following < high and not (step > NEWTON_ALONE and step % 2):
         return following
     if high == math.inf:
         return x + max(abs(x), 1e-9)

@@ -39,12 +39,14 @@ from core.ring.exact_touch import (
     MeshPairs,
     MeshRoom,
     MeshSetup,
+    Touch,
     first_touch,
     freest,
     passed,
     quarter,
     reach,
     rounded,
+    straddles,
     touch,
     touched,
     worst_at,
@@ -250,7 +252,27 @@ def balance(
         torque += f * lever
         gross += f * abs(lever)
         slope += stiffness * lever * lever + f * bend
+        if setup.foot and straddles(i, setup, pairs):
+            f, stiffness, one = beside(i, i // setup.pins, whole, setup, pairs, room)
+            torque += f * one.lever
+            gross += f * abs(one.lever)
+            slope += stiffness * one.lever * one.lever + f * one.bend
     return torque, slope, gross
+
+
+def beside(
+    i: int, j: int, lag: float, setup: MeshSetup, pairs: MeshPairs, room: MeshRoom
+) -> tuple[float, float, Touch]:
+    """Force and stiffness of a pin that presses one flank of a valley on the other one, and where:
+    the smaller force, or none.
+    """
+    one = touch(i, j, lag, setup, pairs, room, True)
+    approach = one.approach + room.fixed[i]
+    if approach <= TINY:
+        return 0.0, 0.0, one
+    a, b, power, curve = pairs.a[i], pairs.b[i], setup.exponent, setup.curve
+    f, stiffness = law(setup.law, approach, a, b, power, 0.0, 0.0, curve)
+    return f, stiffness, one
 
 
 def skipped(lags: Row, setup: MeshSetup, pairs: MeshPairs) -> bool:
@@ -330,23 +352,28 @@ def tied_errors(
     return 0.0, 0.0, 0.0
 
 
-def on_crank(
+def wrench(
     i: int, j: int, setup: MeshSetup, pairs: MeshPairs, room: MeshRoom
-) -> tuple[float, float]:
-    """Parts of the normal of a pair along the crank, towards the axis, and across it, against its
-    turning, at the lag that was solved.
+) -> tuple[float, float, float]:
+    """Force of a pair on its disc along the crank, towards the axis, and across it, against its
+    turning, and its torque about the disc's centre, at the lag that was solved.
     """
-    ca, sa = room.cosine[i], room.sine[i]
+    ca, sa, force, torque = room.cosine[i], room.sine[i], room.force[i], room.lever[i]
+    torque *= force
     if not setup.foot:
         k = setup.eccentricity * setup.pins / setup.radius
         less = sa * sa / (1 + ca) if ca > 0 else 1 - ca
         slope = math.sqrt((1 - k) * (1 - k) + 2 * k * less)
-        return (ca - k) / slope, -sa / slope
+        return force * (ca - k) / slope, -force * sa / slope, torque
     one = touch(i, j, room.own_lag[j], setup, pairs, room)
+    nx, ny = force * one.x, force * one.y
+    if straddles(i, setup, pairs):
+        force, _, one = beside(i, j, room.own_lag[j], setup, pairs, room)
+        nx, ny, torque = nx + force * one.x, ny + force * one.y, torque + force * one.lever
     turned = setup.direction * room.own_lag[j] + pairs.eta[j]
     c, s = math.cos(turned), math.sin(turned)
-    x, y = one.x * ca - one.y * sa, one.x * sa + one.y * ca
-    return x * c + y * s, x * s - y * c
+    x, y = nx * ca - ny * sa, nx * sa + ny * ca
+    return x * c + y * s, x * s - y * c, torque
 
 
 def wave_torque(
@@ -363,9 +390,8 @@ def wave_torque(
             continue
         j = i // setup.pins
         if setup.foot:
-            _, across = on_crank(i, j, setup, pairs, room)
-            lever = setup.direction * room.lever[i]
-            total += force * (pairs.own[j] * across - lever / setup.ratio)
+            _, across, torque = wrench(i, j, setup, pairs, room)
+            total += pairs.own[j] * across - setup.direction * torque / setup.ratio
             continue
         ca, sa = room.cosine[i], room.sine[i]
         less = sa * sa / (1 + ca) if ca > 0 else 1 - ca
@@ -416,7 +442,7 @@ def along(most: bool, setup: MeshSetup, pairs: MeshPairs, room: MeshRoom) -> flo
         own = 0.0
         for i in range(j * setup.pins, (j + 1) * setup.pins):
             if room.force[i] > 0:
-                own += room.force[i] * on_crank(i, j, setup, pairs, room)[0]
+                own += wrench(i, j, setup, pairs, room)[0]
         best = max(best, own) if most else min(best, own)
     return best
 

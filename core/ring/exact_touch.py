@@ -139,8 +139,27 @@ def reach(
     return left * (radius * cube - wider * hollow) <= off * radius * hollow
 
 
-def touch(i: int, j: int, lag: float, setup: MeshSetup, pairs: MeshPairs, room: MeshRoom) -> Touch:
-    """Pair i of satellite j at a lag, which is counted as the torque turns; its foot is kept.
+def straddles(i: int, setup: MeshSetup, pairs: MeshPairs) -> bool:
+    """Whether a pin is so much wider than the tool that it may press both flanks of a valley: by
+    more than the path is round there. One that does so presses without load.
+    """
+    radius, k = setup.tool_circle, setup.eccentricity * setup.pins / setup.tool_circle
+    wider = pairs.larger[i] - setup.equidistant
+    return wider * (setup.pins * k - 1) > radius * (1 - k) * (1 - k)
+
+
+def touch(
+    i: int,
+    j: int,
+    lag: float,
+    setup: MeshSetup,
+    pairs: MeshPairs,
+    room: MeshRoom,
+    across: bool = False,
+) -> Touch:
+    """Pair i of satellite j at a lag, which is counted as the torque turns; its foot is kept. Or
+    its foot across the valley, from the mirror image of the nearest one: without one it is as good
+    as infinitely far.
 
     The path is its own mirror image in the axes of its valleys and lobes: of a pin between two of
     them no point beyond either is nearest, and there the distance has a minimum.
@@ -159,13 +178,18 @@ def touch(i: int, j: int, lag: float, setup: MeshSetup, pairs: MeshPairs, room: 
     k, longest, close = e * pins / radius, FAR_STEP / pins, 3e-8 / pins
     off = 4 * math.sqrt(bx * bx + by * by)
     final = off / radius / (1 - k)
-    first = -final
-    if off > setup.tool or off * (pins * k - 1) > radius * (1 - k) * (1 - k):
+    first, foot = -final, room.foot[i]
+    if across or off > setup.tool or off * (pins * k - 1) > radius * (1 - k) * (1 - k):
         # The nearest point of the path may not be the one at hand.
         angle, half = math.atan2(sa, ca) / (pins - 1), math.pi / (pins - 1)
-        first = half * math.floor((angle - math.atan2(py, px)) / half) - angle
+        place = math.floor((angle - math.atan2(py, px)) / half)
+        if across:
+            valley = 2 * half * math.floor((place + 1) / 2) - angle
+            foot = 2 * valley - foot
+            place += 1 if place % 2 else -1
+        first = half * place - angle
         final = first + half
-    foot, last = min(max(room.foot[i], first), final), False
+    foot, last = min(max(foot, first), final), False
     gx = gy = hx = hy = dx = dy = size = under = 0.0
     s1x = s1y = s2x = s2y = 0.0
     for _ in range(FEET):
@@ -193,9 +217,12 @@ def touch(i: int, j: int, lag: float, setup: MeshSetup, pairs: MeshPairs, room: 
             step = (first + final) / 2 - foot
         foot += step
         last = abs(step) <= close
-    room.foot[i] = foot
     length = math.sqrt(size)
     nx, ny = gx / length, gy / length
+    if not across:
+        room.foot[i] = foot
+    elif under <= 0 or abs(gy * dx - gx * dy) > close * under:  # driven to the middle
+        return Touch(-math.inf, 0.0, 0.0, nx, ny)
     inward = nx * px + ny * py
     bend = inward
     if under > 0:  # the normal turns as its foot moves

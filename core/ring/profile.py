@@ -17,7 +17,7 @@ import numpy as np
 
 from core.arrays import ComplexArray, FloatArray, check_finite, check_positive, check_single
 from core.errors import Accuracy, InvalidInput
-from core.precision import ROUNDING
+from core.precision import AS_TYPED, ROUNDING
 
 MOST_POINTS = 200_000
 """Most points of an outline."""
@@ -150,6 +150,13 @@ class CycloidDisc:
         return self.min_path_radius / self.tool_radius
 
     @property
+    def undercut(self) -> bool:
+        """Whether it does, or would by rounding: at 1 a flank ends in a cusp, sharper than any
+        number.
+        """
+        return not self.undercut_margin > 1 + AS_TYPED
+
+    @property
     def valley_radius(self) -> float:
         """Radius of curvature of the tool's path in the middle of a valley, m; infinite where the
         path bends nowhere inwards.
@@ -186,7 +193,7 @@ class CycloidDisc:
         InvalidInput
             If it does.
         """
-        if not self.undercut_margin > 1:
+        if self.undercut:
             limit = self.min_path_radius - self.modification.equidistant
             raise InvalidInput("ring_pin_radius", self.ring_pin_radius, "undercut", limit=limit)
 

@@ -333,7 +333,7 @@ def series_position(
     InvalidInput
         If an input is out of range.
     ImpossibleMechanism
-        See `Stage.solved`; or if a pin is further off than a valley is round.
+        See `Stage.solved`.
 
     Notes
     -----

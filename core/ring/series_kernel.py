@@ -37,9 +37,8 @@ from core.output.turn_kernel import hardest as hardest_of
 from core.output.turn_kernel import largest as largest_of
 from core.output.turn_kernel import loaded as loaded_of
 from core.output.turn_kernel import wave_torque
-from core.ring.approach import ALONG_LEAST, ALONG_MOST, RUB, RUB_AND_PRESS, skipped, sliding
+from core.ring.approach import ALONG_LEAST, ALONG_MOST, RUB, RUB_AND_PRESS, skipped, sliding, wrench
 from core.ring.approach import at as mesh_at
-from core.ring.approach import on_crank as mesh_on_crank
 from core.ring.approach import play as mesh_play
 from core.ring.approach import shift as mesh_shift
 from core.ring.approach import touch_error as mesh_touch_error
@@ -436,15 +435,9 @@ def on_crank(
     """Forces on disc j along its crank, to the axis, and across it, against its turning: of the
     ring, and of the pins of the output, as `solve` left the room.
     """
-    along = across = pins_along = pins_across = 0.0
-    mesh, output, own = setup.mesh, setup.output, room.lag[j]
-    disc = between(j, pairs, room)
-    for i in range(mesh.pins):
-        force = disc.mesh.force[i]
-        if force > 0:
-            x, y = mesh_on_crank(i, 0, mesh, disc.teeth, disc.mesh)
-            along += force * x
-            across += force * y
+    pins_along = pins_across = 0.0
+    along, across = on_teeth(j, setup, pairs, room)
+    output, own, disc = setup.output, room.lag[j], between(j, pairs, room)
     holes, found, way = disc.holes, disc.pins, setup.direction
     half = math.sin((lag - own) / 2)
     less, sine = -2 * half * half, way * math.sin(lag - own)
@@ -473,11 +466,10 @@ def on_teeth(
     along = across = 0.0
     mesh, disc = setup.mesh, between(j, pairs, room)
     for i in range(mesh.pins):
-        force = disc.mesh.force[i]
-        if force > 0:
-            x, y = mesh_on_crank(i, 0, mesh, disc.teeth, disc.mesh)
-            along += force * x
-            across += force * y
+        if disc.mesh.force[i] > 0:
+            x, y, _ = wrench(i, 0, mesh, disc.teeth, disc.mesh)
+            along += x
+            across += y
     return along, across
 
 

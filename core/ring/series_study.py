@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from core.arrays import FloatArray
-from core.errors import ImpossibleMechanism, InvalidInput
+from core.errors import InvalidInput
 from core.output.compiled import at_hand
 from core.output.loop_rows import FORCE, LOST_MOTION, Errors
 from core.output.real_mechanism import RealMechanism
@@ -18,7 +18,7 @@ from core.ring.profile import CycloidDisc, Modification
 from core.ring.series import MeshesInSeries
 from core.ring.series_pieces import MeshErrors, SeriesPieces
 from core.ring.series_turn import SeriesTurn
-from core.ring.sharing import LOST, RingDeviations
+from core.ring.sharing import RingDeviations
 from core.tolerance.study import Study
 from core.tolerance.tolerances import Drawn, RingRows
 
@@ -90,10 +90,6 @@ class SeriesStudy(Study):
             off = error.value - getattr(own, error.parameter)
             params = error.params | {"limit": error.params["limit"] - (error.value - off)}
             raise InvalidInput(f"tolerances.{name}", off, error.code, **params) from error
-        ring = self.real.ring
-        if ring.exact and self._valley_gap > LOST:
-            radius = ring.disc.valley_radius
-            raise ImpossibleMechanism("valley_lost", radius=1e3 * radius, share=self._valley_gap)
 
     def _extreme_discs(self) -> list[CycloidDisc]:
         disc = self.real.ring.disc
@@ -102,23 +98,6 @@ class SeriesStudy(Study):
             for equidistant in self.tolerances.ends("equidistant")
             for pin_circle in self.tolerances.ends("modification_pin_circle")
         ]
-
-    @property
-    def _valley_gap(self) -> float:
-        """Largest gap of a pin in the middle of a valley, of any piece, over the radius there."""
-        own, ends = self.real.ring.disc.modification, self.tolerances.ends
-        middle = own.equidistant - own.pin_circle
-        most, least = middle, middle
-        for source, sign in (
-            ("equidistant", 1),
-            ("ring_pin_position", 1),
-            ("modification_pin_circle", -1),
-            ("ring_pin_radius", -1),
-            ("eccentricity", -1),
-        ):
-            low, high = sorted(sign * end for end in ends(source))
-            least, most = least + low, most + high
-        return max(most, -least) / self.real.ring.disc.valley_radius
 
     @property
     def output(self) -> RealMechanism:

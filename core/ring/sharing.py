@@ -56,10 +56,6 @@ NORMALS = 2e-3
 """Error of forces along a crank, over those across, by the normals of perfect parts: discs that lag
 by 1.8 minutes under 1200 MPa had 1.6e-3."""
 
-VALLEY, LOST = 0.5, 1.0
-"""Gap of a pin in a valley over the radius of the path there: above the first one the nearest point
-of the path is hardly the only one, above the second it is not."""
-
 
 @dataclass(frozen=True, slots=True)
 class RingDeviations:
@@ -257,22 +253,7 @@ class CycloidMesh(Stage):
         if none >= 0:
             j, k = divmod(none, disc.pins)
             raise ImpossibleMechanism("no_radius_left", satellite=j + 1, pin=k + 1)
-        if self.exact and self.valley_gap > LOST:
-            radius = disc.valley_radius
-            raise ImpossibleMechanism("valley_lost", radius=1e3 * radius, share=self.valley_gap)
         return pairs
-
-    @property
-    def valley_gap(self) -> float:
-        """Largest gap of a pin in the middle of a valley over the radius of the path there."""
-        radial, _, larger, eccentricity, *_ = self._errors
-        own = self.disc.modification
-        gaps = [
-            own.equidistant + rho - own.pin_circle - dr - off
-            for rho, dr in zip(radial, larger, strict=True)
-            for off in eccentricity
-        ]
-        return max(map(abs, gaps)) / self.disc.valley_radius
 
     def pressing_at(self, psi: float) -> float:
         """Smallest possible worst approach without load, m; below 0 where pairs are free.
@@ -358,8 +339,6 @@ class CycloidMesh(Stage):
             found.append(Notice("unusual_shortening", share))
         if not self.pin.bends and not math.isfinite(self.seat_stiffness):
             found.append(Notice("seat_rigid"))
-        if self.exact and self.valley_gap > VALLEY:
-            found.append(Notice("valley", {"share": self.valley_gap}))
         return tuple(found)
 
 
@@ -371,7 +350,8 @@ class MeshPosition:
     # Lag of each disc's teeth behind their ideal angle, less what its deviations make of it: that
     # of the output, where it is rigid; rad, K values, negative in reverse.
     rotation: tuple[float, ...]
-    force: tuple[tuple[float, ...], ...]  # of each pair, N, K x z_p
+    # Of each pair, N, K x z_p; the larger one of a pin that presses both flanks of a valley.
+    force: tuple[tuple[float, ...], ...]
     disc_torque: tuple[float, ...]  # of the forces about each disc's centre, N*m, K values
     crank_across: tuple[float, ...]  # force of the ring on each disc against the crank, N, K values
     crank_along: tuple[float, ...]  # and along it, to the axis, N, K values
@@ -414,7 +394,7 @@ def mesh_position(*, mesh: CycloidMesh, crank_angle: float, output_torque: float
     InvalidInput
         If an input is out of range.
     ImpossibleMechanism
-        See `Stage.solved`; or if a pin is further off than a valley is round.
+        See `Stage.solved`.
 
     Notes
     -----
@@ -444,14 +424,13 @@ def mesh_position(*, mesh: CycloidMesh, crank_angle: float, output_torque: float
     setup, room, pairs = mesh.setup(direction), mesh.room(), mesh.pairs
     found = mesh.solved(mesh.wave(crank_angle), abs(output_torque), setup, room)
     force, pins = np.array(room.force), setup.pins
-    on_crank = np.array(
+    on_discs = np.array(
         [
-            approach.on_crank(i, i // pins, setup, pairs, room) if each > 0 else (0.0, 0.0)
+            approach.wrench(i, i // pins, setup, pairs, room) if each > 0 else (0.0, 0.0, 0.0)
             for i, each in enumerate(room.force)
         ]
     )
-    along, across = (force[:, None] * on_crank).reshape(-1, pins, 2).sum(axis=1).T
-    torques = direction * (force * np.array(room.lever)).reshape(-1, pins).sum(axis=1)
+    along, across, torques = on_discs.reshape(-1, pins, 3).sum(axis=1).T
     loaded = force > 0
     far = np.array([approach.sliding(i, setup, room) for i in range(len(force))])
     pressed = found.low > found.high + found.play_error
@@ -461,7 +440,7 @@ def mesh_position(*, mesh: CycloidMesh, crank_angle: float, output_torque: float
         crank_angle=crank_angle,
         rotation=tuple(direction * lag for lag in room.own_lag),
         force=mesh.rows(room.force),
-        disc_torque=tuple(torques.tolist()),
+        disc_torque=tuple((direction * torques).tolist()),
         crank_across=tuple(across.tolist()),
         crank_along=tuple(along.tolist()),
         loaded_pairs=int(loaded.sum()),

@@ -50,6 +50,70 @@ def changed(**sections):
     return body
 
 
+@pytest.mark.slow
+async def test_a_larger_modification_erases_no_check(api):
+    """Of a public drive, by 3.1 times the radius of its valleys: perfect discs are pressed to
+    141.5 MPa, of more play fewer carry.
+    """
+    body = {
+        "mechanism": {"pins": 6, "satellites": 2, "satellite_teeth": 20, "ring_teeth": 21},
+        "load": {"input_torque_Nm": 0.4, "efficiency": 0.7, "pin_circle_radius_mm": 10.5},
+        "contact": {
+            "contact_length_mm": 4,
+            "pin_radius_mm": 1.5,
+            "hole_clearance_mm": 0.05,
+            "eccentricity_mm": 0.75,
+            "pin_material": "steel_bearing",
+            "hole_material": "PLA",
+        },
+        "gear": {
+            "kind": "cycloid",
+            "ring_pin_circle_radius_mm": 18,
+            "ring_pin_radius_mm": 1.5,
+            "modification": {"equidistant_mm": 0.05},
+        },
+        "requirements": {"scope": ["contact"]},
+        "include": ["checks"],
+    }
+    answer = (await api.post(PATH, json=body)).json()
+    (cold,) = (each for each in answer["checks"] if each["code"] == "contact_static_cold")
+    assert cold["value"] >= 141.5 and cold["status"] == answer["verdict"] == "fail"
+
+
+async def test_a_disc_at_the_limit_of_undercut_fails_by_it(api):
+    """There a flank ends in a cusp, of which the curvature is no number."""
+    body = {
+        "mechanism": {"pins": 3, "satellites": 1, "satellite_teeth": 20, "ring_teeth": 21},
+        "load": {"output_torque_Nm": 11, "pin_circle_radius_mm": 25},
+        "contact": {
+            "contact_length_mm": 6,
+            "pin_radius_mm": 4.5,
+            "hole_clearance_mm": 0.1,
+            "eccentricity_mm": 1.5,
+            "hole_material": "PLA",
+        },
+        "rollers": {"name": "MR95ZZ", "kind": "ball"},
+        "gear": {
+            "kind": "cycloid",
+            "ring_pin_circle_radius_mm": 42,
+            "ring_pin_radius_mm": 6.156063925322055,
+            "modification": {"equidistant_mm": 0.1},
+        },
+        "requirements": {"scope": ["teeth"]},
+        "include": ["checks"],
+    }
+    answer = (await api.post(PATH, json=body)).json()
+    assert (answer["verdict"], answer["governing"]) == ("fail", "ring_undercut")
+    checks = {each["code"]: each for each in answer["checks"]}
+    assert checks["ring_static_cold"]["reason"]["code"] == "undercut"
+    body["gear"] |= {"contact_length_mm": 6}
+    ring = {name: body[name] for name in ("mechanism", "load", "contact", "gear")}
+    ring["mechanism"] = {name: each for name, each in ring["mechanism"].items() if name != "pins"}
+    ring["load"], ring["contact"] = {"output_torque_Nm": 11}, {"eccentricity_mm": 1.5}
+    refused = await api.post("ring-mesh", json=ring)
+    assert refused.json()["errors"][0]["code"] == "undercut"
+
+
 def distance(points, polygon):
     """How far points are from a closed polygon."""
     sides, away = np.roll(polygon, -1) - polygon, points[:, None] - polygon

@@ -334,22 +334,6 @@ def test_deviations_that_leave_nothing_are_impossible() -> None:
         assert caught.value.code == "no_radius_left"
 
 
-def test_gaps_as_wide_as_a_valley() -> None:
-    disc = CycloidDisc(59, 1.4e-3, 0.09, 0.001)
-    radius = disc.valley_radius
-    for share, code in ((0.3, None), (0.7, "valley"), (1.2, "valley_lost")):
-        mesh = mesh_of(disc=replace(disc, modification=Modification(share * radius)))
-        assert mesh.valley_gap == pytest.approx(share, rel=EXACT)
-        if code == "valley_lost":
-            with pytest.raises(ImpossibleMechanism) as caught:
-                at(mesh, 0.3, 10.0)
-            assert caught.value.code == code
-            at(replace(mesh, exact=False), 0.3, 10.0)
-        else:
-            codes = {each.code for each in at(mesh, 0.3, 10.0).notices}
-            assert codes - {"seat_rigid", "unusual_shortening"} == ({code} if code else set())
-
-
 def test_a_pin_that_just_touches_at_its_dead_angle_has_a_known_play() -> None:
     """It has no lever there: how well the play is known hangs on how the path bends away."""
     disc = CycloidDisc(20, 2e-3, 0.066, 0.004, Modification(1.5e-5, -5e-6))
