@@ -196,18 +196,21 @@ def run_once() -> None:
 
 
 def make_part(name: str) -> None:
-    """Make a part of the cache, by its name of `PARTS`; nothing without numba."""
+    """Make a part of the cache, by its name of `PARTS`; nothing without numba, or where it cannot
+    be written.
+    """
     from core.output import compiled
 
-    with suppress(ImportError):
+    with suppress(ImportError, OSError):
         compiled.load()
         PARTS[name]()
 
 
 def load() -> None:
     """Calculate with the compiled loops from now on, all of them read from the cache or compiled
-    now; without numba with the same loops as they are. (Who only looks for the cache, as the
-    parent of workers, imports none of the calculation.)
+    now, anew where it is broken, in memory where it cannot be written; without numba with the same
+    loops as they are. (Who only looks for the cache, as the parent of workers, imports none of the
+    calculation.)
     """
     from core.output import compiled
 
@@ -218,11 +221,22 @@ def load() -> None:
         return
     try:
         run_once()
-    except Exception:
-        LOG.exception("the cache of the compiled load sharing is broken, and is made anew")
-        for file in _files():
-            file.unlink(missing_ok=True)
-        run_once()
+    except Exception as error:
+        LOG.warning("the cache of the compiled loops is broken, or cannot be made: %r", error)
+        try:
+            for file in _files():
+                file.unlink(missing_ok=True)
+            run_once()
+        except OSError:
+            _keep_nothing()
+            run_once()
+
+
+def _keep_nothing() -> None:
+    """Have numba neither write nor read a cache, in this process and those forked from it."""
+    from numba.core.caching import FunctionCache
+
+    FunctionCache.save_overload = FunctionCache.load_overload = lambda *_: None
 
 
 def make_cache() -> None:

@@ -33,7 +33,7 @@ LOG = logging.getLogger("khv.jobs")
 CONTEXT = multiprocessing.get_context("forkserver")  # a process with threads is not to be forked
 
 START_S = 60.0
-"""Time after which a process that has not started counts as one that cannot."""
+"""Time after which a process that has been forked and says nothing counts as one that cannot."""
 
 CHECK_S = 1.0
 """How often idle processes are looked after, seconds."""
@@ -266,8 +266,9 @@ class Jobs:
         """Start a process, in the place of one that has been ended where there is one."""
         former, child = self._ended.pop() if self._ended else None, None
         try:
+            # Its server may compile the loops before it forks: that is waited for.
+            child = await asyncio.to_thread(_started, former)
             async with asyncio.timeout(START_S):
-                child = await asyncio.to_thread(_started, former)
                 await child.receive()
         except Exception as error:
             LOG.warning("a process for calculations could not be started: %r", error)

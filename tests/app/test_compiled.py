@@ -1,6 +1,8 @@
 """The cache of the compiled loops: made once, read where turns are calculated, mended."""
 
 import ast
+import functools
+import importlib
 import json
 import signal
 import subprocess
@@ -9,8 +11,9 @@ from collections import Counter
 from contextlib import suppress
 from pathlib import Path
 
+import numba
 import pytest
-from numba.core.caching import IndexDataCacheFile
+from numba.core.caching import FunctionCache, IndexDataCacheFile
 from pydantic import ValidationError
 
 import core
@@ -193,6 +196,34 @@ def test_a_broken_cache_is_made_anew(elsewhere, monkeypatch):
     monkeypatch.setattr(compiled, "run_once", run_once)
     compiled.load()
     assert [*map(bool, runs)] == [True, False]
+
+
+@pytest.fixture
+def tiny(elsewhere, monkeypatch):
+    """Loops that are compiled in a moment."""
+    source = elsewhere / "tiny.py"
+    source.write_text("\n".join(f"def {name}(x):\n    return x + 1.0\n" for name in loops.CALLED))
+    monkeypatch.syspath_prepend(elsewhere)
+    monkeypatch.setattr(loops, "SOURCES", (importlib.import_module("tiny"),))
+    monkeypatch.setattr(loops, "_at_hand", loops.plain)
+    for name in ("_dispatchers", "_compiled"):
+        monkeypatch.setattr(loops, name, functools.cache(getattr(loops, name).__wrapped__))
+    monkeypatch.setattr(compiled, "run_once", lambda: loops.at_hand().poses(1.0))
+    for name in ("save_overload", "load_overload"):
+        monkeypatch.setattr(FunctionCache, name, getattr(FunctionCache, name))
+    yield elsewhere
+    del sys.modules["tiny"]
+    monkeypatch.undo()
+    numba.config.reload_config()
+
+
+def test_where_nothing_can_be_written_the_loops_are_compiled_in_memory(tiny, monkeypatch, caplog):
+    (tiny / "file").touch()
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tiny / "file" / "cache"))
+    compiled.load()
+    poses = loops.at_hand().poses
+    assert poses.signatures and poses(2.0) == 3.0
+    assert "cannot be made" in caplog.text
 
 
 def test_a_service_without_a_cache_makes_one_first(elsewhere, monkeypatch, caplog):

@@ -5,6 +5,7 @@ import gc
 import os
 import random
 import signal
+import threading
 from collections import Counter
 
 import pytest
@@ -195,6 +196,30 @@ async def test_signals_to_the_group_do_not_end_a_job(started, gate):
     gate.let()
     ((pid,),) = [await job]
     assert pid in pids(started)
+
+
+async def test_a_process_has_its_time_to_start_once_its_server_has_forked_it(monkeypatch):
+    """A server that compiles the loops first is waited for, however long that takes."""
+    forking, forked, timed = threading.Event(), threading.Event(), []
+    started, timeout = module._started, asyncio.timeout
+
+    def compiles_first(former):
+        forking.set()
+        forked.wait()
+        return started(former)
+
+    def noted(limit_s):
+        timed.append(limit_s)
+        return timeout(limit_s)
+
+    monkeypatch.setattr(module, "_started", compiles_first)
+    monkeypatch.setattr(asyncio, "timeout", noted)
+    async with Jobs(processes=1, waiting=8, preload=PRELOAD) as jobs:
+        await until(forking.is_set)
+        before = [*timed]
+        forked.set()
+        await until(lambda: jobs.ready)
+    assert not before and timed == [module.START_S]
 
 
 async def test_where_no_process_can_be_started_jobs_are_refused_until_one_can(monkeypatch):
