@@ -23,8 +23,11 @@ LOG = logging.getLogger("khv.cluster")
 PIECES = 2048
 """Pieces of a task at least: a tenth of a second and more."""
 
-CONNECT_S = 10
-"""Time after which a scheduler that does not answer, or has no workers, counts as lost."""
+CONNECT_S = 3
+"""Time after which a scheduler that does not answer counts as lost: less than a study may take."""
+
+LOOK_S = 1
+"""How often a study that waits for its workers looks whether there are any."""
 
 CORE = Path(__file__).parent.parent / "core"
 
@@ -64,8 +67,16 @@ def _client(address: str) -> Any:
     client: Any = Client(  # type: ignore[no-untyped-call]
         address, timeout=CONNECT_S, set_as_default=False
     )
-    client.wait_for_workers(1, timeout=CONNECT_S)
     return client
+
+
+def _result(client: Any, future: Any) -> Any:
+    """What a task gives, as long as there are workers."""
+    while True:
+        try:
+            return future.result(timeout=LOOK_S)
+        except TimeoutError:
+            client.wait_for_workers(1, timeout=LOOK_S)
 
 
 def _there(address: str, block: Block, blocks: Sequence[Drawn]) -> Iterator[Pieces]:
@@ -79,9 +90,10 @@ def _there(address: str, block: Block, blocks: Sequence[Drawn]) -> Iterator[Piec
     many = -(-PIECES // len(blocks[0]))
     tasks = [blocks[first : first + many] for first in range(0, len(blocks), many)]
     try:
-        futures = _client(address).map(task, [block] * len(tasks), tasks, pure=False)
+        client = _client(address)
+        futures = client.map(task, [block] * len(tasks), tasks, pure=False)
         for future in futures:
-            theirs, results = future.result()
+            theirs, results = _result(client, future)
             if theirs != version():
                 raise Lost("its workers run another version")
             yield from results

@@ -58,7 +58,7 @@ STREAM = {"accept": "application/x-ndjson"}
 
 @pytest.fixture(scope="module")
 def cluster() -> Iterator[Cluster]:
-    """Of it a worker is lost first, then the scheduler."""
+    """Of it a worker is lost first, then the last one, then the scheduler."""
     found = Cluster()
     yield found
     found.stop()
@@ -113,6 +113,12 @@ def test_the_service_calculates_studies_there_and_here_when_it_is_lost(cluster: 
     with running_service(dask=cluster.address, processes=1) as service:
         found = last_line(service.url, BODY)["result"]
         assert "warnings" not in found
+        cluster.workers[1].kill()  # the last one
+        cluster.workers[1].wait()
+        for _ in range(2):
+            without = last_line(service.url, BODY)["result"]
+            assert [each["code"] for each in without["warnings"]] == ["cluster_lost"]
+            assert without["quantities"] == found["quantities"]
         cluster.scheduler.kill()
         assert eventually(lambda: cluster.scheduler.poll() is not None)
         ended = last_line(service.url, BODY | {"if_cluster_lost": "end"})
