@@ -190,6 +190,12 @@ MATERIALS: dict[str, TableMaterial] = {
             "ISO/TS 16281",
             _limit("endurance", 1500.0, "iso_281"),
             _limit("static", 4000.0, "iso_76"),
+            strength=_strength(
+                "Lucefin 100Cr6, tempered at 150 to 200 degrees C, 2420 to 2500; Metals 15 (2025) "
+                "931, 2600",
+                tensile_MPa=2400,
+                size_mm=17,
+            ),
             density=_STEEL_DENSITY,
             hardened=True,
         ),

@@ -339,6 +339,7 @@ async def test_a_body_is_judged_by_its_own_limit_only(api, body):
         *("iron_grey", "iron_nodular", "bronze_tin", "bronze_tin_nickel", "bronze_aluminium"),
         *("brass", "plastic_pom", "plastic_pa66", "plastic_pa66_gf30", "plastic_peek"),
         *("aluminium_6061_t6", "aluminium_6082_t6", "aluminium_7075_t6", "bronze_c93200"),
+        "steel_bolt",
         *(name for name in table if name.startswith("plastic_")),
     }
     for name in table:

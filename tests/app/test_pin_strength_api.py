@@ -153,7 +153,7 @@ async def test_a_life_that_is_asked_raises_the_strength(api):
     [
         (judged(surface="ground"), "notch_unknown"),
         (changed(pin={"material": "brass"}), "endurance_unknown"),
-        (changed(pin={"material": "steel_bearing"}), "endurance_unknown"),
+        (changed(pin={"material": "steel_case_hardened"}), "endurance_unknown"),
         (changed(pin={"diameter_mm": 31.0}), "short_pin"),
     ],
 )
