@@ -38,6 +38,7 @@ OF_REQUESTS = {
     "discs_disagree": "must be {field}, or left out: holes and teeth are of the same discs",
     "elastomer": "must be stiffer: elastomers stretch by their own length at a few MPa, and their "
     "contact is not calculated",
+    "clearance_dust": "must leave a clearance that is 0 or at least {limit_mm:g} mm in size",
     "dust": "must be 0 or at least {limit:g} in size",
     "extra_forbidden": "is not a known field",
     "float_type": "must be a number",

@@ -315,6 +315,12 @@ class PairOut(ResponseModel):
 
 Deviation = Annotated[float, Field(ge=-1e6, le=1e6)]
 
+LEAST_CLEARANCE = 1e-6
+"""Least clearance and interference beside none, mm: nobody makes or measures less."""
+
+SAYING_CLEARANCE = ("hole_clearance_mm", "fit", "hole_radius_mm")
+"""What says how large it is, the first that is given."""
+
 RADII = ("pin_radius_mm", "eccentricity_mm", "stated_clearance_mm")
 """What the radius of the hole is the sum of."""
 
@@ -376,6 +382,13 @@ class PinContactFields(ContactFields, group="contact"):
                 raise field_error("hole_radius_mm", "hole_disagrees", expected_mm=float(others))
         return self
 
+    @model_validator(mode="after")
+    def _clearance_can_be_made(self) -> Self:
+        if 0 < abs(self.clearance_mm()) < LEAST_CLEARANCE:
+            named = next(name for name in SAYING_CLEARANCE if name in self.given)
+            raise field_error(named, "clearance_dust", limit_mm=LEAST_CLEARANCE)
+        return self
+
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """Materials of pins and holes, where there are any; the eccentricity of a hole alone."""
         if self.pin_radius_mm is None:
@@ -420,13 +433,12 @@ class PinContactFields(ContactFields, group="contact"):
         return float(self._sum(*RADII)) if given is None else given
 
     def clearance_mm(self) -> float:
-        """Radial clearance: given, or by the radii; none where no two radii say it, nor where it is
-        too small to be felt.
-        """
-        clearance = self.stated_clearance_mm
-        if clearance is None:
-            typed = self.given.keys() >= {"hole_radius_mm", "eccentricity_mm"}
-            clearance = float(self._sum("hole_radius_mm") - self._sum(*RADII[:2])) if typed else 0.0
+        """Radial clearance: given, or by the radii; none where no two radii say it."""
+        if self.stated_clearance_mm is not None:
+            return self.stated_clearance_mm
+        if not self.given.keys() >= {"hole_radius_mm", "eccentricity_mm"}:
+            return 0.0
+        clearance = float(self._sum("hole_radius_mm") - self._sum(*RADII[:2]))
         return felt(clearance=clearance, hole_radius=self.hole_mm)
 
     @property

@@ -443,9 +443,7 @@ class Design:
 
     @derived
     def clearance(self) -> float:
-        """Hole radius less pin radius and eccentricity, m: interference below 0, and 0 within
-        `core.precision.AS_TYPED`.
-        """
+        """Hole radius less pin radius and eccentricity, m: interference below 0."""
         pin = required(self.contact.pin_radius, "section_missing", "contact")
         hole = required(self.contact.hole_radius, "section_missing", "contact")
         return felt(clearance=hole - (pin + self.known_eccentricity), hole_radius=hole)

@@ -646,7 +646,7 @@ class Members:
 
 
 def felt(*, clearance: float, hole_radius: float) -> float:
-    """A clearance, or interference below 0, as calculations take it: 0 within `AS_TYPED`.
+    """A clearance, or interference below 0, by the sizes: 0 where it is their rounding.
 
     Parameters
     ----------
@@ -664,7 +664,7 @@ def felt(*, clearance: float, hole_radius: float) -> float:
     >>> felt(clearance=0.01 - 0.008 - 0.002, hole_radius=0.01)
     0.0
     """
-    return 0.0 if abs(clearance) <= AS_TYPED * hole_radius else clearance
+    return 0.0 if abs(clearance) <= SAME * hole_radius else clearance
 
 
 @dataclass(frozen=True, slots=True)
@@ -672,7 +672,7 @@ class PinFit:
     """How pins and holes fit by their sizes alone, at any crank angle."""
 
     eccentricity: float  # e, m: the given one, or what leaves no clearance
-    clearance: float  # r_out - r_in - e, m; < 0 interference, 0 within `AS_TYPED`
+    clearance: float  # r_out - r_in - e, m; < 0 interference
     notices: tuple[Notice, ...]  # clearance, interference, parts that overlap, assumed eccentricity
 
 

@@ -281,7 +281,7 @@ def test_which_forces_are_judged() -> None:
     ideal = having(A, hole_radius=0.0045, contact_law=None)
     for design, kind in (
         (ideal, ContactForce),
-        (having(ideal, hole_radius=0.0045 + 4e-12), ContactForce),  # rounding
+        (having(ideal, hole_radius=0.0045 + 4e-15), ContactForce),  # rounding
         (having(ideal, hole_radius=0.0044), ContactForce),  # fails as interference
         (having(ideal, eccentricity=None), ContactForce),
         (having(ideal, hole_radius=0.0045 + 1e-11), RealForces),
