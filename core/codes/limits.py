@@ -197,6 +197,15 @@ OF_RESULTS = {
         why="The eccentricity is larger than that at which teeth fill their spaces.",
         mend="Make the eccentricity smaller, or the profile shift of the ring larger.",
     ),
+    "first_order_geometry": limit(
+        "What the satellites' bearings or mesh give is solved in first order: of rigid satellites "
+        "its forces differ from those of exact geometry by {percent:.2g} % of the largest.",
+        title="First order beside what gives",
+        tests="Whether forces are solved in exact geometry.",
+        why="First order leaves out how lines of action turn as the parts give.",
+        mend="Read the stated relative error with the forces; without crank support, stiffness of "
+        "a mesh and given shares they are exact.",
+    ),
     "both_meshes": limit(
         "The mesh with the ring and that with the pins are in series: each disc finds its place "
         "between both, and forces, play and stiffness are those of both. Clearance and elasticity "

@@ -1,14 +1,16 @@
 """One position of the mechanism as it is made: forces, lag, play, stiffness, pressures."""
 
 import math
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
 from core.arrays import FloatArray, check_finite, check_single
-from core.errors import Accuracy, InvalidInput, Notice, poorly_known
+from core.errors import Accuracy, ImpossibleMechanism, InvalidInput, Notice, poorly_known
 from core.hertz import HertzContact
-from core.output.elasticity import HertzLaw
+from core.output.elasticity import RIGID_SUPPORT, HertzLaw
 from core.output.real_mechanism import RealMechanism
 from core.output.sharing_kernel import at, pressing
 
@@ -120,7 +122,12 @@ def loaded_position(
     own_lags = None
     if real.support.turning:
         own_lags = tuple(direction * lag for lag in room.own_lag)
-    accuracy = Accuracy("newton_bracket", found.force_error / largest, found.steps)
+    asked = {"crank_angle": crank_angle, "output_torque": output_torque}
+    rough = first_order_error(
+        real=real, forces=lambda rigid: loaded_position(real=rigid, **asked).force
+    )
+    error = found.force_error / largest
+    accuracy = Accuracy("newton_bracket", error + rough, found.steps)
     return LoadedPosition(
         crank_angle=crank_angle,
         rotation=direction * found.lag,
@@ -138,10 +145,56 @@ def loaded_position(
         accuracy=accuracy,
         notices=(
             *notices(real=real, lag=abs(found.lag), pressed=pressed, contact=contact),
+            *in_first_order(real=real, error=rough),
             *bent_together(real=real, force=force.reshape(-1, pins)),
-            *poorly_known(accuracy),
+            *poorly_known(accuracy._replace(relative_error=error)),
         ),
     )
+
+
+def first_order_error(*, real: RealMechanism, forces: Callable[[RealMechanism], Any]) -> float:
+    """By how much first order is off, where what satellites give is solved in no other.
+
+    Parameters
+    ----------
+    real : RealMechanism
+        The mechanism.
+    forces : callable
+        Forces of a mechanism.
+
+    Returns
+    -------
+    float
+        Largest difference of the forces of rigid satellites in both geometries, over the largest of
+        them in exact one: 0 where nothing gives, 1 where these cannot be solved.
+    """
+    if not real.support.first_order:
+        return 0.0
+    loose = real.roller_play + real.support.loose
+    rigid = replace(real, support=RIGID_SUPPORT, roller_play=loose)
+    try:
+        first, exact = (np.array(forces(replace(rigid, exact=way))) for way in (False, True))
+    except ImpossibleMechanism:
+        return 1.0
+    return float(abs(first - exact).max() / exact.max())
+
+
+def in_first_order(*, real: RealMechanism, error: float) -> tuple[Notice, ...]:
+    """Notice of that.
+
+    Parameters
+    ----------
+    real : RealMechanism
+        The mechanism.
+    error : float
+        The difference.
+
+    Returns
+    -------
+    tuple of Notice
+    """
+    percent = {"percent": 100 * error}
+    return (Notice("first_order_geometry", percent),) if real.support.first_order else ()
 
 
 def least_interference(*, real: RealMechanism, psi: float) -> float:

@@ -18,7 +18,7 @@ from core.errors import Accuracy, InvalidInput, Notice, derived, poorly_known
 from core.hertz import HertzContact
 from core.numerics.extremes import second_look
 from core.output.contact_force import PairNumber
-from core.output.loaded_position import notices
+from core.output.loaded_position import first_order_error, in_first_order, notices
 from core.output.loop_rows import (
     BACKLASH,
     FORCE,
@@ -443,7 +443,20 @@ class OverTurn:
         """Of the peak force: what twice as many positions change, what a second look at other
         positions found above, and rounding. An honest estimate, no proof.
         """
+        found = self._sought
+        return found._replace(relative_error=found.relative_error + self.geometry_error)
+
+    @property
+    def _sought(self) -> Accuracy:
         return Accuracy("sampling_zoomed", self._peak.relative_error, self._peak.evaluations)
+
+    @derived
+    def geometry_error(self) -> float:
+        """By how much first order is off the peak force, where satellites give."""
+        torque = self.turn.torque
+        return first_order_error(
+            real=self.real, forces=lambda rigid: OverTurn(Turn(rigid, torque)).peak_force
+        )
 
     @property
     def notices(self) -> tuple[Notice, ...]:
@@ -454,7 +467,8 @@ class OverTurn:
             pressed=self.pressed_without_load,
             contact=self.real.contact(*self.hardest) if self._wraps else self._contact,
         )
-        return (*position, *poorly_known(self.accuracy))
+        rough = in_first_order(real=self.real, error=self.geometry_error)
+        return (*position, *rough, *poorly_known(self._sought))
 
 
 def over_turn(

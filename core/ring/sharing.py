@@ -545,6 +545,8 @@ class MeshTurn(OverTurn):
         The mesh under a torque.
     """
 
+    geometry_error = 0.0  # given shares are known in either geometry
+
     @property
     def mesh(self) -> CycloidMesh:
         """The mesh."""
