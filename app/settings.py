@@ -82,7 +82,7 @@ class Settings(BaseSettings):
     max_waiting: int = Field(64, ge=1, le=100_000)
     """long calculations that wait for a process, a worker"""
     max_large: int = Field(12, ge=1, le=10_000)
-    """batches, bodies above 16 kB, answers above 256 kB, a worker; of a client what is free"""
+    """batches, bodies above 16 kB and answers above 256 kB at once, a worker"""
     max_connections: int = Field(1_000, ge=1, le=1_000_000)
     """open connections, a worker"""
     receive_seconds: Seconds = 10.0

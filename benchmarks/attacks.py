@@ -2,12 +2,15 @@
 
 Each attack is repeated in 20 variants that a seed draws: names, exponents, sizes, sample counts,
 percentiles. First each by itself: how long it holds the event loop, as processor time of the
-workers' first threads. Then eight clients send all of them while another one asks for `/livez`.
+workers' first threads. Then eight clients send all of them while another one asks for `/livez`
+and for an idle empty endpoint on the same machine. Bodies in unknown codings have to be refused,
+and what is large of one address has to leave places to others.
 Slow clients have to get the whole of a large batch, and what is no free socket has to stay as it
 is. Bodies that do not end, answers that nobody takes, requests one behind the other and long names
 have to leave the memory of all processes as it is. Ends with 1 where the loop is held for more than
-0.1 s, or 0.03 s by what is let in, where the 99th percentile of `/livez` is above 0.25 s, where
-memory grows by more than 300 MB, or where anything is cut short, deleted or taken.
+0.1 s, or 0.03 s by what is let in, where the 99th percentile of `/livez` is above 20 times that of
+the empty endpoint, where memory grows by more than 300 MB, or where anything is cut short, deleted
+or taken.
 `make attacks`; variants and seed may be given: `python -m benchmarks.attacks 50 7`.
 """
 
@@ -33,14 +36,18 @@ from urllib.request import urlopen
 import httpx
 
 from app.examples import REQUESTS
+from app.registry import CALCULATIONS
 from benchmarks.load import Service, service
 from benchmarks.options import options
 from benchmarks.soak import sample
+from tests.inputs.loop_requests import largest_in_the_loop
 
 VARIANTS, CLIENTS = 20, 8
 
-HELD_S, ADMITTED_S, LIVEZ_S = 0.1, 0.03, 0.25
-"""Longest that the loop may be held, by what is let in, and slowest `/livez` of a hundred."""
+HELD_S, ADMITTED_S, LIVEZ_TIMES = 0.1, 0.03, 20.0
+"""Longest that the loop may be held, by what is let in; slowest `/livez` of a hundred, in times of
+an idle empty endpoint.
+"""
 
 RECEIVE_S = 4
 """Time for a part of an answer: long for 256 kB, short for a slice of a batch."""
@@ -94,8 +101,39 @@ def by_exponent(name: str) -> Callable[[random.Random], Body]:
     return drawn
 
 
+def largest(name: str) -> Callable[[random.Random], Body]:
+    """What the event loop answers with most."""
+
+    def drawn(r: random.Random) -> Body:
+        body = largest_in_the_loop(CALCULATIONS[name], r)
+        assert body is not None
+        return body
+
+    return drawn
+
+
+def target(r: random.Random) -> Body:
+    """An input solved for a result that no answer has."""
+    name = "".join(r.choices(string.ascii_lowercase, k=r.randint(1, 60)))
+    above = r.choice(["", "/checks", "/load_sharing", "/checks/pin_static", "/hertz/half_width_mm"])
+    sense = r.choice(["at_least", "at_most", "equals"])
+    return deepcopy(REQUESTS["solve"]) | {"target": {"pointer": f"{above}/{name}", sense: 1.0}}
+
+
 ATTACKS: dict[str, tuple[str, Callable[[random.Random], Body]]] = {
     "studies of many samples": ("tolerance-study", study),
+    "targets that are nowhere": ("solve", target),
+    **{
+        f"largest: {name}": (name, largest(name))
+        for name in (
+            "contact-force",
+            "crank-planetary",
+            "output-efficiency",
+            "satellite-bearing",
+            "precession/contact-line",
+            "precession/shaft-deflection",
+        )
+    },
     **{
         f"exponents: {name}": (name, by_exponent(name))
         for name in (
@@ -130,17 +168,18 @@ def held_s(
     return least, status
 
 
-def crowd(url: str, asked: list[tuple[str, Body]]) -> list[float]:
-    """How long `/livez` takes while clients send all of it, seconds."""
-    took: list[float] = []
+def crowd(url: str, empty: str, asked: list[tuple[str, Body]]) -> tuple[list[float], list[float]]:
+    """How long `/livez` and an idle empty endpoint take while clients send all of it, seconds."""
+    took: tuple[list[float], list[float]] = ([], [])
     done = threading.Event()
 
     def watch() -> None:
         while not done.is_set():
-            start = time.perf_counter()
-            with urlopen(f"{url}/livez", timeout=60) as answer:  # httpx takes as long as it does
-                answer.read()
-            took.append(time.perf_counter() - start)
+            for each, times in zip((f"{url}/livez", empty), took, strict=True):
+                start = time.perf_counter()
+                with urlopen(each, timeout=60) as answer:  # httpx takes as long as it does
+                    answer.read()
+                times.append(time.perf_counter() - start)
             time.sleep(0.005)
 
     def send(each: tuple[str, Body]) -> None:
@@ -182,6 +221,34 @@ def post(path: str, content: bytes, announced: int = 0) -> bytes:
     """A request, or the beginning of one that announces more."""
     head = f"POST /api/v1/{path} HTTP/1.1\r\nhost: x\r\ncontent-type: application/json\r\n"
     return f"{head}content-length: {announced or len(content)}\r\n\r\n".encode() + content
+
+
+def answered(port: int, content: bytes, client: str = "127.0.0.1") -> int:
+    """Status of what a client sends, by its address."""
+    with socket.create_connection(("127.0.0.1", port), 60, (client, 0)) as connection:
+        connection.sendall(content)
+        return int(connection.recv(1 << 16).split(b" ", 2)[1] or 0)
+
+
+def uncoded(port: int, r: random.Random) -> bool:
+    """Whether a body in a coding that nobody knows, or by HTTP/1.0 in any, is refused."""
+    old = r.random() < 0.3
+    name = "chunked" if old else "".join(r.choices(string.ascii_lowercase, k=r.randint(1, 20)))
+    codings = name if old or r.random() < 0.3 else f"{name}{r.choice([', ', ',', ' , '])}chunked"
+    head = f"POST /api/v1/hertz HTTP/1.{0 if old else 1}\r\nhost: x\r\ntransfer-encoding: {codings}"
+    status = answered(port, f"{head}\r\n\r\n2\r\n{{}}\r\n0\r\n\r\n".encode())
+    return status in (400, 501)
+
+
+def shared(port: int, r: random.Random) -> bool:
+    """Whether another address has a place beside one that fills all it can with bodies."""
+    with ExitStack() as opened:
+        for _ in range(r.randint(30, 60)):
+            connection = opened.enter_context(socket.create_connection(("127.0.0.1", port), 60))
+            connection.sendall(unfinished(r))
+        time.sleep(1)
+        other = f"127.0.0.{r.randint(2, 250)}"
+        return answered(port, post("hertz", b" " * r.randint(17_000, BODY)), other) == 422
 
 
 def unfinished(r: random.Random) -> bytes:
@@ -320,11 +387,23 @@ def faults(
                 if held > HELD_S or let_in > ADMITTED_S:
                     yield f"{attack} hold the loop"
         r.shuffle(asked)
-        took = crowd(url, asked)
-        last = quantiles(took, n=100)[98] if len(took) > 1 else took[0]
-        print(f"/livez: p50 {1e3 * median(took):.1f} ms, p99 {1e3 * last:.1f} ms of {len(took)}")
-        if last > LIVEZ_S:
+        with service("uvicorn", "benchmarks.load:hello", "--log-level", "error", workers=1) as idle:
+            took = crowd(url, f"http://127.0.0.1:{idle.port}/hello", asked)
+        last, empty = (quantiles(each, n=100)[98] if len(each) > 1 else each[0] for each in took)
+        print(
+            f"/livez: p50 {1e3 * median(took[0]):.1f} ms, p99 {1e3 * last:.1f} ms, which is "
+            f"{last / empty:.1f} times that of an idle empty endpoint, {len(took[0])} each"
+        )
+        if last > LIVEZ_TIMES * empty:
             yield "/livez is slow"
+        for what, holds, times in (
+            ("bodies in other codings: {} of {} refused", uncoded, variants),
+            ("places: {} of {} left to another address", shared, 1 if smallest else 3),
+        ):
+            got = [holds(running.port, r) for _ in range(times)]
+            print(what.format(sum(got), len(got)), flush=True)
+            if not all(got):
+                yield what.format(sum(got), len(got))
         for attack, (connections, waits, send) in CROWDS.items():
             sent = [send(r) for _ in range(1 if smallest else connections)]
             grown, held = crowded(running, connections, waits, sent, 1 if smallest else 20)
