@@ -378,8 +378,8 @@ MATERIALS: dict[str, TableMaterial] = {
                 45,
                 23,
                 65,
-                "PolyTerra (Polymaker 2023) 23.2, Stratasys 26 flat and 45 on edge, Flexiwire 60, "
-                "additive.tools 50 to 65",
+                "PolyTerra (Polymaker 2023) 23.2; Stratasys 26, 45; Flexiwire 60; "
+                "additive.tools 50–65",
             ),
             strength_across=_MPa(12, 12, 45, "PolyTerra (Polymaker 2023) 12.2", "one"),
             softening=Range(51.0, "Stratasys 51, PolyTerra 52: HDT under 1.8 MPa", 51.0, 52.0),

@@ -114,7 +114,7 @@ def _least_bore(design: Design) -> float:
 @_bearing(
     "bearing_rating",
     title="Ratings of the satellites' bearings",
-    formula="C/C_max, C₀/C₀_max ≤ 1.5 (balls), 1.2 (rollers)",
+    formula="C/C_max, C₀/C₀_max ≤ q",
     why="There is no bearing of these sizes that carries so much.",
     inputs=(
         "bearing.kind",
@@ -203,7 +203,7 @@ def _rating(design: Design) -> float:
     "bearing_min_load",
     title="Least load of the satellites' bearings",
     unit="N",
-    formula="Q_min ≥ 0.01·C (balls), 0.02·C (rollers)",
+    formula="Q_min ≥ q·C",
     why="Below it rolling elements slide, and tracks are smeared.",
     inputs=(*BEARING_LOAD, "load.input_speed", "bearing.dynamic_rating"),
     fixes=(),
@@ -264,7 +264,7 @@ def bearing_overload(design: Design, results: Results) -> Check:
 @_crank_bearing(
     "crank_bearing_rating",
     title="Ratings of the crankshaft's bearings",
-    formula="C/C_max ≤ 1.5 (balls), 1.2 (rollers)",
+    formula="C/C_max ≤ q",
     why="There is no bearing of these sizes that carries so much.",
     source="envelope",
 )

@@ -207,7 +207,7 @@ def pin_roller_fits(design: Design, results: Results) -> Check:
     "pin_roller_tilt",
     title="Slope of the pins in their rollers",
     unit="mrad",
-    formula="θ ≤ 1.0 (balls), 0.4 (cylindrical), 0.1 mrad (needles)",
+    formula="θ ≤ θ_max",
     why="Above it rolling elements carry on their ends, and last less than the formula says.",
     inputs=(*LOADED, "rollers.kind"),
     fixes=(),

@@ -1,7 +1,7 @@
 /** The service's verdict and checks in words and numbers, ready to be shown. No DOM. */
 import { fieldWords, message, said } from "../messages/index.js";
 import { ofTitle, reasonText } from "../service_texts.js";
-import { formatAngle, formatNumber, formatQuantity, unitOf } from "./format.js";
+import { formatAngle, formatNumber, formatQuantity, inNumerals, unitOf } from "./format.js";
 
 const LEVELS = { pass: "good", marginal: "warning", fail: "bad", incomplete: "warning", not_checked: "warning" };
 /** Names of an answer that say how it is judged or how exact it is: no results of their own. */
@@ -106,7 +106,7 @@ export function checkRow(check, titles) {
     value: none ? message("checks.none") : amount(value, unit),
     limit: limit === undefined || none ? "" : noneAllowed ? message("checks.noneAllowed") : `${keep === "above" ? "≥" : "≤"}\u00a0${amount(limit, unit)}`,
     used: utilisation,
-    formula: (check.formula ?? "").replace(/\d+\.\d+/g, (number) => formatNumber(Number(number), 15)),
+    formula: inNumerals(check.formula ?? ""),
     source: [
       criterion && (said("criteria", criterion) ?? criterion),
       source && (said("sources", sourceCode) ?? source),

@@ -142,6 +142,11 @@ export function formatNumber(value, digits = 6) {
   return sign + grouped(whole) + (fraction ? `${decimal}${fraction}` : "");
 }
 
+/** A text of the service, its decimal fractions as the language in use writes them. */
+export function inNumerals(text) {
+  return text.replace(/(?<![\w.])\d+\.\d+(?![\w.])/g, (number) => typedText(number));
+}
+
 /** A value of a canonical unit as `{ value, unit }`, texts in the unit shown. */
 export function quantityParts(value, unit, digits = 6) {
   return { value: formatNumber(shownValue(value, unit), digits), unit: shownUnit(unit) };

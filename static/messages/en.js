@@ -95,6 +95,7 @@ export default {
   },
   // Words of choices from a list.
   option: {
+    seat: "In half a bore",
     cylindrical: "Cylindrical rollers", needle: "Needles", bearing: "A bearing in its seat",
     start: "Start", emergency: "Emergency stop", pins: "Pins in holes", crankshafts: "Crankshafts (RV)",
     discs: "Satellites", start: "Start", emergency: "Emergency stop", pins: "Pins in holes", crankshafts: "Crankshafts (RV)",

@@ -91,6 +91,7 @@ export default {
   },
   examples: { label: "Пример", own: "Свои значения", source: "Источник: {source}" },
   option: {
+    seat: "В половине отверстия",
     cylindrical: "Цилиндрические ролики", needle: "Иглы", bearing: "Подшипника в посадке",
     discs: "Сателлиты",
     start: "Пуск", emergency: "Аварийная остановка", pins: "Пальцы в отверстиях", ring: "Центральное колесо", both: "Пальцы и центральное колесо", coupling: "Муфта двух валов", crankshafts: "Коленные валы",
@@ -943,7 +944,7 @@ export default {
     coinciding: "Совпадающие кривые: {pairs}.",
     table: "Таблица",
     enlarge: "На весь экран: {title}",
-    showTable: "Показать таблицей",
+    showTable: "Показать: таблица",
     save: "{title}: сохранить как {kind}",
     none: "Для этих данных рисунка нет: причина указана выше.",
     failed: "Нет рисунка: {detail}",

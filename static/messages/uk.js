@@ -91,6 +91,7 @@ export default {
   },
   examples: { label: "Приклад", own: "Власні значення", source: "Джерело: {source}" },
   option: {
+    seat: "У половині отвору",
     cylindrical: "Циліндричні ролики", needle: "Голки", bearing: "Підшипника в посадці",
     discs: "Сателіти",
     start: "Пуск", emergency: "Аварійна зупинка", pins: "Цівки в отворах", ring: "Центральне колесо", both: "Цівки й центральне колесо", coupling: "Муфта двох валів", crankshafts: "Колінчасті вали",
@@ -943,7 +944,7 @@ export default {
     coinciding: "Криві, що збігаються: {pairs}.",
     table: "Таблиця",
     enlarge: "На весь екран: {title}",
-    showTable: "Показати таблицею",
+    showTable: "Показати: таблиця",
     save: "{title}: зберегти як {kind}",
     none: "Для цих даних рисунка немає: причину вказано вище.",
     failed: "Немає рисунка: {detail}",

@@ -1,5 +1,5 @@
 /** The form of a calculator: groups of fields and choices, made from the form model. */
-import { formatNumber, formatQuantity, quantityParts } from "../lib/format.js";
+import { formatNumber, formatQuantity, inNumerals, quantityParts } from "../lib/format.js";
 import { judgedOf, pathOf, sizedBy } from "../lib/checks.js";
 import { element, html } from "../lib/html.js";
 import { message, said } from "../messages/index.js";
@@ -35,7 +35,7 @@ function sourced({ youngs_modulus_GPa: modulus, poissons_ratio: ratio, strength_
   return [
     modulus !== undefined && `E = ${spread(modulus, found.youngs_modulus_GPa, "GPa")}`,
     ratio === undefined ? message("form.byValues") : `ν = ${formatNumber(ratio)}`,
-    entry[name] !== undefined && message(seen === "one" ? "form.reference" : "form.strength", { strength: spread(entry[name], found[name], "MPa"), source }),
+    entry[name] !== undefined && message(seen === "one" ? "form.reference" : "form.strength", { strength: spread(entry[name], found[name], "MPa"), source: inNumerals(source ?? "") }),
   ].filter(Boolean).join(", ");
 }
 
@@ -269,7 +269,8 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
         formula,
         possible: possible || linked,
         pressed: linked && texts[path] === "",
-        label: message(linked ? "form.link" : "form.suggestion", { title, formula, value: shown }),
+        // As it is seen, with its indices set low: who speaks to the page says that.
+        label: message(linked ? "form.link" : "form.suggestion", { title, formula: formula.replaceAll("_", ""), value: shown }),
       });
       if (linked) fields.get(path).setPlaceholder(possible ? quantityParts(amount, unit).value : "");
     }

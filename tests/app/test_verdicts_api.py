@@ -6,6 +6,7 @@ Hertz's, by hand. REF: 6 pins, 2 satellites at 180 degrees, 500 N*m on R = 50 mm
 """
 
 import math
+import re
 from copy import deepcopy
 
 import pytest
@@ -937,6 +938,7 @@ def test_what_is_no_number_is_no_target_and_takes_few_looks(monkeypatch, target,
 def test_every_check_has_all_its_words():
     for code, kind in CHECKS.items():
         assert kind.title and kind.why.endswith(".") and kind.formula, code
+        assert not re.search(r"(?<![_\w])[a-z]{4,}", kind.formula), code  # which no page translates
         assert kind.group in GROUPS and kind.source in CHECK_SOURCES, code
         assert kind.inputs or code == "contact_conformity"  # which is none any more
     assert not set(LIMIT_SOURCES) & set(CHECK_SOURCES)

@@ -152,6 +152,24 @@ def test_axe_finds_nothing_in_any_other_state(open_page: Page, service: str) -> 
     assert violations(page, ".answer") == [], "no service"
 
 
+SEEN_AND_SAID = """() => [...document.querySelectorAll(":is(button, a, summary)[aria-label]")]
+  .map((one) => [one.textContent, one.ariaLabel]
+    .map((text) => text.replace(/\\s+/g, "").toLowerCase()))
+  .filter(([seen, said]) => /\\p{L}/u.test(seen) && !said.includes(seen))"""
+
+
+@pytest.mark.parametrize("language", ["en", "uk", "ru"])
+def test_a_name_that_is_spoken_holds_what_is_seen(
+    open_page: Page, service: str, language: str
+) -> None:
+    page = open_page
+    page.goto(f"{service}/?calculator=crank-planetary&lang={language}")
+    settled(page)
+    page.locator("#example").select_option("cycloid")
+    expect(page.locator(".suggest").last).to_contain_text("rin + e + c")
+    assert page.evaluate(SEEN_AND_SAID) == []
+
+
 @pytest.mark.parametrize(("language", "calculator"), [("uk", "rollers"), ("ru", "precession")])
 def test_axe_finds_nothing_in_other_languages(
     open_page: Page, service: str, language: str, calculator: str

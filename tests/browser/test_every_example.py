@@ -13,6 +13,7 @@ import httpx
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
+from core.precision import AS_TYPED
 from tests.browser.calculator_page import number, printed, saved, settled, show, text_of
 
 CALCULATIONS = {
@@ -154,7 +155,7 @@ def the_saved_report_has_them(
         shown = rows.get(re.sub(r"\[(\d+)\]", r".\1", path))
         if isinstance(value, int | float) and not isinstance(value, bool):
             numbers = map(number, listed if shown is None else [shown])
-            assert pytest.approx(value, rel=1e-9) in numbers, (name, path)
+            assert pytest.approx(value, rel=AS_TYPED) in numbers, (name, path)
         else:
             assert shown, (name, path)
     assert sorted(reader.evaluate(CODES)) == sorted(codes), name

@@ -5,7 +5,7 @@ import re
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.browser.calculator_page import box, foreign, settled, show
+from tests.browser.calculator_page import TEXTS, box, foreign, settled, show
 from tests.running_service import eventually
 
 CALCULATORS = {
@@ -50,6 +50,25 @@ def test_nothing_is_left_in_english(
         box(page, CALCULATORS[calculator]).fill("-1")
         settled(page, "wrong")
         assert foreign(page) == set()
+
+
+CHAPTERS = re.compile(
+    r"Contact Mechanics, \d\.\d(, \d\.\d)*( \w \d\.\d)?|8\.8"
+)  # and a class of bolts
+
+
+@pytest.mark.parametrize("language", ["uk", "ru"])
+def test_every_decimal_fraction_has_a_comma(page: Page, service: str, language: str) -> None:
+    page.goto(f"{service}/?calculator=crank-planetary&lang={language}")
+    settled(page)
+    page.locator("#example").select_option("printed-15-to-1")
+    settled(page)
+    box(page, "contact.hole_material").select_option("plastic_pla_printed")
+    settled(page)
+    page.evaluate("() => document.querySelectorAll('details').forEach((d) => d.open = true)")
+    texts = [CHAPTERS.sub("", text) for text in page.evaluate(TEXTS)]
+    assert [text for text in texts if re.search(r"(?<![\w.])\d+\.\d+(?![\w.])", text)] == []
+    assert any("PolyTerra (Polymaker 2023) 23,2" in text for text in texts)
 
 
 def test_the_browsers_language_is_taken(browser, service: str) -> None:  # type: ignore[no-untyped-def]

@@ -2,12 +2,14 @@ import assert from "node:assert/strict";
 import { readdirSync } from "node:fs";
 import { afterEach, test } from "node:test";
 
-import { formatNumber, formatQuantity, parseNumber } from "../../static/lib/format.js";
+import { CALCULATORS, calculatorOf } from "../../static/calculators/index.js";
+import { formatNumber, formatQuantity, inNumerals, parseNumber } from "../../static/lib/format.js";
+import { formModel } from "../../static/lib/schema_form.js";
 import { setUnits } from "../../static/lib/units.js";
 import en from "../../static/messages/en.js";
 import { fieldWords, LANGUAGES, message, said, useLanguage } from "../../static/messages/index.js";
 import { figureText } from "../../static/service_texts.js";
-import { english } from "./service.mjs";
+import { english, openapi } from "./service.mjs";
 
 afterEach(() => useLanguage("en"));
 
@@ -111,4 +113,25 @@ test("a noun agrees with its number", async () => {
     ["1 ролик", "2 ролики", "5 роликів", "11 роликів", "21 ролик", "2,5 ролика"]);
   await useLanguage("ru");
   assert.deepEqual(rollers([1, 2, 5, 22]), ["1 ролик", "2 ролика", "5 роликов", "22 ролика"]);
+});
+
+test("every option of every form has its words, or is a designation", async () => {
+  const designation = /^$|^[A-Za-z]{0,2}\d+(\/[a-z]+\d+)?$/; // of a fit, a class, a bearing
+  for (const id of CALCULATORS) {
+    const { catalogues = {}, wanted, path, ...own } = await calculatorOf(id);
+    const at = (one) => `/api/v1${one}`;
+    const model = formModel(openapi, { ...own, path: at(path), wanted: wanted?.map((group) => ({ ...group, paths: group.paths.map(at) })) });
+    const fields = [...model.fields.values()].flatMap((field) => [field, ...field.columns ?? []]);
+    const options = fields.filter((field) => ["option", "flag"].includes(field.kind) && !(field.path in catalogues))
+      .flatMap((field) => field.options.map((option) => [option, field.path]));
+    assert.ok(options.length > 1);
+    for (const [option, where] of options) assert.ok(designation.test(option) || en.option[option] || english.materials[option], `${where}: ${option}`);
+  }
+});
+
+test("decimal fractions of what the service writes stand as the language has them, designations do not", async () => {
+  const text = "PolyTerra 23.2, table 1.5.1; ≥ 0.01·C";
+  assert.equal(inNumerals(text), text);
+  await useLanguage("uk");
+  assert.equal(inNumerals(text), "PolyTerra 23,2, table 1.5.1; ≥ 0,01·C");
 });

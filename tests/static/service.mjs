@@ -20,7 +20,9 @@ asyncio.run(ask())
 `;
 const PATHS = ["openapi.json", "examples", "materials", "calculations", "words"];
 
-export const english = englishOf(JSON.parse(execFileSync(`${ROOT}.venv/bin/python`, ["-c", ASK, ...PATHS], {
+const descriptions = JSON.parse(execFileSync(`${ROOT}.venv/bin/python`, ["-c", ASK, ...PATHS], {
   cwd: ROOT, encoding: "utf8", maxBuffer: 2 ** 24,
-})));
+}));
+export const [openapi] = descriptions;
+export const english = englishOf(descriptions);
 setEnglish(english);
