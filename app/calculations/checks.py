@@ -60,8 +60,8 @@ class RequirementsFields(RequestModel, group="requirements"):
     static_safety: Maybe[Safety] = quantity("Static safety of bearings", "S_0", step=0.1)
     """Static load rating of a bearing over its largest load; 1 for balls, 1.5 for rollers where it
     is not given."""
-    life_h: Size = quantity("Life", "L", default=5000.0, step=500)
-    """Time that the reducer has to last."""
+    life_h: Maybe[Size] = quantity("Life", "L", step=500)
+    """Time that the reducer has to last; 5,000 h, of plastics 500 h, where it is not given."""
     min_wall_mm: Maybe[Size] = quantity("Least wall", "w", step=0.5)
     """Least wall between holes, to the rim and to the bore."""
     max_backlash_arcmin: Maybe[Size] = quantity("Largest backlash", "Δφ_b", step=0.5)
@@ -385,6 +385,24 @@ def _reason(found: Check | PartVerdict, body: RequestModel) -> Values:
     if was := WAS["reasons"].get(found.reason):
         values["was"] = was
     return values
+
+
+def usual_values(body: Any, verdict: Verdict) -> dict[tuple[str, ...], float | str]:
+    """What was not typed of a reducer, and checks are judged by: values by the paths of fields."""
+    found: dict[tuple[str, ...], float | str] = {}
+    decided = [each for each in verdict.checks if each.status in ("pass", "marginal", "fail")]
+    for check, name in ((each, name) for each in decided for name in each.kind.inputs):
+        path = body.core_paths.get(name, ())
+        parent = _value(body, path[:-1])
+        if not path or parent is None or path[-1] in parent.model_fields_set:
+            continue
+        value = getattr(parent, path[-1], None)
+        if value is None:
+            usual = body.design.usual | {"requirements.static_safety": check.limit}
+            value = from_si(path[-1], usual.get(name))
+        if isinstance(value, (float, str)):
+            found.setdefault(path, value)
+    return found
 
 
 def check_values(check: Check, body: RequestModel, inputs: list[str]) -> Values:

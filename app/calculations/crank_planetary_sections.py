@@ -17,6 +17,7 @@ from app.calculations.checks import (
     codes_to_fix,
     fix_values,
     judgement,
+    usual_values,
 )
 from app.calculations.combined import combined
 from app.calculations.crank_planetary_answer import (
@@ -264,14 +265,22 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
             yield Notice("ring_deviations_unknown")
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
-        """Also values of plastics by which they yield, where sources have them."""
-        yield from super().assumed()
+        """Also values of plastics by which they yield, where sources have them, and what checks are
+        judged by.
+        """
+        said = dict(super().assumed())
+        yield from said.items()
         try:
             design = self.design
         except CalculationError:  # of which a solution is asked: a size that makes none yet
             return
-        for name, spread in design.usual_values.items():
-            yield tuple(map(str, self.path_of(name))), spread
+        own = {
+            tuple(map(str, self.path_of(name))): each for name, each in design.usual_values.items()
+        }
+        yield from own.items()
+        if "verdict" in self.__dict__:  # which a request for other results has none of
+            judging = usual_values(self, self.verdict)
+            yield from ((path, judging[path]) for path in judging if path not in said | own)
 
     def without(self, path: tuple[str, ...]) -> Values:
         """The peak force of one satellite, where forces are asked and their number is assumed."""

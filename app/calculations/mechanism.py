@@ -147,6 +147,17 @@ class MechanismFields(RequestModel, group="mechanism"):
 
     ASSUMED: ClassVar[tuple[str, ...]] = ("satellites",)
 
+    @model_validator(mode="before")
+    @classmethod
+    def _of_one_ratio(cls, data: Any) -> Any:
+        """Refuse a ratio beside teeth of another one, which say it."""
+        match data:
+            case {"ratio": ratio, "satellite_teeth": int(lobes), "ring_teeth": int(ring)}:
+                if lobes < ring and ratio != lobes / (ring - lobes):
+                    more = {"given": lobes / (ring - lobes), "field": "satellite_teeth"}
+                    raise field_error("ratio", "other_ratio", **more)
+        return data
+
     @model_validator(mode="after")
     def _by_pins(self) -> Self:
         if self.output == "crankshafts":

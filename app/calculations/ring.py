@@ -152,7 +152,8 @@ class RingPinsFields(RequestModel, group="gear"):
     sleeve_bore_radius_mm: Maybe[Size] = quantity("Bore of the sleeves", "r_i", step=0.5)
     """Radius of the bore of sleeves on the ring's pins, in which these slide."""
     rolling: Maybe[bool] = quantity("Rolling elements", advanced=True)
-    """Whether rolling elements carry the sleeves: nothing slides."""
+    """Whether rolling elements carry the sleeves: then the friction coefficient is theirs, at the
+    bore of the sleeves, or at their outer radius where no bore is given, which is more."""
 
     @model_validator(mode="after")
     def _held(self) -> Self:

@@ -10,11 +10,10 @@ from pydantic import Discriminator, Field, Tag, model_validator
 from app.calculations.design import Phase, RealContactFields
 from app.calculations.mechanism import Deviation, class_pattern
 from app.model import (
-    SMALLEST,
+    LARGEST,
     UNION_TAGS,
     Maybe,
     RequestModel,
-    Size,
     Values,
     quantity,
 )
@@ -168,13 +167,16 @@ def _kind(given: Any) -> Literal["plus_minus", "limits"]:
 
 UNION_TAGS.update(("plus_minus", "limits"))
 
-AnglePlusMinus = Annotated[float, Field(ge=SMALLEST, le=360)]
+Zone = Annotated[float, Field(ge=0, le=LARGEST)]
+"""A length about a middle, or 0 of what is exact."""
+
+AnglePlusMinus = Annotated[float, Field(ge=0, le=360)]
 LengthSpread = Annotated[
-    Annotated[Size, Tag("plus_minus")] | Annotated[LengthSpreadFields, Tag("limits")],
+    Annotated[Zone, Tag("plus_minus")] | Annotated[LengthSpreadFields, Tag("limits")],
     Discriminator(_kind),
 ]
 ToolSpread = Annotated[
-    Annotated[Size, Tag("plus_minus")] | Annotated[ToolSpreadFields, Tag("limits")],
+    Annotated[Zone, Tag("plus_minus")] | Annotated[ToolSpreadFields, Tag("limits")],
     Discriminator(_kind),
 ]
 PhaseSpread = Annotated[
@@ -203,9 +205,9 @@ class TolerancesFields(RequestModel, group="tolerances"):
     """The same of the pins alone, as where these are bought."""
     hole_process: Maybe[ProcessName] = quantity("Process of the holes", advanced=True)
     """The same of the holes alone."""
-    pin_position_mm: Maybe[Size] = quantity("Position of the pins", "t", step=0.001)
+    pin_position_mm: Maybe[Zone] = quantity("Position of the pins", "t", step=0.001)
     """Diameter of the round zone of each pin's centre."""
-    hole_position_mm: Maybe[Size] = quantity("Position of the holes", "t_j", step=0.001)
+    hole_position_mm: Maybe[Zone] = quantity("Position of the holes", "t_j", step=0.001)
     """Diameter of the round zone of each hole's centre."""
     pin_diameter: Maybe[PinDiameterFields] = quantity("Pin diameter", step=0.001)
     """Class or limits of the diameter that touches the hole."""
@@ -217,7 +219,7 @@ class TolerancesFields(RequestModel, group="tolerances"):
     """Angle of each crank: plus or minus so much, or limits."""
     disc_phase_deg: Maybe[PhaseSpread] = quantity("Disc phase", "η", step=0.001)
     """Angle of each disc's holes against its teeth: plus or minus so much, or limits."""
-    ring_pin_position_mm: Maybe[Size] = quantity("Position of the ring's pins", "t_r", step=0.001)
+    ring_pin_position_mm: Maybe[Zone] = quantity("Position of the ring's pins", "t_r", step=0.001)
     """Diameter of the round zone of the centre of each pin of the ring."""
     ring_pin_diameter: Maybe[PinDiameterFields] = quantity(
         "Diameter of the ring's pins", step=0.001

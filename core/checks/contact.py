@@ -403,7 +403,7 @@ def in_disc(
     error = (contact.conformal_error or 0.0) + 8 * contact.accuracy.relative_error
     if disc is not None:
         error += disc.params.get("error", 0.0)
-        if disc.code == "disc_ovals" and pressure <= limit:
+        if disc.code != "finite_disc" and pressure <= limit:
             said = {"reason": disc.code, "params": disc.params, "at": more.get("at", {})}
             return Check(kind, "not_checked", value=pressure, limit=limit, **said)
     reserve = more.get("reserve") or math.inf

@@ -152,7 +152,7 @@ def gear_room(design: Design, results: Results) -> Check:
 
 
 def _required_life(design: Design, results: Results) -> dict[str, Any]:
-    return {"limit": design.requirements.life}
+    return {"limit": design.life}
 
 
 @_bearing(
@@ -173,7 +173,7 @@ def _required_life(design: Design, results: Results) -> dict[str, Any]:
     known=_required_life,
 )
 def bearing_life(design: Design, results: Results) -> Check:
-    found, limit = results.crank.bearings, design.requirements.life
+    found, limit = results.crank.bearings, design.life
     if found.given_speed == 0:
         return Check(bearing_life, "not_applicable", limit=limit, reason="members_locked")
     lives, power = found.life, EXPONENTS[design.bearing.kind]
@@ -278,7 +278,7 @@ def bearing_static(design: Design, results: Results) -> Check:
     demands=("bearing.weibull_slope",),
 )
 def system_life(design: Design, results: Results) -> Check:
-    kind, limit = system_life, design.requirements.life
+    kind, limit = system_life, design.life
     found, power = results.crank.bearings, EXPONENTS[design.bearing.kind]
     if found.given_speed == 0:
         return Check(kind, "not_applicable", limit=limit, reason="members_locked")
@@ -315,7 +315,7 @@ def system_life(design: Design, results: Results) -> Check:
     known=_required_life,
 )
 def crank_bearing_life(design: Design, results: Results) -> Check:
-    kind, limit = crank_bearing_life, design.requirements.life
+    kind, limit = crank_bearing_life, design.life
     bearings = design.crankshaft.known_bearings
     for each in bearings:
         required(each.dynamic_rating, "rating_unknown", "crankshaft.bearings")

@@ -123,7 +123,8 @@ UNCOVERED = ("crankshaft", "output_bearing", "housing", "lubrication", "dynamics
 
 
 def crank_check(code: str, results: Results) -> Check:
-    """One check of a crank-planetary reducer; it says why where it could not be made.
+    """One check of a crank-planetary reducer; it says why where it could not be made. What fails by
+    a value that is assumed, and holds at the mild end of that, is marginal.
 
     Parameters
     ----------
@@ -136,7 +137,16 @@ def crank_check(code: str, results: Results) -> Check:
     -------
     Check
     """
-    return make_check(CRANK_CHECKS[code], results.design, results)
+    kind = CRANK_CHECKS[code]
+    check = make_check(kind, results.design, results)
+    assumed = [path for path in results.design.mild if path in kind.inputs]
+    if check.status != "fail" or not assumed:
+        return check
+    ends = [results.milder[path] for path in assumed]
+    milder = (make_check(kind, made.design, made) for made in ends)
+    if all(each.status == "fail" for each in milder):
+        return check
+    return check._replace(status="marginal", impossible=False, reason="default_decides")
 
 
 def crank_codes(design: Design) -> tuple[str, ...]:
@@ -182,7 +192,9 @@ def crank_checks(results: Results) -> Verdict:
     checks = [crank_check(code, results) for code in codes if not CRANK_CHECKS[code].loaded]
     unforced = cannot_be(check for check in checks if check.kind.part in MESHES)
     checks += (
-        make_check(CRANK_CHECKS[code], design, results, unforced=unforced)
+        make_check(CRANK_CHECKS[code], design, results, unforced=True)
+        if unforced
+        else crank_check(code, results)
         for code in codes
         if CRANK_CHECKS[code].loaded
     )
@@ -453,7 +465,7 @@ def under(*, design: Design, factor: float) -> Design:
     return changed(design, more)
 
 
-DOUBTS = ("pressure_error", "shakedown_unknown", "range_decides")
+DOUBTS = ("pressure_error", "shakedown_unknown", "range_decides", "default_decides")
 """Reasons for which a check is marginal whatever it is under other torques."""
 
 

@@ -2,7 +2,7 @@
 
 from functools import partial
 
-from core.checks.check import Check, Measure, design_check
+from core.checks.check import Check, Measure, Unjudged, design_check
 from core.checks.inputs import FORCES, INVOLUTE_TEETH, LIFE, SPEEDS
 from core.design.document import Design
 from core.design.results import Results
@@ -24,7 +24,7 @@ _check = partial(design_check, group="friction", part="losses", needs=("touching
                 *SPEEDS,
                 *INVOLUTE_TEETH,
                 "gear.friction_coefficient",
-                "gear.rolling",
+                "gear.sleeve_bore_radius",
                 "friction.coefficient",
                 "friction.sleeve",
                 "rollers.kind",
@@ -40,9 +40,14 @@ _check = partial(design_check, group="friction", part="losses", needs=("touching
     asks="min_efficiency",
 )
 def efficiency(design: Design, results: Results) -> Measure:
-    """Its limit is used by the losses."""
-    value = results.losses.efficiency
-    return Measure(value, used=lambda limit: (1 - value) / (1 - limit))
+    """Its limit is used by the losses: at least those of pins, and of teeth where their friction is
+    known.
+    """
+    value, asked = results.losses.efficiency, design.requirements.min_efficiency
+    toothed = design.gear and design.gear.kind != "none"
+    if toothed and design.gear.friction_coefficient is None and value >= (asked or 1.0):
+        raise Unjudged("ring_friction_unknown", "gear.friction_coefficient", value=value)
+    return Measure(value, used=lambda limit: (1 - value) / (1 - limit), reason="losses_left_out")
 
 
 @_check(

@@ -37,13 +37,13 @@ _check = partial(
     fixes=("rollers.dynamic_rating", "load.input_speed", *_FIXES),
     source="roller_rating",
     keep="above",
-    known=lambda design, results: {"limit": design.requirements.life},
+    known=lambda design, results: {"limit": design.life},
     requires={"rollers.dynamic_rating": "rating_unknown"},
 )
 def pin_roller_life(design: Design, results: Results) -> Check:
     design.known_speed  # noqa: B018 - of which the life is a matter
     found, power = results.roller_loads, EXPONENTS[KINDS[design.rollers.kind]]
-    limit, value = design.requirements.life, found.life
+    limit, value = design.life, found.life
     return judged(
         pin_roller_life,
         value,

@@ -398,7 +398,6 @@ def ring_seat_pressure(design: Design, results: Results) -> Check | Measure:
     inputs=(
         *dict.fromkeys((*RING_FORCES, *INVOLUTE_TEETH)),
         "gear.friction_coefficient",
-        "gear.rolling",
         "requirements.min_ring_efficiency",
     ),
     fixes=("gear.friction_coefficient",),

@@ -61,6 +61,15 @@ OF_INPUT = {
         why="Drawings say diameters; typed as radii they double every size.",
         mend="If they are diameters, halve both.",
     ),
+    "pins_like_crankshafts": limit(
+        "So few and so thick pins may be the crankshafts of an RV, which is another mechanism and "
+        "is not calculated.",
+        title="Crankshafts, not pins?",
+        tests="Whether there are more than three pins, or their radius is at most 0.3 of that of "
+        "their circle.",
+        why="Crankshafts turn in bearings in the disc and drive it; pins are driven by it.",
+        mend="Of an RV nothing here holds; of pins it may be left.",
+    ),
     "eccentricity_assumed": limit(
         "The eccentricity is taken as hole less pin radius: clearance or interference would not be "
         "seen.",

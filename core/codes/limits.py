@@ -71,6 +71,14 @@ OF_RESULTS = {
         "the contact is wider, and the wall carries bending that is not calculated here.",
         mend="Move the holes away from the edge, or make them smaller.",
     ),
+    "hole_outside_disc": limit(
+        "The holes reach {beyond:.4g} mm beyond the nearest edge of the satellite: its bore, or "
+        "the roots of its teeth.",
+        title="Holes outside the satellite",
+        tests="Whether the holes lie within the satellite.",
+        why="There is no wall that a pin could press on.",
+        mend="Move the holes, make them smaller, or check the sizes of bore and teeth.",
+    ),
     "finite_disc": limit(
         "From the axis of a hole to the nearest edge of the satellite there are {distance:.3g} "
         "radii of the hole: the pressure, that of a wide plane, may be off by {error:.2g} of it.",

@@ -42,6 +42,8 @@ UNKNOWN = {
     "creeps in step with the load up to half of it, which is a quarter of the torque; of PLA it "
     "says nothing. Enter the factor that a test of a day under load gives",
     "cranks_deviate": "The balance is known of cranks without deviations only",
+    "default_decides": "It fails by a value that is assumed, and holds at the mild end of what is "
+    "usual: enter it",
     "direction_unknown": "Across its layers no strength of this material is known: say that they "
     "lie flat, enter that strength, or take pins of metal",
     "different_parts": "Satellites differ in how their holes lie against their teeth: each needs a "
@@ -61,6 +63,8 @@ UNKNOWN = {
     "limit_unknown": "No limit of the pressure is known for this material: enter one. The pitting "
     "limit of tables of gears or worm wheels will do, that of its maker for such a contact, or of "
     "a test of this pair",
+    "losses_left_out": "Bearings of the satellites and of the crankshaft, and seals, lose besides: "
+    "their losses are not in it",
     "mass_unknown": "No mass of a satellite is given",
     "necessary_only": "It holds, which is necessary and not enough: once, cold, dry, of solid "
     "material",

@@ -11,6 +11,7 @@ from typing import Any, TypeVar, cast
 
 from core.design.ring import CycloidRing, InvoluteRing, Ring, RingBody
 from core.design.sections import (
+    USUAL_LIFE,
     Contact,
     DesignPin,
     FatigueBasis,
@@ -50,6 +51,9 @@ WALL_GUIDE = 0.03
 
 RINGLESS = ("teeth", "satellite_bearing", "crank_bearings")
 """Parts that a coupling has none of."""
+
+SHARPEST = 0.2
+"""Least usual radius of a hob's tip, in modules."""
 
 
 class NotGiven:
@@ -393,7 +397,7 @@ class Design:
         wanted for the loads over the life, as far as they are given: once a turn of the crank
         against the ring, and against the satellite.
         """
-        life = self.requirements.life
+        life = self.life
         loads: dict[RingBody, tuple[ElasticMaterial | None, float]] = {
             "pin": (self.gear.of_ring, self.turns_over(life)),
             "disc": (self.disc_material, self.loads_over(life)),
@@ -578,7 +582,7 @@ class Design:
         float
             s; infinite where none is asked.
         """
-        return self.requirements.life if part.life is None else part.life
+        return self.life if part.life is None else part.life
 
     def too_many(self, most: int) -> NotKnown:
         """What is not calculated of so many pairs.
@@ -644,7 +648,7 @@ class Design:
         """Materials of pin and hole, their limits wanted for the loads over the life, as far as
         they are given.
         """
-        loads = self.loads_over(self.requirements.life)
+        loads = self.loads_over(self.life)
         given: dict[Body, ElasticMaterial | None] = {
             "pin": self.contact.pin_material,
             "hole": self.contact.hole_material,
@@ -670,6 +674,32 @@ class Design:
             If it is not.
         """
         return required(self.lasting.get(body), "section_missing", f"contact.{body}_material")
+
+    @property
+    def life(self) -> float:
+        """Required life, or a usual one, s."""
+        own, contact = self.requirements.life, self.contact
+        bodies = [contact.pin_material, contact.hole_material] if contact else []
+        bodies += [self.disc_material] if self.gear else []
+        plastic = any(each.plastic for each in bodies if each is not None)
+        return USUAL_LIFE / (10 if plastic else 1) if own is None else own
+
+    @property
+    def usual(self) -> dict[str, float]:
+        """What is assumed where it is not given and has no default, by its path, in SI units."""
+        found = {"requirements.life": self.life}
+        if self.gear and self.gear.kind == "involute":
+            rack = self.gear.rack
+            return found | {"gear.rack_tip_radius": rack.tip_radius, "gear.dedendum": rack.dedendum}
+        return found
+
+    @property
+    def mild(self) -> dict[str, float]:
+        """The mild end of what is assumed as it is not given, by its path, in SI units."""
+        found = {"requirements.life": self.life / 5} if self.requirements.life is None else {}
+        if self.gear and self.gear.kind == "involute" and self.gear.rack_tip_radius is None:
+            found["gear.rack_tip_radius"] = SHARPEST
+        return found
 
     @cached_property
     def plastics(self) -> dict[Body, Plastic]:

@@ -143,6 +143,18 @@ class Results:
         return found
 
     @cached_property
+    def milder(self) -> dict[str, "Results"]:
+        """The same at the mild end of each value that is assumed, by its path."""
+        found = {}
+        for path, value in self.design.mild.items():
+            made = Results(changed(self.design, {path: value}), equal=self.shared_equally)
+            if path == "requirements.life":
+                made.turn, made.over_turn, made.made = self.turn, self.over_turn, self.made
+                made.ring.turn = self.ring.turn
+            found[path] = made
+        return found
+
+    @cached_property
     def softest(self) -> "Results":
         """The same with the least moduli of the materials, where sources differ: by which
         deflections are judged.
@@ -272,6 +284,11 @@ class Results:
         """What becomes of pins that do not fit into their holes."""
         return Fit(self.rooms, self.real)
 
+    def _refuse_misfits(self) -> None:
+        """Refuse forces of pins that do not fit into their holes."""
+        if self.fit.misfit not in FITS:
+            raise self.fit.refusal()
+
     def real_forces_at(self, factor: float) -> RealForces:
         """Forces of the mechanism as it is made under so many times the torque.
 
@@ -289,6 +306,7 @@ class Results:
         ImpossibleMechanism
             See `core.output.real_mechanism.RealMechanism.solved`.
         """
+        self._refuse_misfits()
         load = self.design.load
         return RealForces.solved(
             turn=self.over_turn,
@@ -314,12 +332,9 @@ class Results:
 
     @cached_property
     def turn(self) -> Callable[[float], Turn]:
-        """The mechanism as it is made over the turn, of a torque, N*m, negative in reverse, where
-        its pins fit.
-        """
-        if self.fit.misfit not in FITS:
-            raise self.fit.refusal()
+        """The mechanism as it is made over the turn, of a torque, N*m, negative in reverse."""
         if self.in_series:
+            self._refuse_misfits()
             return cache(lambda torque: SeriesTurn(self.series, torque))
         return cache(lambda torque: Turn(self.real, torque))
 
@@ -620,6 +635,9 @@ class Results:
         if not contact.is_conformal:
             return None
         distance = self.design.disc_distance
+        if distance < 1:
+            hole = self.design.nominal_pair.hole_radius
+            return Notice("hole_outside_disc", {"beyond": (1 - distance) * hole * 1e3})
         if distance < OVALS:
             return Notice("disc_ovals", {"distance": distance})
         error = disc_error(distance)

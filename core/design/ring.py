@@ -9,7 +9,7 @@ from core.design.sections import DesignPin
 from core.errors import InvalidInput, Notice, NotKnown, required
 from core.hertz import ElasticMaterial
 from core.output.elasticity import RIGID_PINS, ContactLaw, HertzLaw
-from core.ring.involute import HEIGHTS, Cutter, InvoluteTeeth, addendum_of, rack_of
+from core.ring.involute import HEIGHTS, Cutter, InvoluteTeeth, Rack, addendum_of, rack_of
 from core.ring.loss import RingFriction
 from core.ring.profile import CycloidDisc, Modification
 from core.ring.sharing import CycloidMesh
@@ -379,6 +379,15 @@ class InvoluteRing(AnyRing):
         }
         return tuple(name for name, own in ways.items() if all(each is None for each in own))
 
+    @property
+    def rack(self) -> Rack:
+        """The hob that makes the satellite."""
+        return rack_of(
+            pressure_angle=self.reference_pressure_angle,
+            dedendum=self.dedendum,
+            tip_radius=self.rack_tip_radius,
+        )
+
     def involute_teeth(self, *, satellite_teeth: int, ring_teeth: int) -> InvoluteTeeth:
         """Involute teeth of which all is given.
 
@@ -396,11 +405,8 @@ class InvoluteRing(AnyRing):
         InvalidInput
             If there is no such rack, or an addendum is none of `core.ring.involute.HEIGHTS`.
         """
-        module, angle = self.module, self.reference_pressure_angle
+        module, rack = self.module, self.rack
         shifts = {body: getattr(self, f"{body}_profile_shift") for body in ("satellite", "ring")}
-        rack = rack_of(
-            pressure_angle=angle, dedendum=self.dedendum, tip_radius=self.rack_tip_radius
-        )
         addenda = {}
         for body, teeth in (("satellite", satellite_teeth), ("ring", ring_teeth)):
             addendum = getattr(self, f"{body}_addendum")
@@ -413,7 +419,7 @@ class InvoluteRing(AnyRing):
                     teeth=teeth,
                     shift=shifts[body],
                     module=module,
-                    pressure_angle=angle,
+                    pressure_angle=rack.pressure_angle,
                 )
             elif not low <= addendum <= high:
                 code, limit = (

@@ -136,6 +136,10 @@ class Temperatures:
     pins: float | None = None  # of the pins
 
 
+USUAL_LIFE = 5000 * 3600.0
+"""Life that is required where none is given, s; of plastics a tenth."""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Requirements:
     """What a design has to keep; what is None is not asked.
@@ -152,7 +156,8 @@ class Requirements:
         Required safety of bearings against their static rating; `STATIC_SAFETY` of their kind where
         not given.
     life : float
-        Required life, s; infinite where none is asked.
+        Required life, s; infinite where none is asked, `USUAL_LIFE` where it is not given, a tenth
+        of it where a body is of plastic.
     min_efficiency, min_ring_efficiency : float or None
         Least efficiency of the output mechanism, and of the teeth alone.
     max_seat_pressure : float or None
@@ -170,7 +175,7 @@ class Requirements:
     bending_safety: float = 1.5
     fatigue_safety: float = 1.5
     static_safety: float | None = None
-    life: float = 5000 * 3600.0
+    life: float | None = None  # s; None: usual
     min_wall: float | None = None  # m
     max_backlash: float | None = None  # rad
     max_lost_motion: float | None = None  # rad

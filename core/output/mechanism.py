@@ -747,6 +747,7 @@ def pin_fit(
         "interference": clearance < 0,
         "wall_holes": between_holes <= tolerance,
         "pins_apart": between_pins <= tolerance,
+        "pins_like_crankshafts": 1 < pins <= 3 and pin_radius > LIKE_BEARING * pin_circle_radius,
     }
     needed = {"limit": 1e3 * (pin_radius + eccentricity)}
     notices = tuple(
@@ -766,6 +767,10 @@ def pin_fit(
 
 SLIPPED = ("pin_radius", "hole_radius", "eccentricity")
 """Sizes that `slip_notices` asks about."""
+
+LIKE_BEARING = 0.3
+"""Radius of a pin over that of its circle above which two or three are as thick as the bearings of
+the crankshafts of an RV."""
 
 LIKE_ECCENTRICITY = 0.5
 """Clearance over the eccentricity from which on it is said: mechanisms have a hundredth."""

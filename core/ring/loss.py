@@ -2,7 +2,8 @@
 
 A disc turns about the pitch point, from which the centre of a pin is ``R*S``: on a pin that stands
 still it slides by ``w_out*|R*S - r|``. A sleeve that rolls on the disc slides on its pin instead,
-as much slower as its bore is smaller. Friction does not change the forces here.
+as much slower as its bore is smaller; rolling elements in its bore resist that by a moment, which
+their coefficient has at the bore. Friction does not change the forces here.
 """
 
 import math
@@ -19,14 +20,14 @@ from core.ring.sharing import MeshTurn
 class RingFriction:
     """What slides on the ring's pins."""
 
-    coefficient: float  # mu, >= 0
-    sleeve_bore_radius: float = 0.0  # r_i of sleeves on the pins, m, < r; 0 without them
-    rolling: bool = False  # whether rolling elements carry the sleeves: nothing slides
+    coefficient: float  # mu, >= 0; of rolling elements theirs, at the bore
+    sleeve_bore_radius: float = 0.0  # r_i of sleeves on the pins, m, < r; 0: r, which loses most
+    rolling: bool = False  # whether rolling elements carry the sleeves, which have no pv
 
 
 def sliding_part(*, disc: CycloidDisc, friction: RingFriction) -> float:
-    """Part of the sliding on pins that stand still which is left: of sleeves their bore's, of
-    rolling elements none.
+    """Part of the sliding on pins that stand still which is left: of sleeves, on rolling elements
+    too, their bore's.
 
     Parameters
     ----------
@@ -48,8 +49,6 @@ def sliding_part(*, disc: CycloidDisc, friction: RingFriction) -> float:
     if not 0 <= friction.coefficient < math.inf:
         raise InvalidInput("coefficient", friction.coefficient, "greater_than_equal", limit=0)
     bore = friction.sleeve_bore_radius
-    if friction.rolling:
-        return 0.0
     if bore == 0:
         return 1.0
     check_positive(sleeve_bore_radius=bore)

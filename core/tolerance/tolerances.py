@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from core.arrays import FloatArray, check_positive
+from core.arrays import FloatArray, check_not_negative
 from core.output.loop_rows import Errors
 from core.output.room import Deviations
 from core.tolerance.draws import (
@@ -38,7 +38,7 @@ class Tolerances:
 
     def __post_init__(self) -> None:
         zones = {name: zone for name, zone in self._given.items() if name.endswith("position")}
-        check_positive(**zones)
+        check_not_negative(**zones)
 
     @property
     def _given(self) -> dict[str, Any]:

@@ -225,5 +225,5 @@ def judged_steps(results: Results) -> list[Step]:
         dynamic_factor=1.0 if real else design.load_factor,
         distribution_factor=1.0 if real else design.distribution_factor,
         line_load_factor=results.line_load_factor if design.pin else 1.0,
-        turning=(design.turning_speed, design.requirements.life, design.mechanism.ratio),
+        turning=(design.turning_speed, design.life, design.mechanism.ratio),
     )

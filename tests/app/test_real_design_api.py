@@ -10,6 +10,7 @@ import pytest
 from app.calculations.crank_planetary_sections import CrankPlanetaryRequest
 from app.endpoint import LIGHT_COST
 from app.examples import REQUESTS
+from core.precision import EXACT
 
 pytestmark = pytest.mark.anyio
 
@@ -384,3 +385,75 @@ async def test_a_mesh_without_a_height_of_its_teeth_is_refused(api):
     teeth = {name: value for name, value in TEETH.items() if name != "ring_addendum"}
     body = changed(PRINTED, gear=teeth, include=["ring_mesh"])
     assert await refused(api, body) == ("/gear/ring_addendum", "missing")
+
+
+async def test_an_efficiency_says_what_it_leaves_out(api):
+    """A ring on rolling bearings lost nothing, and 0.9993 passed; without its friction more did."""
+    rolls = {"gear__friction_coefficient": 0.0015, "gear__rolling": True}
+    given = {
+        "friction": {"coefficient": 0.02},
+        "load__input_speed_rpm": 300,
+        "requirements": {"min_efficiency": 0.9},
+        "include": ["checks", "ring_mesh"],
+    }
+    answer = await answered(api, changed(PRINTED, **given, **rolls))
+    checks = {each["code"]: each for each in answer["checks"]}
+    known, ring = checks["efficiency"], answer["ring_mesh"]["efficiency"]
+    assert (known["status"], known["reason"]["code"]) == ("pass", "losses_left_out")
+    assert 0.99 < ring["efficiency"] < 1
+    unknown = []
+    for least in (0.9, 0.999):
+        given["requirements"] = {"min_efficiency": least}
+        answer = await answered(api, changed(PRINTED, **given))
+        unknown += [each for each in answer["checks"] if each["code"] == "efficiency"]
+    assert [each["status"] for each in unknown] == ["not_checked", "fail"]
+    assert unknown[0]["missing"] == ["/gear/friction_coefficient"]
+    assert unknown[0]["value"] == unknown[1]["value"]
+    lost = 1 / unknown[0]["value"] + ring["loss_ratio"]
+    assert known["value"] == pytest.approx(1 / lost, rel=EXACT)
+
+
+@pytest.mark.parametrize(
+    ("pins", "radius", "said"), [(3, 16.0, True), (3, 10.0, False), (4, 16.0, False)]
+)
+async def test_thick_pins_that_are_few_may_be_crankshafts(api, pins, radius, said):
+    """Those of an RV with three crankshafts: r 16 on R 36."""
+    body = {
+        "mechanism": {"pins": pins, "satellites": 2, "satellite_teeth": 39, "ring_teeth": 40},
+        "load": {"output_torque_Nm": 412, "pin_circle_radius_mm": 36},
+        "contact": {
+            "contact_length_mm": 12,
+            "pin_radius_mm": radius,
+            "hole_radius_mm": radius + 1.3,
+            "eccentricity_mm": 1.3,
+        },
+    }
+    answer = await answered(api, body)
+    assert ("pins_like_crankshafts" in [each["code"] for each in answer["warnings"]]) == said
+
+
+async def test_a_ratio_that_teeth_contradict_is_said(api):
+    body = changed(PRINTED, mechanism__ratio=19.0)
+    problem = (await api.post(PATH, json=body)).json()
+    (error,) = problem["errors"]
+    assert (error["pointer"], error["code"]) == ("/mechanism/ratio", "other_ratio")
+    assert "give 20:" in error["detail"]
+    body["mechanism"]["ratio"] = 20.0
+    assert await refused(api, body) == ("/mechanism/satellite_teeth", "only_one")
+
+
+async def test_holes_outside_the_satellite_are_said_in_millimetres(api):
+    """Of which the distance of their edge was said, negative, in their radii."""
+    body = changed(
+        PRINTED,
+        contact__hole_radius_mm=3.51,
+        contact__hole_material="PLA",
+        load__pin_circle_radius_mm=53.0,
+        load__output_torque_Nm=200.0,
+    )
+    answer = await answered(api, body)
+    (said,) = [each for each in answer["warnings"] if each["code"] == "hole_outside_disc"]
+    # roots of the lobes: less a pin and the eccentricity, the modification, and the holes
+    beyond = 53 + 3.51 - (54 - 2 - 1.5 - 0.25)
+    assert said["params"]["beyond"] == pytest.approx(beyond, rel=EXACT)
+    assert f"{beyond:.4g} mm" in said["detail"]

@@ -116,8 +116,6 @@ async def test_bent_pins_and_sleeves(api):
     sleeved = changed(gear=gear | {"sleeve_bore_radius_mm": 3.0})
     thin = (await api.post(PATH, json=sleeved)).json()["positions"][0]
     assert thin["stiffness_Nm_per_arcmin"] < soft["stiffness_Nm_per_arcmin"]
-    rolling = changed(gear=gear | {"sleeve_bore_radius_mm": 3.0, "rolling": True})
-    assert (await api.post(PATH, json=rolling)).json()["positions"][0]["loss_per_friction"] == 0
 
 
 async def test_reverse_and_rotation(api):

@@ -353,7 +353,7 @@ async def test_pieces_that_press_are_counted_and_fail(api):
             "disc_phase_deg/lower_deg", "at_most"),
         ({"crank_phase_deg": {"lower_deg": 0}}, "crank_phase_deg/upper_deg", "missing"),
         ({"crank_phase_deg": -1}, "crank_phase_deg", "greater_than_equal"),
-        ({"pin_position_mm": 0}, "pin_position_mm", "greater_than_equal"),
+        ({"pin_position_mm": -0.01}, "pin_position_mm", "greater_than_equal"),
     ],
 )  # fmt: skip
 async def test_tolerances_that_are_none_are_refused(api, tolerances, pointer, code):
@@ -530,3 +530,13 @@ async def test_what_the_table_has_not_is_refused(api, query, pointer, code):
     assert answer.headers["content-type"] == "application/problem+json"
     (error,) = answer.json()["errors"]
     assert (error["pointer"], error["code"]) == (f"/query/{pointer}", code)
+
+
+async def test_a_tolerance_of_0_says_exact(api):
+    """Pieces are those of a tolerance that is not named; it was refused."""
+    exact = {"hole_position_mm": 0, "eccentricity_mm": 0, "disc_phase_deg": 0}
+    plain, said = [
+        await answered(api, changed({"pin_position_mm": 0.02} | each)) for each in ({}, exact)
+    ]
+    assert said["quantities"] == plain["quantities"]
+    assert said["quantities"]["peak_force_N"]["mean"] > 2400  # 2333 N of perfect parts

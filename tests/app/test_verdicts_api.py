@@ -402,6 +402,7 @@ ROUGH = {
     },
     "gear": {"kind": "none"},
     "bearing": {"kind": "ball", "dynamic_rating_N": 6e4, "static_rating_N": 1e6},
+    "requirements": {"life_h": 5000.0},
     "include": ["checks"],
 }
 """Its bearings are loaded by the forces with clearance."""

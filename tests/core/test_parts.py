@@ -43,6 +43,7 @@ SOUND = having(
         ring_pin_radius=0.004,
         modification=Modification(equidistant=5e-6),
         pin_material=PIN,
+        friction_coefficient=0.02,
     ),
     bearing=BEARING,
     crankshaft=SHAFT,
@@ -71,10 +72,11 @@ def test_all_parts_of_a_sound_design_pass() -> None:
 def test_teeth_whose_modification_is_not_known_are_open() -> None:
     found = crank_verdict(Results(UNMODIFIED))
     opened = {each.code: each.status for each in found.parts}
-    assert opened == dict.fromkeys(PARTS, "pass") | {"teeth": "open"}, found.parts
-    assert reasons(UNMODIFIED) == {"teeth": "modification_unknown"}
+    unknown = ("teeth", "losses")  # which are of teeth too
+    assert opened == dict.fromkeys(PARTS, "pass") | dict.fromkeys(unknown, "open"), found.parts
+    assert reasons(UNMODIFIED) == dict.fromkeys(unknown, "modification_unknown")
     assert found.verdict == "incomplete"
-    judged = having(UNMODIFIED, scope=tuple(part for part in PART_NAMES if part != "teeth"))
+    judged = having(UNMODIFIED, scope=tuple(part for part in PART_NAMES if part not in unknown))
     alone = crank_verdict(Results(judged))
     assert alone.verdict == "pass" and statuses(judged)["teeth"] == "left_out"
     assert {*alone.largest_torque_of} == {"contact", "pins", "satellite_bearing", "crank_bearings"}
@@ -157,7 +159,8 @@ def test_a_ring_without_teeth_leaves_them_out_and_opens_the_bearings() -> None:
     bearings = {"satellite_bearing": "no_ring_force", "crank_bearings": "no_ring_force"}
     assert reasons(toothless) == bearings
     assert reasons(having(SOUND, gear=OtherRing(radial_force_ratio=0.3))) == {
-        "teeth": "teeth_not_judged"
+        "teeth": "teeth_not_judged",
+        "losses": "ring_friction_unknown",
     }
 
 
