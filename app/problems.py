@@ -68,7 +68,7 @@ OF_REQUESTS = {
     "one_of_coupling": "must be {limit}: a coupling has one disc",
     "ratio_below_one": "must be at least {limit}: the crank turns faster than the output, its "
     "inverse is {offered:.9g}; two shafts that pins couple are the output coupling",
-    "other_ratio": "is not that of {field} and ring_teeth, which give {given:.6g}: leave it out",
+    "other_ratio": "is not that of {field} and {other}, which give {given:.6g}: leave it out",
     "ratio_of_teeth": "must be at most {limit}, twice {field}: with more the ratio is below 1",
     "service_limit": "must be at most {limit}: this service takes no more",
     "sign_of_ring": "must not be negative: the ring turns with the crank; {offered:.9g} is that of "

@@ -154,8 +154,8 @@ class MechanismFields(RequestModel, group="mechanism"):
         match data:
             case {"ratio": ratio, "satellite_teeth": int(lobes), "ring_teeth": int(ring)}:
                 if lobes < ring and ratio != lobes / (ring - lobes):
-                    more = {"given": lobes / (ring - lobes), "field": "satellite_teeth"}
-                    raise field_error("ratio", "other_ratio", **more)
+                    more = {"field": "satellite_teeth", "other": "ring_teeth"}
+                    raise field_error("ratio", "other_ratio", given=lobes / (ring - lobes), **more)
         return data
 
     @model_validator(mode="after")
