@@ -15,7 +15,8 @@ export const bounds = {
   of: ({ pin_strength: strength }, { besides }) => strength && besides?.pin?.span_mm !== undefined && besides.pin.support !== "tie_ring",
   body(input, answer, requests) {
     const { fatigue, ...body } = strengthBody(input, answer, requests);
-    const life = fatigue && { fatigue: { life_h: input.requirements.life_h, ...fatigue } };
+    const usual = answer.assumed?.find(({ pointer }) => pointer === "/requirements/life_h")?.value;
+    const life = fatigue && { fatigue: { life_h: input.requirements.life_h ?? usual, ...fatigue } };
     return { ...body, ...life, include: ["support_bounds", "deflection"] };
   },
   shown: [
