@@ -66,6 +66,9 @@ Size = Annotated[float, Field(ge=SMALLEST, le=LARGEST)]
 """A positive physical quantity, in its unit: within these limits no result leaves the range of
 numbers and none loses digits at its lower end."""
 
+RingSize = Annotated[float, Field(ge=SMALLEST, le=1e5)]
+"""A size of a ring, mm: up to a hundred metres; the turn of a larger one takes long."""
+
 Angle = Annotated[float, Field(ge=-3600, le=3600)]
 """An angle in degrees, of up to ten turns."""
 

@@ -18,6 +18,7 @@ from app.model import (
     Maybe,
     PartFields,
     RequestModel,
+    RingSize,
     Size,
     Whole,
     no_dust,
@@ -119,8 +120,8 @@ class RingPinsFields(RequestModel, group="gear"):
     kind: Maybe[Kind] = quantity("Ring")
     """Involute teeth, pins on which a cycloid disc rolls, or none: its force along the crank is
     left out."""
-    ring_pin_circle_radius_mm: Maybe[Size] = pin_circle_radius()
-    ring_pin_radius_mm: Maybe[Size] = ring_pin_radius()
+    ring_pin_circle_radius_mm: Maybe[RingSize] = pin_circle_radius()
+    ring_pin_radius_mm: Maybe[RingSize] = ring_pin_radius()
     contact_length_mm: Maybe[Size] = contact_length()
     modification: Maybe[ModificationFields] = None
     contact_law: Maybe[MeshLawFields] = None

@@ -21,7 +21,7 @@ from app.calculations.ring import (
     pin_circle_radius,
     ring_pin_radius,
 )
-from app.model import Angle, Maybe, RequestModel, Size, Whole, quantity
+from app.model import Angle, Maybe, RequestModel, RingSize, Size, Whole, quantity
 from app.problems import invalid_input, wrong
 from app.rules import Forms, Kinds
 from app.units import to_si
@@ -112,8 +112,8 @@ class CycloidRingFields(RingPinsFields, group="gear"):
 
     kind: Literal["cycloid"] = quantity("Ring")
     """Pins on which a cycloid disc rolls."""
-    ring_pin_circle_radius_mm: Size = pin_circle_radius()
-    ring_pin_radius_mm: Size = ring_pin_radius()
+    ring_pin_circle_radius_mm: RingSize = pin_circle_radius()
+    ring_pin_radius_mm: RingSize = ring_pin_radius()
     contact_length_mm: Size = contact_length()
     pin_material: Material = quantity("Material of the ring's pins", default=PIN_MATERIAL)
     """A name of the table of materials, or values; bearing steel where not given."""

@@ -203,6 +203,17 @@ async def test_what_takes_too_long_is_refused(api):
     assert error["params"] == {"limit": 500, "satellites": 2}
 
 
+async def test_a_ring_of_more_than_a_hundred_metres_is_refused_at_once(api):
+    """Its turn takes half a minute."""
+    design = {"mechanism": BASE["mechanism"] | {"pins": 6}, "gear": {"kind": "cycloid"}}
+    for path, body in ((PATH, deepcopy(BASE)), ("crank-planetary", design)):
+        for name in ("ring_pin_circle_radius_mm", "ring_pin_radius_mm"):
+            body["gear"] = body["gear"] | {name: 1e12}
+            errors = (await api.post(path, json=body)).json()["errors"]
+            (error,) = (each for each in errors if each["pointer"].endswith(name))
+            assert error["code"] == "less_than_equal" and error["params"] == {"limit": 1e5}
+
+
 async def test_nothing_happens_where_pins_stand_off_a_valley(api):
     """Of a public design, whose valleys are round by 0.015214 mm."""
     gear = {

@@ -334,6 +334,29 @@ def test_deviations_that_leave_nothing_are_impossible() -> None:
         assert caught.value.code == "no_radius_left"
 
 
+@pytest.mark.parametrize("seed", seeds(20))
+def test_at_the_limit_of_undercut_a_disc_is_refused_and_no_number_fails(seed: int) -> None:
+    """By rounding its sharpest place may lie on either side of it."""
+    r = random.Random(seed)
+    lobes, radius = r.randint(4, 40), r.uniform(0.02, 0.1)
+    disc = CycloidDisc(lobes, r.uniform(0.1, 0.95) * radius / (lobes + 1), radius, 1e-6)
+    places = np.linspace(0, 2 * math.pi / lobes, 40_001)
+    sharpest = lobes * float(places[disc.path_curvature(places).argmax()])
+    parts = [1 + k * 2.0**-52 for k in (-4, -1, 0, 1)] + [1 - 1e-12, 1 - 9e-10, 1 - 1.1e-9]
+    for part in parts:
+        made = replace(disc, ring_pin_radius=disc.min_path_radius * part)
+        if part > 1 - 1e-9:
+            with pytest.raises(InvalidInput, match="ring_pin_radius") as caught:
+                mesh_of(disc=made)
+            assert caught.value.code == "undercut"
+            continue
+        mesh = mesh_of(disc=made, law=HertzLaw(), crank_angles=(0.0,))
+        for k in range(-3, 4):
+            pairs, room = mesh.pairs, mesh.room()
+            approach.at(sharpest * (1 + k * 2.0**-52), mesh.setup(1.0), pairs, room)
+            assert np.isfinite(pairs.curved).all() and min(pairs.curved) > 0
+
+
 def test_a_pin_that_just_touches_at_its_dead_angle_has_a_known_play() -> None:
     """It has no lever there: how well the play is known hangs on how the path bends away."""
     disc = CycloidDisc(20, 2e-3, 0.066, 0.004, Modification(1.5e-5, -5e-6))
