@@ -31,8 +31,9 @@ COVERED = """() => {
   const clear = 1.5;
   const apart = (a, b) => a.left > b.right - clear || a.right < b.left + clear
     || a.top > b.bottom - clear || a.bottom < b.top + clear;
-  const boxes = [...document.querySelectorAll(".drawing svg, .plot, .canvas > svg")].filter(shown)
-    .map((one) => ({ words: "a figure", box: one.getBoundingClientRect() }));
+  const drawn = ".drawing svg, .plot .main-svg, .canvas > svg";
+  const boxes = [...document.querySelectorAll(drawn)].filter(shown).map((one) =>
+    ({ words: "a figure", box: one.getBoundingClientRect(), node: one.closest(".plot") ?? one }));
   const walk = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT, ({ parentElement }) =>
     parentElement.closest("svg, .plot, math, .unseen, script") || !shown(parentElement)
       ? NodeFilter.FILTER_REJECT : NodeFilter.FILTER_ACCEPT);
@@ -48,7 +49,7 @@ COVERED = """() => {
     const over = [];
     for (const other of boxes.slice(i + 1)) {
       if (other.box.top > one.box.bottom) break;
-      if (one.node && one.node === other.node) continue;
+      if (one.node === other.node) continue;
       if (!apart(one.box, other.box)) over.push(`${one.words} | ${other.words}`);
     }
     return over;
