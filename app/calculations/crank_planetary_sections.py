@@ -265,8 +265,8 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
             yield Notice("ring_deviations_unknown")
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
-        """Also values of plastics by which they yield, where sources have them, and what checks are
-        judged by.
+        """Also values of plastics by which they yield, where sources have them, what checks are
+        judged by, and the friction of metals where it decides.
         """
         said = dict(super().assumed())
         yield from said.items()
@@ -281,6 +281,9 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         if "verdict" in self.__dict__:  # which a request for other results has none of
             judging = usual_values(self, self.verdict)
             yield from ((path, judging[path]) for path in judging if path not in said | own)
+            flows = (e for e in self.verdict.checks if e.code.startswith("contact_shakedown"))
+            if any(each.reason == "range_decides" for each in flows):
+                yield ("friction", "coefficient"), design.hole_friction
 
     def without(self, path: tuple[str, ...]) -> Values:
         """The peak force of one satellite, where forces are asked and their number is assumed."""

@@ -583,8 +583,15 @@ class Results:
             strength = material.most_strength
             limit = material.most_pressure(if_known(lambda: design.hole_friction.low))
         else:
-            strength = material.known_strength(body, f"contact.{body}_material")
-            friction = design.hole_friction.high
+            path = f"contact.{body}_material"
+            try:
+                friction = design.hole_friction.high
+            except NotKnown as why:
+                unknown = material.yield_strength is None
+                raise NotKnown(
+                    why.code, *why.missing, *([f"{path}.yield_strength"] if unknown else [])
+                ) from why
+            strength = material.known_strength(body, path)
             limit = strength * first_yield(poissons_ratio=ratio, friction=friction)
         there = contact if most else self.softest_contact(contact)
         if body == "hole" and there.is_conformal and material.yield_strength is not None:

@@ -331,3 +331,38 @@ async def test_what_a_name_lacks_may_be_given_for_the_pins_of_the_ring_too(api):
     bare = body | {"gear": gear | {"pin_material": {"name": "PETG"}}}
     refused = (await api.post("crank-planetary", json=bare)).json()
     assert refused["errors"][0]["pointer"] == "/gear/pin_material/poissons_ratio"
+
+
+@pytest.mark.anyio
+@pytest.mark.parametrize(("pressure", "status"), [(1.9, "pass"), (2.2, "marginal"), (2.4, "fail")])
+async def test_the_friction_of_metals_is_named_where_it_decides(api, pressure, status):
+    """Shakedown of a hole at so many times its yield strength: 2.06 at 0.1, 2.31 without."""
+    hole = {"youngs_modulus_GPa": 210, "poissons_ratio": 0.3, "allowable_pressure_MPa": 5000}
+    body = {
+        "mechanism": {"pins": 6, "satellites": 2, "ratio": 20},
+        "load": {"output_torque_Nm": 500, "pin_circle_radius_mm": 50},
+        "contact": {
+            "contact_length_mm": 20,
+            "pin_radius_mm": 8,
+            "hole_clearance_mm": 0,
+            "eccentricity_mm": 2,
+            "pin_material": "steel_bearing",
+            "hole_material": hole | {"yield_strength_MPa": 1000},
+        },
+        "requirements": {"scope": ["contact"]},
+        "include": ["checks"],
+    }
+    value = next(
+        each["value"]
+        for each in (await api.post("crank-planetary", json=body)).json()["checks"]
+        if each["code"] == "contact_shakedown_hole"
+    )
+    body["contact"]["hole_material"] = hole | {"yield_strength_MPa": value / pressure}
+    answer = (await api.post("crank-planetary", json=body)).json()
+    (found,) = [each for each in answer["checks"] if each["code"] == "contact_shakedown_hole"]
+    assert found["status"] == status
+    taken = {each["pointer"]: each for each in answer.get("assumed", ())}
+    assert ("/friction/coefficient" in taken) == (status == "marginal")
+    if status == "marginal":
+        assert found["missing"] == ["/friction/coefficient"]
+        assert (taken["/friction/coefficient"]["low"], answer["verdict"]) == (0, "marginal")
