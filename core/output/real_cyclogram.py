@@ -81,7 +81,7 @@ def real_cyclogram(*, turn: Turn, revolutions: float = 1.0) -> RealCyclogram:
     """
     mechanism, solved = turn.real.mechanism, turn.evaluations
     step = 2 * math.pi / SAMPLES
-    ends, pair, falls, carries = carried_ends(turn=turn, samples=SAMPLES, halvings=HALVINGS)
+    ends, pair, falls, carries = _ends(turn, step)
     inward, width = np.where(falls, -1.0, 1.0), step / 2.0 ** (HALVINGS + 1)
     sure = _sure(turn, ends + mechanism.initial_crank_angle, pair, inward, width)
     per_wave = mechanism.crank_angle_per_wave
@@ -111,33 +111,14 @@ def real_cyclogram(*, turn: Turn, revolutions: float = 1.0) -> RealCyclogram:
     )
 
 
-def carried_ends(*, turn: Turn, samples: int, halvings: int) -> Ends:
-    """Where over a turn of the wave pairs begin and end to carry.
-
-    Parameters
-    ----------
-    turn : Turn
-        The mechanism as it is made under its torque.
-    samples : int
-        Places of the grid.
-    halvings : int
-        How often a step that holds an end is halved.
-
-    Returns
-    -------
-    Ends
-
-    Raises
-    ------
-    ImpossibleMechanism
-        See `core.output.real_mechanism.RealMechanism.solved`.
-    """
-    first, step = turn.real.mechanism.initial_crank_angle, 2 * math.pi / samples
-    places = first + step * (np.arange(samples * turn.waves) + 1 / math.pi)
+def _ends(turn: Turn, step: float) -> Ends:
+    """Where over a turn of the wave pairs begin and end to carry, in a grid of such steps."""
+    first = turn.real.mechanism.initial_crank_angle
+    places = first + step * (np.arange(SAMPLES * turn.waves) + 1 / math.pi)
     carries = turn.at_waves(places)["forces"] > 0
     place, pair = np.nonzero(carries != np.roll(carries, -1, axis=0))
     low, high, falls = places[place], places[place] + step, carries[place, pair]
-    for _ in range(halvings if len(place) else 0):
+    for _ in range(HALVINGS if len(place) else 0):
         middle = (low + high) / 2
         same = (_forces(turn, middle, pair)[0] > 0) == falls
         low, high = np.where(same, middle, low), np.where(same, high, middle)
