@@ -16,6 +16,7 @@ from starlette.staticfiles import NotModifiedResponse
 from starlette.types import Receive, Scope, Send
 
 from app import VERSION, theme
+from app.calculations.work_precision import COMPARED
 from app.endpoint import COMPRESS_BYTES, JSON, takes_gzip
 from app.examples import EXAMPLES
 from app.model import SMALLEST, Calculation, Maybe, ResponseModel, present
@@ -374,6 +375,7 @@ class CalculationOut(ResponseModel):
     path: str = Field(description="Path of its endpoint.")
     chart: Maybe[str] = Field(description="Path of its figure.")
     batched: bool = Field(description="Whether batches take it.")
+    compared: bool = Field(description="Whether `/work-precision` compares methods of it.")
     sources: list[str] = Field(description="Where its formulas come from.")
     model: list[NeglectedOut] = Field(
         description="What its model leaves out with all of its sections given; what sections that "
@@ -390,6 +392,7 @@ class CalculationOut(ResponseModel):
             path=f"{prefix}/{each.name}",
             **({"chart": f"{prefix}/{each.name}/chart"} if each.figure else {}),
             batched=each.batched,
+            compared=each.name in {name for name, *_ in COMPARED},
             sources=[*each.sources],
             model=[NeglectedOut(code=code, detail=NEGLECTED[code]) for code in each.neglects],
         )

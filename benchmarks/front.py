@@ -1,4 +1,5 @@
-"""Does the default of every calculation lie on the front of error against run time?
+"""Does the default of every ideal calculation that has several methods lie on the front of error
+against run time?
 
 Over a set of random designs of ordinary size, a method beats the default where its largest error
 is less than half and its median run time less than half of the default's. Errors below a rounding
@@ -18,15 +19,12 @@ from core.output.mechanism import Mechanism
 from core.precession.rollers import RollerByLength
 from core.precession.shaft import ShaftSection
 from core.precision import ROUNDING
-from core.work_precision.means import total_force_study
 from core.work_precision.peaks import peak_force_study
 from core.work_precision.precession import (
     Gear,
     contact_line_study,
-    meshing_load_study,
     shaft_deflection_study,
 )
-from core.work_precision.rollers import roller_sharing_study
 from core.work_precision.study import WorkPoint, WorkPrecision
 
 DESIGNS = 24
@@ -44,10 +42,6 @@ def _mechanism(r: random.Random) -> Mechanism:
 
 def _peak_force(r: random.Random) -> WorkPrecision:
     return peak_force_study(mechanism=_mechanism(r), force_exponent=r.choice([1.0, 10 / 9, 1.5]))
-
-
-def _total_force(r: random.Random) -> WorkPrecision:
-    return total_force_study(mechanism=_mechanism(r), force_exponent=r.choice([1.0, 10 / 9, 1.5]))
 
 
 def _gear(r: random.Random) -> tuple[Gear, list[RollerByLength]]:
@@ -69,17 +63,6 @@ def _contact_line(r: random.Random) -> WorkPrecision:
     return contact_line_study(gear=gear, rollers=rollers)
 
 
-def _meshing_load(r: random.Random) -> WorkPrecision:
-    gear, rollers = _gear(r)
-    return meshing_load_study(gear=gear, rollers=rollers, torque=10.0, reference_z=0.02)
-
-
-def _roller_sharing(r: random.Random) -> WorkPrecision:
-    count = r.randint(3, 12)
-    gaps = [0.0, *(r.uniform(0, 1e-5) for _ in range(count - 1))]
-    return roller_sharing_study(total=3500.0, stiffness=r.uniform(1e8, 1e9), gaps=gaps)
-
-
 def _shaft_deflection(r: random.Random) -> WorkPrecision:
     sections = [ShaftSection(0.02, r.uniform(0.01, 0.03)) for _ in range(r.randint(1, 4))]
     length = sum(section.length for section in sections)
@@ -95,10 +78,7 @@ def _shaft_deflection(r: random.Random) -> WorkPrecision:
 
 STUDIES: dict[str, Callable[[random.Random], WorkPrecision]] = {
     "peak force": _peak_force,
-    "mean total force": _total_force,
     "contact-line length": _contact_line,
-    "meshing load": _meshing_load,
-    "roller sharing": _roller_sharing,
     "shaft deflection": _shaft_deflection,
 }
 

@@ -48,7 +48,8 @@ export function createRest({ store, inputs, outputs, client, designs, version, c
   });
   const results = createResults({ calculator, titles });
   const worked = createWorked({ calculator, client, titles });
-  const measured = calculator.figures.filter(({ measures }) => measures).map(figureOf);
+  const compared = new Set(calculations.filter((each) => each.compared).map(({ name }) => name));
+  const measured = calculator.figures.filter(({ measures }) => compared.has(measures)).map(figureOf);
   const accuracy = createAccuracy({ calculator, about: calculation, figures: measured });
   const comparing = foldable(compare.root, "compare");
   foldable(worked.root, "worked");

@@ -1,63 +1,70 @@
 """Error against run time: request, answer, figure."""
 
+from abc import abstractmethod
 from functools import partial
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, Literal, NoReturn, get_args
 
 from pydantic import Field, model_validator
+from pydantic.json_schema import SkipJsonSchema
 
 from app.calculations.contact_force import ContactForceRequest
 from app.calculations.contact_line import ContactLineRequest
-from app.calculations.crankshaft import CrankshaftRequest
-from app.calculations.fit import FitRequest
-from app.calculations.hertz import HertzRequest
 from app.calculations.load_sharing import LoadSharingRequest
-from app.calculations.meshing_load import MeshingLoadRequest
-from app.calculations.output_efficiency import OutputEfficiencyRequest
-from app.calculations.pin_strength import PinStrengthRequest
 from app.calculations.ring_mesh import RingMeshRequest
 from app.calculations.ring_parts import CycloidRingFields
-from app.calculations.roller_strength import RollerStrengthRequest
-from app.calculations.satellite_bearing import SatelliteBearingRequest
 from app.calculations.shaft_deflection import ShaftDeflectionRequest
 from app.calculations.tolerance_study import ToleranceStudyRequest
 from app.model import Calculation, RequestModel, ResponseModel, Values, result, untold
 from app.rules import field_error
 from app.settings import Settings
 from app.theme import DASHES, Amount, Figure, Theme, axis, curve, layout, marker, text
-from app.units import to_si
-from core.design.results import Results
 from core.errors import METHODS, InvalidInput
+from core.precision import CLASSES
 from core.ring.sharing import MeshTurn
-from core.work_precision.contact import contact_pressure_study
-from core.work_precision.means import (
-    equivalent_load_study,
-    equivalent_reaction_study,
-    total_force_study,
-)
-from core.work_precision.peaks import (
-    edge_load_study,
-    peak_force_study,
-    pin_bending_study,
-    real_peak_study,
-)
-from core.work_precision.precession import (
-    contact_line_study,
-    meshing_load_study,
-    shaft_deflection_study,
-)
-from core.work_precision.rollers import roller_sharing_study
+from core.work_precision.peaks import peak_force_study, real_peak_study
+from core.work_precision.precession import contact_line_study, shaft_deflection_study
 from core.work_precision.study import SETTINGS, Reference, WorkPoint, WorkPrecision
-from core.work_precision.tolerance import COST, Mean, Percentile, tolerance_sampling_study
-from core.work_precision.turns import carried_ends_study, least_room_study
+from core.work_precision.tolerance import COST, tolerance_sampling_study
 
 MAX_ROLLERS = 24
 """Most rollers of a study: its reference is calculated for each."""
+
+ONE_METHOD = {
+    "crankshaft": "segments_tanh_sinh",
+    "cyclogram": "closed_form",
+    "fit": "arcs_zoomed",
+    "hertz": "integral_equation",
+    "meshing_load": "graded_quadrature",
+    "output-efficiency": "segments_tanh_sinh",
+    "pin-strength": "locus_support",
+    "precession/meshing-load": "graded_quadrature",
+    "roller-strength": "closed_form_gaps",
+    "roller_sharing": "closed_form_gaps",
+    "satellite-bearing": "segments_tanh_sinh",
+}
+"""The only method of what is not compared, of ideal forces, by every name that it has had."""
 
 compared = partial(Field, description="Whose methods are compared.")
 
 
 class Study(RequestModel):
     """A study of one calculation, which repeats every method."""
+
+    @abstractmethod
+    def solve(self) -> WorkPrecision:
+        """The study."""
+
+
+class NotCompared(RequestModel):
+    """A calculation of one method, with nothing to compare."""
+
+    calculation: Literal[*ONE_METHOD]  # type: ignore[valid-type]
+
+    @model_validator(mode="before")
+    @classmethod
+    def _refused(cls, asked: dict[str, Any]) -> NoReturn:
+        promised = CLASSES[ONE_METHOD[asked["calculation"]]]
+        raise field_error("calculation", "no_methods", relative_error=promised)
 
 
 class PeakForceStudy(Study):
@@ -73,105 +80,6 @@ class PeakForceStudy(Study):
         )
 
 
-class ContactPressureStudy(Study):
-    """Largest pressure of pin in hole."""
-
-    calculation: Literal["hertz"] = compared()
-    input: HertzRequest
-
-    def solve(self) -> WorkPrecision:
-        """The study."""
-        return contact_pressure_study(contact=self.input.solve())
-
-
-class TotalForceStudy(Study):
-    """Mean of the total force, to which the mean loss is proportional."""
-
-    calculation: Literal["output-efficiency"] = compared()
-    input: OutputEfficiencyRequest
-
-    def solve(self) -> WorkPrecision:
-        """The study."""
-        return total_force_study(
-            mechanism=self.input.built, force_exponent=self.input.load.force_exponent
-        )
-
-
-class PinStrengthStudy(Study):
-    """Largest bending stress or slope of the pins, or line load where they slope, by ideal forces
-    that the satellites share equally.
-    """
-
-    calculation: Literal["pin-strength"] = compared()
-    input: PinStrengthRequest
-    quantity: Literal["bending_stress", "slope", "edge_load"] = Field(
-        default="bending_stress",
-        description="Whose error is measured: of the stress, the slope, or the largest line load "
-        "at an end of a contact, which needs the contact.",
-    )
-
-    @model_validator(mode="after")
-    def _contact_of_edges(self) -> Self:
-        if self.quantity == "edge_load" and self.input.contact is None:
-            raise field_error("input/contact", "needed_beside", field="quantity")
-        return self
-
-    def solve(self) -> WorkPrecision:
-        """The study."""
-        results, equally = self.input.results, {"made": None}
-        loaded = results.loaded_pins | equally
-        if self.quantity != "edge_load":
-            return pin_bending_study(quantity=self.quantity, **loaded)
-        length = results.design.nominal_pair.contact_length
-        return edge_load_study(edge_length=length, compliance=results.compliance, **loaded)
-
-
-def _turning(results: Results) -> dict[str, Any]:
-    """What presses the cranks over the turn, as arguments."""
-    design = results.design
-    return {
-        "mechanism": design.built,
-        "force_exponent": design.load.force_exponent,
-        "pin_circle_radius": design.load.pin_circle_radius,
-        "eccentricity": design.known_eccentricity,
-        "mesh": results.ring.force,
-    }
-
-
-class SatelliteBearingStudy(Study):
-    """Equivalent load of the satellites' bearings, by ideal forces that these share equally."""
-
-    calculation: Literal["satellite-bearing"] = compared()
-    input: SatelliteBearingRequest
-
-    def solve(self) -> WorkPrecision:
-        """The study."""
-        results = self.input.results
-        return equivalent_load_study(**_turning(results), kind=results.design.bearing.kind)
-
-
-class CrankshaftStudy(Study):
-    """Equivalent reaction of the crankshaft's bearings, by ideal forces that satellites share
-    equally.
-    """
-
-    calculation: Literal["crankshaft"] = compared()
-    input: CrankshaftRequest
-
-    def solve(self) -> WorkPrecision:
-        """The study."""
-        shaft = self.input.design.crankshaft
-        kinds: dict[str, Any] = {}
-        if shaft.bearings:
-            kinds["kinds"] = (shaft.bearings[0].kind, shaft.bearings[1].kind)
-        return equivalent_reaction_study(
-            **_turning(self.input.results),
-            satellite_positions=shaft.satellite_positions,
-            bearing_positions=shaft.bearing_positions,
-            **kinds,
-        )
-
-
 class ContactLineStudy(Study):
     """Total length of the contact lines."""
 
@@ -181,42 +89,9 @@ class ContactLineStudy(Study):
     def solve(self) -> WorkPrecision:
         """The study."""
         rollers = self.input.all_rollers()
-        _refuse_many(len(rollers))
+        if len(rollers) > MAX_ROLLERS:
+            raise InvalidInput("rollers", len(rollers), "service_limit", limit=MAX_ROLLERS)
         return contact_line_study(gear=self.input.gear(), rollers=rollers)
-
-
-class MeshingLoadStudy(Study):
-    """Force of the mesh."""
-
-    calculation: Literal["precession/meshing-load", "meshing_load"] = compared()
-    input: MeshingLoadRequest
-
-    def solve(self) -> WorkPrecision:
-        """The study."""
-        rollers = self.input.all_rollers()
-        _refuse_many(len(rollers))
-        return meshing_load_study(
-            gear=self.input.gear(),
-            rollers=rollers,
-            torque=self.input.torque_Nm,
-            reference_z=to_si("reference_z_mm", self.input.reference_z_mm),
-        )
-
-
-class RollerSharingStudy(Study):
-    """Forces of the swinging rollers."""
-
-    calculation: Literal["roller-strength", "roller_sharing"] = compared()
-    input: RollerStrengthRequest
-
-    def solve(self) -> WorkPrecision:
-        """The study."""
-        design = self.input.solve()
-        return roller_sharing_study(
-            total=design.mean_force * self.input.rollers,
-            stiffness=design.stiffness,
-            gaps=self.input.design["spacing"].gaps(self.input.rollers),
-        )
 
 
 class ShaftDeflectionStudy(Study):
@@ -228,31 +103,19 @@ class ShaftDeflectionStudy(Study):
     def solve(self) -> WorkPrecision:
         """The study."""
         load = self.input.solve_load()
-        return shaft_deflection_study(
-            force=load.force,
-            moment=load.moment,
-            **self.input.shaft,
-        )
+        return shaft_deflection_study(force=load.force, moment=load.moment, **self.input.shaft)
 
 
 class LoadSharingStudy(Study):
-    """Peak force with clearance and errors, or from where to where pairs carry, by the output alone
-    or in series with the ring; of a torque that alternates its driving direction.
-    """
+    """Peak force with clearance and errors, by the output alone or in series with the ring."""
 
     calculation: Literal["load-sharing"] = compared()
     input: LoadSharingRequest
-    quantity: Literal["peak_force", "carried_ends"] = Field(
-        default="peak_force",
-        description="Whose error is measured: of the peak force, or of the crank angles from and "
-        "to which pairs carry.",
-    )
 
     def solve(self) -> WorkPrecision:
-        """The study."""
-        study = real_peak_study if self.quantity == "peak_force" else carried_ends_study
+        """The study, of a torque that alternates its driving direction."""
         stage = self.input.stage(self.input.real())
-        return study(real=stage, output_torque=self.input.torque)
+        return real_peak_study(real=stage, output_torque=self.input.torque)
 
 
 class ComparedMeshRequest(RingMeshRequest):
@@ -269,23 +132,8 @@ class RingMeshStudy(Study):
 
     def solve(self) -> WorkPrecision:
         """The study."""
-        return real_peak_study(
-            real=self.input.mesh,
-            output_torque=self.input.torque,
-            over=MeshTurn,
-            pins="ring_teeth",
-        )
-
-
-class FitStudy(Study):
-    """Least room of the pins in their holes over the turn."""
-
-    calculation: Literal["fit"] = compared()
-    input: FitRequest
-
-    def solve(self) -> WorkPrecision:
-        """The study."""
-        return least_room_study(rooms=self.input.rooms_to_draw())
+        mesh, torque = self.input.mesh, self.input.torque
+        return real_peak_study(real=mesh, output_torque=torque, over=MeshTurn, pins="ring_teeth")
 
 
 class ToleranceSamplingStudy(Study):
@@ -303,35 +151,25 @@ class ToleranceSamplingStudy(Study):
 
     def solve(self) -> WorkPrecision:
         """The study."""
-        asked = self.input.percentiles
-        return tolerance_sampling_study(
-            study=self.input.study(untold),
-            statistic=Percentile(max(asked)) if asked else Mean(),
-        )
-
-
-def _refuse_many(rollers: int) -> None:
-    if rollers > MAX_ROLLERS:
-        raise InvalidInput("rollers", rollers, "service_limit", limit=MAX_ROLLERS)
+        percent = max(self.input.percentiles, default=None)
+        return tolerance_sampling_study(study=self.input.study(untold), percent=percent)
 
 
 WorkPrecisionRequest = Annotated[
     PeakForceStudy
-    | ContactPressureStudy
-    | TotalForceStudy
-    | PinStrengthStudy
-    | SatelliteBearingStudy
-    | CrankshaftStudy
     | ContactLineStudy
-    | MeshingLoadStudy
-    | RollerSharingStudy
     | ShaftDeflectionStudy
     | LoadSharingStudy
     | RingMeshStudy
-    | FitStudy
-    | ToleranceSamplingStudy,
+    | ToleranceSamplingStudy
+    | SkipJsonSchema[NotCompared],
     Field(discriminator="calculation"),
 ]
+
+COMPARED = [
+    get_args(each.model_fields["calculation"].annotation) for each in Study.__subclasses__()
+]
+"""Names of each calculation whose methods are compared, its older ones behind."""
 
 
 class ReferenceOut(ResponseModel):
@@ -383,9 +221,6 @@ class WorkPrecisionResponse(ResponseModel):
 
 EXACT = 1e-17
 """Where an error of nothing is drawn: below the rounding of any double."""
-
-POWERS = {"type": "log", "exponentformat": "e", "tickformat": ""}
-"""Ticks of an axis: all powers of ten alike, 1e-4 as 1e-14, and only digits between them."""
 
 SYMBOLS = ("circle", "square", "triangle-up")
 """Marks that tell methods apart whose colours and dashes repeat."""
@@ -454,8 +289,8 @@ def work_precision_figure(answer: Values, theme: Theme) -> Figure:
 
 def solve(body: WorkPrecisionRequest) -> Values:
     """Error against run time of the methods of a calculation, for the input given."""
-    study = body.solve()
-    return WorkPrecisionResponse.values(study)
+    assert isinstance(body, Study)  # the other is refused as it is read
+    return WorkPrecisionResponse.values(body.solve())
 
 
 def figure(body: WorkPrecisionRequest, theme: Theme = "light") -> Figure:

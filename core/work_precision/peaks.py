@@ -1,26 +1,22 @@
-"""Largest values over the turn: sampling, polished sampling, and the calculators' own searches."""
+"""Largest force over the turn: sampling, polished sampling, and the calculators' own searches."""
 
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import replace
-from typing import Any, Literal
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
-from core.arrays import ComplexArray, FloatArray, Number
+from core.arrays import FloatArray
+from core.errors import InvalidInput
 from core.output.contact_force import approximate_peak_ratio, force_ratios, peak_force
-from core.output.edge_load import IDLE, SlopingContacts
 from core.output.loop_rows import FORCE
 from core.output.mechanism import Mechanism
 from core.output.over_turn import OverTurn
-from core.output.pin_strength import PinStresses, pin_stresses
-from core.output.pin_turn import PinTurn, all_pairs, pin_turn
 from core.output.stage import Stage
 from core.output.summits import Grid, all_summits, summits
 from core.output.turn import Turn
 from core.ring.series import MeshesInSeries
 from core.ring.series_turn import SeriesOverTurn, SeriesTurn
-from core.work_precision.exact import pair_forces, pair_phases
 from core.work_precision.study import (
     DEFAULT,
     REFERENCE_DIGITS,
@@ -28,69 +24,39 @@ from core.work_precision.study import (
     Outcome,
     Reference,
     WorkPrecision,
-    refuse_many_pairs,
     work_precision,
 )
 
-MAX_PAIRS = 300
-"""Most pairs of the study of the peak force: its reference and its samples grow with them."""
+MAX_PAIRS, MAX_REAL_PAIRS, MAX_COMPLIANT_PAIRS, MAX_SERIES_PAIRS = 300, 36, 9, 60
+"""Most pairs of ideal forces; with clearance, where some twenty thousand positions are solved; with
+compliant satellites, which take four times as long; of both meshes in series together."""
 
-MAX_PIN_PAIRS = 48
-"""Most pairs of that of the pins: each summit of its reference takes some hundred sums over
-them."""
-
-MAX_REAL_PAIRS = 36
-"""Most pairs of that with clearance: it solves some twenty thousand positions."""
-
-MAX_COMPLIANT_PAIRS = 9
-"""The same with compliant satellites, which takes four times as long."""
-
-SAMPLES = (16, 64, 256, 1024, 4096, 16384, 65536)
-POLISHED = (16, 64, 256)
-
+SAMPLES, POLISHED = (16, 64, 256, 1024, 4096, 16384, 65536), (16, 64, 256)
 MAX_SAMPLED = 2_000_000
-"""Most forces that are sampled at once."""
+"""Numbers of crank angles, and most ideal forces that are sampled at once."""
 
-MAX_SERIES_PAIRS = 60
-"""The same of both meshes in series, of both together."""
+POSITIONS, ZOOMED = (24, 60, 120, 360, 720, 1440, 2880), (24, 60, 120, 360, 720)
+DENSE, REAL_DIGITS = 4, 12
+"""Positions with clearance; how many times as many as the calculator's the reference has, and to
+how many digits that is right."""
 
-POSITIONS = (24, 60, 120, 360, 720, 1440, 2880)
-ZOOMED = (24, 60, 120, 360, 720)
-DENSE = 4
-"""How many times as many positions as the calculator's the reference with clearance has."""
-
-REAL_DIGITS = 12
-"""Digits of that reference."""
-
-GOLDEN_STEPS = 40
-"""Steps after which a summit is as good as doubles can tell."""
-
-EXACT_STEPS = 85
-"""Steps in multiple precision: a value is stationary at its summit, so half the digits of the place
-give all of it."""
-
-SUMMITS = 8
-"""Most summits of a reference of the pins; more are only where all are alike."""
-
-PinQuantity = Literal["bending_stress", "slope"]
+GOLDEN_STEPS, EXACT_STEPS = 40, 85
+"""Steps after which a summit is as good as doubles can tell; as multiple precision can: a value is
+stationary at its summit, so half the digits of the place give all of it."""
 
 
-def golden_section(*, value: Callable[[Any], Any], low: Any, high: Any, steps: int) -> Any:
-    """Largest value between two places, by golden-section search.
-
-    Parameters
-    ----------
-    value : callable
-        Of a place.
-    low, high : float or mpmath number
-        Ends, about one summit.
-    steps : int
-        Steps.
-
-    Returns
-    -------
-    float or mpmath number
+def _refuse_many(mechanism: Mechanism, limit: int, pins: str = "pins") -> None:
+    """Refuse more pairs than its reference can; their number is called `pins`, that of a ring has
+    another name.
     """
+    satellites = mechanism.satellites
+    if mechanism.pins * satellites > limit:
+        most = {"limit": limit // satellites, "satellites": satellites}
+        raise InvalidInput(pins, mechanism.pins, "too_many_pairs", **most)
+
+
+def _golden_section(value: Callable[[Any], Any], low: Any, high: Any, steps: int) -> Any:
+    """Largest value about one summit between two places, floats or mpmath numbers."""
     ratio = ((5 + 0 * low) ** 0.5 - 1) / 2  # to as many digits as the place has
     left, right = high - ratio * (high - low), low + ratio * (high - low)
     at_left, at_right = value(left), value(right)
@@ -104,44 +70,6 @@ def golden_section(*, value: Callable[[Any], Any], low: Any, high: Any, steps: i
             right = low + ratio * (high - low)
             at_right = value(right)
     return max(at_left, at_right)
-
-
-def _polished(
-    largest: Callable[[FloatArray], FloatArray], period: float, count: int, most: int
-) -> float:
-    """Largest of samples at equal steps over a period, so many of the highest summits narrowed."""
-    values, step = largest(np.linspace(0.0, period, count, endpoint=False)), period / count
-    tops = np.flatnonzero((values >= np.roll(values, 1)) & (values >= np.roll(values, -1)))
-    tops = tops[np.argsort(-values[tops], kind="stable")[:most]]
-    narrowed = [
-        golden_section(
-            value=lambda angle: float(largest(np.array([angle]))[0]),
-            low=(top - 1) * step,
-            high=(top + 1) * step,
-            steps=GOLDEN_STEPS,
-        )
-        for top in tops.tolist()
-    ]
-    return float(max(values.max(), *narrowed))
-
-
-def _by_samples(
-    largest: Callable[[FloatArray], FloatArray], period: float, samples: Sequence[int]
-) -> list[Method]:
-    """Equal steps over a period, and the best of them polished; of the largest value at crank
-    angles, shape (n,).
-    """
-
-    def sampled(count: int) -> Outcome:
-        return float(largest(np.linspace(0.0, period, count, endpoint=False)).max()), count
-
-    def polished(count: int) -> Outcome:
-        return _polished(largest, period, count, 1), count + GOLDEN_STEPS
-
-    return [
-        Method("sampling", [("points", count) for count in samples], sampled),
-        Method("golden_section", [("points", count) for count in POLISHED], polished),
-    ]
 
 
 def peak_force_study(*, mechanism: Mechanism, force_exponent: float = 1.0) -> WorkPrecision:
@@ -165,283 +93,75 @@ def peak_force_study(*, mechanism: Mechanism, force_exponent: float = 1.0) -> Wo
     ImpossibleMechanism
         If the mechanism has a dead centre.
     """
-    refuse_many_pairs(mechanism=mechanism, limit=MAX_PAIRS)
+    _refuse_many(mechanism, MAX_PAIRS)
     pins, satellites = mechanism.pins, mechanism.satellites
-    angle = peak_force(mechanism=mechanism, force_exponent=force_exponent).peak_crank_angle
+    law: dict[str, Any] = {"mechanism": mechanism, "force_exponent": force_exponent}
+    period, angle = mechanism.crank_angle_per_wave, peak_force(**law).peak_crank_angle
 
     def largest(angles: FloatArray) -> FloatArray:
-        ratios = force_ratios(
-            mechanism=mechanism, crank_angles=angles, force_exponent=force_exponent
-        )
-        return np.asarray(ratios.max(axis=(1, 2)))
+        return np.asarray(force_ratios(crank_angles=angles, **law).max(axis=(1, 2)))
+
+    def samples(count: int) -> FloatArray:
+        return largest(np.linspace(0.0, period, count, endpoint=False))
+
+    def polished(count: int) -> Outcome:
+        values, step = samples(count), period / count
+        top = int(values.argmax())
+        ends = (top - 1) * step, (top + 1) * step
+        found = _golden_section(lambda one: largest(np.array([one]))[0], *ends, GOLDEN_STEPS)
+        return float(max(values[top], found)), count + GOLDEN_STEPS
 
     def segment_exact(_: float) -> Outcome:
-        peak = peak_force(mechanism=mechanism, force_exponent=force_exponent)
+        peak = peak_force(**law)
         return peak.peak_force_ratio, peak.accuracy.evaluations
 
-    def approximation(_: float) -> Outcome:
+    def paper(_: float) -> Outcome:
         return approximate_peak_ratio(pins=pins, satellites=satellites), 1
 
     def equal_sharing(_: float) -> Outcome:
         return peak_force(mechanism=mechanism, force_exponent=0.0).peak_force_ratio, 1
 
-    samples = [count for count in SAMPLES if count * pins * satellites <= MAX_SAMPLED]
+    def sampled(count: int) -> Outcome:
+        return float(samples(count).max()), count
+
+    counts = [count for count in SAMPLES if count * pins * satellites <= MAX_SAMPLED]
     return work_precision(
         reference=Reference("multiple_peak"),
         exact=[_exact_peak(mechanism, force_exponent, angle)],
         methods=[
-            *_by_samples(largest, mechanism.crank_angle_per_wave, samples),
+            Method("sampling", [("points", count) for count in counts], sampled),
+            Method("golden_section", [("points", count) for count in POLISHED], polished),
             Method("segment_exact", DEFAULT, segment_exact, chosen=True),
-            Method("approximation", DEFAULT, approximation),
+            Method("approximation", DEFAULT, paper),
             Method("equal_sharing", DEFAULT, equal_sharing),
         ],
     )
 
 
 def _exact_peak(mechanism: Mechanism, force_exponent: float, crank_angle: float) -> Any:
-    """Peak in multiple precision, on the piece of the turn where it was found."""
+    """Peak in multiple precision, on the piece of the turn where it was found, by the law alone:
+    ``c^v / sum c^(1 + v)`` of Yanchevskiy and Niekhoroshykh 2021, eq. (10).
+    """
     import mpmath
 
     with mpmath.workdps(REFERENCE_DIGITS):
-        phases = pair_phases(mechanism)
         psi = mpmath.mpf(crank_angle) * (1 + 1 / mpmath.mpf(mechanism.ratio))
+        start, pitch = mpmath.mpf(mechanism.initial_crank_angle), 2 * mpmath.pi / mechanism.pins
+        phases = [
+            mpmath.mpf(crank) + start + n * pitch
+            for crank in mechanism.crank_angles
+            for n in range(mechanism.pins)
+        ]
 
         def force(angle: Any) -> Any:
-            forces, _ = pair_forces(phases=phases, force_exponent=force_exponent, wave_angle=angle)
-            return max(map(max, forces))
+            sines = [mpmath.sin(angle + phase) for phase in phases]
+            cosines = [-sine for sine in sines if sine < 0]  # of the pairs that drive
+            best, power = max(cosines), mpmath.mpf(force_exponent)
+            return 1 / mpmath.fsum((c / best) ** power * c for c in cosines)
 
         # The peak lies within rounding of psi: on a kink there, or at a smooth maximum beside it.
         width = mpmath.mpf("1e-7")
-        polished = golden_section(value=force, low=psi - width, high=psi + width, steps=EXACT_STEPS)
-        return max(polished, force(psi))
-
-
-def pin_bending_study(
-    *,
-    mechanism: Mechanism,
-    force_exponent: float = 1.0,
-    quantity: PinQuantity = "bending_stress",
-    **loaded: Any,
-) -> WorkPrecision:
-    """Error against run time of the largest bending stress of the pins in its section, or of their
-    largest slope in the middle of a satellite.
-
-    Parameters
-    ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio; at most `MAX_PIN_PAIRS` pairs.
-    force_exponent : float
-        Exponent v of the force over the approach.
-    quantity : {"bending_stress", "slope"}
-        Which of them.
-    **loaded
-        What `core.output.pin_strength.pin_stresses` takes; of ideal forces that are shared equally.
-
-    Returns
-    -------
-    WorkPrecision
-        The calculator's method looks for the section or the satellite as well, and for all else of
-        the pins.
-
-    Raises
-    ------
-    InvalidInput
-        If there are too many pairs.
-    ImpossibleMechanism
-        If the mechanism has a dead centre.
-    """
-    refuse_many_pairs(mechanism=mechanism, limit=MAX_PIN_PAIRS)
-
-    def solve() -> PinStresses:
-        _forget()
-        return pin_stresses(mechanism=mechanism, force_exponent=force_exponent, **loaded)
-
-    result = solve()
-    (case,) = result.cases
-    assert isinstance(case.loads.turn, PinTurn)
-    if quantity == "slope":
-        arms = result.pin.slopes[int(case.slopes.argmax())] * case.loads.unit
-    else:
-        (arms,) = result.pin.moments(np.array([case.place]), case.loads.unit)
-    # All forces of a satellite are parallel to its crank.
-    turned = arms * np.exp(1j * np.array(mechanism.crank_angles))
-
-    def largest(angles: FloatArray) -> FloatArray:
-        """Of all pins, any of which meets within a pitch what one meets in a turn."""
-        ratios = force_ratios(
-            mechanism=mechanism, crank_angles=angles, force_exponent=force_exponent
-        )
-        return np.asarray(np.abs(np.einsum("k,ikn->in", turned, ratios)).max(axis=1))
-
-    def search(_: float) -> Outcome:
-        result = solve()
-        (case,) = result.cases
-        value = float(case.slopes.max()) if quantity == "slope" else case.bent
-        return value, result.evaluations
-
-    pitch = mechanism.crank_angle_per_wave / mechanism.pins
-    return work_precision(
-        reference=Reference("multiple_peak"),
-        exact=[_exact_bending(mechanism, force_exponent, arms, *case.loads.turn.drawn())],
-        methods=[
-            *_by_samples(largest, pitch, SAMPLES[:-1]),
-            Method(result.method, DEFAULT, search, chosen=True),
-        ],
-    )
-
-
-def _exact_bending(
-    mechanism: Mechanism,
-    force_exponent: float,
-    arms: FloatArray,
-    places: FloatArray,
-    forces: ComplexArray,
-) -> Any:
-    """The largest in multiple precision, by the law of the forces, about the summits of the forces
-    (K, n) at places in turns of the wave.
-    """
-    import mpmath
-
-    unique, first = np.unique(places, return_index=True)
-    heights = np.maximum.reduceat(np.abs(arms @ forces), first)
-    tops = np.flatnonzero((heights >= np.roll(heights, 1)) & (heights >= np.roll(heights, -1)))
-    tops = tops[np.argsort(-heights[tops], kind="stable")[:SUMMITS]]
-    around = np.concatenate(([unique[-1] - 1], unique, [unique[0] + 1]))
-    with mpmath.workdps(REFERENCE_DIGITS):
-        phases = pair_phases(mechanism)
-        turned = [
-            mpmath.mpf(arm) * mpmath.expj(angle)
-            for arm, angle in zip(arms, mechanism.crank_angles, strict=True)
-        ]
-
-        def size(place: Any) -> Any:
-            """Of pin 1, the first of each satellite."""
-            forces, _ = pair_forces(
-                phases=phases, force_exponent=force_exponent, wave_angle=2 * mpmath.pi * place
-            )
-            return abs(mpmath.fdot(turned, [own[0] for own in forces]))
-
-        return max(
-            golden_section(
-                value=size,
-                low=mpmath.mpf(around[top]),
-                high=mpmath.mpf(around[top + 2]),
-                steps=EXACT_STEPS,
-            )
-            for top in tops.tolist()
-        )
-
-
-def edge_load_study(
-    *,
-    mechanism: Mechanism,
-    force_exponent: float = 1.0,
-    edge_length: float,
-    compliance: Callable[[Number], Number],
-    **loaded: Any,
-) -> WorkPrecision:
-    """Error against run time of the largest line load at an end of a contact whose pin slopes.
-
-    Parameters
-    ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio; at most `MAX_PIN_PAIRS` pairs.
-    force_exponent : float
-        Exponent v of the force over the approach.
-    edge_length : float
-        Length b of a contact, m, > 0.
-    compliance : callable
-        Approach of a level contact over its force, m/N, of forces, N.
-    **loaded
-        What `core.output.pin_strength.pin_stresses` takes; of ideal forces that are shared equally.
-
-    Returns
-    -------
-    WorkPrecision
-        Against four times as many positions as the most that are sampled, every summit narrowed.
-
-    Raises
-    ------
-    InvalidInput
-        If there are too many pairs.
-    ImpossibleMechanism
-        If the mechanism has a dead centre.
-    """
-    refuse_many_pairs(mechanism=mechanism, limit=MAX_PIN_PAIRS)
-    forces: dict[str, Any] = {"mechanism": mechanism, "force_exponent": force_exponent}
-    stresses = pin_stresses(**forces, **loaded)
-    pin, (loads,) = stresses.pin, stresses.loads
-    contacts = SlopingContacts(pin, [loads], edge_length, compliance)
-    cranks = loads.unit * np.exp(1j * np.array(mechanism.crank_angles))
-    pitch = mechanism.crank_angle_per_wave / mechanism.pins
-
-    def largest(angles: FloatArray) -> FloatArray:
-        """Of all pins, any of which meets within a pitch what one meets in a turn."""
-        own = cranks[:, None] * force_ratios(crank_angles=angles, **forces)
-        size = np.maximum(np.abs(own), IDLE * abs(loads.unit))
-        turned = np.einsum("jk,ikn->ijn", pin.slopes, own)
-        even = contacts.even(size, np.abs((turned * own.conj()).real) / size)
-        return np.asarray(np.max(even, axis=(1, 2)))
-
-    def search(_: float) -> Outcome:
-        evaluations = 0
-
-        def counted(force: Number) -> Number:
-            nonlocal evaluations
-            evaluations += np.size(force)
-            return compliance(force)
-
-        _forget()
-        anew = replace(loads, turn=pin_turn(mechanism, force_exponent))
-        edge = SlopingContacts(pin, [anew], edge_length, counted).largest()
-        return edge.force, evaluations
-
-    return work_precision(
-        reference=Reference("sampling_dense", REAL_DIGITS),
-        exact=[_polished(largest, pitch, SAMPLES[-1], SUMMITS)],
-        methods=[
-            *_by_samples(largest, pitch, SAMPLES[:-1]),
-            Method("segments_sampled", DEFAULT, search, chosen=True),
-        ],
-    )
-
-
-def _forget() -> None:
-    """Forget what calculators remember of pins, so that a search costs what it does at first."""
-    pin_turn.cache_clear()
-    all_pairs.cache_clear()
-
-
-def real_turn(*, real: Stage, output_torque: float, pins: str = "pins") -> Turn:
-    """The turn that a study looks at, of no more pairs than its reference can.
-
-    Parameters
-    ----------
-    real : Stage
-        Pins in holes or a ring on teeth, of at most `MAX_REAL_PAIRS` pairs, or
-        `MAX_COMPLIANT_PAIRS` where satellites give or have given shares; both in series, of at most
-        `MAX_SERIES_PAIRS`.
-    output_torque : float
-        Torque T on the output link, N*m, not 0; negative in reverse.
-    pins : str
-        What the number of its pins is called.
-
-    Returns
-    -------
-    Turn
-
-    Raises
-    ------
-    InvalidInput
-        If there are too many pairs.
-    """
-    if isinstance(real, MeshesInSeries):
-        left = MAX_SERIES_PAIRS - real.mechanism.pins * real.mechanism.satellites
-        refuse_many_pairs(mechanism=real.ring.mechanism, limit=left, pins="ring_teeth")
-        return SeriesTurn(real, output_torque)
-    limit = MAX_COMPLIANT_PAIRS if real.support.first_order else MAX_REAL_PAIRS
-    refuse_many_pairs(mechanism=real.mechanism, limit=limit, pins=pins)
-    return Turn(real, output_torque)
+        return max(_golden_section(force, psi - width, psi + width, EXACT_STEPS), force(psi))
 
 
 def real_peak_study(
@@ -456,7 +176,9 @@ def real_peak_study(
     Parameters
     ----------
     real : Stage
-        As `real_turn`.
+        Pins in holes or a ring on teeth, of at most `MAX_REAL_PAIRS` pairs, or
+        `MAX_COMPLIANT_PAIRS` where satellites give or have given shares; both in series, of at most
+        `MAX_SERIES_PAIRS`.
     output_torque : float
         Torque T on the output link, N*m, not 0; negative in reverse.
     over : type
@@ -476,10 +198,17 @@ def real_peak_study(
     ImpossibleMechanism
         See `Stage.solved`.
     """
-    turn = real_turn(real=real, output_torque=output_torque, pins=pins)
-    narrow, whole, extremes = turn.narrow(FORCE), 2 * math.pi, over
-    if isinstance(turn, SeriesTurn):
-        whole, extremes = turn.period, SeriesOverTurn
+    turn: Turn
+    if isinstance(real, MeshesInSeries):
+        left = MAX_SERIES_PAIRS - real.mechanism.pins * real.mechanism.satellites
+        _refuse_many(real.ring.mechanism, left, "ring_teeth")
+        turn, over = SeriesTurn(real, output_torque), SeriesOverTurn
+        whole = turn.period
+    else:
+        limit = MAX_COMPLIANT_PAIRS if real.support.first_order else MAX_REAL_PAIRS
+        _refuse_many(real.mechanism, limit, pins)
+        turn, whole = Turn(real, output_torque), 2 * math.pi
+    narrow = turn.narrow(FORCE)
 
     def grid(count: int) -> Grid:
         step = whole / count
@@ -492,7 +221,7 @@ def real_peak_study(
         return summits(grid=grid(count), narrow=narrow, most=1)[0].height, count
 
     def zoomed(_: float) -> Outcome:
-        found = extremes(type(turn)(real, output_torque))
+        found = over(type(turn)(real, output_torque))
         return found.peak_force, found.accuracy.evaluations
 
     def dense() -> float:

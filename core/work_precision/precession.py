@@ -1,20 +1,19 @@
-"""Precessional gear: contact-line length and meshing load by quadrature, in phi as printed and in z
-without poles; deflection of the shaft by Mohr's integral, in closed form and by quadrature.
+"""Precessional gear: contact-line length by quadrature, in phi as printed and in z without poles;
+deflection of the shaft by Mohr's integral, in closed form and by quadrature.
 """
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any, Literal
+from functools import cache, partial
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from core.arrays import FloatArray, Vector
 from core.precession.contact_line import ContactLine, contact_lines
-from core.precession.meshing_load import meshing_load
 from core.precession.rollers import Roller, RollerByLength
 from core.precession.shaft import ShaftSection, bearing_reactions
 from core.precession.shaft_deflection import shaft_deflection
-from core.work_precision.rules import Integrand, Rule, by_rule, rules
 from core.work_precision.study import (
     DEFAULT,
     REFERENCE_DIGITS,
@@ -27,11 +26,89 @@ from core.work_precision.study import (
 
 Gear = dict[str, Any]
 
-Variable = Literal["phi", "z"]
-VARIABLES: tuple[Variable, ...] = ("phi", "z")
-"""Along a contact line: the angle as printed, and the place."""
+Integrand = Callable[[FloatArray], FloatArray]
 
-_Piece = tuple[Integrand, float, float]
+
+class Rule(NamedTuple):
+    """A quadrature rule at one setting, on [-1, 1]."""
+
+    nodes: FloatArray  # shape (n,)
+    weights: FloatArray  # shape (n,)
+
+    def integral(self, integrand: Integrand, start: float, end: float) -> FloatArray:
+        """Integral of every component, shape (m,), of an integrand from places, shape (n,), to its
+        components there, shape (m, n).
+        """
+        half = (end - start) / 2
+        values = integrand((start + end) / 2 + half * self.nodes)
+        return np.asarray(half * (values @ self.weights))
+
+
+def _gauss_legendre(count: int) -> Rule:
+    return Rule(*np.polynomial.legendre.leggauss(count))
+
+
+def _clenshaw_curtis(count: int) -> Rule:
+    angles = np.pi * np.arange(count + 1) / count
+    weights = np.ones(count + 1)
+    for k in range(1, count // 2 + 1):
+        factor = 1.0 if 2 * k == count else 2.0
+        weights -= factor * np.cos(2 * k * angles) / (4 * k * k - 1)
+    weights *= 2 / count
+    weights[[0, -1]] /= 2
+    return Rule(np.cos(angles), weights)
+
+
+def _even(count: int, end: float, odd: float, even: float) -> Rule:
+    weights = np.full(count, odd)
+    weights[2:-1:2] = even
+    weights[[0, -1]] = end
+    return Rule(np.linspace(-1.0, 1.0, count), weights * 2 / (count - 1))
+
+
+def _tanh_sinh(level: int) -> Rule:
+    step = 2.0**-level
+    t = np.arange(-3.2, 3.2 + step / 2, step)
+    inner = np.pi / 2 * np.sinh(t)
+    return Rule(np.tanh(inner), step * np.pi / 2 * np.cosh(t) / np.cosh(inner) ** 2)
+
+
+_STEPS = (9, 33, 129, 513, 2049)
+
+RULES: dict[str, tuple[Callable[[int], Rule], str, tuple[int, ...]]] = {
+    "trapezoid": (partial(_even, end=1 / 2, odd=1.0, even=1.0), "points", _STEPS),
+    "simpson": (partial(_even, end=1 / 3, odd=4 / 3, even=2 / 3), "points", _STEPS),
+    "gauss_legendre": (_gauss_legendre, "points", (2, 4, 8, 16, 32, 64, 128)),
+    "clenshaw_curtis": (_clenshaw_curtis, "points", (4, 8, 16, 32, 64, 128)),
+    "tanh_sinh": (_tanh_sinh, "level", (1, 2, 3, 4, 5)),
+}
+"""How each is made at a setting, and its settings: numbers of points, or levels."""
+
+
+@cache
+def rules(code: str) -> dict[int, Rule]:
+    """A rule of `RULES` at all its settings."""
+    make, _, values = RULES[code]
+    return {value: make(value) for value in values}
+
+
+def _by_rules(
+    along: str, value: Callable[[Rule], float | Sequence[float]], intervals: int = 1
+) -> list[Method]:
+    """All rules as methods whose codes end in `along`: value, or components of a vector, by a rule,
+    which is used on so many intervals.
+    """
+
+    def by(code: str, setting: int) -> Outcome:
+        rule = rules(code)[setting]
+        return value(rule), intervals * len(rule.nodes)
+
+    for code in RULES:
+        rules(code)  # made before anything is timed
+    return [
+        Method(f"{code}_{along}", [(name, each) for each in values], partial(by, code))
+        for code, (_, name, values) in RULES.items()
+    ]
 
 
 def contact_line_study(*, gear: Gear, rollers: Sequence[Roller]) -> WorkPrecision:
@@ -48,154 +125,75 @@ def contact_line_study(*, gear: Gear, rollers: Sequence[Roller]) -> WorkPrecisio
     -------
     WorkPrecision
     """
+    import mpmath
+
     lines = contact_lines(**gear, rollers=rollers).lines
+    pieces = {along: [_piece(line, along) for line in lines] for along in ("phi", "z")}
+
+    def by(along: str, rule: Rule) -> float:
+        # The length counts as positive, whichever way the limits run.
+        return math.fsum(abs(float(rule.integral(*piece)[0])) for piece in pieces[along])
 
     def calculate(_: float) -> Outcome:
         result = contact_lines(**gear, rollers=rollers)
         return result.total_length, result.accuracy.evaluations
 
-    return work_precision(
-        reference=Reference("multiple_tanh_sinh"),
-        exact=_exact_integrals(gear, rollers, load=False),
-        methods=[
-            *_by_rules(lines, lambda sums: sums[0], load=False),
-            Method("graded_z", DEFAULT, calculate, chosen=True),
-        ],
-    )
-
-
-def meshing_load_study(
-    *, gear: Gear, rollers: Sequence[Roller], torque: float, reference_z: float
-) -> WorkPrecision:
-    """Error against run time of the force of the mesh.
-
-    Parameters
-    ----------
-    gear : dict
-        roller_circle_radius, roller_radius, nutation_angle, ratio_u12, as `meshing_load` takes.
-    rollers : sequence of Roller
-        The rollers.
-    torque : float
-        Torque M1, N*m.
-    reference_z : float
-        Place l of C, m.
-
-    Returns
-    -------
-    WorkPrecision
-    """
-    import mpmath
-
-    loaded: dict[str, Any] = {"rollers": rollers, "torque": torque, "reference_z": reference_z}
-    lines = meshing_load(**gear, **loaded).lines
-
-    def force(sums: list[Any]) -> list[Any]:
-        return [torque * sums[1] / sums[0], torque * sums[2] / sums[0]]
-
-    def calculate(_: float) -> Outcome:
-        result = meshing_load(**gear, **loaded)
-        return result.force[:2], result.accuracy.evaluations
-
     with mpmath.workdps(REFERENCE_DIGITS):
-        exact = force(_exact_integrals(gear, rollers, load=True))
+        exact = mpmath.fsum(_exact_lengths(gear, rollers))
     return work_precision(
         reference=Reference("multiple_tanh_sinh"),
-        exact=exact,
+        exact=[exact],
         methods=[
-            *_by_rules(lines, force, load=True),
+            *_by_rules("phi", partial(by, "phi"), len(lines)),
+            *_by_rules("z", partial(by, "z"), len(lines)),
             Method("graded_z", DEFAULT, calculate, chosen=True),
         ],
     )
 
 
-def _by_rules(
-    lines: Sequence[ContactLine],
-    value: Callable[[list[float]], float | list[float]],
-    *,
-    load: bool,
-) -> Iterator[Method]:
-    """All rules over phi, then over z, of a value of the lines' integrals, summed."""
-    for variable in VARIABLES:
-        pieces = [_piece(line, variable, load) for line in lines]
-
-        def by(rule: Rule, pieces: list[_Piece] = pieces) -> float | list[float]:
-            parts = [rule.integral(*piece) for piece in pieces]
-            # The length counts as positive, whichever way the limits run.
-            parts = [part if part[0] >= 0 else -part for part in parts]
-            return value([math.fsum(column) for column in zip(*parts, strict=True)])
-
-        for rule in rules():
-            code = f"{rule.code}_{variable}"
-            yield by_rule(rule=rule, code=code, value=by, intervals=len(lines))
-
-
-def _piece(line: ContactLine, variable: Variable, load: bool) -> _Piece:
-    """Integrands of the length, and of the load across and upward as eqs (4), (12), (13) of the
-    paper have them over phi, or the same over z, where they have no pole; with their limits.
+def _piece(line: ContactLine, along: str) -> tuple[Integrand, float, float]:
+    """Integrand of the length as eq. (4) of the paper has it over phi, or the same over z, where it
+    has no pole; with its limits.
     """
     curve = line.curve
     rho, phi1, width = curve.roller_radius, curve.position_angle, curve.width
 
-    def loads(length: FloatArray, phi: FloatArray) -> FloatArray:
-        arm = -curve.roller_circle_radius * np.sin(phi)
-        return np.stack(
-            (length, length * np.sin(phi + phi1) / arm, -length * np.cos(phi + phi1) / arm)
-        )
-
     def over_phi(phi: FloatArray) -> FloatArray:
-        length = rho * np.sqrt(1 + (width / (rho * np.sin(phi + phi1) ** 2)) ** 2)
-        return loads(length, phi) if load else length[None, :]
+        return np.atleast_2d(rho * np.sqrt(1 + (width / (rho * np.sin(phi + phi1) ** 2)) ** 2))
 
     def over_z(z: FloatArray) -> FloatArray:
-        length = np.sqrt(1 + (rho * width / ((z + curve.offset) ** 2 + width**2)) ** 2)
-        if not load:
-            return length[None, :]
-        return loads(length, np.arctan2(-z * curve.sine, curve.scale + z * np.cos(phi1)))
+        return np.atleast_2d(np.sqrt(1 + (rho * width / ((z + curve.offset) ** 2 + width**2)) ** 2))
 
-    if variable == "phi":
+    if along == "phi":
         return over_phi, line.phi_min, line.phi_max
     return over_z, line.z_min, line.z_max
 
 
-def _exact_integrals(gear: Gear, rollers: Sequence[Roller], *, load: bool) -> list[Any]:
-    """Sums of length and load integrals in multiple precision, from the input as given."""
-    import mpmath
-
-    with mpmath.workdps(REFERENCE_DIGITS):
-        lines = [_exact_line(gear, roller, load) for roller in rollers]
-        return [mpmath.fsum(column) for column in zip(*lines, strict=True)]
-
-
-def _exact_line(gear: Gear, roller: Roller, load: bool) -> list[Any]:
+def _exact_lengths(gear: Gear, rollers: Sequence[Roller]) -> Iterator[Any]:
+    """Length of each line in multiple precision, from the input as given."""
     import mpmath as mp
 
     radius, rho = mp.mpf(gear["roller_circle_radius"]), mp.mpf(gear["roller_radius"])
-    theta, phi1 = mp.mpf(gear["nutation_angle"]), mp.mpf(roller.position_angle)
-    scale = radius * (mp.cos(theta) - mp.mpf(gear["ratio_u12"])) / mp.sin(theta)
-    width, offset = scale * mp.sin(phi1), scale * mp.cos(phi1)
-    if isinstance(roller, RollerByLength):
-        low, high = mp.mpf(roller.z_min), mp.mpf(roller.z_max)
-    else:
-        low, high = sorted(
-            -scale * mp.sin(phi) / mp.sin(phi + phi1)
-            for phi in (mp.mpf(roller.phi_min), mp.mpf(roller.phi_max))
-        )
-    steep = {factor * width - offset for factor in (-100, -10, -1, 0, 1, 10, 100)}
-    breaks = sorted({low, high, *(place for place in steep if low < place < high)})
+    theta, ratio = mp.mpf(gear["nutation_angle"]), mp.mpf(gear["ratio_u12"])
+    scale = radius * (mp.cos(theta) - ratio) / mp.sin(theta)
+    for roller in rollers:
+        phi1 = mp.mpf(roller.position_angle)
+        width, offset = scale * mp.sin(phi1), scale * mp.cos(phi1)
+        if isinstance(roller, RollerByLength):
+            low, high = mp.mpf(roller.z_min), mp.mpf(roller.z_max)
+        else:
+            low, high = sorted(
+                -scale * mp.sin(phi) / mp.sin(phi + phi1)
+                for phi in (mp.mpf(roller.phi_min), mp.mpf(roller.phi_max))
+            )
+        steep = {factor * width - offset for factor in (-100, -10, -1, 0, 1, 10, 100)}
+        breaks = sorted({low, high, *(place for place in steep if low < place < high)})
+        grade = rho * width
 
-    def length(z: Any) -> Any:
-        return mp.sqrt(1 + (rho * width / ((z + offset) ** 2 + width**2)) ** 2)
+        def length(z: Any, grade: Any = grade, width: Any = width, offset: Any = offset) -> Any:
+            return mp.sqrt(1 + (grade / ((z + offset) ** 2 + width**2)) ** 2)
 
-    def angle(z: Any) -> Any:
-        return mp.atan2(-z * mp.sin(phi1), scale + z * mp.cos(phi1))
-
-    def across(z: Any) -> Any:
-        return length(z) * mp.sin(angle(z) + phi1) / (-radius * mp.sin(angle(z)))
-
-    def upward(z: Any) -> Any:
-        return -length(z) * mp.cos(angle(z) + phi1) / (-radius * mp.sin(angle(z)))
-
-    return [mp.quad(each, breaks) for each in ((length, across, upward) if load else (length,))]
+        yield mp.quad(length, breaks)
 
 
 def shaft_deflection_study(
@@ -238,8 +236,7 @@ def shaft_deflection_study(
         return np.stack([(-at_c[i] * s - at_b[i] * behind) * s / rigidity for i in (0, 1)])
 
     def by(rule: Rule) -> list[float]:
-        deflections: list[float] = rule.integral(integrand, 0.0, end).tolist()
-        return deflections
+        return [*rule.integral(integrand, 0.0, end)]
 
     def closed_form(_: float) -> Outcome:
         result = shaft_deflection(
@@ -256,7 +253,7 @@ def shaft_deflection_study(
         reference=Reference("multiple_closed_form"),
         exact=_exact_deflection(force, moment, bearing_distance, youngs_modulus, shaft_sections),
         methods=[
-            *(by_rule(rule=rule, code=f"{rule.code}_shaft", value=by) for rule in rules()),
+            *_by_rules("shaft", by),
             Method("closed_form", DEFAULT, closed_form, chosen=True),
         ],
     )

@@ -12,9 +12,6 @@ from typing import Any
 
 import numpy as np
 
-from core.errors import InvalidInput
-from core.output.mechanism import Mechanism
-
 REFERENCE_DIGITS = 40
 """Digits of a reference in multiple precision."""
 
@@ -24,7 +21,6 @@ SETTINGS = {
     "pieces": "{value} pieces",
     "positions": "{value} positions",
     "points": "n = {value}",
-    "steps": "{value} steps",
 }
 """Settings of methods in English, by code."""
 
@@ -56,7 +52,7 @@ class WorkPoint:
     """One method at one setting."""
 
     method: str  # a key of `core.errors.METHODS`
-    setting: Setting  # number of samples, nodes or steps
+    setting: Setting  # number of samples, nodes or pieces
     relative_error: float  # measured against the reference
     run_time: float  # median, s
     evaluations: int  # how often the function behind the method was evaluated
@@ -122,41 +118,11 @@ def _measured(method: Method, setting: Setting, exact: Sequence[Any]) -> WorkPoi
     components = [value] if isinstance(value, (int, float)) else list(value)
     if not all(math.isfinite(each) for each in components):
         return None
-    size = mpmath.sqrt(sum(each**2 for each in exact))
-    off = mpmath.sqrt(
-        sum((mpmath.mpf(got) - want) ** 2 for got, want in zip(components, exact, strict=True))
-    )
+    off = [mpmath.mpf(got) - want for got, want in zip(components, exact, strict=True)]
     return WorkPoint(
         method=method.code,
         setting=setting,
-        relative_error=float(off / size),
+        relative_error=float(mpmath.norm(off) / mpmath.norm(exact)),
         run_time=statistics.median(times),
         evaluations=evaluations,
     )
-
-
-def refuse_many_pairs(*, mechanism: Mechanism, limit: int, pins: str = "pins") -> None:
-    """Refuse what its reference would take too long for.
-
-    Parameters
-    ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio.
-    limit : int
-        Most pairs.
-    pins : str
-        What their number is called: that of a ring has another name.
-
-    Raises
-    ------
-    InvalidInput
-        If there are more.
-    """
-    if mechanism.pins * mechanism.satellites > limit:
-        raise InvalidInput(
-            pins,
-            mechanism.pins,
-            "too_many_pairs",
-            limit=limit // mechanism.satellites,
-            satellites=mechanism.satellites,
-        )

@@ -21,11 +21,9 @@ GRIDS = {
 }
 """Methods, and how many times the positions that were asked each has."""
 
-FINEST = 4
-"""How many times the positions that were asked the reference has."""
-
-COST = 8
-"""How many times as long as the study itself this takes: its grids and the reference."""
+FINEST, COST = 4, 8
+"""How many times the positions that were asked the reference has; how many times as long as the
+study itself all this takes, its grids and the reference."""
 
 BLOCKS = (256, 64, 16, 4)
 """Into how many blocks the pieces are split for the scatter of smaller samples."""
@@ -35,74 +33,40 @@ FEWEST_POSITIONS = 3
 
 
 @dataclass(frozen=True, slots=True)
-class Mean:
-    """The mean of the pieces."""
-
-    @property
-    def fewest(self) -> int:
-        """Fewest pieces that it is taken of."""
-        return 2
-
-    def of(self, values: FloatArray) -> float:
-        """Of the pieces that can work."""
-        return float(values.mean())
-
-
-@dataclass(frozen=True, slots=True)
-class Percentile:
-    """A percentile of the pieces."""
-
-    percent: float  # between 0 and 100
-
-    @property
-    def fewest(self) -> int:
-        """Fewest pieces of which it has an interval."""
-        return fewest(self.percent)
-
-    def of(self, values: FloatArray) -> float:
-        """Of the pieces that can work."""
-        return percentile(values=values, percent=self.percent).value
-
-
-Statistic = Mean | Percentile
-
-
-@dataclass(frozen=True, slots=True)
 class _Sampled:
-    """The pieces at one grid: its values, the estimate from all, and what it took, s."""
+    """The pieces at one grid."""
 
     values: FloatArray
-    estimate: float
-    run_time: float
+    percent: float | None  # of what is taken of them; None: their mean
+    run_time: float  # what it took, s
+
+    def of(self, values: FloatArray) -> float:
+        """Percentile, or mean, of those of the pieces that can work."""
+        known = values[~np.isnan(values)]
+        if not len(known):
+            raise InvalidInput("samples", len(values), "too_few", limit=len(values) + 1)
+        if self.percent is None:
+            return float(known.mean())
+        return percentile(values=known, percent=self.percent).value
+
+    def scatter(self, blocks: int) -> float:
+        """Root mean square deviation of the estimates from smaller samples. Blocks of the same
+        pieces lie closer to their whole than to the truth.
+        """
+        whole = self.of(self.values)
+        found = np.array([self.of(block) for block in np.array_split(self.values, blocks)])
+        return math.sqrt(float(np.mean((found - whole) ** 2)) / (1 - 1 / blocks))
 
 
-def _estimate(values: FloatArray, statistic: Statistic) -> float:
-    """Of the pieces that can work."""
-    known = values[~np.isnan(values)]
-    if not len(known):
-        raise InvalidInput("samples", len(values), "too_few", limit=len(values) + 1)
-    return statistic.of(known)
-
-
-def _sampled(study: Study, positions: int, statistic: Statistic) -> _Sampled:
+def _sampled(study: Study, positions: int, percent: float | None) -> _Sampled:
     own = replace(study, asked=replace(study.asked, positions=positions))
     pieces = own.pieces()
     began = time.perf_counter_ns()
     values = own.values(pieces)[0][:, 0]
-    spent = (time.perf_counter_ns() - began) * 1e-9
-    return _Sampled(values, _estimate(values, statistic), spent)
+    return _Sampled(values, percent, (time.perf_counter_ns() - began) * 1e-9)
 
 
-def _scatter(grid: _Sampled, blocks: int, statistic: Statistic) -> float:
-    """Root mean square deviation of the estimates from smaller samples. Blocks of the same pieces
-    lie closer to their whole than to the truth.
-    """
-    found = [_estimate(block, statistic) for block in np.array_split(grid.values, blocks)]
-    square = float(np.mean((np.array(found) - grid.estimate) ** 2))
-    return math.sqrt(square / (1 - 1 / blocks))
-
-
-def tolerance_sampling_study(*, study: Study, statistic: Statistic) -> WorkPrecision:
+def tolerance_sampling_study(*, study: Study, percent: float | None) -> WorkPrecision:
     """Error against run time of a percentile over many pieces.
 
     The number of pieces makes a scatter that falls with its root, whatever the positions; the
@@ -113,8 +77,8 @@ def tolerance_sampling_study(*, study: Study, statistic: Statistic) -> WorkPreci
     ----------
     study : Study
         Design, tolerances, number of pieces and of positions; its first quantity is taken.
-    statistic : Mean or Percentile
-        What is taken of the pieces.
+    percent : float or None
+        Which percentile, between 0 and 100; None: the mean.
 
     Returns
     -------
@@ -129,9 +93,10 @@ def tolerance_sampling_study(*, study: Study, statistic: Statistic) -> WorkPreci
         If the pieces are too few for the percentile, quartered.
     """
     asked = study.asked.positions
-    exact = _sampled(study, FINEST * asked, statistic).estimate
+    finest = _sampled(study, FINEST * asked, percent)
+    exact = finest.of(finest.values)
     lines = {
-        method: _line(method, study, round(times * asked), statistic, exact)
+        method: _line(method, study, round(times * asked), percent, exact)
         for method, times in GRIDS.items()
         if round(times * asked) >= FEWEST_POSITIONS
     }
@@ -145,23 +110,23 @@ def tolerance_sampling_study(*, study: Study, statistic: Statistic) -> WorkPreci
 
 
 def _line(
-    method: str, study: Study, positions: int, statistic: Statistic, exact: float
+    method: str, study: Study, positions: int, percent: float | None, exact: float
 ) -> list[WorkPoint]:
     """Smaller samples and all pieces at one grid."""
-    grid, count = _sampled(study, positions, statistic), study.samples
-    scatters: dict[int, float] = {}
+    grid, count = _sampled(study, positions, percent), study.samples
+    bias, scatters = grid.of(grid.values) - exact, dict[int, float]()
     for blocks in BLOCKS:
         with suppress(InvalidInput):  # of blocks that are too small for it
-            scatters[count // blocks] = _scatter(grid, blocks, statistic)
+            scatters[count // blocks] = grid.scatter(blocks)
     if count // BLOCKS[-1] not in scatters:
-        least = BLOCKS[-1] * statistic.fewest
+        least = BLOCKS[-1] * (2 if percent is None else fewest(percent))
         raise InvalidInput("samples", count, "too_few", limit=least)
     scatters[count] = scatters[count // BLOCKS[-1]] / 2
     return [
         WorkPoint(
             method=method,
             setting=("pieces", pieces),
-            relative_error=math.hypot(grid.estimate - exact, scatter) / (abs(exact) or 1.0),
+            relative_error=math.hypot(bias, scatter) / (abs(exact) or 1.0),
             run_time=grid.run_time * pieces / count,
             evaluations=pieces * positions,
         )

@@ -15,7 +15,7 @@ function sectionMarkup([id, { accuracy: { method, method_code: code, relative_er
   })}</li>`;
 }
 
-/** `about` is what the service says of the calculation: `{ model, sources }`; `figures` those of error against run time. */
+/** `about` is what the service says of the calculation: `{ model, sources }`; `figures` those of error against run time, none where there is one method. */
 export function createAccuracy({ calculator, about, figures }) {
   const list = (items) => html`<ul>${items.map((item) => html`<li>${item}</li>`)}</ul>`;
   const root = element(html`
@@ -27,7 +27,8 @@ export function createAccuracy({ calculator, about, figures }) {
         <section><h3>${message("accuracy.sources")}</h3>${list((about?.sources ?? []).map((source) => html`<cite lang="en">${source}</cite>`))}</section>
         <section><h3>${message("notes.title")}</h3>${list(calculator.notes.flatMap((id) => message(`notes.${id}`)))}</section>
       </div>
-      <p class="trade-off">${message("accuracy.tradeOff")} ${calculator.figures.some(({ example }) => example) && message("accuracy.example")}</p>
+      ${figures.length > 0 && html`<p class="trade-off">${message("accuracy.tradeOff")}
+        ${calculator.figures.some(({ example }) => example) && message("accuracy.example")}</p>`}
     </details>`);
   root.append(...figures.map((figure) => figure.root));
   const numbers = root.querySelector(".numbers-of");

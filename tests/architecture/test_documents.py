@@ -3,13 +3,13 @@
 import re
 import tomllib
 from pathlib import Path
-from typing import get_args
 
 import pytest
 
 from app import VERSION
 from app.about import API
 from app.batch import SPELLINGS
+from app.calculations.work_precision import COMPARED
 from app.main import app
 from app.registry import CALCULATIONS
 from app.settings import Settings
@@ -93,12 +93,8 @@ def test_the_documents_of_the_api_name_every_path_and_kind_of_problem():
 
 def test_the_older_spellings_are_listed():
     text = (ROOT / "docs/api.md").read_text()
-    studies = {
-        get_args(model.model_fields["calculation"].annotation)
-        for model in get_args(get_args(CALCULATIONS["work-precision"].request)[0])
-    }
     of_batches = {(new, old) for old, new in SPELLINGS.items() if old != new}
-    of_studies = {(new, old) for new, *spelt in studies for old in spelt}
+    of_studies = {(new, old) for new, *spelt in COMPARED for old in spelt}
     listed = re.findall(r"^\| `([\w/-]+)` \| (.*) \|(.*) \|$", text, re.MULTILINE)
     for column, older in ((1, of_batches), (2, of_studies)):
         told = {(row[0], old) for row in listed for old in re.findall(r"`(\w+)`", row[column])}

@@ -115,15 +115,18 @@ def test_examples_narrow_screens_and_the_dark(page: Page, service: str) -> None:
 
 def test_error_against_run_time_is_measured_on_demand_only(page: Page, service: str, watch) -> None:
     show(page, service, "rollers")
+    expect(page.locator(".accuracy-fold .numbers-of li")).to_have_count(1)
+    expect(page.locator(".measure, .trade-off")).to_have_count(0)  # it has one method
+    show(page, service, "precession")
     work = "/api/v1/work-precision/chart"
     assert work not in watch.paths()
-    figure = page.locator('[data-figure="workSharing"]')
+    figure = page.locator('[data-figure="workShaft"]')
     page.locator(".accuracy-fold > summary").click()
     figure.get_by_role("button", name="Measure on these inputs").click()
     expect(figure.locator(".legendtext", has_text="Used by the calculator")).to_be_visible()
     assert watch.paths().count(work) == 1
     # Other inputs need another measurement: the old one does not stay beside new numbers.
-    box(page, "rollers").fill("5")
+    box(page, "overhang_mm").fill("45")
     expect(figure.get_by_role("button", name="Measure on these inputs")).to_be_enabled()
     expect(figure.locator(".legendtext")).to_have_count(0)
     assert watch.paths().count(work) == 1

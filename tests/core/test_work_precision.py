@@ -1,4 +1,4 @@
-"""Tables of methods, run and compared; quadrature rules; ideal forces in multiple precision."""
+"""Tables of methods, run and compared; quadrature rules; references in multiple precision."""
 
 import math
 
@@ -7,13 +7,11 @@ import numpy as np
 import pytest
 
 from core.errors import METHODS
-from core.output.contact_force import force_ratios
-from core.output.mechanism import Mechanism, pressure_cosines
+from core.output.mechanism import Mechanism
 from core.precession.rollers import RollerByLength
 from core.precision import CONVERGED, EXACT
-from core.work_precision.exact import pair_forces, pair_phases
-from core.work_precision.precession import meshing_load_study
-from core.work_precision.rules import rules
+from core.work_precision.peaks import peak_force_study
+from core.work_precision.precession import contact_line_study, rules
 from core.work_precision.study import DEFAULT, Method, Reference, work_precision
 
 RULES = {
@@ -27,8 +25,10 @@ RULES = {
 
 
 def test_each_method_runs_at_each_setting_and_what_is_not_finite_is_left_out():
-    root = Method("newton", [("steps", 1), ("steps", 3)], lambda n: (math.sqrt(2) + 0.1**n, n))
-    fails = Method("bisection", [("steps", 2)], lambda n: (math.nan, n))
+    root = Method(
+        "golden_section", [("points", 1), ("points", 3)], lambda n: (math.sqrt(2) + 0.1**n, n)
+    )
+    fails = Method("approximation", [("points", 2)], lambda n: (math.nan, n))
     used = Method("closed_form", DEFAULT, lambda _: (math.sqrt(2), 1), chosen=True)
     study = work_precision(
         reference=Reference("multiple_closed_form"),
@@ -36,8 +36,8 @@ def test_each_method_runs_at_each_setting_and_what_is_not_finite_is_left_out():
         methods=[root, fails, used],
     )
     assert [(each.method, each.setting) for each in study.points] == [
-        ("newton", ("steps", 1)),
-        ("newton", ("steps", 3)),
+        ("golden_section", ("points", 1)),
+        ("golden_section", ("points", 3)),
         ("closed_form", ("default", 0.0)),
     ]
     errors = [each.relative_error for each in study.points]
@@ -49,9 +49,9 @@ def test_each_method_runs_at_each_setting_and_what_is_not_finite_is_left_out():
 
 
 def test_the_error_of_a_vector_is_over_its_length():
-    vector = Method("sorting", DEFAULT, lambda _: ([3.0, 4.5], 1), chosen=True)
+    vector = Method("closed_form", DEFAULT, lambda _: ([3.0, 4.5], 1), chosen=True)
     study = work_precision(
-        reference=Reference("multiple_sorting"), exact=[mpmath.mpf(3), mpmath.mpf(4)],
+        reference=Reference("multiple_closed_form"), exact=[mpmath.mpf(3), mpmath.mpf(4)],
         methods=[vector],
     )  # fmt: skip
     assert study.chosen.relative_error == pytest.approx(0.1, rel=CONVERGED)
@@ -60,36 +60,32 @@ def test_the_error_of_a_vector_is_over_its_length():
 @pytest.mark.parametrize("code", RULES)
 def test_rules_integrate(code):
     value, error = RULES[code]
-    (rule,) = (each for each in rules() if (each.code, each.setting[1]) == (code, value))
-    found = rule.integral(lambda x: np.stack((np.exp(x), np.ones_like(x))), -1.0, 2.0)
+    found = rules(code)[value].integral(lambda x: np.stack((np.exp(x), np.ones_like(x))), -1.0, 2.0)
     exact = [math.exp(2) - math.exp(-1), 3.0]
     assert abs(found / exact - 1).max() < error
     assert all(f"{code}_{along}" in METHODS for along in ("phi", "z", "shaft"))
 
 
 @pytest.mark.parametrize("exponent", [0.0, 1.0, 1.5])
-def test_forces_in_multiple_precision_are_the_ideal_ones(exponent):
-    mechanism = Mechanism(pins=5, crank_angles=(0.3, 2.0, 4.4), ratio=20.0, initial_crank_angle=0.7)
-    for angle in (0.0, 0.1, 2.5):
-        wave = mpmath.mpf(angle) * (1 + 1 / mpmath.mpf(20))
-        forces, cosines = pair_forces(
-            phases=pair_phases(mechanism), force_exponent=exponent, wave_angle=wave
-        )
-        here = {"mechanism": mechanism, "crank_angles": np.array([angle])}
-        ratios = force_ratios(**here, force_exponent=exponent)[0]
-        assert np.array(forces, dtype=float) == pytest.approx(ratios, abs=1e-14)
-        drive = ratios > 0
-        along = pressure_cosines(**here)[0][drive]
-        assert np.array(cosines, dtype=float)[drive] == pytest.approx(along, abs=1e-14)
+@pytest.mark.parametrize("cranks", [(0.3, 2.0, 4.4), (0.0,)])
+def test_the_reference_of_the_peak_is_the_search_of_the_calculator(exponent, cranks):
+    """They share no formula; what lies beside it by more than rounding is another peak."""
+    mechanism = Mechanism(pins=5, crank_angles=cranks, ratio=20.0, initial_crank_angle=0.7)
+    study = peak_force_study(mechanism=mechanism, force_exponent=exponent)
+    assert (study.reference.method, study.reference.digits) == ("multiple_peak", 40)
+    assert study.chosen.relative_error < 1e-14
+    sampled = [each for each in study.points if each.method == "sampling"]
+    assert sampled[-1].relative_error < 1e-4
 
 
-def test_the_reference_of_the_meshing_load_is_no_double():
+GEAR = {
+    "roller_circle_radius": 0.05, "roller_radius": 0.004, "nutation_angle": 0.1, "ratio_u12": 0.96,
+}  # fmt: skip
+
+
+def test_the_reference_of_the_length_is_no_double():
     """Against a rounded one, errors are zero or whole roundings."""
-    gear = {
-        "roller_circle_radius": 0.05, "roller_radius": 0.004, "nutation_angle": 0.1,
-        "ratio_u12": 0.96,
-    }  # fmt: skip
     rollers = [RollerByLength(math.radians(angle), 0.015, 0.025) for angle in (20, 120)]
     with mpmath.workprec(53):
-        study = meshing_load_study(gear=gear, rollers=rollers, torque=10.0, reference_z=0.02)
+        study = contact_line_study(gear=GEAR, rollers=rollers)
     assert 0 < min(each.relative_error for each in study.points) < 1e-16

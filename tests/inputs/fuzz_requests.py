@@ -742,12 +742,9 @@ DESIGNS: dict[str, Callable[[Draw], Body]] = {
 }
 STUDIES = {
     "peak_force": contact_force,
-    "output-efficiency": output_efficiency,
     "contact_line_length": gear,
-    "meshing_load": meshing_load,
-    "roller_sharing": roller_strength,
     "shaft_deflection": shaft_deflection,
-    "pin-strength": pin_strength,
+    "load-sharing": load_sharing,
 }
 
 HOSTILE: tuple[Any, ...] = (

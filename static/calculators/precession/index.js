@@ -185,7 +185,6 @@ export default {
       height: 700,
     },
     { id: "workLength", section: "contact_line", measures: "precession/contact-line", body: lineBody },
-    { id: "workLoad", section: "meshing_load", measures: "precession/meshing-load", body: loadBody },
     { id: "workShaft", section: "shaft_deflection", measures: "precession/shaft-deflection" },
   ],
 

@@ -91,7 +91,6 @@ export default {
       sets: ({ x, data: { xaxis } }, { diameter_mm: diameter, cylinder_length_mm: length }) =>
         ["cylinder_length_mm", xaxis === "x2" ? length : Number((x * diameter).toPrecision(3))],
     },
-    { id: "workSharing", section: "roller_strength", measures: "roller-strength" },
   ],
 
   wanted: [enduranceOf(PATH, ["notch_factor", "notch", "endurance_limit"], { tensile_strength_MPa: {}, roller_rotates: {} })],
