@@ -126,7 +126,6 @@ IDEAL = {
         contact__distribution_factor=1.2,
     ),
     "alternating": changed(STATED, load__torque_direction="alternating"),
-    "interference": changed(STATED, contact__hole_clearance_mm=-0.02),
     "other pins": changed(STATED, pin__rotates=True, pin__material=None, pin__diameter_mm=14.0),
 }
 REAL = {

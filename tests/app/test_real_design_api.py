@@ -359,6 +359,10 @@ TEETH = {
     ("change", "governing"),
     [
         ({"deviations": {"disc_phase_deg": [0, 9]}}, "interference"),
+        (
+            {"contact__hole_radius_mm": 3.48, "contact__distribution_factor": 1.2},
+            "interference",
+        ),
         ({"gear__modification__equidistant_mm": -0.1}, "ring_pressed"),
         ({"gear": TEETH, "load__pin_circle_radius_mm": 10}, "mesh_involute"),
     ],

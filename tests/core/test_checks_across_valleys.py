@@ -30,7 +30,8 @@ def drawn(seed: int, share: float) -> Design:
     disc = CycloidDisc(lobes, eccentricity, radius, 1e-6)
     room = radius * math.sin(math.pi / (lobes + 1))
     pin = min(0.5 * disc.min_path_radius, 0.8 * room)
-    gap, holes, satellites = share * disc.valley_radius, 3 * eccentricity, r.randint(1, 2)
+    holes = min(3 * eccentricity, 0.1 * radius)  # six of them are 0.55 of the radius apart
+    gap, satellites = share * disc.valley_radius, r.randint(1, 2)
     change = r.choice([Modification(gap), Modification(pin_circle=-gap)])
     return design_of(
         pins=6,
