@@ -56,7 +56,7 @@ INVOLUTE: dict[str, Any] = {
     "pin": {"satellite_positions_mm": [14], "diameter_mm": 4},
     "friction": {"coefficient": 0.06},
     "crankshaft": {"satellite_positions_mm": [20], "bearing_positions_mm": [0, 40]},
-    "bearing": {"kind": "ball", "dynamic_rating_N": 2000, "static_rating_N": 1100},
+    "bearing": {"kind": "ball", "dynamic_rating_N": 20000, "static_rating_N": 11000},
 }
 """A pair of a maker's table, which says that its teeth do not interfere."""
 

@@ -131,7 +131,7 @@ IDEAL = {
 REAL = {
     "clearance": changed(BOTH, pin=None, fatigue=None),
     "materials": changed(FEW, contact__pin_material="brass", contact__hole_material="steel_s355"),
-    "deviations": changed(FEW, contact__hole_clearance_mm=0.0, **DEVIATIONS, **PEAK),
+    "deviations": changed(FEW, contact__hole_clearance_mm=0.03, **DEVIATIONS, **PEAK),
     "law": changed(FEW, contact_law={"kind": "linear", "stiffness_N_per_mm": 1e5}),
     "reverse": changed(FEW, **DEVIATIONS, load__torque_direction="reverse"),
     "alternating": changed(FEW, **DEVIATIONS, **PEAK, load__torque_direction="alternating"),
@@ -154,7 +154,7 @@ async def test_a_section_is_what_its_endpoint_answers(api, design, forces):
         answer = await answered(api, own(design, section), section.replace("_", "-"))
         expected = whole[section]
         assert answer["forces"] == expected["forces"] == forces
-        apart = ("uneven_sharing", "disc_ovals")  # of all satellites, and of the pressure
+        apart = ("uneven_sharing", "hole_outside_disc")  # of all satellites, and of the pressure
         of_whole = [each for each in whole.get("warnings", []) if each["code"] not in apart]
         assert answer.get("warnings", []) == of_whole + expected.get("warnings", [])
         said_once = {"warnings": None, "assumed": None}
@@ -348,7 +348,11 @@ async def test_by_default_what_is_given_is_answered(api):
         ),
         ({"gear__module_mm": 5.0}, "/contact/eccentricity_mm", "no_mesh"),
         (
-            {"mechanism__pins": 251, "include": ["pin_strength"]},
+            {
+                "mechanism__pins": 251,
+                "load__pin_circle_radius_mm": 2000.0,
+                "include": ["pin_strength"],
+            },
             "/mechanism/pins",
             "too_many_pairs",
         ),
@@ -513,6 +517,7 @@ FAILING = {
             "max_outer_diameter_mm": 130.0,
         },
         satellite_body={"outer_radius_mm": 66.5},
+        gear__friction_coefficient=0.05,
         crankshaft__bearings=[{"kind": "ball", "dynamic_rating_N": 6000.0}] * 2,
         bearing__weibull_slope=1.1,
     ),
