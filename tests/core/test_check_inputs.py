@@ -427,6 +427,22 @@ DESIGNS |= {
             modification=Modification(equidistant=-5e-6, pin_circle=-1e-6, rotation=1e-4),
         ),
     ),
+    "teeth of plastic whose friction is not given": having(
+        TOOTH,
+        hole_material=replace(SOFT, plastic=replace(SOFT.plastic, friction=Spread.of(0.3))),
+        fatigue=None,
+        max_slope=None,
+        output_torque=5.0,
+        gear=replace(
+            TOOTHED.gear,  # type: ignore[type-var]
+            modification=Modification(equidistant=-5e-6, pin_circle=-1e-6, rotation=1e-4),
+            pin_support="seat",
+            span=None,
+            satellite_positions=(),
+            sleeve_bore_radius=0.0,
+            friction_coefficient=None,
+        ),
+    ),
     "teeth in seats": having(
         TOOTH,
         fatigue=None,
@@ -472,7 +488,7 @@ RINGED = CycloidRing(
 SERIES = having(
     ALL,
     pins=10,  # which repeat with the ring's lobes: a tenth of a turn is all
-    hole_radius=0.01002,
+    hole_radius=0.01006,  # wide enough for an eccentricity that is a fiftieth larger
     peak_torque=700.0,
     pin_material=LASTING,
     hole_material=LASTING,
