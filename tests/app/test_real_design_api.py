@@ -209,7 +209,11 @@ async def test_of_hole_eccentricity_and_clearance_two_say_the_third(api, contact
             "/pin/satellite_positions_mm",
             "different_length",
         ),
-        ({"mechanism__pins": 51, "deviations": None}, "/mechanism/pins", "too_many_pairs"),
+        (
+            {"mechanism__pins": 51, "load__pin_circle_radius_mm": 100.0, "deviations": None},
+            "/mechanism/pins",
+            "too_many_pairs",
+        ),
         ({"load__torque_direction": "both"}, "/load/torque_direction", "literal_error"),
     ],
 )

@@ -127,7 +127,7 @@ def test_a_limit_within_the_loss_of_a_long_life_fails() -> None:
     limit = replace(LASTING, pressure=1.2 * 1.06 * pressure)
     design = having(REF, hole_material=replace(HOLE, limit=limit))
     assert check_of("contact_pressure_hole", design).status == "pass"
-    lasting = having(design, input_speed=SPEED)
+    lasting = having(design, input_speed=SPEED, life=5000 * 3600)
     assert check_of("contact_pressure_hole", lasting).status == "fail"
     for fix in fixes_of(lasting, ["contact_pressure_hole"]):
         cured = vary(design=lasting, variable=fix.variable, value=fix.after)
