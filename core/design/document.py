@@ -12,6 +12,7 @@ from typing import Any, TypeVar, cast
 from core.design.ring import CycloidRing, InvoluteRing, Ring, RingBody
 from core.design.sections import (
     USUAL_LIFE,
+    USUAL_RELIABILITY,
     Contact,
     DesignPin,
     FatigueBasis,
@@ -687,7 +688,9 @@ class Design:
     @property
     def usual(self) -> dict[str, float]:
         """What is assumed where it is not given and has no default, by its path, in SI units."""
-        found = {"requirements.life": self.life}
+        found, fatigue = {"requirements.life": self.life}, self.fatigue
+        if fatigue and fatigue.reliability_factor is None and fatigue.endurance_limit is None:
+            found["fatigue.reliability_percent"] = USUAL_RELIABILITY
         if self.gear and self.gear.kind == "involute":
             rack = self.gear.rack
             return found | {"gear.rack_tip_radius": rack.tip_radius, "gear.dedendum": rack.dedendum}

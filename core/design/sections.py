@@ -264,6 +264,10 @@ class DesignPin(PinSupport):
         )
 
 
+USUAL_RELIABILITY = 50.0
+"""Of the fatigue of a pin where none is given, %."""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FatigueBasis:
     """What the fatigue of a pin is judged by, as far as it is given.
@@ -392,7 +396,8 @@ class FatigueBasis:
             )
         reliability = self.reliability_factor
         if reliability is None:
-            reliability = reliability_factor(percent=self.reliability_percent or 50.0)
+            percent = self.reliability_percent or USUAL_RELIABILITY
+            reliability = reliability_factor(percent=percent)
         size = size_factor(diameter=diameter)
         factors = EnduranceFactors(surface, size, reliability, notch)
         limit = float(endurance_limit(tensile_strength=tensile, factors=factors))
