@@ -123,7 +123,7 @@ def mesh_possible(design: Design, results: Results) -> Check:
         eccentricity=eccentricity,
         rack=usual_rack(pressure_angle=gear.reference_pressure_angle),
     )
-    check = judged(mesh_possible, found.contact_ratio, 1.0)
+    check = judged(mesh_possible, found.contact_ratio, 1.0, impossible=not found.any_mesh)
     if check.status == "fail" and found.any_mesh:
         return check._replace(status="marginal", reason="unusual_teeth")
     return check

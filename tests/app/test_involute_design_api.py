@@ -230,7 +230,8 @@ async def test_teeth_without_shifts_are_open_and_may_fail(api: Any) -> None:
     ]
     body = {**changed(**REF), "gear": {"kind": "involute", "module_mm": 3.5}}
     answer, checks = await asked(api, body)
-    assert (answer["verdict"], checks["mesh_possible"]["status"]) == ("fail", "fail")
+    assert (answer["verdict"], answer["governing"]) == ("fail", "mesh_possible")
+    assert checks["mesh_possible"]["impossible"] and "torque_reserve" not in answer
 
 
 def set_in(body: dict[str, Any], sets: dict[str, Any]) -> dict[str, Any]:

@@ -470,6 +470,7 @@ def test_teeth_that_can_mesh() -> None:
         assert found.reason == ("unusual_teeth" if status == "marginal" else "")
         (judged,) = (part for part in crank_checks(Results(design)).parts if part.code == "teeth")
         assert judged.status == ("fail" if status == "fail" else "open")
+        assert found.impossible == (status == "fail")
     for beyond in (teeth(1e-3, 9, 6e-3), teeth(3e-3, 2, 3.68e-3, 14), teeth(3e-3, 2, 3.68e-3, 31)):
         found = check_of("mesh_possible", beyond)
         assert (found.status, found.reason) == ("not_checked", "outside_method")
