@@ -300,6 +300,8 @@ def _lacks(design: Design, part: Part, own: list[Check]) -> Iterator[NotKnown]:
         known = design.contact.eccentricity is not None
         missing = "contact.hole_clearance" if known else "contact.eccentricity"
         yield NotKnown("clearance_unknown", missing)
+    if by_forces and design.rollers and design.rollers.radial_clearance is None:
+        yield NotKnown("roller_clearance_unknown", "rollers.radial_clearance")
     if part.code == "teeth":
         if gear and gear.kind == "cycloid":
             if gear.modification is None:

@@ -77,6 +77,26 @@ async def test_the_section_says_what_is_known_by_hand(api):
     assert found["peak_load_N"] > 57
 
 
+async def test_rollers_of_which_no_clearance_is_known_are_never_green(api):
+    """At 15 N·m those with 0.04 mm are pressed beyond their static rating, those without hold."""
+    hard = {"hole_material": "steel_case_hardened", "hole_clearance_mm": 0.0}
+    whole = {"requirements": {"scope": ["contact"]}, "include": ["checks"]}
+    body = having(SMALL, contact=hard, rollers={"width_mm": 5.0}) | whole
+    verdicts = {}
+    for clearance in (0.0, 0.04, None):
+        loose = {} if clearance is None else {"radial_clearance_mm": clearance}
+        own = having(body, rollers=loose)
+        answer = await answered(api, having(own, load={"output_torque_Nm": 15.0}))
+        verdicts[clearance] = answer["verdict"]
+    assert verdicts == {0.0: "pass", 0.04: "fail", None: "incomplete"}
+    (part,) = (each for each in answer["parts"] if each["code"] == "contact")
+    assert (part["reason"], part["missing"]) == (
+        "roller_clearance_unknown",
+        ["/rollers/radial_clearance_mm"],
+    )
+    assert "largest_torque_Nm" not in answer
+
+
 async def test_a_name_says_what_is_not_typed(api):
     named = having(SMALL, rollers=None) | {"rollers": {"name": "686ZZ"}}
     answer = await answered(api, named | {"include": ["rollers"]})
@@ -165,7 +185,7 @@ async def test_rollers_alone_are_friction_enough(api):
     bare = having(SMALL, rollers=None)
     assert await refused(api, bare, "output-efficiency") == ("/friction", "needed")
     asked = SMALL | {"requirements": {"min_efficiency": 0.9}, "include": ["checks"]}
-    answer = await answered(api, asked)
+    answer = await answered(api, having(asked, rollers={"radial_clearance_mm": 0.0}))
     (part,) = (each for each in answer["parts"] if each["code"] == "losses")
     assert part["status"] == "pass"
 
