@@ -353,15 +353,12 @@ async def test_verdicts_by_hand(api, name):
 JUDGED = ("pass", "marginal", "fail")
 
 
-@pytest.mark.parametrize("hole", [10.0 + 5e-9, 10.0 + 2e-8, 10.03])
+@pytest.mark.parametrize("hole", [10.0, 10.0 + 2e-6, 10.03])
 async def test_with_clearance_the_real_forces_are_judged(api, hole):
     """A peak of 1667 N without clearance may be 3452 N in an ordinary design."""
     body = design(contact__hole_radius_mm=hole, load__output_torque_Nm=300.0)
-    if hole - 10.0 < 1e-8:
-        del body["contact"]["hole_radius_mm"]
-        body["contact"]["hole_clearance_mm"] = hole - 10.0
     answer, checks = await asked(api, "crank-planetary", body)
-    loose = hole > 10.0 + 1e-8
+    loose = hole > 10.0
     assert answer["verdict"] == "pass" and "largest_torque_Nm" in answer
     assert answer["model"] == ("real" if loose else "ideal")
     assert answer["largest_torque_of"] == ["contact"]
