@@ -27,9 +27,9 @@ Each number of a design has its document and where it stands there, or why it is
 published: where it is not, the design is judged with the usual one, marked with *. The verdict is
 at the torque of the document; the largest torque is the least over the parts that are judged, which
 the next column names, and is left out where it is not known, as of plastics, whose limits are not,
-or where no smaller torque would do: teeth and what a document does not give are open. Where the
-rating is far off it, the numbers assumed are as likely wrong as the design: these are no proofs of
-either.
+and of metals of which a document gives an allowable pressure and no yield strength, or where no
+smaller torque would do: teeth and what a document does not give are open. Where the rating is far
+off it, the numbers assumed are as likely wrong as the design: these are no proofs of either.
 
 | reducer | kind | rating, N·m | assumed | clearance, mm | verdict | governing check | \
 largest torque, N·m | of | rating over it |
