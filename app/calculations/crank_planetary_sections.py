@@ -83,7 +83,6 @@ from core.fixes.fix import Fix
 from core.materials import NOT_LISTED
 from core.output.contact_force import ContactForce, ForceCurves, PairNumber, drawing_angles
 from core.output.elasticity import RingInSeries
-from core.output.loaded_position import in_first_order
 from core.output.mechanism import Mechanism, PinGeometry, pin_fit, pin_geometry
 from core.output.real_cyclogram import RealCyclogram, carried_forces, real_cyclogram
 from core.output.turn import Turn
@@ -596,9 +595,7 @@ def _notices(body: CrankPlanetaryRequest) -> tuple[Notice, ...]:
         found += (Notice("both_meshes"),)
     elif forces := results.forces_in_series:
         found += (Notice("meshes_apart", {"forces": forces, "limit": MOST_IN_SERIES}),)
-    gives = body.forces == "real" and results.design.support.first_order
-    if gives and (loaded := if_known(lambda: results.loading)):
-        found += in_first_order(real=loaded.real, error=loaded.turn.geometry_error)
+    found += results.first_order
     found += notices_of(if_known(lambda: results.disc_of(results.hertz)))
     if "pin_strength" not in body.sections:  # which tells it itself
         found += results.size_notices

@@ -643,8 +643,9 @@ class DesignFields(GivingFields):
         return Results(self.design, equal=True)
 
     def with_fit(self, result: Result) -> Result:
-        """A result with the notices of how pins and holes fit."""
-        notices = notices_of(if_known(self.solve_fit), result)
+        """A result with the notices of how pins and holes fit, and of forces in first order."""
+        fit = notices_of(if_known(self.solve_fit))
+        notices = (*fit, *self.results.first_order, *notices_of(result))
         return cast(Result, replace(cast(Any, result), notices=notices))
 
     def drawn_angles(self) -> tuple[FloatArray, FloatArray]:

@@ -24,7 +24,7 @@ from core.output.contact_force import ContactForce, contact_force
 from core.output.edge_load import EdgeLoad, SlopingContacts
 from core.output.elasticity import RIGID_PINS, ContactLaw, Shares, contact_compliance, usual_law
 from core.output.fit import FITS, Fit
-from core.output.loaded_position import loaded_position
+from core.output.loaded_position import in_first_order, loaded_position
 from core.output.mechanism import MemberLoads
 from core.output.over_turn import OverTurn
 from core.output.pin_bolt import Grip, grip
@@ -497,6 +497,15 @@ class Results:
             peak_equivalent_stress=found.peak_equivalent_stress + self.grip.squeeze,
             static_stress=found.static_stress + self.grip.squeeze,
         )
+
+    @property
+    def first_order(self) -> tuple[Notice, ...]:
+        """How far forces are off that are solved in first order, as satellites give."""
+        if not (self.solved and self.design.support.first_order):
+            return ()
+        if (loaded := if_known(lambda: self.loading)) is None:
+            return ()
+        return in_first_order(real=loaded.real, error=loaded.turn.geometry_error)
 
     @property
     def size_notices(self) -> tuple[Notice, ...]:
