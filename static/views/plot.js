@@ -146,7 +146,7 @@ export function createPlot({ label, follows, picked, clicked }) {
     fit(size) {
       Plotly.relayout(root, size ? { autosize: false, ...size } : { autosize: true, width: null, height: null, "yaxis.tickfont.size": null });
       const { tickvals: rows = [], tickfont, _length: tall } = root._fullLayout.yaxis ?? {};
-      if (size && tall < rows.length * tickfont.size) Plotly.relayout(root, { "yaxis.tickfont.size": tall / rows.length });
+      if (size && tickfont && tall < rows.length * tickfont.size) Plotly.relayout(root, { "yaxis.tickfont.size": tall / rows.length });
     },
     purge: () => Plotly?.purge(root),
   };
