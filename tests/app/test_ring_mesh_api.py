@@ -54,6 +54,32 @@ async def test_case(api, case):
     }
 
 
+async def test_where_a_step_of_the_torque_is_not_reached_forces_are_found(api):
+    """Of a usual drive of steel, which was `not_balanced`: there too, and no less over the turn."""
+    body = {
+        "mechanism": {"satellite_teeth": 20, "ring_teeth": 21, "satellites": 1},
+        "load": {"output_torque_Nm": 10.0},
+        "contact": {"eccentricity_mm": 1.5},
+        "gear": {
+            "kind": "cycloid",
+            "ring_pin_circle_radius_mm": 45.0,
+            "ring_pin_radius_mm": 3.0,
+            "contact_length_mm": 10.0,
+            "modification": {"equidistant_mm": 0.01},
+        },
+        "crank_angle_deg": [float(np.rad2deg(0.2821021974652059)), *np.linspace(0, 18, 361)],
+        "include": ["positions", "over_turn"],
+    }
+    answer = await api.post(PATH, json=body)
+    assert answer.status_code == 200, answer.text
+    found = answer.json()
+    forces = [max(map(max, each["force_N"])) for each in found["positions"]]
+    assert found["over_turn"]["peak_force_N"] == pytest.approx(max(forces), rel=1e-3)
+    assert [each["disc_torque_Nm"] for each in found["positions"]] == [
+        pytest.approx([10.0]) for _ in forces
+    ]
+
+
 async def test_all_sections(api):
     body = changed(
         include=["positions", "over_turn", "profile", "stiffness_curve", "ideal"],
