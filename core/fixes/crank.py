@@ -114,7 +114,9 @@ def _fix(results: Results, code: str, variable: str, current: Verdict) -> Fix:
     def change(value: float) -> Check:
         return aimed(design=vary(design=design, variable=variable, value=value), check=check)
 
-    estimated = group in ("contact", "gear") and (check.rough or code == "ring_efficiency")
+    # A reserve that was looked for is exact, and is solved for all the same.
+    rough = code == "ring_efficiency" or crank_check(code, results).rough
+    estimated = group in ("contact", "gear") and rough
     solved = group in STRENGTH or estimated or (group == "contact" and results.solved)
     if solved and variable not in WHOLE:
         return _checked(cure, _secant(lambda value: _met(change(value)), cure.before))
