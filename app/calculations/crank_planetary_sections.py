@@ -353,7 +353,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     @cached_property
     def results(self) -> Results:
         """What follows from the design."""
-        return Results(self.design)
+        return Results(self.design, asked=True)
 
     def parts(self) -> dict[str, Any]:
         """Without pins where there is no contact: nothing loads them. Both meshes are in series

@@ -26,7 +26,7 @@ from core.output.elasticity import RIGID_PINS, ContactLaw, Shares, contact_compl
 from core.output.fit import FITS, Fit
 from core.output.loaded_position import in_first_order, loaded_position
 from core.output.mechanism import MemberLoads
-from core.output.over_turn import OverTurn
+from core.output.over_turn import LookedOverTurn, OverTurn
 from core.output.pin_bolt import Grip, grip
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
@@ -80,10 +80,13 @@ class Results:
     equal : bool
         Whether satellites share the load equally, as in the papers, where nothing but the bending
         of their pins makes them share otherwise.
+    asked : bool
+        Whether it is the very design that is asked, under its torque: then errors have by how much
+        first order is off, which is solved for besides.
     """
 
-    def __init__(self, design: Design, *, equal: bool = False) -> None:
-        self.design = design
+    def __init__(self, design: Design, *, equal: bool = False, asked: bool = False) -> None:
+        self.design, self.asked = design, asked
         self.shared_equally = equal
         self.solved = design.as_made or (design.bends and not equal)
         """Whether the forces that are judged are solved over the turn: those of the mechanism as it
@@ -344,7 +347,9 @@ class Results:
         return cache(lambda torque: self._over(self.turn(torque)))
 
     def _over(self, turn: Turn) -> OverTurn:
-        return SeriesOverTurn(turn) if isinstance(turn, SeriesTurn) else OverTurn(turn)
+        if isinstance(turn, SeriesTurn):
+            return SeriesOverTurn(turn)
+        return OverTurn(turn) if self.asked else LookedOverTurn(turn)
 
     def forces_at(self, crank_angle: float) -> tuple[tuple[float, ...], ...]:
         """Forces on the pins that are solved, N, K x N, at a crank angle, rad, under the torque in

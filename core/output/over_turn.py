@@ -471,6 +471,12 @@ class OverTurn:
         return (*position, *rough, *poorly_known(self._sought))
 
 
+class LookedOverTurn(OverTurn):
+    """The same of a torque or a design that is looked at besides what is asked."""
+
+    geometry_error = 0.0  # is that of what is asked
+
+
 def over_turn(
     *, real: RealMechanism, output_torque: float, lost_motion_share: float = 0.03
 ) -> OverTurn:

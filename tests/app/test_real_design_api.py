@@ -7,9 +7,10 @@ from copy import deepcopy
 import numpy as np
 import pytest
 
-from app.calculations.crank_planetary_sections import CrankPlanetaryRequest
+from app.calculations.crank_planetary_sections import CrankPlanetaryRequest, solve
 from app.endpoint import LIGHT_COST
 from app.examples import REQUESTS
+from core.output.loaded_position import first_order_error
 from core.precision import EXACT
 
 pytestmark = pytest.mark.anyio
@@ -120,6 +121,23 @@ async def test_satellites_that_give_are_those_of_load_sharing(api, gives):
     peak = answer["pin_strength"]["peak_force_N"]
     assert peak == pytest.approx(expected["peak_force_N"], rel=2e-5)
     assert 0 < checks["contact_pressure_hole"]["torque_reserve"] < 1000
+
+
+def test_how_far_first_order_is_off_is_solved_once(monkeypatch):
+    """Of the torque that is asked; others are looked at for the reserve."""
+    off = []
+
+    def counted(**given):
+        off.append(first_order_error(**given))
+        return off[-1]
+
+    monkeypatch.setattr("core.output.over_turn.first_order_error", counted)
+    design = changed(load__torque_direction="driving") | GIVES["bearings"]
+    answer = solve(CrankPlanetaryRequest.model_validate(design))
+    (said,) = (each for each in answer["warnings"] if each["code"] == "first_order_geometry")
+    (error,) = off
+    assert said["params"]["percent"] == 100 * error > 0
+    assert answer["load_sharing"]["accuracy"]["relative_error"] == pytest.approx(error, rel=0.1)
 
 
 async def test_satellites_that_give_are_refused_by_name(api):

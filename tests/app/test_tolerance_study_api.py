@@ -257,11 +257,18 @@ async def test_satellites_that_give_do_so_in_the_study_too(api, giving):
     names += ["stiffness_min_Nm_per_arcmin"]
     shown = {"disc_phase_deg": {"lower_deg": 0.009, "upper_deg": 0.011, "common": True}}
     body = changed(shown, quantities=names, crank_angles=60, samples=6, **giving)
-    found = (await answered(api, body))["quantities"]
+    answer = await answered(api, body)
+    found = answer["quantities"]
     design = {name: body[name] for name in ("mechanism", "load", "contact", "contact_law",
                                             "geometry", *giving)}  # fmt: skip
-    design["deviations"] = {"disc_phase_deg": [0.01, 0.01]}
     design["include"] = ["over_turn"]
+    perfect = (await api.post("load-sharing", json=design)).json()
+    said = [
+        [each for each in one["warnings"] if each["code"] == "first_order_geometry"]
+        for one in (answer, perfect)
+    ]
+    assert said[0] == said[1] and said[0][0]["params"]["percent"] > 0
+    design["deviations"] = {"disc_phase_deg": [0.01, 0.01]}
     turn = (await api.post("load-sharing", json=design)).json()["over_turn"]
     for name in names:
         assert found[name]["nominal"] == pytest.approx(turn[name], rel=0.03), name
