@@ -640,7 +640,7 @@ class DesignFields(GivingFields):
     @cached_property
     def results(self) -> Results:
         """What follows from it, each result worked out once; perfect parts share equally."""
-        return Results(self.design, equal=True)
+        return Results(self.design, equal=True, asked=True)
 
     def with_fit(self, result: Result) -> Result:
         """A result with the notices of how pins and holes fit, and of forces in first order."""
