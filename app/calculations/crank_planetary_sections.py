@@ -79,6 +79,7 @@ from core.design.crank_results import MOST_BEARING_PAIRS
 from core.design.real_forces import RealForces
 from core.design.results import MOST_IN_SERIES, MOST_PIN_PAIRS, Results
 from core.errors import CalculationError, Notice, if_known, is_known
+from core.fixes.crank import possible
 from core.fixes.fix import Fix
 from core.materials import NOT_LISTED
 from core.output.contact_force import ContactForce, ForceCurves, PairNumber, drawing_angles
@@ -572,7 +573,7 @@ def _judged(body: CrankPlanetaryRequest) -> Values:
         checks="checks" in body.sections,
     )
     if "fixes" in body.sections:
-        values["fixes"] = [fix_values(each, body) for each in fixes]
+        values["fixes"] = [fix_values(each, body) for each in fixes if possible(each)]
     if "combined" in body.sections:
         values["combined"] = combined(body, found, fixes)
     return present(values)

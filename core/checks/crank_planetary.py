@@ -190,7 +190,8 @@ def crank_checks(results: Results) -> Verdict:
     """
     design, codes = results.design, crank_codes(results.design)
     checks = [crank_check(code, results) for code in codes if not CRANK_CHECKS[code].loaded]
-    unforced = cannot_be(check for check in checks if check.kind.part in MESHES)
+    meshing = (each for each in checks if each.kind.part in MESHES and each.code != "pins_apart")
+    unforced = cannot_be(meshing)
     checks += (
         make_check(CRANK_CHECKS[code], design, results, unforced=True)
         if unforced

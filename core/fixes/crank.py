@@ -77,19 +77,30 @@ def crank_fixes(*, results: Results, codes: Iterable[str], current: Verdict) -> 
                 continue
             with suppress(CalculationError):  # a size that would cure it may make no design
                 fixes.append(_fix(results, code, variable, current))
-    return in_order(each for each in fixes if _has_room(results.design, each))
+    return in_order(each for each in fixes if not _too_wide(results.design, each))
 
 
-def _has_room(design: Design, fix: Fix) -> bool:
-    """Whether a fix leaves a reducer that can be made: nothing reaches into another part, and discs
-    are no wider than the circle of their pins, or of the ring's, is in radius.
-    """
+def _too_wide(design: Design, fix: Fix) -> bool:
+    """Whether discs are wider then than the circle of their pins, or of the ring's, is in radius."""
     wide = design.load.pin_circle_radius
     if isinstance(design.gear, CycloidRing):
         wide = design.gear.ring_pin_circle_radius
     length = fix.exact if fix.variable.endswith("contact_length") else None
-    if length is not None and length > wide:
-        return False
+    return length is not None and length > wide
+
+
+def possible(fix: Fix) -> bool:
+    """Whether a fix by itself lets no part reach into another that did not; others may mend that.
+
+    Parameters
+    ----------
+    fix : Fix
+        A fix.
+
+    Returns
+    -------
+    bool
+    """
     made = ((each.before, each.after) for each in fix.side_effects)
     return not any(
         after.impossible and after.status == "fail" and before.status != "fail"

@@ -24,7 +24,7 @@ from core.design.sections import (
     SatelliteBody,
     Shaft,
 )
-from core.fixes.crank import crank_fixes
+from core.fixes.crank import crank_fixes, possible
 from core.fixes.fix import Fix
 from core.hertz import ContactLimit, ElasticMaterial
 from core.precision import SAME
@@ -92,7 +92,8 @@ def check_of(code: str, design: Design) -> Check:
 def fixes_of(design: Design, codes: Iterable[str]) -> list[Fix]:
     """Fixes of checks of a design."""
     results = Results(design)
-    return crank_fixes(results=results, codes=codes, current=crank_verdict(results))
+    found = crank_fixes(results=results, codes=codes, current=crank_verdict(results))
+    return [each for each in found if possible(each)]
 
 
 REF = design_of(
