@@ -26,7 +26,7 @@ from core.output.elasticity import RIGID_PINS, ContactLaw, Shares, contact_compl
 from core.output.fit import FITS, Fit
 from core.output.loaded_position import in_first_order, loaded_position
 from core.output.mechanism import MemberLoads
-from core.output.over_turn import LookedOverTurn, OverTurn
+from core.output.over_turn import OverTurn
 from core.output.pin_bolt import Grip, grip
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
@@ -349,7 +349,17 @@ class Results:
     def _over(self, turn: Turn) -> OverTurn:
         if isinstance(turn, SeriesTurn):
             return SeriesOverTurn(turn)
-        return OverTurn(turn) if self.asked else LookedOverTurn(turn)
+        return OverTurn(turn, lambda: self.geometry_error)
+
+    @derived
+    def geometry_error(self) -> float:
+        """By how much first order is off the forces under the torque, where satellites give; 0 of
+        what is looked at besides the design that is asked.
+        """
+        if not self.asked:
+            return 0.0
+        way = WAYS[self.design.load.torque_direction][0]
+        return OverTurn(self.turn(way * self.design.pin_torque)).geometry_error
 
     def forces_at(self, crank_angle: float) -> tuple[tuple[float, ...], ...]:
         """Forces on the pins that are solved, N, K x N, at a crank angle, rad, under the torque in
@@ -508,9 +518,9 @@ class Results:
         """How far forces are off that are solved in first order, as satellites give."""
         if not (self.solved and self.design.support.first_order):
             return ()
-        if (loaded := if_known(lambda: self.loading)) is None:
+        if not is_known(lambda: self.loading):
             return ()
-        return in_first_order(real=loaded.real, error=loaded.turn.geometry_error)
+        return in_first_order(real=self.real, error=self.geometry_error)
 
     @property
     def size_notices(self) -> tuple[Notice, ...]:

@@ -109,10 +109,12 @@ class OverTurn:
     ----------
     turn : Turn
         The mechanism under a torque.
+    off : callable, optional
+        By how much first order is off, where that is known by another torque.
     """
 
-    def __init__(self, turn: Turn) -> None:
-        self.turn = turn
+    def __init__(self, turn: Turn, off: Callable[[], float] | None = None) -> None:
+        self.turn, self.off = turn, off
         self.real: RealMechanism = turn.real
 
     def _grid(self, rows: Rows, name: str, sign: int = 1) -> Grid:
@@ -453,6 +455,8 @@ class OverTurn:
     @derived
     def geometry_error(self) -> float:
         """By how much first order is off the peak force, where satellites give."""
+        if self.off:
+            return self.off()
         torque = self.turn.torque
         return first_order_error(
             real=self.real, forces=lambda rigid: OverTurn(Turn(rigid, torque)).peak_force
@@ -469,12 +473,6 @@ class OverTurn:
         )
         rough = in_first_order(real=self.real, error=self.geometry_error)
         return (*position, *rough, *poorly_known(self._sought))
-
-
-class LookedOverTurn(OverTurn):
-    """The same of a torque or a design that is looked at besides what is asked."""
-
-    geometry_error = 0.0  # is that of what is asked
 
 
 def over_turn(

@@ -123,8 +123,12 @@ async def test_satellites_that_give_are_those_of_load_sharing(api, gives):
     assert 0 < checks["contact_pressure_hole"]["torque_reserve"] < 1000
 
 
-def test_how_far_first_order_is_off_is_solved_once(monkeypatch):
-    """Of the torque that is asked; others are looked at for the reserve."""
+@pytest.mark.parametrize(
+    "load",
+    [{}, {"torque_direction": "alternating"}, {"application_factor": 1.5, "peak_torque_Nm": 500.0}],
+)
+def test_how_far_first_order_is_off_is_solved_once(monkeypatch, load):
+    """Under the torque; others are judged too, or looked at for the reserve."""
     off = []
 
     def counted(**given):
@@ -132,7 +136,8 @@ def test_how_far_first_order_is_off_is_solved_once(monkeypatch):
         return off[-1]
 
     monkeypatch.setattr("core.output.over_turn.first_order_error", counted)
-    design = changed(load__torque_direction="driving") | GIVES["bearings"]
+    design = DESIGN | {"load": DESIGN["load"] | {"torque_direction": "driving"} | load}
+    design |= GIVES["bearings"]
     answer = solve(CrankPlanetaryRequest.model_validate(design))
     (said,) = (each for each in answer["warnings"] if each["code"] == "first_order_geometry")
     (error,) = off
