@@ -125,7 +125,7 @@ def _fix(results: Results, code: str, variable: str, current: Verdict) -> Fix:
     def change(value: float) -> Check:
         return aimed(design=vary(design=design, variable=variable, value=value), check=check)
 
-    # A reserve that was looked for is exact, and is solved for all the same.
+    # A reserve that was looked for under other torques is exact; a look costs as much as before.
     rough = code == "ring_efficiency" or crank_check(code, results).rough
     estimated = group in ("contact", "gear") and rough
     solved = group in STRENGTH or estimated or (group == "contact" and results.solved)

@@ -13,7 +13,9 @@ from app.calculations import design_mesh
 from app.calculations.crank_planetary import solve
 from app.calculations.crank_planetary_sections import CrankPlanetaryRequest
 from app.examples import REQUESTS
+from core.checks.crank_planetary import CRANK_CHECKS
 from core.checks.usual_modification import usual_modification
+from core.fixes.crank import LOOKS, aimed
 from core.precision import EXACT, JUDGED, SAME, SEARCHED
 from core.ring.sharing import mesh_position
 
@@ -112,6 +114,40 @@ async def test_a_disc_at_the_limit_of_undercut_fails_by_it(api):
     ring["load"], ring["contact"] = {"output_torque_Nm": 11}, {"eccentricity_mm": 1.5}
     refused = await api.post("ring-mesh", json=ring)
     assert refused.json()["errors"][0]["code"] == "undercut"
+
+
+def test_fixes_of_teeth_that_are_solved_take_few_looks(monkeypatch):
+    """Of a public printed drive: by secants, also where the check's reserve was looked for."""
+    looks = []
+
+    def counted(**given):
+        looks.append(given)
+        return aimed(**given)
+
+    monkeypatch.setattr("core.fixes.crank.aimed", counted)
+    body = {
+        "mechanism": {"pins": 3, "satellites": 1, "satellite_teeth": 20, "ring_teeth": 21},
+        "load": {"output_torque_Nm": 5, "pin_circle_radius_mm": 25},
+        "contact": {
+            "contact_length_mm": 6,
+            "pin_radius_mm": 4.5,
+            "hole_clearance_mm": 0.1,
+            "eccentricity_mm": 1.5,
+            "hole_material": "PLA",
+        },
+        "gear": {
+            "kind": "cycloid",
+            "ring_pin_circle_radius_mm": 42,
+            "ring_pin_radius_mm": 4.5,
+            "modification": {"equidistant_mm": 0.1},
+        },
+        "requirements": {"scope": ["teeth"]},
+        "include": ["fixes"],
+    }
+    (fix,) = solve(CrankPlanetaryRequest.model_validate(body))["fixes"]
+    assert (fix["pointer"], fix["status"]) == ("/load/output_torque_Nm", "solved")
+    assert {each["check"].code for each in looks} == {"ring_static_cold"}
+    assert 0 < len(looks) <= LOOKS * len(CRANK_CHECKS["ring_static_cold"].fixes)
 
 
 def distance(points, polygon):
