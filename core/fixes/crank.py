@@ -81,7 +81,7 @@ def crank_fixes(*, results: Results, codes: Iterable[str], current: Verdict) -> 
 
 
 def _too_wide(design: Design, fix: Fix) -> bool:
-    """Whether discs are wider then than the circle of their pins, or of the ring's, is in radius."""
+    """Whether discs get wider than the circle of their pins, or of the ring's, is in radius."""
     wide = design.load.pin_circle_radius
     if isinstance(design.gear, CycloidRing):
         wide = design.gear.ring_pin_circle_radius
