@@ -303,12 +303,14 @@ def _lacks(design: Design, part: Part, own: list[Check]) -> Iterator[NotKnown]:
         yield NotKnown("clearance_unknown", missing)
     if by_forces and design.rollers and design.rollers.radial_clearance is None:
         yield NotKnown("roller_clearance_unknown", "rollers.radial_clearance")
-    if "gear" in part.sections and gear and gear.kind == "cycloid" and not gear.modification:
-        yield NotKnown("modification_unknown", "gear.modification")
     if part.code == "teeth":
-        if gear and gear.kind == "involute" and gear.unknown_teeth:
-            yield NotKnown("teeth_not_judged", *gear.unknown_teeth)
-        elif gear and gear.kind not in ("cycloid", "involute"):
+        if gear and gear.kind == "cycloid":
+            if gear.modification is None:
+                yield NotKnown("modification_unknown", "gear.modification")
+        elif gear and gear.kind == "involute":
+            if gear.unknown_teeth:
+                yield NotKnown("teeth_not_judged", *gear.unknown_teeth)
+        elif gear:
             yield NotKnown("teeth_not_judged")
     elif "gear" in part.sections and gear and gear.kind == "none":
         yield NotKnown("no_ring_force", "gear.kind")

@@ -100,7 +100,7 @@ async def test_a_fit_is_a_clearance(api):
     number, *_ = await asked(api, winch(contact=loose | {"hole_clearance_mm": 0.025}))
     assert fitted["fit"]["least_room_mm"] == pytest.approx(0.025, abs=1e-9)
     assert fitted["largest_torque_Nm"] == pytest.approx(number["largest_torque_Nm"], rel=EXACT)
-    assert fitted["largest_torque_of"] == ["contact", "pins"]  # teeth load the bearings
+    assert fitted["largest_torque_of"] == ["contact", "pins", "satellite_bearing"]
     assert fitted["model"] == "real" and parts["pins"]["status"] == "pass"
     assert fitted["verdict"] == "incomplete"  # of teeth, crankshaft, demands on the losses
     assert checks["clearance"]["value"] == pytest.approx(0.025 / 2.75)

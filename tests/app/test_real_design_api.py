@@ -412,9 +412,17 @@ async def test_nothing_of_forces_stands_beside_what_cannot_be_put_together(api, 
         assert not {"value", "torque_reserve"} & {*each}
 
 
-async def test_a_mesh_without_a_height_of_its_teeth_is_refused(api):
+async def test_a_mesh_without_a_height_of_its_teeth_is_no_failure(api):
+    """Teeth that no height brings into mesh have no forces; others ask for the height."""
     teeth = {name: value for name, value in TEETH.items() if name != "ring_addendum"}
-    body = changed(PRINTED, gear=teeth, include=["ring_mesh"])
+    body = changed(PRINTED, gear=teeth, include=["ring_mesh", "checks"])
+    answer = await answered(api, body)
+    assert (answer["verdict"], answer["governing"]) == ("fail", "mesh_possible")
+    assert "ring_mesh" not in answer
+    teeth |= {"module_mm": 1.0, "ring_profile_shift": 0.2}
+    body["mechanism"] |= {"satellite_teeth": 45, "ring_teeth": 50}
+    body["contact"] |= {"eccentricity_mm": 2.665, "hole_radius_mm": 4.7}
+    body |= {"gear": teeth, "include": ["ring_mesh"]}
     assert await refused(api, body) == ("/gear/ring_addendum", "missing")
 
 

@@ -79,7 +79,14 @@ async def test_a_larger_modification_erases_no_check(api):
     }
     answer = (await api.post(PATH, json=body)).json()
     (cold,) = (each for each in answer["checks"] if each["code"] == "contact_static_cold")
-    assert cold["value"] >= 141.5 and cold["status"] == answer["verdict"] == "fail"
+    assert cold["value"] >= 141.5 and cold["limit"] < 40
+    # By all that sources have of PLA it may hold; by the least it fails.
+    assert (cold["status"], cold["reason"]["code"]) == ("marginal", "range_decides")
+    body["contact"]["hole_material"] = {"name": "PLA", "yield_strength_MPa": 45}
+    body |= {"friction": {"coefficient": 0.2}}
+    answer = (await api.post(PATH, json=body)).json()
+    (cold,) = (each for each in answer["checks"] if each["code"] == "contact_static_cold")
+    assert cold["status"] == answer["verdict"] == "fail"
 
 
 async def test_a_disc_at_the_limit_of_undercut_fails_by_it(api):
@@ -107,7 +114,7 @@ async def test_a_disc_at_the_limit_of_undercut_fails_by_it(api):
     answer = (await api.post(PATH, json=body)).json()
     assert (answer["verdict"], answer["governing"]) == ("fail", "ring_undercut")
     checks = {each["code"]: each for each in answer["checks"]}
-    assert checks["ring_static_cold"]["reason"]["code"] == "undercut"
+    assert checks["ring_static_cold"]["reason"]["code"] == "cannot_be"
     body["gear"] |= {"contact_length_mm": 6}
     ring = {name: body[name] for name in ("mechanism", "load", "contact", "gear")}
     ring["mechanism"] = {name: each for name, each in ring["mechanism"].items() if name != "pins"}
@@ -244,11 +251,8 @@ async def test_the_mesh_is_what_its_endpoint_answers(api):
     del usual["include"]
     answer = (await api.post(PATH, json=usual)).json()
     assert {"ring_mesh", "cyclogram", "load_sharing"} <= {*answer}
-    assert [each["pointer"] for each in answer["assumed"]] == [
-        "/contact/pin_material",
-        "/contact/hole_material",
-        "/gear/pin_material",
-    ]
+    materials = [each["pointer"] for each in answer["assumed"] if "material" in each["pointer"]]
+    assert materials == ["/contact/pin_material", "/contact/hole_material", "/gear/pin_material"]
 
 
 async def test_the_law_of_the_teeth_is_their_own(api):

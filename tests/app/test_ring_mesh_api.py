@@ -211,7 +211,7 @@ async def test_limits_are_in_the_units_of_their_fields(api):
     error = (await api.post(PATH, json=body)).json()["errors"][0]
     limit = error["params"]["limit"]
     assert 5 < limit < 14
-    near = changed(gear={"ring_pin_radius_mm": limit * (1 - 1e-9)})
+    near = changed(gear={"ring_pin_radius_mm": limit * (1 - 1e-8)})
     assert (await api.post(PATH, json=near)).status_code == 200
     fine = changed(include=["profile"], chord_error_mm=1e-10)
     limit = (await api.post(PATH, json=fine)).json()["errors"][0]["params"]["limit"]

@@ -186,7 +186,7 @@ def test_the_place_of_the_pressure_of_pins_made_unlike() -> None:
     )  # type: ignore[type-var]
     design = having(
         WHOLE, pins=4, deviations=UNLIKE.deviations, contact_law=UNLIKE.law, pin_radius=0.015,
-        hole_radius=0.01701, pin=between, crankshaft=None,
+        hole_radius=0.01703, pin=between, crankshaft=None,
     )  # fmt: skip
     largest = Results(design).judged_forces.place  # type: ignore[union-attr]
     assert (largest["satellite"], largest["pin"]) == (1, 4) and "crank_angle" in largest

@@ -72,15 +72,14 @@ def test_all_parts_of_a_sound_design_pass() -> None:
 def test_teeth_whose_modification_is_not_known_are_open() -> None:
     found = crank_verdict(Results(UNMODIFIED))
     opened = {each.code: each.status for each in found.parts}
-    # What the teeth load is not known either, and losses are of teeth too.
-    unknown = ("teeth", "satellite_bearing", "crank_bearings", "losses")
+    unknown = ("teeth", "losses")  # which are of teeth too
     assert opened == dict.fromkeys(PARTS, "pass") | dict.fromkeys(unknown, "open"), found.parts
     assert reasons(UNMODIFIED) == dict.fromkeys(unknown, "modification_unknown")
     assert found.verdict == "incomplete"
     judged = having(UNMODIFIED, scope=tuple(part for part in PART_NAMES if part not in unknown))
     alone = crank_verdict(Results(judged))
     assert alone.verdict == "pass" and statuses(judged)["teeth"] == "left_out"
-    assert {*alone.largest_torque_of} == {"contact", "pins"}
+    assert {*alone.largest_torque_of} == {"contact", "pins", "satellite_bearing", "crank_bearings"}
     assert "teeth" in alone.not_considered and "body" not in alone.not_considered
 
 
