@@ -173,7 +173,7 @@ async def crank_planetary(body: Body, answer: Body, ask: Ask) -> None:
     unknown = asked - set(answer)  # a section that nobody named, of forces that cannot be solved
     unsolved = unknown == {"hertz"} and "include" not in body and answer["verdict"] != "pass"
     # Forces of parts that cannot be put together are not stated.
-    unsolved |= any(each.get("reason") == "cannot_be" for each in answer["parts"])
+    unsolved |= answer["verdict"] == "fail" and "torque_reserve" not in answer
     expect(set(answer) - said <= asked and (unsolved or not unknown), "sections", list(answer))
     if "cyclogram" in answer:
         await cyclogram(body["mechanism"], answer["cyclogram"], ask)
