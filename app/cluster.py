@@ -71,7 +71,7 @@ def _client(address: str) -> Any:
 
 
 def _result(client: Any, future: Any) -> Any:
-    """What a task gives, as long as there are workers."""
+    """Result of a task, waited for as long as the cluster has workers."""
     while True:
         try:
             return future.result(timeout=LOOK_S)

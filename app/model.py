@@ -814,7 +814,7 @@ class WarningOut(BaseModel):
 
 
 def _taken(name: str, value: object) -> Values:
-    """What is assumed of a field, with between what it may lie where sources differ."""
+    """Value that is assumed for a field, with its range where sources differ."""
     if not isinstance(value, Spread):
         return {"value": value}
     usual, low, high = from_si(name, value)

@@ -41,7 +41,7 @@ def with_values(document: dict[str, Any], values: Mapping[str, Any]) -> dict[str
 
 
 def has_number(schema: dict[str, Any], path: list[str]) -> bool:
-    """Whether documents of a JSON schema, as pydantic writes it, may have a number at a path."""
+    """Tell whether a document of a JSON schema of pydantic's may have a number at a path."""
 
     def found(part: Any, path: list[str]) -> bool:
         if "$ref" in part:

@@ -388,7 +388,7 @@ def _reason(found: Check | PartVerdict, body: RequestModel) -> Values:
 
 
 def usual_values(body: Any, verdict: Verdict) -> dict[tuple[str, ...], float | str]:
-    """What was not typed of a reducer, and checks are judged by: values by the paths of fields."""
+    """Values of a reducer that were not typed and that checks are judged by, by paths of fields."""
     found: dict[tuple[str, ...], float | str] = {}
     decided = [each for each in verdict.checks if each.status in ("pass", "marginal", "fail")]
     for check, name in ((each, name) for each in decided for name in each.kind.inputs):

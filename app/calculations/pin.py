@@ -18,7 +18,7 @@ from core.output.pin_bolt import PinBolt, bolt_preload
 from core.output.tie_ring import RingJoint
 
 BOLT_MATERIAL = "steel_bolt"
-"""Of a bolt, where it is not given."""
+"""Material of a bolt where none is given."""
 
 
 def strengths_of(given: str | MaterialFields) -> dict[str, Any]:

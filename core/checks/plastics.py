@@ -39,7 +39,7 @@ _check = partial(
     source="first_yield",
 )
 def contact_static_cold(design: Design, results: Results) -> Check:
-    """Of the weaker body."""
+    """Judge the weaker body of the contact."""
 
     def by(made: Results, *, most: bool = False) -> Check:
         contact, reserve = made.static_contact, None

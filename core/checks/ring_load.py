@@ -220,7 +220,7 @@ def _static(body: RingBody) -> Kind:
     needs=("load", "contact", "plastic_teeth"),
 )
 def ring_static_cold(design: Design, results: Results) -> Check:
-    """Of satellites' teeth, and of the ring's teeth or pins, whichever bear less."""
+    """Judge the weaker of the satellites' teeth and the ring's teeth or pins."""
 
     def by(made: Results, *, most: bool = False) -> Check:
         pressed = _pressed(made, "disc", static=True)

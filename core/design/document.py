@@ -687,7 +687,7 @@ class Design:
 
     @property
     def usual(self) -> dict[str, float]:
-        """What is assumed where it is not given and has no default, by its path, in SI units."""
+        """Usual values of fields that are not given and have no default, by path, in SI units."""
         found, fatigue = {"requirements.life": self.life}, self.fatigue
         if fatigue and fatigue.reliability_factor is None and fatigue.endurance_limit is None:
             found["fatigue.reliability_percent"] = USUAL_RELIABILITY
@@ -779,7 +779,7 @@ class Design:
 
     @property
     def usual_in_teeth(self) -> dict[str, Spread]:
-        """The same of plastic teeth."""
+        """Values by which plastic teeth are judged and that are not given, by their paths."""
         found = {
             path: spread
             for body, each in self.plastic_teeth.items()

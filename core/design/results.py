@@ -147,7 +147,7 @@ class Results:
 
     @cached_property
     def milder(self) -> dict[str, "Results"]:
-        """The same at the mild end of each value that is assumed, by its path."""
+        """Results with each assumed value at the mild end of its range, by its path."""
         found = {}
         for path, value in self.design.mild.items():
             made = Results(changed(self.design, {path: value}), equal=self.shared_equally)

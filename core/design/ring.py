@@ -163,7 +163,7 @@ class CycloidRing(AnyRing):
 
     @property
     def rolls(self) -> bool:
-        """Whether there are such."""
+        """Whether discs roll on sleeves or rolling elements of the ring's pins."""
         return self.rolling or self.sleeve_bore_radius > 0
 
     @property

@@ -265,7 +265,7 @@ class DesignPin(PinSupport):
 
 
 USUAL_RELIABILITY = 50.0
-"""Of the fatigue of a pin where none is given, %."""
+"""Reliability of a pin's fatigue strength where none is given, %."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -19,7 +19,7 @@ Misfit = Literal[
 """What does not fit, a key of `core.codes.CODES`; empty where all does."""
 
 FITS: tuple[Misfit, ...] = ("", "fits_by_bearing_clearance")
-"""Those that are none."""
+"""Values of `Misfit` with which pins fit into their holes."""
 
 NO_TORQUE = 1e-9
 """Part of the torque at the elastic limit that stands for none."""

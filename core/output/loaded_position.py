@@ -180,14 +180,14 @@ def first_order_error(*, real: RealMechanism, forces: Callable[[RealMechanism], 
 
 
 def in_first_order(*, real: RealMechanism, error: float) -> tuple[Notice, ...]:
-    """Notice of that.
+    """Notice that forces are solved in first order, and how far that is off.
 
     Parameters
     ----------
     real : RealMechanism
         The mechanism.
     error : float
-        The difference.
+        Difference of both geometries over the largest force.
 
     Returns
     -------

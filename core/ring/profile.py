@@ -151,9 +151,7 @@ class CycloidDisc:
 
     @property
     def undercut(self) -> bool:
-        """Whether it does, or would by rounding: at 1 a flank ends in a cusp, sharper than any
-        number.
-        """
+        """Whether a flank is undercut, or ends in a cusp, as at a margin of 1 within rounding."""
         return not self.undercut_margin > 1 + AS_TYPED
 
     @property
