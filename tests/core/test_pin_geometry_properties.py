@@ -13,6 +13,9 @@ from core.precision import CONVERGED, SAME
 
 angles = st.one_of(st.floats(-20.0, 20.0), st.integers(-48, 48).map(lambda k: math.radians(15 * k)))
 
+OF_THE_CIRCLE = {"wall_holes", "pins_apart", "pins_like_crankshafts"}
+"""Notices that the circle of the pins is needed for."""
+
 
 @st.composite
 def mechanisms(draw: st.DrawFn) -> Mechanism:
@@ -56,7 +59,7 @@ def test_contact_points_lie_on_pin_and_hole(
     apart = np.linalg.norm(found.hole_centres - found.pin_centres, axis=2)
     assert apart == pytest.approx(e, abs=tiny)
     assert found.clearance == 0.0
-    assert {n.code for n in found.notices} <= {"wall_holes", "pins_apart"}
+    assert {n.code for n in found.notices} <= OF_THE_CIRCLE
 
 
 @given(mechanisms(), st.floats(-50.0, 50.0), sizes())
@@ -170,9 +173,7 @@ def test_the_fit_needs_no_crank_angle(
     # without the circle, and without the eccentricity, what these would say is not said
     del size["pin_circle_radius"]
     alone = pin_fit(pins=mechanism.pins, **size)
-    assert alone.notices == tuple(
-        n for n in fit.notices if n.code not in ("wall_holes", "pins_apart")
-    )
+    assert alone.notices == tuple(n for n in fit.notices if n.code not in OF_THE_CIRCLE)
     del size["eccentricity"]
     assumed = pin_fit(pins=mechanism.pins, **size)
     assert assumed.clearance == 0.0
