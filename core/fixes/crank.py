@@ -81,12 +81,15 @@ def crank_fixes(*, results: Results, codes: Iterable[str], current: Verdict) -> 
 
 
 def _too_wide(design: Design, fix: Fix) -> bool:
-    """Whether discs get wider than the circle of their pins, or of the ring's, is in radius."""
-    wide = design.load.pin_circle_radius
+    """Whether discs get wider than the circle of their pins, or of the ring's, is in radius; or the
+    circle of their pins than ten times what it is, or than the ring's.
+    """
+    widens = fix.variable == "load.pin_circle_radius"
+    wide = design.load.pin_circle_radius * (10 if widens else 1)
     if isinstance(design.gear, CycloidRing):
         wide = design.gear.ring_pin_circle_radius
-    length = fix.exact if fix.variable.endswith("contact_length") else None
-    return length is not None and length > wide
+    widens |= fix.variable.endswith("contact_length")
+    return widens and fix.exact is not None and fix.exact > wide
 
 
 def possible(fix: Fix) -> bool:

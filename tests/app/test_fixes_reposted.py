@@ -144,6 +144,30 @@ async def test_a_fix_chooses_the_weakest_material_that_bears_the_load(api: Any) 
     assert "fail" in found.values() and chosen["to"] == min(bearing, key=limits.__getitem__)
 
 
+@pytest.mark.parametrize("times", [6, 9.9, 10.1, 18])
+async def test_no_fix_makes_a_circle_of_pins_ten_times_as_wide(api: Any, times: float) -> None:
+    """Forces are as 1/R of it: a fix asks as many times the radius as the torque is too much."""
+    body: dict[str, Any] = {
+        "mechanism": {"pins": 6, "satellites": 2, "ratio": 20.0},
+        "load": {"output_torque_Nm": 100.0, "pin_circle_radius_mm": 50.0},
+        "contact": {
+            "contact_length_mm": 20.0,
+            "pin_radius_mm": 4.0,
+            "eccentricity_mm": 2.0,
+            "hole_clearance_mm": 0.0,
+            "hole_material": "steel_case_hardened",
+        },
+        "requirements": {"scope": ["contact"]},
+        "include": ["checks"],
+    }
+    reserve = (await answered(api, body))["torque_reserve"]
+    body["load"]["output_torque_Nm"] *= reserve / 1.1 * times
+    fixes = (await answered(api, body | {"include": ["fixes"]}))["fixes"]
+    radii = [each["exact"] for each in fixes if each["pointer"] == "/load/pin_circle_radius_mm"]
+    assert radii == ([] if times > 10 else [pytest.approx(50 * times, rel=1e-3)] * len(radii))
+    assert (times > 10) == (not radii)
+
+
 async def test_where_one_input_is_enough_several_are_not_named(api: Any) -> None:
     answer = await answered(api, failing(1)[0] | {"include": ["fixes", "combined"]})
     assert any(each["verdict"] != "fail" for each in answer["fixes"])
