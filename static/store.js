@@ -9,7 +9,7 @@
  * `address`  the query of what was asked last, and `pending`, its inputs
  * `refusal`  what the service refused: `{ at: {path: { words, place?, ask?, code? }}, text }`, or null
  * `shown`    the results on the screen: `{ typed, input, filled, answer, requests, cells }`, or null
- * `fixes`    what mends the design on the screen, `{ of: shown, list, long }`, of several inputs together first, `long` where it took too long to find; or null
+ * `fixes`    what mends the design on the screen, `{ of: shown, list, long }`, of several inputs together first, `long` where it took too long to find, null where it was not to be had; or null
  * `usual`    what becomes of it with a usual clearance, a usual ring: `{ of: shown, fit?, ring? }` as the service answers, or null
  * `curves`   the curves of a figure that the drawing needs: `{ of: shown, data }`
  * `kept`     the designs that are kept, each with its answer; null until these are known

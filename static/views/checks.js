@@ -80,8 +80,9 @@ export function createChecks({ calculator, titles, fieldAt, askedAt, on }) {
     fixes.dataset.open = String(open);
     list = known ? found.list.slice(0, FIXES) : [];
     const seeks = open && !known && !stale(state);
+    const why = open && known && list.length === 0 && { true: "long", false: "none" }[found.long];
     const note = seeks ? html`<p class="note">${message("fixes.seeking")}</p><progress class="seeking" aria-hidden="true"></progress>`
-      : known && found.long && html`<p class="note">${message("fixes.long")}</p>`;
+      : why && html`<p class="note">${message(`fixes.${why}`)}</p>`;
     fill(fixes, !note && list.length === 0 ? html`` : html`<h3>${message("fixes.title")}</h3>
       ${note}<ul>${list.map((fix) => fixRow(fix, fieldAt, judged)).map(fixMarkup)}</ul>`);
     keep(!more.open);

@@ -104,19 +104,19 @@ test("a busy service is asked again when it said, one that fails only when the u
 });
 
 test("fixes that take too long to find leave the answer as it is, and that is said", async () => {
-  const long = new Problem({ status: 503, kind: "too-long", detail: "not within 10 s" });
+  const failing = (kind) => new Problem({ status: 503, kind, detail: "not within 10 s" });
   const fixes = [{ sets: {} }];
   const combined = { sets: {}, steps: fixes };
-  const judged = (body, slow) => {
-    if (body === "fixes" && slow) throw long;
+  const judged = (body, kind) => {
+    if (body === "fixes" && kind) throw failing(kind);
     return { ...(body !== "fixes" && answerTo(body)), verdict: "fail", governing: "x", checks: [{ code: "x", title: "X", status: "fail" }], counts: {}, fixes, ...(body === "fixes" && { combined }) };
   };
-  for (const slow of [true, false]) {
-    const { store, asking } = working((body) => judged(body, slow), [], {}, { mend: ({ post }) => post("/job", "fixes") });
+  for (const [kind, long] of [["too-long", true], ["failure", null], ["", false]]) {
+    const { store, asking } = working((body) => judged(body, kind), [], {}, { mend: ({ post }) => post("/job", "fixes") });
     await asking.now();
     await tick();
     assert.equal(store.state.phase, "fresh");
-    assert.deepEqual(store.state.fixes, { of: store.state.shown, list: slow ? [] : [combined, ...fixes], long: slow });
+    assert.deepEqual(store.state.fixes, { of: store.state.shown, list: kind ? [] : [combined, ...fixes], long });
   }
 });
 
