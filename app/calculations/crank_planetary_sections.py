@@ -266,24 +266,35 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """Also values of plastics by which they yield, where sources have them, what checks are
-        judged by, and the friction of metals where it decides.
+        judged by, and the friction of metals where it decides; first what decides.
         """
         said = dict(super().assumed())
-        yield from said.items()
         try:
             design = self.design
         except CalculationError:  # of which a solution is asked: a size that makes none yet
+            yield from said.items()
             return
-        own = {
-            tuple(map(str, self.path_of(name))): each for name, each in design.usual_values.items()
-        }
-        yield from own.items()
-        if "verdict" in self.__dict__:  # which a request for other results has none of
-            judging = usual_values(self, self.verdict)
-            yield from ((path, judging[path]) for path in judging if path not in said | own)
-            flows = (e for e in self.verdict.checks if e.code.startswith("contact_shakedown"))
-            if any(each.reason == "range_decides" for each in flows):
-                yield ("friction", "coefficient"), design.hole_friction
+        own = {self._place(name): each for name, each in design.usual_values.items()}
+        if "verdict" not in self.__dict__:  # which a request for other results has none of
+            yield from (said | own).items()
+            return
+        checks = self.verdict.checks
+        every = usual_values(self, self.verdict) | said | own
+        flows = (each for each in checks if each.code.startswith("contact_shakedown"))
+        if any(each.reason == "range_decides" for each in flows):
+            every[("friction", "coefficient")] = design.hole_friction
+        missed = [each for each in checks if each.reason == "default_decides"]
+        first = [
+            self._place(name)
+            for name in design.mild
+            if any(name in each.kind.inputs for each in missed)
+        ]
+        first += own if any(each.reason == "range_decides" for each in checks) else ()
+        places = dict.fromkeys((*first, *said, *own, *every))
+        yield from ((place, every[place]) for place in places)
+
+    def _place(self, name: str) -> tuple[str, ...]:
+        return tuple(map(str, self.path_of(name)))
 
     def without(self, path: tuple[str, ...]) -> Values:
         """The peak force of one satellite, where forces are asked and their number is assumed."""

@@ -60,6 +60,31 @@ INVOLUTE: dict[str, Any] = {
 }
 """A pair of a maker's table, which says that its teeth do not interfere."""
 
+TIRED: dict[str, Any] = INVOLUTE | {
+    "mechanism": INVOLUTE["mechanism"] | {"output": "pins"},
+    "load": INVOLUTE["load"] | {"output_torque_Nm": 1.2},
+    "pin": INVOLUTE["pin"] | {"material": "steel_through_hardened"},
+    "fatigue": {"surface": "ground", "fatigue_notch_factor": 1.5},
+}
+"""It with pins that tire, which bear 1.6 times the torque; what the torque is of is stated."""
+
+PERFECT: dict[str, Any] = TIRED | {
+    "load": INVOLUTE["load"] | {"output_torque_Nm": 2},
+    "contact": {
+        name: each for name, each in INVOLUTE["contact"].items() if name != "hole_clearance_mm"
+    },
+}
+"""It with forces of perfect parts, as the clearance is not known."""
+
+USUAL: dict[tuple[str, ...], list[float]] = {
+    ("load", "force_exponent"): [0.67, 1.5],
+    ("contact", "distribution_factor"): [1.3],
+    ("gear", "modification", "pin_circle_mm"): [-0.02, 0.02, 0.1],
+    ("gear", "modification", "rotation_arcmin"): [2, 5, 10],
+    ("pin", "bore_diameter_mm"): [1, 2, 2.5],
+}
+"""Usual values of what is none of a thing by default; bores up to five eighths of the pin."""
+
 FILLED = {
     ("requirements", "life_h"),
     ("requirements", "static_safety"),
@@ -74,7 +99,8 @@ def answered(body: dict[str, Any]) -> dict[str, Any]:
 
 
 def judged(answer: dict[str, Any]) -> tuple[str, dict[str, str]]:
-    return answer["verdict"], {each["code"]: each["status"] for each in answer["checks"]}
+    checks = (each for each in answer["checks"] if each["code"] != "pin_wall")
+    return answer["verdict"], {each["code"]: each["status"] for each in checks}
 
 
 def defaults(model: RequestModel, *path: str) -> Iterator[tuple[tuple[str, ...], Any]]:
@@ -103,18 +129,25 @@ def moved(body: dict[str, Any], path: tuple[str, ...], value: Any) -> dict[str, 
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("body", [CYCLOID, INVOLUTE], ids=["cycloid", "involute"])
+@pytest.mark.parametrize(
+    "body",
+    [CYCLOID, INVOLUTE, TIRED, PERFECT],
+    ids=["cycloid", "involute", "tired", "perfect"],
+)
 def test_every_default_that_moves_a_check_is_said(body: dict[str, Any]) -> None:
+    """A check that is of no design without the thing (`pin_wall`) is none that moves."""
     plain = answered(body)
     said = {each["pointer"]: each["value"] for each in plain["assumed"]}
     every = dict(defaults(CALCULATION.request.model_validate(body)))
+    every |= {path: USUAL[path] for path in USUAL.keys() & every.keys()}
     every |= {path: [0.1, 1e2, 1e6] for path in FILLED if path[0] != "gear"}
     moving = set()
     for path, values in every.items():
         answers = [moved(body, path, value) for value in values]
         if any(each is not None and judged(each) != judged(plain) for each in answers):
             moving.add("/" + "/".join(path))
-    assert {"/requirements/life_h", "/requirements/static_safety"} <= moving
+    filled = {"/requirements/life_h", "/requirements/static_safety"}
+    assert filled & {*said} <= moving
     assert moving <= {*said}
     assert (said["/requirements/life_h"], said["/requirements/pitting_safety"]) == (5000, 1.2)
 
@@ -172,3 +205,28 @@ def test_a_reliability_is_said_where_it_counts(given: dict[str, Any], said: bool
     answer = answered(body)
     filled = {"pointer": "/fatigue/reliability_percent", "value": 50}
     assert (filled in answer["assumed"]) == said
+
+
+NEUTRAL = {
+    "/load/torque_direction",
+    "/load/force_exponent",
+    "/contact/distribution_factor",
+    "/pin/bore_diameter_mm",
+    "/gear/modification/rotation_arcmin",
+}
+
+
+@pytest.mark.parametrize(
+    ("body", "first", "neutral"),
+    [
+        (CYCLOID, "/requirements/life_h", set()),
+        (TIRED, "/gear/rack_tip_radius", {"/load/torque_direction", "/pin/bore_diameter_mm"}),
+        (PERFECT, "/gear/rack_tip_radius", NEUTRAL - {"/gear/modification/rotation_arcmin"}),
+    ],
+    ids=["cycloid", "tired", "perfect"],
+)
+def test_what_decides_is_first_and_what_moves_nothing_is_unsaid(
+    body: dict[str, Any], first: str, neutral: set[str]
+) -> None:
+    said = [each["pointer"] for each in answered(body)["assumed"]]
+    assert (said[0], {*said} & NEUTRAL) == (first, neutral)
