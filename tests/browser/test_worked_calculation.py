@@ -162,6 +162,19 @@ def test_a_fix_and_a_size_are_applied_by_a_click(page: Page, service: str) -> No
     assert number(row.text_content() or "") == pytest.approx(1.5, rel=2e-3)
 
 
+def test_that_nothing_mends_is_said(page: Page, service: str) -> None:
+    def finding_none(route: Route) -> None:
+        if "fixes" not in (route.request.post_data or ""):
+            return route.continue_()
+        found = route.fetch()
+        return route.fulfill(response=found, json=found.json() | {"fixes": [], "combined": None})
+
+    page.route("**/crank-planetary", finding_none)
+    show(page, service, "crank-planetary")
+    box(page, "load.output_torque_Nm").fill("1500")
+    expect(page.locator(".fixes")).to_contain_text("Nothing found")
+
+
 def test_what_mends_is_looked_for_last_and_gives_way(page: Page, service: str) -> None:
     """While it is looked for, that is said in its room; a size that is asked for comes first."""
     held: list[Route] = []
