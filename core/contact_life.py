@@ -28,7 +28,10 @@ CURVES: dict[LifeCurve, CurveOfLife] = {
     "nitrided": CurveOfLife(1.3, 2e6, 0.0876, 0.0191),
     "nitrocarburised": CurveOfLife(1.1, 2e6, 0.0318, 0.0191),
 }
-"""ISO 6336-2: each through its largest factor at 1e5 loads, 1 at the knee, 0.85 at 1e10."""
+"""ISO 6336-2: each through its largest factor at 1e5 loads, 1 at the knee, 0.85 at `MOST_LOADS`."""
+
+MOST_LOADS = 1e10
+"""Loads to which the curves are stated."""
 
 
 def life_factor(*, curve: LifeCurve, loads: Number) -> Number:

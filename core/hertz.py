@@ -38,7 +38,7 @@ from core.conformal import (
     load_under_pressure,
     pressure_over_angle,
 )
-from core.contact_life import LifeCurve, life_factor
+from core.contact_life import MOST_LOADS, LifeCurve, life_factor
 from core.errors import Accuracy, Notice, NotKnown, if_known, poorly_known, required
 from core.numerics.inverse import edge
 from core.precision import ROUNDING
@@ -111,26 +111,27 @@ class ContactLimit:
     pressure: Number  # the limit, Pa, > 0; NaN in an array where none is known
     source: str = ""  # a key of `LIMIT_SOURCES`; empty where it is given
     curve: LifeCurve | None = None  # how it falls with the number of loads; None where not known
-    loads: float = math.inf  # over the life that it is wanted for; infinite where not known
+    loads: float | None = None  # over the life that it is wanted for; infinite where not known
 
     @property
     def life(self) -> LimitLife:
-        """How it falls over the life; `NotKnown` without its curve or the loads."""
+        """How it falls over the life, by `MOST_LOADS` where nobody knows how many they are;
+        `NotKnown` without its curve or a life.
+        """
         curve: LifeCurve = required(self.curve, "no_life_curve")
-        if math.isinf(self.loads):
-            raise NotKnown("life_without_speed", "load.input_speed")
-        factor = float(life_factor(curve=curve, loads=self.loads))
-        return LimitLife(curve, self.loads, factor)
+        wanted: float = required(self.loads, "life_without_speed", "load.input_speed")
+        loads = wanted if math.isfinite(wanted) else MOST_LOADS
+        return LimitLife(curve, loads, float(life_factor(curve=curve, loads=loads)))
 
     @property
     def life_factor(self) -> float | None:
-        """Factor Z_NT of the loads over the life; None where they or the curve are not known."""
+        """Factor Z_NT of the loads over the life; None where no life is wanted, no curve known."""
         return if_known(lambda: self.life.factor)
 
     @property
     def allowable(self) -> Number:
         """The limit over the life, Pa: as it stands where no life factor is known."""
-        if math.isinf(self.loads):
+        if self.loads is None:
             return self.pressure
         return self.pressure * (self.life_factor or 1.0)
 

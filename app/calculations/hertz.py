@@ -373,7 +373,8 @@ class SafetyOut(ResponseModel):
     source: Maybe[str] = result("Where the limit comes from; absent where it was given.")
     source_code: Maybe[str] = result("The same by code.")
     life: Maybe[LifeOut] = Field(
-        description="How the limit falls over the life; absent where speed or curve are not known."
+        description="How the limit falls over the life, by 1e10 loads where no speed is given; "
+        "absent where no curve is known."
     )
     safety_factor: float = Field(
         description="Limit over governing pressure, with the life factor where there is one. A "

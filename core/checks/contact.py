@@ -435,7 +435,8 @@ def whence(limit: ContactLimit) -> dict[str, str]:
 
 def over_life(*, found: Check, limit: ContactLimit) -> Check:
     """A pressure against a limit, with how much of the life that has in it, where nothing else is
-    said.
+    said. Without a speed the limit is the least one, and a pressure that holds the one without
+    life factor fails by what is not given.
 
     Parameters
     ----------
@@ -451,10 +452,16 @@ def over_life(*, found: Check, limit: ContactLimit) -> Check:
     if found.reason:
         return found
     try:
-        _ = limit.life
+        life = limit.life
     except NotKnown as why:
         return found._replace(reason=why.code, missing=why.missing)
-    return found._replace(reason="life_of_teeth")
+    if life.loads == limit.loads:
+        return found._replace(reason="life_of_teeth")
+    value, least = found.compared
+    found = found._replace(reason="life_without_speed", missing=("load.input_speed",))
+    if found.status == "fail" and value <= least / life.factor:
+        return found._replace(status="marginal", reason="range_decides")
+    return found
 
 
 def static_limit(

@@ -9,8 +9,8 @@ UNKNOWN = {
     "envelope_unknown": "The sizes of the bearing are not given",
     "no_peak_torque": "No peak torque is given",
     "no_sourced_limit": "Nobody asked for a limit, and no source gives one for such parts",
-    "range_decides": "It fails by the least that sources give of what is not given here, and holds "
-    "by the largest: enter the values that your material has",
+    "range_decides": "It fails at one end of the range of what is not given here, and holds at the "
+    "other: enter it",
     "rating_high": "The rating is higher than that of any known bearing of these sizes",
     "rating_low": "The rating is less than a twentieth of what fits: is it given in kN?",
     "thin_wall": "It is thinner than usual",
@@ -59,7 +59,7 @@ UNKNOWN = {
     "jams": "The parts go together, but jam in a part of the turn",
     "life_of_teeth": "The limit is that for the loads over the life, by the curves of ISO 6336-2, "
     "which are meant for teeth",
-    "life_without_speed": "No input speed is given: how the limit falls over the life is left out",
+    "life_without_speed": "No input speed is given: the limit is that for 1e10 loads",
     "limit_unknown": "No limit of the pressure is known for this material: enter one. The pitting "
     "limit of tables of gears or worm wheels will do, that of its maker for such a contact, or of "
     "a test of this pair",

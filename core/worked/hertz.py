@@ -176,10 +176,13 @@ def _life(
 ) -> None:
     """How the limit of a body falls over the life."""
     speed, time, ratio = turning
-    sheet.take("n_1", "turning_speed", speed)
-    sheet.take("L", "life", time)
-    formula = f"n_1{sheet.take_ratio(ratio)}*L/(2*pi)"
-    sheet.work("loads", "N_L", life.loads, formula, note="turns_over_life")
+    if speed is None:
+        sheet.take("N_L", "loads", life.loads)
+    else:
+        sheet.take("n_1", "turning_speed", speed)
+        sheet.take("L", "life", time)
+        formula = f"n_1{sheet.take_ratio(ratio)}*L/(2*pi)"
+        sheet.work("loads", "N_L", life.loads, formula, note="turns_over_life")
     line = CURVES[life.curve]
     sheet.take("Z_m", "factor", line.most)
     sheet.take("N_k", "loads", line.knee)

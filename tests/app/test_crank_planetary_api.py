@@ -106,7 +106,6 @@ async def test_what_is_not_asked_is_not_run(api, asked, not_run):
     judged = {
         "verdict",
         "governing",
-        "torque_reserve",
         "parts",
         "model",
         "warnings",
@@ -150,6 +149,8 @@ async def test_sections_agree_with_their_own_endpoints(api):
     alone["hertz"] = (await api.post("hertz", json={**CONTACT, "force_N": force})).json()
     for section, answer in alone.items():
         answer.pop("assumed", None)  # which a design says once
+        for name in ("safety", "safety_factor"):  # over the life, which a design has
+            answer.pop(name, None), job[section].pop(name, None)
         for given in (answer, job[section]):
             del given["accuracy"]["run_time_us"]
         assert job[section] == answer
@@ -431,7 +432,8 @@ async def test_a_conformal_contact_is_judged_by_its_own_pressure(api, torque, pr
     for each in hertz["safety"]:
         assert each["limit_MPa"] == 1500
         assert each["safety_factor"] == hertz["safety_factor"]
-    assert hertz["safety_factor"] == pytest.approx(1500 / hertz["governing_pressure_MPa"])
+    limit = 1500 * (5e7 / 1e10) ** 0.0306  # for the most loads, as no speed is given
+    assert hertz["safety_factor"] == pytest.approx(limit / hertz["governing_pressure_MPa"])
 
 
 @pytest.mark.parametrize(

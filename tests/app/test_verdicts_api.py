@@ -2,7 +2,7 @@
 
 The limits below are typed from their sources, not read from the program; the pressures are
 Hertz's, by hand. REF: 6 pins, 2 satellites at 180 degrees, 500 N*m on R = 50 mm: the peak is
-4/(2*6) of 10 kN, 3333.3 N.
+4/(2*6) of 10 kN, 3333.3 N. Its life has 5e7 loads, at which the life factor of hardened steel is 1.
 """
 
 import math
@@ -24,7 +24,11 @@ pytestmark = pytest.mark.anyio
 
 REF = {
     "mechanism": {"pins": 6, "satellites": 2, "ratio": 20.0},
-    "load": {"output_torque_Nm": 500.0, "pin_circle_radius_mm": 50.0},
+    "load": {
+        "output_torque_Nm": 500.0,
+        "pin_circle_radius_mm": 50.0,
+        "input_speed_rpm": 5e7 / (60 * 5000 * (1 + 1 / 20)),
+    },
     "contact": {
         "contact_length_mm": 20.0,
         "pin_radius_mm": 8.0,
@@ -33,6 +37,7 @@ REF = {
         "pin_material": "steel_bearing",
         "hole_material": "steel_through_hardened",
     },
+    "requirements": {"life_h": 5000.0},
     "include": ["checks"],
 }
 
@@ -365,6 +370,7 @@ async def test_with_clearance_the_real_forces_are_judged(api, hole):
     assert checks["clearance"]["status"] == "pass"
     if loose:
         sharing = {name: body[name] for name in ("mechanism", "load", "contact")}
+        del sharing["load"]["input_speed_rpm"]
         response = await api.post("load-sharing", json=sharing | {"include": ["over_turn"]})
         turn = response.json()["over_turn"]
         highest, place = turn["max_pressure_MPa"], turn["peak_crank_angle_deg"]
@@ -487,16 +493,17 @@ EXAMPLE_VERDICTS = {
     "yanchevskiy-2021-fig-6a": ("fail", "fail"),
     "yanchevskiy-2021-fig-6b": ("fail", "fail"),
     "yanchevskiy-2021-fig-6c": ("fail", "fail"),
-    "yanchevskiy-2021-fig-6d": ("incomplete", "pass"),  # 433.6 MPa: reserve 1.25
+    # 433.6 MPa: reserve 1.25; without a speed the limit is that for 1e10 loads, 412.3 MPa
+    "yanchevskiy-2021-fig-6d": ("incomplete", "marginal"),
     "yanchevskiy-2021-fig-6e": ("incomplete", "pass"),  # 387.9 MPa
     "yanchevskiy-2021-fig-6f": ("incomplete", "pass"),
-    "yanchevskiy-2021-fig-7": ("incomplete", "pass"),
+    "yanchevskiy-2021-fig-7": ("incomplete", "marginal"),
     "yanchevsky-2018-fig-4a": ("fail", "fail"),
     "yanchevsky-2018-fig-4b": ("fail", "fail"),
     "zyl-6-pins": ("incomplete", "pass"),
     "zyl-4-pins": ("incomplete", "pass"),
-    # 446.0 of 484.9 MPa: by the real forces; without clearance 347.0
-    "clearance": ("incomplete", "pass"),
+    # 446.0 of 412.3 to 484.9 MPa: by the real forces; without clearance 347.0
+    "clearance": ("incomplete", "marginal"),
     "whole": ("incomplete", "pass"),  # as the tutorial's, with materials of the table
     "cycloid": ("pass", "pass"),  # all of its parts
     "involute": ("pass", "pass"),  # likewise

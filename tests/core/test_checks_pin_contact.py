@@ -111,9 +111,11 @@ def test_what_is_not_known_of_the_life_is_said() -> None:
     both = {name: replace(each, limit=LASTING) for name, each in bodies.items()}
     still = having(REF, **both)  # type: ignore[arg-type]
     found = check_of("contact_pressure_hole", still)
-    assert (found.life_factor, found.limit) == (None, 600e6 / 1.2)
+    least = (5e7 / 1e10) ** 0.0306
+    assert found.life_factor == pytest.approx(least, rel=SAME)
+    assert found.limit == pytest.approx(600e6 * least / 1.2, rel=SAME)
     assert (found.reason, found.missing) == ("life_without_speed", ("load.input_speed",))
-    assert life_left_out(still) == {"pin", "hole"}
+    assert life_left_out(still) == set()
     turning = having(still, input_speed=SPEED)
     assert life_left_out(turning) == set()
     unknown = having(turning, pin_material=replace(PIN, limit=None))
@@ -126,7 +128,19 @@ def test_a_limit_within_the_loss_of_a_long_life_fails() -> None:
     pressure = float(Results(REF).hertz.governing_pressure)
     limit = replace(LASTING, pressure=1.2 * 1.06 * pressure)
     design = having(REF, hole_material=replace(HOLE, limit=limit))
-    assert check_of("contact_pressure_hole", design).status == "pass"
+    unknown = check_of("contact_pressure_hole", design)
+    says(
+        unknown._replace(at={}, life_factor=None),
+        status="marginal",
+        value=PRESSURE,
+        limit=1.06 * PRESSURE * (5e7 / 1e10) ** 0.0306,
+        utilisation=1 / (1.06 * (5e7 / 1e10) ** 0.0306),
+        torque_reserve=(1.06 * (5e7 / 1e10) ** 0.0306) ** 2,
+        reason="range_decides",
+        missing=("load.input_speed",),
+    )
+    worse = having(design, output_torque=500 * 1.06**2 * 1.001)  # without a factor of the life
+    assert check_of("contact_pressure_hole", worse).status == "fail"
     lasting = having(design, input_speed=SPEED, life=5000 * 3600)
     assert check_of("contact_pressure_hole", lasting).status == "fail"
     for fix in fixes_of(lasting, ["contact_pressure_hole"]):

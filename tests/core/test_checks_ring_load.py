@@ -153,6 +153,7 @@ def test_limits_are_those_of_each_body_over_its_own_loads() -> None:
     assert (plain.limit, plain.reason) == (pytest.approx(1500e6 / 1.2), "no_life_curve")
     still = check_of("ring_pressure_pin", A7)
     assert (still.reason, still.missing) == ("life_without_speed", ("load.input_speed",))
+    assert still.limit == pytest.approx(1800e6 * (5e7 / 1e10) ** 0.0306 / 1.2, rel=SAME)
 
 
 def test_the_peak_torque_is_held_against_static_limits() -> None:
