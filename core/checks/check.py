@@ -629,12 +629,14 @@ class Verdict:
         Code of the check that decides of those that are made: the worst failing one, else the one
         next to its limit.
     torque_reserve : float or None
-        Factor on the torque at which the first check fails; None of what cannot exist.
+        Factor on the torque at which the first check fails; None where no largest torque is known,
+        but of plastics, which may not last: of these that at which they yield at once counts.
     largest_torque_known : bool
         Whether the torque alone decides: nothing fails that less torque does not cure, by a factor
         that is known, and of parts one is judged; without parts nothing is unknown.
     largest_torque_of : tuple of str
-        Parts that are judged and that it is of: of the whole it is an upper bound.
+        Parts that are judged and that it is of, where it is known: of the whole it is an upper
+        bound.
     largest_torque_estimated : bool
         Whether that torque is an estimate: a reserve that fails or comes first is rough.
     counts : dict of str to int
@@ -707,6 +709,9 @@ def verdict(
     checks: Iterable[Check],
     not_considered: tuple[str, ...] = (),
     parts: tuple[PartVerdict, ...] = (),
+    *,
+    unknown: bool = False,
+    once: bool = False,
 ) -> Verdict:
     """The verdict of checks.
 
@@ -718,6 +723,10 @@ def verdict(
         What is not looked at, keys of `NOT_CONSIDERED`.
     parts : tuple of PartVerdict
         What the parts of a reducer come to, of which the verdict is made; none of what has none.
+    unknown : bool
+        Whether less torque than all that is known may be too much.
+    once : bool
+        Whether what is known is of loads that act once only, as of plastics.
 
     Returns
     -------
@@ -729,7 +738,9 @@ def verdict(
     >>> passing = judged(pin_static, 50.0, 100.0, reserve=2.0)
     >>> found = verdict([Check(pin_fatigue, "not_checked"), passing])
     >>> found.verdict, found.governing, found.torque_reserve
-    ('incomplete', 'pin_static', 2.0)
+    ('incomplete', 'pin_static', None)
+    >>> verdict([passing]).torque_reserve
+    2.0
     """
     ranked = tuple(sorted(checks, key=rank))
     statuses = [each.status for each in ranked]
@@ -737,8 +748,7 @@ def verdict(
     decided = [each for each in ranked if each.status in ("fail", "marginal", "pass")]
     held = (each for each in ranked if each.only_needed)
     counted = [each for each in (*decided, *held) if each.by_torque and not each.warning]
-    bears = bool(counted) and not cannot_be(ranked)
-    least = min(each.reserve for each in counted) if bears else None
+    bears = bool(counted) and not unknown and not cannot_be(ranked)
     outcome: Outcome = "pass"
     if parts:
         outcome = whole(parts)
@@ -751,13 +761,16 @@ def verdict(
     stuck = any(each.status == "fail" and not each.by_torque for each in decided)
     having = {each.kind.part for each in counted}
     of = tuple(part.code for part in parts if part.judged and part.code in having)
-    unknown = not of if parts else counts["not_checked"]
+    whole_known = bool(of) if parts else not counts["not_checked"]
+    known = bears and whole_known and not stuck and not once
+    necessary = once or any(each.only_needed or each.reason == "range_decides" for each in counted)
+    least = min(each.reserve for each in counted) if known or (bears and necessary) else None
     return Verdict(
         verdict=outcome,
         governing=decided[0].code if decided else None,
         torque_reserve=least,
-        largest_torque_known=bears and not stuck and not unknown,
-        largest_torque_of=of,
+        largest_torque_known=known,
+        largest_torque_of=of if known else (),
         largest_torque_estimated=any(
             each.rough and (each.status == "fail" or each.torque_reserve == least)
             for each in decided

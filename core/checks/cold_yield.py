@@ -1,5 +1,6 @@
 """The torque at which a plastic yields at once: all that is known of what may not last."""
 
+import math
 from dataclasses import dataclass
 from typing import Literal
 
@@ -7,7 +8,7 @@ from core.checks.check import Check, Verdict
 from core.checks.crank_planetary import crank_check, under
 from core.checks.plastics import PLASTICS, cold_limits
 from core.design.results import Results
-from core.errors import UNKNOWN, if_known, required
+from core.errors import UNKNOWN, required
 from core.hertz import Body
 
 LOOKS, NEAR = 6, 1e-4
@@ -49,8 +50,8 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
     Returns
     -------
     ColdYield or None
-        None where no plastic touches, where the strength of one is not known, and where the parts
-        do not go together.
+        None where no plastic touches, where of one, or of teeth, it is not known, and where the
+        parts do not go together.
 
     Raises
     ------
@@ -58,22 +59,21 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
         If its friction is not known.
     """
     design, checks = results.design, {each.code: each for each in found.checks}
-    check = checks.get("contact_static_cold")
+    check, teeth = checks.get("contact_static_cold"), checks.get("ring_static_cold")
     if check is None or not check.by_torque:
         return None
 
     friction, looks = design.hole_friction.high, LOOKS if check.rough or results.solved else 0
     try:
         factor = _settled(results, check, looks)
+        of_teeth = _settled(results, teeth, LOOKS) if teeth else math.inf
     except UNKNOWN:
         return None
     limits = cold_limits(results=results, contact=results.static_contact)
     body = min(limits, key=limits.__getitem__)
     strength = design.lasting[body].known_strength(body, f"contact.{body}_material")
-    teeth = checks.get("ring_static_cold")
-    of_teeth = if_known(lambda: _settled(results, teeth, LOOKS)) if teeth else None
     part: Literal["contact", "teeth"] = "contact"
-    if of_teeth and of_teeth < factor:
+    if of_teeth < factor:
         own = min(design.plastic_teeth, key=results.ring.cold_limit)
         part, body, factor = "teeth", "hole" if own == "disc" else "pin", of_teeth
         strength, friction = results.ring.teeth_strength(own), design.teeth_friction.high

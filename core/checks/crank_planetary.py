@@ -227,26 +227,27 @@ def of_parts(*, design: Design, checks: Iterable[Check]) -> Verdict:
         "ligament_strength": "body" in judged,
         **dict.fromkeys(UNCOVERED, True),
     }
-    found = verdict(made, tuple(name for name, so in left_out.items() if so), parts)
-    soft = "contact" in design.scope and bool(design.load) and design.plastics
-    if any(_unknown(design, each) for each in made):
-        found = replace(found, torque_reserve=None, largest_torque_known=False)
-    if design.clearance_unknown or soft:  # with any clearance it is less; plastics may not last
-        return replace(found, largest_torque_known=False, largest_torque_of=())
-    return found
+    return verdict(
+        made,
+        tuple(name for name, so in left_out.items() if so),
+        parts,
+        unknown=design.clearance_unknown or any(map(_unknown, made)),
+        once="contact" in design.scope and bool(design.load and design.plastics),
+    )
 
 
-NOTHING_KNOWN = ("limit_unknown", "yield_unknown", "direction_unknown", "friction_unknown")
+NOTHING_KNOWN = (
+    "limit_unknown",
+    "static_limit_unknown",
+    "yield_unknown",
+    "direction_unknown",
+    "friction_unknown",
+)
 """Reasons for which a check knows nothing of what a body bears, which may be less than all else."""
 
 
-def _unknown(design: Design, check: Check) -> bool:
-    """Whether a check knows nothing of what a body bears, or only a bound above it; of a metal of
-    whose contact no limit is known its yield strength says something.
-    """
-    if check.reason == "limit_unknown" and check.code.startswith("contact_pressure"):
-        material = design.lasting["pin" if check.code.endswith("pin") else "hole"]
-        return check.opens and not (material.yield_governs and material.yield_strength)
+def _unknown(check: Check) -> bool:
+    """Whether a check knows nothing of what a body bears, or only a bound above it."""
     bounded = check.status == "fail" and check.reason == "above_any"
     return bounded or (check.opens and check.reason in NOTHING_KNOWN)
 
@@ -303,14 +304,12 @@ def _lacks(design: Design, part: Part, own: list[Check]) -> Iterator[NotKnown]:
         yield NotKnown("clearance_unknown", missing)
     if by_forces and design.rollers and design.rollers.radial_clearance is None:
         yield NotKnown("roller_clearance_unknown", "rollers.radial_clearance")
+    if "gear" in part.sections and gear and gear.kind == "cycloid" and gear.modification is None:
+        yield NotKnown("modification_unknown", "gear.modification")
     if part.code == "teeth":
-        if gear and gear.kind == "cycloid":
-            if gear.modification is None:
-                yield NotKnown("modification_unknown", "gear.modification")
-        elif gear and gear.kind == "involute":
-            if gear.unknown_teeth:
-                yield NotKnown("teeth_not_judged", *gear.unknown_teeth)
-        elif gear:
+        if gear and gear.kind == "involute" and gear.unknown_teeth:
+            yield NotKnown("teeth_not_judged", *gear.unknown_teeth)
+        elif gear and gear.kind not in ("cycloid", "involute"):
             yield NotKnown("teeth_not_judged")
     elif "gear" in part.sections and gear and gear.kind == "none":
         yield NotKnown("no_ring_force", "gear.kind")

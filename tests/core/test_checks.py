@@ -187,12 +187,14 @@ def test_order_and_verdict() -> None:
     assert verdict(every).verdict == "fail"
     assert verdict(every).impossible and verdict(every).torque_reserve is None
     assert not verdict(every).largest_torque_known
-    assert verdict(every[:-1]).torque_reserve == 0.25  # not the warning's
+    assert verdict(every[:-1]).torque_reserve is None  # of what no torque cures
+    assert verdict([three, four, six, seven]).torque_reserve == 0.25  # not the warning's
     assert verdict([three, four, seven]).largest_torque_known
     unknown = verdict([five, seven, eight])
     assert unknown.verdict == "incomplete"
     assert (unknown.checks[0], unknown.governing) == (eight, five.code)
     assert not verdict([five, eight]).largest_torque_known
+    assert verdict([five, eight]).torque_reserve is None
     assert verdict([five, six, seven]).verdict == "marginal"
     assert verdict([seven]).verdict == "incomplete"
     room = judged(CHECKS["line_spacing"], 2.0, 0.0)
@@ -276,7 +278,7 @@ def test_fixes_cure_and_are_not_larger_than_needed(torque: float) -> None:
 
 
 def test_fixes_are_rounded_to_the_safe_side_and_say_what_else_changes() -> None:
-    design = having(REF, output_torque=1500.0)
+    design = having(REF, output_torque=1000.0)
     current = crank_checks(Results(design))
     fixes = fixes_of(design, ["contact_pressure_hole"])
     assert {"contact.pin_radius", "contact.contact_length", "load.output_torque"} <= {

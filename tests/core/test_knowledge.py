@@ -1,7 +1,8 @@
 """What is not known is never judged milder: values of a material typed within their range, and some
-of them taken away.
+of them taken away; what need not be given of a whole reducer.
 """
 
+import math
 from dataclasses import dataclass, replace
 from random import Random
 from typing import Any
@@ -10,13 +11,16 @@ import pytest
 
 from core.checks.check import Verdict
 from core.checks.crank_planetary import crank_verdict
+from core.contact_life import CURVES, LifeCurve
 from core.design.results import Results
-from core.design.sections import DesignPin, Friction
+from core.design.ring import CycloidRing
+from core.design.sections import PART_NAMES, DesignPin, Friction, RollingBearing
 from core.hertz import ContactLimit, Layers
 from core.material_table import MATERIALS
 from core.materials import NOT_LISTED, PLASTICS, Range, TableMaterial, by_values
-from core.precision import EXACT
-from tests.inputs.checks import REF, having
+from core.precision import EXACT, SEARCHED
+from core.ring.profile import Modification
+from tests.inputs.checks import REF, WHOLE, having
 from tests.oracles.seeds import seeds
 
 STEEL = replace(
@@ -69,6 +73,10 @@ def spread(entry: TableMaterial, *names: str) -> tuple[float, float] | None:
     return None
 
 
+NAMED = {"friction": "coefficient", "allowable": "allowable_pressure"}
+"""Fields of what is taken away, where they have another name."""
+
+
 def holds(monkeypatch: pytest.MonkeyPatch, whole: Typed, removed: list[str], torque: float) -> None:
     """The rule, of one case, under a torque."""
     own = having(FITTED, output_torque=torque)
@@ -92,7 +100,7 @@ def holds(monkeypatch: pytest.MonkeyPatch, whole: Typed, removed: list[str], tor
             assert each.code in failing, (whole, removed)
         elif each.code in failing:  # the answer names what decides
             assert {name.rpartition(".")[2] for name in each.missing} & {
-                "coefficient" if name == "friction" else name for name in removed
+                NAMED.get(name, name) for name in removed
             }, (each, removed)
 
 
@@ -167,7 +175,115 @@ def test_a_metal_of_which_less_is_known_is_judged_no_milder(
         friction=random.uniform(0.0, 0.1),
         allowable=random.uniform(400e6, 1500e6),
     )
-    names = random.sample(["yield_strength", "friction"], random.randint(1, 2))
+    names = random.sample(["yield_strength", "friction", "allowable"], random.randint(1, 2))
     reserve = whole.verdict.torque_reserve
     assert reserve is not None
     holds(monkeypatch, whole, names, FITTED.load.output_torque * reserve * random.uniform(0.7, 1.3))
+
+
+LASTING = ContactLimit("given", 1.5e9, curve="hardened")
+SMOOTH = replace(STEEL, limit=LASTING, yield_strength=600e6)
+BEARING = RollingBearing(
+    kind="roller",
+    dynamic_rating=40e3,
+    static_rating=30e3,
+    bore_diameter=0.03,
+    outer_diameter=0.062,
+    width=0.016,
+)
+REDUCER = having(
+    WHOLE,
+    distribution_factor=1.05,
+    pin_material=SMOOTH,
+    hole_material=SMOOTH,
+    gear=CycloidRing(
+        ring_pin_circle_radius=0.1,
+        ring_pin_radius=0.004,
+        modification=Modification(equidistant=5e-6),
+        pin_material=SMOOTH,
+        friction_coefficient=0.02,
+    ),
+    bearing=BEARING,
+    crankshaft=replace(WHOLE.crankshaft, bearings=(BEARING, BEARING)),
+    satellite_body=replace(REF.satellite_body, root_radius=0.09, bore_radius=0.0325),
+    min_efficiency=0.5,
+    scope=tuple(part for part in PART_NAMES if part != "teeth"),
+)
+"""All of a reducer with ideal forces on its pins, but for its teeth, which take long."""
+
+OPTIONAL: dict[str, dict[str, Any]] = {
+    # what is taken away: its values
+    "speed": {"input_speed": None},
+    "modification": {"gear.modification": None},
+    "clearance": {"clearance_stated": False},
+    "friction": {"friction": None},
+    "fatigue": {"fatigue": None},
+    "rating": {"bearing.dynamic_rating": None},
+    "static rating": {"bearing.static_rating": None},
+    "ratings of the crank": {"crankshaft.bearings": ()},
+    "limit of the holes": {"hole_material": replace(SMOOTH, limit=None)},
+    "yield of the pins' surface": {"pin_material": replace(SMOOTH, yield_strength=None)},
+    "yield of the pins": {"pin.material": replace(WHOLE.pin.material, yield_strength=None)},
+    "bearing": {"bearing": None},
+    "body": {"satellite_body": None},
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", seeds(20, 500))
+def test_a_reducer_of_which_less_is_known_is_judged_no_milder(seed: int) -> None:
+    """The head's reserve is of the parts that it names: of these it is no larger than where all of
+    them is known.
+    """
+    random = Random(f"whole {seed}")
+    design = having(
+        REDUCER,
+        output_torque=10 ** random.uniform(1.3, 2.8),
+        input_speed=10 ** random.uniform(1.3, 3.3),  # 6e7 to 6e9 loads
+        life=5000 * 3600.0,
+        **{
+            "friction.coefficient": random.uniform(0.0, 0.1),
+            "bearing.dynamic_rating": 10 ** random.uniform(4, 5),
+            "contact.hole_radius": 0.010,
+        },
+    )
+    name = [*OPTIONAL][seed % len(OPTIONAL)]
+    less, said = crank_verdict(Results(having(design, **OPTIONAL[name]))), (seed, name)
+    given = crank_verdict(Results(design))
+    failing = {each.code for each in given.checks if each.status == "fail"}
+    assert less.verdict != "pass" or given.verdict == "pass", said
+    assert not {each.code for each in less.checks if each.status == "pass"} & failing, said
+    assert (less.torque_reserve is not None) == less.largest_torque_known, said
+    if less.largest_torque_known:
+        scope = having(design, scope=less.largest_torque_of)
+        known = crank_verdict(Results(scope)).torque_reserve
+        assert known is not None and less.torque_reserve is not None, said
+        assert less.torque_reserve <= known * (1 + SEARCHED), said
+
+
+@pytest.mark.parametrize("curve", CURVES)
+@pytest.mark.parametrize("seed", seeds(20, 500))
+def test_a_contact_of_which_no_speed_is_known_is_judged_no_milder(
+    curve: LifeCurve, seed: int
+) -> None:
+    """By any number of loads between the knee of its curve and 1e10."""
+    random = Random(f"{curve} {seed}")
+    loads = 10 ** random.uniform(math.log10(CURVES[curve].knee), 10)
+    hole = replace(STEEL, limit=ContactLimit("given", random.uniform(5e8, 2e9), curve=curve))
+    turning = having(FITTED, hole_material=hole, life=5000 * 3600.0, input_speed=1.0)
+    turning = having(turning, input_speed=loads / turning.loads_over(5000 * 3600.0))
+    reserve = crank_verdict(Results(turning)).torque_reserve
+    assert reserve is not None
+    torque = turning.load.output_torque * reserve * random.uniform(0.7, 1.3)
+    given, less = (
+        crank_verdict(Results(having(turning, output_torque=torque, **speed)))
+        for speed in ({}, {"input_speed": None})
+    )
+    assert less.torque_reserve is not None and given.torque_reserve is not None
+    assert less.torque_reserve <= given.torque_reserve * (1 + 1e-3)  # of rounded exponents
+    assert less.verdict != "pass" or given.verdict == "pass"
+    found = less["contact_pressure_hole"]
+    assert given["contact_pressure_hole"].status == "fail" or found.status != "fail"
+    assert found.missing == ("load.input_speed",)
+    if given.verdict == "fail":
+        assert less.verdict == "fail" or found.reason == "range_decides"

@@ -72,14 +72,15 @@ def test_all_parts_of_a_sound_design_pass() -> None:
 def test_teeth_whose_modification_is_not_known_are_open() -> None:
     found = crank_verdict(Results(UNMODIFIED))
     opened = {each.code: each.status for each in found.parts}
-    unknown = ("teeth", "losses")  # which are of teeth too
+    # What the teeth load is not known either, and losses are of teeth too.
+    unknown = ("teeth", "satellite_bearing", "crank_bearings", "losses")
     assert opened == dict.fromkeys(PARTS, "pass") | dict.fromkeys(unknown, "open"), found.parts
     assert reasons(UNMODIFIED) == dict.fromkeys(unknown, "modification_unknown")
     assert found.verdict == "incomplete"
     judged = having(UNMODIFIED, scope=tuple(part for part in PART_NAMES if part not in unknown))
     alone = crank_verdict(Results(judged))
     assert alone.verdict == "pass" and statuses(judged)["teeth"] == "left_out"
-    assert {*alone.largest_torque_of} == {"contact", "pins", "satellite_bearing", "crank_bearings"}
+    assert {*alone.largest_torque_of} == {"contact", "pins"}
     assert "teeth" in alone.not_considered and "body" not in alone.not_considered
 
 
@@ -147,8 +148,8 @@ def test_what_a_part_needs_opens_it(name: str) -> None:
 def test_a_material_without_a_limit_opens_the_contact() -> None:
     unknown = having(SOUND, hole_material=ElasticMaterial(118e9, 0.3, yield_strength=500e6))
     assert reasons(unknown)["contact"] == "limit_unknown"
-    of = crank_verdict(Results(unknown)).largest_torque_of
-    assert "contact" not in of and "pins" in of
+    found = crank_verdict(Results(unknown))
+    assert (found.torque_reserve, found.largest_torque_of) == (None, ())
     worse = having(unknown, output_torque=5000.0)  # open never hides a fail
     assert statuses(worse)["contact"] == "fail"
 
@@ -179,6 +180,7 @@ def test_a_clearance_that_is_not_known_opens_what_reads_forces() -> None:
         "teeth": "modification_unknown"
     }
     assert not found.largest_torque_known and found.largest_torque_of == ()
+    assert found.torque_reserve is None
     perfect = having(unknown(SOUND), clearance_stated=True)
     assert statuses(perfect)["contact"] == "pass"
     alone = having(unknown(SOUND), eccentricity=None)

@@ -465,6 +465,10 @@ def test_plastic_teeth_may_yield_before_the_holes(
     cold = cold_yield(results=results, found=crank_verdict(results))
     assert cold is not None and cold.part == part
     assert "ring_pressure_disc" in cold.open
+    unmade = Results(
+        having(design, gear=replace(teeth, modification=None))
+    )  # its teeth may be worse
+    assert cold_yield(results=unmade, found=crank_verdict(unmade)) is None
     times = cold.torque / 20.0
     near = having(design, output_torque=cold.torque)
     if "peak_torque" in changes:
