@@ -761,10 +761,11 @@ def verdict(
     stuck = any(each.status == "fail" and not each.by_torque for each in decided)
     having = {each.kind.part for each in counted}
     of = tuple(part.code for part in parts if part.judged and part.code in having)
-    whole_known = bool(of) if parts else not counts["not_checked"]
-    known = bears and whole_known and not stuck and not once
-    necessary = once or any(each.only_needed or each.reason == "range_decides" for each in counted)
-    least = min(each.reserve for each in counted) if known or (bears and necessary) else None
+    enough = bool(of) if parts else not counts["not_checked"]
+    known = bears and enough and not stuck and not once
+    bounds = any(each.only_needed or each.reason == "range_decides" for each in counted)
+    bounded = bears and (once or (bounds and not of))
+    least = min(each.reserve for each in counted) if known or bounded else None
     return Verdict(
         verdict=outcome,
         governing=decided[0].code if decided else None,

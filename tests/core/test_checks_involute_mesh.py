@@ -291,7 +291,7 @@ def test_limits_are_those_of_each_body_over_its_own_loads() -> None:
         assert check.limit == pytest.approx(limit * factor / 1.25, rel=SAME)
     unknown = check_of("ring_pressure_pin", geared(B1, ring_material=replace(STEEL, limit=None)))
     assert unknown.missing == ("gear.ring_material.allowable_pressure",)
-    given = geared(B1, satellite_material=nitrided)
+    given = geared(B1, satellite_material=replace(nitrided, limit=ContactLimit("given", 2e9)))
     assert check_of("ring_pressure_disc", given).limit == pytest.approx(2e9 / 1.2)
 
 
