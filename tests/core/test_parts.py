@@ -247,14 +247,12 @@ def test_the_contact_at_the_peak_torque_by_the_static_limit(share: float) -> Non
         assert (nobody.status, nobody.missing) == ("not_asked", ("load.peak_torque",))
         # what a material without a static limit bears for many loads it bears once
         lasting = replace(PIN, limit=ContactLimit("given", share * at_peak))
-        beyond = having(design, **{f"{body}_material": lasting})
-        found = check_of(f"contact_static_{body}", beyond)
+        found = check_of(f"contact_static_{body}", having(design, **{f"{body}_material": lasting}))
         if share > 1:
             assert (found.status, found.criterion) == ("pass", "given")
             assert found.limit == pytest.approx(share * at_peak, rel=SAME)
         else:
             assert (found.status, found.reason) == ("not_checked", "static_limit_unknown")
-            assert crank_verdict(Results(beyond)).torque_reserve is None
         limitless = having(design, **{f"{body}_material": replace(PIN, limit=None)})
         assert check_of(f"contact_static_{body}", limitless).reason == "limit_unknown"
     # with clearance the forces are those that are solved at the peak
@@ -263,6 +261,17 @@ def test_the_contact_at_the_peak_torque_by_the_static_limit(share: float) -> Non
     assert check_of("contact_static_pin", loose).value == pytest.approx(
         check_of("contact_pressure_pin", there).value, rel=EXACT
     )
+
+
+def test_beyond_a_static_limit_that_is_not_known_no_reserve_is_stated() -> None:
+    strong = {"pin.material": ElasticMaterial(210e9, 0.3, yield_strength=5e9)}
+    design = having(SOUND, scope=("contact", "pins"), **strong)
+    assert crank_verdict(Results(design)).torque_reserve is not None
+    found = crank_verdict(Results(having(design, peak_torque=60.0 * 30)))
+    assert [each.reason for each in found.parts if each.code == "contact"] == [
+        "static_limit_unknown"
+    ]
+    assert (found.torque_reserve, found.largest_torque_of) == (None, ())
 
 
 def test_the_usual_fit_is_the_design_with_its_clearance() -> None:
