@@ -25,6 +25,7 @@ import weakref
 from collections import deque
 from collections.abc import AsyncGenerator, Callable, Iterable
 from contextlib import suppress
+from multiprocessing import forkserver
 from multiprocessing.process import BaseProcess
 from typing import Any, Self
 
@@ -128,6 +129,8 @@ class Jobs:
             self._replace(self._free.pop())
         for child in self._children:
             child.kill()  # whoever runs a job in it sees that
+        if self._starting:
+            _end_server()
         self._refuse_waiting()
 
     def admit(self, client: str = "") -> None:
@@ -367,6 +370,12 @@ def _started(former: BaseProcess | None) -> _Child:
         with STARTING:
             process.start()
     return child
+
+
+def _end_server() -> None:
+    """End the fork server, which answers nobody while it imports: another one starts if wanted."""
+    if pid := forkserver._forkserver._forkserver_pid:  # type: ignore[attr-defined]
+        os.kill(pid, signal.SIGKILL)
 
 
 def _kill(process: BaseProcess) -> None:

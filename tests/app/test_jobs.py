@@ -5,8 +5,11 @@ import gc
 import os
 import random
 import signal
+import subprocess
+import sys
 import threading
 from collections import Counter
+from pathlib import Path
 
 import pytest
 
@@ -196,6 +199,31 @@ async def test_signals_to_the_group_do_not_end_a_job(started, gate):
     gate.let()
     ((pid,),) = [await job]
     assert pid in pids(started)
+
+
+HELD = """
+import asyncio
+from app.jobs import Jobs
+
+async def ended_while_its_server_imports():
+    async with Jobs(processes=1, waiting=1, preload=["held"]):
+        await asyncio.to_thread(lambda: open("came").read())
+
+if __name__ == "__main__":
+    asyncio.run(ended_while_its_server_imports())
+"""
+
+
+def test_a_server_that_is_still_importing_is_not_waited_for(tmp_path):
+    """It may compile the loops for minutes; here it waits for what never comes."""
+    for name in ("came", "never"):
+        os.mkfifo(tmp_path / name)
+    (tmp_path / "held.py").write_text("open('came', 'w').close(), open('never').read()")
+    (tmp_path / "main.py").write_text(HELD)
+    paths = os.pathsep.join((str(tmp_path), str(Path(module.__file__).parent.parent)))
+    environment = os.environ | {"PYTHONPATH": paths}
+    ran = [sys.executable, "main.py"]
+    subprocess.run(ran, cwd=tmp_path, env=environment, check=True, timeout=60)
 
 
 async def test_a_process_has_its_time_to_start_once_its_server_has_forked_it(monkeypatch):
