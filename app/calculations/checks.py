@@ -308,7 +308,7 @@ class JudgedResponse(AssumingResponse):
     )
     fixes: Maybe[list[FixOut]] = Field(
         description="What cures the governing check, or all that fail, where asked; empty where no "
-        "input does from a twentieth of it to 20 times."
+        "change of a value that can be offered does."
     )
 
 
@@ -388,28 +388,12 @@ def _reason(found: Check | PartVerdict, body: RequestModel) -> Values:
     return values
 
 
-ABSENT = ("load.torque_direction", "pin.bore_diameter", "gear.modification.rotation")
-"""Defaults by which there is none of a thing: torque the other way, bore, turned flanks."""
-
 IDEAL_ALONE = ("contact.distribution_factor", "load.force_exponent")
 """What has no part in forces that are solved."""
 
-USES_UP, TIRES = 1.35, 2.0
-"""Least reserves that usual ones of these do not use up, and those of pins that tire."""
-
-
-def _moves(name: str, check: Check, body: Any) -> bool:
-    """Whether a usual value instead of a default may move a check."""
-    if name in IDEAL_ALONE:
-        return not body.design.as_made
-    reach = TIRES if check.code == "pin_fatigue" else USES_UP
-    return name not in ABSENT or 1 <= check.reserve < reach
-
 
 def usual_values(body: Any, verdict: Verdict) -> dict[tuple[str, ...], float | str]:
-    """Values of a reducer that were not typed and that checks are judged by, by paths of fields,
-    without those that move none of them.
-    """
+    """Values of a reducer that were not typed and that checks are judged by, by paths of fields."""
     found: dict[tuple[str, ...], float | str] = {}
     decided = [each for each in verdict.checks if each.status in ("pass", "marginal", "fail")]
     for check, name in ((each, name) for each in decided for name in each.kind.inputs):
@@ -417,7 +401,7 @@ def usual_values(body: Any, verdict: Verdict) -> dict[tuple[str, ...], float | s
         parent = _value(body, path[:-1])
         if not path or parent is None or path[-1] in parent.model_fields_set:
             continue
-        if not _moves(name, check, body):
+        if name in IDEAL_ALONE and body.design.as_made:
             continue
         value = getattr(parent, path[-1], None)
         if value is None:
@@ -425,6 +409,9 @@ def usual_values(body: Any, verdict: Verdict) -> dict[tuple[str, ...], float | s
             value = from_si(path[-1], usual.get(name))
         if isinstance(value, (float, str)):
             found.setdefault(path, value)
+    mechanism = body.mechanism
+    if any(each.kind.loaded for each in decided) and "output" not in mechanism.model_fields_set:
+        found["mechanism", "output"] = mechanism.output
     return found
 
 

@@ -469,7 +469,7 @@ export default {
     title: "What mends it",
     seeking: "Looking for what mends it …",
     long: "Which changes would help took longer to find than the service allows. Fewer sections, or no clearance and errors, make it faster; “Size for …” beside a field looks for one value.",
-    none: "Nothing found: no change of a value up to 20 times mends it.",
+    none: "Nothing found: no change that can be offered mends it.",
     change: "{field} {from} → {to} ({change})",
     choice: "{field}: {from} → {to}",
     notEnough: "Changing {field} alone is not enough.",
