@@ -1,8 +1,8 @@
 /** Asking the service for results: 50 ms after the last key or at once, the newest request only. */
 import { newestOnly, Problem } from "./lib/api.js";
 import { readState, stateFromInput } from "./lib/form_state.js";
-import { isMended, judgedOf, usuallyOf } from "./lib/checks.js";
-import { answered, asked, compared, failed, mended, withUsual } from "./store.js";
+import { isLimited, isMended, judgedOf, usuallyOf } from "./lib/checks.js";
+import { answered, asked, compared, failed, limited, mended, withUsual } from "./store.js";
 
 const DEBOUNCE_MS = 50;
 const AGAIN_MS = [1000, 2000, 4000, 8000]; // after a failure of the service; the last from then on
@@ -47,6 +47,7 @@ export function createAsking({ store, client, designs }) {
   const answers = new Map(); // of the designs that are kept, by their inputs
   let timer = 0;
   let failures = 0;
+  let settled = Promise.resolve(); // the question for the largest torque
   let comparison = 0; // how often it was asked for: an earlier one does not come after a later
 
   function answerOf(input) {
@@ -54,6 +55,7 @@ export function createAsking({ store, client, designs }) {
     if (!answers.has(key)) {
       const { filled } = readState(model, stateFromInput(model, input));
       answers.set(key, askSections({ client, calculator, input, filled, tables: new Set() })
+        .then(async (found) => ({ ...found, answer: found.answer && { ...found.answer, ...await limitOf(found.answer, input, filled) } }))
         .catch((problem) => {
           if (!problem.passing) return { answer: null };
           answers.delete(key); // asked for again with the next answer of the service
@@ -61,6 +63,13 @@ export function createAsking({ store, client, designs }) {
         }));
     }
     return answers.get(key);
+  }
+
+  /** What an answer says of the largest torque of a design that is kept. */
+  async function limitOf(answer, input, filled) {
+    if (!isLimited(calculator, answer)) return {};
+    const { torque_reserve, largest_torque_Nm, largest_torque_of } = await calculator.mend({ post: postingOnce(client), get: client.get, input, filled, include: calculator.limit }).catch(() => ({}));
+    return largest_torque_Nm === undefined ? {} : { torque_reserve, largest_torque_Nm, largest_torque_of };
   }
 
   /** The designs kept of this calculator, each with its answer and what was asked for it: null where it was refused, undefined where it was not to be had. */
@@ -80,9 +89,15 @@ export function createAsking({ store, client, designs }) {
     further.cancel();
   }
 
-  /** After all that somebody waits for, one after the other: what mends the design that is shown, what becomes of it with what is usual. */
+  /** After all that somebody waits for, one after the other: the largest torque of the design that is shown, what mends it, what becomes of it with what is usual. */
   async function lookFurther(shown) {
     const look = (own) => further.ask((signal) => calculator.mend({ post: postingOnce(client, signal, [], true), get: client.get, ...own, ...shown }));
+    if (isLimited(calculator, shown.answer)) {
+      settled = look({ include: calculator.limit });
+      const { answer = {}, superseded } = await settled;
+      if (superseded) return;
+      store.apply(limited, shown, answer);
+    }
     if (isMended(calculator, shown.answer)) {
       const { answer = {}, problem, superseded } = await look();
       if (superseded) return;
@@ -90,7 +105,7 @@ export function createAsking({ store, client, designs }) {
     }
     const include = usuallyOf(calculator, shown.answer);
     if (include.length === 0) return;
-    const { answer = {}, superseded } = await look({ include });
+    const { answer = {}, superseded } = await look({ include: [...include, ...calculator.limit ?? []] });
     if (!superseded) store.apply(withUsual, shown, answer);
   }
 
@@ -126,6 +141,8 @@ export function createAsking({ store, client, designs }) {
     },
     cancel,
     compare,
+    /** Once the largest torque is known that was asked for. */
+    settled: () => settled,
     /** The tables of a figure that has its own, of the results on the screen. */
     async tables(figure) {
       const { input, filled, answer } = store.state.shown;

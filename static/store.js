@@ -10,6 +10,7 @@
  * `refusal`  what the service refused: `{ at: {path: { words, place?, ask?, code? }}, text }`, or null
  * `shown`    the results on the screen: `{ typed, input, filled, answer, requests, cells }`, or null
  * `fixes`    what mends the design on the screen, `{ of: shown, list, long }`, of several inputs together first, `long` where it took too long to find, null where it was not to be had; or null
+ * `limit`    the largest torque of the design on the screen, `{ of: shown, found }`, `found` what an answer says of it; or null
  * `usual`    what becomes of it with a usual clearance, a usual ring: `{ of: shown, fit?, ring? }` as the service answers, or null
  * `curves`   the curves of a figure that the drawing needs: `{ of: shown, data }`
  * `kept`     the designs that are kept, each with its answer; null until these are known
@@ -21,7 +22,7 @@
  * `line`     the line under the verdict, `[level, text]`; `said`, what is announced
  */
 import { judgedOf, pathOf, verdictSentence, wordIn, wordOf } from "./lib/checks.js";
-import { formatNumber } from "./lib/format.js";
+import { formatNumber, formatQuantity } from "./lib/format.js";
 import { begun, paused, recorded, redone, undone } from "./lib/history.js";
 import { isOn, readState, shownFields, textIn, withLinks } from "./lib/form_state.js";
 import { query } from "./lib/url_state.js";
@@ -66,7 +67,7 @@ function read(state, history) {
 export function opened(about, design, theme, claim = {}, history = null) {
   const typed = withLinks(about.model, design);
   const state = read({
-    about, theme, touched: new Set(), insisted: false, address: null, refusal: null, shown: null, fixes: null, usual: null, curves: null,
+    about, theme, touched: new Set(), insisted: false, address: null, refusal: null, shown: null, fixes: null, limit: null, usual: null, curves: null,
     kept: null, besides: {}, tables: new Set(), turn: { angle: 0, pair: null, own: false }, line: ["", ""], said: "",
     claim: { ...claim, typed },
   }, history ? recorded(history, typed) : begun(typed));
@@ -246,6 +247,16 @@ function announced(shown, { calculator, titles }) {
 
 /** What would mend the design that is shown; of another one it is passed over. */
 export const mended = (state, of, list, long = false) => (state.shown?.answer === of.answer ? { ...state, fixes: { of, list, long } } : state);
+
+/** The largest torque of that design; nothing of it where it is not known. */
+export function limited(state, of, { torque_reserve, largest_torque_Nm, largest_torque_of }) {
+  if (state.shown?.answer !== of.answer) return state;
+  const said = largest_torque_Nm === undefined ? state.said : message("checks.largestTorque", { torque: formatQuantity(largest_torque_Nm, "N·m", 4) });
+  return { ...state, said, limit: { of, found: { torque_reserve, largest_torque_Nm, largest_torque_of } } };
+}
+
+/** The answer on the screen, with the largest torque where that is known. */
+export const answerNow = ({ shown, limit }) => (shown && limit?.of.answer === shown.answer ? { ...shown.answer, ...limit.found } : shown?.answer);
 
 /** What becomes of that design with what is usual of what is not known of it. */
 export const withUsual = (state, of, { usual_fit: fit, usual_modification: ring }) => (state.shown?.answer === of.answer ? { ...state, usual: { of, fit, ring } } : state);

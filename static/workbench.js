@@ -280,8 +280,8 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       const chosen = [document.activeElement?.closest(card), pointed, drawing.root].find((one) => one && outputs.contains(one) && one.dataset.folded !== "true");
       if (chosen && !document.querySelector("dialog[open]")) enlarge(chosen);
     },
-    print: () => rest?.print(),
-    saveReport: () => rest?.save(),
+    print: () => asking.settled().then(() => rest?.print()),
+    saveReport: () => asking.settled().then(() => rest?.save()),
     /** What helps to read the page: its symbols, each once, and what the model leaves out. */
     help() {
       const inputs = [...model.fields.values()].flatMap((field) => [field, ...field.columns ?? []])
@@ -297,6 +297,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     exchange: () => store.state.shown && {
       calculator: calculator.id,
       ...store.state.shown,
+      answer: next.answerNow(store.state),
       files: (calculator.files?.(store.state.shown) ?? []).map(({ id, path, body }) => ({ id, make: () => client.file(path, body) })),
       refused: (problem) => problemText(problem, titles),
     },

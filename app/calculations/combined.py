@@ -10,7 +10,7 @@ from app.calculations.checks import FixOut, codes_to_fix, fix_values
 from app.calculations.reducer_fixes import fixes_of, reposted
 from app.model import ResponseModel, Values
 from core.checks.check import Outcome, Verdict
-from core.checks.crank_planetary import crank_verdict
+from core.checks.reserve import crank_verdict
 from core.fixes.fix import Fix
 
 MOST = 4

@@ -68,7 +68,7 @@ from app.units import to_si
 from core.arrays import FloatArray
 from core.checks.check import Verdict
 from core.checks.cold_yield import ColdYield, cold_yield
-from core.checks.crank_planetary import crank_verdict
+from core.checks.reserve import crank_verdict
 from core.checks.shares import disc_shares
 from core.checks.usual_modification import (
     UsualModification,
@@ -107,6 +107,7 @@ Section = Literal[
     "usual_fit",
     "usual_modification",
     "checks",
+    "largest_torque",
     "fixes",
     "combined",
     "worked",
@@ -136,6 +137,7 @@ NEEDS: dict[Section, tuple[str, ...]] = {
     "usual_fit": (*_TOUCHING, "contact/eccentricity_mm"),
     "usual_modification": ("load", "contact/eccentricity_mm", "gear"),
     "checks": (),
+    "largest_torque": (),
     "fixes": (),
     "combined": (),
     "worked": (),
@@ -210,10 +212,10 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         min_length=1,
         max_length=len(NEEDS),
         description="Sections of the answer: what is not named is not computed. Where it is "
-        "absent: all but real_cyclogram, geometry, usual_fit, usual_modification, checks, fixes "
-        "and combined, as far as their input is given; members where others than the pins are the "
-        "output; load_sharing where clearance, deviations, a contact law, satellites that give or "
-        "pins that bend are. "
+        "absent: all but real_cyclogram, geometry, usual_fit, usual_modification, checks, "
+        "largest_torque, fixes and combined, as far as their input is given; members where others "
+        "than the pins are the output; load_sharing where clearance, deviations, a contact law, "
+        "satellites that give or pins that bend are. "
         "load_sharing and hertz with these are left out then where the forces cannot be solved. "
         "What rests on the forces of parts that cannot be put together is always: the check "
         "interference says why.",
@@ -381,12 +383,17 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     @cached_property
     def verdict(self) -> Verdict:
         """The verdict of the design."""
-        return crank_verdict(self.results, every="checks" in (self.include or ()))
+        return crank_verdict(self.results, largest=self.asks_largest)
+
+    @property
+    def asks_largest(self) -> bool:
+        """Whether the torque is asked at which the first check fails."""
+        return "largest_torque" in (self.include or ())
 
     @cached_property
     def usual_ring(self) -> UsualModification | None:
         """The design with a usual ring of pins."""
-        return usual_modification(self.design)
+        return usual_modification(self.design, largest=self.asks_largest)
 
     @cached_property
     def draws_real(self) -> bool:
@@ -534,7 +541,7 @@ def _geometry(body: CrankPlanetaryRequest) -> Values:
 
 def _usual_fit(body: CrankPlanetaryRequest) -> Values | None:
     """The design with a usual clearance, where none is known or 0 is stated."""
-    found = usual_clearance_too(design=body.design, ring=body.usual_ring)
+    found = usual_clearance_too(design=body.design, ring=body.usual_ring, largest=body.asks_largest)
     return UsualFitOut.of(*found) if found else None
 
 
@@ -582,6 +589,7 @@ def _judged(body: CrankPlanetaryRequest) -> Values:
         body,
         torque=body.design.load.output_torque if body.design.load else 0.0,
         checks="checks" in body.sections,
+        largest=body.asks_largest,
     )
     if "fixes" in body.sections:
         values["fixes"] = [fix_values(each, body) for each in fixes if possible(each)]

@@ -7,7 +7,7 @@ from pydantic import ValidationError
 
 from app.pointers import with_values
 from core.checks.check import Check, Verdict
-from core.checks.crank_planetary import crank_verdict
+from core.checks.reserve import crank_verdict
 from core.errors import CalculationError
 from core.fixes.crank import CHOICES, aimed, crank_fixes
 from core.fixes.fix import Fix, beyond, in_order, side_effects

@@ -149,6 +149,8 @@ class SolveRequest(WorkedFields):
         sections = SECTIONS
         if self.calculation == "crank-planetary":
             design["include"] = [target[0] if target and target[0] in sections else "checks"]
+            if target and {target[0], target[-1]} & {"torque_reserve", "largest_torque_Nm"}:
+                design["include"].append("largest_torque")
         elif self.calculation in ("roller-strength", "precession/shaft-deflection"):
             design["include"] = ["checks"] if target[:1] == ["checks"] else []
         return design

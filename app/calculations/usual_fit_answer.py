@@ -21,7 +21,7 @@ class UsualFitOut(ResponseModel):
     hole_clearance_mm: float = result("Radial clearance.", symbol="c")
     peak_force_N: Maybe[float] = result("Largest force of all pairs over the turn.", symbol="F_max")
     largest_torque_Nm: Maybe[float] = result(
-        "Torque at which the first check fails, as far as it is known."
+        "Torque at which the first check fails, where it is asked and known."
     )
     verdict: Outcome = Field(description="Of the design with it.")
 
@@ -41,9 +41,9 @@ class UsualFitOut(ResponseModel):
 
 def _largest_torque(results: Results, judged: Verdict) -> float | None:
     """Torque at which the first check fails, N*m, as far as it is known."""
-    if not judged.largest_torque_known:
+    if not judged.largest_torque_known or judged.torque_reserve is None:
         return None
-    return abs(results.design.load.output_torque) * judged.torque_reserve  # type: ignore[operator]
+    return abs(results.design.load.output_torque) * judged.torque_reserve
 
 
 class SpreadOut(ResponseModel):
@@ -77,7 +77,7 @@ class UsualModificationOut(ResponseModel):
     )
     cannot_assemble: float = result("Share of the pieces that press without load.")
     largest_torque_Nm: Maybe[float] = result(
-        "Torque at which the first check fails, as far as it is known, of the piece with the "
+        "Torque at which the first check fails, where it is asked and known, of the piece with the "
         "pressure of nine tenths."
     )
     verdict: Outcome = Field(

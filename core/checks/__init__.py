@@ -20,7 +20,8 @@ ring_load           satellites in their ring under load: pressure, play, bending
 bearings            bearings as they are bought: ratings that can be, room, speed, least load
 pin_rollers         bearings as rollers on the pins: life, load, speed, room, tilt
 balance             what turns with the crankshaft and is not balanced
-crank_planetary     all checks of the reducer, its parts, its verdict; the largest torque it holds
+crank_planetary     all checks of the reducer under its torque, its parts, what they come to
+reserve             its verdict: whether it holds a tenth more, the torque at which it first fails
 words               groups of checks, sources, what is left out
 shares              which satellite carries how much, and what hangs on it
 cold_yield          the torque at which a plastic contact yields at once

@@ -105,9 +105,10 @@ class Check(NamedTuple):
         positive.
     torque_reserve : float or None
         Factor on the torque at which the value is at its limit; None where it does not depend on
-        it, or is not known.
-    rough : bool
-        Whether the reserve is rough: with other torques forces are shared otherwise.
+        it, or is not known. Where `solved` it is what it would be if forces grew in proportion:
+        that orders checks, and no answer states it.
+    solved : bool
+        Whether forces have to be solved again under another torque, as they are shared otherwise.
     impossible : bool
         Whether the mechanism cannot exist or move so.
     warning : bool
@@ -135,7 +136,7 @@ class Check(NamedTuple):
     limit: float | None = None
     utilisation: float | None = None
     torque_reserve: float | None = None
-    rough: bool = False
+    solved: bool = False
     impossible: bool = False
     warning: bool = False
     reason: str = ""
@@ -465,8 +466,8 @@ class Measure(NamedTuple):
     reserve : callable, optional
         Factor on the torque under which the value is so many times as large, where it grows with
         it.
-    rough : bool
-        Whether that is rough.
+    solved : bool
+        Whether it does not grow in proportion, as forces are solved.
     used : callable, optional
         How much of a limit is used, where that is not their ratio.
     reason : str, optional
@@ -477,7 +478,7 @@ class Measure(NamedTuple):
     error: float = 4 * ROUNDING
     at: Mapping[str, float] = {}
     reserve: Callable[[float], float] | None = None
-    rough: bool = False
+    solved: bool = False
     used: Callable[[float], float] | None = None
     reason: str | None = None
 
@@ -499,7 +500,7 @@ def _asked(kind: Kind, found: Check | Measure, limit: float | None) -> Check:
         reserve=reserve,
         error=found.error,
         at=found.at,
-        rough=found.rough,
+        solved=found.solved,
     )
     check = check._replace(reason=found.reason or check.reason)
     return check._replace(utilisation=found.used(limit)) if found.used else check
@@ -637,8 +638,6 @@ class Verdict:
     largest_torque_of : tuple of str
         Parts that are judged and that it is of, where it is known: of the whole it is an upper
         bound.
-    largest_torque_estimated : bool
-        Whether that torque is an estimate: a reserve that fails or comes first is rough.
     counts : dict of str to int
         How many checks have each status.
     parts : tuple of PartVerdict
@@ -654,7 +653,6 @@ class Verdict:
     torque_reserve: float | None
     largest_torque_known: bool
     largest_torque_of: tuple[str, ...]
-    largest_torque_estimated: bool
     counts: dict[str, int]
     parts: tuple[PartVerdict, ...]
     not_considered: tuple[str, ...]
@@ -772,10 +770,6 @@ def verdict(
         torque_reserve=least,
         largest_torque_known=known,
         largest_torque_of=of if known else (),
-        largest_torque_estimated=any(
-            each.rough and (each.status == "fail" or each.torque_reserve == least)
-            for each in decided
-        ),
         counts=counts,
         parts=parts,
         not_considered=not_considered,

@@ -5,8 +5,9 @@ from dataclasses import dataclass
 from typing import Literal
 
 from core.checks.check import Check, Verdict
-from core.checks.crank_planetary import crank_check, under
+from core.checks.crank_planetary import crank_check
 from core.checks.plastics import PLASTICS, cold_limits
+from core.checks.reserve import under
 from core.design.results import Results
 from core.errors import UNKNOWN, required
 from core.hertz import Body
@@ -63,7 +64,7 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
     if check is None or not check.by_torque:
         return None
 
-    friction, looks = design.hole_friction.high, LOOKS if check.rough or results.solved else 0
+    friction, looks = design.hole_friction.high, LOOKS if check.solved or results.solved else 0
     try:
         factor = _settled(results, check, looks)
         of_teeth = _settled(results, teeth, LOOKS) if teeth else math.inf

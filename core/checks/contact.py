@@ -407,10 +407,10 @@ def in_disc(
             said = {"reason": disc.code, "params": disc.params, "at": more.get("at", {})}
             return Check(kind, "not_checked", value=pressure, limit=limit, **said)
     reserve = more.get("reserve") or math.inf
-    rough = results.solved or bool(results.design.pin)
-    if not rough and reserve < math.inf:
-        rough = results.ovals_under(max(reserve, MARGIN))
-    return judged(kind, pressure, limit, error=error, rough=rough, **more)
+    solved = results.solved or bool(results.design.pin)
+    if not solved and reserve < math.inf:
+        solved = results.ovals_under(max(reserve, MARGIN))
+    return judged(kind, pressure, limit, error=error, solved=solved, **more)
 
 
 def whence(limit: ContactLimit) -> dict[str, str]:

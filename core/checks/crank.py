@@ -185,7 +185,7 @@ def bearing_life(design: Design, results: Results) -> Check:
         limit,
         reserve=(value / limit) ** (1 / power),
         error=4 * power * float(found.accuracy.relative_error),
-        rough=results.crank.uneven_growth,
+        solved=results.crank.uneven_growth,
         at={"satellite": worst + 1},
     )
 
@@ -250,7 +250,7 @@ def bearing_static(design: Design, results: Results) -> Check:
         limit,
         reserve=value / limit,
         error=4 * error,
-        rough=results.crank.uneven_growth,
+        solved=results.crank.uneven_growth,
         limit_source="" if design.requirements.static_safety else "static_guide",
         at={"satellite": worst + 1},
     )
@@ -285,8 +285,8 @@ def system_life(design: Design, results: Results) -> Check:
     value = float(found.system_life)
     error = 4 * power * float(found.accuracy.relative_error)
     reserve = (value / limit) ** (1 / power)
-    rough = results.crank.uneven_growth
-    return judged(kind, value, limit, reserve=reserve, error=error, rough=rough)
+    solved = results.crank.uneven_growth
+    return judged(kind, value, limit, reserve=reserve, error=error, solved=solved)
 
 
 @_shaft(
@@ -334,7 +334,7 @@ def crank_bearing_life(design: Design, results: Results) -> Check:
         limit,
         reserve=min(reserves),
         error=4 * max(powers) * float(found.accuracy.relative_error),
-        rough=results.crank.uneven_growth,
+        solved=results.crank.uneven_growth,
         at={"bearing": worst},
     )
 

@@ -81,7 +81,7 @@ def _with_torque(results: Results, value: float) -> Measure:
         value,
         error=4 * float(results.losses.pins.accuracy.relative_error),
         reserve=lambda growth: growth,
-        rough=results.solved,
+        solved=results.solved,
     )
 
 

@@ -55,7 +55,7 @@ class Pressed(NamedTuple):
 
     value: float  # largest, Pa
     error: float  # relative, of number and model
-    rough: bool  # whether forces are shared otherwise under other torques
+    solved: bool  # whether forces are shared otherwise under other torques
     at: dict[str, Any]  # where it is reached
 
 
@@ -257,7 +257,7 @@ def mesh_root_stress(design: Design, results: Results) -> Check:
         reserve=limit / stress,
         error=results.ring.pair.accuracy.relative_error
         + results.ring.satellite_torque_error(factor),
-        rough=results.solved,
+        solved=results.solved,
         limit_source="user",
     )
 

@@ -50,7 +50,7 @@ def pin_roller_life(design: Design, results: Results) -> Check:
         limit,
         reserve=(value / limit) ** (1 / power),
         error=4 * power * found.accuracy.relative_error,
-        rough=results.solved,
+        solved=results.solved,
         at={"satellite": found.satellite, "pin": found.pin},
     )
 
@@ -87,7 +87,7 @@ def pin_roller_static(design: Design, results: Results) -> Check:
         limit,
         reserve=value / limit,
         error=4 * found.accuracy.relative_error,
-        rough=results.solved,
+        solved=results.solved,
         limit_source="" if design.requirements.static_safety else "static_guide",
     )
 
@@ -116,7 +116,7 @@ def pin_roller_max_load(design: Design, results: Results) -> Check:
         1.0,
         reserve=1 / value,
         error=4 * found.accuracy.relative_error,
-        rough=results.solved,
+        solved=results.solved,
     )
 
 

@@ -75,7 +75,7 @@ class BentPins:
 
     found: PinStrength  # what they bear
     pin: DesignPin  # one of them
-    rough: bool  # whether their forces do not grow with the torque
+    solved: bool  # whether their forces do not grow with the torque
     model_error: float = 0.0  # relative, of these forces, besides that of the numbers
 
     @property
@@ -87,7 +87,7 @@ class BentPins:
         """A stress or a safety against its limit: the torque has the reserve that it has."""
         reserve = limit / value if kind.keep == "below" else value / limit
         return judged(
-            kind, value, limit, reserve=reserve, error=self.error, rough=self.rough, **more
+            kind, value, limit, reserve=reserve, error=self.error, solved=self.solved, **more
         )
 
     def static(self, kind: Kind, *, safety: float, at: Mapping[str, Any]) -> Check:
@@ -128,7 +128,7 @@ class BentPins:
             error=self.error,
             at={"satellite": getattr(deflection, at)},
             reserve=lambda growth: growth,
-            rough=self.rough,
+            solved=self.solved,
         )
 
 
@@ -159,7 +159,7 @@ def _section(design: Design, position: float) -> dict[str, str]:
 
 def _bent(results: Results) -> BentPins:
     """The pins of the output, or the bolts through them."""
-    return BentPins(results.pin_strength, results.bent_pin, rough=results.solved)
+    return BentPins(results.pin_strength, results.bent_pin, solved=results.solved)
 
 
 def _softest(results: Results, asked: str) -> BentPins:
@@ -230,7 +230,7 @@ def pin_wall(design: Design, results: Results) -> Check:
     def by(strength: float) -> Check:
         limit = strength / design.requirements.bending_safety
         return judged(
-            pin_wall, stress, limit, reserve=limit / stress, error=error, rough=results.solved
+            pin_wall, stress, limit, reserve=limit / stress, error=error, solved=results.solved
         )
 
     if pin.material.plastic:
@@ -281,7 +281,7 @@ def _gripped(
     said = {"value": value, "status": "not_applicable"}
     limit = judged_by(most, "bolt_alone", **said) / safety
     return judged(
-        kind, value, limit, reserve=limit / value, warning="bolt_alone", rough=results.solved
+        kind, value, limit, reserve=limit / value, warning="bolt_alone", solved=results.solved
     )
 
 

@@ -158,7 +158,7 @@ def contact_solid_depth(design: Design, results: Results) -> Check:
     def by(made: Results) -> Check:
         depth = DEEP * float(made.static_contact.half_width)
         reserve = (wall / depth) ** 2
-        return judged(contact_solid_depth, depth, wall, reserve=reserve, rough=True)
+        return judged(contact_solid_depth, depth, wall, reserve=reserve, solved=True)
 
     moduli = {
         path: each for path, each in design.usual_in_holes.items() if path.endswith("modulus")

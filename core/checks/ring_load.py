@@ -386,7 +386,7 @@ def ring_seat_pressure(design: Design, results: Results) -> Check | Measure:
         error=_error(turn),
         at={"satellite": pair.satellite, "pin": pair.pin, "crank_angle": turn.peak_crank_angle},
         reserve=lambda growth: growth,
-        rough=True,
+        solved=True,
     )
 
 
@@ -440,7 +440,7 @@ def ring_efficiency(design: Design, results: Results) -> Check | Measure:
     needed=False,
 )
 def ring_pv(design: Design, results: Results) -> Check | Measure:
-    return Measure(results.ring.pv, error=_error(results.ring.working[0]), rough=True)
+    return Measure(results.ring.pv, error=_error(results.ring.working[0]), solved=True)
 
 
 RING_LOAD = (

@@ -1,7 +1,7 @@
 """A design of perfect parts, or of an unknown clearance, with one as such parts usually have."""
 
 from core.checks.check import Verdict
-from core.checks.crank_planetary import crank_verdict
+from core.checks.reserve import crank_verdict
 from core.design.document import Design, changed
 from core.design.results import Results
 from core.errors import InvalidInput, if_known, is_known
@@ -64,13 +64,15 @@ def usual_clearance(design: Design) -> tuple[str, float]:
     return fit, fit_clearance(fit=fit, hole_diameter=2 * hole, pin_diameter=2 * pin)
 
 
-def usual_fit(design: Design) -> tuple[str, Results, Verdict] | None:
+def usual_fit(design: Design, *, largest: bool = False) -> tuple[str, Results, Verdict] | None:
     """The design with a usual clearance.
 
     Parameters
     ----------
     design : Design
         The design, with load, contact and eccentricity.
+    largest : bool
+        Whether its largest torque is looked for.
 
     Returns
     -------
@@ -85,7 +87,7 @@ def usual_fit(design: Design) -> tuple[str, Results, Verdict] | None:
     except InvalidInput:
         return None
     results = Results(_cleared(design, clearance))
-    return name, results, crank_verdict(results)
+    return name, results, crank_verdict(results, largest=largest)
 
 
 def with_usual_clearance(design: Design) -> Design:

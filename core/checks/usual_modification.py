@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from core.checks.check import Verdict
-from core.checks.crank_planetary import crank_verdict
+from core.checks.reserve import crank_verdict
 from core.checks.usual_fit import soft, usual_clearance, usual_fit, with_usual_clearance
 from core.design.document import Design, changed
 from core.design.results import Results
@@ -166,7 +166,7 @@ def _looked_at(mesh: CycloidMesh, torques: list[float]) -> _Piece:
     )
 
 
-def usual_modification(design: Design) -> UsualModification | None:
+def usual_modification(design: Design, *, largest: bool = False) -> UsualModification | None:
     """The design with a usual modification where none is known, and with pins of the ring that
     stand as they usually do where nothing is known of their places.
 
@@ -174,6 +174,8 @@ def usual_modification(design: Design) -> UsualModification | None:
     ----------
     design : Design
         The design.
+    largest : bool
+        Whether its largest torque is looked for.
 
     Returns
     -------
@@ -227,12 +229,12 @@ def usual_modification(design: Design) -> UsualModification | None:
         backlash=Spread.of([each.backlash for each, _ in works]),
         cannot_assemble=pressed / len(pieces),
         results=results,
-        verdict=crank_verdict(results),
+        verdict=crank_verdict(results, largest=largest),
     )
 
 
 def usual_clearance_too(
-    *, design: Design, ring: UsualModification | None
+    *, design: Design, ring: UsualModification | None, largest: bool = False
 ) -> tuple[str, Results, Verdict] | None:
     """The design with a usual clearance, and with a usual modification where none is known.
 
@@ -242,6 +244,8 @@ def usual_clearance_too(
         The design, with load, contact and eccentricity.
     ring : UsualModification or None
         The design with such a ring.
+    largest : bool
+        Whether its largest torque is looked for.
 
     Returns
     -------
@@ -249,9 +253,9 @@ def usual_clearance_too(
         As `core.checks.usual_fit.usual_fit`.
     """
     if ring is None or design.cycloid.modification is not None:
-        return usual_fit(design)
+        return usual_fit(design, largest=largest)
     if design.clearance_unknown and ring.results.design.play:
         return usual_clearance(design)[0], ring.results, ring.verdict
     made = ring.results.design
     own = {"gear.modification": made.cycloid.modification, "deviations": made.deviations}
-    return usual_fit(changed(design, own))
+    return usual_fit(changed(design, own), largest=largest)

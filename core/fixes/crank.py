@@ -7,7 +7,8 @@ from dataclasses import replace
 from functools import cache
 
 from core.checks.check import Check, Verdict
-from core.checks.crank_planetary import crank_check, crank_verdict, two_ways, under
+from core.checks.crank_planetary import crank_check
+from core.checks.reserve import crank_verdict, two_ways, under
 from core.checks.usual_fit import usual_clearance
 from core.design.document import Design, value_at
 from core.design.results import Results
@@ -128,10 +129,9 @@ def _fix(results: Results, code: str, variable: str, current: Verdict) -> Fix:
     def change(value: float) -> Check:
         return aimed(design=vary(design=design, variable=variable, value=value), check=check)
 
-    # A reserve that was looked for under other torques is exact; a look costs as much as before.
-    rough = code == "ring_efficiency" or crank_check(code, results).rough
-    estimated = group in ("contact", "gear") and rough
-    solved = group in STRENGTH or estimated or (group == "contact" and results.solved)
+    again = code == "ring_efficiency" or check.solved
+    again = (again or results.solved) if group == "contact" else (again and group == "gear")
+    solved = group in STRENGTH or again
     if solved and variable not in WHOLE:
         return _checked(cure, _secant(lambda value: _met(change(value)), cure.before))
     return fix_of(cure=cure, change=change)

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from typing import Any, NamedTuple
 
 from core.checks.check import Verdict
-from core.checks.crank_planetary import crank_verdict
+from core.checks.reserve import crank_verdict
 from core.design.document import changed, value_at
 from core.design.results import Results
 from core.errors import CalculationError, if_known

@@ -7,7 +7,7 @@ const LEVELS = { pass: "good", marginal: "warning", fail: "bad", incomplete: "wa
 /** Names of an answer that say how it is judged or how exact it is: no results of their own. */
 export const ASIDE = [
   "accuracy", "warnings", "verdict", "governing", "counts", "not_considered", "checks", "fixes", "torque_reserve",
-  "largest_torque_Nm", "largest_torque_estimated", "largest_torque_of", "cold_yield", "parts", "model", "assumed", "fit",
+  "largest_torque_Nm", "largest_torque_of", "cold_yield", "parts", "model", "assumed", "fit",
 ];
 
 /** The sections whose values are listed: those that are asked, and those that an answer has beside these, as that of forces which are solved. */
@@ -33,6 +33,12 @@ export function judgedOf({ judgedIn }, answer) {
 
 /** Whether it is looked for what mends a design. */
 export const isMended = (calculator, answer) => Boolean(calculator.mend) && ["fail", "marginal"].includes(judgedOf(calculator, answer)?.verdict);
+
+/** Whether its largest torque is asked for by itself, after the first answer: of what can be, as far as it is judged. */
+export function isLimited({ limit }, answer) {
+  if (!limit || !answer?.parts || wordOf(answer) === "impossible" || answer.cold_yield) return false;
+  return answer.parts.some(({ status }) => JUDGED.includes(status)) && answer.parts.every(({ reason }) => reason !== "clearance_unknown");
+}
 
 /** What is usual of what is not known of it, with which it is looked at too. */
 export const usuallyOf = ({ usual = () => [] }, answer) => usual(answer);
@@ -169,21 +175,16 @@ export function decisive({ verdict, governing, parts, checks = [] }) {
   return checks.find(({ code, status }) => (verdict === "incomplete" && !parts ? status === "not_checked" : code === governing));
 }
 
-/** The failing check that no smaller torque cures, by all that is known. */
-const beyondTorque = ({ checks = [] }) => checks.find(({ status, torque_reserve: reserve }) => status === "fail" && reserve === undefined);
-
-/** Digits that the largest torque is shown with. */
-export const torqueDigits = ({ largest_torque_estimated: estimated }) => (estimated ? 2 : 4);
+/** Whether a check hangs on the torque. */
+const byTorque = ({ torque_reserve: reserve, inputs = [] }) => reserve !== undefined || inputs.some((pointer) => /\/(out|in)put_torque_Nm$/.test(pointer));
 
 /** The verdict in a sentence. */
 export function verdictSentence(judged, titles) {
   const word = wordOf(judged);
   const check = decisive(judged);
   const row = check && checkRow(check, titles);
-  const { largest_torque_Nm: largest, largest_torque_estimated: estimated } = judged;
-  const allowed = largest !== undefined && message("checks.largestTorque", {
-    torque: `${estimated ? "≈\u00a0" : ""}${formatQuantity(largest, "N·m", torqueDigits(judged))}`,
-  });
+  const { largest_torque_Nm: largest } = judged;
+  const allowed = largest !== undefined && message("checks.largestTorque", { torque: formatQuantity(largest, "N·m", 4) });
   const cold = coldYield(judged)?.sentence;
   const governs = row?.judged && row.value && row.limit ? ofTitle(row.title, `${row.value} (${row.limit})`) : [row?.title, row?.reason].filter(Boolean).join(": ");
   return [`${message(`verdictWord.${word}`)}.`, governs && `${governs}.`, allowed && `${allowed}.`, cold].filter(Boolean).join(" ");
@@ -226,8 +227,8 @@ export function wordNote(judged) {
   }
   if (word === "incomplete" && !judged.counts.not_checked) return message("verdictWord.nothingNote");
   const check = word === "marginal" && decisive(judged);
-  // The first of the marginal checks has no reserve where none of them has: what they doubt is nothing of strength.
-  if (check && check.torque_reserve === undefined) {
+  // The first of the marginal checks does not hang on the torque where none of them does: what they doubt is nothing of strength.
+  if (check && !byTorque(check)) {
     return message("verdictWord.marginalByNote", { check: titleOf(check), groups: groupsOf(judged) });
   }
   return message(`verdictWord.${word}Note`, { groups: groupsOf(judged), count: judged.counts?.not_checked });
@@ -252,6 +253,8 @@ export function torqueUnknown(judged) {
   if (parts.some(({ reason }) => reason === "clearance_unknown")) return message("checks.byClearance");
   if (parts.length > 0 && parts.every(({ status }) => !JUDGED.includes(status))) return message("checks.openParts");
   if (counts.not_checked) return message("checks.openChecks", { count: counts.not_checked });
-  const check = beyondTorque(judged);
-  return check ? message("checks.notByTorque", { check: titleOf(check) }) : message("checks.withoutTorque");
+  const { checks = [] } = judged;
+  const check = checks.find((one) => one.status === "fail" && !byTorque(one)); // which no smaller one cures
+  if (check) return message("checks.notByTorque", { check: titleOf(check) });
+  return message(checks.some((one) => JUDGED.includes(one.status) && byTorque(one)) ? "checks.torqueNotFound" : "checks.withoutTorque");
 }

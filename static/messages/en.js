@@ -444,7 +444,7 @@ export default {
     torque: "Largest torque",
     openChecks: { one: "not known: {count} check is open", other: "not known: {count} checks are open" },
     notByTorque: "not known: less torque does not cure “{check}”",
-    estimated: "an estimate",
+    torqueNotFound: "not known: no torque is found that holds beside one that fails",
     usual: "with {fit}, {clearance}: {result}", printed: "a printed hole",
     usualSought: "Looking at what is usual …",
     usualRing: "with a ring that is {made}: {result}",

@@ -438,7 +438,7 @@ export default {
     torque: "Найбільший момент",
     openChecks: { one: "невідомий: не перевірено {count} умову", few: "невідомий: не перевірено {count} умови", many: "невідомий: не перевірено {count} умов", other: "невідомий: не перевірено {count} умови" },
     notByTorque: "невідомий: менший момент не виправить «{check}»",
-    estimated: "оцінка",
+    torqueNotFound: "невідомий: не знайдено моменту, який витримується, поруч із тим, який ні",
     usual: "з {fit}, {clearance}: {result}", printed: "надрукованим отвором",
     usualSought: "Рахуємо зі звичайним …",
     usualRing: "якщо колесо {made}: {result}",

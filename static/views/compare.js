@@ -5,7 +5,7 @@ import { formatNumber, quantityParts, unitOf } from "../lib/format.js";
 import { message, quantityWords } from "../messages/index.js";
 import { readState, shownFields, stateFromInput, textIn } from "../lib/form_state.js";
 import { shownUnit } from "../lib/units.js";
-import { following } from "../store.js";
+import { answerNow, following } from "../store.js";
 import { download } from "./files.js";
 import { sign } from "./parts.js";
 
@@ -92,15 +92,8 @@ function decisiveRows(calculator, designs, base) {
         return { text: check ? `${titleOf(check)}${check.utilisation === undefined ? "" : `, ${percent(check.utilisation)}`}` : "–" };
       }),
     },
-    torqueRow(all, base),
+    numberRow(message("checks.torque"), "N·m", all.map((judged) => judged?.largest_torque_Nm), base, 1),
   ];
-}
-
-/** The largest torques; which of them are estimates. */
-function torqueRow(all, base) {
-  const row = numberRow(message("checks.torque"), "N·m", all.map((judged) => judged?.largest_torque_Nm), base, 1);
-  const cells = row.cells.map((cell, i) => ({ ...cell, text: `${all[i]?.largest_torque_estimated ? "≈\u00a0" : ""}${cell.text}` }));
-  return { ...row, cells };
 }
 
 /** The numbers of the sections, a row each: also what is known of some designs only; those that differ first. */
@@ -159,13 +152,14 @@ export function createCompare({ model, calculator, on }) {
   return {
     root,
     save: (text) => download("khv-calc-designs.json", text, "application/json"),
-    update: following(({ kept, shown }) => [kept, shown], ({ kept, shown: own }) => {
+    update: following(({ kept, shown, limit }) => [kept, shown, limit], (state) => {
+      const { kept, shown } = state;
       designs = kept ?? [];
       if (designs.length === 0) {
         fill(table, html`<p class="missing">${message("compare.hint")}</p>`);
         return;
       }
-      const all = [own ?? NOTHING, ...designs];
+      const all = [shown ? { ...shown, answer: answerNow(state) } : NOTHING, ...designs];
       const base = 1; // the design kept first: what comes after is held against it
       fill(table, html`
         <table class="data">

@@ -3,12 +3,13 @@
  * stays in sight; under it stand the few numbers of the calculator and the line of warnings.
  */
 import {
-  assumedIn, checkRow, coldYield, decisive, judgedOf, levelOfWord, notConsidered, partRow, torqueDigits, torqueUnknown, usuallyOf, wordNote, wordOf, wordText,
+  assumedIn, checkRow, coldYield, decisive, isLimited, judgedOf, levelOfWord, notConsidered, partRow, torqueUnknown, usuallyOf, wordNote, wordOf, wordText,
 } from "../lib/checks.js";
 import { formatQuantity, quantityParts } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
+import { shownUnit } from "../lib/units.js";
 import { message } from "../messages/index.js";
-import { following, standing, UNANSWERED } from "../store.js";
+import { answerNow, following, standing, UNANSWERED } from "../store.js";
 import { barMarkup, keepRoom, sign } from "./parts.js";
 
 function cellMarkup({ label, value, unit, note, level }) {
@@ -62,15 +63,16 @@ function usualOf({ shown, usual }, calculator) {
   return usuallyOf(calculator, shown.answer).length > 0 && { sought: true };
 }
 
-function torqueMarkup({ numbers }, judged, usual) {
+/** `sought`: it is not known yet. */
+function torqueMarkup({ numbers }, judged, usual, sought) {
   const label = html`<p class="label">${message("checks.torque")}</p>`;
-  const { largest_torque_Nm: largest, largest_torque_estimated: estimated } = judged ?? {};
+  const { largest_torque_Nm: largest } = judged ?? {};
   const cold = judged && numbers !== "part" && coldYield(judged); // of plastic nobody knows a largest one
   if (cold) return html`${label}<p class="note cold"><b>${cold.sentence}</b> <span class="by">${cold.by}</span></p>${usual && usualMarkup(usual)}`;
+  if (sought) return html`${label}<p class="sought"><span class="figures">…</span> <span class="figures-unit">${shownUnit("N·m")}</span></p>${usual && usualMarkup(usual)}`;
   if (largest === undefined) return html`${label}<p class="note">${judged && numbers !== "part" ? torqueUnknown(judged) : "–"}</p>${usual && usualMarkup(usual)}`;
-  const { value, unit } = quantityParts(largest, "N·m", torqueDigits(judged));
-  return html`${label}<p><span class="figures">${estimated && "≈\u00a0"}${value}</span> <span class="figures-unit">${unit}</span></p>
-    ${estimated && html`<p class="note">${message("checks.estimated")}</p>`}${usual && usualMarkup(usual)}`;
+  const { value, unit } = quantityParts(largest, "N·m", 4);
+  return html`${label}<p><span class="figures">${value}</span> <span class="figures-unit">${unit}</span></p>${usual && usualMarkup(usual)}`;
 }
 
 /** A chip for each part: its mark, its name; a click leads to its check or to what it lacks. */
@@ -120,12 +122,13 @@ export function createVerdict({ calculator, titles, scope: all = [], on }) {
   });
   return {
     root,
-    update: following(({ shown, typed, phase, usual }) => [shown, typed, phase, usual], (state) => {
-      const judged = judgedOf(calculator, state.shown?.answer);
+    update: following(({ shown, typed, phase, usual, limit }) => [shown, typed, phase, usual, limit], (state) => {
+      const judged = judgedOf(calculator, answerNow(state));
+      const sought = judged && isLimited(calculator, judged) && state.limit?.of.answer !== state.shown.answer;
       const stands = standing(state);
       fill(part("judged"), wordMarkup(stands, judged));
       fill(part("governing"), governingMarkup(judged, titles));
-      fill(part("torque"), torqueMarkup(stands, judged, stands.numbers === "fresh" && usualOf(state, calculator)));
+      fill(part("torque"), torqueMarkup(stands, judged, stands.numbers === "fresh" && usualOf(state, calculator), sought));
       judgedNow = judged;
       if (all.length === 0) return;
       const parts = stands.numbers !== "part" && judged?.parts;

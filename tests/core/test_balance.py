@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from core.checks.crank_planetary import crank_verdict
+from core.checks.reserve import crank_verdict
 from core.crank.balance import Balance, Counterweight, balance
 from core.crank.crankshaft import crankshaft, reaction_curves
 from core.crank.ring_mesh import RingMesh

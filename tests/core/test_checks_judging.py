@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from core.checks.check import Check, Status, Verdict, judged, verdict
+from core.checks.check import Check, judged, verdict
 from core.checks.records import CHECKS
 from core.errors import NotKnown
 from core.precision import CONVERGED
@@ -121,27 +121,6 @@ def test_checks_and_their_verdict_go_to_other_processes() -> None:
     somewhere = Check(CHECKS["wall_rim"], "pass", at={"satellite": 2})
     for each in (Check(CHECKS["assembly"], "not_asked"), somewhere, verdict([somewhere])):
         assert pickle.loads(pickle.dumps(each)) == each
-
-
-def test_the_largest_torque_is_an_estimate_where_a_rough_reserve_may_decide() -> None:
-    exact, rough = "contact_pressure_hole", "bearing_life"
-
-    def found(first: float, second: float, status: Status = "pass") -> Verdict:
-        exactly = judged(CHECKS[exact], 1.0, 2.0, reserve=first)
-        roughly = judged(CHECKS[rough], 2.0, 1.0, reserve=second, rough=True)._replace(
-            status=status
-        )
-        return verdict([exactly, roughly])
-
-    for first, second, status, estimated in (
-        (1.3, 1.5, "pass", False),
-        (1.5, 1.3, "pass", True),
-        (1.05, 0.9, "fail", True),
-        (0.8, 0.9, "fail", True),  # by less torque its reserve may be the smaller one
-    ):
-        one = found(first, second, status)
-        assert one.largest_torque_known and one.largest_torque_estimated == estimated
-        assert one.torque_reserve == min(first, second)
 
 
 def test_what_has_to_stay_above_its_limit_says_so() -> None:

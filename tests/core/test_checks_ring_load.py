@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from core.checks.crank_planetary import crank_checks, crank_verdict
+from core.checks.crank_planetary import crank_checks
+from core.checks.reserve import NEAR, crank_verdict
 from core.contact_life import life_factor
 from core.design.document import Design
 from core.design.results import Results
@@ -22,7 +23,7 @@ from core.errors import InvalidInput
 from core.hertz import ContactLimit, ElasticMaterial
 from core.output.elasticity import RingInSeries, Shares
 from core.output.room import Deviations
-from core.precision import EXACT, JUDGED, SAME, SEARCHED
+from core.precision import EXACT, SAME, SEARCHED
 from core.ring.profile import Modification
 from core.ring.sharing import mesh_position
 from tests.inputs.checks import check_of, design_of, having
@@ -172,13 +173,16 @@ def test_the_peak_torque_is_held_against_static_limits() -> None:
 
 def test_the_reserve_is_the_torque_at_which_the_limit_is_reached() -> None:
     guess = check_of("ring_pressure_disc", A7)
-    assert guess.rough and guess.limit is not None and guess.value is not None
+    assert guess.solved and guess.limit is not None and guess.value is not None
     assert guess.torque_reserve == pytest.approx((guess.limit / guess.value) ** 2)
-    verdict = crank_verdict(Results(having(A7, scope=("teeth",))))
+    verdict = crank_verdict(Results(having(A7, scope=("teeth",))), largest=True)
     check = verdict["ring_pressure_disc"]
     assert check.torque_reserve is not None and check.limit is not None
-    there = check_of("ring_pressure_disc", having(A7, output_torque=400.0 * check.torque_reserve))
-    assert there.value == pytest.approx(check.limit, rel=JUDGED)
+    pressures = [
+        check_of("ring_pressure_disc", having(A7, output_torque=400.0 * each)).value
+        for each in (check.torque_reserve, NEAR * check.torque_reserve)
+    ]
+    assert pressures[0] <= check.limit < pressures[1]
     assert verdict.largest_torque_of == ("teeth",)
 
 
@@ -265,17 +269,20 @@ def test_what_presses_fails_where_no_force_is_known(torque: float, reason: str) 
 
 @pytest.mark.slow
 def test_the_largest_torque_of_discs_in_series() -> None:
-    """There the first check is at its limit; of pins that deviate it is an estimate, and said."""
+    """It holds, and a hundredth above it a check fails; of pins that deviate too."""
     coupled = {"satellites": 2, "satellite_coupling": RingInSeries()}
     bodies = {"pin_material": replace(HARD, yield_strength=1200e6), "hole_material": SOFT}
     design = having(FEW, pin_radius=0.004, hole_radius=0.00652, **coupled, **bodies)
     assert Results(design).in_series
-    found, torque = crank_verdict(Results(design)), design.load.output_torque
-    assert found.torque_reserve and torque and not found.largest_torque_estimated
-    there = crank_checks(Results(having(design, output_torque=torque * found.torque_reserve)))
-    assert there.torque_reserve == pytest.approx(1.0, abs=10 * JUDGED)
-    made = having(design, deviations=Deviations(ring_pin_radial=(2e-6, *[0.0] * 11)))
-    assert crank_verdict(Results(made)).largest_torque_estimated
+    off = having(design, deviations=Deviations(ring_pin_radial=(2e-6, *[0.0] * 11)))
+    for made in (design, off):
+        found, torque = crank_verdict(Results(made), largest=True), made.load.output_torque
+        assert found.torque_reserve and torque
+        held, failed = (
+            crank_checks(Results(having(made, output_torque=torque * each)))
+            for each in (found.torque_reserve, NEAR * found.torque_reserve)
+        )
+        assert not held.counts["fail"] and failed.counts["fail"]
 
 
 def test_backlash_is_that_of_the_published_disc() -> None:
@@ -402,7 +409,7 @@ def test_the_cycle_of_a_ring_pin_is_the_worst_around_it(direction: str) -> None:
     worst = min(goodman(*each) for each in zip(stress.max(1), stress.min(1), strict=True))
     check = check_of("ring_pin_fatigue", design)
     assert check.value == pytest.approx(worst, rel=4e-3)
-    assert check.limit == 1.5 and check.rough
+    assert check.limit == 1.5 and check.solved
 
 
 def test_a_ring_pin_that_turns_is_bent_both_ways() -> None:

@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 
 from core.checks.check import Check
-from core.checks.crank_planetary import crank_check, crank_checks, crank_verdict
+from core.checks.crank_planetary import crank_check, crank_checks
+from core.checks.reserve import crank_verdict
 from core.checks.ring_pins import RING_PINS
 from core.design.document import Design
 from core.design.results import Results
@@ -321,7 +322,7 @@ def test_a_satellite_relieves_its_bearing() -> None:
     still = check_of("bearing_life", light())
     assert spinning.value is not None and still.value is not None
     assert 1 < spinning.value / still.value < (1 - 74.022 / 11877) ** -3
-    assert (spinning.rough, still.rough) == (True, False)
+    assert (spinning.solved, still.solved) == (True, False)
     asked = rigid(life=spinning.value * 0.999)
     assert crank_verdict(Results(asked))["bearing_life"].status == "marginal"
     static = [check_of("bearing_static", each(peak_torque=1000.0)) for each in (rigid, light)]
@@ -566,7 +567,7 @@ def test_the_forces_that_are_judged_are_solved_where_pins_bend() -> None:
     for code in ("wear", "pin_static", "bearing_life"):
         values = [each[code].value for each in (equal, perfect, loose)]
         assert len({f"{value:.3g}" for value in values}) == 3
-        assert [each[code].rough for each in (equal, perfect, loose)] == [False, True, True]
+        assert [each[code].solved for each in (equal, perfect, loose)] == [False, True, True]
     for each in (perfect, loose):
         assert each["pin_static"].value < equal["pin_static"].value  # type: ignore[operator]
     assert loose["wear"].value > 2 * 0.118125e-3  # of equal sharing

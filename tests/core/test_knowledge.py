@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from core.checks.check import Verdict
-from core.checks.crank_planetary import crank_verdict
+from core.checks.reserve import NEAR, crank_verdict
 from core.contact_life import CURVES, LifeCurve
 from core.design.results import Results
 from core.design.ring import CycloidRing
@@ -145,13 +145,13 @@ def test_a_plastic_pin_that_bends_is_judged_no_milder(name: str, seed: int) -> N
             material=by_values(base=entry, **own),
         )
         design = having(FITTED, pin=pin, scope=("pins",), output_torque=torque)
-        return crank_verdict(Results(design))
+        return crank_verdict(Results(design), largest=True)
 
     whole = judged(yield_strength=strength, layers="flat")
     named, upright = judged(layers="flat"), judged(layers="upright")
     given = whole["pin_static"]
     assert whole.torque_reserve and named.torque_reserve
-    assert named.torque_reserve <= whole.torque_reserve * (1 + EXACT)
+    assert named.torque_reserve <= whole.torque_reserve * NEAR  # each is within that of its own
     for less in (named, upright):
         found = less["pin_static"]
         assert found.status in ("fail", "marginal", "not_checked") and less.verdict != "pass"

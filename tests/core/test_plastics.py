@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 
 from core.checks.cold_yield import cold_yield
-from core.checks.crank_planetary import crank_verdict, under
 from core.checks.plastics import PLASTICS
+from core.checks.reserve import crank_verdict, under
 from core.design.document import Design
 from core.design.results import Results
 from core.design.ring import CycloidRing

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from core.checks.crank_planetary import crank_verdict
+from core.checks.reserve import crank_verdict
 from core.checks.shares import DiscShares, disc_shares
 from core.design.document import Design
 from core.design.results import Results

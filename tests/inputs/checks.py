@@ -8,7 +8,8 @@ from typing import Any
 import pytest
 
 from core.checks.check import Check
-from core.checks.crank_planetary import crank_check, crank_verdict
+from core.checks.crank_planetary import crank_check
+from core.checks.reserve import crank_verdict
 from core.design.document import Design, changed
 from core.design.results import Results
 from core.design.ring import InvoluteRing

@@ -6,7 +6,7 @@ import { createAsking } from "../../static/asking.js";
 import { createBeside } from "../../static/besides.js";
 import { Problem } from "../../static/lib/api.js";
 import { stateFromInput } from "../../static/lib/form_state.js";
-import { createStore, opened, typedIn } from "../../static/store.js";
+import { answerNow, createStore, opened, typedIn } from "../../static/store.js";
 import { INPUT, MODEL } from "./model.mjs";
 
 const GONE = new Problem({ title: "unreachable" });
@@ -138,26 +138,37 @@ test("what is usual is asked for apart from what mends the design, and where som
   }
 });
 
-test("what mends a design and what is usual are asked for aside, one after the other, and not of a design that is typed over", async () => {
+test("the largest torque, what mends a design, and what is usual are asked for aside, one after the other, and not of a design that is typed over", async () => {
   const asked = [];
   const own = {
+    limit: ["largest_torque"],
     usual: () => ["usual_fit"],
     mend: ({ post, include = ["fixes"] }) => post("/job", { include }),
   };
-  const failing = { verdict: "fail", checks: [{ code: "x", title: "X", status: "fail" }], counts: {} };
+  const failing = { verdict: "fail", parts: [{ status: "fail" }], checks: [{ code: "x", title: "X", status: "fail" }], counts: {} };
   const { store, client, asking } = working((body) => ({ ...answerTo(body), ...failing }), [], {}, own);
   const { post } = client;
   client.post = (path, body, { signal, aside }) => (aside
-    ? new Promise((resolve) => { asked.push({ include: body.include[0], signal, done: () => resolve(failing) }); }) : post(path, body));
+    ? new Promise((resolve) => { asked.push({ include: body.include[0], signal, done: resolve }); }) : post(path, body));
   await asking.now();
   await tick();
-  assert.deepEqual(asked.map(({ include }) => include), ["fixes"]);
-  asked[0].done();
+  assert.deepEqual(asked.map(({ include }) => include), ["largest_torque"]);
+  const { shown } = store.state;
+  let settled = false;
+  asking.settled().then(() => { settled = true; });
   await tick();
-  assert.deepEqual([store.state.fixes.of === store.state.shown, asked.length, asked[1].include], [true, 2, "usual_fit"]);
+  assert.deepEqual([settled, answerNow(store.state)], [false, shown.answer]);
+  asked[0].done({ ...failing, largest_torque_Nm: 80, torque_reserve: 0.8 });
+  await tick();
+  assert.deepEqual([settled, store.state.shown, answerNow(store.state).largest_torque_Nm], [true, shown, 80]);
+  assert.match(store.state.said, /80/);
+  assert.deepEqual(asked.map(({ include }) => include), ["largest_torque", "fixes"]);
+  asked[1].done(failing);
+  await tick();
+  assert.deepEqual([store.state.fixes.of === store.state.shown, asked.length, asked[2].include], [true, 3, "usual_fit"]);
   store.apply(typedIn, "mechanism.pins", "7", 0);
   asking.soon();
-  assert.ok(asked[1].signal.aborted);
+  assert.ok(asked[2].signal.aborted);
   asking.cancel();
 });
 

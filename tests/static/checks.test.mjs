@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { assumedIn, checkRow, fixRow, judgedOf, notConsidered, partRow, sizedBy, torqueUnknown, verdictSentence, wordNote, wordOf } from "../../static/lib/checks.js";
+import { assumedIn, checkRow, fixRow, isLimited, judgedOf, notConsidered, partRow, sizedBy, torqueUnknown, verdictSentence, wordNote, wordOf } from "../../static/lib/checks.js";
 import { solutionOf, solveBody, targetsOf } from "../../static/lib/sizing.js";
 import { useLanguage } from "../../static/messages/index.js";
 import "./service.mjs";
@@ -64,12 +64,23 @@ test("a largest torque that is not known says why", () => {
   const small = { code: "new_room", title: "Room", status: "fail" };
   assert.equal(torqueUnknown({ verdict: "fail", counts: { not_checked: 0 }, checks: [PRESSURE, small] }), "not known: less torque does not cure “Room”");
   assert.equal(torqueUnknown({ verdict: "incomplete", counts: { not_checked: 0 } }), "no check hangs on the torque");
+  const solved = { code: "new_pressure", status: "fail", inputs: ["/load/output_torque_Nm"] };
+  assert.match(torqueUnknown({ verdict: "fail", counts: { not_checked: 0 }, checks: [solved] }), /^not known: no torque is found/);
 });
 
-test("a largest torque that is an estimate is said to be one, with fewer digits", () => {
-  assert.match(verdictSentence({ ...JUDGED, largest_torque_estimated: true }, titles), /Largest torque allowed ≈\u00a0220\u00a0N·m\.$/);
+test("a largest torque that is asked for later is not in the sentence", () => {
+  assert.match(verdictSentence(JUDGED, titles), /Largest torque allowed \d+(\.\d)?\u00a0N·m\.$/);
   const { largest_torque_Nm: _, ...unknown } = JUDGED;
   assert.doesNotMatch(verdictSentence(unknown, titles), /torque/);
+});
+
+test("the largest torque is asked for of what is judged and can be, with a clearance that is known", () => {
+  const asks = (answer, limit = ["largest_torque"]) => isLimited({ limit }, { parts: [{ status: "pass" }, { status: "open" }], ...answer });
+  assert.ok(asks({}));
+  assert.deepEqual([
+    asks({}, null), asks({ parts: [{ status: "open" }] }), asks({ checks: [{ impossible: true }] }), asks({ cold_yield: {} }),
+    asks({ parts: [{ status: "fail" }, { status: "open", reason: "clearance_unknown" }] }),
+  ], [false, false, false, false, false]);
 });
 
 test("not known says whether checks are open, or nothing could break", () => {
@@ -83,6 +94,7 @@ test("a marginal verdict says the check that makes it so, where that is no matte
   const differ = { code: "new_differ", title: "Satellites that differ", status: "marginal", group: "new" };
   const note = (check) => wordNote({ verdict: "marginal", governing: check.code, counts: { not_checked: 0 }, checks: [check] });
   assert.equal(note(differ), "because of the check “Satellites that differ”; looked at: new");
+  assert.match(note({ ...differ, inputs: ["/load/input_torque_Nm"] }), /^the reserve is small/);
   assert.match(note({ ...differ, torque_reserve: 1.05 }), /^the reserve is small, or within the model's error; /);
 });
 

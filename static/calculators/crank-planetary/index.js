@@ -302,6 +302,9 @@ export default {
     }));
   },
 
+  /** What is asked after the first answer: solved under other torques. */
+  limit: ["largest_torque"],
+
   mend: async ({ post, get, input, filled, include = ["fixes", "combined"] }) => post("/crank-planetary", { ...await madeOf(input, filled, get), include }),
 
   /** What is usual of what is not known: the clearance, or that none is stated; modification and pins of a ring of pins. */
