@@ -41,7 +41,9 @@ Answer = dict[str, Any]
 
 def judged(service: Service, body: Answer) -> tuple[Answer, str]:
     """Answer of a design, with the usual clearance where none is known, and that clearance."""
-    status, answer = service.post("crank-planetary", body | {"include": ["checks", "usual_fit"]})
+    status, answer = service.post(
+        "crank-planetary", body | {"include": ["checks", "largest_torque", "usual_fit"]}
+    )
     assert status == 200, answer
     contact = body["contact"]
     open_by = {part.get("reason") for part in answer["parts"]}
@@ -53,7 +55,9 @@ def judged(service: Service, body: Answer) -> tuple[Answer, str]:
     body["contact"].pop("distribution_factor", None)  # how uneven the sharing is, is solved then
     if "eccentricity_mm" in contact:
         body["contact"].pop("hole_radius_mm", None)
-    status, answer = service.post("crank-planetary", body | {"include": ["checks"]})
+    status, answer = service.post(
+        "crank-planetary", body | {"include": ["checks", "largest_torque"]}
+    )
     assert status == 200, answer
     return answer, f"{clearance:.3g} *"
 

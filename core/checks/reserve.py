@@ -273,6 +273,7 @@ class _Torques:
             if held and above <= NEAR * held:
                 break
             halve = bool(held) and above / held > math.sqrt(width) and not halve
+            halve |= bool(held) and unknown < failed  # of which no check says where it begins
             if not (factor := math.sqrt(held * above) if halve else self.next(held, above)):
                 break
         return (held, failed) if held and failed <= KNOWN * held else None

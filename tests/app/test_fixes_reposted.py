@@ -175,15 +175,15 @@ async def test_where_one_input_is_enough_several_are_not_named(api: Any) -> None
     assert "fixes" not in await answered(api, failing(1)[0] | {"include": ["combined"]})
 
 
-async def test_the_largest_torque_is_that_of_which_a_repost_is_at_its_limit(api: Any) -> None:
+async def test_the_largest_torque_holds_where_it_is_reposted(api: Any) -> None:
     known = 0
     for body in DESIGNS:
-        answer = await answered(api, body | {"include": ["checks"]})
+        answer = await answered(api, body | {"include": ["largest_torque"]})
         if "largest_torque_Nm" not in answer:
             continue
         known += 1
         found = answer["largest_torque_Nm"]
-        for part, fails in ((1 - 2e-5, False), (1 + 1e-3, True)):  # a stress is known to 1e-5
+        for part, fails in ((1, False), (1.01, True)):
             there = applied(body, {"/load/output_torque_Nm": found * part})
             after = await answered(api, there | {"include": ["checks"]})
             assert (after["counts"]["fail"] > 0) == fails

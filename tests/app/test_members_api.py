@@ -131,7 +131,7 @@ def of(output, **changes):
 @pytest.fixture
 def sections():
     return ["members", "load_sharing", "hertz", "output_efficiency", "satellite_bearing",
-            "crankshaft", "checks"]  # fmt: skip
+            "crankshaft", "checks", "largest_torque"]  # fmt: skip
 
 
 async def test_one_design_run_with_pins_and_with_the_ring_as_output(api, sections):

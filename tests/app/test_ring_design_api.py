@@ -655,14 +655,15 @@ async def test_teeth_are_cured_by_what_they_are_judged_by(api):
 
 async def test_a_usual_ring_is_answered_where_it_is_asked(api):
     """In the units of the answer; of the ring as output with its angles; not where all is known."""
-    body = changed(include=["usual_modification"], requirements={"scope": ["teeth"]})
+    include = ["usual_modification", "largest_torque"]
+    body = changed(include=include, requirements={"scope": ["teeth"]})
     body["gear"].pop("modification")
     body["gear"] |= {"ring_class": "machined"}
     body["load"]["output_torque_Nm"] = 10.0
     body.pop("deviations", None)
     found = (await api.post(PATH, json=body)).json()["usual_modification"]
     request = CrankPlanetaryRequest.model_validate(body)
-    usual = usual_modification(request.design)
+    usual = usual_modification(request.design, largest=True)
     assert (found["class"], found["samples"], found["crank_angles"]) == ("machined", 64, 720)
     sizes = [found["equidistant_mm"], found["pin_zone_diameter_mm"]]
     assert sizes == pytest.approx([0.03, 0.05])

@@ -362,6 +362,7 @@ JUDGED = ("pass", "marginal", "fail")
 async def test_with_clearance_the_real_forces_are_judged(api, hole):
     """A peak of 1667 N without clearance may be 3452 N in an ordinary design."""
     body = design(contact__hole_radius_mm=hole, load__output_torque_Nm=300.0)
+    body["include"] = ["checks", "largest_torque"]
     answer, checks = await asked(api, "crank-planetary", body)
     loose = hole > 10.0
     assert answer["verdict"] == "pass" and "largest_torque_Nm" in answer
@@ -384,10 +385,11 @@ async def test_with_clearance_the_real_forces_are_judged(api, hole):
 
 async def test_fixes_of_real_forces(api):
     body = design(contact__hole_radius_mm=10.03, load__output_torque_Nm=600.0)
-    answer, checks = await asked(api, "crank-planetary", body | {"include": ["checks", "fixes"]})
+    include = ["checks", "largest_torque", "fixes"]
+    answer, checks = await asked(api, "crank-planetary", body | {"include": include})
     assert answer["verdict"] == "fail" and checks["contact_pressure_pin"]["status"] == "pass"
     # less torque than that is passed: it is known what the design carries
-    assert answer["largest_torque_Nm"] == pytest.approx(480.85, abs=0.01)
+    assert 480.85 / 1.01 < answer["largest_torque_Nm"] <= 480.85
     assert len(answer["fixes"]) == 7
     assert {each["verdict"] for each in answer["fixes"]} == {"pass"}
     assert isinstance(answer["fixes"][0]["to"], str)  # a material before any size
@@ -406,7 +408,7 @@ ROUGH = {
     "gear": {"kind": "none"},
     "bearing": {"kind": "ball", "dynamic_rating_N": 6e4, "static_rating_N": 1e6},
     "requirements": {"life_h": 5000.0},
-    "include": ["checks"],
+    "include": ["checks", "largest_torque"],
 }
 """Its bearings are loaded by the forces with clearance."""
 
@@ -417,20 +419,12 @@ async def test_where_the_forces_are_solved_a_life_has_its_largest_torque(api, ra
     answer, checks = await asked(api, "crank-planetary", body)
     life = checks["bearing_life"]
     assert (answer["verdict"], answer["governing"]) == (verdict, "bearing_life")
-    assert "largest_torque_estimated" not in answer
     torque = answer["largest_torque_Nm"]
     # as the sharing moves, it is not that of the forces under the given torque
     by_those = 500 * (life["value"] / life["limit"]) ** (1 / 3)
     assert 1e-6 < abs(torque / by_those - 1) < 0.1
     _, there = await asked(api, "crank-planetary", changed(body, load__output_torque_Nm=torque))
-    assert there["bearing_life"]["utilisation"] == pytest.approx(1, abs=1e-4)
-
-
-@pytest.mark.parametrize("known", [{"contact__hole_clearance_mm": 0.0}, {"bearing": None}])
-async def test_a_largest_torque_that_is_exact_is_not_said_to_be_estimated(api, known):
-    """Ideal forces follow the torque; the pressure is known with clearance too."""
-    answer, _ = await asked(api, "crank-planetary", changed(ROUGH, **known))
-    assert "largest_torque_Nm" in answer and "largest_torque_estimated" not in answer
+    assert 1.01**-4 < there["bearing_life"]["utilisation"] <= 1
 
 
 @pytest.mark.parametrize("kind", ["none", "allowable", "both"])

@@ -165,15 +165,19 @@ async def crank_planetary(body: Body, answer: Body, ask: Ask) -> None:
         usual += ["contact_force", *(["hertz"] if "contact" in body else [])]
     asked = {*body.get("include", usual)}
     verdict = {"verdict", "governing", "torque_reserve", "largest_torque_Nm", "counts"}
-    said = {"warnings", "assumed", "fit", "not_considered", "largest_torque_estimated", *verdict}
+    said = {"warnings", "assumed", "fit", "not_considered", *verdict}
     said |= {"parts", "model", "largest_torque_of", "shares", "cold_yield"}
     if "include" not in body:
         said |= {"load_sharing", "pin_strength", "output_efficiency", "satellite_bearing"}
         said |= {"crankshaft", "rollers", "members", "ring_mesh"}
-    unknown = asked - set(answer)  # a section that nobody named, of forces that cannot be solved
+    unknown = (
+        asked - set(answer) - {"largest_torque"}
+    )  # a section that nobody named, of forces that cannot be solved
     unsolved = unknown == {"hertz"} and "include" not in body and answer["verdict"] != "pass"
     # Forces of parts that cannot be put together are not stated.
-    unsolved |= answer["verdict"] == "fail" and "torque_reserve" not in answer
+    if unknown and answer["verdict"] == "fail":
+        judged = await ask("crank-planetary", body | {"include": ["checks"]}) or {"checks": []}
+        unsolved |= "cannot_be" in {each.get("reason", {}).get("code") for each in judged["checks"]}
     expect(set(answer) - said <= asked and (unsolved or not unknown), "sections", list(answer))
     if "cyclogram" in answer:
         await cyclogram(body["mechanism"], answer["cyclogram"], ask)
