@@ -1,7 +1,7 @@
 """All checks of a crank-planetary reducer under its torque, its parts, and what these come to."""
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
 
 from core.checks.balance import BALANCE

@@ -147,19 +147,21 @@ def _judged(results: Results) -> "_Torques":
     if sure:
         more = torques.look(MARGIN)
         checks = (
-            _with_more(each, more[each.code]) if each.code in sure else each
+            _with_more(each, more[each.code], torques.root(each.code))
+            if each.code in sure
+            else each
             for each in torques.found.checks
         )
         torques.found = of_parts(design=results.design, checks=checks)
     return torques
 
 
-def _with_more(check: Check, more: Check) -> Check:
-    """A check by what it is under `MARGIN` times the torque, from where it is seen nearer."""
-    found = check._replace(status="pass" if _holds(more) else "marginal")
-    if not check.by_torque:
-        return found
-    return found._replace(torque_reserve=MARGIN * more.reserve if more.by_torque else MARGIN)
+def _with_more(check: Check, more: Check, root: float) -> Check:
+    """A check by what it is under `MARGIN` times the torque; between these two it is ordered."""
+    holds = _holds(more)
+    found = check._replace(status="pass" if holds else "marginal")
+    nearer = max if holds else min
+    return found._replace(torque_reserve=nearer(root, MARGIN)) if check.by_torque else found
 
 
 def _failed_before(results: Results, found: Verdict) -> Verdict:

@@ -5,6 +5,8 @@ import random
 
 import pytest
 
+from core.checks.reserve import NEAR
+from core.precision import EXACT
 from tests.inputs.failing import failing
 from tests.oracles.seeds import seeds
 
@@ -87,7 +89,9 @@ async def test_at_its_reserve_a_check_is_at_its_limit(api, name):
     assert several <= {*reserves} if ideal else [*reserves.values()] == [first]
     for code, reserve in reserves.items():
         check = (await checks_of(api, times(body, reserve)))[code]
-        assert check["value"] == pytest.approx(check["limit"], rel=1e-9 if ideal else 1e-2), code
+        assert check["value"] == pytest.approx(check["limit"], rel=EXACT if ideal else NEAR - 1), (
+            code
+        )
         assert ideal or check["value"] <= check["limit"]
     assert first in reserves.values()
 
