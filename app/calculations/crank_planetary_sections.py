@@ -393,7 +393,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     @cached_property
     def usual_ring(self) -> UsualModification | None:
         """The design with a usual ring of pins."""
-        return usual_modification(self.design, largest=self.asks_largest)
+        return usual_modification(self.design)
 
     @cached_property
     def draws_real(self) -> bool:
@@ -541,13 +541,13 @@ def _geometry(body: CrankPlanetaryRequest) -> Values:
 
 def _usual_fit(body: CrankPlanetaryRequest) -> Values | None:
     """The design with a usual clearance, where none is known or 0 is stated."""
-    found = usual_clearance_too(design=body.design, ring=body.usual_ring, largest=body.asks_largest)
-    return UsualFitOut.of(*found) if found else None
+    found = usual_clearance_too(design=body.design, ring=body.usual_ring)
+    return UsualFitOut.of(*found, largest=body.asks_largest) if found else None
 
 
 def _usual_modification(body: CrankPlanetaryRequest) -> Values | None:
     found = body.usual_ring
-    return UsualModificationOut.of(found) if found else None
+    return UsualModificationOut.of(found, largest=body.asks_largest) if found else None
 
 
 ANSWERS: dict[Section, Callable[[CrankPlanetaryRequest], Values | None]] = {

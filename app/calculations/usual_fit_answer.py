@@ -5,6 +5,7 @@ from pydantic import Field
 from app.model import Maybe, ResponseModel, Values, present, result
 from app.units import from_si
 from core.checks.check import Outcome, Verdict
+from core.checks.reserve import crank_verdict
 from core.checks.usual_modification import UsualModification
 from core.design.real_forces import RealForces
 from core.design.results import Results
@@ -26,21 +27,22 @@ class UsualFitOut(ResponseModel):
     verdict: Outcome = Field(description="Of the design with it.")
 
     @classmethod
-    def of(cls, name: str, results: Results, judged: Verdict) -> Values:
+    def of(cls, name: str, results: Results, judged: Verdict, *, largest: bool) -> Values:
         """Values of the design with a fit."""
         forces = if_known(lambda: results.judged_forces)
         values: Values = {
             "class": name,
             "hole_clearance_mm": from_si("clearance_mm", results.design.clearance),
             "peak_force_N": forces.turn.peak_force if isinstance(forces, RealForces) else None,
-            "largest_torque_Nm": _largest_torque(results, judged),
+            "largest_torque_Nm": _largest_torque(results) if largest else None,
             "verdict": judged.verdict,
         }
         return present(values)
 
 
-def _largest_torque(results: Results, judged: Verdict) -> float | None:
+def _largest_torque(results: Results) -> float | None:
     """Torque at which the first check fails, N*m, as far as it is known."""
+    judged = crank_verdict(results, largest=True)
     if not judged.largest_torque_known or judged.torque_reserve is None:
         return None
     return abs(results.design.load.output_torque) * judged.torque_reserve
@@ -85,7 +87,7 @@ class UsualModificationOut(ResponseModel):
     )
 
     @classmethod
-    def of(cls, found: UsualModification) -> Values:
+    def of(cls, found: UsualModification, *, largest: bool) -> Values:
         """Values of the design with such a ring."""
         at_output = found.results.design.members.angle_at_output
 
@@ -98,6 +100,6 @@ class UsualModificationOut(ResponseModel):
             max_pressure_MPa=spread("pressure_MPa", *found.max_pressure),
             backlash_arcmin=spread("angle_arcmin", *map(at_output, found.backlash)),
             verdict=found.verdict.verdict,
-            largest_torque_Nm=_largest_torque(found.results, found.verdict),
+            largest_torque_Nm=_largest_torque(found.results) if largest else None,
         )
         return {"class": values.pop("ring_class"), **values}

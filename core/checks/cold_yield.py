@@ -7,7 +7,6 @@ from typing import Literal
 from core.checks.check import Check, Verdict
 from core.checks.crank_planetary import crank_check
 from core.checks.plastics import PLASTICS, cold_limits
-from core.checks.reserve import under
 from core.design.results import Results
 from core.errors import UNKNOWN, required
 from core.hertz import Body
@@ -112,8 +111,8 @@ def _settled(results: Results, check: Check, looks: int) -> float:
     """
     factor = required(check.torque_reserve, "value_unknown")
     for _ in range(looks):
-        there = Results(under(design=results.design, factor=factor), equal=results.shared_equally)
-        reserve = required(crank_check(check.code, there).torque_reserve, "value_unknown")
+        there = crank_check(check.code, results.under(factor))
+        reserve = required(there.torque_reserve, "value_unknown")
         factor *= reserve
         if abs(reserve - 1) <= NEAR:
             break

@@ -12,7 +12,6 @@ from dataclasses import replace
 
 from core.checks.check import MARGIN, Check, Verdict
 from core.checks.crank_planetary import crank_check, crank_checks, of_parts
-from core.design.document import Design, changed
 from core.design.results import Results
 
 LOOKS = 12
@@ -30,9 +29,6 @@ CURES_NOTHING = 0.01
 """Power of the torque by which a check falls, below which less torque cures nothing: of parts that
 press without any.
 """
-
-UNSOLVED_LOOKS, LESS = 8, 0.1
-"""Torques at most that are looked at where forces cannot be solved, and the first of them."""
 
 TOO_MUCH = ("not_stable", "not_balanced", "beyond_first_order", "beyond_hertz", "contact_wraps")
 """Reasons for which a check is not known under a torque, and may be under less."""
@@ -64,13 +60,12 @@ def crank_verdict(results: Results, *, largest: bool = False) -> Verdict:
         torque is asked: that of the check which fails first, at the largest torque looked at that
         holds, with one that fails at most `NEAR` times as large, beside a jump `KNOWN` times.
     """
-    if two_ways(results):
-        by_bending, equal = (_judged(each).found for each in (results, results.equal))
-        checks = [_surer(check, equal[check.code]) for check in by_bending.checks]
-        found = of_parts(design=results.design, checks=checks)
-        return replace(found, torque_reserve=None)
     torques = _judged(results)
     found = torques.found
+    if results.two_ways:
+        equal = _judged(results.equal).found
+        found = _changed(results, found, [_surer(each, equal[each.code]) for each in found.checks])
+        return replace(found, torque_reserve=None)
     if not torques.moved or found.impossible:
         return found
     bears = found.torque_reserve is not None or not torques.grow
@@ -78,23 +73,6 @@ def crank_verdict(results: Results, *, largest: bool = False) -> Verdict:
     if sought and (bracket := torques.bracket()):
         return torques.between(*bracket)
     return replace(found, torque_reserve=None, largest_torque_known=False)
-
-
-def two_ways(results: Results) -> bool:
-    """Whether satellites of perfect parts, of which the clearance is not known, may share the load
-    by the bending of their pins or equally.
-
-    Parameters
-    ----------
-    results : Results
-        Results of a design.
-
-    Returns
-    -------
-    bool
-    """
-    design = results.design
-    return design.clearance_unknown and results.solved and not design.as_made
 
 
 def _surer(solved: Check, equal: Check) -> Check:
@@ -110,58 +88,27 @@ def _surer(solved: Check, equal: Check) -> Check:
     )
 
 
-def under(*, design: Design, factor: float) -> Design:
-    """A design under so many times its torques.
-
-    Parameters
-    ----------
-    design : Design
-        The design.
-    factor : float
-        Factor on working and peak torque.
-
-    Returns
-    -------
-    Design
-    """
-    torque, peak = design.load.output_torque * factor, design.load.peak_torque
-    more = {"load.output_torque": torque, "load.peak_torque": peak and peak * factor}
-    return changed(design, more)
-
-
-def _under(results: Results, factor: float) -> Results:
-    """Results under so many times the torque."""
-    return Results(under(design=results.design, factor=factor), equal=results.shared_equally)
+def _changed(results: Results, found: Verdict, others: list[Check]) -> Verdict:
+    """The verdict with other checks in the place of those of their codes."""
+    by_code = {each.code: each for each in (*found.checks, *others)}
+    return of_parts(design=results.design, checks=by_code.values())
 
 
 def _judged(results: Results) -> "_Torques":
-    """All checks under the torque and `MARGIN` times it."""
+    """All checks under the torque and `MARGIN` times it; by both they are ordered."""
     torques = _Torques(results, _failed_before(results, crank_checks(results)))
-    sure = {
-        each.code: each
-        for each in torques.found.checks
-        if each.code in torques.moved
-        and each.status in ("pass", "marginal")
-        and each.reason not in DOUBTS
-    }
-    if sure:
-        more = torques.look(MARGIN)
-        checks = (
-            _with_more(each, more[each.code], torques.root(each.code))
-            if each.code in sure
-            else each
-            for each in torques.found.checks
-        )
-        torques.found = of_parts(design=results.design, checks=checks)
+    seen = []
+    for check in torques.found.checks:
+        sure = check.status in ("pass", "marginal") and check.reason not in DOUBTS
+        if sure and check.code in torques.moved:
+            holds = _holds(torques.look(MARGIN)[check.code])
+            check = check._replace(status="pass" if holds else "marginal")
+            if check.by_torque:
+                nearer = (max if holds else min)(torques.root(check.code), MARGIN)
+                check = check._replace(torque_reserve=nearer)
+            seen.append(check)
+    torques.found = _changed(results, torques.found, seen)
     return torques
-
-
-def _with_more(check: Check, more: Check, root: float) -> Check:
-    """A check by what it is under `MARGIN` times the torque; between these two it is ordered."""
-    holds = _holds(more)
-    found = check._replace(status="pass" if holds else "marginal")
-    nearer = max if holds else min
-    return found._replace(torque_reserve=nearer(root, MARGIN)) if check.by_torque else found
 
 
 def _failed_before(results: Results, found: Verdict) -> Verdict:
@@ -169,35 +116,26 @@ def _failed_before(results: Results, found: Verdict) -> Verdict:
     less: it is passed on the way to the torque, whatever comes then.
     """
     open_parts = {part.code for part in found.parts if part.status == "open"}
-    unknown = [
-        each
-        for each in found.checks
-        if each.opens and each.reason in TOO_MUCH and each.kind.part in open_parts
-    ]
+    of_open = (each for each in found.checks if each.opens and each.kind.part in open_parts)
+    unknown = {each.code: each for each in of_open if each.reason in TOO_MUCH}
     if not unknown or (results.in_series and not results.series.pins_alike):
         return found
     solved, unsolved = 0.0, 1.0
-    for _ in range(UNSOLVED_LOOKS):
-        factor = math.sqrt(solved * unsolved) or LESS * unsolved
-        there = _under(results, factor)
-        looked = [crank_check(each.code, there) for each in unknown]
-        failed = {
-            each.code: factor * each.reserve
+    for _ in range(LOOKS):
+        factor = math.sqrt(solved * unsolved) or unsolved / STRIDE
+        there = results.under(factor)
+        looked = [crank_check(code, there) for code in unknown]
+        failed = [
+            unknown[each.code]._replace(
+                status="fail", torque_reserve=factor * each.reserve, solved=True
+            )
             for each in looked
             if each.status == "fail" and each.by_torque
-        }
+        ]
         if failed:
-            checks = (
-                each._replace(status="fail", torque_reserve=failed[each.code], solved=True)
-                if each.code in failed
-                else each
-                for each in found.checks
-            )
-            return of_parts(design=results.design, checks=checks)
-        if any(each.reason in TOO_MUCH for each in looked):
-            unsolved = factor
-        else:
-            solved = factor
+            return _changed(results, found, failed)
+        too_much = any(each.reason in TOO_MUCH for each in looked)
+        solved, unsolved = (solved, factor) if too_much else (factor, unsolved)
     return found
 
 
@@ -218,11 +156,6 @@ def _left(check: Check) -> float:
     return check.reserve if check.by_torque else 1 / (check.utilisation or math.inf)
 
 
-def _may_fail(check: Check) -> bool:
-    """Whether a check that holds, and has no reserve, may fail under another torque."""
-    return check.kind.loaded and check.status != "fail" and bool(check.utilisation)
-
-
 class _Torques:
     """Checks of a design under several torques."""
 
@@ -230,20 +163,18 @@ class _Torques:
         self.results, self.found = results, found
         counted = [each for each in found.checks if _holds(each) is not None and not each.warning]
         self.grow = [each for each in counted if each.by_torque]
-        moves = any(each.solved for each in self.grow) or results.solved
-        # Those whose forces are solved; of such a design others that hold may fail too.
-        self.moved = [
-            each.code
-            for each in counted
-            if (each.solved if each.by_torque else moves and _may_fail(each))
-        ]
+        # Codes of those whose forces are solved; of such a design others that hold may fail too.
+        self.moved = [each.code for each in self.grow if each.solved]
+        if self.moved or results.solved:
+            others = (each for each in counted if each.kind.loaded and not each.by_torque)
+            self.moved += [each.code for each in others if _holds(each) and each.utilisation]
         self.exact = min((each.reserve for each in self.grow if not each.solved), default=math.inf)
         self.looks = {1.0: {each.code: each for each in found.checks if each.code in self.moved}}
 
     def look(self, factor: float) -> Mapping[str, Check]:
         """The checks that have to be made again under so many times the torque."""
         if factor not in self.looks:
-            there = _under(self.results, factor)
+            there = self.results.under(factor)
             self.looks[factor] = {code: crank_check(code, there) for code in self.moved}
         return self.looks[factor]
 
@@ -258,26 +189,23 @@ class _Torques:
         """Factors on the torque beside each other, at which all checks hold and the first one
         fails; None where no torque is found that holds, or none beside it that fails.
         """
-        held, failed, unknown = 0.0, math.inf, math.inf
-        factor, halve = 1.0, False
+        held, failed, above, factor, slow = 0.0, math.inf, math.inf, 1.0, 0
         for _ in range(LOOKS):
-            width = min(failed, unknown) / held if held else math.inf
+            apart = above / held if held else math.inf
             holds = self.holds(factor)
-            if holds:
-                held = factor
-            elif holds is None:
-                unknown = factor
-            else:
-                failed = factor
+            held, above = (factor, above) if holds else (held, factor)
+            failed = factor if holds is False else failed
             if held == self.exact:
                 return held, math.inf
-            above = min(failed, unknown)
             if held and above <= NEAR * held:
                 break
-            halve = bool(held) and above / held > math.sqrt(width) and not halve
-            halve |= bool(held) and unknown < failed  # of which no check says where it begins
-            if not (factor := math.sqrt(held * above) if halve else self.next(held, above)):
+            # Halved where no check says where the unknown begins, or two looks came no nearer.
+            slow = slow + 1 if held and above / held > math.sqrt(apart) else 0
+            halves = held and (above < failed or slow == 2)
+            factor = math.sqrt(held * above) if halves else self.next(held, above)
+            if not factor:
                 break
+            slow = 0 if halves else slow
         return (held, failed) if held and failed <= KNOWN * held else None
 
     def next(self, held: float, above: float) -> float:
@@ -288,12 +216,10 @@ class _Torques:
         wanted = self.exact if self.exact <= root else root / math.sqrt(NEAR)
         if not held:
             return min(max(wanted, above / STRIDE), above / NEAR) if wanted else 0.0
-        if above == math.inf and held < MARGIN:
-            return min(MARGIN, self.exact)
-        if above == wanted == math.inf:
-            return 0.0
         if above == math.inf:
-            return min(max(wanted, held * NEAR), held * STRIDE, self.exact)
+            most = held * STRIDE if held >= MARGIN else MARGIN
+            endless = wanted == math.inf and held >= MARGIN
+            return 0.0 if endless else min(max(wanted, held * NEAR), most, self.exact)
         near = min(max(wanted, held * NEAR), above / NEAR, self.exact)
         return near if held < near < above else math.sqrt(held * above)
 
@@ -306,9 +232,8 @@ class _Torques:
         nearest = sorted(known, key=lambda each: abs(each[0]))
         if not nearest:
             return math.inf
-        (y, x), *others, slope = *nearest, -1.0
-        if others and others[0][1] != x:
-            slope = (y - others[0][0]) / (x - others[0][1])
+        (y, x), *others = nearest
+        slope = (y - others[0][0]) / (x - others[0][1]) if others else -1.0
         if slope > -CURES_NOTHING:
             return 0.0 if y < 0 else math.inf
         return math.exp(x - y / slope)
@@ -317,12 +242,10 @@ class _Torques:
         """The verdict with a reserve, which is that of the check that fails next to it."""
         failing = (each for each in self.looks.get(failed, {}).values() if _holds(each) is False)
         first = min(failing, key=_left, default=None)
-        checks = []
+        seen = []
         for each in self.found.checks:
             if first and each.code == first.code:
-                checks.append(each._replace(torque_reserve=reserve, solved=False))
+                seen.append(each._replace(torque_reserve=reserve, solved=False))
             elif each.code in self.moved and each.by_torque:
-                checks.append(each._replace(torque_reserve=max(each.reserve, NEAR * reserve)))
-            else:
-                checks.append(each)
-        return of_parts(design=self.results.design, checks=checks)
+                seen.append(each._replace(torque_reserve=max(each.reserve, NEAR * reserve)))
+        return _changed(self.results, self.found, seen)

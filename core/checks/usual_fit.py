@@ -64,15 +64,13 @@ def usual_clearance(design: Design) -> tuple[str, float]:
     return fit, fit_clearance(fit=fit, hole_diameter=2 * hole, pin_diameter=2 * pin)
 
 
-def usual_fit(design: Design, *, largest: bool = False) -> tuple[str, Results, Verdict] | None:
+def usual_fit(design: Design) -> tuple[str, Results, Verdict] | None:
     """The design with a usual clearance.
 
     Parameters
     ----------
     design : Design
         The design, with load, contact and eccentricity.
-    largest : bool
-        Whether its largest torque is looked for.
 
     Returns
     -------
@@ -87,7 +85,7 @@ def usual_fit(design: Design, *, largest: bool = False) -> tuple[str, Results, V
     except InvalidInput:
         return None
     results = Results(_cleared(design, clearance))
-    return name, results, crank_verdict(results, largest=largest)
+    return name, results, crank_verdict(results)
 
 
 def with_usual_clearance(design: Design) -> Design:

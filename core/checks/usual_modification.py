@@ -166,7 +166,7 @@ def _looked_at(mesh: CycloidMesh, torques: list[float]) -> _Piece:
     )
 
 
-def usual_modification(design: Design, *, largest: bool = False) -> UsualModification | None:
+def usual_modification(design: Design) -> UsualModification | None:
     """The design with a usual modification where none is known, and with pins of the ring that
     stand as they usually do where nothing is known of their places.
 
@@ -174,8 +174,6 @@ def usual_modification(design: Design, *, largest: bool = False) -> UsualModific
     ----------
     design : Design
         The design.
-    largest : bool
-        Whether its largest torque is looked for.
 
     Returns
     -------
@@ -229,12 +227,12 @@ def usual_modification(design: Design, *, largest: bool = False) -> UsualModific
         backlash=Spread.of([each.backlash for each, _ in works]),
         cannot_assemble=pressed / len(pieces),
         results=results,
-        verdict=crank_verdict(results, largest=largest),
+        verdict=crank_verdict(results),
     )
 
 
 def usual_clearance_too(
-    *, design: Design, ring: UsualModification | None, largest: bool = False
+    *, design: Design, ring: UsualModification | None
 ) -> tuple[str, Results, Verdict] | None:
     """The design with a usual clearance, and with a usual modification where none is known.
 
@@ -244,8 +242,6 @@ def usual_clearance_too(
         The design, with load, contact and eccentricity.
     ring : UsualModification or None
         The design with such a ring.
-    largest : bool
-        Whether its largest torque is looked for.
 
     Returns
     -------
@@ -253,9 +249,9 @@ def usual_clearance_too(
         As `core.checks.usual_fit.usual_fit`.
     """
     if ring is None or design.cycloid.modification is not None:
-        return usual_fit(design, largest=largest)
+        return usual_fit(design)
     if design.clearance_unknown and ring.results.design.play:
         return usual_clearance(design)[0], ring.results, ring.verdict
     made = ring.results.design
     own = {"gear.modification": made.cycloid.modification, "deviations": made.deviations}
-    return usual_fit(changed(design, own), largest=largest)
+    return usual_fit(changed(design, own))

@@ -8,7 +8,7 @@ from functools import cache
 
 from core.checks.check import Check, Verdict
 from core.checks.crank_planetary import crank_check
-from core.checks.reserve import crank_verdict, two_ways, under
+from core.checks.reserve import crank_verdict
 from core.checks.usual_fit import usual_clearance
 from core.design.document import Design, value_at
 from core.design.results import Results
@@ -153,8 +153,8 @@ def aimed(*, design: Design, check: Check) -> Check:
     Check
     """
     factors = {aim(check) if check.by_torque else 1.0, aim(check) if check.kind.loaded else 1.0}
-    under_each = [Results(under(design=design, factor=factor)) for factor in factors]
-    ways = [*under_each, *(each.equal for each in under_each if two_ways(each))]
+    under_each = [Results(design).under(factor) for factor in factors]
+    ways = [*under_each, *(each.equal for each in under_each if each.two_ways)]
     found = min((crank_check(check.code, way) for way in ways), key=_least_met)
     return found._replace(torque_reserve=found.reserve * max(factors)) if found.by_torque else found
 

@@ -65,13 +65,13 @@ def test_a_reserve_lies_between_a_torque_that_holds_and_one_that_fails(times: fl
 def looked(monkeypatch: pytest.MonkeyPatch) -> list[float]:
     """Factors on the torque at which designs are solved again."""
     seen: list[float] = []
-    more = reserve.under
+    more = Results.under
 
-    def look(*, design: Design, factor: float) -> Design:
+    def look(results: Results, factor: float) -> Results:
         seen.append(factor)
-        return more(design=design, factor=factor)
+        return more(results, factor)
 
-    monkeypatch.setattr(reserve, "under", look)
+    monkeypatch.setattr(Results, "under", look)
     return seen
 
 
@@ -140,7 +140,7 @@ def test_what_holds_up_to_where_forces_end_does_not_fail() -> None:
 
 def test_ideal_forces_are_not_solved_again(monkeypatch: pytest.MonkeyPatch) -> None:
     ideal = Results(having(IDEAL, pin=None, fatigue=None, max_deflection=None))
-    monkeypatch.setattr(reserve, "under", None)
+    monkeypatch.setattr(Results, "under", None)
     found = crank_verdict(ideal, largest=True)
     assert found.torque_reserve and found.checks == crank_checks(ideal).checks
 

@@ -8,8 +8,9 @@ from typing import Any
 import pytest
 
 from core.checks.cold_yield import cold_yield
+from core.checks.crank_planetary import crank_check
 from core.checks.plastics import PLASTICS
-from core.checks.reserve import crank_verdict, under
+from core.checks.reserve import crank_verdict
 from core.design.document import Design
 from core.design.results import Results
 from core.design.ring import CycloidRing
@@ -481,7 +482,7 @@ def test_plastic_teeth_may_yield_before_the_holes(
         assert (cold.friction, cold.strength) == (friction or 0.0, 23e6)
         assert pressure == pytest.approx(factor * 23e6, rel=5e-4)
         below, above = (
-            check_of("ring_static_cold", under(design=near, factor=each)) for each in (0.99, 1.01)
+            crank_check("ring_static_cold", Results(near).under(each)) for each in (0.99, 1.01)
         )
         assert below.only_needed and above.status == "fail"
 
