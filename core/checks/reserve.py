@@ -25,10 +25,11 @@ and up to which that one is a reserve.
 STRIDE = 10.0
 """How many times larger or smaller the next torque is at most, while all hold, or none does."""
 
-CURES_NOTHING = 0.01
-"""Power of the torque by which a check falls, below which less torque cures nothing: of parts that
-press without any.
-"""
+FARTHEST = 1e6
+"""Times the torque beyond which no check is expected at its limit."""
+
+LEAST = 1e-6
+"""Part of a torque that fails, below which none is looked for: of parts that press without any."""
 
 TOO_MUCH = ("not_stable", "not_balanced", "beyond_first_order", "beyond_hertz", "contact_wraps")
 """Reasons for which a check is not known under a torque, and may be under less."""
@@ -212,13 +213,14 @@ class _Torques:
         """The torque to look at, a little below that at which the first check should fail; 0 where
         less cures nothing, or more breaks nothing.
         """
-        root = min(map(self.root, self.moved), default=math.inf)
+        root = min(map(self.root, self.moved), default=FARTHEST)
         wanted = self.exact if self.exact <= root else root / math.sqrt(NEAR)
         if not held:
-            return min(max(wanted, above / STRIDE), above / NEAR) if wanted else 0.0
+            least = max(wanted, above / STRIDE)
+            return min(least, above / NEAR) if wanted > LEAST * above else 0.0
         if above == math.inf:
             most = held * STRIDE if held >= MARGIN else MARGIN
-            endless = wanted == math.inf and held >= MARGIN
+            endless = min(root, self.exact) >= FARTHEST and held >= MARGIN
             return 0.0 if endless else min(max(wanted, held * NEAR), most, self.exact)
         near = min(max(wanted, held * NEAR), above / NEAR, self.exact)
         return near if held < near < above else math.sqrt(held * above)
@@ -231,12 +233,12 @@ class _Torques:
         known = ((math.log(y), math.log(factor)) for y, factor in left if 0 < y < math.inf)
         nearest = sorted(known, key=lambda each: abs(each[0]))
         if not nearest:
-            return math.inf
+            return FARTHEST
         (y, x), *others = nearest
         slope = (y - others[0][0]) / (x - others[0][1]) if others else -1.0
-        if slope > -CURES_NOTHING:
-            return 0.0 if y < 0 else math.inf
-        return math.exp(x - y / slope)
+        if slope >= 0:
+            return 0.0 if y < 0 else FARTHEST
+        return min(math.exp(min(x - y / slope, 99.0)), FARTHEST)
 
     def between(self, reserve: float, failed: float) -> Verdict:
         """The verdict with a reserve, which is that of the check that fails next to it."""

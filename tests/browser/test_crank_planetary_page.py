@@ -783,3 +783,30 @@ def test_with_the_ring_as_output_crank_pins_and_ring_are_shown(page: Page, servi
     box(page, "mechanism.output").select_option("coupling")
     settled(page)
     expect(members.locator('[data-name="output_ratio"] .value')).to_have_text("1")
+
+
+@pytest.mark.parametrize("width", [1280, 390])
+def test_the_largest_torque_comes_after_the_first_answer_in_its_place(
+    page: Page, service: str, width: int
+) -> None:
+    """Nothing moves when it does; until then its place is grey."""
+    held: list[Route] = []
+
+    def hold(route: Route) -> None:
+        if (route.request.post_data_json or {}).get("include") == ["largest_torque"]:
+            held.append(route)
+        else:
+            route.continue_()
+
+    page.set_viewport_size({"width": width, "height": 800})
+    page.route("**/api/v1/crank-planetary", hold)
+    show(page, service)
+    torque, verdict = page.locator(".verdict .torque"), page.locator(".verdict")
+    expect(torque.locator(".sought .figures")).to_have_text("…")
+    while not held:
+        page.wait_for_timeout(20)
+    places = torque.bounding_box(), verdict.bounding_box()
+    held[0].continue_()
+    expect(torque.locator(".sought")).to_have_count(0)
+    expect(torque.locator(".figures")).to_have_text(re.compile(r"\d"))
+    assert (torque.bounding_box(), verdict.bounding_box()) == places

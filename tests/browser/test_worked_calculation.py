@@ -109,6 +109,7 @@ def test_the_verdict_in_words_and_what_mends_a_warning(page: Page, service: str)
 def test_the_largest_torque_said_is_true(page: Page, service: str) -> None:
     """At the torque that is said the check that governs is at its limit."""
     show(page, service, "crank-planetary")
+    expect(page.locator(".verdict .torque .figures")).to_have_text(re.compile(r"\d"))
     torque = number(page.locator(".verdict .torque .figures").inner_text())
     given = first_example(service, "crank-planetary")
     load = given["load"]
