@@ -31,6 +31,7 @@ OWN = {
         "0.16",  # where the service warns, rounded
         "0.018",  # the clearance of the fit, rounded
         "1.2",  # the safety of the pressure, where none is asked
+        "0.85",  # Z_NT for 1e10 loads
     },
     "tutorial_cycloid.md": {"0.001"},  # of the drawings
 }
