@@ -28,22 +28,19 @@ SOURCES = (
     CORE / "output" / "tied_kernel.py",
     CORE / "output" / "sharing_kernel.py",
     CORE / "output" / "turn_kernel.py",
-    CORE / "ring" / "exact_touch.py",
-    CORE / "ring" / "approach.py",
-    CORE / "ring" / "series_disc.py",
-    CORE / "ring" / "series_kernel.py",
-    CORE / "ring" / "series_pieces.py",
 )
 
-LAST = "pieces_core.ring.series_pieces"
-"""What `run_once` has compiled last."""
+ENGINE = CORE / "drive" / "engine.py"
+
+LAST = {"pieces": (CORE / "output" / "compiled.py", *SOURCES), "narrow": (ENGINE,)}
+"""What is compiled last, and of which sources: of the loops, and of the engine."""
 
 
 def _files(name: str = "*") -> list[Path]:
     """What the cache has of a function, or of all."""
     return [
         file
-        for source in SOURCES
+        for source in (*SOURCES, ENGINE)
         for file in Path(os.environ.get("NUMBA_CACHE_DIR") or source.parent / "__pycache__").rglob(
             f"{source.stem}.{name}-*.nb[ci]"
         )
@@ -81,11 +78,14 @@ def cached() -> bool:
     """Whether there is a cache, whole, which numba takes for one of the sources as they are: they
     have the very times and sizes that they had then.
     """
-    stats = [source.stat() for source in (CORE / "output" / "compiled.py", *SOURCES)]
-    sources = sorted((each.st_mtime, each.st_size) for each in stats)
     with suppress(ModuleNotFoundError):
-        expected = (version("numba"), *sources)
-        return any(_stamp(file) == expected for file in _files(LAST))
+        for name, made_of in LAST.items():
+            stats = [source.stat() for source in made_of]
+            sources = sorted((each.st_mtime, each.st_size) for each in stats)
+            expected = (version("numba"), *sources)
+            if not any(_stamp(file) == expected for file in _files(name)):
+                return False
+        return True
     return False
 
 
@@ -116,77 +116,15 @@ def _turns() -> None:
     tolerance_study(Study(real, Tolerances(pin_position=1e-5), asked, samples=2))
 
 
-def _meshes() -> None:
-    """All that is called of discs on the pins of their ring."""
-    from core.hertz import ElasticMaterial
-    from core.output.elasticity import LinearLaw
-    from core.ring.profile import CycloidDisc
-    from core.ring.sharing import CycloidMesh, mesh_over_turn
+def _engine() -> None:
+    """The engine of both meshes and of the ring alone, all of which is compiled as it is loaded."""
+    from core.drive import compiled
 
-    steel = ElasticMaterial(210e9, 0.3)
-    disc = CycloidDisc(
-        satellite_teeth=5, eccentricity=0.001, ring_pin_circle_radius=0.02, ring_pin_radius=0.002
-    )
-    mesh = CycloidMesh(
-        disc=disc,
-        crank_angles=(0.0,),
-        contact_length=0.01,
-        law=LinearLaw(5e7),
-        pin_material=steel,
-        disc_material=steel,
-    )
-    meshed = mesh_over_turn(mesh=mesh, output_torque=30.0)
-    assert meshed.peak_force > 0 and meshed.lost_motion > 0
+    compiled.load()
 
 
-def _series() -> None:
-    """All that is called of both meshes in series."""
-    from core.hertz import ElasticMaterial
-    from core.output.elasticity import LinearLaw
-    from core.output.loop_rows import LOST_MOTION
-    from core.output.mechanism import Mechanism
-    from core.output.real_mechanism import RealMechanism
-    from core.ring.profile import CycloidDisc
-    from core.ring.series import MeshesInSeries
-    from core.ring.series_study import SeriesStudy
-    from core.ring.series_turn import SeriesTurn
-    from core.ring.sharing import CycloidMesh
-    from core.tolerance.study import Evaluation, tolerance_study
-    from core.tolerance.tolerances import Tolerances
-
-    steel = ElasticMaterial(210e9, 0.3)
-    disc = CycloidDisc(
-        satellite_teeth=5, eccentricity=0.001, ring_pin_circle_radius=0.02, ring_pin_radius=0.002
-    )
-    law = LinearLaw(5e7)
-    ring = CycloidMesh(
-        disc=disc,
-        crank_angles=(0.0,),
-        contact_length=0.01,
-        law=law,
-        pin_material=steel,
-        disc_material=steel,
-    )
-    output = RealMechanism(
-        mechanism=Mechanism(3, (0.0,), 5.0),
-        pin_circle_radius=0.01,
-        pin_radius=0.002,
-        eccentricity=0.001,
-        contact_length=0.01,
-        law=law,
-        pin_material=steel,
-        hole_material=steel,
-    )
-    series = MeshesInSeries(ring, output)
-    turn = SeriesTurn(series, 5.0)
-    assert turn.poses([0.1])["force"][0] > 0
-    assert turn.narrow(LOST_MOTION)(0.1, 0.2)[1] >= turn.values(LOST_MOTION, [0.1]).heights[0] > 0
-    asked = Evaluation(("peak_force",), 5.0, positions=4)
-    tolerance_study(SeriesStudy(series, Tolerances(ring_pin_position=1e-7), asked, samples=2))
-
-
-PARTS = {"turns": _turns, "meshes": _meshes, "series": _series}
-"""What is compiled; the last of it takes from the others, which are apart from each other."""
+PARTS = {"turns": _turns, "engine": _engine}
+"""What is compiled, apart from each other."""
 
 
 def run_once() -> None:
@@ -202,7 +140,8 @@ def make_part(name: str) -> None:
     from core.output import compiled
 
     with suppress(ImportError, OSError):
-        compiled.load()
+        if name == "turns":
+            compiled.load_loops()
         PARTS[name]()
 
 
@@ -249,15 +188,13 @@ def make_cache() -> None:
         return
     LOG.info(ONCE)
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(0))
-    *first, last = PARTS
-    for names in (first, [last]):
-        with ExitStack() as ends:
-            codes = (f"from app.compiled import make_part; make_part({name!r})" for name in names)
-            parts = [subprocess.Popen([sys.executable, "-c", code]) for code in codes]
-            for part in parts:
-                ends.callback(part.kill)
-            for part in parts:
-                part.wait()
+    with ExitStack() as ends:
+        codes = (f"from app.compiled import make_part; make_part({name!r})" for name in PARTS)
+        parts = [subprocess.Popen([sys.executable, "-c", code]) for code in codes]
+        for part in parts:
+            ends.callback(part.kill)
+        for part in parts:
+            part.wait()
 
 
 if __name__ == "__main__":

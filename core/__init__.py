@@ -29,6 +29,7 @@ load_sharing        one displacement shared by many unilateral contacts
 fatigue             endurance limit by named factors, criteria, finite life
 conformal           a pin in a hole that fits closely, of any two materials
 hertz               elastic bodies in line contact, narrow or conformal, against their limits
+drive               one planar network of bodies, contacts and springs in equilibrium
 materials           what is known of a material, from where
 material_table      a small table of them, and by which names they are found
 output              the output mechanism: pins in the holes of satellites on cranks

@@ -201,7 +201,7 @@ class RingInSeriesFields(RealDesignFields):
         """
         try:
             ring = self._ring
-            assert ring.pairs  # refuses what has no size
+            assert ring.drive  # refuses what has no size
         except InvalidInput as error:
             for section in ("gear.contact_law", "gear"):
                 if (name := f"{section}.{error.parameter}") in self.core_paths:

@@ -55,7 +55,7 @@ from core.design.ring import CycloidRing, InvoluteRing
 from core.errors import InvalidInput
 from core.output.elasticity import HertzLaw, SatelliteSupport, Shares
 from core.output.real_curves import stiffness_curve
-from core.output.turn import Turn
+from core.ring.drive_turn import DriveTurn
 from core.ring.involute import InvolutePair, involute_pair
 from core.ring.loss import RingFriction, RingLoss, ring_loss, sliding_part
 from core.ring.profile import CycloidDisc, outline_points
@@ -435,7 +435,7 @@ class RingMeshRequest(RequestModel, group="positions"):
 
     def solve_for_drawing(self) -> ShownMesh:
         """All that the figure shows."""
-        turn = MeshTurn(Turn(self.mesh, self.torque))
+        turn = MeshTurn(DriveTurn(self.mesh, self.torque))
         return ShownMesh.at_angle(turn, self.angles[0])
 
 

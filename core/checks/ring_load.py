@@ -105,8 +105,8 @@ def ring_pressed(design: Design, results: Results) -> Check:
         angle = why.where.get("crank_angle")
         if angle is None or why.code == "cannot_assemble":  # which says nothing of the teeth
             raise
-        own = results.series.discs if results.in_series else ((results.ring.mesh, None),)
-        over = max(teeth.pressing_at(teeth.wave(angle)) for teeth, _ in own)
+        own = results.series.teeth if results.in_series else (results.ring.mesh,)
+        over = max(teeth.pressing_at(teeth.wave(angle)) for teeth in own)
         if not over > 0:
             raise
         place: dict[str, Any] = why.where | why.params

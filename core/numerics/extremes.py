@@ -27,6 +27,9 @@ CLOSER = 24
 POINTS, ZOOMS = np.linspace(-1.0, 1.0, 17), 8
 """Places about the best one, and how often as many closer ones follow: to 6e-8 of the width."""
 
+ROUNDED = 1e-13
+"""Part of a height that may be rounding."""
+
 LAST = len(POINTS) - 1
 
 CLOSER_BY = float(POINTS[1] - POINTS[0])
@@ -145,7 +148,7 @@ def hill(
     True
     """
     found = narrow(low, high)
-    if found[1] >= height:
+    if found[1] >= height - ROUNDED * abs(height):
         return found
     best, width = (place, height, 0.0), min(place - low, high - place)
     for _ in range(CLOSER):

@@ -6,14 +6,14 @@ as they are and give the same bits.
 
 import functools
 import os
-import sys
 import types
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from contextlib import suppress
 from typing import Any
 
 import numpy as np
 
+from core.drive import compiled as drive
 from core.output import (
     contact_kernel,
     giving_kernel,
@@ -30,7 +30,7 @@ INLINED = {
     *("at", "play", "played", "touch_error", "shift", "start", "balance", "freed", "carry"),
     *("carried_errors", "judged", "largest", "hardest", "close_by", "fitting", "ahead", "clear"),
     *("place", "press", "widest", "at_most", "piece"),
-    *("reach", "straddles", "part", "between", "pins_at", "held", "linked"),
+    "part",
 }
 """Functions that take more rows than a call should hand on: it takes a third of a microsecond."""
 
@@ -40,49 +40,25 @@ of which would be compiled with all that the function calls.
 """
 
 
-def _copies(
-    made: Callable[[Any], Any], others: dict[str, Any], over: tuple[types.ModuleType, ...]
-) -> dict[str, Any]:
-    """The sources' functions, and over them those of other modules, made anew: they see each other
-    and the others, not the plain ones.
-    """
-    sources = (*SOURCES, *over)
-    names = {name: each for one in sources for name, each in vars(one).items()} | others
-    names["SOURCES"] = tuple(dict.fromkeys([__file__, *(one.__file__ for one in _read(over))]))
-    for one in sources:
+def _copies(made: Callable[[Any], Any], others: dict[str, Any]) -> dict[str, Any]:
+    """The sources' functions, made anew: they see each other and the others, not the plain ones."""
+    names = {name: each for one in SOURCES for name, each in vars(one).items()} | others
+    names["SOURCES"] = (__file__, *(one.__file__ for one in SOURCES))
+    for one in SOURCES:
         for name, plain in vars(one).items():
             own = isinstance(plain, types.FunctionType) and plain.__module__ == one.__name__
             if own and name not in others:
                 copy = types.FunctionType(plain.__code__, names, name, plain.__defaults__)
                 copy.__module__ = plain.__module__
-                copy.__qualname__ = "_".join((name, *(each.__name__ for each in over)))
                 names[name] = made(copy)
     return names
 
 
-def _borrowed(over: tuple[types.ModuleType, ...]) -> Iterator[tuple[str, types.FunctionType]]:
-    """Functions that modules have of others of these loops, by their names for them."""
-    for module in over:
-        for name, plain in vars(module).items():
-            others = isinstance(plain, types.FunctionType) and plain.__module__ != module.__name__
-            if others and plain.__module__.startswith("core."):
-                yield name, plain
-
-
-def _read(over: tuple[types.ModuleType, ...]) -> Iterator[types.ModuleType]:
-    """Modules whose change changes what modules become: what they borrow may be inlined."""
-    yield from (*SOURCES, *over)
-    for borrowed in sorted({each.__module__ for _, each in _borrowed(over)}):
-        yield from _read((sys.modules[borrowed],))
-
-
-def in_place_of(*over: types.ModuleType, **others: Callable[..., Any]) -> Any:
+def in_place_of(**others: Callable[..., Any]) -> Any:
     """The loops, interpreted, with other functions in the place of some.
 
     Parameters
     ----------
-    *over : module
-        Loops over the same pairs whose functions stand for those of the same names.
     **others : callable
         By the names of those that they stand for.
 
@@ -91,26 +67,20 @@ def in_place_of(*over: types.ModuleType, **others: Callable[..., Any]) -> Any:
     namespace
         As `at_hand` gives it.
     """
-    names = _copies(lambda copy: copy, others, over)
+    names = _copies(lambda copy: copy, others)
     return types.SimpleNamespace(**names, row=list, table=np.ndarray.tolist, threads=1)
 
 
 plain = functools.cache(in_place_of)
-"""The loops with other modules over them, interpreted."""
+"""The loops, interpreted."""
 
 PLAIN = plain()
 
 _at_hand: Callable[..., Any] = plain
 
 
-def at_hand(*over: types.ModuleType) -> Any:
-    """The functions of all `SOURCES`: compiled once `load` was called, else as they
-    are.
-
-    Parameters
-    ----------
-    *over : module
-        As `in_place_of` takes it.
+def at_hand() -> Any:
+    """The functions of all `SOURCES`: compiled once `load` was called, else as they are.
 
     Returns
     -------
@@ -118,11 +88,12 @@ def at_hand(*over: types.ModuleType) -> Any:
         Its `row` and `table` make what they take, lists or arrays; `threads` says how many can
         run at once.
     """
-    return _at_hand(*over)
+    return _at_hand()
 
 
 def load() -> None:
-    """Have the loops compiled from now on: each with its first call, or read from numba's cache.
+    """Have the loops and the engine compiled from now on: each loop with its first call, or read
+    from numba's cache.
 
     The cache is numba's, beside the source or in ``NUMBA_CACHE_DIR``; it is compiled for any
     processor of its kind, and may be moved to another machine.
@@ -132,14 +103,20 @@ def load() -> None:
     ImportError
         If numba is not installed.
     """
+    load_loops()
+    drive.load()
+
+
+def load_loops() -> None:
+    """Those of pins in holes alone."""
     global _at_hand
     _compiled()
     _at_hand = _compiled
 
 
 @functools.cache
-def _compiled(*over: types.ModuleType) -> types.SimpleNamespace:
-    names = _dispatchers(*over)
+def _compiled() -> types.SimpleNamespace:
+    names = _dispatchers()
     return types.SimpleNamespace(
         **{name: names[name] for name in CALLED},
         row=functools.partial(np.array, dtype=float),
@@ -149,14 +126,13 @@ def _compiled(*over: types.ModuleType) -> types.SimpleNamespace:
 
 
 @functools.cache
-def _dispatchers(*over: types.ModuleType) -> dict[str, Any]:
-    """The functions of all modules, each of which numba compiles with its first call."""
+def _dispatchers() -> dict[str, Any]:
+    """The functions of all sources, each of which numba compiles with its first call."""
     os.environ.setdefault("NUMBA_CPU_NAME", "generic")
     os.environ.setdefault("NUMBA_CACHE_LOCATOR_CLASSES", f"{__name__}.{Place.__name__}")
     import numba
 
     numba.config.reload_config()  # which reads it as it is imported, by whoever does so first
-    of_others = {name: _of(plain.__module__)[plain.__name__] for name, plain in _borrowed(over)}
 
     def made(copy: Any) -> Any:
         # The loops make no arrays: what they are given is held by who calls them, not counted here.
@@ -164,12 +140,7 @@ def _dispatchers(*over: types.ModuleType) -> dict[str, Any]:
         options |= {"no_cpython_wrapper": copy.__name__ not in CALLED, "no_cfunc_wrapper": True}
         return numba.njit(forceinline=copy.__name__ in INLINED, **options)(copy)
 
-    return _copies(made, of_others, over)
-
-
-def _of(module: str) -> dict[str, Any]:
-    """The compiled functions of a module."""
-    return _dispatchers(*(each for each in (sys.modules[module],) if each not in SOURCES))
+    return _copies(made, {})
 
 
 class Place:

@@ -398,7 +398,7 @@ class OverTurn:
                 break
             low, high, here, there = low[handed], high[handed], here[handed], there[handed]
             middle = (low + high) / 2
-            between = turn.poses(middle.tolist())
+            between = turn.between(middle.tolist())
             carries = between["forces"] > 0
             felt = between["forces"] > FELT * between["force_error"][:, None]
             least = min(least, int(carries.sum(axis=1).min()))
@@ -432,7 +432,9 @@ class OverTurn:
     def ripple_error(self) -> float:
         """Estimate of its error, N*m."""
         unsure = float(self.turn.fine["force_error"].max())
-        return self._ripple.error + 2 * unsure * len(self.real.pairs.a) * self.real.eccentricity
+        own = self.real.mechanism
+        pairs = own.pins * own.satellites
+        return self._ripple.error + 2 * unsure * pairs * self.real.eccentricity
 
     @property
     def angle_error(self) -> float:

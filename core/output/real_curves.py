@@ -99,7 +99,7 @@ def real_curves(*, real: Stage, crank_angle: FloatArray, output_torque: float) -
                 least + 0.0,
                 most + 0.0,
                 found.stiffness,
-                real.loops.input_torque(psi, torque, found.lag, there, real.pairs, room),
+                real.input_torque(psi, torque, found.lag, there, room),
             )
         )
     force = np.array(forces).T

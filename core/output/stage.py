@@ -103,6 +103,12 @@ class Stage:
         raise NotImplementedError
 
     @property
+    def phases(self) -> Sequence[float]:
+        """Angles of the cranks with their errors, rad."""
+        phases: Sequence[float] = self.pairs.phase[: self.mechanism.satellites]
+        return phases
+
+    @property
     def pins_alike(self) -> bool:
         """Whether all pins are alike, and all that they touch of a satellite."""
         raise NotImplementedError
@@ -191,6 +197,25 @@ class Stage:
             place = {"crank_angle": self.crank_angle(psi)}
             raise ImpossibleMechanism(REFUSALS[status], place, **params)
         return position
+
+    def input_torque(self, psi: float, torque: float, lag: float, setup: Any, room: Any) -> float:
+        """Torque that turns the crank without friction, N*m, as `solved` left the room.
+
+        Parameters
+        ----------
+        psi, torque : float
+            As they were solved.
+        lag : float
+            As it was found, rad.
+        setup, room : named tuple
+            As `solved` takes them.
+
+        Returns
+        -------
+        float
+        """
+        found: float = self.loops.input_torque(psi, torque, lag, setup, self.pairs, room)
+        return found
 
     def crank_angle(self, psi: float) -> float:
         """First crank angle >= 0 of a wave angle, rad.

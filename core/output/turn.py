@@ -54,12 +54,8 @@ class Turn:
         Share of the torque under which the lost motion is taken.
     """
 
-    results: Any = Poses
-    """What is asked of positions."""
-
     def __init__(self, real: Stage, torque: float, share: float = 0.03) -> None:
-        self.real: Any = real
-        self.torque = torque
+        self.start(real, torque, share)
         self.kernel = real.loops_of_turns
         direction = math.copysign(1.0, torque)
         self.load = Load(
@@ -68,6 +64,11 @@ class Turn:
         self.pairs, self.room = (
             as_rows(values=each, row=self.kernel.row) for each in (real.pairs, real.room())
         )
+
+    def start(self, real: Stage, torque: float, share: float) -> None:
+        """What any turn has."""
+        self.real: Any = real
+        self.torque, self.share = float(torque), float(share)
         self.evaluations = 0
         self.repeats = real.mechanism.pins if real.pins_alike else 1
         """How often the turn repeats: from one period to the next a pin feels what the next one
@@ -88,24 +89,23 @@ class Turn:
         own = largest.reshape(-1, self.repeats)
         return np.broadcast_to(own.max(axis=1, keepdims=True), own.shape).ravel()
 
+    def between(self, places: Sequence[float]) -> Rows:
+        """Positions between others, of which the play need not be known."""
+        return self.poses(places)
+
     def poses(self, places: Sequence[float]) -> Rows:
         """Positions at wave angles, rad."""
         self.evaluations += len(places)
-        own = self.load.setup
+        own = self.real.mechanism
         row, many, pairs = self.kernel.row, len(places), own.pins * own.satellites
-        wide = {"forces": pairs} | self.wide
-        names = self.results._fields
-        results = self.results(*[row([0.0] * many * wide.get(name, 1)) for name in names])
+        results = Poses(
+            *[row([0.0] * many * (pairs if name == "forces" else 1)) for name in Poses._fields]
+        )
         given = self.load.torque, self.load.setup, self.pairs, self.room, results
         self._refused(places, self.kernel.poses(row(places), *given))
         rows = {name: np.array(each) for name, each in results._asdict().items()}
-        rows |= {name: rows[name].reshape(many, count) for name, count in wide.items()}
+        rows["forces"] = rows["forces"].reshape(many, pairs)
         return rows | {"wave": np.array(places)}
-
-    @property
-    def wide(self) -> dict[str, int]:
-        """How many numbers a position has of what there is not one, besides the forces."""
-        return {}
 
     def at_waves(self, places: FloatArray) -> Rows:
         """Positions at wave angles of the output, rad."""
@@ -174,16 +174,16 @@ class Turn:
 
     def positions(self) -> tuple[list[float], list[float]]:
         """Wave angles of an even grid over a period, and those around dead angles."""
-        pairs, pins = self.real.pairs, self.load.setup.pins
-        many = pins * self.load.setup.satellites
+        phases, pins = self.real.phases, self.real.mechanism.pins
+        many = pins * len(phases)
         count = many * -(-POSITIONS // many)
         step = 2 * math.pi / count
         first = self.first
         grid = [first + step * i for i in range(count // self.repeats)]
         dead = {
-            round((half - pairs.phase[j] - 2 * math.pi * n / pins - first) % self.period, 9)
+            round((half - phase - 2 * math.pi * n / pins - first) % self.period, 9)
             for half in self.real.dead_angles
-            for j in range(self.load.setup.satellites)
+            for phase in phases
             for n in range(pins)
         }
         halvings = min(CLUSTER, MOST_CLUSTERED // (2 * len(dead)))

@@ -3,16 +3,13 @@
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------
 profile             a cycloid disc as it is cut: outline, curvature, undercut, points
-exact_touch         where the ring's pins touch it, in exact geometry
-approach            its approach to the ring's pins, in the place of that of pins in holes
+drives              a ring on its discs, and both meshes in series, as `core.drive` takes them
+drive_turn          their positions and turns
 sharing             forces, lag, play and stiffness at a position and over the turn
-series_disc         a disc between the ring and the pins of the output, at a lag
-series_kernel       discs that find their own lags between the two
 series              both meshes in series: forces, lags, play and stiffness at a position
 series_turn         the same over the turns after which all repeats
 series_samples      forces of both on pins, satellites and crank over the turn, at samples
 series_teeth        the teeth as they work in series
-series_pieces       quantities of pieces of both meshes in series
 series_study        what tolerances do to these
 mesh_curves         forces, lags and gaps of the teeth over the turn, as they are drawn
 loss                sliding on the pins: loss, efficiency, pv

@@ -46,7 +46,7 @@ def forces_on_ring(turn: MeshTurn) -> PinForces:
     """
     mesh, samples = turn.mesh, turn.close
     pins, satellites = mesh.disc.pins, len(mesh.crank_angles)
-    phases = np.array(mesh.pairs.phase[:satellites])[:, None, None]
+    phases = np.array(mesh.phases)[:, None, None]
     ring = 2 * math.pi * np.arange(pins)[:, None] / pins
     turned = np.exp(1j * (phases + ring)) * np.exp(1j * samples.wave)
     outward = 1 - mesh.disc.shortening_coefficient * turned

@@ -9,37 +9,31 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import chain
-from typing import Any
 
 import numpy as np
 
 from core.arrays import check_finite, check_single
+from core.drive import engine
+from core.drive.model import Pieces
 from core.errors import Accuracy, InvalidInput, Notice, poorly_known
 from core.hertz import HertzContact
-from core.output.compiled import at_hand, plain
 from core.output.loaded_position import bent_together, notices
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import RealMechanism
-from core.output.room import Deviations
-from core.output.sharing_kernel import too_wide
-from core.output.stage import Stage, divisible, in_floats
 from core.precision import SAME
-from core.ring import series_kernel
-from core.ring.series_disc import SeriesPairs, SeriesRoom, SeriesSetup
+from core.ring.drive_turn import DriveStage, Solved
+from core.ring.drives import series_drive
 from core.ring.sharing import CycloidMesh
 
 HALVINGS = 60
 """How often the interference of parts that press is halved."""
 
-
-def _joined(discs: tuple[Any, ...]) -> Any:
-    """Rows of all discs, of which parts are rows too."""
-    return type(discs[0])(*[divisible(chain(*rows)) for rows in zip(*discs, strict=True)])
+SHARED = "eccentricity", "crank_phase", "disc_phase"
+"""Deviations that both stages have."""
 
 
 @dataclass(frozen=True)
-class MeshesInSeries(Stage):
+class MeshesInSeries(DriveStage):
     """Cycloid discs between the pins of their ring and those of the output."""
 
     ring: CycloidMesh  # with the phases' deviations, without given shares
@@ -65,7 +59,7 @@ class MeshesInSeries(Stage):
         yield "exact", ring.exact, output.exact
         lists = {"crank_angles": (ring.crank_angles, output.mechanism.crank_angles)}
         zeros = (0.0,) * output.mechanism.satellites
-        for name in ("eccentricity", "crank_phase", "disc_phase"):
+        for name in SHARED:
             both = getattr(ring.deviations, name), getattr(output.deviations, name)
             lists[name] = both[0] or zeros, both[1] or zeros
         for name, (rows, others) in lists.items():
@@ -86,109 +80,43 @@ class MeshesInSeries(Stage):
         """Whether all pins of the ring are alike, those of the output, and all holes of a disc."""
         return self.ring.pins_alike and self.output.pins_alike
 
-    def setup(self, direction: float) -> SeriesSetup:
-        """The design as the loops take it.
-
-        Parameters
-        ----------
-        direction : float
-            Of the torque: 1, or -1 in reverse.
-
-        Returns
-        -------
-        SeriesSetup
-        """
-        own = self.mechanism
-        return in_floats(
-            SeriesSetup(
-                pins=own.pins,
-                satellites=own.satellites,
-                direction=direction,
-                ratio=own.ratio,
-                start=own.initial_crank_angle,
-                mesh=self.ring.setup(direction)._replace(satellites=1),
-                output=self.output.setup(direction)._replace(satellites=1),
-            )
-        )
-
     @cached_property
-    def discs(self) -> tuple[tuple[CycloidMesh, RealMechanism], ...]:
-        """Each disc by itself in its ring, and on the pins of the output. Discs are put onto these
-        by the holes that lie next to them.
-        """
-        ring, output, own = self.ring, self.output, self.mechanism
-        assert ring.pairs and output.pairs  # refuse what has no size, by its own number
-        errors, found = output.rooms.numbered[0], []
-        for j, angle in enumerate(own.crank_angles):
+    def teeth(self) -> tuple[CycloidMesh, ...]:
+        """Each disc by itself in its ring."""
+        ring, found = self.ring, []
+        for j, angle in enumerate(self.mechanism.crank_angles):
 
-            def of(values: tuple[Any, ...], j: int = j) -> tuple[Any, ...]:
+            def of(values: tuple[float, ...], j: int = j) -> tuple[float, ...]:
                 return values[j : j + 1]
 
-            phase = of(errors.crank_phase) or (0.0,)
-            shared = {"eccentricity": of(errors.eccentricity), "crank_phase": phase}
+            own = ring.deviations
+            alone = {name: of(getattr(own, name)) for name in SHARED}
             found.append(
-                (
-                    replace(
-                        ring,
-                        crank_angles=(angle,),
-                        pin=ring.pin.at(j),
-                        deviations=replace(
-                            ring.deviations, **shared, disc_phase=of(errors.disc_phase)
-                        ),
-                    ),
-                    replace(
-                        output,
-                        mechanism=replace(own, crank_angles=(angle,)),
-                        pin=output.pin.at(j),
-                        deviations=Deviations(
-                            errors.pin_radial,
-                            errors.pin_tangential,
-                            errors.pin_radius,
-                            of(errors.hole_radial),
-                            of(errors.hole_tangential),
-                            of(errors.hole_radius),
-                            **shared,
-                            # The disc's lag has it: a crank ahead turns its disc there.
-                            disc_phase=(-phase[0] / own.ratio,),
-                        ),
-                    ),
+                replace(
+                    ring,
+                    crank_angles=(angle,),
+                    pin=ring.pin.at(j),
+                    deviations=replace(own, **alone),
                 )
             )
         return tuple(found)
 
     @cached_property
-    def pairs(self) -> SeriesPairs:
-        """Constants of the pairs."""
-        teeth, holes = zip(*[(one.pairs, other.pairs) for one, other in self.discs], strict=True)
-        return SeriesPairs(_joined(teeth), _joined(holes))
+    def drive(self) -> Pieces:
+        """What the engine takes."""
+        assert self.ring.drive and self.output.pairs  # refuse what has no size, by its own number
+        return series_drive(self)
 
-    def room(self) -> SeriesRoom:
-        """Room for the results of one position."""
-        count = self.mechanism.satellites
-        rooms = [(one.room(), other.room()) for one, other in self.discs]
-        teeth, holes = zip(*rooms, strict=True)
-        rows = ([0.0] * count for _ in SeriesRoom._fields[2:])
-        return SeriesRoom(_joined(teeth), _joined(holes), *rows)
-
-    @property
-    def loops_of_turns(self) -> Any:
-        """The same, compiled where they can be."""
-        return at_hand(series_kernel)
-
-    @cached_property
-    def loops(self) -> Any:
-        """The functions of `core.output.sharing_kernel` over `core.ring.series_kernel`."""
-        return plain(series_kernel)
-
-    def forces(self, room: SeriesRoom) -> list[float]:
+    def forces(self, room: Solved) -> list[float]:
         """Forces of the pins of the output, N.
 
         Parameters
         ----------
-        room : SeriesRoom
+        room : Solved
             Of a position.
         """
-        return [*room.holes.force]
+        found: list[float] = room.forces[0, room.contacts(engine.PIN)].tolist()
+        return found
 
     def wave(self, crank_angle: float) -> float:
         """Crank angle, rad, within half of the turns after which everything repeats.
@@ -209,22 +137,6 @@ class MeshesInSeries(Stage):
             What `wave` says, rad.
         """
         return psi % (2 * math.pi * self.mechanism.ratio)
-
-    def beyond_law(self, room: SeriesRoom) -> dict[str, Any]:
-        """The pair whose force is beyond its law: satellite, and pin of the ring or the output.
-
-        Parameters
-        ----------
-        room : SeriesRoom
-            A position in which one is.
-        """
-        stages = (
-            (self.pairs.teeth, room.teeth, self.ring.disc.pins),
-            (self.pairs.holes, room.holes, self.mechanism.pins),
-        )
-        found = [(too_wide(pairs, own), pins) for pairs, own, pins in stages]
-        j, n = next(divmod(pair, pins) for pair, pins in found if pair >= 0)
-        return {"satellite": j + 1, "pin": n + 1}
 
     def with_wider_gaps(self, closer: float) -> "MeshesInSeries":
         """The same with all gaps so much wider.
@@ -373,30 +285,28 @@ def series_position(
     if output_torque == 0:
         raise InvalidInput("output_torque", output_torque, "not_zero")
     way, torque = math.copysign(1.0, output_torque), abs(output_torque)
-    setup, room, angle = real.setup(way), real.room(), real.wave(crank_angle)
-    found = real.solved(angle, torque, setup, room)
-    own_lags = [way * each for each in room.lag]
-    behind = [way * found.lag - each for each in own_lags]
-    every = range(setup.satellites)
-    cranks = [series_kernel.on_crank(j, angle, found.lag, setup, real.pairs, room) for j in every]
-    force, on_teeth = np.array(real.forces(room)), np.array(room.teeth.force)
-    torques = tuple(way * each + 0.0 for each in room.torque)
-    curved = np.array(real.pairs.teeth.curved)
-    presses = bool(room.pressed[0])
+    room, angle = real.room(), real.wave(crank_angle)
+    found = real.solved(angle, torque, way, room)
+    row, own_lags = room.rows[0], room.lags[0, 1:]
+    behind = room.lags[0, 0] - own_lags
+    force, on_teeth = np.array(real.forces(room)), room.forces[0, room.contacts(engine.LOBE)]
+    by_ring, by_pins = room.by_ring[0], room.on_discs(engine.PIN)[0]
+    torques = tuple((by_ring[:, 2] + 0.0).tolist())
+    on_cranks = by_ring + by_pins
+    presses = bool(row[engine.PRESSED])
     pressed = found.low > found.high + found.play_error
     play = sorted((way * found.low + 0.0, way * found.high + 0.0))
     contact = real.output.hardest(force.tolist())
     most = max(float(force.max()), float(on_teeth.max()))
     accuracy = Accuracy("newton_bracket", found.force_error / most, found.steps)
-    input_torque = series_kernel.input_torque(angle, torque, found.lag, setup, real.pairs, room)
     known = (
         *notices(
             real=real.output,
-            lag=max(map(abs, behind)),
+            lag=float(np.abs(behind).max()),
             pressed=False,
             contact=contact,
         ),
-        *bent_together(real=real.output, force=force.reshape(-1, setup.pins)),
+        *bent_together(real=real.output, force=force.reshape(-1, real.mechanism.pins)),
         *real.notices(pressed=presses),
         *poorly_known(accuracy),
     )
@@ -405,29 +315,26 @@ def series_position(
         rotation=way * found.lag,
         force=real.rows(force.tolist()),
         satellite_torque=torques,
-        satellite_rotation=tuple(behind),
+        satellite_rotation=tuple(behind.tolist()),
         loaded_pairs=int((force > 0).sum()),
         play=None if pressed else (play[0], play[1]),
         interference=_interference(real, angle) if presses else None,
         stiffness=found.stiffness,
         contacts=(contact,),
         ring=RingPart(
-            rotation=tuple(own_lags),
+            rotation=tuple(own_lags.tolist()),
             force=real.ring.rows(on_teeth.tolist()),
             disc_torque=torques,
-            crank_across=tuple(across for _, across, _, _ in cranks),
-            crank_along=tuple(along for along, *_ in cranks),
+            crank_across=tuple(by_ring[:, 1].tolist()),
+            crank_along=tuple(by_ring[:, 0].tolist()),
             loaded_pairs=int((on_teeth > 0).sum()),
-            max_pressure=real.ring.pressure(float((on_teeth * curved).max())),
-            play=tuple(
-                (min(way * low, way * high) + 0.0, max(way * low, way * high) + 0.0)
-                for low, high in zip(room.low, room.high, strict=True)
-            ),
+            max_pressure=real.ring.pressure(float(row[engine.LOBE_PRESSED])),
+            play=tuple((low + 0.0, high + 0.0) for low, high in room.play[0, 1:].tolist()),
         ),
-        crank_force=tuple(math.hypot(a + c, b + d) for a, b, c, d in cranks),
-        across=tuple(b + d for _, b, _, d in cranks),
-        input_torque=input_torque,
-        rotation_error=max(found.lag_error, *(each + found.play_error for each in room.error)),
+        crank_force=tuple(np.hypot(on_cranks[:, 0], on_cranks[:, 1]).tolist()),
+        across=tuple(on_cranks[:, 1].tolist()),
+        input_torque=float(row[engine.INPUT_TORQUE]),
+        rotation_error=found.lag_error,
         play_error=found.play_error,
         force_error=found.force_error,
         accuracy=accuracy,
@@ -441,11 +348,8 @@ def _interference(series: MeshesInSeries, angle: float) -> float:
     """
 
     def presses(closer: float) -> bool:
-        wider = series.with_wider_gaps(closer)
-        low, high, _, held = series_kernel.placed(
-            angle, wider.setup(1.0), wider.pairs, wider.room()
-        )
-        return held or low > high
+        row = series.with_wider_gaps(closer).unloaded(np.array([angle]))[0]
+        return bool(row[engine.PRESSED])
 
     low, high = 0.0, 1e-6
     while presses(high):

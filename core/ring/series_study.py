@@ -3,20 +3,19 @@
 import math
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from core.arrays import FloatArray
+from core.drive import engine
 from core.errors import InvalidInput
-from core.output.compiled import at_hand
-from core.output.loop_rows import FORCE, LOST_MOTION, Errors
+from core.output.loop_rows import FITS, FORCE, LOST_MOTION, NOWHERE
 from core.output.real_mechanism import RealMechanism
-from core.output.turn import as_rows
-from core.ring import series_pieces
+from core.ring.drive_turn import Solved
+from core.ring.drives import Cranks, LobeErrors, PinErrors, series_pieces, tool_of
 from core.ring.profile import CycloidDisc, Modification
 from core.ring.series import MeshesInSeries
-from core.ring.series_pieces import MeshErrors, SeriesPieces
 from core.ring.series_turn import SeriesTurn
 from core.ring.sharing import RingDeviations
 from core.tolerance.study import Study
@@ -33,6 +32,24 @@ NAMES = {"equidistant": "equidistant", "pin_circle": "modification_pin_circle"}
 
 TRIED = 24
 """Ways of going through the turns that are tried, of which one comes everywhere on the wave."""
+
+
+NOTHING = (math.nan,) * 8
+"""Quantities of a piece that cannot work."""
+
+
+class SeriesPieces(NamedTuple):
+    """Quantities of pieces; not a number where one cannot work."""
+
+    fits: FloatArray  # FITS, BINDS or NOWHERE
+    peak_force: FloatArray  # of the pins of the output
+    max_pressure: FloatArray  # of these, as `core.output.turn_kernel.hardest`
+    transmission_error: FloatArray  # largest less least lag under load, rad
+    backlash_max: FloatArray  # largest play of the output, rad
+    lost_motion: FloatArray  # largest, rad
+    stiffness_min: FloatArray  # least, N*m/rad
+    ring_peak_force: FloatArray  # of the pins of the ring
+    ring_max_pressure: FloatArray  # of these, force over reduced radius
 
 
 @lru_cache(maxsize=16)
@@ -143,33 +160,56 @@ class SeriesStudy(Study):
         SeriesPieces
         """
         series, asked = self.real, self.asked
-        ring, output = series.ring, series.output
-        kernel = at_hand(series_pieces)
-        row, table = kernel.row, kernel.table
         errors, of_ring = pieces.rows(), pieces.ring_rows()
-        # The lag of a disc has its phase.
-        turned = errors._replace(disc_phase=-errors.crank_phase / output.mechanism.ratio)
-        mesh = MeshErrors(*of_ring[:3], errors.disc_phase, _tools(ring.disc, of_ring))
-        none = [0.0] * len(pieces)
-        results = as_rows(values=SeriesPieces(*[none] * len(SeriesPieces._fields)), row=row)
-        fresh = replace(series)  # its rows are written over
-        kernel.pieces(
-            Errors(*map(table, turned)),
-            MeshErrors(*map(table, mesh)),
-            row(self.places(asked.positions)),
-            row(self.places(LOOKED * self.ring_pins)),
-            self.under_load,
-            "lost_motion" in asked.quantities,
-            (ring.law_constants, output.law_constants),
-            self.load,
-            row(series.mechanism.crank_angles),
-            (row(ring.compliance), row(output.compliance)),
-            row(output.outward),
-            as_rows(values=fresh.pairs, row=row),
-            as_rows(values=fresh.room(), row=row),
-            results,
+        count, discs = len(pieces), series.mechanism.satellites
+        tool = _tools(series.ring.disc, of_ring)
+        teeth = LobeErrors(
+            of_ring.ring_pin_radial, of_ring.ring_pin_tangential, of_ring.ring_pin_radius, tool
         )
-        return results
+        holes = [each.reshape(count, discs, -1) for each in errors[3:6]]
+        pins = PinErrors(errors.pin_radial, errors.pin_tangential, errors.pin_radius, *holes)
+        with np.errstate(invalid="ignore", divide="ignore"):  # of pieces that have no size
+            drives = series_pieces(
+                series=series, teeth=teeth, holes=pins, cranks=Cranks(*errors[6:])
+            )
+        looked = np.sort(self.places(LOOKED * self.ring_pins))
+        room = Solved.of(drives, asked.positions)
+        found = [
+            self._piece(replace(room, drive=drives.drive(k)), looked) if sound else (NOWHERE, None)
+            for k, sound in enumerate(drives.sound.tolist())
+        ]
+        fits = np.array([each[0] for each in found], float)
+        extremes = np.array([each[1] or NOTHING for each in found]).T
+        return SeriesPieces(fits, *extremes)
+
+    def _piece(self, room: Solved, looked: FloatArray) -> tuple[int, tuple[float, ...] | None]:
+        """Whether a piece fits, and its extremes: nothing where it does not, or cannot work."""
+        asked = self.asked
+        fits = engine.goes_together(looked, room.drive, room.work, room.rows[0])
+        if fits != FITS:
+            return fits, None
+        places, torque, play = np.array(self.places(asked.positions)), asked.output_torque, True
+        rows, most = room.rows, np.zeros(engine.INTERFERENCE + 1)
+        lag = stiffness = lost = 0.0
+        if self.under_load:
+            play = "backlash_max" in asked.quantities
+            if room.at(places, torque, play=play) >= 0:
+                return fits, None
+            most, lags = rows.max(axis=0), rows[:, engine.LAG]
+            lag, stiffness = np.ptp(lags), rows[:, engine.STIFFNESS].min()
+        elif "backlash_max" in asked.quantities:
+            engine.unloaded(places, 1.0, False, room.drive, room.work, rows, room.play)
+            most = rows.max(axis=0)
+        if "lost_motion" in asked.quantities:
+            both = np.zeros(len(places))
+            for part in (asked.lost_motion_share, -asked.lost_motion_share):
+                if room.at(places, part * torque, play=False) >= 0:
+                    return fits, None
+                both += rows[:, engine.LAG]
+            lost = both.max()
+        forces = engine.PIN_FORCE, engine.PIN_PRESSED, engine.LOBE_FORCE, engine.LOBE_PRESSED
+        one, pressed, ring, ring_pressed = most[[*forces]]
+        return fits, (one, pressed, lag, most[engine.PLAY], lost, stiffness, ring, ring_pressed)
 
     def piece(self, pieces: Drawn, index: int) -> Any:
         """Both meshes of one piece.
@@ -262,7 +302,5 @@ def _tools(disc: CycloidDisc, rows: RingRows) -> FloatArray:
         changes = changes[:1]
     found = []
     for equidistant, pin_circle in changes.tolist():
-        one = _cut(disc, equidistant, pin_circle)
-        own = one.modification
-        found.append((one.tool_circle_radius, one.tool_radius, own.equidistant, own.pin_circle))
+        found.append(tool_of(_cut(disc, equidistant, pin_circle)))
     return np.array(found * (len(rows.equidistant) // len(found)))

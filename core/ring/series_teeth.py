@@ -8,9 +8,14 @@ from core.output.contact_force import PairNumber
 from core.output.over_turn import Extreme
 from core.output.real_turn import CloseSamples
 from core.output.summits import Summit
-from core.output.turn import Turn
-from core.ring.approach import ALONG_LEAST, ALONG_MOST, RUB, RUB_AND_PRESS
-from core.ring.series_kernel import MESH_PRESSURE
+from core.ring.drive_turn import (
+    ALONG_LEAST,
+    ALONG_MOST,
+    MESH_PRESSURE,
+    RUB,
+    RUB_AND_PRESS,
+    DriveTurn,
+)
 from core.ring.series_samples import teeth_samples
 from core.ring.series_turn import SeriesOverTurn, SeriesTurn
 from core.ring.sharing import CycloidMesh, MeshTurn
@@ -142,8 +147,8 @@ class TeethInSeries(MeshTurn):
     def discs(self) -> tuple[MeshTurn, ...]:
         """Each disc by itself in the ring, those that are alike there once."""
         one, torque = self.series.series, self.turn.torque / len(self.mesh.crank_angles)
-        alike = {teeth.deviations.eccentricity: teeth for teeth, _ in one.discs}
-        return tuple(MeshTurn(Turn(teeth, torque)) for teeth in alike.values())
+        alike = {teeth.deviations.eccentricity: teeth for teeth in one.teeth}
+        return tuple(MeshTurn(DriveTurn(teeth, torque)) for teeth in alike.values())
 
     @property
     def play_in_ring(self) -> float:

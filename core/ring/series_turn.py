@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.arrays import ComplexArray, FloatArray, check_finite, check_single
+from core.drive import engine
 from core.errors import InvalidInput, Notice, derived, poorly_known
 from core.numerics.extremes import LOOKED, zoom
 from core.output.contact_force import PairNumber
@@ -21,9 +22,14 @@ from core.output.over_turn import Extreme, OverTurn, Peak
 from core.output.real_turn import refined
 from core.output.sampled_turn import off_straight
 from core.output.summits import Summit
-from core.output.turn import LOOKED_AGAIN, POSITIONS, Rows, Turn
+from core.output.turn import LOOKED_AGAIN, POSITIONS, Rows
+from core.ring.drive_turn import (
+    MESH_FORCE,
+    MESH_PRESSURE,
+    OF_SERIES,
+    DriveTurn,
+)
 from core.ring.series import MeshesInSeries
-from core.ring.series_kernel import MESH_FORCE, MESH_PRESSURE, SeriesPoses
 
 LEAST_A_TURN = 48
 """Positions of a turn of the crank at least."""
@@ -85,7 +91,7 @@ def of_ring(rows: Rows) -> ComplexArray:
     return found
 
 
-class SeriesTurn(Turn):
+class SeriesTurn(DriveTurn):
     """Both meshes under a torque, over the turns of the crank; refusals as `Stage.solved`.
 
     Parameters
@@ -98,7 +104,7 @@ class SeriesTurn(Turn):
         Share of the torque under which the lost motion is taken.
     """
 
-    results = SeriesPoses
+    columns, kind = OF_SERIES, engine.PIN
 
     def __init__(self, real: MeshesInSeries, torque: float, share: float = 0.03) -> None:
         super().__init__(real, torque, share)
@@ -112,13 +118,6 @@ class SeriesTurn(Turn):
         self.waves = 1 if real.ring.pins_alike else lobes + 1
         self.step = self.waves * pins // self.repeats % pins
 
-    @property
-    def wide(self) -> dict[str, int]:
-        """Of each disc, and of all pairs of the ring."""
-        discs = self.load.setup.satellites
-        every = dict.fromkeys(("own", "along", "across"), discs)
-        return every | {"teeth": discs * self.real.ring.disc.pins}
-
     def at_waves(self, places: FloatArray) -> Rows:
         """Positions at wave angles of the output, rad."""
         own = self.real.mechanism
@@ -126,7 +125,7 @@ class SeriesTurn(Turn):
 
     def of_pairs(self, largest: FloatArray) -> FloatArray:
         """Largest values of all pairs, by those over a period."""
-        own = largest.reshape(self.load.setup.satellites, self.repeats, -1)
+        own = largest.reshape(self.real.mechanism.satellites, self.repeats, -1)
         return np.broadcast_to(own.max(axis=1, keepdims=True), own.shape).ravel()
 
     def positions(self) -> tuple[list[float], list[float]]:
@@ -230,10 +229,8 @@ class SeriesOverTurn(OverTurn):
         """What the ring does."""
         turn, series = self.turn, self.series
         top, missed = self.top("mesh_force", MESH_FORCE)
-        place, torque = min(each % turn.period for each in top.alike), abs(turn.torque)
-        room = series.room()
-        series.solved(place, torque, turn.load.setup, room)
-        pair = int(np.array(room.teeth.force).argmax())
+        place = min(each % turn.period for each in top.alike)
+        pair = int(turn.poses([place])["teeth"].argmax())
         satellite, pin = divmod(pair, series.ring.disc.pins)
         loaded, unsure = turn.fine["mesh_loaded"], float(turn.fine["force_error"].max())
         return RingTurn(
@@ -285,7 +282,7 @@ class SeriesOverTurn(OverTurn):
     def ripple_error(self) -> float:
         """Estimate of its error, N*m."""
         unsure = float(self.turn.fine["force_error"].max())
-        pairs = len(self.series.pairs.teeth.a) + len(self.series.pairs.holes.a)
+        pairs = int(self.series.drive.cf.shape[1])
         return self._ripple.error + 2 * unsure * pairs * self.real.eccentricity
 
     @property

@@ -1,21 +1,20 @@
 """Load sharing of a ring of pins on cycloid discs, with modification, errors and elasticity.
 
 Every disc is rigid and held by its crank. The one unknown is the lag of its teeth behind their
-ideal angle; the equilibrium is that of `core.output.sharing_kernel` over `core.ring.approach`.
+ideal angle; `core.drive.engine` finds it.
 """
 
 import math
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
 from core.arrays import FloatArray, IntArray, check_finite, check_positive, check_single
+from core.drive import engine
+from core.drive.model import Pieces
 from core.errors import Accuracy, ImpossibleMechanism, InvalidInput, Notice, derived, poorly_known
 from core.hertz import ElasticMaterial, effective_modulus
-from core.output.compiled import at_hand, plain
-from core.output.conformal_law import NO_CURVE, NO_WRAP
 from core.output.contact_force import PairNumber
 from core.output.elasticity import (
     RIGID_PINS,
@@ -25,21 +24,26 @@ from core.output.elasticity import (
     LinearLaw,
     Pins,
     SatelliteSupport,
+    Shares,
     check_law,
     law_constants,
-    law_kind,
 )
 from core.output.loop_rows import PRESSURE, Law
 from core.output.mechanism import Mechanism
 from core.output.over_turn import Extreme, OverTurn
 from core.output.real_turn import CloseSamples, close_samples
-from core.output.stage import Stage, blank_rows, in_floats
 from core.output.summits import Summit, summits
-from core.output.turn import Turn
 from core.precision import ROUNDING
-from core.ring import approach
-from core.ring.approach import ALONG_LEAST, ALONG_MOST, RUB, RUB_AND_PRESS
-from core.ring.exact_touch import MeshPairs, MeshRoom, MeshSetup, quarter, touch
+from core.ring.drive_turn import (
+    ALONG_LEAST,
+    ALONG_MOST,
+    RUB,
+    RUB_AND_PRESS,
+    DriveStage,
+    DriveTurn,
+    Solved,
+)
+from core.ring.drives import ring_drive
 from core.ring.profile import CycloidDisc, Modification
 
 DEPTHS = 0.5, 2.0
@@ -48,9 +52,8 @@ DEPTHS = 0.5, 2.0
 USUAL_SHORTENING = 0.35, 0.9
 """Shortening coefficients of most drives."""
 
-LOOKED_PRESSING, HALVINGS = 180, 40
-"""Positions of the turn at which is looked for what presses most, then between two of them; and how
-often the lags between which it presses least are halved there."""
+LOOKED_PRESSING = 180
+"""Positions of the turn at which is looked for what presses most, then between two of them."""
 
 NORMALS = 2e-3
 """Error of forces along a crank, over those across, by the normals of perfect parts: discs that lag
@@ -100,7 +103,7 @@ class RingDeviations:
 
 
 @dataclass(frozen=True)
-class CycloidMesh(Stage):
+class CycloidMesh(DriveStage):
     """Cycloid discs on a ring of pins, as they are made."""
 
     disc: CycloidDisc  # all discs
@@ -179,47 +182,6 @@ class CycloidMesh(Stage):
         radius = self.disc.ring_pin_radius
         return float(self.law.depth(radius) if isinstance(self.law, HertzLaw) else radius)
 
-    def setup(self, direction: float) -> MeshSetup:
-        """The design as the loops take it.
-
-        Parameters
-        ----------
-        direction : float
-            Of the torque: 1, or -1 in reverse.
-
-        Returns
-        -------
-        MeshSetup
-        """
-        kind, exponent = law_kind(self.law)
-        disc, change = self.disc, self.disc.modification
-        return in_floats(
-            MeshSetup(
-                pins=disc.pins,
-                satellites=len(self.crank_angles),
-                ratio=float(disc.satellite_teeth),
-                exact=False,
-                radius=disc.ring_pin_circle_radius,
-                pin_radius=disc.ring_pin_radius,
-                eccentricity=disc.eccentricity,
-                clearance=0.0,
-                direction=direction,
-                law=kind,
-                exponent=exponent,
-                curve=NO_CURVE,
-                wrap=NO_WRAP,
-                support=self.support.kind,
-                gives=0.0,
-                loose=0.0,
-                foot=self.exact,
-                tool_circle=disc.tool_circle_radius,
-                tool=disc.tool_radius,
-                equidistant=change.equidistant,
-                pin_circle=change.pin_circle,
-                rotation=change.rotation,
-            )
-        )
-
     @property
     def compliance(self) -> list[float]:
         """Of a ring pin at each disc, m/N: of its seat, and of its bending."""
@@ -238,22 +200,32 @@ class CycloidMesh(Stage):
         )
 
     @cached_property
-    def _errors(self) -> tuple[list[float], ...]:
-        return self.deviations.each(pins=self.disc.pins, satellites=len(self.crank_angles))
+    def drive(self) -> Pieces:
+        """What the engine takes."""
+        self._refuse_no_radius()
+        return ring_drive(self)
 
-    @cached_property
-    def pairs(self) -> MeshPairs:
-        """Constants of the pairs."""
-        disc = self.disc
-        pairs: MeshPairs = self._blank(MeshPairs)
-        angles, law = list(self.crank_angles), self.law_constants
-        none = approach.prepare_mesh(
-            self.setup(1.0), law, self._errors, angles, self.compliance, pairs
-        )
-        if none >= 0:
-            j, k = divmod(none, disc.pins)
+    def _refuse_no_radius(self) -> None:
+        """Refuse pins and cranks without a size."""
+        own, count = self.deviations, len(self.crank_angles)
+        pins = np.array(own.pin_radius or (0.0,) * self.disc.pins) + self.disc.ring_pin_radius
+        cranks = np.array(own.eccentricity or (0.0,) * count) + self.eccentricity
+        none = np.minimum(pins, cranks[:, None]) <= 0
+        if none.any():
+            j, k = divmod(int(none.argmax()), self.disc.pins)
             raise ImpossibleMechanism("no_radius_left", satellite=j + 1, pin=k + 1)
-        return pairs
+
+    @property
+    def phases(self) -> list[float]:
+        """Angles of the cranks with their errors, rad."""
+        errors = self.deviations.crank_phase or (0.0,) * len(self.crank_angles)
+        return [angle + error for angle, error in zip(self.crank_angles, errors, strict=True)]
+
+    @property
+    def pin_radii(self) -> FloatArray:
+        """Radius of each pin of the ring, m."""
+        errors = self.deviations.pin_radius or (0.0,) * self.disc.pins
+        return self.disc.ring_pin_radius + np.array(errors)
 
     def pressing_at(self, psi: float) -> float:
         """Smallest possible worst approach without load, m; below 0 where pairs are free.
@@ -261,9 +233,9 @@ class CycloidMesh(Stage):
         Parameters
         ----------
         psi : float
-            Wave angle, rad.
+            Crank angle, rad.
         """
-        return _interference(self, self.setup(1.0), psi)
+        return float(self.unloaded(np.array([psi]), least=True)[0, engine.INTERFERENCE])
 
     def with_thinner_pins(self, closer: float) -> "CycloidMesh":
         """The same with all pins of the ring so much thinner.
@@ -280,29 +252,6 @@ class CycloidMesh(Stage):
         own = self.deviations
         thinner = tuple(each - closer for each in own.pin_radius or (0.0,) * self.disc.pins)
         return replace(self, deviations=replace(own, pin_radius=thinner))
-
-    def room(self) -> MeshRoom:
-        """Room for the results of one position."""
-        room: MeshRoom = self._blank(MeshRoom)
-        return room
-
-    def _blank(self, kind: Any) -> Any:
-        return blank_rows(
-            kind,
-            pins=self.disc.pins,
-            satellites=len(self.crank_angles),
-            shares=self.support.given_shares,
-        )
-
-    @property
-    def loops(self) -> Any:
-        """The functions of `core.output.sharing_kernel` over `core.ring.approach`, interpreted."""
-        return plain(approach)
-
-    @property
-    def loops_of_turns(self) -> Any:
-        """The same, compiled where they can be."""
-        return at_hand(approach)
 
     def pressure(self, force_over_radius: float) -> float:
         """Largest Hertz pressure by a force over the reduced radius.
@@ -420,34 +369,28 @@ def mesh_position(*, mesh: CycloidMesh, crank_angle: float, output_torque: float
     check_finite(crank_angle=crank_angle, output_torque=output_torque)
     if output_torque == 0:
         raise InvalidInput("output_torque", output_torque, "not_zero")
-    direction = math.copysign(1.0, output_torque)
-    setup, room, pairs = mesh.setup(direction), mesh.room(), mesh.pairs
-    found = mesh.solved(mesh.wave(crank_angle), abs(output_torque), setup, room)
-    force, pins = np.array(room.force), setup.pins
-    on_discs = np.array(
-        [
-            approach.wrench(i, i // pins, setup, pairs, room) if each > 0 else (0.0, 0.0, 0.0)
-            for i, each in enumerate(room.force)
-        ]
-    )
-    along, across, torques = on_discs.reshape(-1, pins, 3).sum(axis=1).T
+    direction, room = math.copysign(1.0, output_torque), mesh.room()
+    found = mesh.solved(mesh.wave(crank_angle), abs(output_torque), direction, room)
+    w, pairs = room.work.w, room.contacts(engine.LOBE)
+    force, far = room.forces[0, pairs], w[pairs, engine.SLIDE]
+    along, across, torques = room.by_ring[0].T
     loaded = force > 0
-    far = np.array([approach.sliding(i, setup, room) for i in range(len(force))])
-    pressed = found.low > found.high + found.play_error
+    pressed = bool(room.rows[0, engine.PRESSED])
     ends = sorted((direction * found.low + 0.0, direction * found.high + 0.0))
     accuracy = Accuracy("newton_bracket", found.force_error / float(force.max()), found.steps)
+    own = room.lags[0] if mesh.support.given_shares else room.lags[0].repeat(len(along))
     return MeshPosition(
         crank_angle=crank_angle,
-        rotation=tuple(direction * lag for lag in room.own_lag),
-        force=mesh.rows(room.force),
-        disc_torque=tuple((direction * torques).tolist()),
+        rotation=tuple(own.tolist()),
+        force=mesh.rows(force.tolist()),
+        disc_torque=tuple(torques.tolist()),
         crank_across=tuple(across.tolist()),
         crank_along=tuple(along.tolist()),
         loaded_pairs=int(loaded.sum()),
         play=None if pressed else (ends[0], ends[1]),
-        interference=_interference(mesh, setup, mesh.wave(crank_angle)) if pressed else None,
+        interference=mesh.pressing_at(mesh.wave(crank_angle)) if pressed else None,
         stiffness=found.stiffness,
-        max_pressure=mesh.pressure(float((force * np.array(pairs.curved)).max())),
+        max_pressure=mesh.pressure(float(room.rows[0, engine.LOBE_PRESSED])),
         sliding_distance=float(far[loaded].max()),
         sliding_loss=float((force * far).sum()) / abs(output_torque),
         rotation_error=found.lag_error,
@@ -456,35 +399,6 @@ def mesh_position(*, mesh: CycloidMesh, crank_angle: float, output_torque: float
         accuracy=accuracy,
         notices=(*mesh.notices(pressed=pressed), *poorly_known(accuracy)),
     )
-
-
-def _interference(mesh: CycloidMesh, setup: MeshSetup, angle: float) -> float:
-    """Smallest possible worst approach without load."""
-    room, pairs = mesh.room(), mesh.pairs
-    approach.at(angle, setup, pairs, room)
-    loops: Any = mesh.loops
-    far = quarter(setup)
-    return float(loops.pressing(-far, far, setup, pairs, room))
-
-
-def _pressing(mesh: CycloidMesh, waves: FloatArray) -> FloatArray:
-    """The same at wave angles, in first order: of discs that turn for themselves the largest."""
-    setup, room, pairs = mesh.setup(1.0), mesh.room(), mesh.pairs
-    rows = []
-    for wave in waves.tolist():
-        approach.at(wave, setup, pairs, room)
-        rows.append((*room.q, *room.v))
-    alone = setup.satellites if mesh.support.given_shares else 1
-    q, v = np.array(rows).reshape(len(rows), 2, alone, -1).transpose(1, 0, 2, 3)
-    far = np.full(q.shape[:2], quarter(setup))
-    low, high = -far, far
-    for _ in range(HALVINGS):
-        lag = (low + high) / 2
-        worst = (q + lag[..., None] * v).argmax(axis=-1)
-        rises = np.take_along_axis(v, worst[..., None], axis=-1)[..., 0] > 0
-        low, high = np.where(rises, low, lag), np.where(rises, lag, high)
-    found: FloatArray = (q + low[..., None] * v).max(axis=-1).max(axis=-1)
-    return found
 
 
 def mesh_gaps(
@@ -521,19 +435,12 @@ def mesh_gaps(
     {2e-05}
     """
     check_single(crank_angle=crank_angle)
-    setup, room, pairs = mesh.setup(1.0), mesh.room(), mesh.pairs
-    approach.at(mesh.wave(crank_angle), setup, pairs, room)
-    pins, lags = setup.pins, rotation or (0.0,) * setup.satellites
-    if not mesh.exact:
-        return mesh.rows(
-            [-q - lags[i // pins] * v for i, (q, v) in enumerate(zip(room.q, room.v, strict=True))]
-        )
-    return mesh.rows(
-        [
-            -touch(i, i // pins, lags[i // pins], setup, pairs, room).approach
-            for i in range(len(room.q))
-        ]
-    )
+    count = len(mesh.crank_angles)
+    room = Solved.of(replace(mesh, support=Shares((1 / count,) * count)).drive)
+    found = np.zeros(len(room.work.w))
+    lags = np.array(rotation or (0.0,) * count, float)
+    engine.gaps(mesh.wave(crank_angle), lags, room.drive, room.work, found)
+    return mesh.rows((-found[room.contacts(engine.LOBE)]).tolist())
 
 
 class MeshTurn(OverTurn):
@@ -570,10 +477,11 @@ class MeshTurn(OverTurn):
     @derived
     def hardest_place(self) -> tuple[PairNumber, float]:
         """The pair with that pressure, and the crank angle at which it has it, rad."""
-        place, pairs = self._hardest.place, self.mesh.pairs
-        own = self.mesh.setup(math.copysign(1.0, self.turn.torque))
-        approach.at(place, own, pairs, self.mesh.room())  # curvatures there
-        pressed = self.forces_at(place).ravel() * np.array(pairs.curved)
+        place, turn = self._hardest.place, self.turn
+        assert isinstance(turn, DriveTurn)
+        room = turn.solve([place], turn.torque)
+        pairs = room.contacts(engine.LOBE)
+        pressed = room.forces[0, pairs] * room.work.w[pairs, engine.BENT]
         satellite, pin = divmod(int(pressed.argmax()), self.mesh.disc.pins)
         return PairNumber(satellite + 1, pin + 1), place % self._period
 
@@ -604,18 +512,22 @@ class MeshTurn(OverTurn):
 
     @derived
     def interference(self) -> float:
-        """Largest over the turn of the smallest possible worst approach without load, m: where it
-        is so in first order; 0 where no pairs press anywhere.
+        """Largest over the turn of the smallest possible worst approach without load, m; 0 where no
+        pairs press anywhere.
         """
         if not self.pressed_without_load:
             return 0.0
-        wave, way = self.turn.fine["wave"], math.copysign(1.0, self.turn.torque)
+        wave = self.turn.fine["wave"]
         apart = math.ceil(len(wave) / LOOKED_PRESSING)
+
+        def pressing(places: IntArray) -> FloatArray:
+            found: FloatArray = self.mesh.unloaded(wave[places], least=True)[:, engine.INTERFERENCE]
+            return found
+
         coarse = np.arange(0, len(wave), apart)
-        top = coarse[_pressing(self.mesh, wave[coarse]).argmax()]
+        top = coarse[pressing(coarse).argmax()]
         near = np.arange(top - apart, top + apart + 1) % len(wave)
-        there = float(wave[near[_pressing(self.mesh, wave[near]).argmax()]])
-        return max(_interference(self.mesh, self.mesh.setup(way), there), 0.0)
+        return max(float(pressing(near).max()), 0.0)
 
     @property
     def peak_force_ratio(self) -> float:
@@ -692,7 +604,7 @@ class MeshTurn(OverTurn):
         and the distances to the pitch points over the radius of the pins' circle, shape (M, pairs).
         """
         (wave, force), there, disc = self.samples, self.even, self.mesh.disc
-        phases = np.array(self.mesh.pairs.phase[: len(self.mesh.crank_angles)])
+        phases = np.array(self.mesh.phases)
         ring = 2 * np.pi * np.arange(disc.pins) / disc.pins
         angle = wave[there, None] + (phases[:, None] + ring).ravel()
         k = disc.shortening_coefficient
@@ -792,7 +704,7 @@ def mesh_over_turn(
     if not 0 < lost_motion_share <= 1:
         code, limit = ("greater_than", 0) if lost_motion_share <= 0 else ("less_than_equal", 1)
         raise InvalidInput("lost_motion_share", lost_motion_share, code, limit=limit)
-    found = MeshTurn(Turn(mesh, output_torque, lost_motion_share))
+    found = MeshTurn(DriveTurn(mesh, output_torque, lost_motion_share))
     assert found.turn.coarse  # refuses what cannot be
     return found
 

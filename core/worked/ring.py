@@ -127,12 +127,12 @@ def pressure_steps(
     _disc(sheet, disc)
     _tool(sheet, disc)
     k, pins = disc.shortening, np.arange(disc.pins)
-    phases = np.array(mesh.pairs.phase)[:, None]
+    phases = np.array(mesh.phases)[:, None]
     angle = crank_angle + phases + 2 * math.pi * pins / disc.pins
     slope = np.sqrt(1 + k**2 - 2 * k * np.cos(angle))
     bend = 1 + disc.pins * k**2 - (disc.pins + 1) * k * np.cos(angle)
     path = disc.tool_circle_radius * slope**3 / bend
-    size = disc.ring_pin_radius + np.array(mesh.pairs.larger).reshape(angle.shape)
+    size = np.broadcast_to(mesh.pin_radii, angle.shape)
     reduced = 1 / (1 / size + 1 / (path - disc.tool_radius))
     carried = np.array(force)
     at = np.unravel_index(int((carried / reduced).argmax()), carried.shape)

@@ -69,11 +69,7 @@ stretch, what NumPy's `where` takes, a check's value and limit."""
 
 KERNELS = {
     *(each.__name__ for each in SOURCES),
-    "core.ring.approach",
-    "core.ring.exact_touch",
-    "core.ring.series_disc",
-    "core.ring.series_kernel",
-    "core.ring.series_pieces",
+    "core.drive.engine",
 }
 """Loops that are compiled as well, which knows no arguments by keyword; not for other packages."""
 

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 from core.errors import InvalidInput
-from core.output.compiled import in_place_of
 from core.output.elasticity import PinSupport
 from core.output.room import Deviations
 from core.precision import EXACT
@@ -246,14 +245,12 @@ def test_limits_that_leave_no_flank_are_refused() -> None:
 def test_pieces_without_a_size_are_none_and_what_is_not_asked_is_not_solved(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    def none(*given: Any) -> None:
+    def none(*given: Any, **_: Any) -> None:
         raise AssertionError(given)
 
     series, torque = bare(8, exact=False)
     asked = Evaluation(("backlash_max",), torque, 2)
-    monkeypatch.setattr(
-        "core.ring.series_study.at_hand", lambda over: in_place_of(over, solve_in_series=none)
-    )
+    monkeypatch.setattr("core.ring.drive_turn.Solved.at", none)
     play = Tolerances(ring_pin_position=1e-6)
     study = SeriesStudy(series, play, asked, samples=2)
     assert np.isfinite(study.values(study.pieces())[0]).all()

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from core.errors import InvalidInput
-from core.output import compiled
 from core.output.elasticity import LinearLaw
 from core.output.loop_rows import LOST_MOTION
 from core.output.mechanism import Mechanism
@@ -121,17 +120,6 @@ def test_the_summits_against_a_dense_walk(exact: bool, torque: float) -> None:
     for name in ("mesh_force", "lag"):  # after all turns, and not before
         one, whole, again = walk.poses([0.2, 0.2 + 2 * math.pi, 0.2 + walk.period])[name]
         assert again == pytest.approx(one, rel=EXACT) and whole != pytest.approx(one, rel=1e-3)
-
-
-def test_interpreted_and_compiled_loops_give_the_same_bits(monkeypatch: Any) -> None:
-    series, found = series_of(discs=2, exact=True, **PHASES), []
-    for hand in (compiled.plain, compiled._at_hand):
-        monkeypatch.setattr(compiled, "_at_hand", hand)
-        turn = SeriesTurn(series, -160.0)
-        rows = turn.poses([0.1, 2.3, 30.0])
-        numbers = np.concatenate([np.ravel(each) for each in rows.values()])
-        found.append([*numbers.tolist(), *turn.values(LOST_MOTION, [1.0]).heights])
-    assert found[0] == found[1]
 
 
 def test_parts_that_press_have_no_backlash() -> None:

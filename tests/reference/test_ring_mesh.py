@@ -148,7 +148,7 @@ def test_virtual_work(seed: int) -> None:
     direction, room = math.copysign(1.0, torque), mesh.room()
     setup, psi = mesh.setup(direction), mesh.wave(angle)
     position = mesh.solved(psi, abs(torque), setup, room)
-    on_crank = mesh.loops.input_torque(psi, abs(torque), position.lag, setup, mesh.pairs, room)
+    on_crank = mesh.input_torque(psi, abs(torque), position.lag, setup, room)
     assert on_crank == pytest.approx(expected, abs=1e-8 * scale)
 
 

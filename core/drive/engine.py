@@ -1,0 +1,1601 @@
+"""One planar network in equilibrium: bodies, contacts with a gap and a law, springs, one torque.
+
+Unknowns are displacements ``q`` of bodies (turn of the output; of a disc its turn, its shift along
+and across its crank) and ``b`` of pins that bend, two at each plane. The stored energy
+``sum U_i(approach_i) + K/2*(q, b)^2 - T*q_0`` is stationary. A contact is seen from its pin's ideal
+place, the real axis outward, the imaginary one as the output turns; there the crank points to
+``w = exp(-i*a)``. With ``m(t) = exp(-i*t) - 1``, t a lag:
+
+    PIN (circle in a circle)  s = eps + m(turn)*P - m(own)*H - shift*w + bend,  d = s - e_j*w,
+                              approach = |d| - (e_j + gap)
+    LOBE (of a disc, on a pin of its ring)
+        D = eps - (de + shift)*w + (exp(i*own) - 1)*P_0 + bend + R_m*(1 - exp(-i*s))
+            - e*w*(1 - exp(-i*z_p*s)),  approach = gap - n.D  at the foot s of D on the path
+
+No difference of large numbers. FLANK is a pin's second foot, on the other flank of a valley that
+is narrower than the pin. First order in lags and errors is one flag of a group of contacts: its
+levers are held. Lags count against the direction in which the output turns.
+
+All functions here are compiled (`core.drive.compiled`), and run as they are without a compiler:
+floats, ints and arrays of numpy only. SI units.
+"""
+
+import math
+from typing import Annotated, NamedTuple
+
+from core.arrays import FloatArray, IntArray
+
+Row = Annotated[FloatArray, "row"]
+Table = Annotated[FloatArray, "table"]
+Block = Annotated[FloatArray, "block"]
+Whole = Annotated[IntArray, "whole"]
+"""Arrays of one, two and three axes, and one of integers of two: of what each function takes its
+annotations say all, by which it is compiled."""
+
+PIN, LOBE, FLANK = range(3)
+"""Kind of a group: circle in a circle, lobe of a disc on a pin, its second foot."""
+
+LINEAR, POWER, HERTZ, CONFORMAL = range(4)
+"""Laws of contact: `law`."""
+
+KIND, LAW, START, STOP, TURN, OWN, ALONG, ACROSS, EXACT, OF = range(10)
+"""Integers of a group: its contacts, which displacements move it (-1: none), whether it is exact,
+and the group whose second feet it has."""
+
+(
+    RATE,  # of the wave by the crank
+    PHASE,  # rad
+    ECC,  # of its own crank, m
+    OFF,  # error of that, m
+    LATE,  # lag of the disc that it has by its errors, rad
+    LOBES,  # z_p, of a ring
+    TOOL_R,  # R_m, m
+    TOOL,  # r_m, m
+    EXPONENT,  # of the law
+    BASE_E,  # eccentricity of the disc as it is cut, m
+    CIRCLE,  # radius of the pins' circle, m
+    SHORT,  # e*z_p over R_m; in first order over the circle
+    HOLLOW,  # largest curvature of the path's valleys, 1/m
+    ROTATION,  # gap that a turned profile leaves, rad
+    RADIUS,  # of a pin of the ring, m
+    RATIO,  # u, the lobes of a disc
+) = range(16)
+"""Floats of a group."""
+
+BLOCK, PLANE, FIRST = range(3)
+"""Integers of a contact: block and plane of a pin that bends (-1: none), the first foot's contact
+of a second one."""
+
+CB, SB, PX, PY, EX, EY, GAP, A, B, LIMIT, RAD, CURVED, WIDER = range(13)
+"""Floats of a contact: cosine and sine of its place, pin's place, its error against the hole or the
+tool, gap (m; PIN: of the radii, LOBE: by which the pin is wider than the tool), constants of the
+law, force at which that ends, radius of the pin, difference of the curvatures, radial clearance."""
+
+(
+    CA,
+    SA,
+    LAW_A,
+    MOST,
+    OPEN,
+    SLOPE,
+    LEVER,
+    BENT,
+    SLIDE,
+    FOOT,
+    DELTA,
+    FORCE,
+    STIFF,
+    MOVE,
+    NX,
+    NY,
+    BOW,
+    AX,
+    AY,
+    HX,
+    HY,
+    UX,
+    UY,
+) = range(23)
+"""What a position makes of a contact: angle, law, gap, slope of the path, lever of perfect parts,
+difference of curvatures, distance to the pitch point, foot; approach, force, stiffness, what the
+last step changes, normal, bow of the distance, arm of the pin (of a lobe: how far it is off its
+place), arm of the disc, the disc's turn."""
+
+(
+    STATUS,
+    STEPS,
+    LAG,
+    STIFFNESS,
+    LOW,
+    HIGH,
+    PRESSED,
+    PLAY,
+    PIN_FORCE,
+    PIN_PRESSED,
+    PIN_LOADED,
+    LOBE_FORCE,
+    LOBE_PRESSED,
+    LOBE_LOADED,
+    INPUT_TORQUE,
+    ALONG_MOST,
+    ALONG_LEAST,
+    RUB,
+    RUB_PRESSED,
+    LOST,
+    INTERFERENCE,
+) = range(21)
+"""Read-outs of a position. Lags count in the direction of the torque. PRESSED of contacts is the
+largest force over reduced radius, of contacts that wrap times the square of their pressure over
+Hertz's; RUB the largest force times its distance to the pitch point, and the root of PRESSED times
+that; ALONG forces of the ring on a disc along its crank, to the axis; INTERFERENCE the smallest
+possible worst approach without load."""
+
+SOLVED, NOT_SOLVED, NO_DRIVE, NOT_STABLE, TOO_WIDE, TOO_FAR = range(6)
+"""Status of a position, as `core.output.loop_rows` numbers them."""
+
+FITS, BINDS, NOWHERE = 2, 1, 0
+"""Whether a piece goes together everywhere, somewhere, nowhere."""
+
+CLASS = 1e-11
+"""What the last step but one leaves of the largest force: the last one leaves its square."""
+
+REACH = 5e-6
+"""First step at most, m; later ones grow to `FURTHEST` of it."""
+
+FURTHEST = 50.0
+STEPS_MOST = 400
+
+HERTZ_END = 1.2
+"""Where the logarithm of the Hertz law ends, see `core.output.loop_rows.HERTZ_END`."""
+
+WRAP_BEND = 0.4
+"""Of the width of contacts that wrap, see `core.output.loop_rows.BEND`."""
+
+EPS = 2.0**-52
+TINY = 1e-100
+NOTHING = 1e-9
+"""Force over the largest one that no disc carries."""
+
+FEET = 30
+"""Steps to a foot at most; the longest is `FAR_STEP` of the angle of a pitch."""
+
+FAR_STEP = 0.1
+NO_TURN = 1e-3
+"""Lever over the longest one below which a pin, at its dead angle, limits no play."""
+
+CLOSE = 1e-5
+"""Last step of Newton to the end of a play, over that: what is left is a part of its square."""
+
+NO_LEVER = 1e-12
+"""Lever over the radius that drives nothing."""
+
+FAR_LAG = 1e-2
+"""Longest step of a lag, rad."""
+
+LEAST_PLAY = 1e-14
+"""Lags that differ by no more are rounding, rad."""
+
+ROUNDED = 1e3 * EPS
+"""Approach over the sizes of its terms that may be rounding."""
+
+HALVINGS = 200
+MIDDLES = 12
+PLACE = 1e-10
+"""Width to which a summit is narrowed, rad."""
+
+FLAT_WITHIN, FLAT = 1e-6, 1e-13
+"""Width within which one may be so flat, as a part of its height, that no more can be told."""
+
+GOLDEN = (math.sqrt(5) - 1) / 2
+
+
+class Drive(NamedTuple):
+    """What a drive is."""
+
+    gi: Whole  # [G, 10] integers of the groups
+    gf: Table  # [G, 16] their floats
+    ci: Whole  # [n, 3] integers of the contacts
+    cf: Table  # [n, 13] their floats
+    table: Row  # of the conformal law, see `over_width`
+    kgg: Table  # springs between bodies
+    kbb: Table  # of a pin that bends
+    kbg: Block  # between both
+    share: Row  # of the torque that bodies carry
+    weight: Row  # squares of the lengths by which displacements count, m^2 or 1
+
+
+class Work(NamedTuple):
+    """Room for one position."""
+
+    q: Row
+    b: Table
+    w: Table  # [n, 23]
+    grad: Table  # [n, 6] of the approaches
+    side: Row  # [6] across the normal
+    hgg: Table
+    hbb: Block
+    hbg: Block
+    rg: Row
+    rb: Table
+    sol: Block
+    red: Table
+    p: Table
+    pb: Table
+    kept: Row  # displacements that are looked at again
+    sides: Table  # and those under a torque in either direction
+    play: Table  # [bodies, 2] of each disc in its ring
+    wrench: Table  # [G, 3] on the disc along its crank, across it, and about its centre
+
+
+def over_width(x: float, table: Row) -> tuple[float, float]:
+    """``Delta/dR`` of a contact that wraps over its load x, and its derivative by it; see
+    `core.output.loop_rows.Curve`. The table: modulus, widest, number n of powers, these; modulus,
+    load since which it governs, widest and powers of the largest pressure.
+    """
+    width, widest = math.sqrt(x / (1 + WRAP_BEND * x)), table[1]
+    beyond = width >= widest
+    width = widest if beyond else width
+    place = 2 * width / widest - 1
+    value = slope = 0.0
+    for n in range(3, 3 + int(table[2])):
+        slope = slope * place + value
+        value = value * place + table[n]
+    value -= 2 / math.pi * math.log(width)
+    if beyond:
+        return value, value
+    turn = 2 * width / widest * slope - 2 / math.pi
+    return value, value + turn * (1 - WRAP_BEND * width * width) / 2
+
+
+def excess(x: float, table: Row) -> float:
+    """Square of the largest pressure of a contact that wraps over Hertz's, under the load x."""
+    at = 3 + int(table[2])
+    place = 2 * min(math.sqrt(x / (1 + WRAP_BEND * x)) / table[at + 2], 1.0) - 1
+    value = 0.0
+    for n in range(at + 3, len(table)):
+        value = value * place + table[n]
+    return value * value * (1 + WRAP_BEND * x)
+
+
+def wrapped(d: float, a: float, b: float, near: float, table: Row) -> tuple[float, float]:
+    """Force and stiffness of a contact that wraps, by Newton in logarithms."""
+    aim = d * table[0] / a
+    x, tangent = near / a if near > 0 else aim, 1.0
+    for _ in range(16):
+        secant, tangent = over_width(x, table)
+        secant, tangent = secant + b, tangent + b
+        part = math.log(aim / (x * secant)) * secant / tangent
+        x *= math.exp(part)
+        if abs(part) <= 1e-14:
+            break
+    return a * x, table[0] / tangent
+
+
+def line(d: float, a: float, b: float) -> tuple[float, float]:
+    """Force and stiffness of Hertz's line contact, ``d = F*(a - b*ln F)``."""
+    m = a / b - math.log(d / b)
+    if m <= HERTZ_END - math.log(HERTZ_END):
+        return d / (HERTZ_END * b), 1 / (HERTZ_END * b)
+    y = m + math.log(m) + math.log(m) / m
+    for _ in range(8):
+        step = (y - math.log(y) - m) * y / (y - 1)
+        y -= step
+        if abs(step) <= 1e-9 * y:
+            break
+    return d / (b * y), 1 / (b * (y - 1))
+
+
+def power(d: float, a: float, b: float, n: float) -> tuple[float, float]:
+    """Force and stiffness of ``F = a*x^n``, with a compliance in series: ``x + b*F = d``."""
+    f = a * d**n
+    if b == 0:
+        return f, n * f / d
+    x = d / (1 + b * f / d)
+    for _ in range(60):
+        f = a * x**n
+        step = (x + b * f - d) / (1 + b * n * f / x)
+        while step >= x:
+            step *= 0.5
+        x -= step
+        if abs(step) < 1e-13 * x:
+            break
+    f = a * x**n
+    k = n * f / x
+    return f, k / (1 + b * k)
+
+
+def law(i: int, g: int, near: float, drive: Drive, w: Table) -> tuple[float, float]:
+    """Force and stiffness of a contact at its approach > 0; near is a force nearby, or 0."""
+    kind, d, a, b = drive.gi[g, LAW], w[i, DELTA], w[i, LAW_A], drive.cf[i, B]
+    if kind == LINEAR:
+        return d / a, 1 / a
+    if kind == HERTZ:
+        return line(d, a, b)
+    if kind == POWER:
+        return power(d, a, b, drive.gf[g, EXPONENT])
+    return wrapped(d, a, b, near, drive.table)
+
+
+def turned(t: float) -> tuple[float, float]:
+    """``exp(-i*t) - 1``."""
+    if abs(t) < 0.03:
+        x = t * t
+        less = x * (0.5 - x * (1 / 24 - x * (1 / 720 - x / 40320)))
+        return -less, -t * (1 - x * (1 / 6 - x * (1 / 120 - x / 5040)))
+    h = math.sin(t / 2)
+    return -2 * h * h, -math.sin(t)
+
+
+def place(phi: float, drive: Drive, work: Work) -> None:
+    """Angles, levers and laws of all contacts at a crank angle, rad."""
+    gi, gf, cf, w = drive.gi, drive.gf, drive.cf, work.w
+    for g in range(len(gi)):
+        angle = gf[g, RATE] * phi + gf[g, PHASE]
+        c, s = math.cos(angle), math.sin(angle)
+        for i in range(gi[g, START], gi[g, STOP]):
+            w[i, CA] = c * cf[i, CB] - s * cf[i, SB]
+            w[i, SA] = s * cf[i, CB] + c * cf[i, SB]
+            w[i, LAW_A], w[i, MOST], w[i, OPEN] = cf[i, A], cf[i, LIMIT], cf[i, GAP]
+            w[i, BENT], w[i, FOOT] = cf[i, CURVED], 0.0
+            if gi[g, KIND] == PIN:
+                w[i, LEVER] = -gf[g, CIRCLE] * w[i, SA]
+            else:
+                place_lobe(i, g, drive, w)
+
+
+def place_lobe(i: int, g: int, drive: Drive, w: Table) -> None:
+    """Slope, lever, curvature and law of a lobe on its pin, of perfect parts."""
+    gf, cf, ca, sa = drive.gf, drive.cf, w[i, CA], w[i, SA]
+    z, tool = gf[g, LOBES] - 1, gf[g, TOOL_R]
+    less = sa * sa / (1 + ca) if ca > 0 else 1 - ca
+    k = gf[g, BASE_E] * gf[g, LOBES] / gf[g, CIRCLE]
+    slope = math.sqrt((1 - k) * (1 - k) + 2 * k * less)
+    w[i, LEVER] = -gf[g, BASE_E] * z * sa / slope
+    w[i, SLIDE] = abs(gf[g, CIRCLE] * slope - gf[g, RADIUS])
+    w[i, OPEN] = cf[i, GAP] - gf[g, ROTATION] * abs(w[i, LEVER])
+    if drive.gi[g, EXACT] == 0:
+        w[i, SLOPE] = slope
+    k = gf[g, BASE_E] * gf[g, LOBES] / tool
+    slope = math.sqrt((1 - k) * (1 - k) + 2 * k * less)
+    if drive.gi[g, EXACT] != 0:
+        w[i, SLOPE] = slope
+    bend = (1 - k) * (1 - gf[g, LOBES] * k) + (gf[g, LOBES] + 1) * k * less
+    bend /= tool * slope * slope * slope
+    curved = 1 / cf[i, RAD] + bend / (1 - gf[g, TOOL] * bend)
+    # A pin that is wider than its valley has no such contact: as good as flat.
+    curved = max(curved, EPS / cf[i, RAD])
+    w[i, BENT] = curved
+    if drive.gi[g, LAW] == HERTZ:
+        w[i, LAW_A] = cf[i, A] + cf[i, B] * math.log(curved)
+        w[i, MOST] = cf[i, LIMIT] * curved
+
+
+def moved(index: int, q: Row) -> float:
+    """A displacement, 0 where nothing moves."""
+    return q[index] if index >= 0 else 0.0
+
+
+def disc_at(g: int, q: Row, drive: Drive) -> tuple[float, float, float]:
+    """Lag of a group's disc, and its shift along and across its crank."""
+    gi = drive.gi
+    own = drive.gf[g, LATE] + moved(gi[g, OWN], q)
+    return own, moved(gi[g, ALONG], q), moved(gi[g, ACROSS], q)
+
+
+def bent(i: int, b: Table, drive: Drive) -> tuple[float, float]:
+    """How far the pin of a contact is bent."""
+    block, at = drive.ci[i, BLOCK], 2 * drive.ci[i, PLANE]
+    return (b[block, at], b[block, at + 1]) if block >= 0 else (0.0, 0.0)
+
+
+def pin(i: int, g: int, q: Row, b: Table, drive: Drive, w: Table) -> None:
+    """Approach of a pin in its hole, its normal and arms."""
+    own, ta, tc = disc_at(g, q, drive)
+    turn, (bx, by) = moved(drive.gi[g, TURN], q), bent(i, b, drive)
+    gf, cf, ca, sa = drive.gf, drive.cf, w[i, CA], -w[i, SA]
+    px, py, e = cf[i, PX], cf[i, PY], gf[g, ECC]
+    hx, hy = px - cf[i, EX], py - cf[i, EY]
+    exact = drive.gi[g, EXACT] != 0
+    m1x, m1y, m2x, m2y = 0.0, -turn, 0.0, -own
+    if exact:
+        m1x, m1y = turned(turn)
+        m2x, m2y = turned(own)
+    else:
+        hx, hy, px, py = gf[g, CIRCLE], 0.0, gf[g, CIRCLE], 0.0
+    sx = cf[i, EX] + m1x * px - m1y * py - m2x * hx + m2y * hy - ta * ca + tc * sa + bx
+    sy = cf[i, EY] + m1x * py + m1y * px - m2x * hy - m2y * hx - ta * sa - tc * ca + by
+    w[i, UX], w[i, UY] = 1.0, 0.0
+    w[i, AX], w[i, AY], w[i, HX], w[i, HY] = px, py, hx, hy
+    if not exact:
+        w[i, NX], w[i, NY], w[i, BOW] = -ca, -sa, 0.0
+        w[i, DELTA] = -(ca * sx + sa * sy) - cf[i, GAP]
+        return
+    room = e + cf[i, GAP]
+    number = sx * sx + sy * sy - 2 * e * (ca * sx + sa * sy) - (e + room) * cf[i, GAP]
+    length = math.sqrt(max(room * room + number, TINY))
+    w[i, DELTA], w[i, BOW] = number / (length + room), 1 / length
+    w[i, NX], w[i, NY] = (sx - e * ca) / length, (sy - e * sa) / length
+    w[i, AX], w[i, AY] = px + m1x * px - m1y * py, py + m1x * py + m1y * px
+    w[i, HX], w[i, HY] = hx + m2x * hx - m2y * hy, hy + m2x * hy + m2y * hx
+
+
+def lobe(i: int, g: int, q: Row, b: Table, drive: Drive, w: Table) -> None:
+    """Approach of a disc to a pin of its ring, its normal and arms; of a pin that cannot touch as
+    of a straight path.
+    """
+    own, ta, tc = disc_at(g, q, drive)
+    bx, by = bent(i, b, drive)
+    gf, cf, ca, sa, k = drive.gf, drive.cf, w[i, CA], -w[i, SA], drive.gf[g, SHORT]
+    px = cf[i, PX] - (gf[g, ECC] + ta) * ca + tc * sa + bx
+    py = cf[i, PY] - (gf[g, ECC] + ta) * sa - tc * ca + by
+    exact, m2x, m2y = drive.gi[g, EXACT] != 0, 0.0, -own
+    if exact:
+        m2x, m2y = turned(own)
+    else:
+        px, py = gf[g, CIRCLE] - gf[g, BASE_E] * ca, -gf[g, BASE_E] * sa
+    mx, my = m2x * px + m2y * py, m2x * py - m2y * px
+    dx = cf[i, EX] - (gf[g, OFF] + ta) * ca + tc * sa + bx + mx
+    dy = cf[i, EY] - (gf[g, OFF] + ta) * sa - tc * ca + by + my
+    gx, gy, wide = 1 - k * ca, -k * sa, w[i, OPEN]
+    d = wide - (gx * dx + gy * dy) / w[i, SLOPE]
+    w[i, DELTA], w[i, BOW] = d, 0.0
+    w[i, NX], w[i, NY] = -gx / w[i, SLOPE], -gy / w[i, SLOPE]
+    w[i, UX], w[i, UY], w[i, HX], w[i, HY], w[i, AX], w[i, AY] = 1.0, 0.0, px, py, dx, dy
+    if not exact:
+        return
+    w[i, UX], w[i, UY], w[i, HX], w[i, HY] = 1 + m2x, -m2y, px + mx, py + my
+    second = drive.gi[g, KIND] == FLANK
+    if second and wide * (gf[g, LOBES] * k - 1) <= gf[g, TOOL_R] * (1 - k) * (1 - k):
+        w[i, DELTA] = -math.inf
+        return
+    hollow, way = gf[g, HOLLOW] + 1 / gf[g, TOOL_R], dx * dx + dy * dy
+    if not second and d < 0 and -d * (1 - max(wide, 0.0) * hollow) >= 2 * hollow * way:
+        return
+    foot_of(i, g, drive, w)
+
+
+def foot_of(i: int, g: int, drive: Drive, w: Table) -> None:
+    """Approach and normal at the foot on the path of a pin, by how far it is off its ideal place
+    there, and where it is from the disc's centre.
+
+    The path is its own mirror image in the axes of its valleys and lobes: of a pin between two of
+    them no point beyond either is nearest, and there the distance has a minimum.
+    """
+    gf, ca, sa = drive.gf, w[i, CA], -w[i, SA]
+    bx, by, px, py = w[i, AX], w[i, AY], w[i, HX], w[i, HY]
+    e, radius, pins, k = gf[g, BASE_E], gf[g, TOOL_R], gf[g, LOBES], gf[g, SHORT]
+    second = drive.gi[g, KIND] == FLANK
+    longest, close = FAR_STEP / pins, 3e-8 / pins
+    off = 4 * math.sqrt(bx * bx + by * by)
+    final = off / radius / (1 - k)
+    first, foot = -final, w[i, FOOT]
+    if second or off > gf[g, TOOL] or off * (pins * k - 1) > radius * (1 - k) * (1 - k):
+        angle, half = math.atan2(-sa, ca) / (pins - 1), math.pi / (pins - 1)
+        at = math.floor((angle - math.atan2(py, px)) / half)
+        if second:
+            valley = 2 * half * math.floor((at + 1) / 2) - angle
+            foot = 2 * valley - w[drive.ci[i, FIRST], FOOT]
+            at += 1 if at % 2 == 1 else -1
+        first = half * at - angle
+        final = first + half
+    foot, last = min(max(foot, first), final), False
+    gx = gy = hx = hy = dx = dy = size = under = 0.0
+    for _ in range(FEET):
+        sh, ch = math.sin(foot / 2), math.cos(foot / 2)
+        s1x, s1y = 2 * sh * sh, 2 * sh * ch
+        sh, ch = math.sin(pins * foot / 2), math.cos(pins * foot / 2)
+        s2x, s2y = 2 * sh * sh, 2 * sh * ch
+        ex, ey = ca * s2x - sa * s2y, sa * s2x + ca * s2y
+        dx, dy = bx + radius * s1x - e * ex, by + radius * s1y - e * ey
+        gx, gy = 1 - s1x - k * (ca - ex), -s1y - k * (sa - ey)
+        hx, hy = 1 - s1x - pins * k * (ca - ex), -s1y - pins * k * (sa - ey)
+        size = gx * gx + gy * gy
+        under = radius * size + hx * dx + hy * dy
+        if last:
+            break
+        ahead = gy * dx - gx * dy
+        step = ahead / (under if under > 0 else radius * size)
+        step = min(max(step, -longest), longest)
+        if ahead > 0:
+            first = foot
+        else:
+            final = foot
+        if not first <= foot + step <= final:
+            step = (first + final) / 2 - foot
+        foot += step
+        last = abs(step) <= close
+    length = math.sqrt(size)
+    nx, ny = gx / length, gy / length
+    w[i, FOOT], w[i, NX], w[i, NY] = foot, -nx, -ny
+    if second and (under <= 0 or abs(gy * dx - gx * dy) > close * under):  # driven to the middle
+        w[i, DELTA] = -math.inf
+        return
+    w[i, DELTA] = w[i, OPEN] - (nx * dx + ny * dy)
+    w[i, BOW] = -(gx * hx + gy * hy) / (length * under) if under > 0 else 0.0
+
+
+def touch(i: int, g: int, q: Row, b: Table, drive: Drive, w: Table) -> None:
+    """Approach of a contact at displacements."""
+    if drive.gi[g, KIND] == PIN:
+        pin(i, g, q, b, drive, w)
+    else:
+        lobe(i, g, q, b, drive, w)
+
+
+def slopes(i: int, g: int, drive: Drive, work: Work) -> tuple[float, float]:
+    """Gradient of a contact's approach by its six displacements, and the same across its normal;
+    the sum of the second derivatives of its place, along the normal, by the turns of pin and disc.
+    """
+    w, grad, side, kind = work.w, work.grad, work.side, drive.gi[g, KIND]
+    nx, ny, ca, sa, ux, uy = w[i, NX], w[i, NY], w[i, CA], -w[i, SA], w[i, UX], w[i, UY]
+    hx, hy, ax, ay = w[i, HX], w[i, HY], w[i, AX], w[i, AY]
+    px, py = -(ux * ca - uy * sa), -(ux * sa + uy * ca)  # along the crank
+    if kind == PIN:
+        grad[i, 0], side[0] = nx * ay - ny * ax, -nx * ax - ny * ay
+    else:
+        grad[i, 0], side[0] = 0.0, 0.0
+    grad[i, 1], side[1] = ny * hx - nx * hy, nx * hx + ny * hy
+    grad[i, 2], side[2] = nx * px + ny * py, nx * py - ny * px
+    grad[i, 3], side[3] = ny * px - nx * py, nx * px + ny * py
+    grad[i, 4], side[4] = nx * ux + ny * uy, nx * uy - ny * ux
+    grad[i, 5], side[5] = ny * ux - nx * uy, nx * ux + ny * uy
+    if drive.gi[g, EXACT] == 0:
+        return 0.0, 0.0
+    if kind == PIN:
+        return -(nx * ax + ny * ay), nx * hx + ny * hy
+    return 0.0, -(nx * hx + ny * hy)
+
+
+def press(i: int, g: int, f: float, k: float, drive: Drive, work: Work) -> None:
+    """What a contact with a force adds to the balance and its derivatives."""
+    gi, w, grad, side = drive.gi, work.w, work.grad, work.side
+    by_turn, by_own = slopes(i, g, drive, work)
+    bow, block, curved = f * w[i, BOW], drive.ci[i, BLOCK], gi[g, KIND] != PIN
+    curved = curved and gi[g, EXACT] != 0
+    for s in range(4):
+        row = gi[g, TURN + s]
+        if row < 0:
+            continue
+        work.rg[row] += f * grad[i, s]
+        for t in range(s + 1):
+            col = gi[g, TURN + t]
+            if col < 0:
+                continue
+            x = k * grad[i, s] * grad[i, t] + bow * side[s] * side[t]
+            if t == s:
+                x += f * (by_turn if s == 0 else (by_own if s == 1 else 0.0))
+                work.hgg[row, row] += x
+                continue
+            if t == 1 and curved:  # the shift turns with the disc
+                x += f * -side[s] if s > 1 else 0.0
+            work.hgg[row, col] += x
+            work.hgg[col, row] += x
+    if block >= 0:
+        press_block(i, g, f, k, bow, curved, drive, work)
+
+
+def press_block(
+    i: int, g: int, f: float, k: float, bow: float, curved: bool, drive: Drive, work: Work
+) -> None:
+    """What it adds of a pin that bends."""
+    gi, grad, side, block = drive.gi, work.grad, work.side, drive.ci[i, BLOCK]
+    at = 2 * drive.ci[i, PLANE]
+    for s in range(4, 6):
+        row = at + s - 4
+        work.rb[block, row] += f * grad[i, s]
+        for t in range(4):
+            col = gi[g, TURN + t]
+            if col >= 0:
+                x = k * grad[i, s] * grad[i, t] + bow * side[s] * side[t]
+                if t == 1 and curved:
+                    x += f * -side[s]
+                work.hbg[block, row, col] += x
+        for t in range(4, 6):
+            x = k * grad[i, s] * grad[i, t] + bow * side[s] * side[t]
+            work.hbb[block, row, at + t - 4] += x
+
+
+def springs(torque: float, drive: Drive, work: Work) -> None:
+    """Balance and its derivatives by springs and the torque."""
+    q, b = work.q, work.b
+    for i in range(len(q)):
+        work.rg[i] = -torque * drive.share[i]
+        for k in range(len(q)):
+            work.hgg[i, k] = drive.kgg[i, k]
+            work.rg[i] += drive.kgg[i, k] * q[k]
+    for m in range(b.shape[0]):
+        for i in range(b.shape[1]):
+            r = 0.0
+            for k in range(b.shape[1]):
+                work.hbb[m, i, k] = drive.kbb[i, k]
+                r += drive.kbb[i, k] * b[m, k]
+            for k in range(len(q)):
+                work.hbg[m, i, k] = drive.kbg[m, i, k]
+                r += drive.kbg[m, i, k] * q[k]
+                work.rg[k] += drive.kbg[m, i, k] * b[m, i]
+            work.rb[m, i] = r
+
+
+def assemble(torque: float, drive: Drive, work: Work) -> None:
+    """Balance of all displacements, its derivatives, and the forces there."""
+    gi, w = drive.gi, work.w
+    springs(torque, drive, work)
+    for g in range(len(gi)):
+        for i in range(gi[g, START], gi[g, STOP]):
+            touch(i, g, work.q, work.b, drive, w)
+            if w[i, DELTA] <= TINY:
+                w[i, FORCE] = w[i, STIFF] = 0.0
+                continue
+            f, k = law(i, g, w[i, FORCE], drive, w)
+            w[i, FORCE], w[i, STIFF] = f, k
+            press(i, g, f, k, drive, work)
+
+
+def factor(m: Table, n: int) -> bool:
+    """Cholesky in place; whether all pivots are positive."""
+    for j in range(n):
+        s = m[j, j]
+        for k in range(j):
+            s -= m[j, k] * m[j, k]
+        if not s > 1e-14 * abs(m[j, j]):
+            return False
+        m[j, j] = math.sqrt(s)
+        for i in range(j + 1, n):
+            s = m[i, j]
+            for k in range(j):
+                s -= m[i, k] * m[j, k]
+            m[i, j] = s / m[j, j]
+    return True
+
+
+def back(m: Table, x: Table, n: int, col: int) -> None:
+    """Solve with the factor, a column of x in place."""
+    for i in range(n):
+        s = x[i, col]
+        for k in range(i):
+            s -= m[i, k] * x[k, col]
+        x[i, col] = s / m[i, i]
+    for i in range(n - 1, -1, -1):
+        s = x[i, col]
+        for k in range(i + 1, n):
+            s -= m[k, i] * x[k, col]
+        x[i, col] = s / m[i, i]
+
+
+def reduced(damp: float, drive: Drive, work: Work) -> bool:
+    """Factor of the bodies' equations with each pin's block eliminated first, ``p`` their right
+    side; whether all is convex.
+    """
+    hbb, hbg, sol, red, p = work.hbb, work.hbg, work.sol, work.red, work.p
+    ng, blocks, nb = len(work.rg), work.rb.shape[0], work.rb.shape[1]
+    for i in range(ng):
+        for k in range(ng):
+            red[i, k] = work.hgg[i, k]
+        red[i, i] += damp * drive.weight[i]
+        p[i, 0] = -work.rg[i]
+    for m in range(blocks):
+        if not factor(hbb[m], nb):
+            return False
+        for i in range(nb):
+            for k in range(ng):
+                sol[m, i, k] = hbg[m, i, k]
+            sol[m, i, ng] = -work.rb[m, i]
+        for k in range(ng + 1):
+            back(hbb[m], sol[m], nb, k)
+        for i in range(ng):
+            for n in range(nb):
+                for k in range(ng):
+                    red[i, k] -= hbg[m, n, i] * sol[m, n, k]
+                p[i, 0] -= hbg[m, n, i] * sol[m, n, ng]
+    return factor(red, ng)
+
+
+def direction(damp: float, drive: Drive, work: Work) -> bool:
+    """Newton's step; False where the energy is not convex."""
+    if not reduced(damp, drive, work):
+        return False
+    ng, sol = len(work.rg), work.sol
+    back(work.red, work.p, ng, 0)
+    for m in range(work.rb.shape[0]):
+        for i in range(work.rb.shape[1]):
+            s = sol[m, i, ng]
+            for k in range(ng):
+                s -= sol[m, i, k] * work.p[k, 0]
+            work.pb[m, i] = s
+    return True
+
+
+def go(part: float, work: Work) -> None:
+    """Go a part of the step."""
+    for i in range(len(work.q)):
+        work.q[i] += part * work.p[i, 0]
+    for m in range(work.b.shape[0]):
+        for i in range(work.b.shape[1]):
+            work.b[m, i] += part * work.pb[m, i]
+
+
+def along_step(work: Work) -> float:
+    """Derivative of the energy along the step."""
+    found = 0.0
+    for i in range(len(work.q)):
+        found += work.p[i, 0] * work.rg[i]
+    for m in range(work.b.shape[0]):
+        for i in range(work.b.shape[1]):
+            found += work.pb[m, i] * work.rb[m, i]
+    return found
+
+
+def change(i: int, g: int, drive: Drive, work: Work) -> float:
+    """Change of a contact's approach by the step."""
+    gi, found, block = drive.gi, 0.0, drive.ci[i, BLOCK]
+    for s in range(4):
+        if gi[g, TURN + s] >= 0:
+            found += work.grad[i, s] * work.p[gi[g, TURN + s], 0]
+    if block >= 0:
+        at = 2 * drive.ci[i, PLANE]
+        found += work.grad[i, 4] * work.pb[block, at] + work.grad[i, 5] * work.pb[block, at + 1]
+    return found
+
+
+def left_over(damp: float, step: float, drive: Drive, work: Work) -> float:
+    """What the step leaves of the balance, over the largest force: second order of the laws, pairs
+    that might touch, and what damping holds.
+    """
+    gi, w, top, rest = drive.gi, work.w, 0.0, 0.0
+    for i in range(len(work.q)):
+        rest = max(rest, damp * abs(work.p[i, 0]) * math.sqrt(drive.weight[i]))
+    for g in range(len(gi)):
+        for i in range(gi[g, START], gi[g, STOP]):
+            f, d = w[i, FORCE], w[i, DELTA]
+            if f <= 0:
+                if d >= -2 * step and step > 1e-13:
+                    return math.inf
+                continue
+            x = change(i, g, drive, work)
+            k, top = w[i, STIFF], max(top, f)
+            if x > -0.5 * d:
+                rest = max(rest, (abs(k * d - f) + 1e-3 * f) * (x / d) * (x / d))
+            else:
+                rest = max(rest, f + k * abs(x))
+    return rest / top if top > 0 else math.inf
+
+
+def length_of(drive: Drive, work: Work) -> float:
+    """Length of the step, m."""
+    step = 0.0
+    for i in range(len(work.q)):
+        step = max(step, abs(work.p[i, 0]) * math.sqrt(drive.weight[i]))
+    for m in range(work.b.shape[0]):
+        for i in range(work.b.shape[1]):
+            step = max(step, abs(work.pb[m, i]))
+    return step
+
+
+def held(drive: Drive, work: Work) -> None:
+    """Hold discs without force where they are."""
+    for i in range(len(work.q)):
+        if work.hgg[i, i] == 0:
+            work.hgg[i, i] = drive.weight[i]
+
+
+def last_step(torque: float, drive: Drive, work: Work) -> None:
+    """A step at whose end the balance is known, and one more with which forces follow straight."""
+    gi, w = drive.gi, work.w
+    go(1.0, work)
+    assemble(torque, drive, work)
+    held(drive, work)
+    if not direction(0.0, drive, work) or length_of(drive, work) > REACH:
+        return
+    go(1.0, work)
+    for g in range(len(gi)):
+        for i in range(gi[g, START], gi[g, STOP]):
+            if w[i, FORCE] > 0:
+                x = change(i, g, drive, work)
+                w[i, FORCE] = max(w[i, FORCE] + w[i, STIFF] * x, 0.0)
+
+
+def solve(torque: float, drive: Drive, work: Work) -> int:
+    """Equilibrium near q and b, in place, at the angle of `place`; the number of steps, negative
+    where none was found. Balance and derivatives are those of the end.
+    """
+    gone = damp = slope = step = 0.0
+    cap, cuts = REACH, 0
+    for count in range(1, STEPS_MOST):
+        assemble(torque, drive, work)
+        if gone > 0:
+            after = along_step(work)
+            if slope < 0 and after > -0.9 * slope and cuts < 40:
+                part = gone * min(max(slope / (slope - after), 0.1), 0.6)
+                go(part - gone, work)
+                gone, cuts = part, cuts + 1
+                continue
+            cap = min(4 * cap, REACH * FURTHEST) if gone * step >= 0.99 * cap else cap
+            gone, cuts = 0.0, 0
+        if not direction(damp, drive, work):
+            damp = max(100 * damp, 1e-3)
+            if damp > 1e14:
+                return -count
+            continue
+        slope, step = along_step(work), length_of(drive, work)
+        if step < REACH and left_over(damp, step, drive, work) <= CLASS:
+            last_step(torque, drive, work)
+            return count
+        damp = damp * 0.01 if damp > 1e-2 else 0.0
+        gone = min(1.0, cap / step) if step > 0 else 1.0
+        go(gone, work)
+    return -STEPS_MOST
+
+
+def rounding(i: int, g: int, lag: float, drive: Drive) -> float:
+    """Approach of a pin of the ring that may be rounding."""
+    cf, gf = drive.cf, drive.gf
+    size = abs(cf[i, EX]) + abs(cf[i, EY]) + abs(cf[i, GAP]) + abs(gf[g, OFF])
+    turn = abs(lag) + abs(gf[g, LATE]) + gf[g, ROTATION]
+    return float(ROUNDED * (size + turn * gf[g, CIRCLE]))
+
+
+def of_ring(g: int, body: int, drive: Drive) -> bool:
+    """Whether a group is of lobes that turn with a body."""
+    return bool(drive.gi[g, KIND] == LOBE and drive.gi[g, OWN] == body)
+
+
+def dead(g: int, drive: Drive) -> float:
+    """Lever below which a pin limits no play, m."""
+    return float(NO_TURN * drive.gf[g, BASE_E] * (drive.gf[g, LOBES] - 1))
+
+
+def turns(i: int, w: Table) -> float:
+    """Lever of a lobe by the lag of its disc, as `touch` left it."""
+    return float(w[i, NY] * w[i, HX] - w[i, NX] * w[i, HY])
+
+
+def ring_end(side: float, body: int, drive: Drive, work: Work) -> float:
+    """Lag at which the first pin of the ring touches on a side that turns the disc back: Newton for
+    each pin, and of their roots the nearest.
+    """
+    gi, w, lag = drive.gi, work.w, 0.0
+    for step in range(13):
+        best, work.q[body] = math.inf, lag
+        for g in range(len(gi)):
+            if not of_ring(g, body, drive):
+                continue
+            for i in range(gi[g, START], gi[g, STOP]):
+                lever = side * w[i, LEVER]
+                if lever < dead(g, drive):
+                    continue
+                touch(i, g, work.q, work.b, drive, w)
+                lever = side * turns(i, w) if step > 0 else lever
+                if lever > dead(g, drive) / 2:
+                    best = min(best, side * lag - w[i, DELTA] / lever)
+        if best == math.inf:
+            return lag if step > 0 else side * best
+        change, lag = abs(side * best - lag), side * best
+        if not change > CLOSE * abs(lag):
+            break
+    return lag
+
+
+def pressed_at(lag: float, side: float, body: int, drive: Drive, work: Work) -> bool:
+    """Whether a pin presses at a lag that does not limit it on a side; for 0 one at its dead
+    angle, of which first order knows no other.
+    """
+    gi, w = drive.gi, work.w
+    work.q[body] = lag
+    for g in range(len(gi)):
+        if not of_ring(g, body, drive) or (side != 0 and gi[g, EXACT] == 0):
+            continue
+        for i in range(gi[g, START], gi[g, STOP]):
+            lever = w[i, LEVER]
+            if abs(lever) < dead(g, drive) if side == 0 else side * lever < dead(g, drive):
+                touch(i, g, work.q, work.b, drive, w)
+                if w[i, DELTA] > rounding(i, g, lag, drive):
+                    return True
+    return False
+
+
+def on_top(i: int, g: int, drive: Drive, w: Table) -> float:
+    """Lag at which a pin stands on the top of a lobe, the nearest to none."""
+    gf, ca, sa = drive.gf, w[i, CA], w[i, SA]
+    z = gf[g, LOBES] - 1
+    x = drive.cf[i, PX] - gf[g, ECC] * ca
+    y = drive.cf[i, PY] + gf[g, ECC] * sa
+    lag = (math.atan2(sa, ca) - math.pi) / z - math.atan2(y, x) - gf[g, LATE]
+    pitch = 2 * math.pi / z
+    return float(lag - pitch * math.floor(lag / pitch + 0.5))
+
+
+def presses_on_top(i: int, g: int, body: int, drive: Drive, work: Work) -> bool:
+    """Whether a pin presses the top of its lobe."""
+    lag = on_top(i, g, drive, work.w)
+    work.q[body] = lag
+    touch(i, g, work.q, work.b, drive, work.w)
+    return bool(work.w[i, DELTA] > rounding(i, g, lag, drive))
+
+
+def passed(low: float, high: float, body: int, drive: Drive, work: Work) -> bool:
+    """Whether a pin presses the top of a lobe that it passes between two lags."""
+    gi, w = drive.gi, work.w
+    for g in range(len(gi)):
+        if not of_ring(g, body, drive) or gi[g, EXACT] == 0:
+            continue
+        z, late = drive.gf[g, LOBES] - 1, abs(drive.gf[g, LATE])
+        near = 2 * z * (max(abs(low), abs(high)) + late)
+        for i in range(gi[g, START], gi[g, STOP]):
+            if w[i, CA] >= 0 or abs(w[i, SA]) > near or not low < on_top(i, g, drive, w) < high:
+                continue
+            if presses_on_top(i, g, body, drive, work):
+                return True
+    return False
+
+
+def worst_at(lag: float, body: int, drive: Drive, work: Work) -> tuple[float, float, int, int]:
+    """Largest approach of a ring's pins at a lag, how it grows, whose it is, and its group."""
+    gi, w, worst, slope, first, group = drive.gi, work.w, -math.inf, 0.0, -1, -1
+    work.q[body] = lag
+    for g in range(len(gi)):
+        if not of_ring(g, body, drive):
+            continue
+        for i in range(gi[g, START], gi[g, STOP]):
+            touch(i, g, work.q, work.b, drive, w)
+            if gi[g, EXACT] != 0:
+                foot_of(i, g, drive, w)
+            if w[i, DELTA] > worst:
+                worst, slope, first, group = w[i, DELTA], turns(i, w), i, g
+    return worst, slope, first, group
+
+
+def next_top(first: float, last: float, body: int, drive: Drive, work: Work) -> float:
+    """The first lag between two at which a pin on the top of a lobe is what presses most, or the
+    last one.
+    """
+    gi, w = drive.gi, work.w
+    for g in range(len(gi)):
+        if not of_ring(g, body, drive) or gi[g, EXACT] == 0:
+            continue
+        for i in range(gi[g, START], gi[g, STOP]):
+            lag = on_top(i, g, drive, w)
+            if w[i, CA] >= 0 or not first < lag < last:
+                continue
+            presses = presses_on_top(i, g, body, drive, work)
+            if presses and worst_at(lag, body, drive, work)[2] == i:
+                last = lag
+    return last
+
+
+def freest(low: float, high: float, body: int, drive: Drive, work: Work) -> tuple[float, float]:
+    """The lag between two at which the worst approach is least, and that. Between lags at which a
+    pin on the top of a lobe is the worst it falls and then rises: its slope's sign is bisected.
+    """
+    found, least, first = low, math.inf, low
+    while first < high:
+        last = next_top(first, high, body, drive, work)
+        below, above = first, last
+        for _ in range(HALVINGS):
+            lag = (below + above) / 2
+            worst, slope, _, _ = worst_at(lag, body, drive, work)
+            if worst < least:
+                found, least = lag, worst
+            if lag in (below, above):
+                break
+            if slope > 0:
+                above = lag
+            else:
+                below = lag
+        first = last
+    return found, least
+
+
+def first_touch(lag: float, far: float, body: int, drive: Drive, work: Work) -> float:
+    """Lag at which the first pin touches between one at which none does and a far one, bisected."""
+    gi, w = drive.gi, work.w
+    for g in range(len(gi)):
+        if not of_ring(g, body, drive):
+            continue
+        for i in range(gi[g, START], gi[g, STOP]):
+            top = on_top(i, g, drive, w)
+            between = w[i, CA] < 0 and min(lag, far) < top < max(lag, far)
+            if between and presses_on_top(i, g, body, drive, work):
+                far = top
+    for _ in range(HALVINGS):
+        half = (lag + far) / 2
+        if half in (lag, far):
+            break
+        if worst_at(half, body, drive, work)[0] > 0:
+            far = half
+        else:
+            lag = half
+    return lag
+
+
+def quarter(body: int, drive: Drive) -> float:
+    """A quarter of the pitch of a body's lobes: further no disc turns before its pins hold it."""
+    for g in range(len(drive.gi)):
+        if of_ring(g, body, drive):
+            return float(math.pi / 2 / (drive.gf[g, LOBES] - 1))
+    return 0.0
+
+
+def ring_play(body: int, drive: Drive, work: Work) -> tuple[float, float]:
+    """Least and largest lag at which no pin of the ring touches a body; the first is larger where
+    pins press without load.
+    """
+    free = not pressed_at(0.0, 0.0, body, drive, work)
+    high = ring_end(1.0, body, drive, work)
+    free = free and not pressed_at(high, 1.0, body, drive, work)
+    low = ring_end(-1.0, body, drive, work)
+    free = free and not pressed_at(low, -1.0, body, drive, work)
+    if low > high or (free and not passed(low, high, body, drive, work)):
+        return low, high
+    far = quarter(body, drive)
+    lag, worst = freest(-far, far, body, drive, work)
+    _, _, i, g = worst_at(lag, body, drive, work)
+    exact, longest = drive.gi[g, EXACT] != 0, dead(g, drive) / NO_TURN
+    if worst > rounding(i, g, lag, drive):
+        return lag + worst / longest, lag - worst / longest
+    if not exact:
+        return low, high
+    low = first_touch(lag, -far, body, drive, work)
+    return low, first_touch(lag, far, body, drive, work)
+
+
+def slack(g: int, drive: Drive, work: Work) -> tuple[float, float]:
+    """Least and largest lag of the output at which no pin touches a disc that lags as it does; the
+    first is larger where pins press. In tangents of half the lags ``a*t^2 + 2*v*t + q = 0``.
+    """
+    gi, w, low, high = drive.gi, work.w, -math.inf, math.inf
+    exact, radius = gi[g, EXACT] != 0, drive.gf[g, CIRCLE]
+    kept, work.q[gi[g, TURN]] = work.q[gi[g, TURN]], 0.0
+    for i in range(gi[g, START], gi[g, STOP]):
+        touch(i, g, work.q, work.b, drive, w)
+        d, lever, room = w[i, DELTA], w[i, LEVER], drive.gf[g, ECC] + drive.cf[i, GAP]
+        if not exact:
+            if abs(lever) <= NO_LEVER * radius:
+                if d > NO_LEVER * radius:
+                    low, high = math.inf, -math.inf
+            elif lever > 0:
+                high = min(high, -d / lever)
+            else:
+                low = max(low, -d / lever)
+            continue
+        q, length = d * (2 * room + d), room + d
+        x, y, px, py = w[i, NX] * length, w[i, NY] * length, w[i, AX], w[i, AY]
+        v = 2 * (x * py - y * px)
+        a = max(q - 4 * (x * px + y * py - px * px - py * py), TINY)
+        square = v * v - a * q
+        if square < 0:
+            low, high = math.inf, -math.inf
+            continue
+        root = math.sqrt(square)
+        if v >= 0:
+            low = max(low, -(v + root) / a)
+            high = min(high, -q / (v + root) if v + root > 0 else 0.0)
+        else:
+            low, high = max(low, q / (root - v)), min(high, (root - v) / a)
+    work.q[gi[g, TURN]] = kept
+    return (2 * math.atan(low), 2 * math.atan(high)) if exact else (low, high)
+
+
+def unturned(kind: int, body: int, drive: Drive, work: Work) -> tuple[float, float, float]:
+    """Torque about a disc's centre by the pins of the ring, or of the output, that press it; how it
+    grows with what is sought of `rest`, and the size of its terms.
+    """
+    gi, w, torque, slope, gross = drive.gi, work.w, 0.0, 0.0, 0.0
+    for g in range(len(gi)):
+        if gi[g, OWN] != body or (gi[g, KIND] == PIN) != (kind == PIN):
+            continue
+        for i in range(gi[g, START], gi[g, STOP]):
+            touch(i, g, work.q, work.b, drive, w)
+            if w[i, DELTA] <= TINY:
+                continue
+            f, k = law(i, g, 0.0, drive, w)
+            _, by_own = slopes(i, g, drive, work)
+            lever, across = work.grad[i, 1], work.side[1]
+            torque += f * lever if kind != PIN else -f * lever
+            gross += f * abs(lever)
+            slope += k * lever * lever + f * (w[i, BOW] * across * across + by_own)
+    return torque, slope, gross
+
+
+def rest(kind: int, slot: int, body: int, drive: Drive, work: Work) -> float:
+    """Displacement of a slot at which the pins that press a disc turn it neither way."""
+    lag, low, high, far = 0.0, -math.inf, math.inf, FAR_LAG
+    for step in range(1, HALVINGS):
+        work.q[slot] = lag
+        torque, slope, gross = unturned(kind, body, drive, work)
+        if abs(torque) <= EPS * gross:
+            break
+        if torque > 0:
+            high = lag
+        else:
+            low = lag
+        change = -torque / slope if slope > 0 else (-far if torque > 0 else far)
+        following = lag + min(max(change, -far), far)
+        outside = not low < following < high or step % 8 == 7
+        if outside and low > -math.inf and high < math.inf:
+            following = (low + high) / 2
+        if following in (lag, low, high):
+            break
+        lag = following
+    return lag
+
+
+def drives(g: int, way: float, drive: Drive, w: Table) -> bool:
+    """Whether a contact of a group can carry a torque in a direction."""
+    for i in range(drive.gi[g, START], drive.gi[g, STOP]):
+        if way * w[i, LEVER] > NO_LEVER * drive.gf[g, CIRCLE]:
+            return True
+    return False
+
+
+def placed(way: float, drive: Drive, work: Work, row: Row) -> None:
+    """Play of a position, of each disc in its ring and of the output, and whether a torque can be
+    carried; the displacements are left where the first contact of each stage touches.
+    """
+    gi, q, play = drive.gi, work.q, work.play
+    low, high, last, pressed, carries = -math.inf, math.inf, -1, False, True
+    series = gi[0, KIND] == PIN
+    if not series:
+        low = high = 0.0
+    for g in range(len(gi)):
+        body = gi[g, OWN]
+        if gi[g, KIND] != LOBE or body == last:
+            continue
+        last, q[body] = body, 0.0
+        least, most = ring_play(body, drive, work)
+        q[body] = most if way > 0 else least
+        if least > most + LEAST_PLAY:
+            pressed, q[body] = True, 0.0
+            if series:
+                least = most = q[body] = rest(LOBE, body, body, drive, work)
+        carries = carries and abs(q[body]) < math.inf
+        play[body, 0], play[body, 1] = least, most
+        if not series:
+            low, high = low + drive.share[body] * least, high + drive.share[body] * most
+    for g in range(len(gi)):
+        if not series or gi[g, KIND] != PIN:
+            continue
+        body = gi[g, OWN]
+        carries = carries and drives(g, way, drive, work.w)
+        for end in range(2):
+            q[body] = play[body, end]
+            least, most = slack(g, drive, work)
+            if least > most + LEAST_PLAY:
+                pressed = True
+                least = most = rest(PIN, gi[g, TURN], body, drive, work)
+            if end == 0:
+                low = max(low, least)
+            else:
+                high = min(high, most)
+        q[body] = play[body, 1 if way > 0 else 0]
+    if series:
+        q[0] = high if way > 0 else low
+        carries = carries and abs(q[0]) < math.inf
+    if low > high + LEAST_PLAY:
+        pressed = True
+    if pressed and not series and len(q) > 1:  # of discs that turn for themselves
+        low, high = math.inf, -math.inf
+    if way < 0:
+        low, high = -high, -low
+    row[LOW], row[HIGH], row[PRESSED], row[PLAY] = (
+        low,
+        high,
+        1.0 if pressed else 0.0,
+        max(high - low, 0.0),
+    )
+    row[STATUS] = SOLVED if carries else NO_DRIVE
+
+
+def middle(g: int, drive: Drive, work: Work) -> float:
+    """Middle of the lags at which a disc, without force, lies between the ends of its play in the
+    ring and the pins.
+    """
+    body, lag = drive.gi[g, OWN], work.q[drive.gi[g, TURN]]
+    low, high = least, most = work.play[body, 0], work.play[body, 1]
+    for _ in range(MIDDLES):
+        before_low, before_high = low, high
+        work.q[body] = low
+        low = max(least, lag - (slack(g, drive, work)[1] - low))
+        work.q[body] = high
+        high = min(most, lag - (slack(g, drive, work)[0] - high))
+        if low == before_low and high == before_high:
+            break
+    return float((low + high) / 2)
+
+
+def stiffness(drive: Drive, work: Work) -> float:
+    """Of the lag of what carries the torque, by the derivatives of the balance that `solve` left; 0
+    where the position is not stable.
+    """
+    held(drive, work)
+    for i in range(len(work.q)):
+        work.rg[i] = -drive.share[i]
+    for m in range(work.rb.shape[0]):
+        for i in range(work.rb.shape[1]):
+            work.rb[m, i] = 0.0
+    if not direction(0.0, drive, work):
+        return 0.0
+    gives = 0.0
+    for i in range(len(work.q)):
+        gives += drive.share[i] * work.p[i, 0]
+    return 1 / gives
+
+
+def lag_of(drive: Drive, q: Row) -> float:
+    """Lag of what carries the torque: of the output, or the mean of discs by their shares."""
+    found = 0.0
+    for i in range(len(q)):
+        found += drive.share[i] * q[i]
+    return found
+
+
+def judged(count: int, drive: Drive, work: Work, row: Row) -> int:
+    """Whether a position can be, as `solve` left it: a status."""
+    gi, gf, w = drive.gi, drive.gf, work.w
+    exact = gi[0, EXACT] != 0
+    if abs(row[LAG]) > 1:
+        return NOT_STABLE if exact else TOO_FAR
+    if row[STIFFNESS] <= 0 or count < 0:
+        return NOT_STABLE
+    for g in range(len(gi)):
+        for i in range(gi[g, START], gi[g, STOP]):
+            if w[i, FORCE] > w[i, MOST]:
+                return TOO_WIDE
+    for g in range(len(gi)):
+        if gi[g, KIND] == LOBE and exact:  # past half a pitch of its lobes other pins hold a disc
+            lag = gf[g, LATE] + moved(gi[g, OWN], work.q)
+            if abs(lag) * (gf[g, LOBES] - 1) >= math.pi:
+                return NOT_STABLE
+    return SOLVED
+
+
+def wrenches(drive: Drive, work: Work) -> None:
+    """Forces of each group on its disc along its crank, to the axis, and across it, against its
+    turning; and their torque about its centre, as `solve` left them.
+    """
+    gi, gf, w = drive.gi, drive.gf, work.w
+    for g in range(len(gi)):
+        x = y = torque = 0.0
+        way = -1.0 if gi[g, KIND] == PIN else 1.0
+        c = s = 1.0
+        if gi[g, KIND] != PIN:
+            own = gf[g, LATE] + moved(gi[g, OWN], work.q) if gi[g, EXACT] != 0 else 0.0
+            c, s = math.cos(own), math.sin(own)
+        for i in range(gi[g, START], gi[g, STOP]):
+            f = w[i, FORCE]
+            if f <= 0:
+                continue
+            ca, sa, nx, ny = w[i, CA], w[i, SA], w[i, NX], w[i, NY]
+            along, across = nx * ca - ny * sa, nx * sa + ny * ca  # in the crank's frame
+            if gi[g, KIND] != PIN:
+                along, across = along * c + across * s, across * c - along * s
+            x -= f * along
+            y += f * across
+            torque += f * (w[i, NY] * w[i, HX] - w[i, NX] * w[i, HY])
+        work.wrench[g, 0], work.wrench[g, 1], work.wrench[g, 2] = x, y, way * torque
+
+
+def turning_lobe(i: int, g: int, drive: Drive, work: Work) -> float:
+    """Derivative of a lobe's approach by the crank angle at held lags, in first order."""
+    gf, cf, w, ca, sa = drive.gf, drive.cf, work.w, work.w[i, CA], -work.w[i, SA]
+    e, k, slope = gf[g, BASE_E], gf[g, SHORT], w[i, SLOPE]
+    own = gf[g, LATE] + moved(drive.gi[g, OWN], work.q)
+    tx, ty = sa, -ca  # derivative of the crank's direction
+    px, py = gf[g, CIRCLE] - e * ca, -e * sa
+    dx = cf[i, EX] - gf[g, OFF] * ca - own * py
+    dy = cf[i, EY] - gf[g, OFF] * sa + own * px
+    gx, gy, hx, hy = 1 - k * ca, -k * sa, -k * tx, -k * ty
+    mx, my = -gf[g, OFF] * tx + own * e * ty, -gf[g, OFF] * ty - own * e * tx
+    grown = (gx * hx + gy * hy) / slope
+    over, turn = gx * dx + gy * dy, hx * dx + hy * dy + gx * mx + gy * my
+    lever = gf[g, BASE_E] * (gf[g, LOBES] - 1) * (ca - w[i, SA] * grown / slope) / slope
+    opens = -gf[g, ROTATION] * (lever if w[i, SA] > 0 else -lever)
+    return float(opens - turn / slope + over * grown / (slope * slope))
+
+
+def on_crank(torque: float, drive: Drive, work: Work) -> float:
+    """Torque that turns the crank without friction, after `wrenches`: the torque's part, and of
+    each force times the derivative of its approach by the crank angle; in exact geometry all forces
+    across cranks times the eccentricities.
+    """
+    gi, gf, w, total = drive.gi, drive.gf, work.w, 0.0
+    if gi[0, EXACT] != 0:
+        for g in range(len(gi)):
+            total += gf[g, ECC] * work.wrench[g, 1]
+        return total
+    for g in range(len(gi)):
+        for i in range(gi[g, START], gi[g, STOP]):
+            if w[i, FORCE] <= 0:
+                continue
+            if gi[g, KIND] == PIN:
+                ca, sa = w[i, CA], -w[i, SA]
+                lag = moved(gi[g, TURN], work.q) - moved(gi[g, OWN], work.q) - gf[g, LATE]
+                sx, sy = drive.cf[i, EX], drive.cf[i, EY] - lag * gf[g, CIRCLE]
+                total += gf[g, RATE] * w[i, FORCE] * (ca * sy - sa * sx)
+            else:
+                total += w[i, FORCE] * turning_lobe(i, g, drive, work)
+    return float(total + torque / drive.gf[0, RATIO])
+
+
+def pressing(g: int, i: int, drive: Drive, w: Table) -> float:
+    """Force over reduced radius of a contact, of one that wraps times the square of its pressure
+    over Hertz's.
+    """
+    table, found = drive.table, w[i, FORCE] * w[i, BENT]
+    if drive.gi[g, KIND] == PIN:
+        at = 3 + int(table[2])
+        most = table[at] * (drive.gf[g, BASE_E] + drive.cf[i, WIDER])
+        if w[i, FORCE] > table[at + 1] * most:
+            found *= excess(w[i, FORCE] / most, table)
+    return float(found)
+
+
+def measure(torque: float, drive: Drive, work: Work, row: Row) -> None:
+    """Read-outs of a position, as `solve` left it."""
+    gi, w = drive.gi, work.w
+    for k in range(PIN_FORCE, LOST):
+        row[k] = 0.0
+    wrenches(drive, work)
+    row[INPUT_TORQUE] = on_crank(torque, drive, work)
+    row[ALONG_MOST], row[ALONG_LEAST] = -math.inf, math.inf
+    for g in range(len(gi)):
+        kind = gi[g, KIND]
+        at = PIN_FORCE if kind == PIN else LOBE_FORCE
+        for i in range(gi[g, START], gi[g, STOP]):
+            f = w[i, FORCE]
+            if f <= 0 or kind == FLANK:
+                continue
+            pressed = pressing(g, i, drive, w)
+            row[at], row[at + 1] = max(row[at], f), max(row[at + 1], pressed)
+            row[at + 2] += 1
+            if kind == LOBE:
+                row[RUB] = max(row[RUB], w[i, SLIDE] * f)
+                row[RUB_PRESSED] = max(row[RUB_PRESSED], w[i, SLIDE] * math.sqrt(pressed))
+        if kind == LOBE:
+            along = work.wrench[g, 0]
+            for other in range(g + 1, len(gi)):  # its second feet
+                if gi[other, KIND] == FLANK and gi[other, OF] == g:
+                    along += work.wrench[other, 0]
+            row[ALONG_MOST] = max(row[ALONG_MOST], along)
+            row[ALONG_LEAST] = min(row[ALONG_LEAST], along)
+
+
+def without_force(body: int, top: float, drive: Drive, work: Work) -> bool:
+    """Whether nothing presses a disc, but for what is left of its balance: that goes."""
+    gi, w = drive.gi, work.w
+    for g in range(len(gi)):
+        for i in range(gi[g, START], gi[g, STOP]):
+            if gi[g, OWN] == body and w[i, FORCE] > NOTHING * top:
+                return False
+    for g in range(len(gi)):
+        for i in range(gi[g, START], gi[g, STOP]):
+            if gi[g, OWN] == body:
+                w[i, FORCE] = 0.0
+    return True
+
+
+def loose_discs(play: bool, drive: Drive, work: Work) -> None:
+    """Put discs that carry nothing into the middle of their play."""
+    gi, w, top = drive.gi, work.w, 0.0
+    for i in range(len(w)):
+        top = max(top, w[i, FORCE])
+    for g in range(len(gi)):
+        body = gi[g, OWN]
+        if gi[g, KIND] == PIN and body >= 0 and without_force(body, top, drive, work):
+            if not play:
+                work.play[body, 0], work.play[body, 1] = ring_play(body, drive, work)
+            work.q[body] = middle(g, drive, work)
+
+
+def take(given: Row, into: Row) -> None:
+    """Copy displacements."""
+    for i in range(len(given)):
+        into[i] = given[i]
+
+
+def take_side(sides: Table, side: int, q: Row, kept: bool) -> None:
+    """Displacements under a torque in one of two directions: keep them, or take them up again."""
+    for i in range(len(q)):
+        if kept:
+            sides[side, i] = q[i]
+        else:
+            q[i] = sides[side, i]
+
+
+def straighten(work: Work) -> None:
+    """Pins without bending, contacts without force."""
+    for i in range(len(work.w)):
+        work.w[i, FORCE] = 0.0
+    for m in range(work.b.shape[0]):
+        for i in range(work.b.shape[1]):
+            work.b[m, i] = 0.0
+
+
+def position(
+    phi: float, torque: float, warm: bool, play: bool, drive: Drive, work: Work, row: Row
+) -> int:
+    """Equilibrium at a crank angle and its read-outs, from the displacements in the room where it
+    is warm; a status. Its play where that is asked.
+    """
+    place(phi, drive, work)
+    way, q, kept = math.copysign(1.0, torque), work.q, work.kept
+    row[STATUS] = SOLVED
+    for _ in range(2):
+        if play or not warm:
+            take(q, kept)
+            placed(way, drive, work, row)
+            if warm:
+                take(kept, q)
+            else:
+                straighten(work)
+            if row[STATUS] != SOLVED:
+                return NO_DRIVE
+        count = solve(torque, drive, work)
+        if count > 0 or not warm:
+            break
+        warm = False
+    row[STEPS], row[LAG] = abs(count), way * lag_of(drive, q)
+    row[STIFFNESS] = stiffness(drive, work)
+    status = judged(count, drive, work, row)
+    row[STATUS] = status
+    loose_discs(play, drive, work)
+    measure(torque, drive, work, row)
+    return status
+
+
+def record(
+    m: int, drive: Drive, work: Work, lags: Table, forces: Table, wrench: Block, plays: Block
+) -> None:
+    """Keep what a position has of bodies, contacts, groups, and discs in their ring."""
+    for i in range(len(work.q)):
+        lags[m, i] = work.q[i]
+        plays[m, i, 0], plays[m, i, 1] = work.play[i, 0], work.play[i, 1]
+    for i in range(forces.shape[1]):
+        forces[m, i] = work.w[i, FORCE]
+    for g in range(len(drive.gi)):
+        for k in range(3):
+            wrench[m, g, k] = work.wrench[g, k]
+
+
+def positions(
+    places: Row,
+    torque: float,
+    play: bool,
+    drive: Drive,
+    work: Work,
+    rows: Table,
+    lags: Table,
+    forces: Table,
+    wrench: Block,
+    plays: Block,
+) -> int:
+    """Equilibrium at crank angles, each from the two before it; the first that cannot be, or -1."""
+    for m in range(len(places)):
+        if m > 1:
+            ahead, wide = places[m] - places[m - 1], places[m - 1] - places[m - 2]
+            if abs(ahead) <= 2 * abs(wide):
+                for i in range(len(work.q)):
+                    work.q[i] += ahead / wide * (lags[m - 1, i] - lags[m - 2, i])
+        status = position(places[m], torque, m > 0, play, drive, work, rows[m])
+        if status != SOLVED:
+            return m
+        record(m, drive, work, lags, forces, wrench, plays)
+    return -1
+
+
+def unloaded(
+    places: Row, way: float, least: bool, drive: Drive, work: Work, rows: Table, plays: Block
+) -> None:
+    """Play at crank angles; and, of a ring alone, the smallest possible worst approach there."""
+    for m in range(len(places)):
+        place(places[m], drive, work)
+        placed(way, drive, work, rows[m])
+        rows[m, INTERFERENCE] = -math.inf
+        for body in range(len(work.q)):
+            plays[m, body, 0], plays[m, body, 1] = work.play[body, 0], work.play[body, 1]
+            if least:
+                far = quarter(body, drive)
+                worst = freest(-far, far, body, drive, work)[1]
+                rows[m, INTERFERENCE] = max(rows[m, INTERFERENCE], worst)
+
+
+def gaps(phi: float, lags: Row, drive: Drive, work: Work, found: Row) -> None:
+    """Approaches of all lobes at a crank angle and lags of their discs."""
+    gi, w = drive.gi, work.w
+    take(lags, work.q)
+    place(phi, drive, work)
+    for g in range(len(gi)):
+        if gi[g, KIND] != LOBE:
+            continue
+        for i in range(gi[g, START], gi[g, STOP]):
+            touch(i, g, work.q, work.b, drive, w)
+            if gi[g, EXACT] != 0:
+                foot_of(i, g, drive, w)
+            found[i] = w[i, DELTA]
+
+
+def narrow(
+    kind: int,
+    sign: int,
+    low: float,
+    high: float,
+    torque: float,
+    share: float,
+    drive: Drive,
+    work: Work,
+    row: Row,
+) -> tuple[float, float, float, int]:
+    """Place and height of the largest value between two places, or of the least for the sign -1, by
+    golden section, which asks for no derivative; its error, by how much it changed while the width
+    was narrowed to its last sixteenth; and at how many places it looked: 0 where the place is one
+    that cannot be.
+    """
+    error, looks, left, play = 0.0, 0, True, kind in (LOW, HIGH, PLAY)
+    a, b = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
+    at_a = at_b = 0.0
+    while looks < 2 or high - low > PLACE:
+        if looks >= 2:
+            if high - low < FLAT_WITHIN and abs(at_a - at_b) <= FLAT * abs(at_a):
+                break
+            if high - low < 16 * PLACE:
+                error = max(error, abs(at_a - at_b))
+            left = sign * at_a >= sign * at_b
+            if left:
+                high, b, at_b = b, a, at_a
+                a = high - GOLDEN * (high - low)
+            else:
+                low, a, at_a = a, b, at_b
+                b = low + GOLDEN * (high - low)
+        there, found = a if left else b, 0.0
+        for side in range(2 if kind == LOST else 1):
+            asked = torque if kind != LOST else share * torque * (1.0 - 2.0 * side)
+            take_side(work.sides, side, work.q, False)
+            if position(there, asked, looks > 0, play, drive, work, row) != SOLVED:
+                return there, 0.0, 0.0, 0
+            take_side(work.sides, side, work.q, True)
+            found += row[LAG] if kind == LOST else row[kind]
+        if left:
+            at_a = found
+        else:
+            at_b = found
+        looks += 1
+        left = False
+    if sign * at_a >= sign * at_b:
+        return a, at_a, error, looks
+    return b, at_b, error, looks
+
+
+def free_there(drive: Drive, work: Work) -> bool:
+    """Whether nothing touches at the displacements at hand, at the angle of `place`."""
+    gi, w = drive.gi, work.w
+    for g in range(len(gi)):
+        for i in range(gi[g, START], gi[g, STOP]):
+            touch(i, g, work.q, work.b, drive, w)
+            if w[i, DELTA] > 0:
+                return False
+    return True
+
+
+def goes_together(places: Row, drive: Drive, work: Work, row: Row) -> int:
+    """Whether a piece goes together without load: at all places (FITS), at some, or at none. What
+    was free at one place mostly is at the next one.
+    """
+    free = blocked = False
+    for i in range(len(work.q)):
+        work.q[i] = 0.0
+    for m in range(len(places)):
+        place(places[m], drive, work)
+        if free_there(drive, work):
+            free = True
+            continue
+        placed(1.0, drive, work, row)
+        if row[PRESSED] > 0:
+            blocked = True
+        else:
+            free = True
+            work.q[0] = (row[LOW] + row[HIGH]) / 2
+            for g in range(len(drive.gi)):
+                if drive.gi[g, KIND] == PIN:
+                    work.q[drive.gi[g, OWN]] = middle(g, drive, work)
+        if free and blocked:
+            return BINDS
+    return FITS if free else NOWHERE
