@@ -179,14 +179,17 @@ def _keep_nothing() -> None:
 
 
 def make_cache() -> None:
-    """Make the cache where there is none, each part in a process of its own; a signal to stop ends
-    them too.
+    """Make the cache where there is none of the sources as they are, each part in a process of its
+    own; a signal to stop ends them too. One of other sources may name what is no longer there.
 
     Where it cannot be made, processes for calculations compile as they start.
     """
     if cached():
         return
     LOG.info(ONCE)
+    for file in _files():
+        with suppress(OSError):
+            file.unlink()
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(0))
     with ExitStack() as ends:
         codes = (f"from app.compiled import make_part; make_part({name!r})" for name in PARTS)

@@ -230,9 +230,12 @@ def test_where_nothing_can_be_written_the_loops_are_compiled_in_memory(tiny, mon
 
 def test_a_service_without_a_cache_makes_one_first(elsewhere, monkeypatch, caplog):
     run, ended = [], []
+    former = elsewhere / "turn_kernel.pieces-1.py311.nbi"
+    former.write_bytes(b"of other sources")
 
     class Part:
         def __init__(self, command):
+            assert not former.exists()
             run.append(command[2])
 
         def wait(self):
