@@ -326,7 +326,7 @@ def wrong_fields(error: ValidationError) -> Problem:
     count = error.error_count()
     if count > MAX_DESCRIBED:
         return invalid_input([], count)
-    tag = 1 if "tagged-union[" in error.title else 0  # of a union, before its fields
+    tag = 1 if error.title.startswith("tagged-union") else 0  # of a union, before its fields
     items: dict[str, FieldProblem] = {}
     for each in error.errors(include_url=False, include_input=False):
         item = _item(each, each["loc"][tag:])

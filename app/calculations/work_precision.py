@@ -2,9 +2,10 @@
 
 from abc import abstractmethod
 from functools import partial
-from typing import Annotated, Any, Literal, get_args
+from typing import Annotated, Any, Literal, NoReturn, get_args
 
-from pydantic import BeforeValidator, Field
+from pydantic import Field, model_validator
+from pydantic.json_schema import SkipJsonSchema
 
 from app.calculations.contact_force import ContactForceRequest
 from app.calculations.contact_line import ContactLineRequest
@@ -54,13 +55,16 @@ class Study(RequestModel):
         """The study."""
 
 
-def _compared(asked: Any) -> Any:
-    """Refuse a calculation of one method, with what that promises."""
-    name = asked.get("calculation") if isinstance(asked, dict) else None
-    if isinstance(name, str) and name in ONE_METHOD:
-        promised = CLASSES[ONE_METHOD[name]]
+class NotCompared(RequestModel):
+    """A calculation of one method, with nothing to compare."""
+
+    calculation: Literal[*ONE_METHOD]  # type: ignore[valid-type]
+
+    @model_validator(mode="before")
+    @classmethod
+    def _refused(cls, asked: dict[str, Any]) -> NoReturn:
+        promised = CLASSES[ONE_METHOD[asked["calculation"]]]
         raise field_error("calculation", "no_methods", relative_error=promised)
-    return asked
 
 
 class PeakForceStudy(Study):
@@ -157,9 +161,9 @@ WorkPrecisionRequest = Annotated[
     | ShaftDeflectionStudy
     | LoadSharingStudy
     | RingMeshStudy
-    | ToleranceSamplingStudy,
+    | ToleranceSamplingStudy
+    | SkipJsonSchema[NotCompared],
     Field(discriminator="calculation"),
-    BeforeValidator(_compared),
 ]
 
 COMPARED = [

@@ -351,6 +351,6 @@ class DriveTurn(Turn):
             if not looks:
                 self.real.refuse(bad=0, places=[place], room=room)
             self.evaluations += looks * SOLVES.get(kind, 1)
-            return place, sign * height, error
+            return float(place), float(sign * height), float(error)
 
         return narrowed

