@@ -112,6 +112,7 @@ def test_teeth_are_typed_by_keyboard_to_a_green_word(page: Page, service: str) -
 
 def matches(page: Page, angle: float, force: list[float]) -> None:
     """Arrows as long as the forces, on the line from the pin to the pitch point; else a gap."""
+    expect(page.locator(".ring-marks .arrow")).to_have_count(len(force))
     page.get_by_role("slider", name="Crank angle").evaluate(MOVE, angle)
     svg = page.locator('[data-drawing="crank-planetary"] .drawing svg')
     px = float(svg.get_attribute("data-px-per-mm") or "nan")
