@@ -33,7 +33,7 @@ SOURCES = (
 ENGINE = CORE / "drive" / "engine.py"
 
 LAST = {"pieces": (CORE / "output" / "compiled.py", *SOURCES), "narrow": (ENGINE,)}
-"""What is compiled last, and of which sources: of the loops, and of the engine."""
+"""Functions that are compiled last, and their sources: of the loops, and of the engine."""
 
 
 def _files(name: str = "*") -> list[Path]:
@@ -124,7 +124,7 @@ def _engine() -> None:
 
 
 PARTS = {"turns": _turns, "engine": _engine}
-"""What is compiled, apart from each other."""
+"""Parts of the cache, which are compiled apart from each other."""
 
 
 def run_once() -> None:

@@ -385,7 +385,7 @@ def _reason(found: Check | PartVerdict, body: RequestModel) -> Values:
 
 
 IDEAL_ALONE = ("contact.distribution_factor", "load.force_exponent")
-"""What has no part in forces that are solved."""
+"""Inputs of ideal forces, which forces that are solved do not read."""
 
 
 def usual_values(body: Any, verdict: Verdict) -> dict[tuple[str, ...], float | str]:

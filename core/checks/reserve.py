@@ -141,7 +141,7 @@ def _failed_before(results: Results, found: Verdict) -> Verdict:
 
 
 def _holds(check: Check) -> bool | None:
-    """Whether a check holds, over the range of what is not typed too; None where it is not
+    """True where a check holds, over the range of what is not typed too; None where it is not
     known.
     """
     if check.status == "not_checked" and not check.only_needed:
@@ -151,7 +151,7 @@ def _holds(check: Check) -> bool | None:
 
 
 def _left(check: Check) -> float:
-    """What is left of a check under its torque, of its reserve or else of its limit; 0 where that
+    """Reserve of a check under its torque, or else its limit over its value; 0 where that
     is not known.
     """
     return check.reserve if check.by_torque else 1 / (check.utilisation or math.inf)
@@ -180,7 +180,7 @@ class _Torques:
         return self.looks[factor]
 
     def holds(self, factor: float) -> bool | None:
-        """Whether all checks hold under so many times the torque; None where one is not known."""
+        """True where all checks hold under so many times the torque; None where it is unknown."""
         if factor > self.exact:
             return False
         found = {_holds(check) for check in self.look(factor).values()}

@@ -147,13 +147,13 @@ class Results:
 
     @property
     def two_ways(self) -> bool:
-        """Whether satellites of perfect parts, of which the clearance is not known, may share the
-        load by the bending of their pins or equally.
+        """True where satellites of perfect parts, whose clearance is not known, may share the load
+        by the bending of their pins or equally.
         """
         return self.design.clearance_unknown and self.solved and not self.design.as_made
 
     def under(self, factor: float) -> "Results":
-        """The same under so many times working and peak torque."""
+        """Results of the design under so many times its working and peak torque."""
         torque, peak = self.design.load.output_torque * factor, self.design.load.peak_torque
         more = {"load.output_torque": torque, "load.peak_torque": peak and peak * factor}
         return Results(changed(self.design, more), equal=self.shared_equally)

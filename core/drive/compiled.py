@@ -13,10 +13,10 @@ PLAIN = {
 """Its functions as they are."""
 
 CALLED = "positions", "narrow", "unloaded", "gaps", "goes_together"
-"""What is called from outside of it."""
+"""Functions that are called from outside of it."""
 
 INLINED = "touch", "pin", "lobe", "slopes", "press", "turned", "moved", "law", "disc_at", "bent"
-"""What is done at each contact."""
+"""Functions that are called at each contact."""
 
 
 def kind(annotation: Any) -> Any:

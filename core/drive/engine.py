@@ -85,7 +85,6 @@ law, force at which that ends, radius of the pin, difference of the curvatures, 
     DELTA,
     FORCE,
     STIFF,
-    MOVE,
     NX,
     NY,
     BOW,
@@ -95,11 +94,11 @@ law, force at which that ends, radius of the pin, difference of the curvatures, 
     HY,
     UX,
     UY,
-) = range(23)
-"""What a position makes of a contact: angle, law, gap, slope of the path, lever of perfect parts,
-difference of curvatures, distance to the pitch point, foot; approach, force, stiffness, what the
-last step changes, normal, bow of the distance, arm of the pin (of a lobe: how far it is off its
-place), arm of the disc, the disc's turn."""
+) = range(22)
+"""Floats of a contact at a position: angle, law, gap, slope of the path, lever of perfect parts,
+difference of curvatures, distance to the pitch point, foot; approach, force, stiffness, normal, bow
+of the distance, arm of the pin (of a lobe: how far it is off its place), arm of the disc, the
+disc's turn."""
 
 (
     STATUS,
@@ -134,10 +133,10 @@ SOLVED, NOT_SOLVED, NO_DRIVE, NOT_STABLE, TOO_WIDE, TOO_FAR = range(6)
 """Status of a position, as `core.output.loop_rows` numbers them."""
 
 FITS, BINDS, NOWHERE = 2, 1, 0
-"""Whether a piece goes together everywhere, somewhere, nowhere."""
+"""A piece goes together everywhere, somewhere, nowhere."""
 
 CLASS = 1e-11
-"""What the last step but one leaves of the largest force: the last one leaves its square."""
+"""Unbalance after the last step but one, over the largest force: the last one leaves its square."""
 
 REACH = 5e-6
 """First step at most, m; later ones grow to `FURTHEST` of it."""
@@ -149,7 +148,7 @@ HERTZ_END = 1.2
 """Where the logarithm of the Hertz law ends, see `core.output.loop_rows.HERTZ_END`."""
 
 WRAP_BEND = 0.4
-"""Of the width of contacts that wrap, see `core.output.loop_rows.BEND`."""
+"""Constant of the width of contacts that wrap, see `core.output.loop_rows.BEND`."""
 
 EPS = 2.0**-52
 TINY = 1e-100
@@ -190,7 +189,7 @@ GOLDEN = (math.sqrt(5) - 1) / 2
 
 
 class Drive(NamedTuple):
-    """What a drive is."""
+    """A drive: its groups of contacts, springs and torque."""
 
     gi: Whole  # [G, 10] integers of the groups
     gf: Table  # [G, 16] their floats
@@ -209,7 +208,7 @@ class Work(NamedTuple):
 
     q: Row
     b: Table
-    w: Table  # [n, 23]
+    w: Table  # [n, 22]
     grad: Table  # [n, 6] of the approaches
     side: Row  # [6] across the normal
     hgg: Table
@@ -547,7 +546,7 @@ def slopes(i: int, g: int, drive: Drive, work: Work) -> tuple[float, float]:
 
 
 def press(i: int, g: int, f: float, k: float, drive: Drive, work: Work) -> None:
-    """What a contact with a force adds to the balance and its derivatives."""
+    """Add a contact with a force to the balance and its derivatives."""
     gi, w, grad, side = drive.gi, work.w, work.grad, work.side
     by_turn, by_own = slopes(i, g, drive, work)
     bow, block, curved = f * w[i, BOW], drive.ci[i, BLOCK], gi[g, KIND] != PIN
@@ -577,7 +576,7 @@ def press(i: int, g: int, f: float, k: float, drive: Drive, work: Work) -> None:
 def press_block(
     i: int, g: int, f: float, k: float, bow: float, curved: bool, drive: Drive, work: Work
 ) -> None:
-    """What it adds of a pin that bends."""
+    """Add a contact with a force to the balance of its pin that bends."""
     gi, grad, side, block = drive.gi, work.grad, work.side, drive.ci[i, BLOCK]
     at = 2 * drive.ci[i, PLANE]
     for s in range(4, 6):
@@ -738,7 +737,7 @@ def change(i: int, g: int, drive: Drive, work: Work) -> float:
 
 
 def left_over(damp: float, step: float, drive: Drive, work: Work) -> float:
-    """What the step leaves of the balance, over the largest force: second order of the laws, pairs
+    """Unbalance after the step, over the largest force: second order of the laws, pairs
     that might touch, and what damping holds.
     """
     gi, w, top, rest = drive.gi, work.w, 0.0, 0.0
@@ -835,7 +834,7 @@ def rounding(i: int, g: int, lag: float, drive: Drive) -> float:
 
 
 def of_ring(g: int, body: int, drive: Drive) -> bool:
-    """Whether a group is of lobes that turn with a body."""
+    """True for a group of lobes that turn with a body."""
     return bool(drive.gi[g, KIND] == LOBE and drive.gi[g, OWN] == body)
 
 
@@ -876,7 +875,7 @@ def ring_end(side: float, body: int, drive: Drive, work: Work) -> float:
 
 
 def pressed_at(lag: float, side: float, body: int, drive: Drive, work: Work) -> bool:
-    """Whether a pin presses at a lag that does not limit it on a side; for 0 one at its dead
+    """True where a pin presses at a lag that does not limit it on a side; for 0 one at its dead
     angle, of which first order knows no other.
     """
     gi, w = drive.gi, work.w
@@ -905,7 +904,7 @@ def on_top(i: int, g: int, drive: Drive, w: Table) -> float:
 
 
 def presses_on_top(i: int, g: int, body: int, drive: Drive, work: Work) -> bool:
-    """Whether a pin presses the top of its lobe."""
+    """True where a pin presses the top of its lobe."""
     lag = on_top(i, g, drive, work.w)
     work.q[body] = lag
     touch(i, g, work.q, work.b, drive, work.w)
@@ -913,7 +912,7 @@ def presses_on_top(i: int, g: int, body: int, drive: Drive, work: Work) -> bool:
 
 
 def passed(low: float, high: float, body: int, drive: Drive, work: Work) -> bool:
-    """Whether a pin presses the top of a lobe that it passes between two lags."""
+    """True where a pin presses the top of a lobe that it passes between two lags."""
     gi, w = drive.gi, work.w
     for g in range(len(gi)):
         if not of_ring(g, body, drive) or gi[g, EXACT] == 0:
@@ -1120,7 +1119,7 @@ def rest(kind: int, slot: int, body: int, drive: Drive, work: Work) -> float:
 
 
 def drives(g: int, way: float, drive: Drive, w: Table) -> bool:
-    """Whether a contact of a group can carry a torque in a direction."""
+    """True where a contact of a group can carry a torque in a direction."""
     for i in range(drive.gi[g, START], drive.gi[g, STOP]):
         if way * w[i, LEVER] > NO_LEVER * drive.gf[g, CIRCLE]:
             return True
@@ -1203,8 +1202,8 @@ def middle(g: int, drive: Drive, work: Work) -> float:
 
 
 def stiffness(drive: Drive, work: Work) -> float:
-    """Of the lag of what carries the torque, by the derivatives of the balance that `solve` left; 0
-    where the position is not stable.
+    """Torque over the lag of what carries it, by the derivatives of the balance that `solve` left;
+    0 where the position is not stable.
     """
     held(drive, work)
     for i in range(len(work.q)):
@@ -1229,7 +1228,7 @@ def lag_of(drive: Drive, q: Row) -> float:
 
 
 def judged(count: int, drive: Drive, work: Work, row: Row) -> int:
-    """Whether a position can be, as `solve` left it: a status."""
+    """Status of a position, as `solve` left it: SOLVED, or why it cannot be."""
     gi, gf, w = drive.gi, drive.gf, work.w
     exact = gi[0, EXACT] != 0
     if abs(row[LAG]) > 1:
@@ -1360,7 +1359,7 @@ def measure(torque: float, drive: Drive, work: Work, row: Row) -> None:
 
 
 def without_force(body: int, top: float, drive: Drive, work: Work) -> bool:
-    """Whether nothing presses a disc, but for what is left of its balance: that goes."""
+    """True where nothing presses a disc; forces that rounding left of its balance are set to 0."""
     gi, w = drive.gi, work.w
     for g in range(len(gi)):
         for i in range(gi[g, START], gi[g, STOP]):
@@ -1565,7 +1564,7 @@ def narrow(
 
 
 def free_there(drive: Drive, work: Work) -> bool:
-    """Whether nothing touches at the displacements at hand, at the angle of `place`."""
+    """True where nothing touches at the displacements at hand, at the angle of `place`."""
     gi, w = drive.gi, work.w
     for g in range(len(gi)):
         for i in range(gi[g, START], gi[g, STOP]):
@@ -1576,8 +1575,8 @@ def free_there(drive: Drive, work: Work) -> bool:
 
 
 def goes_together(places: Row, drive: Drive, work: Work, row: Row) -> int:
-    """Whether a piece goes together without load: at all places (FITS), at some, or at none. What
-    was free at one place mostly is at the next one.
+    """FITS where a piece goes together without load at all places, BINDS at some, NOWHERE at none.
+    A lag that was free at one place mostly is at the next one.
     """
     free = blocked = False
     for i in range(len(work.q)):

@@ -23,8 +23,8 @@ class Contacts(NamedTuple):
 
     @property
     def straddle(self) -> bool:
-        """Whether a pin is so much wider than the tool that it may press both flanks of a valley:
-        by more than the path is round there.
+        """True where a pin may press both flanks of a valley: it is wider than the tool by more
+        than the path is round there.
         """
         own = engine.LOBES, engine.SHORT, engine.TOOL_R
         pins, k, tool = (self.gf[..., each][..., None] for each in own)

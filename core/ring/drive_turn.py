@@ -30,13 +30,10 @@ from core.output.summits import Grid
 from core.output.turn import SOLVES, Rows, Turn
 
 ALONG_MOST, ALONG_LEAST, RUB, RUB_AND_PRESS, MESH_FORCE, MESH_PRESSURE = range(8, 14)
-"""What is looked at over the turn besides: the largest and the least force of a disc along its
+"""Further read-outs over the turn: the largest and the least force of a disc along its
 crank; the largest product of a pair's distance to the pitch point and its force, N*m, or the root
 of force over reduced radius, m*sqrt(N/m); of the pins of the ring in series the largest force, and
 force over reduced radius."""
-
-POSITION_CLASS = 1e-11
-"""Error of forces and lags of a position over the largest."""
 
 PLAY_CLASS = 1e-13
 """Error of the ends of a play over them."""
@@ -161,7 +158,7 @@ class DriveStage(Stage):
 
     @property
     def drive(self) -> Pieces:
-        """What the engine takes."""
+        """The drive as the engine takes it."""
         raise NotImplementedError
 
     def setup(self, direction: float) -> float:
@@ -212,8 +209,8 @@ class DriveStage(Stage):
             low=float(row[engine.LOW]),
             high=float(row[engine.HIGH]),
             play_error=float(play.max()) + engine.LEAST_PLAY,
-            lag_error=POSITION_CLASS * abs(float(row[engine.LAG])),
-            force_error=POSITION_CLASS * float(room.forces.max()),
+            lag_error=engine.CLASS * abs(float(row[engine.LAG])),
+            force_error=engine.CLASS * float(room.forces.max()),
             status=int(row[engine.STATUS]),
             steps=int(row[engine.STEPS]),
         )
@@ -308,9 +305,9 @@ class DriveTurn(Turn):
             "loaded": rows[:, loaded],
             "low": rows[:, engine.LOW],
             "high": rows[:, engine.HIGH],
-            "lag_error": POSITION_CLASS * np.abs(rows[:, engine.LAG]),
+            "lag_error": engine.CLASS * np.abs(rows[:, engine.LAG]),
             "play_error": PLAY_CLASS * ends + engine.LEAST_PLAY,
-            "force_error": POSITION_CLASS * forces,
+            "force_error": engine.CLASS * forces,
             "input_torque": rows[:, engine.INPUT_TORQUE],
             "mesh_force": rows[:, engine.LOBE_FORCE],
             "mesh_pressure": rows[:, engine.LOBE_PRESSED],

@@ -43,7 +43,7 @@ class LobeErrors(NamedTuple):
 
 
 def tool_of(disc: Any) -> tuple[float, float, float, float]:
-    """What a disc is cut with: R_m, r_m, equidistant and pin circle of its modification.
+    """Sizes that a disc is cut with: R_m, r_m, equidistant and pin circle of its modification.
 
     Parameters
     ----------

@@ -103,7 +103,7 @@ class MeshesInSeries(DriveStage):
 
     @cached_property
     def drive(self) -> Pieces:
-        """What the engine takes."""
+        """Both meshes as the engine takes them."""
         assert self.ring.drive and self.output.pairs  # refuse what has no size, by its own number
         return series_drive(self)
 

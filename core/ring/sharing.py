@@ -201,7 +201,7 @@ class CycloidMesh(DriveStage):
 
     @cached_property
     def drive(self) -> Pieces:
-        """What the engine takes."""
+        """The ring and its discs as the engine takes them."""
         self._refuse_no_radius()
         return ring_drive(self)
 
