@@ -19,7 +19,7 @@ _check = partial(
     part="crank_bearings",
     needs=("touching", "load"),
     requires={"crankshaft.satellite_mass": "mass_unknown"},
-    fixes=("crankshaft.satellite_mass", "load.input_speed"),
+    fixes="crankshaft.satellite_mass load.input_speed",
     source="balance",
     why="Above it the reducer shakes with every turn of the crank.",
 )
@@ -77,11 +77,11 @@ def _against(kind: Kind, results: Results, value: float, *demands: str) -> Check
     title="Unbalanced force of the crankshaft",
     unit="N",
     formula="|Σ U|·ω² ≤ F_U, G·M·ω",
-    inputs=(*_INPUTS, "requirements.max_unbalance"),
+    inputs=(_INPUTS, "requirements.max_unbalance"),
     demands=tuple(f"requirements.{name}" for name in _OF_FORCE),
 )
-def unbalance_force(design: Design, results: Results) -> Check:
-    return _against(unbalance_force, results, float(results.crank.balance.force), *_OF_FORCE)
+def unbalance_force(kind: Kind, design: Design, results: Results) -> Check:
+    return _against(kind, results, float(results.crank.balance.force), *_OF_FORCE)
 
 
 @_check(
@@ -89,11 +89,11 @@ def unbalance_force(design: Design, results: Results) -> Check:
     title="Unbalanced couple of the crankshaft",
     unit="Nm",
     formula="|Σ U·(z − z_m)|·ω² ≤ M_U",
-    inputs=(*_INPUTS, "requirements.max_unbalance_couple"),
+    inputs=(_INPUTS, "requirements.max_unbalance_couple"),
     demands=tuple(f"requirements.{name}" for name in _OF_COUPLE),
 )
-def unbalance_couple(design: Design, results: Results) -> Check:
-    return _against(unbalance_couple, results, float(results.crank.balance.couple), *_OF_COUPLE)
+def unbalance_couple(kind: Kind, design: Design, results: Results) -> Check:
+    return _against(kind, results, float(results.crank.balance.couple), *_OF_COUPLE)
 
 
 BALANCE = (unbalance_force, unbalance_couple)

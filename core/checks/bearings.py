@@ -43,8 +43,7 @@ _crank_bearing = partial(
     group="crankshaft",
     part="crank_bearings",
     needs=("touching", "load", "crankshaft"),
-    inputs=("crankshaft.bearings",),
-    fixes=(),
+    inputs="crankshaft.bearings",
 )
 
 
@@ -117,21 +116,15 @@ def _least_bore(design: Design) -> float:
     formula="C/C_max, C₀/C₀_max ≤ q",
     why="There is no bearing of these sizes that carries so much.",
     inputs=(
-        "bearing.kind",
-        "bearing.dynamic_rating",
-        "bearing.static_rating",
-        *_SIZES,
-        "satellite_body.bore_radius",
-        "contact.contact_length",
-        "contact.eccentricity",
-        "crankshaft.eccentric_diameter",
-        "crankshaft.shaft_diameter",
+        "bearing.kind bearing.dynamic_rating bearing.static_rating",
+        _SIZES,
+        "satellite_body.bore_radius contact.contact_length contact.eccentricity",
+        "crankshaft.eccentric_diameter crankshaft.shaft_diameter",
     ),
-    fixes=(),
     source="envelope",
 )
-def bearing_rating(design: Design, results: Results) -> Check:
-    found = _possible(bearing_rating, design.bearing, _bounds(design))
+def bearing_rating(kind: Kind, design: Design, results: Results) -> Check:
+    found = _possible(kind, design.bearing, _bounds(design))
     if not (design.bearing.sizes or found.reason):  # by the room for them
         return found._replace(reason="envelope_unknown", missing=_SIZES)
     return found
@@ -155,19 +148,16 @@ def _room(design: Design) -> float:
     formula="D ≤ 2·r_b, d ≥ d_shaft + 2·e, B ≤ b",
     why="Otherwise the bearing does not go onto its eccentric, or into the satellite.",
     inputs=(
-        *_SIZES,
-        "satellite_body.bore_radius",
-        "contact.contact_length",
-        "contact.eccentricity",
-        "crankshaft.eccentric_diameter",
-        "crankshaft.shaft_diameter",
+        _SIZES,
+        "satellite_body.bore_radius contact.contact_length contact.eccentricity",
+        "crankshaft.eccentric_diameter crankshaft.shaft_diameter",
     ),
-    fixes=("satellite_body.bore_radius",),
+    fixes="satellite_body.bore_radius",
     keep="above",
     needed=False,
 )
-def bearing_fits(design: Design, results: Results) -> Check:
-    found = judged(bearing_fits, _room(design), 0.0)
+def bearing_fits(kind: Kind, design: Design, results: Results) -> Check:
+    found = judged(kind, _room(design), 0.0)
     if found.status == "fail":
         return found._replace(impossible=True)
     if (design.bearing.width or 0.0) > design.nominal_pair.contact_length:
@@ -181,17 +171,17 @@ def bearing_fits(design: Design, results: Results) -> Check:
     unit="rpm",
     formula="n₁·(1 + 1/u) ≤ n_lim",
     why="Above it the bearing gets too hot.",
-    inputs=(*SPEEDS, "mechanism.ratio", "bearing.limiting_speed"),
-    fixes=("load.input_speed",),
+    inputs=(SPEEDS, "mechanism.ratio bearing.limiting_speed"),
+    fixes="load.input_speed",
     source="user",
     needed=False,
 )
-def bearing_speed(design: Design, results: Results) -> Check:
+def bearing_speed(kind: Kind, design: Design, results: Results) -> Check:
     value = design.known_speeds.turning * design.built.waves_per_turn
     said = {"value": value, "status": "not_asked"}
     speed = design.bearing.limiting_speed
     limit = judged_by(speed, "no_limit", "bearing.limiting_speed", **said)
-    return judged(bearing_speed, value, limit)
+    return judged(kind, value, limit)
 
 
 def _rating(design: Design) -> float:
@@ -205,19 +195,18 @@ def _rating(design: Design) -> float:
     unit="N",
     formula="Q_min ≥ q·C",
     why="Below it rolling elements slide, and tracks are smeared.",
-    inputs=(*BEARING_LOAD, "load.input_speed", "bearing.dynamic_rating"),
-    fixes=(),
+    inputs=(BEARING_LOAD, "load.input_speed bearing.dynamic_rating"),
     source="slip",
     keep="above",
     needed=False,
 )
-def bearing_min_load(design: Design, results: Results) -> Check:
+def bearing_min_load(kind: Kind, design: Design, results: Results) -> Check:
     rating = _rating(design)
     found = results.crank.bearings
     loads = np.asarray(found.min_load)
     least = int(np.argmin(loads))
     return judged(
-        bearing_min_load,
+        kind,
         float(loads[least]),
         MIN_LOAD[design.bearing.kind] * rating,
         error=4 * float(found.accuracy.relative_error),
@@ -232,27 +221,21 @@ def bearing_min_load(design: Design, results: Results) -> Check:
     formula="P/(0.5·C), Q_max/C₀ ≤ 1",
     why="Above it the formula of the life promises more than the bearing lasts.",
     inputs=(
-        *BEARING_LOAD,
-        "load.input_speed",
-        "bearing.ring_factor",
-        "bearing.dynamic_rating",
-        "bearing.static_rating",
-        "load.peak_torque",
-        "load.application_factor",
-        "contact.dynamic_factor",
+        BEARING_LOAD,
+        "load.input_speed bearing.ring_factor bearing.dynamic_rating bearing.static_rating",
+        "load.peak_torque load.application_factor contact.dynamic_factor",
     ),
-    fixes=(),
     source="iso_281_life",
     needed=False,
 )
-def bearing_overload(design: Design, results: Results) -> Check:
+def bearing_overload(kind: Kind, design: Design, results: Results) -> Check:
     found = results.crank.bearings
     used = np.asarray(found.equivalent_load) / (MOST_DYNAMIC * _rating(design))
     if design.bearing.static_rating:
         used = np.maximum(used, 1 / (MOST_STATIC * found.static_safety_factor))
     worst = int(np.argmax(used))
     return judged(
-        bearing_overload,
+        kind,
         float(used[worst]),
         1.0,
         error=4 * float(found.accuracy.relative_error),
@@ -268,14 +251,14 @@ def bearing_overload(design: Design, results: Results) -> Check:
     why="There is no bearing of these sizes that carries so much.",
     source="envelope",
 )
-def crank_bearing_rating(design: Design, results: Results) -> Check:
+def crank_bearing_rating(kind: Kind, design: Design, results: Results) -> Check:
     found = []
     for place, each in enumerate(design.crankshaft.known_bearings, 1):
         bore, outer, width = _known_sizes(each, "crankshaft.bearings")
         bounds = largest_ratings(
             kind=each.kind, bore_diameter=bore, outer_diameter=outer, width=width
         )
-        made = _possible(crank_bearing_rating, each, bounds)
+        made = _possible(kind, each, bounds)
         found.append(made._replace(at={"bearing": place}))
     return max(found, key=lambda check: (check.status != "pass", check.utilisation or 0.0))
 
@@ -286,18 +269,18 @@ def crank_bearing_rating(design: Design, results: Results) -> Check:
     unit="mm",
     formula="d ≥ d_shaft",
     why="Otherwise the bearing does not go onto the shaft.",
-    inputs=("crankshaft.bearings", "crankshaft.shaft_diameter"),
+    inputs="crankshaft.bearings crankshaft.shaft_diameter",
     keep="above",
     needed=False,
 )
-def crank_bearing_fits(design: Design, results: Results) -> Check:
+def crank_bearing_fits(kind: Kind, design: Design, results: Results) -> Check:
     name = "crankshaft.shaft_diameter"
     shaft = required(design.crankshaft.shaft_diameter, "size_missing", name)
     bores = [
         _known_sizes(each, "crankshaft.bearings")[0] for each in design.crankshaft.known_bearings
     ]
     left = min(bores) - shaft
-    found = judged(crank_bearing_fits, left, 0.0, at={"bearing": bores.index(min(bores)) + 1})
+    found = judged(kind, left, 0.0, at={"bearing": bores.index(min(bores)) + 1})
     return found._replace(impossible=found.status == "fail")
 
 
@@ -307,11 +290,11 @@ def crank_bearing_fits(design: Design, results: Results) -> Check:
     unit="rpm",
     formula="n₁ ≤ n_lim",
     why="Above it the bearing gets too hot.",
-    inputs=(*SPEEDS, "mechanism.ratio", "crankshaft.bearings"),
+    inputs=(SPEEDS, "mechanism.ratio crankshaft.bearings"),
     source="user",
     needed=False,
 )
-def crank_bearing_speed(design: Design, results: Results) -> Check:
+def crank_bearing_speed(kind: Kind, design: Design, results: Results) -> Check:
     speeds = design.known_speeds
     turning = [
         (speeds.against(each.seat), each.limiting_speed)
@@ -321,11 +304,9 @@ def crank_bearing_speed(design: Design, results: Results) -> Check:
     if not limited:
         value = max(speed for speed, _ in turning)
         missing = ("crankshaft.bearings",)
-        return Check(
-            crank_bearing_speed, "not_asked", value=value, reason="no_limit", missing=missing
-        )
+        return Check(kind, "not_asked", value=value, reason="no_limit", missing=missing)
     speed, limit = max(limited, key=lambda each: each[0] / each[1])
-    return judged(crank_bearing_speed, speed, limit)
+    return judged(kind, speed, limit)
 
 
 BEARINGS = (

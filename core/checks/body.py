@@ -79,19 +79,17 @@ def _rim_guide(design: Design) -> float | None:
     title="Wall to the rim",
     formula="r_f − R − r_out ≥ w",
     why="Otherwise the holes break through the rim of the satellite.",
-    inputs=(*ROOTS, "load.pin_circle_radius", "contact.hole_radius", "requirements.min_wall"),
+    inputs=(ROOTS, "load.pin_circle_radius contact.hole_radius requirements.min_wall"),
     fixes=(
-        "satellite_body.outer_radius",
-        "satellite_body.root_radius",
-        "load.pin_circle_radius",
+        "satellite_body.outer_radius satellite_body.root_radius load.pin_circle_radius",
         "contact.pin_radius",
     ),
     source="wang_2016",
 )
-def wall_rim(design: Design, results: Results) -> Check:
+def wall_rim(kind: Kind, design: Design, results: Results) -> Check:
     if math.isinf(design.roots[1]):
         raise NotKnown("size_missing", "satellite_body.outer_radius")
-    return within_roots(design=design, kind=wall_rim, solid=True)
+    return within_roots(design=design, kind=kind, solid=True)
 
 
 @_check(
@@ -100,19 +98,17 @@ def wall_rim(design: Design, results: Results) -> Check:
     formula="R − r_out − r_b ≥ w",
     why="Otherwise the holes break into the bore of the satellite.",
     inputs=(
-        "satellite_body.bore_radius",
-        "load.pin_circle_radius",
-        "contact.hole_radius",
+        "satellite_body.bore_radius load.pin_circle_radius contact.hole_radius",
         "requirements.min_wall",
     ),
-    fixes=("satellite_body.bore_radius", "load.pin_circle_radius", "contact.pin_radius"),
+    fixes="satellite_body.bore_radius load.pin_circle_radius contact.pin_radius",
     source="wang_2016",
 )
-def wall_bore(design: Design, results: Results) -> Check:
+def wall_bore(kind: Kind, design: Design, results: Results) -> Check:
     size = design.nominal_pair.hole_radius
     bore = required(design.bore_radius, "size_missing", "satellite_body.bore_radius")
     width, least = design.load.pin_circle_radius - size - bore, design.requirements.min_wall
-    return wall(wall_bore, width=width, size=size, least=least, guide=design.wall_guide)
+    return wall(kind, width=width, size=size, least=least, guide=design.wall_guide)
 
 
 @_check(
@@ -120,17 +116,13 @@ def wall_bore(design: Design, results: Results) -> Check:
     title="Diameter of the space of the satellites",
     formula="2·(r_o + e) ≤ D_max",
     why="Otherwise the satellites do not fit into the space that is asked.",
-    inputs=(
-        "satellite_body.outer_radius",
-        "contact.eccentricity",
-        "requirements.max_outer_diameter",
-    ),
-    fixes=("satellite_body.outer_radius",),
+    inputs="satellite_body.outer_radius contact.eccentricity requirements.max_outer_diameter",
+    fixes="satellite_body.outer_radius",
     keep="below",
     asks="max_outer_diameter",
     asked_alone=True,
 )
-def outer_diameter(design: Design, results: Results) -> Measure:
+def outer_diameter(kind: Kind, design: Design, results: Results) -> Measure:
     """Of the circle in which a satellite moves."""
     path = "satellite_body.outer_radius"
     radius: float = required(value_at(design, path), "size_missing", path)

@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterable, Mapping, Set
 from dataclasses import dataclass, field
 from typing import Any, Literal, NamedTuple, TypeVar, get_args
 
+from core.checks.inputs import Paths, paths
 from core.design.document import value_at
 from core.errors import UNKNOWN, ImpossibleMechanism, InvalidInput, NotKnown, required
 from core.hertz import Spread
@@ -45,7 +46,7 @@ class Kind:
     formula: str  # what has to hold
     why: str  # what is wrong where it does not hold, in English
     inputs: tuple[str, ...]  # paths of what it depends on
-    fixes: tuple[str, ...]  # and of what a fix may change
+    fixes: tuple[str, ...] = ()  # and of what a fix may change
     unit: str = ""  # of value and limit, as names end in it; empty for plain numbers
     source: str = "geometry"  # where the formula comes from, a key of `CHECK_SOURCES`
     keep: Literal["below", "above"] = "below"  # on which side of the limit the value has to stay
@@ -59,7 +60,7 @@ class Kind:
     asked_alone: bool = False  # whether it needs nothing else where that is asked
     # Attributes of the check that are known although its value is not, as its limit.
     known: Callable[..., dict[str, Any]] = _nothing
-    # The check of a design; of what somebody may ask, a measure will do.
+    # The check of a design, told which it is; of what somebody may ask, a measure will do.
     judge: "Callable[..., Check | Measure]"
 
     @property
@@ -72,13 +73,17 @@ class Kind:
         return (self.asks,) if self.asked_alone and self.asks in given else self.needs
 
 
-def design_check(code: str, **said: Any) -> Callable[["Callable[..., Check | Measure]"], Kind]:
+def design_check(
+    code: str, *, inputs: Paths = (), fixes: Paths = (), **said: Any
+) -> Callable[["Callable[..., Check | Measure]"], Kind]:
     """Decorator of a function that is a check: it becomes its record.
 
     Parameters
     ----------
     code : str
         Its name in answers.
+    inputs, fixes : str or tuple
+        Its inputs and what a fix may change, as `core.checks.inputs.paths` takes them.
     **said
         Other attributes of the record.
 
@@ -86,6 +91,7 @@ def design_check(code: str, **said: Any) -> Callable[["Callable[..., Check | Mea
     -------
     callable
     """
+    said |= {"inputs": paths(inputs), "fixes": paths(fixes)}
     return lambda judge: Kind(code=code, judge=judge, **said)
 
 
@@ -257,7 +263,7 @@ def _made(kind: Kind, *design: Any, unforced: bool) -> "Check | Measure":
         raise NotKnown("no_limit")
     if unforced:
         raise NotKnown("cannot_be")
-    return kind.judge(*design)
+    return kind.judge(kind, *design)
 
 
 class Unjudged(NotKnown):

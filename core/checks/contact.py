@@ -70,7 +70,7 @@ _of_room = partial(
     design_check,
     group="geometry",
     part="contact",
-    fixes=("contact.hole_radius", "contact.fit"),
+    fixes="contact.hole_radius contact.fit",
     needs=("touching",),
 )
 _of_play = partial(
@@ -99,22 +99,17 @@ _pressed = partial(
     title="Dead centres",
     formula="Δθ < 180°",
     why="There no pair drives, and no torque is transmitted.",
-    inputs=(
-        "mechanism.pins",
-        "mechanism.satellites",
-        "mechanism.crank_spacing",
-        "mechanism.crank_angles",
-    ),
-    fixes=("mechanism.pins", "mechanism.satellites"),
+    inputs="mechanism.pins mechanism.satellites mechanism.crank_spacing mechanism.crank_angles",
+    fixes="mechanism.pins mechanism.satellites",
     source="yanchevskiy_2021",
 )
-def dead_centre(design: Design, results: Results) -> Check:
+def dead_centre(kind: Kind, design: Design, results: Results) -> Check:
     zones = design.driven.phases.dead_zones()
     if not zones:
-        return Check(dead_centre, "pass", value=0.0, limit=0.0)
+        return Check(kind, "pass", value=0.0, limit=0.0)
     start = zones[0][0] * design.built.crank_angle_per_wave
     at = {"crank_angle": start}
-    return judged(dead_centre, float(len(zones)), 0.0, impossible=True, at=at)
+    return judged(kind, float(len(zones)), 0.0, impossible=True, at=at)
 
 
 @_of_mechanism(
@@ -123,22 +118,18 @@ def dead_centre(design: Design, results: Results) -> Check:
     formula="ψ_j = 0",
     why="Otherwise they are different parts that can be exchanged by mistake.",
     inputs=(
-        "mechanism.satellite_teeth",
-        "mechanism.ratio",
-        "mechanism.pins",
-        "mechanism.satellites",
-        "mechanism.crank_spacing",
-        "mechanism.crank_angles",
+        "mechanism.satellite_teeth mechanism.ratio mechanism.pins mechanism.satellites",
+        "mechanism.crank_spacing mechanism.crank_angles",
     ),
-    fixes=("mechanism.satellites",),
+    fixes="mechanism.satellites",
     source="yanchevskiy_2021",
 )
-def assembly(design: Design, results: Results) -> Check:
+def assembly(kind: Kind, design: Design, results: Results) -> Check:
     name = "mechanism.satellite_teeth"
     teeth = judged_by(design.mechanism.satellite_teeth, "", name, status="not_asked")
     angles = assembly_angles(mechanism=design.built, satellite_teeth=teeth)
     different = sum(not each.identical for each in angles)
-    return judged(assembly, float(different), 0.0, warning="different_parts")
+    return judged(kind, float(different), 0.0, warning="different_parts")
 
 
 @_of_room(
@@ -147,10 +138,10 @@ def assembly(design: Design, results: Results) -> Check:
     unit="mm",
     formula="min(C − |P·exp(−iθ) − H|) ≥ 0",
     why="Otherwise the parts cannot be put together, jam, or press without load.",
-    inputs=(*HOLE, "contact.eccentricity", "deviations", "rollers.radial_clearance"),
+    inputs=(HOLE, "contact.eccentricity deviations rollers.radial_clearance"),
     keep="above",
 )
-def interference(design: Design, results: Results) -> Check:
+def interference(kind: Kind, design: Design, results: Results) -> Check:
     """By geometry, before any force: the room over the turn."""
     clearance = design.known_clearance
     try:
@@ -158,7 +149,7 @@ def interference(design: Design, results: Results) -> Check:
         misfit = "" if room.state == "fits" else results.fit.misfit
     except NotKnown as why:
         if clearance >= 0 and not design.deviations:  # the room is the clearance
-            return judged(interference, clearance, 0.0)._replace(utilisation=None)
+            return judged(kind, clearance, 0.0)._replace(utilisation=None)
         if not design.load:
             raise
         if clearance < 0:  # of all pairs alike
@@ -168,9 +159,9 @@ def interference(design: Design, results: Results) -> Check:
                 "missing_length": -clearance,
                 "needed_length": design.nominal_pair.hole_radius - clearance,
             }
-            found = Check(interference, "fail", value=clearance, limit=0.0, impossible=True)
+            found = Check(kind, "fail", value=clearance, limit=0.0, impossible=True)
             return found._replace(reason="cannot_assemble", params=lacking)
-        return not_checked(interference, why)._replace(limit=0.0)
+        return not_checked(kind, why)._replace(limit=0.0)
     at: dict[str, float] = {}
     if room.binding:
         pair = room.binding[0]
@@ -180,7 +171,7 @@ def interference(design: Design, results: Results) -> Check:
     if misfit in FITS:
         status = "marginal" if misfit else "pass"
     return Check(
-        interference,
+        kind,
         status,
         value=0.0 if status == "pass" and room.least < 0 else room.least,
         limit=0.0,
@@ -213,24 +204,16 @@ def of_both(results: Results) -> str | None:
     formula="max(θ₊ − θ₋) ≤ Δφ",
     why="Otherwise the unloaded output turns by more than is asked.",
     inputs=(
-        "mechanism.pins",
-        "mechanism.satellites",
-        "mechanism.crank_spacing",
-        "mechanism.crank_angles",
-        "mechanism.ratio",
-        "load.pin_circle_radius",
-        *HOLE,
-        "contact.eccentricity",
-        "deviations",
-        "crank_support",
-        "rollers.radial_clearance",
-        "requirements.max_backlash",
-        "contact.distribution_factor",  # which no meshes in series have
-        *OF_TEETH,
+        "mechanism.pins mechanism.satellites mechanism.crank_spacing mechanism.crank_angles",
+        "mechanism.ratio load.pin_circle_radius",
+        HOLE,
+        "contact.eccentricity deviations crank_support rollers.radial_clearance",
+        "requirements.max_backlash contact.distribution_factor",
+        OF_TEETH,
     ),
     asks="max_backlash",
 )
-def backlash(design: Design, results: Results) -> Measure:
+def backlash(kind: Kind, design: Design, results: Results) -> Measure:
     of_fit = design.known_clearance and 0.0  # none, or interference
     play = results.loading.turn.backlash_max if results.solved else of_fit
     return Measure(design.members.angle_at_output(play), reason=of_both(results))
@@ -241,27 +224,17 @@ def backlash(design: Design, results: Results) -> Measure:
     title="Lost motion of the output mechanism",
     formula="θ(+3 % T) − θ(−3 % T) ≤ Δφ",
     why="Otherwise the output gives way by more than is asked when the torque turns.",
-    inputs=tuple(
-        dict.fromkeys(
-            (
-                "load.output_torque",
-                "contact.distribution_factor",  # which no meshes in series have
-                "load.pin_circle_radius",
-                "mechanism.pins",
-                "mechanism.satellites",
-                "mechanism.crank_spacing",
-                "mechanism.crank_angles",
-                "mechanism.ratio",
-                *SHARING,
-                "requirements.max_lost_motion",
-                *RING_GIVES,
-                "gear.modification.rotation",
-            )
-        )
+    inputs=(
+        "load.output_torque contact.distribution_factor load.pin_circle_radius mechanism.pins",
+        "mechanism.satellites mechanism.crank_spacing mechanism.crank_angles mechanism.ratio",
+        SHARING,
+        "requirements.max_lost_motion",
+        RING_GIVES,
+        "gear.modification.rotation",
     ),
     asks="max_lost_motion",
 )
-def lost_motion(design: Design, results: Results) -> Measure:
+def lost_motion(kind: Kind, design: Design, results: Results) -> Measure:
     """At the torque itself, of which it takes a share; not solved for where nobody asks. Asked, it
     is that of the softest material that sources allow.
     """
@@ -279,10 +252,10 @@ def lost_motion(design: Design, results: Results) -> Measure:
     title="Clearance over eccentricity",
     formula="(r_out − r_in − e)/e ≤ 0.75",
     why="Otherwise the play is a large part of what the mechanism moves by.",
-    inputs=(*HOLE, "contact.eccentricity"),
+    inputs=(HOLE, "contact.eccentricity"),
     source="yanchevskiy_2021",
 )
-def clearance(design: Design, results: Results) -> Check:
+def clearance(kind: Kind, design: Design, results: Results) -> Check:
     share = max(design.known_clearance, 0.0) / design.known_eccentricity
     wanted = [
         make_check(play, design, results).status == "pass"
@@ -290,9 +263,9 @@ def clearance(design: Design, results: Results) -> Check:
         if share > MOST_PLAY and asked_of(design, play.asks)
     ]
     if wanted and all(wanted):  # as much play as is asked for
-        return Check(clearance, "pass", value=share, limit=MOST_PLAY)
+        return Check(kind, "pass", value=share, limit=MOST_PLAY)
     ratio = {"ratio": share}
-    return judged(clearance, share, MOST_PLAY, warning="clearance_like_eccentricity", params=ratio)
+    return judged(kind, share, MOST_PLAY, warning="clearance_like_eccentricity", params=ratio)
 
 
 def _between(design: Design, radius: float) -> float:
@@ -309,21 +282,16 @@ def _between(design: Design, radius: float) -> float:
     title="Wall between holes",
     formula="2·R·sin(π/N) − 2·r_out ≥ w",
     why="Otherwise the holes overlap, or the satellite is weak between them.",
-    inputs=(
-        "mechanism.pins",
-        "load.pin_circle_radius",
-        "contact.hole_radius",
-        "requirements.min_wall",
-    ),
-    fixes=("load.pin_circle_radius", "contact.pin_radius", "mechanism.pins"),
+    inputs="mechanism.pins load.pin_circle_radius contact.hole_radius requirements.min_wall",
+    fixes="load.pin_circle_radius contact.pin_radius mechanism.pins",
     source="wang_2016",
 )
-def wall_holes(design: Design, results: Results) -> Check:
+def wall_holes(kind: Kind, design: Design, results: Results) -> Check:
     radius, least = design.nominal_pair.hole_radius, design.requirements.min_wall
     width = _between(design, radius)
     if math.isinf(width):
-        return Check(wall_holes, "not_applicable", reason="one_only")
-    return wall(wall_holes, width=width, size=radius, least=least, guide=design.wall_guide)
+        return Check(kind, "not_applicable", reason="one_only")
+    return wall(kind, width=width, size=radius, least=least, guide=design.wall_guide)
 
 
 @_placed(
@@ -331,15 +299,15 @@ def wall_holes(design: Design, results: Results) -> Check:
     title="Space between pins",
     formula="2·R·sin(π/N) − 2·r_in > 0",
     why="Otherwise the pins overlap.",
-    inputs=("mechanism.pins", "load.pin_circle_radius", "contact.pin_radius"),
-    fixes=("load.pin_circle_radius", "contact.pin_radius", "mechanism.pins"),
+    inputs="mechanism.pins load.pin_circle_radius contact.pin_radius",
+    fixes="load.pin_circle_radius contact.pin_radius mechanism.pins",
 )
-def pins_apart(design: Design, results: Results) -> Check:
+def pins_apart(kind: Kind, design: Design, results: Results) -> Check:
     radius = design.nominal_pair.pin_radius
     width = _between(design, radius)
     if math.isinf(width):
-        return Check(pins_apart, "not_applicable", reason="one_only")
-    return gap(pins_apart, width=width, size=radius)
+        return Check(kind, "not_applicable", reason="one_only")
+    return gap(kind, width=width, size=radius)
 
 
 @_placed(
@@ -347,12 +315,12 @@ def pins_apart(design: Design, results: Results) -> Check:
     title="Holes beside the centre",
     formula="R − r_out > 0",
     why="Otherwise the holes reach the axis.",
-    inputs=("load.pin_circle_radius", "contact.hole_radius"),
-    fixes=("load.pin_circle_radius", "contact.pin_radius"),
+    inputs="load.pin_circle_radius contact.hole_radius",
+    fixes="load.pin_circle_radius contact.pin_radius",
 )
-def holes_off_centre(design: Design, results: Results) -> Check:
+def holes_off_centre(kind: Kind, design: Design, results: Results) -> Check:
     size = design.nominal_pair.hole_radius
-    return gap(holes_off_centre, width=design.load.pin_circle_radius - size, size=size)
+    return gap(kind, width=design.load.pin_circle_radius - size, size=size)
 
 
 def _against_limit(kind: Kind, results: Results, warning: str = "") -> Check:
@@ -526,14 +494,14 @@ def _pressure(body: Body) -> Kind:
         title=f"Contact pressure of the {body}",
         formula="p ≤ p_all·Z_NT/S",
         why=f"Above it the surface of the {body} pits within the life.",
-        inputs=(*LOADED, *LIFE, "requirements.pitting_safety"),
-        fixes=(*FIXES, f"contact.{body}_material"),
+        inputs=(LOADED, LIFE, "requirements.pitting_safety"),
+        fixes=(FIXES, f"contact.{body}_material"),
         source="yanchevsky_2018",
         known=known,
     )
-    def pressure(design: Design, results: Results) -> Check:
+    def pressure(kind: Kind, design: Design, results: Results) -> Check:
         limit = limit_of(design, results)
-        return over_life(found=_against_limit(pressure, results), limit=limit)
+        return over_life(found=_against_limit(kind, results), limit=limit)
 
     return pressure
 
@@ -545,20 +513,20 @@ def _plastic(body: Body, name: str, warning: str = "", **said: str) -> Kind:
     @_pressed(
         code,
         unit="MPa",
-        inputs=(*LOADED, *SLIDING),
-        fixes=(*FIXES, f"contact.{body}_material"),
+        inputs=(LOADED, SLIDING),
+        fixes=(FIXES, f"contact.{body}_material"),
         known=lambda design, results: {"limit": results.pressure_limits[code]},
         **said,
     )
-    def plastic(design: Design, results: Results) -> Check:
+    def plastic(kind: Kind, design: Design, results: Results) -> Check:
         material = design.lasting[body]
         if body in design.plastics:
-            return Check(plastic, "not_applicable", reason="plastic_rules")
+            return Check(kind, "not_applicable", reason="plastic_rules")
         if not material.yield_governs:
-            return Check(plastic, "not_applicable", reason="tested_limit")
+            return Check(kind, "not_applicable", reason="tested_limit")
         path = f"contact.{body}_material.yield_strength"
         strength = judged_by(material.yield_strength, "yield_unknown", path)
-        found = _against_limit(plastic, results, warning)
+        found = _against_limit(kind, results, warning)
         if name == "yield":
             return found
         pressure, sliding = results.hertz.governing_pressure, results.sliding_friction
@@ -606,22 +574,22 @@ def _static(body: Body) -> Kind:
         title=f"Contact pressure of the {body} at the peak torque",
         formula="p(T_max) ≤ p_static",
         why=f"Above it the surface of the {body} is dented at once.",
-        inputs=(*LOADED, "load.peak_torque"),
+        inputs=(LOADED, "load.peak_torque"),
         requires={"load.peak_torque": "no_peak_torque"},
         demands=("load.peak_torque",),
-        fixes=(*FIXES, f"contact.{body}_material", "load.peak_torque"),
+        fixes=(FIXES, f"contact.{body}_material", "load.peak_torque"),
         source="static_pressure",
     )
-    def static(design: Design, results: Results) -> Check:
+    def static(kind: Kind, design: Design, results: Results) -> Check:
         material = design.lasting[body]
         if body in design.plastics and not material.limit:
-            return Check(static, "not_applicable", reason="plastic_rules")
+            return Check(kind, "not_applicable", reason="plastic_rules")
         contact = results.static_contact
         pressure = contact.governing_pressure
         missing = f"contact.{body}_material.allowable_pressure"
         limit, source = static_limit(material=material, missing=missing, value=pressure)
         return in_disc(
-            kind=static,
+            kind=kind,
             results=results,
             contact=contact,
             pressure=pressure,
@@ -642,14 +610,12 @@ def _static(body: Body) -> Kind:
     part="contact",
     formula="a/r ≤ 0.159",
     why="No check any more: wide contacts have a pressure of their own.",
-    inputs=(),
-    fixes=(),
     source="hertz",
     needs=("touching", "load"),
 )
-def contact_conformity(design: Design, results: Results) -> Check:
+def contact_conformity(kind: Kind, design: Design, results: Results) -> Check:
     """For one release."""
-    return Check(contact_conformity, "not_applicable", reason="conformal_solution")
+    return Check(kind, "not_applicable", reason="conformal_solution")
 
 
 def life_considered(*, design: Design, body: Body) -> bool:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from core.checks.body import within_roots
-from core.checks.check import Check, design_check, judged
+from core.checks.check import Check, Kind, design_check, judged
 from core.checks.inputs import BEARING_LOAD, LIFE, OF_DISCS, RING, ROOTS
 from core.crank.bearing_life import EXPONENTS, PEAK_SAFETY, STATIC_SAFETY, Bearing
 from core.crank.ring_mesh import STEEP
@@ -75,16 +75,16 @@ def other_ring(design: Design, results: Results, *, of: tuple[RingKind, ...]) ->
     unit="deg",
     formula="α_w ≤ 55°",
     why="Above it the ring loads the bearings far more than the torque needs.",
-    inputs=(*RING, "contact.eccentricity"),
-    fixes=("gear.module",),
+    inputs=(RING, "contact.eccentricity"),
+    fixes="gear.module",
     source="steep",
 )
-def pressure_angle(design: Design, results: Results) -> Check:
+def pressure_angle(kind: Kind, design: Design, results: Results) -> Check:
     if_known(lambda: results.ring.force)  # a ring that cannot be is refused, of whatever kind
     if design.gear and design.gear.kind != "involute":
-        return Check(pressure_angle, "not_applicable", reason="no_involute")
+        return Check(kind, "not_applicable", reason="no_involute")
     angle = results.ring.force.operating_pressure_angle
-    return judged(pressure_angle, float(angle), STEEP, warning="steep_mesh")
+    return judged(kind, float(angle), STEEP, warning="steep_mesh")
 
 
 @_gear(
@@ -94,24 +94,20 @@ def pressure_angle(design: Design, results: Results) -> Check:
     why="Otherwise teeth of this module do not mesh at this eccentricity, whatever their heights "
     "and shifts.",
     inputs=(
-        "gear.kind",
-        "gear.module",
-        "gear.teeth_difference",
-        "gear.reference_pressure_angle",
-        "mechanism.ratio",
+        "gear.kind gear.module gear.teeth_difference gear.reference_pressure_angle mechanism.ratio",
         "contact.eccentricity",
     ),
-    fixes=("gear.module",),
+    fixes="gear.module",
     source="teeth_tried",
     keep="above",
     needs=("contact", "gear"),
     not_of=partial(other_ring, of=("involute",)),
 )
-def mesh_possible(design: Design, results: Results) -> Check:
+def mesh_possible(kind: Kind, design: Design, results: Results) -> Check:
     gear = design.involute
     eccentricity, _ = design.known_eccentricity, results.ring.force  # which refuses base circles
     if not gear.unknown_teeth:
-        return Check(mesh_possible, "not_applicable", reason="teeth_given")
+        return Check(kind, "not_applicable", reason="teeth_given")
     low, high = STANDARD_ANGLES
     if gear.teeth_difference > MOST_DIFFERENCE or not low <= gear.reference_pressure_angle <= high:
         raise NotKnown("outside_method")
@@ -123,7 +119,7 @@ def mesh_possible(design: Design, results: Results) -> Check:
         eccentricity=eccentricity,
         rack=usual_rack(pressure_angle=gear.reference_pressure_angle),
     )
-    check = judged(mesh_possible, found.contact_ratio, 1.0, impossible=not found.any_mesh)
+    check = judged(kind, found.contact_ratio, 1.0, impossible=not found.any_mesh)
     if check.status == "fail" and found.any_mesh:
         return check._replace(status="marginal", reason="unusual_teeth")
     return check
@@ -136,19 +132,17 @@ def mesh_possible(design: Design, results: Results) -> Check:
     unit="mm",
     formula="r_f − R − r_out > 0",
     why="Otherwise the holes lie in the teeth of the satellite, or beyond.",
-    inputs=(*ROOTS, "load.pin_circle_radius", "contact.hole_radius"),
+    inputs=(ROOTS, "load.pin_circle_radius contact.hole_radius"),
     fixes=(
-        "load.pin_circle_radius",
-        "contact.pin_radius",
-        "gear.ring_pin_circle_radius",
+        "load.pin_circle_radius contact.pin_radius gear.ring_pin_circle_radius",
         "gear.ring_pin_radius",
     ),
     keep="above",
 )
-def gear_room(design: Design, results: Results) -> Check:
+def gear_room(kind: Kind, design: Design, results: Results) -> Check:
     if design.gear.kind not in ("involute", "cycloid"):
-        return Check(gear_room, "not_applicable", reason="no_teeth")
-    return within_roots(design=design, kind=gear_room)
+        return Check(kind, "not_applicable", reason="no_teeth")
+    return within_roots(design=design, kind=kind)
 
 
 def _required_life(design: Design, results: Results) -> dict[str, Any]:
@@ -162,25 +156,23 @@ def _required_life(design: Design, results: Results) -> dict[str, Any]:
     formula="L_nh ≥ L",
     why="Otherwise a bearing of a satellite fails before the life that is asked.",
     inputs=(
-        *BEARING_LOAD,
-        *LIFE,
-        "bearing.ring_factor",
-        "bearing.dynamic_rating",
-        "bearing.reliability_percent",
+        BEARING_LOAD,
+        LIFE,
+        "bearing.ring_factor bearing.dynamic_rating bearing.reliability_percent",
     ),
     fixes=_LIFE_FIXES,
     source="iso_281_life",
     known=_required_life,
 )
-def bearing_life(design: Design, results: Results) -> Check:
+def bearing_life(kind: Kind, design: Design, results: Results) -> Check:
     found, limit = results.crank.bearings, design.life
     if found.given_speed == 0:
-        return Check(bearing_life, "not_applicable", limit=limit, reason="members_locked")
+        return Check(kind, "not_applicable", limit=limit, reason="members_locked")
     lives, power = found.life, EXPONENTS[design.bearing.kind]
     worst = int(np.argmin(lives))
     value = float(lives[worst])
     return judged(
-        bearing_life,
+        kind,
         value,
         limit,
         reserve=(value / limit) ** (1 / power),
@@ -221,31 +213,21 @@ def _required_safety(design: Design, results: Results) -> dict[str, Any]:
     formula="C₀/Q_max ≥ S_0",
     why="Otherwise rolling elements dent their tracks.",
     inputs=(
-        *BEARING_LOAD,
-        "load.input_speed",
-        "contact.dynamic_factor",
-        "load.application_factor",
-        "load.peak_torque",
-        "load.peak_kind",
-        "bearing.static_rating",
-        "requirements.static_safety",
+        BEARING_LOAD,
+        "load.input_speed contact.dynamic_factor load.application_factor load.peak_torque",
+        "load.peak_kind bearing.static_rating requirements.static_safety",
     ),
-    fixes=(
-        "bearing.static_rating",
-        "load.pin_circle_radius",
-        "load.output_torque",
-        "load.peak_torque",
-    ),
+    fixes="bearing.static_rating load.pin_circle_radius load.output_torque load.peak_torque",
     source="iso_76_rating",
     known=_required_safety,
 )
-def bearing_static(design: Design, results: Results) -> Check:
+def bearing_static(kind: Kind, design: Design, results: Results) -> Check:
     found, limit = results.crank.bearings, _required_safety(design, results)["limit"]
     safety = found.static_safety_factor
     worst = int(np.argmin(safety))
     value, error = float(safety[worst]), float(found.accuracy.relative_error)
     return judged(
-        bearing_static,
+        kind,
         value,
         limit,
         reserve=value / limit,
@@ -263,11 +245,9 @@ def bearing_static(design: Design, results: Results) -> Check:
     formula="(Σ L_j^−β)^(−1/β) ≥ L",
     why="Otherwise one of the bearings fails before the life that is asked.",
     inputs=(
-        *BEARING_LOAD,
-        *LIFE,
-        "bearing.ring_factor",
-        "bearing.dynamic_rating",
-        "bearing.reliability_percent",
+        BEARING_LOAD,
+        LIFE,
+        "bearing.ring_factor bearing.dynamic_rating bearing.reliability_percent",
         "bearing.weibull_slope",
     ),
     fixes=_LIFE_FIXES,
@@ -277,8 +257,8 @@ def bearing_static(design: Design, results: Results) -> Check:
     requires={"bearing.weibull_slope": ""},
     demands=("bearing.weibull_slope",),
 )
-def system_life(design: Design, results: Results) -> Check:
-    kind, limit = system_life, design.life
+def system_life(kind: Kind, design: Design, results: Results) -> Check:
+    limit = design.life
     found, power = results.crank.bearings, EXPONENTS[design.bearing.kind]
     if found.given_speed == 0:
         return Check(kind, "not_applicable", limit=limit, reason="members_locked")
@@ -296,26 +276,21 @@ def system_life(design: Design, results: Results) -> Check:
     formula="L_10h ≥ L",
     why="Otherwise a bearing of the crankshaft fails before the life that is asked.",
     inputs=(
-        *OF_DISCS,
-        *LIFE,
-        "crankshaft.satellite_mass",
-        "crankshaft.bearings",
-        "crankshaft.satellite_positions",
-        "crankshaft.bearing_positions",
-        "crankshaft.counterweights",
+        OF_DISCS,
+        LIFE,
+        "crankshaft.satellite_mass crankshaft.bearings crankshaft.satellite_positions",
+        "crankshaft.bearing_positions crankshaft.counterweights",
     ),
     fixes=(
-        "crankshaft.bearings.dynamic_rating",
-        "load.pin_circle_radius",
-        "load.input_speed",
+        "crankshaft.bearings.dynamic_rating load.pin_circle_radius load.input_speed",
         "load.output_torque",
     ),
     source="iso_281_life",
     keep="above",
     known=_required_life,
 )
-def crank_bearing_life(design: Design, results: Results) -> Check:
-    kind, limit = crank_bearing_life, design.life
+def crank_bearing_life(kind: Kind, design: Design, results: Results) -> Check:
+    limit = design.life
     bearings = design.crankshaft.known_bearings
     for each in bearings:
         required(each.dynamic_rating, "rating_unknown", "crankshaft.bearings")

@@ -42,7 +42,7 @@ _mesh = partial(
     design_check,
     group="gear",
     part="teeth",
-    fixes=("gear.satellite_profile_shift", "gear.satellite_addendum", "gear.ring_addendum"),
+    fixes="gear.satellite_profile_shift gear.satellite_addendum gear.ring_addendum",
     source="involute_mesh",
     needs=("contact", "gear"),
     not_of=partial(other_ring, of=INVOLUTE),
@@ -131,9 +131,9 @@ def _usual(
     "errors do so.",
     inputs=INVOLUTE_TEETH,
 )
-def mesh_contact_ratio(design: Design, results: Results) -> Check:
+def mesh_contact_ratio(kind: Kind, design: Design, results: Results) -> Check:
     ratio = results.ring.pair.contact_ratio
-    return _usual(mesh_contact_ratio, ratio, least=1.0, guide=LEAST_RATIO)
+    return _usual(kind, ratio, least=1.0, guide=LEAST_RATIO)
 
 
 @_mesh(
@@ -144,14 +144,14 @@ def mesh_contact_ratio(design: Design, results: Results) -> Check:
     "Slightly above, errors do so.",
     inputs=INVOLUTE_TEETH,
 )
-def mesh_tips(design: Design, results: Results) -> Check:
+def mesh_tips(kind: Kind, design: Design, results: Results) -> Check:
     """Where the tips overlap all round nothing is measured: no tooth can pass."""
     pair = results.ring.pair
     if pair.tips_overlap_all_round:
-        return Check(mesh_tips, "fail", limit=TIPS_APART, impossible=True, reason="tips_overlap")
+        return Check(kind, "fail", limit=TIPS_APART, impossible=True, reason="tips_overlap")
     if pair.tip_interference is None:
-        return Check(mesh_tips, "not_applicable", reason="no_crossing")
-    return _usual(mesh_tips, pair.tip_interference, least=0.0, guide=TIPS_APART, impossible=True)
+        return Check(kind, "not_applicable", reason="no_crossing")
+    return _usual(kind, pair.tip_interference, least=0.0, guide=TIPS_APART, impossible=True)
 
 
 @_mesh(
@@ -159,16 +159,16 @@ def mesh_tips(design: Design, results: Results) -> Check:
     title="Contact on involutes only",
     formula="tan α₁ ≥ tan α_F",
     why="Otherwise a tip of one runs into the fillet of the other.",
-    inputs=(*INVOLUTE_TEETH, *INVOLUTE_RACK, *INVOLUTE_CUTTER),
+    inputs=(INVOLUTE_TEETH, INVOLUTE_RACK, INVOLUTE_CUTTER),
 )
-def mesh_involute(design: Design, results: Results) -> Check:
+def mesh_involute(kind: Kind, design: Design, results: Results) -> Check:
     """Of the satellite's flanks, and of the ring's where its cutter is known."""
-    if within := refused(results=results, kind=mesh_involute, names=HEIGHTS):
+    if within := refused(results=results, kind=kind, names=HEIGHTS):
         return within  # a tip that lies within its base circle
     pair = results.ring.pair
     of_ring = pair.ring_flank.form_roll - pair.end_roll_ring
     value = min(pair.start_roll - pair.form_roll_satellite, of_ring)
-    found = judged(mesh_involute, 0.0 if abs(value) <= AS_TYPED else value, 0.0)
+    found = judged(kind, 0.0 if abs(value) <= AS_TYPED else value, 0.0)
     if pair.teeth.cutter or found.status == "fail":
         return found
     return found._replace(reason="ring_flank_unknown", missing=("gear.cutter_teeth",))
@@ -180,18 +180,15 @@ def mesh_involute(design: Design, results: Results) -> Check:
     formula="tan α_F ≥ 0",
     why="Otherwise the hob cuts away a part of the satellite's flanks.",
     inputs=(
-        "gear.kind",
-        "gear.teeth_difference",
-        "gear.reference_pressure_angle",
-        "gear.satellite_profile_shift",
-        "mechanism.ratio",
-        *INVOLUTE_RACK,
+        "gear.kind gear.teeth_difference gear.reference_pressure_angle",
+        "gear.satellite_profile_shift mechanism.ratio",
+        INVOLUTE_RACK,
     ),
-    fixes=("gear.satellite_profile_shift",),
+    fixes="gear.satellite_profile_shift",
 )
-def mesh_undercut(design: Design, results: Results) -> Check:
+def mesh_undercut(kind: Kind, design: Design, results: Results) -> Check:
     value = results.ring.pair.form_roll_satellite
-    return judged(mesh_undercut, 0.0 if abs(value) <= AS_TYPED else value, 0.0)
+    return judged(kind, 0.0 if abs(value) <= AS_TYPED else value, 0.0)
 
 
 @_mesh(
@@ -199,13 +196,13 @@ def mesh_undercut(design: Design, results: Results) -> Check:
     title="Clearance of the tips",
     formula="c/m ≥ 0.15",
     why="Below 0 tips run into the roots of the others. Slightly above, errors do so.",
-    inputs=(*INVOLUTE_TEETH, "gear.dedendum", *INVOLUTE_CUTTER),
+    inputs=(INVOLUTE_TEETH, "gear.dedendum", INVOLUTE_CUTTER),
 )
-def mesh_tip_clearance(design: Design, results: Results) -> Check:
+def mesh_tip_clearance(kind: Kind, design: Design, results: Results) -> Check:
     """Of a ring whose cutter is not known with the root that the hob's dedendum gives it."""
     pair = results.ring.pair
     least = min(pair.tip_clearance_satellite, pair.tip_clearance_ring) / pair.teeth.module
-    found = _usual(mesh_tip_clearance, least, least=0.0, guide=LEAST_CLEARANCE, impossible=True)
+    found = _usual(kind, least, least=0.0, guide=LEAST_CLEARANCE, impossible=True)
     if pair.teeth.cutter or found.reason or found.status == "fail":
         return found
     return found._replace(reason="ring_root_assumed", missing=("gear.cutter_teeth",))
@@ -219,10 +216,10 @@ def mesh_tip_clearance(design: Design, results: Results) -> Check:
     "tips break.",
     inputs=tuple(each for each in INVOLUTE_TEETH if each != "contact.eccentricity"),
 )
-def mesh_tip_thickness(design: Design, results: Results) -> Check:
+def mesh_tip_thickness(kind: Kind, design: Design, results: Results) -> Check:
     pair = results.ring.pair
     thin = min(pair.satellite_tip_thickness, pair.ring_tip_thickness) / pair.teeth.module
-    return _usual(mesh_tip_thickness, thin, least=0.0, guide=LEAST_TIP, impossible=True)
+    return _usual(kind, thin, least=0.0, guide=LEAST_TIP, impossible=True)
 
 
 @_mesh(
@@ -232,26 +229,25 @@ def mesh_tip_thickness(design: Design, results: Results) -> Check:
     formula="K·σ_F ≤ σ_FG/S_D",
     why="Above it teeth of the satellites break at their roots within the life.",
     inputs=(
-        *INVOLUTE_LOADED,
-        *SATELLITE_TIPS,
-        *INVOLUTE_RACK,
-        "gear.root_strength",
-        "requirements.fatigue_safety",
+        INVOLUTE_LOADED,
+        SATELLITE_TIPS,
+        INVOLUTE_RACK,
+        "gear.root_strength requirements.fatigue_safety",
     ),
-    fixes=("gear.contact_length", "load.output_torque"),
+    fixes="gear.contact_length load.output_torque",
     source="iso_6336_root",
     keep="below",
     needs=("load", "contact", "gear"),
     needed=False,
 )
-def mesh_root_stress(design: Design, results: Results) -> Check:
+def mesh_root_stress(kind: Kind, design: Design, results: Results) -> Check:
     """The whole force at the tip of one tooth."""
     stress, given = results.ring.root_stress.stress, design.involute.root_strength
     strength = judged_by(given, "root_strength_unknown", "gear.root_strength", value=stress)
     limit = strength / design.requirements.fatigue_safety
     factor = design.load_factor
     return judged(
-        mesh_root_stress,
+        kind,
         stress,
         limit,
         reserve=limit / stress,
@@ -267,15 +263,15 @@ def mesh_root_stress(design: Design, results: Results) -> Check:
     title="Bending of the ring's tooth roots",
     formula="σ_F ≤ σ_FG/S_D",
     why="Above it teeth of the ring break at their roots within the life.",
-    inputs=("gear.kind",),
+    inputs="gear.kind",
     fixes=(),
     source="no_source",
     keep="below",
     needed=False,
 )
-def mesh_ring_root(design: Design, results: Results) -> Check:
+def mesh_ring_root(kind: Kind, design: Design, results: Results) -> Check:
     """Not known: a shaper's fillet, and the section where it breaks, are not calculated."""
-    return Check(mesh_ring_root, "not_checked", reason="internal_root")
+    return Check(kind, "not_checked", reason="internal_root")
 
 
 INVOLUTE_MESH = (

@@ -4,7 +4,7 @@ import math
 from functools import partial
 from itertools import pairwise
 
-from core.checks.check import Check, design_check, judged, judged_by
+from core.checks.check import Check, Kind, design_check, judged, judged_by
 from core.checks.crank import static_safety
 from core.checks.inputs import FORCES, LIFE, LOADED
 from core.crank.bearing_life import EXPONENTS
@@ -33,19 +33,19 @@ _check = partial(
     unit="h",
     formula="L_10h ≥ L",
     why="Otherwise a roller fails before the life that is asked.",
-    inputs=(*FORCES, *LIFE, *_SHARES, "rollers.dynamic_rating"),
-    fixes=("rollers.dynamic_rating", "load.input_speed", *_FIXES),
+    inputs=(FORCES, LIFE, _SHARES, "rollers.dynamic_rating"),
+    fixes=("rollers.dynamic_rating load.input_speed", _FIXES),
     source="roller_rating",
     keep="above",
     known=lambda design, results: {"limit": design.life},
     requires={"rollers.dynamic_rating": "rating_unknown"},
 )
-def pin_roller_life(design: Design, results: Results) -> Check:
+def pin_roller_life(kind: Kind, design: Design, results: Results) -> Check:
     design.known_speed  # noqa: B018 - of which the life is a matter
     found, power = results.roller_loads, EXPONENTS[KINDS[design.rollers.kind]]
     limit, value = design.life, found.life
     return judged(
-        pin_roller_life,
+        kind,
         value,
         limit,
         reserve=(value / limit) ** (1 / power),
@@ -65,24 +65,18 @@ def _static_limit(design: Design) -> float:
     title="Static load of the rollers on the pins",
     formula="C₀w/F_max ≥ S_0",
     why="Otherwise rolling elements dent their tracks.",
-    inputs=(
-        *_PEAK,
-        *_SHARES,
-        "load.peak_kind",
-        "rollers.static_rating",
-        "requirements.static_safety",
-    ),
-    fixes=("rollers.static_rating", *_FIXES, "load.peak_torque"),
+    inputs=(_PEAK, _SHARES, "load.peak_kind rollers.static_rating requirements.static_safety"),
+    fixes=("rollers.static_rating", _FIXES, "load.peak_torque"),
     source="roller_rating",
     keep="above",
     known=lambda design, results: {"limit": _static_limit(design)},
     requires={"rollers.static_rating": "rating_unknown"},
 )
-def pin_roller_static(design: Design, results: Results) -> Check:
+def pin_roller_static(kind: Kind, design: Design, results: Results) -> Check:
     found, limit = results.roller_loads, _static_limit(design)
     value = found.static_safety_factor
     return judged(
-        pin_roller_static,
+        kind,
         value,
         limit,
         reserve=value / limit,
@@ -97,11 +91,11 @@ def pin_roller_static(design: Design, results: Results) -> Check:
     title="Largest load of the rollers on the pins",
     formula="F·K_A/F_r, F_max/F_0r ≤ 1",
     why="Above it the outer ring, which nothing supports, breaks by bending.",
-    inputs=(*_PEAK, "rollers.max_radial_load", "rollers.max_static_radial_load"),
-    fixes=(*_FIXES, "load.peak_torque"),
+    inputs=(_PEAK, "rollers.max_radial_load rollers.max_static_radial_load"),
+    fixes=(_FIXES, "load.peak_torque"),
     source="user",
 )
-def pin_roller_max_load(design: Design, results: Results) -> Check:
+def pin_roller_max_load(kind: Kind, design: Design, results: Results) -> Check:
     own, found = design.rollers, results.roller_loads
     value = max(
         found.peak_load * design.load_factor / own.max_radial_load,
@@ -109,9 +103,9 @@ def pin_roller_max_load(design: Design, results: Results) -> Check:
     )
     if value == 0:
         missing = ("rollers.max_radial_load", "rollers.max_static_radial_load")
-        return Check(pin_roller_max_load, "not_asked", reason="no_limit", missing=missing)
+        return Check(kind, "not_asked", reason="no_limit", missing=missing)
     return judged(
-        pin_roller_max_load,
+        kind,
         value,
         1.0,
         reserve=1 / value,
@@ -126,19 +120,18 @@ def pin_roller_max_load(design: Design, results: Results) -> Check:
     unit="N",
     formula="F ≥ 0.0167·C₀",
     why="Below it outer rings slide in the holes before they roll.",
-    inputs=(*FORCES, "rollers.static_rating"),
-    fixes=(),
+    inputs=(FORCES, "rollers.static_rating"),
     source="track_rollers",
     keep="above",
     needed=False,
 )
-def pin_roller_min_load(design: Design, results: Results) -> Check:
+def pin_roller_min_load(kind: Kind, design: Design, results: Results) -> Check:
     """Of the largest load over the turn: half of it no roller is loaded."""
     name = "rollers.static_rating"
     rating = required(design.rollers.static_rating, "rating_unknown", name)
     found = results.roller_loads
     return judged(
-        pin_roller_min_load,
+        kind,
         found.peak_load,
         MIN_LOAD * rating,
         error=4 * found.accuracy.relative_error,
@@ -153,23 +146,20 @@ def pin_roller_min_load(design: Design, results: Results) -> Check:
     formula="n·e/r_s ≤ n_lim",
     why="Above it the roller gets too hot.",
     inputs=(
-        "load.input_speed",
-        "mechanism.ratio",
-        "contact.eccentricity",
-        "contact.pin_radius",
+        "load.input_speed mechanism.ratio contact.eccentricity contact.pin_radius",
         "rollers.limiting_speed",
     ),
-    fixes=("load.input_speed",),
+    fixes="load.input_speed",
     source="user",
     needed=False,
 )
-def pin_roller_speed(design: Design, results: Results) -> Check:
+def pin_roller_speed(kind: Kind, design: Design, results: Results) -> Check:
     turned = design.known_eccentricity / design.pair.pin_radius
     value = design.known_speeds.turning * design.built.waves_per_turn * turned
     said = {"value": value, "status": "not_asked"}
     speed = design.rollers.limiting_speed
     limit = judged_by(speed, "no_limit", "rollers.limiting_speed", **said)
-    return judged(pin_roller_speed, value, limit)
+    return judged(kind, value, limit)
 
 
 @_check(
@@ -178,16 +168,10 @@ def pin_roller_speed(design: Design, results: Results) -> Check:
     unit="mm",
     formula="n·B ≤ |z_j − z_k|, b",
     why="Otherwise rollers of neighbouring satellites lie in each other.",
-    inputs=(
-        "rollers.width",
-        "rollers.per_satellite",
-        "pin.satellite_positions",
-        "contact.contact_length",
-    ),
-    fixes=(),
+    inputs="rollers.width rollers.per_satellite pin.satellite_positions contact.contact_length",
     keep="above",
 )
-def pin_roller_fits(design: Design, results: Results) -> Check:
+def pin_roller_fits(kind: Kind, design: Design, results: Results) -> Check:
     """Between satellites, where their places are given; wider than them they stand out."""
     length = design.rollers.length
     if math.isinf(length):
@@ -195,7 +179,7 @@ def pin_roller_fits(design: Design, results: Results) -> Check:
     places = sorted(design.pin.satellite_positions) if design.pin else []
     pitch = min((other - one for one, other in pairwise(places)), default=math.inf)
     width = design.nominal_pair.contact_length
-    found = judged(pin_roller_fits, min(pitch, max(width, length)) - length, 0.0)
+    found = judged(kind, min(pitch, max(width, length)) - length, 0.0)
     if found.status == "fail":
         return found._replace(impossible=True)
     if length > width:
@@ -209,16 +193,15 @@ def pin_roller_fits(design: Design, results: Results) -> Check:
     unit="mrad",
     formula="θ ≤ θ_max",
     why="Above it rolling elements carry on their ends, and last less than the formula says.",
-    inputs=(*LOADED, "rollers.kind"),
-    fixes=(),
+    inputs=(LOADED, "rollers.kind"),
     source="tilt_guide",
     needs=("touching", "load", "rollers", "pin"),
     needed=False,
 )
-def pin_roller_tilt(design: Design, results: Results) -> Check:
+def pin_roller_tilt(kind: Kind, design: Design, results: Results) -> Check:
     found = results.pin_loads
     return judged(
-        pin_roller_tilt,
+        kind,
         found.deflection.slope,
         TILT[design.rollers.kind],
         error=4 * found.accuracy.relative_error,

@@ -138,15 +138,13 @@ class BentPins:
     unit="MPa",
     formula="σ_v ≤ R_e/S_F",
     why="Above it the pins bend for good.",
-    inputs=(*LOADED, "load.peak_torque", "requirements.bending_safety"),
-    fixes=(*_FIXES, "load.peak_torque"),
+    inputs=(LOADED, "load.peak_torque requirements.bending_safety"),
+    fixes=(_FIXES, "load.peak_torque"),
     source="pin_beam",
 )
-def pin_static(design: Design, results: Results) -> Check:
+def pin_static(kind: Kind, design: Design, results: Results) -> Check:
     pins, safety = _bent(results), design.requirements.bending_safety
-    return pins.static(
-        pin_static, safety=safety, at=_section(design, pins.found.peak_moment_position)
-    )
+    return pins.static(kind, safety=safety, at=_section(design, pins.found.peak_moment_position))
 
 
 def _section(design: Design, position: float) -> dict[str, str]:
@@ -173,11 +171,11 @@ def _softest(results: Results, asked: str) -> BentPins:
     unit="mm",
     formula="w ≤ Δ_max",
     why="Above it the satellites share the load unevenly.",
-    inputs=(*LOADED, "requirements.max_deflection"),
+    inputs=(LOADED, "requirements.max_deflection"),
     source="beam",
     asks="max_deflection",
 )
-def pin_deflection(design: Design, results: Results) -> Measure:
+def pin_deflection(kind: Kind, design: Design, results: Results) -> Measure:
     return _softest(results, "max_deflection").bent("deflection", "satellite")
 
 
@@ -187,11 +185,11 @@ def pin_deflection(design: Design, results: Results) -> Measure:
     unit="mrad",
     formula="θ ≤ θ_max",
     why="Above it the contacts carry on their edges.",
-    inputs=(*LOADED, "requirements.max_slope"),
+    inputs=(LOADED, "requirements.max_slope"),
     source="beam",
     asks="max_slope",
 )
-def pin_slope(design: Design, results: Results) -> Measure:
+def pin_slope(kind: Kind, design: Design, results: Results) -> Measure:
     return _softest(results, "max_slope").bent("slope", "slope_satellite")
 
 
@@ -200,14 +198,14 @@ def pin_slope(design: Design, results: Results) -> Measure:
     title="Fatigue of the pins",
     formula="n ≥ S_D",
     why="Below it the pins break after some time where they bend most.",
-    inputs=(*LOADED, "pin.rotates", *FATIGUE, *LIFE, "requirements.fatigue_safety"),
+    inputs=(LOADED, "pin.rotates", FATIGUE, LIFE, "requirements.fatigue_safety"),
     source="shigley",
     keep="above",
 )
-def pin_fatigue(design: Design, results: Results) -> Check:
+def pin_fatigue(kind: Kind, design: Design, results: Results) -> Check:
     pins, _ = _bent(results), results.fatigue_strength  # which is known, or raises
     at = _section(design, pins.cycle.position)
-    return pins.fatigue(pin_fatigue, safety=design.requirements.fatigue_safety, at=at)
+    return pins.fatigue(kind, safety=design.requirements.fatigue_safety, at=at)
 
 
 @_check(
@@ -216,21 +214,21 @@ def pin_fatigue(design: Design, results: Results) -> Check:
     unit="MPa",
     formula="σ_w(T_max) ≤ R_e/S_F",
     why="Above it the pin is squeezed flat under the satellite.",
-    inputs=(*LOADED, "load.peak_torque", "requirements.bending_safety"),
-    fixes=("pin.bore_diameter", *_FIXES, "load.peak_torque"),
+    inputs=(LOADED, "load.peak_torque requirements.bending_safety"),
+    fixes=("pin.bore_diameter", _FIXES, "load.peak_torque"),
     source="pin_wall",
 )
-def pin_wall(design: Design, results: Results) -> Check:
+def pin_wall(kind: Kind, design: Design, results: Results) -> Check:
     pin = design.pin
     if not pin.section.walled:
-        return Check(pin_wall, "not_applicable", reason="solid_pin")
+        return Check(kind, "not_applicable", reason="solid_pin")
     stress = results.wall_stress
     error = 4 * results.pin_loads.accuracy.relative_error
 
     def by(strength: float) -> Check:
         limit = strength / design.requirements.bending_safety
         return judged(
-            pin_wall, stress, limit, reserve=limit / stress, error=error, solved=results.solved
+            kind, stress, limit, reserve=limit / stress, error=error, solved=results.solved
         )
 
     if pin.material.plastic:
@@ -251,17 +249,17 @@ wrapped bushes 0.1."""
     unit="mm",
     formula="r_in − d/2 ≥ 0.1·d",
     why="Thinner sleeves break or run out of round.",
-    inputs=("contact.pin_radius", "pin.diameter"),
-    fixes=("contact.pin_radius",),
+    inputs="contact.pin_radius pin.diameter",
+    fixes="contact.pin_radius",
     source="geometry",
     keep="above",
 )
-def wall_sleeve(design: Design, results: Results) -> Check:
+def wall_sleeve(kind: Kind, design: Design, results: Results) -> Check:
     if not design.sleeved:
-        return Check(wall_sleeve, "not_applicable", reason="without_sleeve")
+        return Check(kind, "not_applicable", reason="without_sleeve")
     radius, diameter = design.nominal_pair.pin_radius, design.pin.diameter
     width, guide = radius - diameter / 2, SLEEVE * diameter
-    return wall(wall_sleeve, width=width, size=radius, guide=guide)
+    return wall(kind, width=width, size=radius, guide=guide)
 
 
 _bolt_check = partial(
@@ -269,7 +267,6 @@ _bolt_check = partial(
     group="pin",
     part="pins",
     needed=False,
-    fixes=(),
     needs=("touching", "load", "pin", "bolted"),
 )
 
@@ -291,12 +288,12 @@ def _gripped(
     unit="Nm",
     formula="M ≤ F_min·(d² + d_i²)/(8·d)",
     why="Beyond it the spacer gapes at the carrier, and the bolt bends alone.",
-    inputs=(*LOADED, "load.peak_torque"),
+    inputs=(LOADED, "load.peak_torque"),
     source="beam",
 )
-def bolt_opens(design: Design, results: Results) -> Check:
+def bolt_opens(kind: Kind, design: Design, results: Results) -> Check:
     found = results.grip
-    return _gripped(bolt_opens, results, found.moment, found.opening_moment)
+    return _gripped(kind, results, found.moment, found.opening_moment)
 
 
 @_bolt_check(
@@ -305,12 +302,12 @@ def bolt_opens(design: Design, results: Results) -> Check:
     unit="N",
     formula="V ≤ μ·F_min/1.2",
     why="Beyond it the spacer slips on the carrier, and the bolt bends alone.",
-    inputs=(*LOADED, "load.peak_torque"),
+    inputs=(LOADED, "load.peak_torque"),
     source="beam",
 )
-def bolt_slips(design: Design, results: Results) -> Check:
+def bolt_slips(kind: Kind, design: Design, results: Results) -> Check:
     found = results.grip
-    return _gripped(bolt_slips, results, found.shear_force, found.slip_force, SLIP_SAFETY)
+    return _gripped(kind, results, found.shear_force, found.slip_force, SLIP_SAFETY)
 
 
 PINS = (

@@ -7,7 +7,7 @@ long. So each check here may fail, and none passes: what holds is `necessary_onl
 from collections.abc import Callable, Mapping
 from functools import partial
 
-from core.checks.check import Check, design_check, judged, judged_by, over_range
+from core.checks.check import Check, Kind, design_check, judged, judged_by, over_range
 from core.checks.contact import FIXES, in_disc
 from core.checks.inputs import LOADED, SLIDING
 from core.design.document import Design, value_at
@@ -35,11 +35,11 @@ _check = partial(
     unit="MPa",
     formula="p ≤ f(ν, μ)·R_min",
     why="Above it the plastic yields under the first load, even cold.",
-    inputs=(*LOADED, *SLIDING, "load.peak_torque"),
-    fixes=(*FIXES, "load.peak_torque"),
+    inputs=(LOADED, SLIDING, "load.peak_torque"),
+    fixes=(FIXES, "load.peak_torque"),
     source="first_yield",
 )
-def contact_static_cold(design: Design, results: Results) -> Check:
+def contact_static_cold(kind: Kind, design: Design, results: Results) -> Check:
     """Judge the weaker body of the contact."""
 
     def by(made: Results, *, most: bool = False) -> Check:
@@ -48,7 +48,7 @@ def contact_static_cold(design: Design, results: Results) -> Check:
         if not most:
             reserve = _yielding(contact, made.static_contact_at, made)
         return in_disc(
-            kind=contact_static_cold,
+            kind=kind,
             results=made,
             contact=contact,
             pressure=contact.governing_pressure,
@@ -144,12 +144,12 @@ def _not_printed(design: Design, results: Results) -> str:
     unit="mm",
     formula="3·a ≤ w",
     why="Below a thinner wall lies the infill, which gives way.",
-    inputs=(*LOADED, "load.peak_torque", "satellite_body.solid_wall"),
-    fixes=("satellite_body.solid_wall", *FIXES),
+    inputs=(LOADED, "load.peak_torque satellite_body.solid_wall"),
+    fixes=("satellite_body.solid_wall", FIXES),
     source="solid_depth",
     not_of=_not_printed,
 )
-def contact_solid_depth(design: Design, results: Results) -> Check:
+def contact_solid_depth(kind: Kind, design: Design, results: Results) -> Check:
     """Of holes that may be printed in layers, with infill behind their walls."""
     given = design.satellite_body.solid_wall if design.satellite_body else None
     depth = DEEP * float(results.static_contact.half_width)
@@ -158,7 +158,7 @@ def contact_solid_depth(design: Design, results: Results) -> Check:
     def by(made: Results) -> Check:
         depth = DEEP * float(made.static_contact.half_width)
         reserve = (wall / depth) ** 2
-        return judged(contact_solid_depth, depth, wall, reserve=reserve, solved=True)
+        return judged(kind, depth, wall, reserve=reserve, solved=True)
 
     moduli = {
         path: each for path, each in design.usual_in_holes.items() if path.endswith("modulus")
@@ -186,16 +186,11 @@ def _temperature(design: Design, body: Body) -> Check:
     unit="C",
     formula="T ≤ T_soft",
     why="Above it the plastic goes soft; a motor nearby is enough for that.",
-    inputs=(
-        "temperatures.satellite",
-        "temperatures.pins",
-        "contact.pin_material",
-        "contact.hole_material",
-    ),
-    fixes=("temperatures.satellite", "temperatures.pins"),
+    inputs="temperatures.satellite temperatures.pins contact.pin_material contact.hole_material",
+    fixes="temperatures.satellite temperatures.pins",
     source="heat_deflection",
 )
-def temperature(design: Design, results: Results) -> Check:
+def temperature(kind: Kind, design: Design, results: Results) -> Check:
     """Of the body that fails, else of the first that is not known."""
     found, unknown = [], []
     for body in design.plastics:
@@ -215,11 +210,11 @@ def temperature(design: Design, results: Results) -> Check:
     unit="MPa",
     formula="p ≤ f(ν, μ)·R_min·k_lt",
     why="Above it the plastic goes on giving way under the load.",
-    inputs=(*LOADED, *SLIDING),
+    inputs=(LOADED, SLIDING),
     fixes=FIXES,
     source="long_term",
 )
-def creep(design: Design, results: Results) -> Check:
+def creep(kind: Kind, design: Design, results: Results) -> Check:
     """By the part of the short strength that whoever gives it has found to last."""
     lasting = dict[Body, float]()
     for body, plastic in design.plastics.items():
@@ -234,7 +229,7 @@ def creep(design: Design, results: Results) -> Check:
                 contact, lambda factor: made.contact_at(factor * largest), made, lasting
             )
         return in_disc(
-            kind=creep,
+            kind=kind,
             results=made,
             contact=contact,
             pressure=contact.governing_pressure,
@@ -254,13 +249,12 @@ def creep(design: Design, results: Results) -> Check:
     title="Fatigue of the plastic",
     formula="N ≥ N_L",
     why="Every turn loads each place of the holes once, and plastics have no endurance limit.",
-    inputs=("contact.pin_material", "contact.hole_material"),
-    fixes=(),
+    inputs="contact.pin_material contact.hole_material",
     keep="above",
     source="no_source",
 )
-def fatigue_plastic(design: Design, results: Results) -> Check:
-    return Check(fatigue_plastic, "not_checked", reason="no_plastic_fatigue")
+def fatigue_plastic(kind: Kind, design: Design, results: Results) -> Check:
+    return Check(kind, "not_checked", reason="no_plastic_fatigue")
 
 
 PLASTICS = (contact_static_cold, contact_solid_depth, temperature, creep, fatigue_plastic)

@@ -88,17 +88,17 @@ def ring_alone(results: Results) -> str | None:
     formula="δ ≤ 0",
     why="With it satellites and ring press without load, and go together by force only.",
     inputs=TEETH_GAPS,
-    fixes=(*MODIFICATION, "gear.satellite_profile_shift"),
+    fixes=(MODIFICATION, "gear.satellite_profile_shift"),
     source="ring_mesh",
 )
-def ring_pressed(design: Design, results: Results) -> Check:
+def ring_pressed(kind: Kind, design: Design, results: Results) -> Check:
     if design.gear.kind == "involute":
-        if narrow := refused(results=results, kind=ring_pressed, names=("ring_profile_shift",)):
+        if narrow := refused(results=results, kind=kind, names=("ring_profile_shift",)):
             return narrow  # spaces that have room for the teeth at no eccentricity
         pair = results.ring.pair
         over = -pair.normal_backlash
         felt = over > AS_TYPED * pair.teeth.module
-        return judged(ring_pressed, over if felt else 0.0, 0.0, impossible=True)
+        return judged(kind, over if felt else 0.0, 0.0, impossible=True)
     try:
         over = results.ring.working[0].interference
     except ImpossibleMechanism as why:  # of the forces, which this asks for no more
@@ -111,8 +111,8 @@ def ring_pressed(design: Design, results: Results) -> Check:
             raise
         place: dict[str, Any] = why.where | why.params
         said: dict[str, Any] = {"reason": why.code, "params": place, "at": why.where}
-        return judged(ring_pressed, over, 0.0, impossible=True, **said)
-    return judged(ring_pressed, over, 0.0, impossible=True, reason=ring_alone(results) or "")
+        return judged(kind, over, 0.0, impossible=True, **said)
+    return judged(kind, over, 0.0, impossible=True, reason=ring_alone(results) or "")
 
 
 NAMES: dict[RingBody, str] = {
@@ -151,12 +151,12 @@ def _pressure(body: RingBody) -> Kind:
         title=f"Contact pressure of the {NAMES[body]}",
         formula="p ≤ p_all·Z_NT/S",
         why=f"Above it the surface of the {NAMES[body]} pits within the life.",
-        inputs=(*TEETH_LOADED, *LIFE, "requirements.pitting_safety"),
-        fixes=(*_FIXES, "load.output_torque"),
+        inputs=(TEETH_LOADED, LIFE, "requirements.pitting_safety"),
+        fixes=(_FIXES, "load.output_torque"),
         source="ring_mesh",
         known=limits,
     )
-    def pressure(design: Design, results: Results) -> Check:
+    def pressure(kind: Kind, design: Design, results: Results) -> Check:
         pressed = _pressed(results, body, static=False)
         material = design.lasting_teeth[body]
         unknown = "plastic_limit_unknown" if material.plastic else "limit_unknown"
@@ -164,7 +164,7 @@ def _pressure(body: RingBody) -> Kind:
         limit = judged_by(material.limit, unknown, missing, value=pressed.value, at=pressed.at)
         known = limits(design, results)
         found = judged(
-            pressure,
+            kind,
             **pressed._asdict(),
             **known,
             reserve=(known["limit"] / pressed.value) ** 2,
@@ -181,13 +181,13 @@ def _static(body: RingBody) -> Kind:
         title=f"Contact pressure of the {NAMES[body]} at the peak torque",
         formula="p(T_max) ≤ p_static",
         why=f"Above it the surface of the {NAMES[body]} is dented at once.",
-        inputs=(*TEETH_GIVE, "load.peak_torque"),
+        inputs=(TEETH_GIVE, "load.peak_torque"),
         requires={"load.peak_torque": "no_peak_torque"},
         demands=("load.peak_torque",),
-        fixes=(*_FIXES, "load.peak_torque"),
+        fixes=(_FIXES, "load.peak_torque"),
         source="static_pressure",
     )
-    def static(design: Design, results: Results) -> Check:
+    def static(kind: Kind, design: Design, results: Results) -> Check:
         pressed = _pressed(results, body, static=True)
         limit, source = static_limit(
             material=design.lasting_teeth[body],
@@ -196,7 +196,7 @@ def _static(body: RingBody) -> Kind:
             at=pressed.at,
         )
         reserve = (limit / pressed.value) ** 2
-        return judged(static, **pressed._asdict(), limit=limit, reserve=reserve, **source)
+        return judged(kind, **pressed._asdict(), limit=limit, reserve=reserve, **source)
 
     return static
 
@@ -208,25 +208,22 @@ def _static(body: RingBody) -> Kind:
     formula="p ≤ f(ν, μ)·R_min",
     why="Above it the teeth yield under the first load, even cold.",
     inputs=(
-        *TEETH_GIVE,
-        "load.output_torque",
-        "load.peak_torque",
-        "contact.dynamic_factor",
-        "gear.friction_coefficient",
+        TEETH_GIVE,
+        "load.output_torque load.peak_torque contact.dynamic_factor gear.friction_coefficient",
         "gear.rolling",
     ),
-    fixes=(*_FIXES, "load.output_torque", "load.peak_torque"),
+    fixes=(_FIXES, "load.output_torque load.peak_torque"),
     source="first_yield",
     needs=("load", "contact", "plastic_teeth"),
 )
-def ring_static_cold(design: Design, results: Results) -> Check:
+def ring_static_cold(kind: Kind, design: Design, results: Results) -> Check:
     """Judge the weaker of the satellites' teeth and the ring's teeth or pins."""
 
     def by(made: Results, *, most: bool = False) -> Check:
         pressed = _pressed(made, "disc", static=True)
         limit = min(made.ring.cold_limit(body, most=most) for body in design.plastic_teeth)
         reserve = None if most else (limit / pressed.value) ** 2
-        return judged(ring_static_cold, **pressed._asdict(), limit=limit, reserve=reserve)
+        return judged(kind, **pressed._asdict(), limit=limit, reserve=reserve)
 
     def most() -> Check:
         return by_softest(results=results, judge=lambda made: by(made, most=True))
@@ -240,16 +237,12 @@ def ring_static_cold(design: Design, results: Results) -> Check:
     unit="arcmin",
     formula="max(θ₊ − θ₋) ≤ Δφ",
     why="Otherwise the unloaded output turns by more than is asked.",
-    inputs=(
-        *TEETH_GAPS,
-        "contact.distribution_factor",  # which no meshes in series have
-        "requirements.max_ring_backlash",
-    ),
-    fixes=(*MODIFICATION, "gear.satellite_profile_shift"),
+    inputs=(TEETH_GAPS, "contact.distribution_factor requirements.max_ring_backlash"),
+    fixes=(MODIFICATION, "gear.satellite_profile_shift"),
     source="ring_mesh",
     asks="max_ring_backlash",
 )
-def ring_backlash(design: Design, results: Results) -> Check | Measure:
+def ring_backlash(kind: Kind, design: Design, results: Results) -> Check | Measure:
     """Of the ring alone; not looked for where nobody asks. Of involute teeth known at once."""
     if design.gear.kind == "involute":
         return Measure(design.members.angle_at_output(max(results.ring.pair.backlash, 0.0)))
@@ -264,13 +257,13 @@ def ring_backlash(design: Design, results: Results) -> Check | Measure:
     unit="arcmin",
     formula="max θ − min θ ≤ TE",
     why="Otherwise the output turns less evenly than is asked.",
-    inputs=(*RING_FORCES, "requirements.max_transmission_error"),
+    inputs=(RING_FORCES, "requirements.max_transmission_error"),
     fixes=MODIFICATION,
     source="ring_mesh",
     asks="max_transmission_error",
     only_asked=True,
 )
-def ring_transmission_error(design: Design, results: Results) -> Check | Measure:
+def ring_transmission_error(kind: Kind, design: Design, results: Results) -> Check | Measure:
     """Under the torque itself, of both meshes where they are in series; not looked for where nobody
     asks.
     """
@@ -317,13 +310,13 @@ def _pins(results: Results) -> BentPins:
     unit="MPa",
     formula="σ_v ≤ R_e/S_F",
     why="Above it the pins of the ring bend for good.",
-    inputs=(*RING_LOADED, "load.peak_torque", "requirements.bending_safety"),
+    inputs=(RING_LOADED, "load.peak_torque requirements.bending_safety"),
     fixes=_THICKER,
     source="pin_beam",
 )
-def ring_pin_stress(design: Design, results: Results) -> Check:
+def ring_pin_stress(kind: Kind, design: Design, results: Results) -> Check:
     pins, safety = _pins(results), design.requirements.bending_safety
-    return pins.static(ring_pin_stress, safety=safety, at={"pin": pins.found.pin})
+    return pins.static(kind, safety=safety, at={"pin": pins.found.pin})
 
 
 @_bent(
@@ -331,16 +324,16 @@ def ring_pin_stress(design: Design, results: Results) -> Check:
     title="Fatigue of the pins of the ring",
     formula="n ≥ S_D",
     why="Below it the pins of the ring break after some time where they bend most.",
-    inputs=(*RING_LOADED, "gear.rotates", *FATIGUE, *LIFE, "requirements.fatigue_safety"),
+    inputs=(RING_LOADED, "gear.rotates", FATIGUE, LIFE, "requirements.fatigue_safety"),
     fixes=_THICKER,
     source="shigley",
     keep="above",
 )
-def ring_pin_fatigue(design: Design, results: Results) -> Check:
+def ring_pin_fatigue(kind: Kind, design: Design, results: Results) -> Check:
     """By what the fatigue of the pins of the output is judged by."""
     _, pins = results.ring.pin_fatigue_strength, _pins(results)  # known, or raises
     safety = design.requirements.fatigue_safety
-    return pins.fatigue(ring_pin_fatigue, safety=safety, at={"pin": pins.found.pin})
+    return pins.fatigue(kind, safety=safety, at={"pin": pins.found.pin})
 
 
 @_bent(
@@ -349,12 +342,12 @@ def ring_pin_fatigue(design: Design, results: Results) -> Check:
     unit="mrad",
     formula="θ ≤ θ_max",
     why="Above it the teeth carry on their edges.",
-    inputs=(*RING_LOADED, "requirements.max_slope"),
+    inputs=(RING_LOADED, "requirements.max_slope"),
     fixes=tuple(name for name in _THICKER if name != "gear.span"),
     source="beam",
     asks="max_slope",
 )
-def ring_pin_slope(design: Design, results: Results) -> Check | Measure:
+def ring_pin_slope(kind: Kind, design: Design, results: Results) -> Check | Measure:
     made = results.softest if asked_of(design, "max_slope") else results
     return _pins(made).bent("slope", "slope_satellite")
 
@@ -366,17 +359,17 @@ def ring_pin_slope(design: Design, results: Results) -> Check | Measure:
     formula="F/(2·r_p·b) ≤ p_all",
     why="Above it the bores that hold the pins of the ring wear out.",
     inputs=(
-        *(name for name in RING_LOADED if name not in OF_BENT_PINS),
+        tuple(name for name in RING_LOADED if name not in OF_BENT_PINS),
         "requirements.max_seat_pressure",
     ),
-    fixes=("gear.ring_pin_radius", "gear.contact_length", "load.output_torque"),
+    fixes="gear.ring_pin_radius gear.contact_length load.output_torque",
     source="user",
     not_of=_not_seated,
     asks="max_seat_pressure",
     only_asked=True,
     needed=False,
 )
-def ring_seat_pressure(design: Design, results: Results) -> Check | Measure:
+def ring_seat_pressure(kind: Kind, design: Design, results: Results) -> Check | Measure:
     """Of the force on the area that the pin covers; not looked for where nobody asks."""
     turn = results.ring.loading
     area = 2 * turn.mesh.disc.ring_pin_radius * turn.mesh.contact_length
@@ -396,17 +389,17 @@ def ring_seat_pressure(design: Design, results: Results) -> Check | Measure:
     formula="η ≥ η_min",
     why="Below it more is lost in the teeth than is asked.",
     inputs=(
-        *dict.fromkeys((*RING_FORCES, *INVOLUTE_TEETH)),
-        "gear.friction_coefficient",
-        "requirements.min_ring_efficiency",
+        RING_FORCES,
+        INVOLUTE_TEETH,
+        "gear.friction_coefficient requirements.min_ring_efficiency",
     ),
-    fixes=("gear.friction_coefficient",),
+    fixes="gear.friction_coefficient",
     source="user",
     keep="above",
     asks="min_ring_efficiency",
     only_asked=True,
 )
-def ring_efficiency(design: Design, results: Results) -> Check | Measure:
+def ring_efficiency(kind: Kind, design: Design, results: Results) -> Check | Measure:
     """Its limit is used by the losses; not looked for where nobody asks."""
     loss = results.ring.loss
     exact = design.gear.kind == "involute" or results.ring.working[0].mesh.exact
@@ -424,14 +417,8 @@ def ring_efficiency(design: Design, results: Results) -> Check | Measure:
     unit="MPa_m_per_s",
     formula="p·v ≤ (pv)_all",
     why="Above it the sleeves on the pins of the ring get hot and wear fast.",
-    inputs=(
-        *RING_FORCES,
-        *SPEEDS,
-        "contact.distribution_of",
-        "gear.rolling",
-        "requirements.max_pv",
-    ),
-    fixes=("gear.contact_length", "load.input_speed", "load.output_torque"),
+    inputs=(RING_FORCES, SPEEDS, "contact.distribution_of gear.rolling requirements.max_pv"),
+    fixes="gear.contact_length load.input_speed load.output_torque",
     source="user",
     not_of=_no_sleeves,
     requires={"load.input_speed": "speed_missing"},
@@ -439,7 +426,7 @@ def ring_efficiency(design: Design, results: Results) -> Check | Measure:
     only_asked=True,
     needed=False,
 )
-def ring_pv(design: Design, results: Results) -> Check | Measure:
+def ring_pv(kind: Kind, design: Design, results: Results) -> Check | Measure:
     return Measure(results.ring.pv, error=_error(results.ring.working[0]), solved=True)
 
 

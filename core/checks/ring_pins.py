@@ -3,7 +3,7 @@
 import math
 from functools import partial
 
-from core.checks.check import Check, design_check, judged, judged_by, wall
+from core.checks.check import Check, Kind, design_check, judged, judged_by, wall
 from core.checks.crank import NOT_OF, other_ring
 from core.design.document import Design
 from core.design.refusals import named
@@ -51,17 +51,17 @@ def _disc(design: Design) -> CycloidDisc:
     formula="ρ_min/r_m ≥ 1.1",
     why="At 1 and below, the outline loops: its tool would cut off a part of the satellite's "
     "flanks. Slightly above, errors do so.",
-    inputs=(*_PATH, "gear.ring_pin_radius", "gear.teeth_difference"),
-    fixes=("gear.ring_pin_radius", "gear.ring_pin_circle_radius", "contact.eccentricity"),
+    inputs=(_PATH, "gear.ring_pin_radius gear.teeth_difference"),
+    fixes="gear.ring_pin_radius gear.ring_pin_circle_radius contact.eccentricity",
     keep="above",
 )
-def ring_undercut(design: Design, results: Results) -> Check:
+def ring_undercut(kind: Kind, design: Design, results: Results) -> Check:
     if design.lobes < 2:
-        return Check(ring_undercut, "not_applicable", reason="one_only")
+        return Check(kind, "not_applicable", reason="one_only")
     disc = _disc(design)
     if disc.undercut:
-        return judged(ring_undercut, disc.undercut_margin, NEAR_UNDERCUT)._replace(impossible=True)
-    found = judged(ring_undercut, disc.undercut_margin, NEAR_UNDERCUT, warning="near_undercut")
+        return judged(kind, disc.undercut_margin, NEAR_UNDERCUT)._replace(impossible=True)
+    found = judged(kind, disc.undercut_margin, NEAR_UNDERCUT, warning="near_undercut")
     return found._replace(limit_source="guide")
 
 
@@ -71,18 +71,18 @@ def ring_undercut(design: Design, results: Results) -> Check:
     unit="mm",
     formula="ρ_v ≥ r_t",
     why="A larger wheel or cutter does not reach the bottom of the valleys.",
-    inputs=(*_PATH, "gear.ring_pin_radius", "gear.teeth_difference", "gear.tool_radius"),
-    fixes=("gear.tool_radius", "gear.ring_pin_radius"),
+    inputs=(_PATH, "gear.ring_pin_radius gear.teeth_difference gear.tool_radius"),
+    fixes="gear.tool_radius gear.ring_pin_radius",
     keep="above",
     needed=False,
 )
-def ring_valley_tool(design: Design, results: Results) -> Check:
+def ring_valley_tool(kind: Kind, design: Design, results: Results) -> Check:
     """Not asked where no tool is given, nor of discs that are nowhere concave."""
     tool = judged_by(design.cycloid.tool_radius, "no_tool", "gear.tool_radius", status="not_asked")
     concave = _disc(design).min_concave_radius
     if concave is None:
-        return Check(ring_valley_tool, "not_applicable", reason="no_valley")
-    return judged(ring_valley_tool, concave, tool)
+        return Check(kind, "not_applicable", reason="no_valley")
+    return judged(kind, concave, tool)
 
 
 @_ring(
@@ -92,23 +92,19 @@ def ring_valley_tool(design: Design, results: Results) -> Check:
     formula="2·R_p·sin(π/n) − 2·r_p ≥ 0.2·r_p",
     why="Otherwise the pins of the ring overlap, or hardly any of it is left between them.",
     inputs=(
-        "gear.kind",
-        "gear.ring_pin_circle_radius",
-        "gear.ring_pin_radius",
-        "gear.teeth_difference",
-        "gear.every_second_pin",
-        "mechanism.ratio",
+        "gear.kind gear.ring_pin_circle_radius gear.ring_pin_radius gear.teeth_difference",
+        "gear.every_second_pin mechanism.ratio",
     ),
-    fixes=("gear.ring_pin_radius", "gear.ring_pin_circle_radius"),
+    fixes="gear.ring_pin_radius gear.ring_pin_circle_radius",
     keep="above",
     needs=("gear",),
     not_of=lambda design, results: "" if design.gear.kind in CYCLOID else NOT_OF["cycloid"],
 )
-def ring_pin_room(design: Design, results: Results) -> Check:
+def ring_pin_room(kind: Kind, design: Design, results: Results) -> Check:
     pins = design.ring_pins // (2 if design.cycloid.every_second_pin else 1)
     size, circle = design.cycloid.known_pin_radius, design.cycloid.ring_pin_circle_radius
     width = 2 * circle * math.sin(math.pi / pins) - 2 * size
-    return wall(ring_pin_room, width=width, size=size, guide=2 * BETWEEN_PINS * size)
+    return wall(kind, width=width, size=size, guide=2 * BETWEEN_PINS * size)
 
 
 RING_PINS = (ring_undercut, ring_valley_tool, ring_pin_room)

@@ -98,16 +98,16 @@ _check = partial(design_check, group="rollers")
     unit="MPa",
     formula="σ ≤ R_e/S",
     why="Above it the rollers bend for good.",
-    inputs=(*_INPUTS, "stress_concentration", "yield_strength", "bending_safety"),
-    fixes=("diameter", "hole_circle_radius", "rollers", "position_tolerance", "output_torque"),
+    inputs=(_INPUTS, "stress_concentration yield_strength bending_safety"),
+    fixes="diameter hole_circle_radius rollers position_tolerance output_torque",
     source="ovsyannikov_2019",
 )
-def roller_stress(design: RollerDesign) -> Check:
+def roller_stress(kind: Kind, design: RollerDesign) -> Check:
     stress = float(design.result.bending_stress)
     strength = judged_by(design.yield_strength, "yield_unknown", "yield_strength", value=stress)
     limit = strength / design.requirements.bending_safety
     reserve = design.reserve(limit / stress)
-    return judged(roller_stress, stress, limit, reserve=reserve, error=design.error)
+    return judged(kind, stress, limit, reserve=reserve, error=design.error)
 
 
 def cycle_check(
@@ -149,26 +149,21 @@ def cycle_check(
     formula="n ≥ S_D",
     why="Below it the rollers break after some time beside the middle sphere.",
     inputs=(
-        *_INPUTS,
-        "stress_concentration",
-        "roller_rotates",
-        "tensile_strength",
-        "yield_strength",
-        *FATIGUE,
+        _INPUTS,
+        "stress_concentration roller_rotates tensile_strength yield_strength",
+        FATIGUE,
         "fatigue_safety",
     ),
-    fixes=("diameter", "hole_circle_radius", "rollers", "output_torque"),
+    fixes="diameter hole_circle_radius rollers output_torque",
     source="shigley",
     keep="above",
     needs=("fatigue",),
 )
-def roller_fatigue(design: RollerDesign) -> Check:
+def roller_fatigue(kind: Kind, design: RollerDesign) -> Check:
     fatigue, safety, reserve = design.fatigue, design.requirements.fatigue_safety, None
     if isinstance(fatigue, CycleFatigue):
         reserve = design.reserve(fatigue.safety_factor / safety)
-    return cycle_check(
-        roller_fatigue, fatigue=fatigue, safety=safety, reserve=reserve, error=design.error
-    )
+    return cycle_check(kind, fatigue=fatigue, safety=safety, reserve=reserve, error=design.error)
 
 
 @_check(
@@ -177,13 +172,13 @@ def roller_fatigue(design: RollerDesign) -> Check:
     formula="n_c = n",
     why="Otherwise few rollers carry all of the load.",
     inputs=_INPUTS,
-    fixes=("position_tolerance", "output_torque"),
+    fixes="position_tolerance output_torque",
     source="ovsyannikov_2019",
     keep="above",
 )
-def roller_sharing(design: RollerDesign) -> Check:
+def roller_sharing(kind: Kind, design: RollerDesign) -> Check:
     carrying = float(design.result.loaded_rollers)
-    return judged(roller_sharing, carrying, float(design.rollers), warning="uneven")
+    return judged(kind, carrying, float(design.rollers), warning="uneven")
 
 
 @_check(
@@ -192,16 +187,16 @@ def roller_sharing(design: RollerDesign) -> Check:
     unit="mm",
     formula="2·R·sin(π/n) − D > 0",
     why="Otherwise the spheres overlap.",
-    inputs=("rollers", "hole_circle_radius", "sphere_diameter"),
-    fixes=("hole_circle_radius", "sphere_diameter", "rollers"),
+    inputs="rollers hole_circle_radius sphere_diameter",
+    fixes="hole_circle_radius sphere_diameter rollers",
     keep="above",
 )
-def roller_spacing(design: RollerDesign) -> Check:
+def roller_spacing(kind: Kind, design: RollerDesign) -> Check:
     if design.rollers < 2:
-        return Check(roller_spacing, "not_applicable", reason="one_only")
+        return Check(kind, "not_applicable", reason="one_only")
     pitch = 2 * design.hole_circle_radius * math.sin(math.pi / design.rollers)
     size = design.sphere_diameter
-    return gap(roller_spacing, width=pitch - size, size=size)
+    return gap(kind, width=pitch - size, size=size)
 
 
 @_check(
@@ -210,13 +205,13 @@ def roller_spacing(design: RollerDesign) -> Check:
     unit="mm",
     formula="R − D/2 > 0",
     why="Otherwise the rollers reach the axis.",
-    inputs=("hole_circle_radius", "sphere_diameter"),
-    fixes=("hole_circle_radius", "sphere_diameter"),
+    inputs="hole_circle_radius sphere_diameter",
+    fixes="hole_circle_radius sphere_diameter",
     keep="above",
 )
-def roller_room(design: RollerDesign) -> Check:
+def roller_room(kind: Kind, design: RollerDesign) -> Check:
     size = design.sphere_diameter
-    return gap(roller_room, width=design.hole_circle_radius - size / 2, size=size)
+    return gap(kind, width=design.hole_circle_radius - size / 2, size=size)
 
 
 @_check(
@@ -225,12 +220,12 @@ def roller_room(design: RollerDesign) -> Check:
     unit="mm",
     formula="2·l + 3·b ≥ 10·e",
     why="Shorter ones tilt too much against the discs.",
-    inputs=("cylinder_length", "sphere_width", "eccentricity"),
-    fixes=("cylinder_length",),
+    inputs="cylinder_length sphere_width eccentricity",
+    fixes="cylinder_length",
     source="ovsyannikov_2019_length",
     keep="above",
 )
-def roller_tilt(design: RollerDesign) -> Check:
+def roller_tilt(kind: Kind, design: RollerDesign) -> Check:
     """By Ovsyannikov et al. 2019, before fig. 3: "the length of a roller usually exceeds the centre
     distance at least 10 times", a tilt of about 12°. That is the whole length, two cylinders and
     three spheres: over half of it, 5*e, the centre moves by e, 11.3°.
@@ -238,7 +233,7 @@ def roller_tilt(design: RollerDesign) -> Check:
     length = 2 * design.cylinder_length + 3 * design.sphere_width
     said = {"value": length, "status": "not_asked"}
     eccentricity = judged_by(design.eccentricity, "", "eccentricity", **said)
-    return judged(roller_tilt, length, ROLLER_LENGTH * eccentricity, warning="tilted")
+    return judged(kind, length, ROLLER_LENGTH * eccentricity, warning="tilted")
 
 
 ROLLERS = (

@@ -7,6 +7,7 @@ from itertools import pairwise
 
 from core.checks.check import (
     Check,
+    Kind,
     Measure,
     Verdict,
     asked_of,
@@ -96,19 +97,19 @@ _INPUTS = (
     unit="mm",
     formula="2·R_C·sin(Δφ/2) − 2·ρ > 0",
     why="Otherwise the rollers overlap.",
-    inputs=("roller_circle_radius", "roller_radius", "rollers", "wheel"),
-    fixes=("roller_radius", "roller_circle_radius"),
+    inputs="roller_circle_radius roller_radius rollers wheel",
+    fixes="roller_radius roller_circle_radius",
     keep="above",
 )
-def line_spacing(design: ShaftDesign) -> Check:
+def line_spacing(kind: Kind, design: ShaftDesign) -> Check:
     turn = 2 * math.pi
     places = sorted(angle % turn for angle in design.positions)
     apart = [after - before for before, after in pairwise([*places, places[0] + turn])]
     apart = [each for each in apart if AS_TYPED < each < turn - AS_TYPED]
     if not apart:
-        return Check(line_spacing, "not_applicable", reason="one_only")
+        return Check(kind, "not_applicable", reason="one_only")
     pitch, size = 2 * design.roller_circle_radius * math.sin(min(apart) / 2), design.roller_radius
-    return gap(line_spacing, width=pitch - 2 * size, size=size)
+    return gap(kind, width=pitch - 2 * size, size=size)
 
 
 @design_check(
@@ -118,14 +119,14 @@ def line_spacing(design: ShaftDesign) -> Check:
     unit="mm",
     formula="R_C − ρ − d/2 > 0",
     why="Otherwise the shaft reaches the rollers.",
-    inputs=("roller_circle_radius", "roller_radius", "shaft_diameter", "shaft_sections"),
-    fixes=("shaft_diameter", "roller_radius", "roller_circle_radius"),
+    inputs="roller_circle_radius roller_radius shaft_diameter shaft_sections",
+    fixes="shaft_diameter roller_radius roller_circle_radius",
     keep="above",
 )
-def shaft_in_circle(design: ShaftDesign) -> Check:
+def shaft_in_circle(kind: Kind, design: ShaftDesign) -> Check:
     size = design.roller_radius
     room = design.roller_circle_radius - size - max(design.diameters) / 2
-    return gap(shaft_in_circle, width=room, size=size)
+    return gap(kind, width=room, size=size)
 
 
 @design_check(
@@ -135,12 +136,12 @@ def shaft_in_circle(design: ShaftDesign) -> Check:
     unit="mm",
     formula="max(Δ_B, Δ_C) ≤ Δ_max",
     why="Above it the mesh is off its place.",
-    inputs=(*_INPUTS, "youngs_modulus", "max_deflection"),
-    fixes=("shaft_diameter", "overhang", "bearing_distance"),
+    inputs=(_INPUTS, "youngs_modulus max_deflection"),
+    fixes="shaft_diameter overhang bearing_distance",
     source="beam",
     asks="max_deflection",
 )
-def shaft_deflection(design: ShaftDesign) -> Measure:
+def shaft_deflection(kind: Kind, design: ShaftDesign) -> Measure:
     largest = max(design.result.deflection_B.total, design.result.deflection_C.total)
     return Measure(largest, error=design.error, reserve=float)
 
@@ -152,12 +153,12 @@ def shaft_deflection(design: ShaftDesign) -> Measure:
     unit="mrad",
     formula="max(θ_B, θ_C) ≤ θ_max",
     why="Above it the bearings carry on their edges.",
-    inputs=(*_INPUTS, "youngs_modulus", "max_slope"),
-    fixes=("shaft_diameter", "overhang", "bearing_distance"),
+    inputs=(_INPUTS, "youngs_modulus max_slope"),
+    fixes="shaft_diameter overhang bearing_distance",
     source="beam",
     asks="max_slope",
 )
-def shaft_slope(design: ShaftDesign) -> Measure:
+def shaft_slope(kind: Kind, design: ShaftDesign) -> Measure:
     largest = max(design.result.slope_B.total, design.result.slope_C.total)
     return Measure(largest, error=design.error, reserve=float)
 
@@ -169,17 +170,17 @@ def shaft_slope(design: ShaftDesign) -> Measure:
     unit="MPa",
     formula="σ ≤ R_e/S_F",
     why="Above it the shaft bends for good.",
-    inputs=(*_INPUTS, "yield_strength", "bending_safety"),
-    fixes=("shaft_diameter", "overhang"),
+    inputs=(_INPUTS, "yield_strength bending_safety"),
+    fixes="shaft_diameter overhang",
     source="beam",
     needs=("strength",),
 )
-def shaft_static(design: ShaftDesign) -> Check:
+def shaft_static(kind: Kind, design: ShaftDesign) -> Check:
     stress = design.strength.peak_stress
     strength = judged_by(design.yield_strength, "yield_unknown", "yield_strength", value=stress)
     limit = strength / design.requirements.bending_safety
     reserve = limit / stress if stress > 0 else None
-    return judged(shaft_static, stress, limit, reserve=reserve, error=design.error)
+    return judged(kind, stress, limit, reserve=reserve, error=design.error)
 
 
 @design_check(
@@ -189,28 +190,24 @@ def shaft_static(design: ShaftDesign) -> Check:
     formula="n ≥ S_D",
     why="Below it the shaft breaks after some time where it bends most.",
     inputs=(
-        *_INPUTS,
-        "load_rotates_with_shaft",
-        "youngs_modulus",  # whether it is a steel
-        "tensile_strength",
-        *(each for each in FATIGUE if each != "fatigue.criterion"),  # no mean stress counts
+        _INPUTS,
+        "load_rotates_with_shaft youngs_modulus tensile_strength",
+        tuple(each for each in FATIGUE if each != "fatigue.criterion"),
         "fatigue_safety",
     ),
-    fixes=("shaft_diameter", "overhang"),
+    fixes="shaft_diameter overhang",
     source="shigley",
     keep="above",
     needs=("strength", "fatigue_asked"),
 )
-def shaft_fatigue(design: ShaftDesign) -> Check:
+def shaft_fatigue(kind: Kind, design: ShaftDesign) -> Check:
     """Its reversed bending; a load that turns with the shaft bends it one way."""
     fatigue = design.no_fatigue or if_known(lambda: design.strength.fatigue)
     safety = design.requirements.fatigue_safety
     if not fatigue:
-        return Check(shaft_fatigue, "not_applicable", reason="steady_load")
+        return Check(kind, "not_applicable", reason="steady_load")
     reserve = None if isinstance(fatigue, Notice) else fatigue.safety_factor / safety
-    return cycle_check(
-        shaft_fatigue, fatigue=fatigue, safety=safety, reserve=reserve, error=design.error
-    )
+    return cycle_check(kind, fatigue=fatigue, safety=safety, reserve=reserve, error=design.error)
 
 
 @design_check(
@@ -221,27 +218,23 @@ def shaft_fatigue(design: ShaftDesign) -> Check:
     formula="p₀ ≤ p_all/S_H",
     why="Above it rollers or teeth pit in the long run.",
     inputs=(
-        *_LINES,
-        "line_contact.mating_radius",
-        "line_contact.roller_material",
-        "line_contact.mating_material",
+        _LINES,
+        "line_contact.mating_radius line_contact.roller_material line_contact.mating_material",
         "pitting_safety",
     ),
-    fixes=("roller_radius", "roller_circle_radius"),
+    fixes="roller_radius roller_circle_radius",
     source="hertz",
     needs=("contact",),
 )
-def line_pressure(design: ShaftDesign) -> Check:
+def line_pressure(kind: Kind, design: ShaftDesign) -> Check:
     """Against the lower of both limits, where both are known."""
     pressure, limits = design.contact.max_pressure, design.pressure_limits
     missing = tuple(name for name in LINE_MATERIALS if name not in limits)
     error = 4 * float(design.contact.accuracy.relative_error)
     limit = min(limits.values(), default=math.inf) / design.requirements.pitting_safety
-    found = judged(line_pressure, pressure, limit, reserve=(limit / pressure) ** 2, error=error)
+    found = judged(kind, pressure, limit, reserve=(limit / pressure) ** 2, error=error)
     if missing and found.status != "fail":
-        return Check(
-            line_pressure, "not_checked", value=pressure, reason="limit_unknown", missing=missing
-        )
+        return Check(kind, "not_checked", value=pressure, reason="limit_unknown", missing=missing)
     return found
 
 

@@ -894,8 +894,3 @@ def test_what_may_be_asked_is_an_input() -> None:
         assert not kind.asks or asked & {*kind.inputs}, code
         assert {*kind.requires, *kind.demands} <= {*kind.inputs}, code
         assert not kind.asks or hasattr(Requirements(), kind.asks), code
-
-
-def test_no_input_is_named_twice() -> None:
-    twice = {code for code, kind in CHECKS.items() if len({*kind.inputs}) < len(kind.inputs)}
-    assert twice == set()
