@@ -8,17 +8,12 @@ Modules, in reading order (each may use those above it)
 -------------------------------------------------------
 inputs              inputs that checks of several elements depend on
 check               a check and its record, a value against its limit, the verdict of parts and all
-contact             pins in holes: room and play, walls and gaps, pressure, shakedown, yield
-plastics            plastic pins and holes: what is necessary, and never enough
-pins                static strength, fatigue, deflection and slope of the pins
-friction            efficiency, sliding speed, pv and wear
-body                what the holes leave of a satellite to rim and bore, the room that it takes
-crank               ring, bearings of the satellites, crankshaft
-ring_pins           cycloid discs on the pins of a ring: what geometry alone says
-involute_mesh       involute teeth: path of contact, tips, undercut, roots
-ring_load           satellites in their ring under load: pressure, play, bending
-bearings            bearings as they are bought: ratings that can be, room, speed, least load
-pin_rollers         bearings as rollers on the pins: life, load, speed, room, tilt
+teeth               teeth and lobes by geometry alone: contact, tips, undercut, roots, interference
+contacts            what presses, in holes and in the ring: pressure, shakedown, yield, plastics
+pins                pins that bend, of output and ring: strength, fatigue, deflection, slope, bolts
+demands             what somebody may ask: play, evenness, efficiency, sliding, wear, seats
+walls               what goes together: room of pins in holes, walls and gaps, sleeves, space
+bearings            of satellites and crankshaft, and as rollers on pins: life, load, room, speed
 balance             what turns with the crankshaft and is not balanced
 crank_planetary     all checks of the reducer under its torque, its parts, what they come to
 reserve             its verdict: whether it holds a tenth more, the torque at which it first fails

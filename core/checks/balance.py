@@ -2,7 +2,7 @@
 
 from functools import partial
 
-from core.checks.check import Check, Kind, asked_of, design_check, judged
+from core.checks.check import Check, Checks, Kind, asked_of, design_check, judged
 from core.checks.inputs import OF_DISCS
 from core.design.document import Design
 from core.design.results import Results
@@ -13,7 +13,7 @@ GRADE = 16e-3
 _GRADE, _SHARE = "balance_grade", "max_unbalance_share"
 _OF_FORCE, _OF_COUPLE = ("max_unbalance", _GRADE, _SHARE), ("max_unbalance_couple", _SHARE)
 
-_check = partial(
+_check: Checks = partial(
     design_check,
     group="crankshaft",
     part="crank_bearings",

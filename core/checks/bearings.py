@@ -1,14 +1,20 @@
-"""Checks of rolling bearings as they are bought: whether there are such ones, whether they fit and
-may turn so fast, whether they carry enough, and not too much.
+"""Checks of rolling bearings: of the satellites, of the crankshaft, and as rollers on the pins.
+
+A sort of check is written once, as what its records have in common and as a function; a row for
+each place has the codes.
 """
 
 import math
-from functools import partial
+from collections.abc import Iterable, Mapping
+from itertools import pairwise
+from typing import Any
 
 import numpy as np
 
-from core.checks.check import Check, Kind, design_check, judged, judged_by
-from core.checks.inputs import BEARING_LOAD, SPEEDS
+from core.checks.check import Check, Element, Kind, common, judged
+from core.checks.inputs import BEARING_LOAD, FORCES, LIFE, LOADED, OF_DISCS, ON_STRESSES, SPEEDS
+from core.crank import pin_rollers
+from core.crank.bearing_life import EXPONENTS, PEAK_SAFETY, STATIC_SAFETY, Bearing
 from core.crank.envelope import (
     HIGH,
     IMPOSSIBLE,
@@ -28,27 +34,119 @@ from core.errors import NotKnown, required
 PRESSED = 1e-4
 """What a bearing's outside may be larger than its seat, m: it is pressed in."""
 
-_ENVELOPE = ("bore_diameter", "outer_diameter", "width")
-
-_SIZES = tuple(f"bearing.{name}" for name in _ENVELOPE)
-
-_bearing = partial(
-    design_check,
-    group="bearing",
-    part="satellite_bearing",
-    needs=("touching", "load", "bearing"),
+SATELLITE = Element(
+    (
+        "life=bearing_life system=system_life static=bearing_static ratings=bearing_rating",
+        "room=bearing_fits speed=bearing_speed least=bearing_min_load most=bearing_overload",
+    ),
+    {"them": "the satellites' bearings", "one": "a bearing of a satellite"},
+    common("bearing", "satellite_bearing", "touching load bearing"),
 )
-_crank_bearing = partial(
-    design_check,
-    group="crankshaft",
-    part="crank_bearings",
-    needs=("touching", "load", "crankshaft"),
-    inputs="crankshaft.bearings",
+CRANKSHAFT = Element(
+    (
+        "life=crank_bearing_life ratings=crank_bearing_rating room=crank_bearing_fits",
+        "speed=crank_bearing_speed",
+    ),
+    {"them": "the crankshaft's bearings", "one": "a bearing of the crankshaft"},
+    common("crankshaft", "crank_bearings", "touching load crankshaft"),
+)
+ROLLERS = Element(
+    (
+        "life=pin_roller_life static=pin_roller_static room=pin_roller_fits tilt=pin_roller_tilt",
+        "speed=pin_roller_speed least=pin_roller_min_load most=pin_roller_max_load",
+    ),
+    {"them": "the rollers on the pins", "one": "a roller"},
+    common("pin_rollers", "contact", "touching load rollers"),
 )
 
+ROWS = (SATELLITE, CRANKSHAFT, ROLLERS)
 
-def _share(bearing: RollingBearing, bounds: Bounds) -> float:
-    """The larger of its ratings, over the largest one that fits."""
+_LIFE = {
+    "title": "Life of {them}",
+    "unit": "h",
+    "why": "Otherwise {one} fails before the life that is asked.",
+    "source": "iso_281_life",
+    "keep": "above",
+    "known": lambda design, results: {"limit": design.life},
+}
+_STATIC = {
+    "title": "Static load of {them}",
+    "why": "Otherwise rolling elements dent their tracks.",
+    "keep": "above",
+}
+_RATINGS = {
+    "title": "Ratings of {them}",
+    "why": "There is no bearing of these sizes that carries so much.",
+    "source": "envelope",
+    "impossible": True,
+}
+_ROOM = {"unit": "mm", "keep": "above", "impossible": True}
+_SPEED = {"title": "Speed of {them}", "unit": "rpm", "source": "user", "needed": False}
+_LEAST = {"title": "Least load of {them}", "unit": "N", "keep": "above", "needed": False}
+
+_PLACES = "load.pin_circle_radius load.input_speed load.output_torque"
+
+
+def _lasting(
+    kind: Kind,
+    lives: Iterable[tuple[float, float, Mapping[str, Any]]],
+    *,
+    limit: float,
+    error: float,
+    solved: bool,
+) -> Check:
+    """The shortest of lives, each with its exponent and place; the loads have this error."""
+    each = list(lives)
+    value, _, at = min(each, key=lambda one: one[0])
+    return judged(
+        kind,
+        value,
+        limit,
+        reserve=min((life / limit) ** (1 / power) for life, power, _ in each),
+        error=4 * max(power for _, power, _ in each) * error,
+        solved=solved,
+        at=at,
+    )
+
+
+def _static_safety(design: Design, elements: Bearing) -> float:
+    """Static safety of bearings of such rolling elements that is asked, or usual."""
+    asked, load = design.requirements.static_safety, design.load
+    usual = STATIC_SAFETY[elements]
+    if load.peak_torque is not None:
+        usual = PEAK_SAFETY[load.peak_kind]
+    return asked or usual
+
+
+def _safe(kind: Kind, results: Results, value: float, **more: Any) -> Check:
+    """A static safety against the one that is asked, or usual."""
+    asked = results.design.requirements.static_safety
+    limit = kind.known(results.design, results)["limit"]
+    source = "" if asked else "static_guide"
+    return judged(kind, value, limit, reserve=value / limit, limit_source=source, **more)
+
+
+def _turning(kind: Kind, path: str, speeds: Iterable[tuple[float, float | None]]) -> Check:
+    """Speeds, each against its limit, where one has one."""
+    each = list(speeds)
+    limited = [(speed, limit) for speed, limit in each if limit is not None]
+    if not limited:
+        value = max(speed for speed, _ in each)
+        return Check(kind, "not_asked", value=value, reason="no_limit", missing=(path,))
+    speed, limit = max(limited, key=lambda one: one[0] / one[1])
+    return judged(kind, speed, limit)
+
+
+def _fitting(kind: Kind, room: float, *, wide: bool) -> Check:
+    """Room for a bearing, which may stand out of its satellite."""
+    found = judged(kind, room, 0.0)
+    if found.status == "fail" or not wide:
+        return found
+    return found._replace(status="marginal", warning=True, reason="wider_than_satellite")
+
+
+def _possible(kind: Kind, bearing: RollingBearing, bounds: Bounds, **more: Any) -> Check:
+    """Whether there is a bearing of such ratings: by the larger one over the largest that fits."""
     given = (
         (bearing.dynamic_rating, bounds.dynamic),
         (bearing.static_rating, bounds.static),
@@ -56,47 +154,39 @@ def _share(bearing: RollingBearing, bounds: Bounds) -> float:
     shares = [rating / bound for rating, bound in given if rating is not None]
     if not shares:
         raise NotKnown("rating_unknown", "bearing.dynamic_rating")
-    return max(shares)
-
-
-def _possible(kind: Kind, bearing: RollingBearing, bounds: Bounds) -> Check:
-    """Whether there is a bearing of such ratings."""
-    share, most = _share(bearing, bounds), IMPOSSIBLE[bearing.kind]
-    found = judged(kind, share, most)
-    if found.status == "fail":
-        return found._replace(impossible=True)
-    if share > HIGH[bearing.kind]:
-        return found._replace(status="marginal", warning=True, reason="rating_high")
-    if share < LOW:
-        return found._replace(status="marginal", warning=True, reason="rating_low")
-    return found
+    share = max(shares)
+    found = judged(kind, share, IMPOSSIBLE[bearing.kind], **more)
+    if found.status == "fail" or LOW <= share <= HIGH[bearing.kind]:
+        return found
+    reason = "rating_low" if share < LOW else "rating_high"
+    return found._replace(status="marginal", warning=True, reason=reason)
 
 
 def _known_sizes(bearing: RollingBearing, *paths: str) -> tuple[float, ...]:
-    """Its sizes, which have to be given."""
+    """Bore, outer diameter and width of a bearing, m, which have to be given."""
     if not bearing.sizes:
         raise NotKnown("envelope_unknown", *paths)
     return bearing.sizes
 
 
-def _bounds(design: Design) -> Bounds:
-    """Largest ratings of the satellites' bearings, by their sizes or by the room for them."""
-    bearing, outer = design.bearing, _seat(design)
-    if not bearing.sizes and math.isfinite(outer):
-        least = _least_bore(design)
-        if least < outer:  # else there is no room, as `bearing_fits` says
-            return largest_ratings_of_room(
-                kind=bearing.kind,
-                least_bore=least,
-                outer_diameter=outer,
-                width=design.nominal_pair.contact_length,
-            )
-    bore, outer, width = _known_sizes(bearing, *_SIZES)
+def _largest(bearing: RollingBearing, *paths: str) -> Bounds:
+    """Largest ratings of a bearing by its sizes, which have to be given."""
+    bore, outer, width = _known_sizes(bearing, *paths)
     return largest_ratings(kind=bearing.kind, bore_diameter=bore, outer_diameter=outer, width=width)
 
 
+_SIZES = ("bearing.bore_diameter", "bearing.outer_diameter", "bearing.width")
+
+_SEAT = (
+    _SIZES,
+    "satellite_body.bore_radius contact.contact_length contact.eccentricity",
+    "crankshaft.eccentric_diameter crankshaft.shaft_diameter",
+)
+"""Of the satellites' bearings and the room for them."""
+
+
 def _seat(design: Design) -> float:
-    """What the satellites' bearings sit in, m; infinite where it is not given."""
+    """Diameter of the seat of the satellites' bearings, m; infinite where it is not given."""
     body = design.satellite_body
     return 2 * body.bore_radius if body and body.bore_radius is not None else math.inf
 
@@ -110,78 +200,167 @@ def _least_bore(design: Design) -> float:
     return float(inside + 2 * design.known_eccentricity)
 
 
-@_bearing(
-    "bearing_rating",
-    title="Ratings of the satellites' bearings",
-    formula="C/C_max, C₀/C₀_max ≤ q",
-    why="There is no bearing of these sizes that carries so much.",
+@SATELLITE.check(
+    "life",
+    _LIFE,
+    formula="L_nh ≥ L",
     inputs=(
-        "bearing.kind bearing.dynamic_rating bearing.static_rating",
-        _SIZES,
-        "satellite_body.bore_radius contact.contact_length contact.eccentricity",
-        "crankshaft.eccentric_diameter crankshaft.shaft_diameter",
+        BEARING_LOAD,
+        LIFE,
+        "bearing.ring_factor bearing.dynamic_rating bearing.reliability_percent",
     ),
-    source="envelope",
+    fixes=("bearing.dynamic_rating", _PLACES),
+)
+def bearing_life(kind: Kind, design: Design, results: Results) -> Check:
+    found, limit = results.crank.bearings, design.life
+    if found.given_speed == 0:
+        return Check(kind, "not_applicable", limit=limit, reason="members_locked")
+    power = EXPONENTS[design.bearing.kind]
+    return _lasting(
+        kind,
+        ((life, power, {"satellite": j}) for j, life in enumerate(found.life.tolist(), 1)),
+        limit=limit,
+        error=float(found.accuracy.relative_error),
+        solved=results.crank.uneven_growth,
+    )
+
+
+@SATELLITE.check(
+    "static",
+    _STATIC,
+    formula="C₀/Q_max ≥ S_0",
+    inputs=(
+        BEARING_LOAD,
+        "load.input_speed",
+        ON_STRESSES,
+        "load.peak_torque load.peak_kind bearing.static_rating requirements.static_safety",
+    ),
+    fixes="bearing.static_rating load.pin_circle_radius load.output_torque load.peak_torque",
+    source="iso_76_rating",
+    known=lambda design, results: {"limit": _static_safety(design, design.bearing.kind)},
+)
+def bearing_static(kind: Kind, design: Design, results: Results) -> Check:
+    found = results.crank.bearings
+    safety = found.static_safety_factor
+    worst = int(np.argmin(safety))
+    return _safe(
+        kind,
+        results,
+        float(safety[worst]),
+        error=4 * float(found.accuracy.relative_error),
+        solved=results.crank.uneven_growth,
+        at={"satellite": worst + 1},
+    )
+
+
+@SATELLITE.check(
+    "system",
+    _LIFE,
+    title="Life of all satellites' bearings together",
+    formula="(Σ L_j^−β)^(−1/β) ≥ L",
+    why="Otherwise one of the bearings fails before the life that is asked.",
+    inputs=(bearing_life.inputs, "bearing.weibull_slope"),
+    fixes=bearing_life.fixes,
+    not_of=lambda design, results: "one_only" if design.mechanism.satellites == 1 else "",
+    requires={"bearing.weibull_slope": ""},
+    demands=("bearing.weibull_slope",),
+)
+def system_life(kind: Kind, design: Design, results: Results) -> Check:
+    limit, found = design.life, results.crank.bearings
+    if found.given_speed == 0:
+        return Check(kind, "not_applicable", limit=limit, reason="members_locked")
+    return _lasting(
+        kind,
+        [(float(found.system_life), EXPONENTS[design.bearing.kind], {})],
+        limit=limit,
+        error=float(found.accuracy.relative_error),
+        solved=results.crank.uneven_growth,
+    )
+
+
+@CRANKSHAFT.check(
+    "life",
+    _LIFE,
+    formula="L_10h ≥ L",
+    inputs=(
+        OF_DISCS,
+        LIFE,
+        "crankshaft.satellite_mass crankshaft.bearings crankshaft.satellite_positions",
+        "crankshaft.bearing_positions crankshaft.counterweights",
+    ),
+    fixes=("crankshaft.bearings.dynamic_rating", _PLACES),
+)
+def crank_bearing_life(kind: Kind, design: Design, results: Results) -> Check:
+    limit, bearings = design.life, design.crankshaft.known_bearings
+    for each in bearings:
+        required(each.dynamic_rating, "rating_unknown", "crankshaft.bearings")
+    found = results.crank.shaft
+    if not any(design.known_speeds.against(each.seat) for each in bearings):
+        return Check(kind, "not_applicable", limit=limit, reason="members_locked")
+    lives = [
+        (found.basic_life.get(row, math.inf), EXPONENTS[each.kind], {"bearing": row + 1})
+        for row, each in enumerate(bearings)
+    ]
+    if all(math.isinf(life) for life, _, _ in lives):
+        return Check(kind, "not_applicable", limit=limit, reason="unloaded")
+    error, solved = float(found.accuracy.relative_error), results.crank.uneven_growth
+    return _lasting(kind, lives, limit=limit, error=error, solved=solved)
+
+
+@SATELLITE.check(
+    "ratings",
+    _RATINGS,
+    formula="C/C_max, C₀/C₀_max ≤ q",
+    inputs=("bearing.kind bearing.dynamic_rating bearing.static_rating", _SEAT),
 )
 def bearing_rating(kind: Kind, design: Design, results: Results) -> Check:
-    found = _possible(kind, design.bearing, _bounds(design))
-    if not (design.bearing.sizes or found.reason):  # by the room for them
-        return found._replace(reason="envelope_unknown", missing=_SIZES)
-    return found
+    """By the sizes, or else by the room for them; without any it is that there is no room."""
+    bearing, outer = design.bearing, _seat(design)
+    least = _least_bore(design) if not bearing.sizes and math.isfinite(outer) else math.inf
+    if not least < outer:
+        return _possible(kind, bearing, _largest(bearing, *_SIZES))
+    bounds = largest_ratings_of_room(
+        kind=bearing.kind,
+        least_bore=least,
+        outer_diameter=outer,
+        width=design.nominal_pair.contact_length,
+    )
+    found = _possible(kind, bearing, bounds)
+    return found if found.reason else found._replace(reason="envelope_unknown", missing=_SIZES)
 
 
-def _room(design: Design) -> float:
-    """What is left between a bearing and what is about it, m; of one whose sizes are not given only
-    that there is no room for any.
-    """
-    least, seat = _least_bore(design), _seat(design)
-    if not design.bearing.sizes and seat <= least:
-        return seat - least
-    bore, outer, _ = _known_sizes(design.bearing, *_SIZES)
-    return min(bore - least, seat + PRESSED - outer)
-
-
-@_bearing(
-    "bearing_fits",
-    title="Room for the satellites' bearings",
-    unit="mm",
+@SATELLITE.check(
+    "room",
+    _ROOM,
+    title="Room for {them}",
     formula="D ≤ 2·r_b, d ≥ d_shaft + 2·e, B ≤ b",
     why="Otherwise the bearing does not go onto its eccentric, or into the satellite.",
-    inputs=(
-        _SIZES,
-        "satellite_body.bore_radius contact.contact_length contact.eccentricity",
-        "crankshaft.eccentric_diameter crankshaft.shaft_diameter",
-    ),
+    inputs=_SEAT,
     fixes="satellite_body.bore_radius",
-    keep="above",
     needed=False,
 )
 def bearing_fits(kind: Kind, design: Design, results: Results) -> Check:
-    found = judged(kind, _room(design), 0.0)
-    if found.status == "fail":
-        return found._replace(impossible=True)
-    if (design.bearing.width or 0.0) > design.nominal_pair.contact_length:
-        return found._replace(status="marginal", warning=True, reason="wider_than_satellite")
-    return found
+    """By their sizes; where these are not given only that there is no room for any."""
+    least, seat, bearing = _least_bore(design), _seat(design), design.bearing
+    room = seat - least
+    if bearing.sizes or seat > least:
+        bore, outer, _ = _known_sizes(bearing, *_SIZES)
+        room = min(bore - least, seat + PRESSED - outer)
+    wide = (bearing.width or 0.0) > design.nominal_pair.contact_length
+    return _fitting(kind, room, wide=wide)
 
 
-@_bearing(
-    "bearing_speed",
-    title="Speed of the satellites' bearings",
-    unit="rpm",
+@SATELLITE.check(
+    "speed",
+    _SPEED,
     formula="n₁·(1 + 1/u) ≤ n_lim",
     why="Above it the bearing gets too hot.",
     inputs=(SPEEDS, "mechanism.ratio bearing.limiting_speed"),
     fixes="load.input_speed",
-    source="user",
-    needed=False,
 )
 def bearing_speed(kind: Kind, design: Design, results: Results) -> Check:
     value = design.known_speeds.turning * design.built.waves_per_turn
-    said = {"value": value, "status": "not_asked"}
-    speed = design.bearing.limiting_speed
-    limit = judged_by(speed, "no_limit", "bearing.limiting_speed", **said)
-    return judged(kind, value, limit)
+    return _turning(kind, "bearing.limiting_speed", [(value, design.bearing.limiting_speed)])
 
 
 def _rating(design: Design) -> float:
@@ -189,16 +368,13 @@ def _rating(design: Design) -> float:
     return required(design.bearing.dynamic_rating, "rating_unknown", "bearing.dynamic_rating")
 
 
-@_bearing(
-    "bearing_min_load",
-    title="Least load of the satellites' bearings",
-    unit="N",
+@SATELLITE.check(
+    "least",
+    _LEAST,
     formula="Q_min ≥ q·C",
     why="Below it rolling elements slide, and tracks are smeared.",
     inputs=(BEARING_LOAD, "load.input_speed bearing.dynamic_rating"),
     source="slip",
-    keep="above",
-    needed=False,
 )
 def bearing_min_load(kind: Kind, design: Design, results: Results) -> Check:
     rating = _rating(design)
@@ -215,9 +391,10 @@ def bearing_min_load(kind: Kind, design: Design, results: Results) -> Check:
     )
 
 
-@_bearing(
-    "bearing_overload",
-    title="Load of the satellites' bearings over their ratings",
+@SATELLITE.check(
+    "most",
+    {},
+    title="Load of {them} over their ratings",
     formula="P/(0.5·C), Q_max/C₀ ≤ 1",
     why="Above it the formula of the life promises more than the bearing lasts.",
     inputs=(
@@ -244,33 +421,22 @@ def bearing_overload(kind: Kind, design: Design, results: Results) -> Check:
     )
 
 
-@_crank_bearing(
-    "crank_bearing_rating",
-    title="Ratings of the crankshaft's bearings",
-    formula="C/C_max ≤ q",
-    why="There is no bearing of these sizes that carries so much.",
-    source="envelope",
-)
+@CRANKSHAFT.check("ratings", _RATINGS, formula="C/C_max ≤ q", inputs="crankshaft.bearings")
 def crank_bearing_rating(kind: Kind, design: Design, results: Results) -> Check:
-    found = []
-    for place, each in enumerate(design.crankshaft.known_bearings, 1):
-        bore, outer, width = _known_sizes(each, "crankshaft.bearings")
-        bounds = largest_ratings(
-            kind=each.kind, bore_diameter=bore, outer_diameter=outer, width=width
-        )
-        made = _possible(kind, each, bounds)
-        found.append(made._replace(at={"bearing": place}))
+    found = [
+        _possible(kind, each, _largest(each, "crankshaft.bearings"), at={"bearing": place})
+        for place, each in enumerate(design.crankshaft.known_bearings, 1)
+    ]
     return max(found, key=lambda check: (check.status != "pass", check.utilisation or 0.0))
 
 
-@_crank_bearing(
-    "crank_bearing_fits",
-    title="Bores of the crankshaft's bearings",
-    unit="mm",
+@CRANKSHAFT.check(
+    "room",
+    _ROOM,
+    title="Bores of {them}",
     formula="d ≥ d_shaft",
     why="Otherwise the bearing does not go onto the shaft.",
     inputs="crankshaft.bearings crankshaft.shaft_diameter",
-    keep="above",
     needed=False,
 )
 def crank_bearing_fits(kind: Kind, design: Design, results: Results) -> Check:
@@ -279,36 +445,175 @@ def crank_bearing_fits(kind: Kind, design: Design, results: Results) -> Check:
     bores = [
         _known_sizes(each, "crankshaft.bearings")[0] for each in design.crankshaft.known_bearings
     ]
-    left = min(bores) - shaft
-    found = judged(kind, left, 0.0, at={"bearing": bores.index(min(bores)) + 1})
-    return found._replace(impossible=found.status == "fail")
+    least = min(bores)
+    return judged(kind, least - shaft, 0.0, at={"bearing": bores.index(least) + 1})
 
 
-@_crank_bearing(
-    "crank_bearing_speed",
-    title="Speed of the crankshaft's bearings",
-    unit="rpm",
+@CRANKSHAFT.check(
+    "speed",
+    _SPEED,
     formula="n₁ ≤ n_lim",
     why="Above it the bearing gets too hot.",
     inputs=(SPEEDS, "mechanism.ratio crankshaft.bearings"),
-    source="user",
-    needed=False,
 )
 def crank_bearing_speed(kind: Kind, design: Design, results: Results) -> Check:
-    speeds = design.known_speeds
-    turning = [
-        (speeds.against(each.seat), each.limiting_speed)
-        for each in design.crankshaft.known_bearings
-    ]
-    limited = [(speed, limit) for speed, limit in turning if limit is not None]
-    if not limited:
-        value = max(speed for speed, _ in turning)
-        missing = ("crankshaft.bearings",)
-        return Check(kind, "not_asked", value=value, reason="no_limit", missing=missing)
-    speed, limit = max(limited, key=lambda each: each[0] / each[1])
-    return judged(kind, speed, limit)
+    speeds, bearings = design.known_speeds, design.crankshaft.known_bearings
+    turning = [(speeds.against(each.seat), each.limiting_speed) for each in bearings]
+    return _turning(kind, "crankshaft.bearings", turning)
 
 
+_MADE = "rollers.kind rollers.ratings rollers.rolling_elements"
+
+_LESS = "load.pin_circle_radius mechanism.pins load.output_torque"
+
+_PEAK = (LOADED, "load.peak_torque")
+
+
+@ROLLERS.check(
+    "life",
+    _LIFE,
+    formula="L_10h ≥ L",
+    inputs=(FORCES, LIFE, _MADE, "rollers.dynamic_rating"),
+    fixes=("rollers.dynamic_rating load.input_speed", _LESS),
+    source="roller_rating",
+    requires={"rollers.dynamic_rating": "rating_unknown"},
+)
+def pin_roller_life(kind: Kind, design: Design, results: Results) -> Check:
+    design.known_speed  # noqa: B018 - of which the life is a matter
+    found, power = results.roller_loads, EXPONENTS[_elements(design)]
+    at = {"satellite": found.satellite, "pin": found.pin}
+    error, limit = found.accuracy.relative_error, design.life
+    return _lasting(
+        kind, [(found.life, power, at)], limit=limit, error=error, solved=results.solved
+    )
+
+
+def _elements(design: Design) -> Bearing:
+    """Rolling elements of the rollers."""
+    return pin_rollers.KINDS[design.rollers.kind]
+
+
+@ROLLERS.check(
+    "static",
+    _STATIC,
+    formula="C₀w/F_max ≥ S_0",
+    inputs=(
+        _PEAK,
+        _MADE,
+        "load.peak_kind rollers.static_rating requirements.static_safety",
+    ),
+    fixes=("rollers.static_rating", _LESS, "load.peak_torque"),
+    source="roller_rating",
+    known=lambda design, results: {"limit": _static_safety(design, _elements(design))},
+    requires={"rollers.static_rating": "rating_unknown"},
+)
+def pin_roller_static(kind: Kind, design: Design, results: Results) -> Check:
+    found = results.roller_loads
+    error = 4 * found.accuracy.relative_error
+    return _safe(kind, results, found.static_safety_factor, error=error, solved=results.solved)
+
+
+@ROLLERS.check(
+    "most",
+    {},
+    title="Largest load of {them}",
+    formula="F·K_A/F_r, F_max/F_0r ≤ 1",
+    why="Above it the outer ring, which nothing supports, breaks by bending.",
+    inputs=(_PEAK, "rollers.max_radial_load rollers.max_static_radial_load"),
+    fixes=(_LESS, "load.peak_torque"),
+    source="user",
+)
+def pin_roller_max_load(kind: Kind, design: Design, results: Results) -> Check:
+    own, found = design.rollers, results.roller_loads
+    value = max(
+        found.peak_load * design.load_factor / own.max_radial_load,
+        found.static_load / own.max_static_radial_load,
+    )
+    if value == 0:
+        missing = ("rollers.max_radial_load", "rollers.max_static_radial_load")
+        return Check(kind, "not_asked", reason="no_limit", missing=missing)
+    error = 4 * found.accuracy.relative_error
+    return judged(kind, value, 1.0, reserve=1 / value, error=error, solved=results.solved)
+
+
+@ROLLERS.check(
+    "least",
+    _LEAST,
+    formula="F ≥ 0.0167·C₀",
+    why="Below it outer rings slide in the holes before they roll.",
+    inputs=(FORCES, "rollers.static_rating"),
+    source="track_rollers",
+)
+def pin_roller_min_load(kind: Kind, design: Design, results: Results) -> Check:
+    """Of the largest load over the turn: half of it no roller is loaded."""
+    name = "rollers.static_rating"
+    limit = pin_rollers.MIN_LOAD * required(design.rollers.static_rating, "rating_unknown", name)
+    found = results.roller_loads
+    error = 4 * found.accuracy.relative_error
+    return judged(kind, found.peak_load, limit, error=error, warning="bearing_slips")
+
+
+@ROLLERS.check(
+    "speed",
+    _SPEED,
+    formula="n·e/r_s ≤ n_lim",
+    why="Above it the roller gets too hot.",
+    inputs=(
+        "load.input_speed mechanism.ratio contact.eccentricity contact.pin_radius",
+        "rollers.limiting_speed",
+    ),
+    fixes="load.input_speed",
+)
+def pin_roller_speed(kind: Kind, design: Design, results: Results) -> Check:
+    turned = design.known_eccentricity / design.pair.pin_radius
+    value = design.known_speeds.turning * design.built.waves_per_turn * turned
+    return _turning(kind, "rollers.limiting_speed", [(value, design.rollers.limiting_speed)])
+
+
+@ROLLERS.check(
+    "room",
+    _ROOM,
+    title="Room for the rollers along the pins",
+    formula="n·B ≤ |z_j − z_k|, b",
+    why="Otherwise rollers of neighbouring satellites lie in each other.",
+    inputs=("rollers.width rollers.per_satellite pin.satellite_positions contact.contact_length",),
+)
+def pin_roller_fits(kind: Kind, design: Design, results: Results) -> Check:
+    """Between satellites, where their places are given; wider than them they stand out."""
+    length = design.rollers.length
+    if math.isinf(length):
+        raise NotKnown("size_missing", "rollers.width")
+    places = sorted(design.pin.satellite_positions) if design.pin else []
+    pitch = min((other - one for one, other in pairwise(places)), default=math.inf)
+    width = design.nominal_pair.contact_length
+    return _fitting(kind, min(pitch, max(width, length)) - length, wide=length > width)
+
+
+@ROLLERS.check(
+    "tilt",
+    {},
+    title="Slope of the pins in their rollers",
+    unit="mrad",
+    formula="θ ≤ θ_max",
+    why="Above it rolling elements carry on their ends, and last less than the formula says.",
+    inputs=(LOADED, "rollers.kind"),
+    source="tilt_guide",
+    needs=("touching", "load", "rollers", "pin"),
+    needed=False,
+)
+def pin_roller_tilt(kind: Kind, design: Design, results: Results) -> Check:
+    found = results.pin_loads
+    return judged(
+        kind,
+        found.deflection.slope,
+        pin_rollers.TILT[design.rollers.kind],
+        error=4 * found.accuracy.relative_error,
+        warning="roller_tilted",
+        at={"satellite": found.deflection.slope_satellite},
+    )
+
+
+LIVES = (bearing_life, bearing_static, system_life, crank_bearing_life)
 BEARINGS = (
     bearing_rating,
     bearing_fits,
@@ -318,4 +623,11 @@ BEARINGS = (
     crank_bearing_rating,
     crank_bearing_fits,
     crank_bearing_speed,
+    pin_roller_life,
+    pin_roller_static,
+    pin_roller_max_load,
+    pin_roller_min_load,
+    pin_roller_speed,
+    pin_roller_fits,
+    pin_roller_tilt,
 )

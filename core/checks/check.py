@@ -56,6 +56,7 @@ class Kind:
     not_of: Callable[..., str] = _never  # why it is no check of a design, a code; empty of others
     demands: tuple[str, ...] = ()  # paths: where none is given nobody asks what is not known
     asks: str = ""  # requirement that is its limit, where somebody may ask it
+    impossible: bool = False  # whether what fails by it cannot exist or move
     only_asked: bool = False  # whether its value is not looked for where nobody does
     asked_alone: bool = False  # whether it needs nothing else where that is asked
     # Attributes of the check that are known although its value is not, as its limit.
@@ -71,6 +72,10 @@ class Kind:
     def sections(self, given: Set[str]) -> tuple[str, ...]:
         """What has to be there of a design that has these, or asks them: that may be enough."""
         return (self.asks,) if self.asked_alone and self.asks in given else self.needs
+
+
+Checks = Callable[..., Callable[["Callable[..., Check | Measure]"], Kind]]
+"""As `design_check`, for records that have some of their attributes already."""
 
 
 def design_check(
@@ -93,6 +98,49 @@ def design_check(
     """
     said |= {"inputs": paths(inputs), "fixes": paths(fixes)}
     return lambda judge: Kind(code=code, judge=judge, **said)
+
+
+def common(group: str, part: str, needs: str) -> dict[str, Any]:
+    """Attributes of records, the sections that they need as words.
+
+    Parameters
+    ----------
+    group, part, needs : str
+        As of `Kind`.
+
+    Returns
+    -------
+    dict
+    """
+    return {"group": group, "part": part, "needs": paths(needs)}
+
+
+@dataclass(frozen=True, slots=True)
+class Element:
+    """A machine element as a row of its module, which has others of its sort: its checks."""
+
+    codes: Paths  # of its checks, each with its sort: ``sort=code``
+    words: Mapping[str, str]  # by which title and reason of a sort call it
+    common: Mapping[str, Any]  # what the records of all its checks say
+
+    @property
+    def all_codes(self) -> dict[str, str]:
+        """The codes of its checks, by their sort."""
+        return dict(each.split("=") for each in paths(self.codes))
+
+    def code(self, sort: str) -> str:
+        """The code of its check of a sort."""
+        return self.all_codes[sort]
+
+    def check(
+        self, sort: str, said: Mapping[str, Any], **own: Any
+    ) -> Callable[["Callable[..., Check | Measure]"], Kind]:
+        """As `design_check`: one of a sort, by what all records of that say, whose title and reason
+        leave words open, and by what its own says besides, or instead.
+        """
+        of = {**self.common, **said, **own}
+        of |= {name: of[name].format(**self.words) for name in ("title", "why")}
+        return design_check(self.code(sort), **of)
 
 
 class Check(NamedTuple):
@@ -368,8 +416,8 @@ def judged(
 
     Examples
     --------
-    >>> from core.checks.pins import pin_static
-    >>> from core.checks.contact import wall_holes
+    >>> from core.checks.records import CHECKS
+    >>> pin_static, wall_holes = CHECKS["pin_static"], CHECKS["wall_holes"]
     >>> judged(pin_static, 90.0, 100.0, reserve=1.2).status
     'pass'
     >>> judged(pin_static, 99.0, 100.0, reserve=1.02).status
@@ -396,6 +444,7 @@ def judged(
         more.setdefault("reason", warning)
     elif reserve is not None and reserve < MARGIN and not warning:
         status = "marginal"
+    more.setdefault("impossible", kind.impossible and status == "fail")
     return Check(
         kind,
         status,
@@ -738,7 +787,8 @@ def verdict(
 
     Examples
     --------
-    >>> from core.checks.pins import pin_fatigue, pin_static
+    >>> from core.checks.records import CHECKS
+    >>> pin_fatigue, pin_static = CHECKS["pin_fatigue"], CHECKS["pin_static"]
     >>> passing = judged(pin_static, 50.0, 100.0, reserve=2.0)
     >>> found = verdict([Check(pin_fatigue, "not_checked"), passing])
     >>> found.verdict, found.governing, found.torque_reserve

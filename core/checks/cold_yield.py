@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 from core.checks.check import Check, Verdict
+from core.checks.contacts import PLASTICS, cold_limits
 from core.checks.crank_planetary import crank_check
-from core.checks.plastics import PLASTICS, cold_limits
 from core.design.results import Results
 from core.errors import UNKNOWN, required
 from core.hertz import Body

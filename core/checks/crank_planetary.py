@@ -4,9 +4,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cache
 
-from core.checks.balance import BALANCE
-from core.checks.bearings import BEARINGS
-from core.checks.body import BODY
+from core.checks import balance, bearings, contacts, demands, pins, teeth, walls
 from core.checks.check import (
     Check,
     PartVerdict,
@@ -17,15 +15,6 @@ from core.checks.check import (
     rank,
     verdict,
 )
-from core.checks.contact import CONTACT, CRANKS, FIT, LAYOUT, PLAY, life_considered
-from core.checks.crank import CRANK
-from core.checks.friction import FRICTION
-from core.checks.involute_mesh import INVOLUTE_MESH
-from core.checks.pin_rollers import PIN_ROLLERS
-from core.checks.pins import PINS
-from core.checks.plastics import PLASTICS
-from core.checks.ring_load import RING_LOAD
-from core.checks.ring_pins import RING_PINS
 from core.design.document import Design
 from core.design.results import Results
 from core.errors import NotKnown
@@ -33,25 +22,32 @@ from core.errors import NotKnown
 CRANK_CHECKS = {
     kind.code: kind
     for kind in (
-        *CRANKS,
-        *FIT,
-        *CONTACT,
-        *PLASTICS,
-        *PLAY,
-        *LAYOUT,
-        *BODY,
-        *PINS,
-        *FRICTION,
-        *CRANK,
-        *INVOLUTE_MESH,
-        *RING_PINS,
-        *RING_LOAD,
-        *BEARINGS,
-        *PIN_ROLLERS,
-        *BALANCE,
+        *walls.FITTED,
+        demands.clearance,
+        *contacts.CONTACT,
+        *demands.PLAY,
+        *walls.LAYOUT,
+        *walls.BODY,
+        *pins.BENDING,
+        walls.wall_sleeve,
+        *pins.HOLLOW,
+        *demands.FRICTION,
+        *teeth.FORCE,
+        walls.gear_room,
+        *bearings.LIVES,
+        *teeth.INVOLUTE_MESH,
+        *teeth.RING_PINS,
+        walls.ring_pin_room,
+        teeth.ring_pressed,
+        *contacts.TEETH,
+        *demands.TURNING,
+        *pins.RING_BENDING,
+        *demands.SEATS,
+        *bearings.BEARINGS,
+        *balance.BALANCE,
     )
 }
-"""By code."""
+"""By code, in the order in which those that are judged alike are listed."""
 
 _NEEDS = tuple(dict.fromkeys(need for kind in CRANK_CHECKS.values() for need in kind.needs))
 _ASKED_ALONE = tuple(kind.asks for kind in CRANK_CHECKS.values() if kind.asked_alone)
@@ -212,8 +208,8 @@ def of_parts(*, design: Design, checks: Iterable[Check]) -> Verdict:
     pressed = "contact" in design.scope and bool(design.load) and design.touching
     left_out = {
         **{code: code not in judged for code in PARTS},
-        "contact_life_pin": pressed and not life_considered(design=design, body="pin"),
-        "contact_life_hole": pressed and not life_considered(design=design, body="hole"),
+        "contact_life_pin": pressed and not contacts.life_considered(design=design, body="pin"),
+        "contact_life_hole": pressed and not contacts.life_considered(design=design, body="hole"),
         "ligament_strength": "body" in judged,
         **dict.fromkeys(UNCOVERED, True),
     }

@@ -1,4 +1,9 @@
-"""Checks of the pins as beams: static strength, fatigue, deflection, slope."""
+"""Checks of pins that bend, of the output and of the ring: static strength, fatigue, deflection,
+slope, wall about the bore; of bolts that hold them.
+
+A sort of check is written once, as what its records have in common and as a method of `BentPins`;
+a row for each place has the codes.
+"""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -7,37 +12,60 @@ from typing import Any
 
 from core.checks.check import (
     Check,
+    Checks,
+    Element,
     Kind,
     Measure,
     asked_of,
+    common,
     design_check,
     judged,
     judged_by,
     over_range,
-    wall,
 )
-from core.checks.inputs import FATIGUE, LIFE, LOADED
+from core.checks.contacts import FIRST_ORDER
+from core.checks.inputs import FATIGUE, LIFE, LOADED, RING_LOADED, Paths
+from core.checks.teeth import not_cycloid
 from core.design.document import Design
 from core.design.results import Results
 from core.design.sections import DesignPin
 from core.output.pin_bolt import SLIP_SAFETY
-from core.output.pin_fatigue import PinFatigue
 from core.output.pin_strength import PinStrength
 from core.output.tied_pin import section_of
 
 HARDENED = 1400e6
 """Tensile strength above which a steel hardly yields before it breaks, Pa."""
 
-_FIXES = (
-    "pin.diameter",
-    "contact.pin_radius",
-    "load.pin_circle_radius",
-    "mechanism.pins",
-    "load.output_torque",
-)
-_check = partial(
-    design_check, group="pin", part="pins", fixes=_FIXES, needs=("touching", "load", "pin")
-)
+_STATIC = {
+    "title": "Static strength of {pins}",
+    "unit": "MPa",
+    "formula": "σ_v ≤ R_e/S_F",
+    "why": "Above it {pins} bend for good.",
+    "source": "pin_beam",
+}
+_FATIGUE = {
+    "title": "Fatigue of {pins}",
+    "formula": "n ≥ S_D",
+    "why": "Below it {pins} break after some time where they bend most.",
+    "source": "shigley",
+    "keep": "above",
+}
+_DEFLECTION = {
+    "title": "Deflection of {pins}",
+    "unit": "mm",
+    "formula": "w ≤ Δ_max",
+    "why": "Above it the satellites share the load unevenly.",
+    "source": "beam",
+    "asks": "max_deflection",
+}
+_SLOPE = {
+    "title": "Slope of {pins} in the satellites",
+    "unit": "mrad",
+    "formula": "θ ≤ θ_max",
+    "why": "Above it the {contacts} carry on their edges.",
+    "source": "beam",
+    "asks": "max_slope",
+}
 
 
 def _of_size(pin: DesignPin, check: Check) -> Check:
@@ -75,6 +103,7 @@ class BentPins:
 
     found: PinStrength  # what they bear
     pin: DesignPin  # one of them
+    at: Callable[[float], Mapping[str, Any]]  # where they bear most, by the section along them, m
     solved: bool  # whether their forces do not grow with the torque
     model_error: float = 0.0  # relative, of these forces, besides that of the numbers
 
@@ -90,10 +119,11 @@ class BentPins:
             kind, value, limit, reserve=reserve, error=self.error, solved=self.solved, **more
         )
 
-    def static(self, kind: Kind, *, safety: float, at: Mapping[str, Any]) -> Check:
+    def static(self, kind: Kind, safety: float) -> Check:
         """Static strength, with a safety that is required, where they bear most; of a plastic pin
         across its layers, unless they are said to lie otherwise: necessary only.
         """
+        at = self.at(self.found.peak_moment_position)
         stress, pin, material = self.found.static_stress, self.pin, self.pin.material
         if material.plastic:
             return _of_plastic(
@@ -106,15 +136,10 @@ class BentPins:
         limit = judged_by(strength, *lacks, value=stress) / safety
         return _of_size(pin, self.judged(kind, stress, limit, at=at))
 
-    @property
-    def cycle(self) -> PinFatigue:
-        """The cycle of their fatigue, whose strength is known."""
-        return self.found.fatigue
-
-    def fatigue(self, kind: Kind, *, safety: float, at: Mapping[str, Any]) -> Check:
+    def fatigue(self, kind: Kind, safety: float) -> Check:
         """Fatigue, of which there is a cycle, with a safety that is required, where it is least."""
-        cycle = self.cycle
-        check = self.judged(kind, cycle.safety_factor, safety, at=at)
+        cycle = self.found.fatigue
+        check = self.judged(kind, cycle.safety_factor, safety, at=self.at(cycle.position))
         short = cycle.short and not check.reason
         return _of_size(self.pin, check._replace(reason="finite_life") if short else check)
 
@@ -132,22 +157,7 @@ class BentPins:
         )
 
 
-@_check(
-    "pin_static",
-    title="Static strength of the pins",
-    unit="MPa",
-    formula="σ_v ≤ R_e/S_F",
-    why="Above it the pins bend for good.",
-    inputs=(LOADED, "load.peak_torque requirements.bending_safety"),
-    fixes=(_FIXES, "load.peak_torque"),
-    source="pin_beam",
-)
-def pin_static(kind: Kind, design: Design, results: Results) -> Check:
-    pins, safety = _bent(results), design.requirements.bending_safety
-    return pins.static(kind, safety=safety, at=_section(design, pins.found.peak_moment_position))
-
-
-def _section(design: Design, position: float) -> dict[str, str]:
+def _section(design: Design, position: float) -> dict[str, Any]:
     """Which end of a pin that a tie ring holds a section is, where it is one."""
     if not design.tied:
         return {}
@@ -155,67 +165,145 @@ def _section(design: Design, position: float) -> dict[str, str]:
     return {"section": end} if end else {}
 
 
-def _bent(results: Results) -> BentPins:
+def _output(results: Results) -> BentPins:
     """The pins of the output, or the bolts through them."""
-    return BentPins(results.pin_strength, results.bent_pin, solved=results.solved)
+    at = partial(_section, results.design)
+    return BentPins(results.pin_strength, results.bent_pin, at, solved=results.solved)
 
 
-def _softest(results: Results, asked: str) -> BentPins:
-    """The same, where a limit is asked, of the softest material that sources allow."""
-    return _bent(results.softest if asked_of(results.design, asked) else results)
+def _ring(results: Results) -> BentPins:
+    """The pins of the ring, whose forces are solved."""
+    found, model_error = results.ring.pin_strength, 0.0 if results.ring.mesh.exact else FIRST_ORDER
+    return BentPins(found, results.ring.pin, lambda _: {"pin": found.pin}, True, model_error)
 
 
-@_check(
-    "pin_deflection",
-    title="Deflection of the pins",
-    unit="mm",
-    formula="w ≤ Δ_max",
-    why="Above it the satellites share the load unevenly.",
-    inputs=(LOADED, "requirements.max_deflection"),
-    source="beam",
-    asks="max_deflection",
+def _tired_output(results: Results) -> BentPins:
+    """The pins of the output, by whose fatigue they are judged: it is known, or raises."""
+    pins, _ = _output(results), results.fatigue_strength
+    return pins
+
+
+def _tired_ring(results: Results) -> BentPins:
+    """The pins of the ring, likewise."""
+    _, pins = results.ring.pin_fatigue_strength, _ring(results)
+    return pins
+
+
+def _not_bent(design: Design, results: Results) -> str:
+    """Why a check is none of pins of the ring that bend; empty where they do."""
+    if other := not_cycloid(design, results):
+        return other
+    return "pins_in_seats" if design.cycloid.pin_support == "seat" else ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Place:
+    """Pins that bend: a row."""
+
+    row: Element
+    of: Callable[[Results], BentPins]  # what they bear
+    tired: Callable[[Results], BentPins]  # with their fatigue
+    loaded: Paths  # inputs of their forces
+    turns: str  # input that says whether they turn
+    static_fixes: Paths  # what may cure their static strength
+    fixes: Paths  # their fatigue
+    stiffer: Paths  # their slope
+    own: Mapping[str, Any]  # what the records of their checks say besides
+
+
+_THICKER = "pin.diameter contact.pin_radius load.pin_circle_radius mechanism.pins"
+_OUTPUT = _Place(
+    row=Element(
+        (
+            "static=pin_static fatigue=pin_fatigue deflection=pin_deflection slope=pin_slope",
+            "wall=pin_wall",
+        ),
+        {"pins": "the pins", "contacts": "contacts"},
+        common("pin", "pins", "touching load pin"),
+    ),
+    of=_output,
+    tired=_tired_output,
+    loaded=LOADED,
+    turns="pin.rotates",
+    static_fixes=(_THICKER, "load.output_torque load.peak_torque"),
+    fixes=(_THICKER, "load.output_torque"),
+    stiffer=(_THICKER, "load.output_torque"),
+    own={},
 )
-def pin_deflection(kind: Kind, design: Design, results: Results) -> Measure:
-    return _softest(results, "max_deflection").bent("deflection", "satellite")
-
-
-@_check(
-    "pin_slope",
-    title="Slope of the pins in the satellites",
-    unit="mrad",
-    formula="θ ≤ θ_max",
-    why="Above it the contacts carry on their edges.",
-    inputs=(LOADED, "requirements.max_slope"),
-    source="beam",
-    asks="max_slope",
+_RING = _Place(
+    row=Element(
+        "static=ring_pin_stress fatigue=ring_pin_fatigue slope=ring_pin_slope",
+        {"pins": "the pins of the ring", "contacts": "teeth"},
+        common("gear", "teeth", "load contact gear"),
+    ),
+    of=_ring,
+    tired=_tired_ring,
+    loaded=RING_LOADED,
+    turns="gear.rotates",
+    static_fixes="gear.ring_pin_radius gear.sleeve_bore_radius gear.span load.output_torque",
+    fixes="gear.ring_pin_radius gear.sleeve_bore_radius gear.span load.output_torque",
+    stiffer="gear.ring_pin_radius gear.sleeve_bore_radius load.output_torque",
+    own={"not_of": _not_bent},
 )
-def pin_slope(kind: Kind, design: Design, results: Results) -> Measure:
-    return _softest(results, "max_slope").bent("slope", "slope_satellite")
+
+ROWS = (_OUTPUT.row, _RING.row)
 
 
-@_check(
-    "pin_fatigue",
-    title="Fatigue of the pins",
-    formula="n ≥ S_D",
-    why="Below it the pins break after some time where they bend most.",
-    inputs=(LOADED, "pin.rotates", FATIGUE, LIFE, "requirements.fatigue_safety"),
-    source="shigley",
-    keep="above",
-)
-def pin_fatigue(kind: Kind, design: Design, results: Results) -> Check:
-    pins, _ = _bent(results), results.fatigue_strength  # which is known, or raises
-    at = _section(design, pins.cycle.position)
-    return pins.fatigue(kind, safety=design.requirements.fatigue_safety, at=at)
+def _static(place: _Place) -> Kind:
+    @place.row.check(
+        "static",
+        _STATIC,
+        inputs=(place.loaded, "load.peak_torque requirements.bending_safety"),
+        fixes=place.static_fixes,
+        **place.own,
+    )
+    def static(kind: Kind, design: Design, results: Results) -> Check:
+        return place.of(results).static(kind, design.requirements.bending_safety)
+
+    return static
 
 
-@_check(
-    "pin_wall",
+def _fatigue(place: _Place) -> Kind:
+    @place.row.check(
+        "fatigue",
+        _FATIGUE,
+        inputs=(place.loaded, place.turns, FATIGUE, LIFE, "requirements.fatigue_safety"),
+        fixes=place.fixes,
+        **place.own,
+    )
+    def fatigue(kind: Kind, design: Design, results: Results) -> Check:
+        return place.tired(results).fatigue(kind, design.requirements.fatigue_safety)
+
+    return fatigue
+
+
+def _bent(place: _Place, sort: str, said: Mapping[str, Any], *names: str) -> Kind:
+    """Deflection or slope, where a limit is asked of the softest material that sources allow."""
+    asks = said["asks"]
+
+    @place.row.check(
+        sort,
+        said,
+        inputs=(place.loaded, f"requirements.{asks}"),
+        fixes=place.stiffer,
+        **place.own,
+    )
+    def bent(kind: Kind, design: Design, results: Results) -> Measure:
+        made = results.softest if asked_of(design, asks) else results
+        return place.of(made).bent(*names)
+
+    return bent
+
+
+@_OUTPUT.row.check(
+    "wall",
+    {},
     title="Wall about the bore of the pins",
     unit="MPa",
     formula="σ_w(T_max) ≤ R_e/S_F",
     why="Above it the pin is squeezed flat under the satellite.",
     inputs=(LOADED, "load.peak_torque requirements.bending_safety"),
-    fixes=("pin.bore_diameter", _FIXES, "load.peak_torque"),
+    fixes=("pin.bore_diameter", _OUTPUT.static_fixes),
     source="pin_wall",
 )
 def pin_wall(kind: Kind, design: Design, results: Results) -> Check:
@@ -238,36 +326,12 @@ def pin_wall(kind: Kind, design: Design, results: Results) -> Check:
     return _of_size(pin, by(strength))
 
 
-SLEEVE = 0.1
-"""Least wall of a sleeve over the diameter of its pin: tables of cycloid drives have 0.18 to 0.27,
-wrapped bushes 0.1."""
-
-
-@_check(
-    "wall_sleeve",
-    title="Wall of the sleeves",
-    unit="mm",
-    formula="r_in − d/2 ≥ 0.1·d",
-    why="Thinner sleeves break or run out of round.",
-    inputs="contact.pin_radius pin.diameter",
-    fixes="contact.pin_radius",
-    source="geometry",
-    keep="above",
-)
-def wall_sleeve(kind: Kind, design: Design, results: Results) -> Check:
-    if not design.sleeved:
-        return Check(kind, "not_applicable", reason="without_sleeve")
-    radius, diameter = design.nominal_pair.pin_radius, design.pin.diameter
-    width, guide = radius - diameter / 2, SLEEVE * diameter
-    return wall(kind, width=width, size=radius, guide=guide)
-
-
-_bolt_check = partial(
+_bolt_check: Checks = partial(
     design_check,
-    group="pin",
-    part="pins",
+    inputs=(LOADED, "load.peak_torque"),
+    source="beam",
     needed=False,
-    needs=("touching", "load", "pin", "bolted"),
+    **common("pin", "pins", "touching load pin bolted"),
 )
 
 
@@ -288,8 +352,6 @@ def _gripped(
     unit="Nm",
     formula="M ≤ F_min·(d² + d_i²)/(8·d)",
     why="Beyond it the spacer gapes at the carrier, and the bolt bends alone.",
-    inputs=(LOADED, "load.peak_torque"),
-    source="beam",
 )
 def bolt_opens(kind: Kind, design: Design, results: Results) -> Check:
     found = results.grip
@@ -302,21 +364,21 @@ def bolt_opens(kind: Kind, design: Design, results: Results) -> Check:
     unit="N",
     formula="V ≤ μ·F_min/1.2",
     why="Beyond it the spacer slips on the carrier, and the bolt bends alone.",
-    inputs=(LOADED, "load.peak_torque"),
-    source="beam",
 )
 def bolt_slips(kind: Kind, design: Design, results: Results) -> Check:
     found = results.grip
     return _gripped(kind, results, found.shear_force, found.slip_force, SLIP_SAFETY)
 
 
-PINS = (
-    pin_static,
-    pin_deflection,
-    pin_slope,
-    pin_fatigue,
-    wall_sleeve,
-    pin_wall,
-    bolt_opens,
-    bolt_slips,
+BENDING = (
+    _static(_OUTPUT),
+    _bent(_OUTPUT, "deflection", _DEFLECTION, "deflection", "satellite"),
+    _bent(_OUTPUT, "slope", _SLOPE, "slope", "slope_satellite"),
+    _fatigue(_OUTPUT),
+)
+HOLLOW = (pin_wall, bolt_opens, bolt_slips)
+RING_BENDING = (
+    _static(_RING),
+    _fatigue(_RING),
+    _bent(_RING, "slope", _SLOPE, "slope", "slope_satellite"),
 )

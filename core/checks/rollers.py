@@ -6,6 +6,7 @@ from functools import partial
 
 from core.checks.check import (
     Check,
+    Checks,
     Kind,
     Verdict,
     design_check,
@@ -89,7 +90,7 @@ _INPUTS = (
     "gaps",
 )
 
-_check = partial(design_check, group="rollers")
+_check: Checks = partial(design_check, group="rollers")
 
 
 @_check(

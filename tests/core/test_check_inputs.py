@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 
 from core import checks
-from core.checks import bearings
+from core.checks import bearings, contacts, pins
 from core.checks.check import Check, Kind
 from core.checks.crank_planetary import CRANK_CHECKS, crank_check, crank_codes
 from core.checks.records import CHECKS
@@ -886,6 +886,12 @@ def test_every_record_is_found_by_its_code() -> None:
     ]
     kinds = [kind for each in modules for kind in vars(each).values() if isinstance(kind, Kind)]
     assert len(kinds) > 30 and all(CHECKS[kind.code] is kind for kind in kinds)
+
+
+def test_every_code_of_a_row_is_that_of_one_check() -> None:
+    rows = [*bearings.ROWS, *contacts.IN_HOLES.values(), *contacts.IN_RING.values(), *pins.ROWS]
+    codes = [code for row in rows for code in row.all_codes.values()]
+    assert len(codes) > 30 and len({*codes}) == len(codes) and {*codes} <= {*CHECKS}
 
 
 def test_what_may_be_asked_is_an_input() -> None:

@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 
 from core.checks.check import gap
-from core.checks.contact import pins_apart
 from core.checks.crank_planetary import CRANK_CHECKS, crank_checks, crank_codes
+from core.checks.walls import pins_apart
 from core.design.real_forces import RealForces
 from core.design.results import Results
 from core.design.ring import CycloidRing, InvoluteRing

@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 
 from core.checks.cold_yield import cold_yield
+from core.checks.contacts import PLASTICS
 from core.checks.crank_planetary import crank_check
-from core.checks.plastics import PLASTICS
 from core.checks.reserve import crank_verdict
 from core.design.document import Design
 from core.design.results import Results

@@ -1,0 +1,649 @@
+"""Checks of what presses in a set of contacts: pins in holes, and discs or teeth in their ring.
+
+Pressure over the life and once, for each surface of a set; shakedown and first yield of metals; of
+plastics what is necessary, and never enough: they creep, wear and go soft, and no source says what
+pressure they bear for long, so that what holds is `necessary_only`.
+"""
+
+import math
+from collections.abc import Callable, Mapping
+from functools import partial
+from typing import Any, NamedTuple
+
+from core.checks.check import (
+    MARGIN,
+    Check,
+    Checks,
+    Element,
+    Kind,
+    Unjudged,
+    common,
+    design_check,
+    judged,
+    judged_by,
+    over_range,
+)
+from core.checks.inputs import (
+    LIFE,
+    LOADED,
+    MATERIALS,
+    OF_CLEARANCE,
+    SLIDING,
+    TEETH_GIVE,
+    TEETH_LOADED,
+    paths,
+)
+from core.checks.teeth import not_toothed
+from core.design.document import Design, value_at
+from core.design.results import Results
+from core.design.ring import RingBody
+from core.errors import NotKnown, if_known, is_known, required
+from core.hertz import SLIDING as KNOWN_SLIDING
+from core.hertz import Body, ContactLimit, ElasticMaterial, HertzContact, force_factor, shakedown
+from core.numerics.inverse import edge
+from core.precision import ROUNDING
+from core.ring.sharing import MeshTurn
+
+FIRST_ORDER = 0.02
+"""Error of a pressure in first order, of the mesh: of the peak force up to 4 % were seen."""
+
+DEEP = 3.0
+"""Depth of solid material below a contact over its half-width: there the pressure has fallen to a
+third, and the largest stress lies at 0.75."""
+
+_HOLES = common("contact", "contact", "touching load")
+_RING = common("gear", "teeth", "load contact gear")
+
+IN_HOLES: dict[Body, Element] = {
+    "pin": Element(
+        (
+            "pressure=contact_pressure_pin shakedown=contact_shakedown_pin",
+            "yield=contact_yield_pin static=contact_static_pin",
+        ),
+        {"it": "pin"},
+        _HOLES,
+    ),
+    "hole": Element(
+        (
+            "pressure=contact_pressure_hole shakedown=contact_shakedown_hole",
+            "yield=contact_yield_hole static=contact_static_hole",
+        ),
+        {"it": "hole"},
+        _HOLES,
+    ),
+}
+IN_RING: dict[RingBody, Element] = {
+    "pin": Element(
+        "pressure=ring_pressure_pin static=ring_static_pin",
+        {"it": "pins or teeth of the ring"},
+        _RING,
+    ),
+    "disc": Element(
+        "pressure=ring_pressure_disc static=ring_static_disc", {"it": "satellites' teeth"}, _RING
+    ),
+}
+
+_PRESSURE = {
+    "unit": "MPa",
+    "title": "Contact pressure of the {it}",
+    "formula": "p ≤ p_all·Z_NT/S",
+    "why": "Above it the surface of the {it} pits within the life.",
+}
+_STATIC = {
+    "unit": "MPa",
+    "title": "Contact pressure of the {it} at the peak torque",
+    "formula": "p(T_max) ≤ p_static",
+    "why": "Above it the surface of the {it} is dented at once.",
+    "requires": {"load.peak_torque": "no_peak_torque"},
+    "demands": ("load.peak_torque",),
+    "source": "static_pressure",
+}
+_SHAKEDOWN = {
+    "unit": "MPa",
+    "title": "Shakedown of the {it}",
+    "formula": "p ≤ (2.31 … 2.06)·R_e",
+    "why": "Above it the surface of the {it} flows on with every turn.",
+    "source": "johnson_shakedown",
+}
+_YIELD = {
+    "unit": "MPa",
+    "title": "First yield of the {it}",
+    "formula": "p ≤ f(ν, μ)·R_e",
+    "why": "Above it the {it} yields in the first turns.",
+    "source": "johnson_yield",
+}
+
+FIXES = paths(
+    "pin.diameter contact.contact_length contact.pin_radius load.pin_circle_radius",
+    "mechanism.pins mechanism.satellites load.output_torque contact.fit",
+)
+"""What may lower the pressure in the holes."""
+
+_RING_FIXES = (
+    OF_CLEARANCE,
+    "gear.contact_length gear.ring_pin_radius contact.eccentricity",
+)
+"""What may lower the pressure of the teeth, besides the torque."""
+
+
+def _whence(limit: ContactLimit) -> dict[str, str]:
+    """Attributes of a check: where the limit of its pressure comes from."""
+    source, criterion = limit.source, limit.criterion
+    return {"limit_source": source, "criterion": criterion, "verified": limit.verified or ""}
+
+
+def _limit_of(material: ElasticMaterial, path: str, **known: Any) -> ContactLimit:
+    """The limit of a material, which has to have one."""
+    unknown = "plastic_limit_unknown" if material.plastic else "limit_unknown"
+    return judged_by(material.limit, unknown, f"{path}.allowable_pressure", **known)
+
+
+def _over_life(found: Check, limit: ContactLimit) -> Check:
+    """A pressure against a limit, with how much of the life that has in it, where nothing else is
+    said. Without a speed the limit is the least one, and a pressure that holds the one without
+    life factor fails by what is not given.
+    """
+    if found.reason:
+        return found
+    try:
+        life = limit.life
+    except NotKnown as why:
+        return found._replace(reason=why.code, missing=why.missing)
+    if life.loads == limit.loads:
+        return found._replace(reason="life_of_teeth")
+    value, least = found.compared
+    found = found._replace(reason="life_without_speed", missing=("load.input_speed",))
+    if found.status == "fail" and value <= least / life.factor:
+        return found._replace(status="marginal", reason="range_decides")
+    return found
+
+
+def _static_limit(
+    material: ElasticMaterial, path: str, **known: Any
+) -> tuple[float, dict[str, str]]:
+    """Pressure that a surface bears once, Pa, and whence it is: what it bears for ever it bears
+    once too, beyond which it is not known.
+    """
+    if material.static_pressure is not None:
+        return material.static_pressure, {}
+    lasting = _limit_of(material, path, **known)
+    if known["value"] > lasting.pressure:
+        raise Unjudged("static_limit_unknown", **known)
+    return float(lasting.pressure), _whence(lasting)
+
+
+def _in_disc(
+    kind: Kind, results: Results, contact: HertzContact, *, limit: float, **more: Any
+) -> Check:
+    """The governing pressure of a contact against a limit, with what the edge of the disc makes of
+    it: near enough nothing passes.
+    """
+    disc, pressure = results.disc_of(contact), contact.governing_pressure
+    error = (contact.conformal_error or 0.0) + 8 * contact.accuracy.relative_error
+    if disc is not None:
+        error += disc.params.get("error", 0.0)
+        if disc.code != "finite_disc" and pressure <= limit:
+            said = {"reason": disc.code, "params": disc.params, "at": more.get("at", {})}
+            return Check(kind, "not_checked", value=pressure, limit=limit, **said)
+    reserve = more.get("reserve") or math.inf
+    solved = results.solved or bool(results.design.pin)
+    if not solved and reserve < math.inf:
+        solved = results.ovals_under(max(reserve, MARGIN))
+    return judged(kind, pressure, limit, error=error, solved=solved, **more)
+
+
+def _against_limit(kind: Kind, results: Results, **more: Any) -> Check:
+    """The pressure in the holes against its limit over the life."""
+    return _in_disc(
+        kind,
+        results,
+        results.hertz,
+        **kind.known(results.design, results),
+        reserve=results.contact_reserves[kind.code],
+        at=results.peak,
+        **more,
+    )
+
+
+def _pressure(body: Body) -> Kind:
+    row = IN_HOLES[body]
+
+    def limit_of(design: Design, results: Results) -> ContactLimit:
+        return _limit_of(
+            design.lasting[body],
+            f"contact.{body}_material",
+            value=if_known(lambda: results.hertz.governing_pressure),
+            at=if_known(lambda: results.peak) or {},
+        )
+
+    def known(design: Design, results: Results) -> dict[str, Any]:
+        limit = limit_of(design, results)
+        own = results.pressure_limits[row.code("pressure")]
+        return {"limit": own, "life_factor": limit.life_factor, **_whence(limit)}
+
+    @row.check(
+        "pressure",
+        _PRESSURE,
+        inputs=(LOADED, LIFE, "requirements.pitting_safety"),
+        fixes=(FIXES, f"contact.{body}_material"),
+        source="yanchevsky_2018",
+        known=known,
+    )
+    def pressure(kind: Kind, design: Design, results: Results) -> Check:
+        limit = limit_of(design, results)
+        return _over_life(_against_limit(kind, results), limit)
+
+    return pressure
+
+
+def _flowing(sort: str, said: Mapping[str, Any], body: Body, **more: Any) -> Kind:
+    """The pressure against one by the yield strength, where that governs."""
+    row = IN_HOLES[body]
+
+    @row.check(
+        sort,
+        said,
+        inputs=(LOADED, SLIDING),
+        fixes=(FIXES, f"contact.{body}_material"),
+        known=lambda design, results: {"limit": results.pressure_limits[row.code(sort)]},
+    )
+    def flowing(kind: Kind, design: Design, results: Results) -> Check:
+        material = design.lasting[body]
+        if material.plastic:
+            return Check(kind, "not_applicable", reason="plastic_rules")
+        if not material.yield_governs:
+            return Check(kind, "not_applicable", reason="tested_limit")
+        path = f"contact.{body}_material.yield_strength"
+        strength = judged_by(material.yield_strength, "yield_unknown", path)
+        found = _against_limit(kind, results, **more)
+        if sort == "yield":
+            return found
+        pressure, sliding = results.hertz.governing_pressure, results.sliding_friction
+        if found.status == "fail":
+            if pressure > shakedown(sliding.low) * strength:
+                return found
+            decides = ("friction.coefficient",)
+            return found._replace(status="marginal", reason="range_decides", missing=decides)
+        # between the pressure up to which nothing yields and the one from which it goes on
+        yields = results.pressure_limits[row.code("yield")]
+        if sliding.high > KNOWN_SLIDING and pressure > yields:
+            return found._replace(status="marginal", reason="shakedown_unknown")
+        return found
+
+    return flowing
+
+
+def _static(body: Body) -> Kind:
+    @IN_HOLES[body].check(
+        "static",
+        _STATIC,
+        inputs=(LOADED, "load.peak_torque"),
+        fixes=(FIXES, f"contact.{body}_material load.peak_torque"),
+    )
+    def static(kind: Kind, design: Design, results: Results) -> Check:
+        material = design.lasting[body]
+        if material.plastic and not material.limit:
+            return Check(kind, "not_applicable", reason="plastic_rules")
+        contact, contact_at = results.static_contact, results.static_contact_at
+        path = f"contact.{body}_material"
+        limit, source = _static_limit(material, path, value=contact.governing_pressure)
+        reserve = force_factor(contact=contact, contact_at=contact_at, limit=limit)
+        return _in_disc(kind, results, contact, limit=limit, reserve=reserve, **source)
+
+    return static
+
+
+class Pressed(NamedTuple):
+    """Contact pressure of a mesh."""
+
+    value: float  # largest, Pa
+    error: float  # relative, of number and model
+    solved: bool  # whether forces are shared otherwise under other torques
+    at: Mapping[str, Any]  # where it is reached
+
+
+def mesh_error(turn: MeshTurn) -> float:
+    """Relative error of what is proportional to the forces of a mesh, of number and model."""
+    return float(turn.accuracy.relative_error) + (0.0 if turn.mesh.exact else FIRST_ORDER)
+
+
+def _pressed(results: Results, *, static: bool) -> Pressed:
+    """Largest pressure of the teeth over the turn, under the dynamic load, or at the peak torque;
+    of involute ones that at the start of the path.
+    """
+    design = results.design
+    if design.gear.kind == "involute":
+        factor = design.static_torque / design.pin_torque if static else design.load_factor
+        load = results.ring.involute_load(factor)
+        pressure = required(load.pressure_start, "off_involutes")
+        error = float(load.accuracy.relative_error) + results.ring.satellite_torque_error(factor)
+        return Pressed(pressure, error, results.solved, {})
+    turn = results.ring.static if static else results.ring.loading
+    value = turn.max_pressure
+    pair, angle = turn.hardest_place
+    at = {"satellite": pair.satellite, "pin": pair.pin, "crank_angle": angle}
+    return Pressed(value, mesh_error(turn), True, at)
+
+
+def _judged(kind: Kind, pressed: Pressed, limit: float, **more: Any) -> Check:
+    """A pressure of the teeth, which grows with the root of the torque, against a limit."""
+    reserve = (limit / pressed.value) ** 2
+    return judged(kind, limit=limit, **{"reserve": reserve, **pressed._asdict(), **more})
+
+
+def _ring_pressure(body: RingBody) -> Kind:
+    def limits(design: Design, results: Results) -> dict[str, Any]:
+        """Of a material that has a limit."""
+        material = design.lasting_teeth.get(body)
+        limit = material and material.limit
+        if not limit:
+            return {}
+        allowed = float(limit.allowable) / design.requirements.pitting_safety
+        return {"limit": allowed, "life_factor": limit.life_factor, **_whence(limit)}
+
+    @IN_RING[body].check(
+        "pressure",
+        _PRESSURE,
+        inputs=(TEETH_LOADED, LIFE, "requirements.pitting_safety"),
+        fixes=(_RING_FIXES, "load.output_torque"),
+        source="ring_mesh",
+        not_of=not_toothed,
+        known=limits,
+    )
+    def pressure(kind: Kind, design: Design, results: Results) -> Check:
+        pressed, path = _pressed(results, static=False), design.teeth_path(body)
+        limit = _limit_of(design.lasting_teeth[body], path, value=pressed.value, at=pressed.at)
+        return _over_life(_judged(kind, pressed, **limits(design, results)), limit)
+
+    return pressure
+
+
+def _ring_static(body: RingBody) -> Kind:
+    @IN_RING[body].check(
+        "static",
+        _STATIC,
+        inputs=(TEETH_GIVE, "load.peak_torque"),
+        fixes=(_RING_FIXES, "load.peak_torque"),
+        not_of=not_toothed,
+    )
+    def static(kind: Kind, design: Design, results: Results) -> Check:
+        pressed, path = _pressed(results, static=True), design.teeth_path(body)
+        seen = {"value": pressed.value, "at": pressed.at}
+        limit, source = _static_limit(design.lasting_teeth[body], path, **seen)
+        return _judged(kind, pressed, limit, **source)
+
+    return static
+
+
+def _necessary(
+    results: Results, values: Mapping[str, Any], by: Callable[[Results, bool], Check]
+) -> Check:
+    """A pressure that is necessary only: by the least strength that sources have; it fails for
+    certain above the most that any has, with the least moduli that they have, too. The numbers
+    are those of the largest moduli.
+    """
+
+    def most() -> Check:
+        found, softest = by(results, True), results.softest
+        if found.status != "fail" or softest is results:
+            return found
+        return found if by(softest, True).status == "fail" else found._replace(status="pass")
+
+    return over_range(least=lambda: by(results, False), most=most, values=values)
+
+
+_COLD: dict[str, Any] = {"unit": "MPa", "source": "first_yield"}
+
+_plastic: Checks = partial(design_check, **common("plastic", "contact", "plastics load"))
+
+
+@design_check(
+    "ring_static_cold",
+    title="First yield of plastic teeth",
+    formula="p ≤ f(ν, μ)·R_min",
+    why="Above it the teeth yield under the first load, even cold.",
+    inputs=(
+        TEETH_GIVE,
+        "load.output_torque load.peak_torque contact.dynamic_factor gear.friction_coefficient",
+        "gear.rolling",
+    ),
+    fixes=(_RING_FIXES, "load.output_torque load.peak_torque"),
+    not_of=not_toothed,
+    **common("gear", "teeth", "load contact plastic_teeth"),
+    **_COLD,
+)
+def ring_static_cold(kind: Kind, design: Design, results: Results) -> Check:
+    """Judge the weaker of the satellites' teeth and the ring's teeth or pins."""
+
+    def by(made: Results, most: bool) -> Check:
+        pressed = _pressed(made, static=True)
+        limit = min(made.ring.cold_limit(body, most=most) for body in design.plastic_teeth)
+        return _judged(kind, pressed, limit, **{"reserve": None} if most else {})
+
+    return _necessary(results, design.usual_in_teeth, by)
+
+
+def cold_limits(
+    *, results: Results, contact: HertzContact, most: bool = False
+) -> dict[Body, float]:
+    """Pressures at which plastic bodies of a contact yield at once.
+
+    Parameters
+    ----------
+    results : Results
+        Results of the design.
+    contact : HertzContact
+        The contact.
+    most : bool
+        Whether those at which they do for certain are wanted, not the least ones.
+
+    Returns
+    -------
+    dict
+        Pa, by body.
+    """
+    return {body: results.cold_limit(body, contact, most=most) for body in results.design.plastics}
+
+
+Grown = tuple[HertzContact, Callable[[float], HertzContact]]
+"""A contact, and that under so many times its force."""
+
+
+def _yielding(
+    kind: Kind, results: Results, loaded: Callable[[Results], Grown], part: Mapping[Body, float]
+) -> Check:
+    """The pressure in the holes against a part of that at which the weaker plastic body yields: the
+    limit falls as the contact wraps around its pin.
+    """
+
+    def least(contact: HertzContact, most: bool = False) -> float:
+        limits = cold_limits(results=results, contact=contact, most=most)
+        return min(one * part[body] for body, one in limits.items())
+
+    def reserve_of(contact: HertzContact, at: Callable[[float], HertzContact]) -> float:
+        """Factor on the force at which it yields."""
+
+        def left(factor: float) -> float:
+            there = at(factor)
+            return least(there) - float(there.governing)
+
+        first = force_factor(contact=contact, contact_at=at, limit=least(contact))
+        inside, outside = sorted((1.0, first))
+        if not left(inside) >= 0 or left(outside) >= 0:
+            return first
+        met, _ = edge(inside=inside, outside=outside, excess=left)
+        return met * (1 - 512 * ROUNDING)  # not beyond a jump of the limit by rounding
+
+    def by(made: Results, most: bool) -> Check:
+        limit = least(loaded(results)[0], most)
+        reserve = None if most else reserve_of(*loaded(made))
+        contact, _ = loaded(made)
+        return _in_disc(kind, made, contact, limit=limit, reserve=reserve, at=results.peak)
+
+    return _necessary(results, results.design.usual_in_holes, by)
+
+
+@_plastic(
+    "contact_static_cold",
+    title="First yield of the plastic",
+    formula="p ≤ f(ν, μ)·R_min",
+    why="Above it the plastic yields under the first load, even cold.",
+    inputs=(LOADED, SLIDING, "load.peak_torque"),
+    fixes=(FIXES, "load.peak_torque"),
+    **_COLD,
+)
+def contact_static_cold(kind: Kind, design: Design, results: Results) -> Check:
+    def loaded(made: Results) -> Grown:
+        return made.static_contact, made.static_contact_at
+
+    return _yielding(kind, results, loaded, dict.fromkeys(design.plastics, 1.0))
+
+
+@_plastic(
+    "creep",
+    title="Creep of the plastic",
+    unit="MPa",
+    formula="p ≤ f(ν, μ)·R_min·k_lt",
+    why="Above it the plastic goes on giving way under the load.",
+    inputs=(LOADED, SLIDING),
+    fixes=FIXES,
+    source="long_term",
+)
+def creep(kind: Kind, design: Design, results: Results) -> Check:
+    """By the part of the short strength that whoever gives it has found to last."""
+
+    def loaded(made: Results) -> Grown:
+        largest = made.line_load_factor
+        return made.hertz, lambda factor: made.contact_at(factor * largest)
+
+    lasting = dict[Body, float]()
+    for body, plastic in design.plastics.items():
+        path = f"contact.{body}_material.long_term_factor"
+        lasting[body] = required(plastic.long_term_factor, "creep_unknown", path)
+    return _yielding(kind, results, loaded, lasting)
+
+
+def _not_printed(design: Design, results: Results) -> str:
+    """Why holes have no infill behind their walls; empty where they may."""
+    printed = "hole" in design.plastics and design.plastics["hole"].layered
+    return "" if printed else "not_printed"
+
+
+@_plastic(
+    "contact_solid_depth",
+    title="Solid material below the contact",
+    unit="mm",
+    formula="3·a ≤ w",
+    why="Below a thinner wall lies the infill, which gives way.",
+    inputs=(LOADED, "load.peak_torque satellite_body.solid_wall"),
+    fixes=("satellite_body.solid_wall", FIXES),
+    source="solid_depth",
+    not_of=_not_printed,
+)
+def contact_solid_depth(kind: Kind, design: Design, results: Results) -> Check:
+    """Of holes that may be printed in layers, with infill behind their walls."""
+    given = design.satellite_body.solid_wall if design.satellite_body else None
+    depth = DEEP * float(results.static_contact.half_width)
+    wall = judged_by(given, "solid_wall_unknown", "satellite_body.solid_wall", value=depth)
+
+    def by(made: Results) -> Check:
+        depth = DEEP * float(made.static_contact.half_width)
+        return judged(kind, depth, wall, reserve=(wall / depth) ** 2, solved=True)
+
+    moduli = {
+        path: each for path, each in design.usual_in_holes.items() if path.endswith("modulus")
+    }
+    return over_range(least=lambda: by(results.softest), most=lambda: by(results), values=moduli)
+
+
+def _temperature(kind: Kind, design: Design, body: Body) -> Check:
+    """One body against the temperature at which it goes soft."""
+    path = "temperatures.satellite" if body == "hole" else "temperatures.pins"
+    given = required(value_at(design, path), "temperature_unknown", path)
+    name = f"contact.{body}_material"
+    known = required(design.plastics[body].softening, "softening_unknown", name)
+    return over_range(
+        least=lambda: judged(kind, given, known.low),
+        most=lambda: judged(kind, given, known.high),
+        values={name: known},
+    )
+
+
+@_plastic(
+    "temperature",
+    title="Temperature of the plastic",
+    unit="C",
+    formula="T ≤ T_soft",
+    why="Above it the plastic goes soft; a motor nearby is enough for that.",
+    inputs=("temperatures.satellite temperatures.pins", MATERIALS),
+    fixes="temperatures.satellite temperatures.pins",
+    source="heat_deflection",
+)
+def temperature(kind: Kind, design: Design, results: Results) -> Check:
+    """Of the body that fails, else of the first that is not known."""
+    found, unknown = [], []
+    for body in design.plastics:
+        try:
+            found.append(_temperature(kind, design, body))
+        except NotKnown as why:
+            unknown.append(why)
+    failing = [check for check in found if check.status == "fail"]
+    if unknown and not failing:
+        raise unknown[0]
+    return max(failing or found, key=lambda check: check.utilisation or 0.0)
+
+
+@_plastic(
+    "fatigue_plastic",
+    title="Fatigue of the plastic",
+    formula="N ≥ N_L",
+    why="Every turn loads each place of the holes once, and plastics have no endurance limit.",
+    inputs=MATERIALS,
+    keep="above",
+    source="no_source",
+)
+def fatigue_plastic(kind: Kind, design: Design, results: Results) -> Check:
+    return Check(kind, "not_checked", reason="no_plastic_fatigue")
+
+
+@design_check(
+    "contact_conformity",
+    title="Width of the contact",
+    formula="a/r ≤ 0.159",
+    why="No check any more: wide contacts have a pressure of their own.",
+    source="hertz",
+    **_HOLES,
+)
+def contact_conformity(kind: Kind, design: Design, results: Results) -> Check:
+    """For one release."""
+    return Check(kind, "not_applicable", reason="conformal_solution")
+
+
+def life_considered(*, design: Design, body: Body) -> bool:
+    """Whether the limit of the pressure of a body, if one is known, is that over the life.
+
+    Parameters
+    ----------
+    design : Design
+        The design.
+    body : {"pin", "hole"}
+        Whose surface.
+
+    Returns
+    -------
+    bool
+    """
+    limit = design.lasting[body].limit
+    return not limit or is_known(lambda: limit.life)
+
+
+PLASTICS = (contact_static_cold, contact_solid_depth, temperature, creep, fatigue_plastic)
+CONTACT = (
+    *map(_pressure, IN_HOLES),
+    *(_flowing("shakedown", _SHAKEDOWN, body) for body in IN_HOLES),
+    *(_flowing("yield", _YIELD, body, warning="plastic_first") for body in IN_HOLES),
+    *map(_static, IN_HOLES),
+    contact_conformity,
+    *PLASTICS,
+)
+TEETH = (*map(_ring_pressure, IN_RING), *map(_ring_static, IN_RING), ring_static_cold)

@@ -1,0 +1,380 @@
+"""Checks of what somebody may ask of the meshes: play, evenness, efficiency, sliding, wear, seats.
+
+Each returns what is measured; `make_check` holds it against the requirement of its record. What
+takes a solution is not looked for where nobody asks.
+"""
+
+from functools import partial
+
+from core.checks.check import (
+    Check,
+    Checks,
+    Kind,
+    Measure,
+    Unjudged,
+    asked_of,
+    common,
+    design_check,
+    judged,
+    judged_by,
+    make_check,
+)
+from core.checks.contacts import FIRST_ORDER, mesh_error
+from core.checks.inputs import (
+    CRANKS,
+    FORCES,
+    HOLE,
+    INVOLUTE_TEETH,
+    LIFE,
+    OF_BENT_PINS,
+    OF_CLEARANCE,
+    RING_FORCES,
+    RING_GIVES,
+    RING_LOADED,
+    SHARING,
+    SPEEDS,
+    TEETH_GAPS,
+)
+from core.checks.teeth import not_cycloid, not_toothed, ring_alone
+from core.design.document import Design
+from core.design.results import Results
+from core.errors import NotKnown, if_known
+
+MOST_PLAY = 0.75
+"""Clearance over the eccentricity above which a design is marginal: the play is a large part of
+what the mechanism moves by."""
+
+_BACKLASH = {
+    "unit": "arcmin",
+    "formula": "max(θ₊ − θ₋) ≤ Δφ",
+    "why": "Otherwise the unloaded output turns by more than is asked.",
+}
+_EFFICIENCY = {"formula": "η ≥ η_min", "source": "user", "keep": "above"}
+_PV = {"unit": "MPa_m_per_s", "formula": "p·v ≤ (pv)_all", "source": "user", "asks": "max_pv"}
+
+# No meshes in series have the factor of a share that is stated: of their play it is an input.
+_play: Checks = partial(
+    design_check,
+    fixes="contact.hole_radius contact.fit",
+    source="load_sharing",
+    **common("play", "contact", "touching load"),
+)
+_rubs: Checks = partial(design_check, **common("friction", "losses", "touching load rubs"))
+_ring: Checks = partial(design_check, **common("gear", "teeth", "load contact gear"))
+_of_teeth: Checks = partial(_ring, not_of=not_toothed)
+
+
+def _of_both(results: Results) -> str | None:
+    """Why a value is of both meshes, where they are in series."""
+    return "both_meshes" if results.in_series else None
+
+
+@_play(
+    "backlash",
+    title="Backlash of the output mechanism",
+    inputs=(
+        CRANKS,
+        "mechanism.ratio load.pin_circle_radius",
+        HOLE,
+        "contact.eccentricity deviations crank_support rollers.radial_clearance",
+        "requirements.max_backlash contact.distribution_factor",
+        "gear.kind gear.ring_pin_circle_radius gear.teeth_difference",
+        OF_CLEARANCE,
+        "gear.modification.rotation",
+    ),
+    asks="max_backlash",
+    **_BACKLASH,
+)
+def backlash(kind: Kind, design: Design, results: Results) -> Measure:
+    of_fit = design.known_clearance and 0.0  # none, or interference
+    play = results.loading.turn.backlash_max if results.solved else of_fit
+    return Measure(design.members.angle_at_output(play), reason=_of_both(results))
+
+
+@_play(
+    "lost_motion",
+    title="Lost motion of the output mechanism",
+    unit="arcmin",
+    formula="θ(+3 % T) − θ(−3 % T) ≤ Δφ",
+    why="Otherwise the output gives way by more than is asked when the torque turns.",
+    inputs=(
+        "load.output_torque contact.distribution_factor load.pin_circle_radius",
+        CRANKS,
+        "mechanism.ratio",
+        SHARING,
+        "requirements.max_lost_motion",
+        RING_GIVES,
+        "gear.modification.rotation",
+    ),
+    asks="max_lost_motion",
+)
+def lost_motion(kind: Kind, design: Design, results: Results) -> Measure:
+    """At the torque itself, of which it takes a share; not solved for where nobody asks. Asked, it
+    is that of the softest material that sources allow.
+    """
+    solved = results.solved and design.load_factor == 1
+    asked, _ = asked_of(design, "max_lost_motion"), design.known_clearance
+    if not (solved or asked):
+        raise NotKnown("no_limit")
+    made = results.softest if asked else results
+    lost = made.real_forces.turn.lost_motion
+    return Measure(design.members.angle_at_output(lost), reason=_of_both(results))
+
+
+@design_check(
+    "clearance",
+    title="Clearance over eccentricity",
+    formula="(r_out − r_in − e)/e ≤ 0.75",
+    why="Otherwise the play is a large part of what the mechanism moves by.",
+    inputs=(HOLE, "contact.eccentricity"),
+    fixes="contact.hole_radius contact.fit",
+    source="yanchevskiy_2021",
+    **common("geometry", "contact", "touching"),
+)
+def clearance(kind: Kind, design: Design, results: Results) -> Check:
+    share = max(design.known_clearance, 0.0) / design.known_eccentricity
+    wanted = [
+        make_check(play, design, results).status == "pass"
+        for play in (backlash, lost_motion)
+        if share > MOST_PLAY and asked_of(design, play.asks)
+    ]
+    if wanted and all(wanted):  # as much play as is asked for
+        return Check(kind, "pass", value=share, limit=MOST_PLAY)
+    ratio = {"ratio": share}
+    return judged(kind, share, MOST_PLAY, warning="clearance_like_eccentricity", params=ratio)
+
+
+@_of_teeth(
+    "ring_backlash",
+    title="Backlash of the teeth",
+    inputs=(TEETH_GAPS, "contact.distribution_factor requirements.max_ring_backlash"),
+    fixes=(OF_CLEARANCE, "gear.satellite_profile_shift"),
+    source="ring_mesh",
+    asks="max_ring_backlash",
+    **_BACKLASH,
+)
+def ring_backlash(kind: Kind, design: Design, results: Results) -> Check | Measure:
+    """Of the ring alone; not looked for where nobody asks. Of involute teeth known at once."""
+    if design.gear.kind == "involute":
+        return Measure(design.members.angle_at_output(max(results.ring.pair.backlash, 0.0)))
+    judged_by(design.requirements.max_ring_backlash, "no_limit")
+    play = results.ring.working[0].play_in_ring
+    return Measure(design.members.angle_at_output(play), reason=ring_alone(results))
+
+
+@_of_teeth(
+    "ring_transmission_error",
+    title="Transmission error of the teeth",
+    unit="arcmin",
+    formula="max θ − min θ ≤ TE",
+    why="Otherwise the output turns less evenly than is asked.",
+    inputs=(RING_FORCES, "requirements.max_transmission_error"),
+    fixes=OF_CLEARANCE,
+    source="ring_mesh",
+    asks="max_transmission_error",
+    only_asked=True,
+)
+def ring_transmission_error(kind: Kind, design: Design, results: Results) -> Check | Measure:
+    """Under the torque itself, of both meshes where they are in series; not looked for where nobody
+    asks.
+    """
+    if design.gear.kind == "involute":
+        raise NotKnown("tooth_errors_unknown")
+    worst = max(turn.transmission_error for turn in results.ring.working)
+    return Measure(design.members.angle_at_output(worst), reason=_of_both(results))
+
+
+@_rubs(
+    "efficiency",
+    title="Efficiency of the output mechanism",
+    why="Below it more is lost than is asked.",
+    inputs=(
+        FORCES,
+        "gear.modification.rotation",
+        SPEEDS,
+        INVOLUTE_TEETH,
+        "gear.friction_coefficient gear.sleeve_bore_radius friction.coefficient friction.sleeve",
+        "rollers.kind rollers.bore_diameter rollers.friction_coefficient",
+        "requirements.min_efficiency",
+    ),
+    fixes="friction.coefficient load.pin_circle_radius pin.diameter",
+    asks="min_efficiency",
+    **_EFFICIENCY,
+)
+def efficiency(kind: Kind, design: Design, results: Results) -> Measure:
+    """Its limit is used by the losses: at least those of pins, and of teeth where their friction is
+    known.
+    """
+    value, asked = results.losses.efficiency, design.requirements.min_efficiency
+    toothed = design.gear and design.gear.kind != "none"
+    if toothed and design.gear.friction_coefficient is None and value >= (asked or 1.0):
+        raise Unjudged("ring_friction_unknown", "gear.friction_coefficient", value=value)
+    return Measure(value, used=lambda limit: (1 - value) / (1 - limit), reason="losses_left_out")
+
+
+@_rubs(
+    "sliding_speed",
+    title="Sliding speed",
+    unit="m_per_s",
+    formula="v ≤ v_max",
+    why="Above it the surfaces get hot.",
+    inputs=(
+        SPEEDS,
+        "mechanism.ratio contact.eccentricity friction.sleeve pin.diameter contact.pin_radius",
+        "requirements.max_sliding_speed",
+    ),
+    fixes="load.input_speed pin.diameter",
+    source="user",
+    asks="max_sliding_speed",
+)
+def sliding_speed(kind: Kind, design: Design, results: Results) -> Check | Measure:
+    if design.rollers:
+        return Check(kind, "not_applicable", reason="rollers_roll")
+    return Measure(float(results.losses.pins.sliding_speed))
+
+
+def _with_torque(results: Results, value: float) -> Measure:
+    """A value of the losses that grows with the largest force."""
+    return Measure(
+        value,
+        error=4 * float(results.losses.pins.accuracy.relative_error),
+        reserve=lambda growth: growth,
+        solved=results.solved,
+    )
+
+
+@_rubs(
+    "pv",
+    title="Pressure times sliding speed",
+    why="Above it the surfaces get hot and wear fast.",
+    inputs=(FORCES, SPEEDS, "friction.sleeve requirements.max_pv"),
+    fixes=(
+        "contact.pin_radius contact.contact_length load.pin_circle_radius load.input_speed",
+        "load.output_torque",
+    ),
+    **_PV,
+)
+def pv(kind: Kind, design: Design, results: Results) -> Check | Measure:
+    """Of a sleeve, which is a bush; a bare pin in a wider hole is none."""
+    if design.rollers:
+        return Check(kind, "not_applicable", reason="rollers_roll")
+    value = float(results.losses.pins.peak_pv)
+    if not design.friction.sleeve:
+        return Check(kind, "not_applicable", value=value, reason="no_bush")
+    return _with_torque(results, value)
+
+
+@_rubs(
+    "wear",
+    title="Wear of pins and holes",
+    unit="mm",
+    formula="h ≤ h_max",
+    why="Above it the output has more play than is asked before the end of its life.",
+    inputs=(FORCES, LIFE, "friction.wear_rate friction.life requirements.max_wear"),
+    fixes=(
+        "friction.wear_rate contact.contact_length contact.pin_radius load.pin_circle_radius",
+        "load.input_speed load.output_torque",
+    ),
+    source="archard_1953",
+    asks="max_wear",
+)
+def wear(kind: Kind, design: Design, results: Results) -> Check | Measure:
+    if design.rollers:
+        return Check(kind, "not_applicable", reason="rollers_roll")
+    losses = results.losses.pins
+    hole = if_known(lambda: losses.hole_wear) or 0.0
+    return _with_torque(results, float(max(losses.pin_wear, hole)))
+
+
+def _not_seated(design: Design, results: Results) -> str:
+    """Why a check is none of pins of the ring in seats; empty where they are."""
+    if other := not_cycloid(design, results):
+        return other
+    return "" if design.cycloid.pin_support == "seat" else "pins_bend"
+
+
+def _no_sleeves(design: Design, results: Results) -> str:
+    """Why a check is none of sleeves that slide on the pins of the ring; empty where they do."""
+    if other := not_cycloid(design, results):
+        return other
+    ring = design.cycloid
+    return "" if ring.sleeve_bore_radius and not ring.rolling else "no_bush"
+
+
+@_ring(
+    "ring_seat_pressure",
+    title="Pressure of the ring's pins in their seats",
+    unit="MPa",
+    formula="F/(2·r_p·b) ≤ p_all",
+    why="Above it the bores that hold the pins of the ring wear out.",
+    inputs=(
+        tuple(name for name in RING_LOADED if name not in OF_BENT_PINS),
+        "requirements.max_seat_pressure",
+    ),
+    fixes="gear.ring_pin_radius gear.contact_length load.output_torque",
+    source="user",
+    not_of=_not_seated,
+    asks="max_seat_pressure",
+    only_asked=True,
+    needed=False,
+)
+def ring_seat_pressure(kind: Kind, design: Design, results: Results) -> Check | Measure:
+    """Of the force on the area that the pin covers; not looked for where nobody asks."""
+    turn = results.ring.loading
+    area = 2 * turn.mesh.disc.ring_pin_radius * turn.mesh.contact_length
+    pair = turn.peak_pair
+    return Measure(
+        turn.peak_force / area,
+        error=mesh_error(turn),
+        at={"satellite": pair.satellite, "pin": pair.pin, "crank_angle": turn.peak_crank_angle},
+        reserve=lambda growth: growth,
+        solved=True,
+    )
+
+
+@_of_teeth(
+    "ring_efficiency",
+    title="Efficiency of the teeth",
+    why="Below it more is lost in the teeth than is asked.",
+    inputs=(
+        RING_FORCES,
+        INVOLUTE_TEETH,
+        "gear.friction_coefficient requirements.min_ring_efficiency",
+    ),
+    fixes="gear.friction_coefficient",
+    asks="min_ring_efficiency",
+    only_asked=True,
+    **_EFFICIENCY,
+)
+def ring_efficiency(kind: Kind, design: Design, results: Results) -> Check | Measure:
+    """Its limit is used by the losses; not looked for where nobody asks."""
+    loss = results.ring.loss
+    exact = design.gear.kind == "involute" or results.ring.working[0].mesh.exact
+    unsure = loss.loss_error + (0.0 if exact else FIRST_ORDER)
+    return Measure(
+        loss.efficiency,
+        error=loss.loss_ratio * loss.efficiency * unsure,
+        used=lambda limit: (1 - loss.efficiency) / (1 - limit),
+    )
+
+
+@_ring(
+    "ring_pv",
+    title="Pressure times sliding speed of the sleeves of the ring",
+    why="Above it the sleeves on the pins of the ring get hot and wear fast.",
+    inputs=(RING_FORCES, SPEEDS, "contact.distribution_of gear.rolling requirements.max_pv"),
+    fixes="gear.contact_length load.input_speed load.output_torque",
+    not_of=_no_sleeves,
+    requires={"load.input_speed": "speed_missing"},
+    only_asked=True,
+    needed=False,
+    **_PV,
+)
+def ring_pv(kind: Kind, design: Design, results: Results) -> Check | Measure:
+    return Measure(results.ring.pv, error=mesh_error(results.ring.working[0]), solved=True)
+
+
+PLAY = (backlash, lost_motion)
+FRICTION = (efficiency, sliding_speed, pv, wear)
+TURNING = (ring_backlash, ring_transmission_error)
+SEATS = (ring_seat_pressure, ring_efficiency, ring_pv)

@@ -1,0 +1,357 @@
+"""Checks of what goes together: cranks and satellites, room of pins in their holes; walls and gaps
+between holes, pins and rollers, to rim, bore and axis, of sleeves; the space that satellites take.
+"""
+
+import math
+from functools import partial
+
+from core.checks.check import (
+    Check,
+    Checks,
+    Kind,
+    Measure,
+    Status,
+    common,
+    design_check,
+    gap,
+    judged,
+    judged_by,
+    not_checked,
+    wall,
+)
+from core.checks.inputs import CRANKS, HOLE, ROOTS
+from core.checks.teeth import NOT_OF
+from core.design.document import Design, value_at
+from core.design.results import Results
+from core.errors import NotKnown, required
+from core.output.fit import FITS
+from core.output.mechanism import assembly_angles
+
+RIM = 2.7
+"""Least rim below the roots of involute teeth over their module: 1.2 times the height of teeth of
+the basic rack of ISO 53, as rims that do not weaken the teeth have (AGMA 2001, ISO 6336-3)."""
+
+SLEEVE = 0.1
+"""Least wall of a sleeve over the diameter of its pin: tables of cycloid drives have 0.18 to 0.27,
+wrapped bushes 0.1."""
+
+BETWEEN_PINS = 0.1
+"""Least wall of the ring between its pins, over their diameter."""
+
+_mechanism: Checks = partial(design_check, group="mechanism", part="contact")
+_wall: Checks = partial(design_check, unit="mm", keep="above")
+_placed: Checks = partial(_wall, **common("geometry", "contact", "touching load"))
+_body: Checks = partial(_wall, **common("body", "body", "touching load satellite_body"))
+
+
+@_mechanism(
+    "dead_centre",
+    title="Dead centres",
+    formula="Δθ < 180°",
+    why="There no pair drives, and no torque is transmitted.",
+    inputs=CRANKS,
+    fixes="mechanism.pins mechanism.satellites",
+    source="yanchevskiy_2021",
+)
+def dead_centre(kind: Kind, design: Design, results: Results) -> Check:
+    zones = design.driven.phases.dead_zones()
+    if not zones:
+        return Check(kind, "pass", value=0.0, limit=0.0)
+    start = zones[0][0] * design.built.crank_angle_per_wave
+    at = {"crank_angle": start}
+    return judged(kind, float(len(zones)), 0.0, impossible=True, at=at)
+
+
+@_mechanism(
+    "assembly",
+    title="Satellites that differ",
+    formula="ψ_j = 0",
+    why="Otherwise they are different parts that can be exchanged by mistake.",
+    inputs=(
+        "mechanism.satellite_teeth mechanism.ratio mechanism.pins mechanism.satellites",
+        "mechanism.crank_spacing mechanism.crank_angles",
+    ),
+    fixes="mechanism.satellites",
+    source="yanchevskiy_2021",
+)
+def assembly(kind: Kind, design: Design, results: Results) -> Check:
+    name = "mechanism.satellite_teeth"
+    teeth = judged_by(design.mechanism.satellite_teeth, "", name, status="not_asked")
+    angles = assembly_angles(mechanism=design.built, satellite_teeth=teeth)
+    different = sum(not each.identical for each in angles)
+    return judged(kind, float(different), 0.0, warning="different_parts")
+
+
+@design_check(
+    "interference",
+    title="Room of the pins in their holes",
+    unit="mm",
+    formula="min(C − |P·exp(−iθ) − H|) ≥ 0",
+    why="Otherwise the parts cannot be put together, jam, or press without load.",
+    inputs=(HOLE, "contact.eccentricity deviations rollers.radial_clearance"),
+    keep="above",
+    fixes="contact.hole_radius contact.fit",
+    **common("geometry", "contact", "touching"),
+)
+def interference(kind: Kind, design: Design, results: Results) -> Check:
+    """By geometry, before any force: the room over the turn."""
+    clearance = design.known_clearance
+    try:
+        room = results.rooms.room
+        misfit = "" if room.state == "fits" else results.fit.misfit
+    except NotKnown as why:
+        if clearance >= 0 and not design.deviations:  # the room is the clearance
+            return judged(kind, clearance, 0.0)._replace(utilisation=None)
+        if not design.load:
+            raise
+        if clearance < 0:  # of all pairs alike
+            lacking = {
+                "satellite": 1,
+                "pin": 1,
+                "missing_length": -clearance,
+                "needed_length": design.nominal_pair.hole_radius - clearance,
+            }
+            found = Check(kind, "fail", value=clearance, limit=0.0, impossible=True)
+            return found._replace(reason="cannot_assemble", params=lacking)
+        return not_checked(kind, why)._replace(limit=0.0)
+    at: dict[str, float] = {}
+    if room.binding:
+        pair = room.binding[0]
+        at = {"satellite": pair.satellite, "pin": pair.pin}
+    at |= room.where
+    status: Status = "fail"
+    if misfit in FITS:
+        status = "marginal" if misfit else "pass"
+    return Check(
+        kind,
+        status,
+        value=0.0 if status == "pass" and room.least < 0 else room.least,
+        limit=0.0,
+        reason=misfit,
+        params=results.fit.refusal().params if misfit == "cannot_assemble" else {},
+        impossible=status == "fail",
+        at=at,
+    )
+
+
+def of_both(results: Results) -> str | None:
+    """Why a value is of both meshes, where it is.
+
+    Parameters
+    ----------
+    results : Results
+        Results of a design.
+
+    Returns
+    -------
+    str or None
+        The reason.
+    """
+    return "both_meshes" if results.in_series else None
+
+
+def _between(design: Design, radius: float) -> float:
+    """Width between neighbours on the pin circle, m; infinite of a single one."""
+    pins = design.mechanism.pins
+    if pins < 2:
+        return math.inf
+    return 2 * design.load.pin_circle_radius * math.sin(math.pi / pins) - 2 * radius
+
+
+@_placed(
+    "wall_holes",
+    part="body",
+    title="Wall between holes",
+    formula="2·R·sin(π/N) − 2·r_out ≥ w",
+    why="Otherwise the holes overlap, or the satellite is weak between them.",
+    inputs="mechanism.pins load.pin_circle_radius contact.hole_radius requirements.min_wall",
+    fixes="load.pin_circle_radius contact.pin_radius mechanism.pins",
+    source="wang_2016",
+)
+def wall_holes(kind: Kind, design: Design, results: Results) -> Check:
+    radius, least = design.nominal_pair.hole_radius, design.requirements.min_wall
+    width = _between(design, radius)
+    if math.isinf(width):
+        return Check(kind, "not_applicable", reason="one_only")
+    return wall(kind, width=width, size=radius, least=least, guide=design.wall_guide)
+
+
+@_placed(
+    "pins_apart",
+    title="Space between pins",
+    formula="2·R·sin(π/N) − 2·r_in > 0",
+    why="Otherwise the pins overlap.",
+    inputs="mechanism.pins load.pin_circle_radius contact.pin_radius",
+    fixes="load.pin_circle_radius contact.pin_radius mechanism.pins",
+)
+def pins_apart(kind: Kind, design: Design, results: Results) -> Check:
+    radius = design.nominal_pair.pin_radius
+    width = _between(design, radius)
+    if math.isinf(width):
+        return Check(kind, "not_applicable", reason="one_only")
+    return gap(kind, width=width, size=radius)
+
+
+@_placed(
+    "holes_off_centre",
+    title="Holes beside the centre",
+    formula="R − r_out > 0",
+    why="Otherwise the holes reach the axis.",
+    inputs="load.pin_circle_radius contact.hole_radius",
+    fixes="load.pin_circle_radius contact.pin_radius",
+)
+def holes_off_centre(kind: Kind, design: Design, results: Results) -> Check:
+    size = design.nominal_pair.hole_radius
+    return gap(kind, width=design.load.pin_circle_radius - size, size=size)
+
+
+def _within_roots(kind: Kind, design: Design, *, solid: bool) -> Check:
+    """The wall between the holes and the roots of the satellite's teeth: it passes by the least
+    radius of these, fails by the largest, and is not known between. Solid, it has to be as thick
+    as is asked, or usual; else it has to be there.
+    """
+    size = design.nominal_pair.hole_radius
+    reach = design.load.pin_circle_radius + size
+    known = design.satellite_body and design.satellite_body.root_radius
+    source = "roots" if design.gear and not known else ""
+
+    def wide(radius: float) -> Check:
+        if not solid:
+            return gap(kind, width=radius - reach, size=size)._replace(limit_source=source)
+        asked = design.requirements.min_wall
+        found = wall(kind, width=radius - reach, size=size, least=asked, guide=_rim_guide(design))
+        return found if found.limit_source else found._replace(limit_source=source)
+
+    shallow, deep = map(wide, reversed(design.roots))
+    if deep.status != "fail":
+        return deep
+    if shallow.status == "fail":
+        return shallow
+    cycloid = design.gear and design.gear.kind == "cycloid"
+    if cycloid:
+        _ = design.known_eccentricity
+    name = "gear.ring_pin_radius" if cycloid else "satellite_body.root_radius"
+    return Check(kind, "not_checked", limit=deep.limit, reason="roots_unknown", missing=(name,))
+
+
+def _rim_guide(design: Design) -> float | None:
+    """Least wall to the rim that is usual, m: within involute teeth 1.2 times their height."""
+    gear = design.gear
+    if gear and gear.kind == "involute":
+        return RIM * gear.module
+    return design.wall_guide
+
+
+@_body(
+    "wall_rim",
+    title="Wall to the rim",
+    formula="r_f − R − r_out ≥ w",
+    why="Otherwise the holes break through the rim of the satellite.",
+    inputs=(ROOTS, "load.pin_circle_radius contact.hole_radius requirements.min_wall"),
+    fixes=(
+        "satellite_body.outer_radius satellite_body.root_radius load.pin_circle_radius",
+        "contact.pin_radius",
+    ),
+    source="wang_2016",
+)
+def wall_rim(kind: Kind, design: Design, results: Results) -> Check:
+    if math.isinf(design.roots[1]):
+        raise NotKnown("size_missing", "satellite_body.outer_radius")
+    return _within_roots(kind, design, solid=True)
+
+
+@_body(
+    "wall_bore",
+    title="Wall to the bore",
+    formula="R − r_out − r_b ≥ w",
+    why="Otherwise the holes break into the bore of the satellite.",
+    inputs=(
+        "satellite_body.bore_radius load.pin_circle_radius contact.hole_radius",
+        "requirements.min_wall",
+    ),
+    fixes="satellite_body.bore_radius load.pin_circle_radius contact.pin_radius",
+    source="wang_2016",
+)
+def wall_bore(kind: Kind, design: Design, results: Results) -> Check:
+    size = design.nominal_pair.hole_radius
+    bore = required(design.bore_radius, "size_missing", "satellite_body.bore_radius")
+    width, least = design.load.pin_circle_radius - size - bore, design.requirements.min_wall
+    return wall(kind, width=width, size=size, least=least, guide=design.wall_guide)
+
+
+@_body(
+    "outer_diameter",
+    title="Diameter of the space of the satellites",
+    formula="2·(r_o + e) ≤ D_max",
+    why="Otherwise the satellites do not fit into the space that is asked.",
+    inputs="satellite_body.outer_radius contact.eccentricity requirements.max_outer_diameter",
+    fixes="satellite_body.outer_radius",
+    keep="below",
+    asks="max_outer_diameter",
+    asked_alone=True,
+)
+def outer_diameter(kind: Kind, design: Design, results: Results) -> Measure:
+    """Of the circle in which a satellite moves."""
+    path = "satellite_body.outer_radius"
+    radius: float = required(value_at(design, path), "size_missing", path)
+    return Measure(2 * (radius + design.known_eccentricity))
+
+
+@_wall(
+    "gear_room",
+    title="Holes within the teeth",
+    formula="r_f − R − r_out > 0",
+    why="Otherwise the holes lie in the teeth of the satellite, or beyond.",
+    inputs=(ROOTS, "load.pin_circle_radius contact.hole_radius"),
+    fixes=(
+        "load.pin_circle_radius contact.pin_radius gear.ring_pin_circle_radius",
+        "gear.ring_pin_radius",
+    ),
+    **common("gear", "body", "touching load gear"),
+)
+def gear_room(kind: Kind, design: Design, results: Results) -> Check:
+    if design.gear.kind not in ("involute", "cycloid"):
+        return Check(kind, "not_applicable", reason="no_teeth")
+    return _within_roots(kind, design, solid=False)
+
+
+@_wall(
+    "wall_sleeve",
+    title="Wall of the sleeves",
+    formula="r_in − d/2 ≥ 0.1·d",
+    why="Thinner sleeves break or run out of round.",
+    inputs="contact.pin_radius pin.diameter",
+    fixes="contact.pin_radius",
+    **common("pin", "pins", "touching load pin"),
+)
+def wall_sleeve(kind: Kind, design: Design, results: Results) -> Check:
+    if not design.sleeved:
+        return Check(kind, "not_applicable", reason="without_sleeve")
+    radius, diameter = design.nominal_pair.pin_radius, design.pin.diameter
+    width, guide = radius - diameter / 2, SLEEVE * diameter
+    return wall(kind, width=width, size=radius, guide=guide)
+
+
+@_wall(
+    "ring_pin_room",
+    title="Space between the ring's pins",
+    formula="2·R_p·sin(π/n) − 2·r_p ≥ 0.2·r_p",
+    why="Otherwise the pins of the ring overlap, or hardly any of it is left between them.",
+    inputs=(
+        "gear.kind gear.ring_pin_circle_radius gear.ring_pin_radius gear.teeth_difference",
+        "gear.every_second_pin mechanism.ratio",
+    ),
+    fixes="gear.ring_pin_radius gear.ring_pin_circle_radius",
+    not_of=lambda design, results: "" if design.gear.kind == "cycloid" else NOT_OF["cycloid"],
+    **common("gear", "teeth", "gear"),
+)
+def ring_pin_room(kind: Kind, design: Design, results: Results) -> Check:
+    pins = design.ring_pins // (2 if design.cycloid.every_second_pin else 1)
+    size, circle = design.cycloid.known_pin_radius, design.cycloid.ring_pin_circle_radius
+    width = 2 * circle * math.sin(math.pi / pins) - 2 * size
+    return wall(kind, width=width, size=size, guide=2 * BETWEEN_PINS * size)
+
+
+FITTED = (dead_centre, assembly, interference)
+LAYOUT = (wall_holes, pins_apart, holes_off_centre)
+BODY = (wall_rim, wall_bore, outer_diameter)
