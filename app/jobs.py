@@ -373,9 +373,13 @@ def _started(former: BaseProcess | None) -> _Child:
 
 
 def _end_server() -> None:
-    """End the fork server, which answers nobody while it imports: another one starts if wanted."""
+    """End the fork server, which answers nobody while it imports: another one starts if wanted,
+    which multiprocessing sees once this one has ended.
+    """
     if pid := forkserver._forkserver._forkserver_pid:  # type: ignore[attr-defined]
-        os.kill(pid, signal.SIGKILL)
+        with suppress(ProcessLookupError, ChildProcessError):  # it is waited for elsewhere
+            os.kill(pid, signal.SIGKILL)
+            os.waitid(os.P_PID, pid, os.WEXITED | os.WNOWAIT)
 
 
 def _kill(process: BaseProcess) -> None:

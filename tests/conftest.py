@@ -2,10 +2,12 @@
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import settings
 
+from tests.inputs.children import end_those_of
 from tests.running_service import Service, running_service
 
 # `make test` draws the same examples each time; `make accuracy` draws more, and others each time
@@ -72,6 +74,12 @@ def served() -> Iterator[Service]:
     proxy = {"trusted_proxies": "127.0.0.0/8", "root_path": "/reducers"}
     with running_service(max_seconds=300, **proxy) as running:
         yield running
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_testnodedown(node: Any) -> None:
+    """What a worker's tests have started ends with it, also where a test that hung ended it."""
+    end_those_of(node.workerinput["workerid"], node.workerinput["testrunuid"])
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:

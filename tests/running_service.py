@@ -13,6 +13,8 @@ from contextlib import contextmanager, suppress
 
 import httpx
 
+from tests.inputs.children import end, start
+
 
 class Service:
     """A running service, its address and its log."""
@@ -23,12 +25,11 @@ class Service:
         environment = {name: text for name, text in os.environ.items() if name[:4] != "KHV_"}
         environment |= {f"KHV_{name.upper()}": str(value) for name, value in limits.items()}
         before = ["sh", "-c", f'ulimit -n {descriptors}; exec "$@"', "sh"] if descriptors else []
-        self.process = subprocess.Popen(
-            [*before, sys.executable, "-m", "app.serve", *arguments],
+        self.process = start(
+            *(*before, sys.executable, "-m", "app.serve", *arguments),
             env=environment | {"PYTHONPATH": "."},
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
-            text=True,
         )
         self.lines = []
         self.reading = threading.Event()
@@ -84,10 +85,13 @@ class Service:
 
     def stop(self):
         self.go_on()
-        self.process.terminate()
-        self.process.wait(30)
-        self.reader.join()
-        self.process.stdout.close()
+        try:
+            self.process.terminate()
+            self.process.wait(30)
+        finally:
+            end(self.process)
+            self.reader.join()
+            self.process.stdout.close()
 
 
 GONE = FileNotFoundError, ProcessLookupError

@@ -31,6 +31,7 @@ from core.output.over_turn import over_turn
 from core.output.real_mechanism import RealMechanism
 from core.ring.profile import CycloidDisc
 from core.ring.sharing import CycloidMesh, mesh_over_turn
+from tests.inputs.children import ran
 from tests.inputs.real_mechanisms import STEEL
 
 CORPUS = Path(__file__).parent.parent / "corpus" / "requests.json"
@@ -107,7 +108,7 @@ import sys
 import app.serve
 print([name for name in sys.modules if name.partition(".")[0] in ("core", "numpy", "numba")])
 """
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    done = ran(sys.executable, "-c", code)
     assert done.stdout.strip() == "[]"
     assert tuple(Path(each.__file__) for each in loops.SOURCES) == compiled.SOURCES
     assert Path(engine.__file__) == compiled.ENGINE
@@ -122,7 +123,7 @@ import app.loaded, app.main
 from core.output import compiled
 print(compiled.at_hand() is compiled.PLAIN)
 """
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    done = ran(sys.executable, "-c", code)
     assert done.stdout.split() == ["True"]
     assert "numba is not installed" in done.stderr
 
@@ -136,7 +137,7 @@ from core.output import compiled as loops
 print(numba.config.CPU_NAME, loops.at_hand().poses.stats.cache_misses)
 """
     compiled.load()
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    done = ran(sys.executable, "-c", code)
     assert done.stdout.strip() == "generic Counter()"
 
 

@@ -6,7 +6,6 @@ import io
 import json
 import math
 import os
-import subprocess
 import sys
 import zipfile
 from copy import deepcopy
@@ -25,6 +24,7 @@ from app.registry import EXPORTS
 from app.settings import Settings
 from core.output.elasticity import LinearLaw
 from core.ring.sharing import mesh_gaps
+from tests.inputs.children import ran
 
 pytestmark = pytest.mark.anyio
 
@@ -232,11 +232,8 @@ sys.stdout.buffer.write(write(body).content if not before else b"")
 def test_the_same_bytes_in_each_process_and_no_library_before_a_file_is_asked():
     """Seconds later, and where sets of texts have another order."""
     made = [
-        subprocess.run(
-            [sys.executable, "-c", WRITE],
-            env=os.environ | {"PYTHONHASHSEED": seed},
-            capture_output=True,
-            check=True,
+        ran(
+            *(sys.executable, "-c", WRITE), env=os.environ | {"PYTHONHASHSEED": seed}, text=False
         ).stdout
         for seed in ("0", "4")
     ]

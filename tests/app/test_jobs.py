@@ -5,10 +5,10 @@ import gc
 import os
 import random
 import signal
-import subprocess
 import sys
 import threading
 from collections import Counter
+from multiprocessing import forkserver
 from pathlib import Path
 
 import pytest
@@ -17,6 +17,7 @@ from app import jobs as module
 from app.jobs import Busy, CannotRun, Jobs, Stopped, TooLong
 from app.main import PRELOAD
 from tests.app import jobs_to_run
+from tests.inputs.children import ran
 from tests.running_service import calculators, lives
 
 pytestmark = pytest.mark.anyio
@@ -222,8 +223,17 @@ def test_a_server_that_is_still_importing_is_not_waited_for(tmp_path):
     (tmp_path / "main.py").write_text(HELD)
     paths = os.pathsep.join((str(tmp_path), str(Path(module.__file__).parent.parent)))
     environment = os.environ | {"PYTHONPATH": paths}
-    ran = [sys.executable, "main.py"]
-    subprocess.run(ran, cwd=tmp_path, env=environment, check=True, timeout=60)
+    ran(sys.executable, "main.py", cwd=tmp_path, env=environment)
+
+
+def test_a_server_that_is_ended_is_gone_for_who_starts_the_next_process():
+    """Where it was still dying, multiprocessing asked it once more, and jobs were refused."""
+    forkserver.ensure_running()
+    server = forkserver._forkserver._forkserver_pid
+    module._end_server()
+    assert not lives(server)
+    module._end_server()  # that has ended before
+    module._started(None).end()
 
 
 async def test_a_process_has_its_time_to_start_once_its_server_has_forked_it(monkeypatch):

@@ -1,12 +1,12 @@
 """Swinging rollers and the precessional gear over REST."""
 
 import math
-import subprocess
 import sys
 
 import pytest
 
 from core.precision import CONVERGED, EXACT, JUDGED, SAME, SEARCHED
+from tests.inputs.children import ran
 
 pytestmark = pytest.mark.anyio
 
@@ -213,7 +213,7 @@ def test_starting_the_service_loads_nothing_that_a_request_may_not_ask_for():
     """Nor do the processes for calculations."""
     heavy = "'mpmath', 'plotly', 'ezdxf', 'fontTools'"
     code = f"import sys, app.main, app.loaded; print(*(m for m in ({heavy}) if m in sys.modules))"
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    done = ran(sys.executable, "-c", code)
     assert done.stdout.strip() == ""
 
 

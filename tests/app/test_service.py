@@ -6,7 +6,6 @@ import logging
 import os
 import re
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
@@ -20,6 +19,7 @@ from app.main import create_app
 from app.problems import KINDS
 from app.settings import Settings
 from app.units import shown_unit
+from tests.inputs.children import ran
 
 pytestmark = pytest.mark.anyio
 
@@ -256,12 +256,7 @@ def test_the_description_has_the_same_bytes_in_every_process():
     """Whatever the seed of hashes, which the order of a set hangs on."""
     code = "import orjson; from app.main import app; print(orjson.dumps(app.openapi()))"
     descriptions = {
-        subprocess.run(
-            [sys.executable, "-c", code],
-            env={**os.environ, "PYTHONHASHSEED": str(seed)},
-            capture_output=True,
-            check=True,
-        ).stdout
+        ran(sys.executable, "-c", code, env={**os.environ, "PYTHONHASHSEED": str(seed)}).stdout
         for seed in range(4)
     }
     assert len(descriptions) == 1

@@ -2,12 +2,12 @@
 
 import json
 import re
-import subprocess
 from pathlib import Path
 
 import pytest
 
 from app.examples import EXAMPLES, REQUESTS
+from tests.inputs.children import ran
 from tests.oracles.teeth import contact_ratio, cycloid_margin
 
 ROOT = Path(__file__).parents[2]
@@ -121,7 +121,7 @@ def test_teeth_of_a_design_that_is_shown_exist(design):
 @pytest.mark.slow
 def test_teeth_that_the_page_starts_from_exist():
     command = ["node", "--input-type=module", "--eval", STARTS]
-    designs = json.loads(subprocess.check_output(command, cwd=ROOT, text=True))
+    designs = json.loads(ran(*command, cwd=ROOT).stdout)
     kinds = {design["gear"]["kind"] for design in designs}
     assert kinds == {"involute", "cycloid"}
     unreal = [json.dumps(design) for design in designs if not exist(design)]

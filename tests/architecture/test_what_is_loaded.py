@@ -1,10 +1,10 @@
 """What importing the calculations loads: NumPy, and nothing that a case may not need."""
 
 import pkgutil
-import subprocess
 import sys
 
 import core
+from tests.inputs.children import ran
 
 HEAVY = {"numba", "mpmath", "plotly", "fastapi", "pydantic", "httpx", "uvicorn"}
 
@@ -13,7 +13,7 @@ def test_importing_every_calculation_loads_no_plotting_no_web_and_no_mpmath() ->
     every = [module.name for module in pkgutil.walk_packages(core.__path__, "core.")]
     assert len(every) > 20
     code = f"import sys, {', '.join(every)}; print(*sorted({HEAVY} & set(sys.modules)))"
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    done = ran(sys.executable, "-c", code)
     assert done.stdout.split() == []
 
 
@@ -29,11 +29,11 @@ print("numba" in sys.modules)
 
 
 def test_a_position_and_an_interpreted_turn_load_no_compiler() -> None:
-    done = subprocess.run([sys.executable, "-c", WORK], capture_output=True, text=True, check=True)
+    done = ran(sys.executable, "-c", WORK)
     assert done.stdout.split() == ["False"]
 
 
 def test_the_check_would_see_what_is_loaded() -> None:
     code = f"import sys, pydantic; print(*sorted({HEAVY} & set(sys.modules)))"
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    done = ran(sys.executable, "-c", code)
     assert done.stdout.split() == ["pydantic"]

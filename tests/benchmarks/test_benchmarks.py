@@ -2,13 +2,13 @@
 
 import os
 import runpy
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
 from tests.inputs import chromium
+from tests.inputs.children import ran
 from tests.running_service import Service
 
 ROOT = Path(__file__).parent.parent.parent
@@ -74,16 +74,17 @@ def test_a_benchmark_runs_in_its_smallest_form(
         served: Service = request.getfixturevalue("served")
         command += ["--service", str(served.process.pid), str(served.port)]
     if name in APART:
-        code: object = subprocess.run([sys.executable, "-m", *command]).returncode
+        pipes = {"stdout": None, "stderr": None}
+        code: object = ran(sys.executable, "-m", *command, check=False, **pipes).returncode
     else:
-        code = ran(command, monkeypatch)
+        code = ran_here(command, monkeypatch)
     said = capfd.readouterr()
     assert not code, said
     assert SAYS[name] in said.out
     assert written() == before
 
 
-def ran(command: list[str], monkeypatch: pytest.MonkeyPatch) -> object:
+def ran_here(command: list[str], monkeypatch: pytest.MonkeyPatch) -> object:
     """What a module ends with that runs as the main one of this process, which has imported most of
     what it needs.
     """

@@ -4,7 +4,6 @@ import csv
 import io
 import json
 import re
-import subprocess
 import sys
 from pathlib import Path
 
@@ -28,6 +27,7 @@ from tests.browser.calculator_page import (
     show,
     verdict,
 )
+from tests.inputs.children import ran
 
 TORQUE = "load.output_torque_Nm"
 
@@ -161,8 +161,8 @@ def test_the_request_runs_elsewhere_and_gives_the_same(
     show(page, service, "precession")
     page.get_by_role("button", name="Take along").click()
     code = page.get_by_label("Request in Python", exact=True).inner_text()
-    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert "deflection_C_mm" in ran.stdout
+    done = ran(sys.executable, "-c", code)
+    assert "deflection_C_mm" in done.stdout
     kept = json.loads(saved(page, page.get_by_role("button", name="JSON")).read_text("utf-8"))
     assert [each["path"] for each in kept["requests"]] == [
         f"/api/v1/precession/{name}"

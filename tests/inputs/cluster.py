@@ -5,6 +5,8 @@ import re
 import subprocess
 import sys
 
+from tests.inputs.children import end, start
+
 
 class Cluster:
     """A scheduler and its workers, each a process."""
@@ -21,12 +23,12 @@ class Cluster:
             self._said(worker, r"Registered to:\s+(\S+)")
 
     def _started(self, kind: str, *arguments: str) -> subprocess.Popen[str]:
-        found = subprocess.Popen(
-            [sys.executable, "-m", f"distributed.cli.dask_{kind}", *arguments, "--no-dashboard"],
+        command = sys.executable, "-m", f"distributed.cli.dask_{kind}", *arguments
+        found = start(
+            *(*command, "--no-dashboard"),
             env=os.environ | {"PYTHONPATH": "."},
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
-            text=True,
         )
         self.processes.append(found)
         return found
@@ -43,5 +45,5 @@ class Cluster:
 
     def stop(self) -> None:
         for process in self.processes:
-            process.kill()
+            end(process)
             process.communicate()

@@ -4,15 +4,16 @@ import re
 import shutil
 import socket
 import ssl
-import subprocess
 from contextlib import ExitStack
 from pathlib import Path
+from subprocess import DEVNULL
 
 import httpx
 import pytest
 
 from app.model import StudyCalculation
 from app.registry import CALCULATIONS
+from tests.inputs.children import ran, started
 from tests.running_service import eventually
 
 DEPLOY = Path(__file__).parent.parent.parent / "deploy"
@@ -32,7 +33,7 @@ def proxied(serve, tmp_path_factory):
     place, port = tmp_path_factory.mktemp("nginx"), free_port()
     request = "openssl req -x509 -nodes -newkey rsa:2048 -days 2 -subj /CN=reducers.example"
     written = ["-keyout", place / "key.pem", "-out", place / "certificate.pem"]
-    subprocess.run([*request.split(), *written], check=True, capture_output=True)
+    ran(*request.split(), *written)
     with serve(root_path="/reducers") as service:
         text = (DEPLOY / "nginx.conf").read_text()
         for found, put in (
@@ -45,17 +46,13 @@ def proxied(serve, tmp_path_factory):
             text = text.replace(found, put)
         (place / "nginx.conf").write_text(text)
         here = f"daemon off; pid {place}/pid; error_log {place}/error;"
-        nginx = subprocess.Popen(
-            ["nginx", "-p", place, "-c", "nginx.conf", "-g", here], stderr=subprocess.DEVNULL
-        )
         url = f"https://127.0.0.1:{port}/reducers/"
-        try:
-            with httpx.Client(base_url=url, verify=False, timeout=30) as client:
-                assert eventually(lambda: accepts(port))
-                yield service, client
-        finally:
-            nginx.terminate()
-            nginx.wait(10)
+        with (
+            started("nginx", "-p", place, "-c", "nginx.conf", "-g", here, stderr=DEVNULL),
+            httpx.Client(base_url=url, verify=False, timeout=30) as client,
+        ):
+            assert eventually(lambda: accepts(port))
+            yield service, client
 
 
 def accepts(port):

@@ -3,7 +3,6 @@
 import json
 import re
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
@@ -12,6 +11,7 @@ import pytest
 from khv_calc import Client, Refused
 
 from core.precision import SAME
+from tests.inputs.children import ran
 
 ROOT = Path(__file__).parent.parent.parent
 README = (ROOT / "README.md").read_text()
@@ -37,9 +37,7 @@ def block(language):
 
 
 def output(*command):
-    done = subprocess.run(command, capture_output=True, text=True)
-    assert done.returncode == 0, done.stdout + done.stderr
-    return done.stdout
+    return ran(*command).stdout
 
 
 def test_the_python_example_prints_what_stands_there(service, direct):

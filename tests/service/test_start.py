@@ -4,13 +4,13 @@ import json
 import os
 import re
 import socket
-import subprocess
 import sys
 from contextlib import ExitStack
 
 import httpx
 import pytest
 
+from tests.inputs.children import ran
 from tests.running_service import eventually, family
 
 
@@ -30,9 +30,7 @@ from tests.running_service import eventually, family
 )
 def test_what_cannot_be_set_ends_the_start_with_one_line(setting, text, said):
     environment = os.environ | {"PYTHONPATH": ".", setting: text}
-    ended = subprocess.run(
-        [sys.executable, "-m", "app.serve"], env=environment, capture_output=True, text=True
-    )
+    ended = ran(sys.executable, "-m", "app.serve", env=environment, check=False)
     assert ended.returncode == 1 and ended.stdout == ""
     (line,) = ended.stderr.splitlines()
     assert line.startswith(setting) and said in line
@@ -40,9 +38,7 @@ def test_what_cannot_be_set_ends_the_start_with_one_line(setting, text, said):
 
 def test_a_port_that_is_taken_ends_the_start_with_one_line(service):
     environment = os.environ | {"PYTHONPATH": ".", "KHV_PORT": str(service.port)}
-    ended = subprocess.run(
-        [sys.executable, "-m", "app.serve"], env=environment, capture_output=True, text=True
-    )
+    ended = ran(sys.executable, "-m", "app.serve", env=environment, check=False)
     assert ended.returncode == 1 and ended.stdout == ""
     (line,) = ended.stderr.splitlines()
     assert line.startswith("KHV_HOST, KHV_PORT: ") and str(service.port) in line
@@ -88,9 +84,7 @@ def test_what_is_no_socket_and_what_answers_is_not_listened_at(tmp_path, what):
         else:
             path.symlink_to(file)
         environment = os.environ | {"PYTHONPATH": ".", "KHV_UNIX_SOCKET": str(path)}
-        ended = subprocess.run(
-            [sys.executable, "-m", "app.serve"], env=environment, capture_output=True, text=True
-        )
+        ended = ran(sys.executable, "-m", "app.serve", env=environment, check=False)
     assert ended.returncode == 1 and ended.stdout == ""
     (line,) = ended.stderr.splitlines()
     assert line.startswith("KHV_UNIX_SOCKET: ") and str(path) in line
@@ -122,7 +116,7 @@ def test_connections_stay_within_the_limit_of_descriptors(narrow):
 
 def test_too_few_descriptors_end_the_start_with_one_line():
     command = f'ulimit -n 64; exec "{sys.executable}" -m app.serve'
-    ended = subprocess.run(["sh", "-c", command], capture_output=True, text=True)
+    ended = ran("sh", "-c", command, check=False)
     assert ended.returncode == 1 and ended.stdout == ""
     (line,) = ended.stderr.splitlines()
     assert "descriptors is 64" in line
@@ -134,9 +128,7 @@ def test_without_standard_files_no_line_of_the_log_goes_into_another():
     code += "open_standard_files(); print(*map(os.readlink, map('/proc/self/fd/{}'.format, "
     code += "range(3))), os.open('.', 0), file=open('/proc/%d/fd/%d' % (os.getpid(), FD), 'w'))"
     reading, writing = os.pipe()
-    subprocess.run(
-        [sys.executable, "-c", code.replace("FD", str(writing))], pass_fds=(writing,), check=True
-    )
+    ran(sys.executable, "-c", code.replace("FD", str(writing)), pass_fds=(writing,))
     os.close(writing)
     with open(reading) as told:
         *standard, free = told.read().split()
@@ -146,13 +138,11 @@ def test_without_standard_files_no_line_of_the_log_goes_into_another():
 @pytest.fixture
 def tiny(tmp_path):
     """A file system of 48 kB."""
-    mounted = subprocess.run(
-        ["mount", "-t", "tmpfs", "-o", "size=48k", "tmpfs", tmp_path], capture_output=True
-    )
+    mounted = ran("mount", "-t", "tmpfs", "-o", "size=48k", "tmpfs", tmp_path, check=False)
     if mounted.returncode:
         pytest.skip("file systems can only be mounted as root")
     yield tmp_path
-    subprocess.run(["umount", "--lazy", tmp_path], check=True)
+    ran("umount", "--lazy", tmp_path)
 
 
 @pytest.mark.parametrize("full", [False, True])
