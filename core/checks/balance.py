@@ -2,7 +2,7 @@
 
 from functools import partial
 
-from core.checks.check import Check, Checks, Kind, asked_of, design_check, judged
+from core.checks.check import Check, Checks, Kind, asked_of, design_check
 from core.checks.inputs import OF_DISCS
 from core.design.document import Design
 from core.design.results import Results
@@ -65,11 +65,11 @@ def _against(kind: Kind, results: Results, value: float, *demands: str) -> Check
     asked = asked_of(results.design, *demands)
     limits = [_limit(results, value, *each) for each in asked.items()]
     if limits:
-        return judged(kind, value, min(limits))._replace(limit_source="user")
+        return kind.judged(value, min(limits))._replace(limit_source="user")
     if kind is unbalance_couple:
         return Check(kind, "not_asked", value=value, reason="no_limit")
     limit = _of_grade(results.design, GRADE)
-    return judged(kind, value, limit, warning="unbalanced", limit_source="balance_guide")
+    return kind.judged(value, limit, warning="unbalanced", limit_source="balance_guide")
 
 
 @_check(

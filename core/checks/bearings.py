@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from core.checks.check import Check, Element, Kind, common, judged
+from core.checks.check import Check, Element, Kind, common
 from core.checks.inputs import BEARING_LOAD, FORCES, LIFE, LOADED, OF_DISCS, ON_STRESSES, SPEEDS
 from core.crank import pin_rollers
 from core.crank.bearing_life import EXPONENTS, PEAK_SAFETY, STATIC_SAFETY, Bearing
@@ -98,8 +98,7 @@ def _lasting(
     """The shortest of lives, each with its exponent and place; the loads have this error."""
     each = list(lives)
     value, _, at = min(each, key=lambda one: one[0])
-    return judged(
-        kind,
+    return kind.judged(
         value,
         limit,
         reserve=min((life / limit) ** (1 / power) for life, power, _ in each),
@@ -123,7 +122,7 @@ def _safe(kind: Kind, results: Results, value: float, **more: Any) -> Check:
     asked = results.design.requirements.static_safety
     limit = kind.known(results.design, results)["limit"]
     source = "" if asked else "static_guide"
-    return judged(kind, value, limit, reserve=value / limit, limit_source=source, **more)
+    return kind.judged(value, limit, reserve=value / limit, limit_source=source, **more)
 
 
 def _turning(kind: Kind, path: str, speeds: Iterable[tuple[float, float | None]]) -> Check:
@@ -134,12 +133,12 @@ def _turning(kind: Kind, path: str, speeds: Iterable[tuple[float, float | None]]
         value = max(speed for speed, _ in each)
         return Check(kind, "not_asked", value=value, reason="no_limit", missing=(path,))
     speed, limit = max(limited, key=lambda one: one[0] / one[1])
-    return judged(kind, speed, limit)
+    return kind.judged(speed, limit)
 
 
 def _fitting(kind: Kind, room: float, *, wide: bool) -> Check:
     """Room for a bearing, which may stand out of its satellite."""
-    found = judged(kind, room, 0.0)
+    found = kind.judged(room, 0.0)
     if found.status == "fail" or not wide:
         return found
     return found._replace(status="marginal", warning=True, reason="wider_than_satellite")
@@ -155,7 +154,7 @@ def _possible(kind: Kind, bearing: RollingBearing, bounds: Bounds, **more: Any) 
     if not shares:
         raise NotKnown("rating_unknown", "bearing.dynamic_rating")
     share = max(shares)
-    found = judged(kind, share, IMPOSSIBLE[bearing.kind], **more)
+    found = kind.judged(share, IMPOSSIBLE[bearing.kind], **more)
     if found.status == "fail" or LOW <= share <= HIGH[bearing.kind]:
         return found
     reason = "rating_low" if share < LOW else "rating_high"
@@ -381,8 +380,7 @@ def bearing_min_load(kind: Kind, design: Design, results: Results) -> Check:
     found = results.crank.bearings
     loads = np.asarray(found.min_load)
     least = int(np.argmin(loads))
-    return judged(
-        kind,
+    return kind.judged(
         float(loads[least]),
         MIN_LOAD[design.bearing.kind] * rating,
         error=4 * float(found.accuracy.relative_error),
@@ -411,8 +409,7 @@ def bearing_overload(kind: Kind, design: Design, results: Results) -> Check:
     if design.bearing.static_rating:
         used = np.maximum(used, 1 / (MOST_STATIC * found.static_safety_factor))
     worst = int(np.argmax(used))
-    return judged(
-        kind,
+    return kind.judged(
         float(used[worst]),
         1.0,
         error=4 * float(found.accuracy.relative_error),
@@ -446,7 +443,7 @@ def crank_bearing_fits(kind: Kind, design: Design, results: Results) -> Check:
         _known_sizes(each, "crankshaft.bearings")[0] for each in design.crankshaft.known_bearings
     ]
     least = min(bores)
-    return judged(kind, least - shaft, 0.0, at={"bearing": bores.index(least) + 1})
+    return kind.judged(least - shaft, 0.0, at={"bearing": bores.index(least) + 1})
 
 
 @CRANKSHAFT.check(
@@ -533,7 +530,7 @@ def pin_roller_max_load(kind: Kind, design: Design, results: Results) -> Check:
         missing = ("rollers.max_radial_load", "rollers.max_static_radial_load")
         return Check(kind, "not_asked", reason="no_limit", missing=missing)
     error = 4 * found.accuracy.relative_error
-    return judged(kind, value, 1.0, reserve=1 / value, error=error, solved=results.solved)
+    return kind.judged(value, 1.0, reserve=1 / value, error=error, solved=results.solved)
 
 
 @ROLLERS.check(
@@ -550,7 +547,7 @@ def pin_roller_min_load(kind: Kind, design: Design, results: Results) -> Check:
     limit = pin_rollers.MIN_LOAD * required(design.rollers.static_rating, "rating_unknown", name)
     found = results.roller_loads
     error = 4 * found.accuracy.relative_error
-    return judged(kind, found.peak_load, limit, error=error, warning="bearing_slips")
+    return kind.judged(found.peak_load, limit, error=error, warning="bearing_slips")
 
 
 @ROLLERS.check(
@@ -603,8 +600,7 @@ def pin_roller_fits(kind: Kind, design: Design, results: Results) -> Check:
 )
 def pin_roller_tilt(kind: Kind, design: Design, results: Results) -> Check:
     found = results.pin_loads
-    return judged(
-        kind,
+    return kind.judged(
         found.deflection.slope,
         pin_rollers.TILT[design.rollers.kind],
         error=4 * found.accuracy.relative_error,

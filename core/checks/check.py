@@ -73,6 +73,149 @@ class Kind:
         """What has to be there of a design that has these, or asks them: that may be enough."""
         return (self.asks,) if self.asked_alone and self.asks in given else self.needs
 
+    def of(self, *design: Any, unforced: bool = False) -> "Check":
+        """The check of a design, which has the requirements, and of what follows from it, as its
+        function takes them; it says why where it could not be made. Unforced, no force is known, as
+        the parts that hand it on cannot exist or move.
+        """
+        try:
+            found = self._found(*design, unforced=unforced)
+        except Unjudged as why:
+            found = self.unknown(why)._replace(**why.known)
+        except UNKNOWN as why:
+            found = self.unknown(why)
+            demanded = [value_at(design[0], path) is not None for path in self.demands]
+            asked = any(demanded) or not (self.demands and isinstance(why, NotKnown))
+            known = {} if unforced else self.known(*design)
+            found = found._replace(**known if asked else {"status": "not_asked"})
+        if self.asks:
+            return self._asked(found, getattr(design[0].requirements, self.asks))
+        assert isinstance(found, Check)
+        return found
+
+    def _found(self, *design: Any, unforced: bool) -> "Check | Measure":
+        """What its function finds, where nothing here keeps it from looking."""
+        if reason := self.not_of(*design):
+            return Check(self, "not_applicable", reason=reason)
+        for path, code in self.requires.items():
+            required(value_at(design[0], path), code, path)
+        if self.only_asked and not asked_of(design[0], self.asks):
+            raise NotKnown("no_limit")
+        if unforced:
+            raise NotKnown("cannot_be")
+        return self.judge(self, *design)
+
+    def _asked(self, found: "Check | Measure", limit: float | None) -> "Check":
+        """What was found, against a limit that somebody may ask."""
+        if isinstance(found, Check) and found.status == "not_applicable":
+            return found._replace(limit=limit)
+        if limit is None:
+            missing = (f"requirements.{self.asks}",)
+            return Check(self, "not_asked", value=found.value, reason="no_limit", missing=missing)
+        if isinstance(found, Check):
+            return found._replace(limit=limit)
+        value, error, at, solved = found.value, found.error, found.at, found.solved
+        reserve = found.reserve(limit / value) if found.reserve and value > 0 else None
+        check = self.judged(value, limit, reserve=reserve, error=error, at=at, solved=solved)
+        check = check._replace(reason=found.reason or check.reason)
+        return check._replace(utilisation=found.used(limit)) if found.used else check
+
+    def unknown(self, why: NotKnown | ImpossibleMechanism) -> "Check":
+        """The check where it could not be made, by why what it looks at is not known."""
+        found = Check(self, "not_checked", reason=why.code)
+        if isinstance(why, ImpossibleMechanism):
+            return found._replace(params=why.where | why.params)
+        return found._replace(missing=why.missing, refusal=why.refusal, params=why.params)
+
+    def judged(
+        self,
+        value: float,
+        limit: float,
+        *,
+        reserve: float | None = None,
+        error: float = 4 * ROUNDING,
+        warning: str = "",
+        **more: Any,
+    ) -> "Check":
+        """The check by a value and its limit, with other attributes that it has.
+
+        Parameters
+        ----------
+        value, limit : float
+            What is compared.
+        reserve : float, optional
+            Factor on the torque at which it is at its limit.
+        error : float
+            Relative error of the value, of number and model: where the limit lies within, the check
+            is marginal. Without a finite error it is not checked, nor where the value may be
+            anything down to 0, from an error of 1 on, with a smaller limit.
+        warning : str
+            Reason where it does not hold, if that is a warning only.
+        **more
+            Other attributes of the check.
+
+        Examples
+        --------
+        >>> from core.checks.records import CHECKS
+        >>> CHECKS["pin_static"].judged(90.0, 100.0, reserve=1.2).status
+        'pass'
+        >>> CHECKS["pin_static"].judged(99.0, 100.0, reserve=1.02).status
+        'marginal'
+        >>> CHECKS["wall_holes"].judged(1.0, 2.0).utilisation
+        2.0
+        """
+        part, whole = (value, limit) if self.keep == "below" else (limit, value)
+        used = whole > 0 and part >= 0 and limit > 0  # of a limit of 0 there is nothing to use
+        utilisation = part / whole if used else None
+        doubtful = abs(value - limit) <= error * abs(value)
+        if not error < (1.0 if value > limit else math.inf):
+            more |= {"reason": "value_unknown"}
+            return Check(self, "not_checked", value=value, limit=limit, **more)
+        status: Status = "pass"
+        if doubtful and reserve is not None:  # without one: sizes that are asked for are there
+            status = "marginal"
+            if error > AS_TYPED:
+                more.setdefault("reason", "pressure_error")
+        elif not (part <= whole or doubtful):
+            status = "marginal" if warning else "fail"
+            more.setdefault("reason", warning)
+        elif reserve is not None and reserve < MARGIN and not warning:
+            status = "marginal"
+        more.setdefault("impossible", self.impossible and status == "fail")
+        return Check(
+            self,
+            status,
+            value=value,
+            limit=limit,
+            utilisation=utilisation,
+            torque_reserve=reserve,
+            warning=bool(warning),
+            **more,
+        )
+
+    def gap(self, width: float, *, size: float) -> "Check":
+        """A gap of a width, m, that has to be there, else the part cannot exist; between parts of a
+        size, m, of which rounding may take `AS_TYPED`.
+        """
+        there = width > AS_TYPED * size
+        found = self.judged(width if there else min(width, 0.0), 0.0)
+        return found if there else found._replace(status="fail", impossible=True)
+
+    def wall(
+        self, width: float, *, size: float, least: float | None = None, guide: float | None = None
+    ) -> "Check":
+        """A wall, as `gap`, that is at least as wide as is asked, or else as is usual, below which
+        it is marginal; m.
+        """
+        found = self.gap(width, size=size)
+        if found.status == "fail":
+            return found._replace(limit=least or guide or 0.0)
+        if least is not None:
+            return self.judged(width, least)
+        if guide is not None:
+            return self.judged(width, guide, warning="thin_wall", limit_source="guide")
+        return found._replace(status="not_checked", reason="no_sourced_limit")
+
 
 Checks = Callable[..., Callable[["Callable[..., Check | Measure]"], Kind]]
 """As `design_check`, for records that have some of their attributes already."""
@@ -240,6 +383,13 @@ class Check(NamedTuple):
         return self.status == "not_checked" and self.reason == "necessary_only"
 
     @property
+    def necessary(self) -> "Check":
+        """The check as one that is necessary and not enough: it may fail, and never passes."""
+        if self.status in ("fail", "not_checked"):
+            return self
+        return self._replace(status="not_checked", reason="necessary_only")
+
+    @property
     def opens(self) -> bool:
         """Whether its part cannot be judged without it."""
         return self.status == "not_checked" and self.needed
@@ -248,38 +398,6 @@ class Check(NamedTuple):
     def needed(self) -> bool:
         """Whether its part is open without it: a limit that no source has nobody could give."""
         return self.kind.needed and self.reason != "no_sourced_limit"
-
-
-def make_check(kind: Kind, *design: Any, unforced: bool = False) -> Check:
-    """A check of a design; it says why where it could not be made.
-
-    Parameters
-    ----------
-    kind : Kind
-        Which.
-    *design
-        What its function takes: the design, which has the requirements, and what follows from it.
-    unforced : bool
-        Whether no force is known, as the parts that hand it on cannot exist or move.
-
-    Returns
-    -------
-    Check
-    """
-    try:
-        found = _made(kind, *design, unforced=unforced)
-    except Unjudged as why:
-        found = not_checked(kind, why)._replace(**why.known)
-    except UNKNOWN as why:
-        found = not_checked(kind, why)
-        demanded = [value_at(design[0], path) is not None for path in kind.demands]
-        asked = any(demanded) or not (kind.demands and isinstance(why, NotKnown))
-        known = {} if unforced else kind.known(*design)
-        found = found._replace(**known if asked else {"status": "not_asked"})
-    if kind.asks:
-        return _asked(kind, found, getattr(design[0].requirements, kind.asks))
-    assert isinstance(found, Check)
-    return found
 
 
 def asked_of(design: Any, *names: str) -> dict[str, float]:
@@ -299,19 +417,6 @@ def asked_of(design: Any, *names: str) -> dict[str, float]:
     """
     values = {name: getattr(design.requirements, name) for name in names}
     return {name: value for name, value in values.items() if value is not None}
-
-
-def _made(kind: Kind, *design: Any, unforced: bool) -> "Check | Measure":
-    """What its function finds, where the record says nothing that keeps it from looking."""
-    if reason := kind.not_of(*design):
-        return Check(kind, "not_applicable", reason=reason)
-    for path, code in kind.requires.items():
-        required(value_at(design[0], path), code, path)
-    if kind.only_asked and not asked_of(design[0], kind.asks):
-        raise NotKnown("no_limit")
-    if unforced:
-        raise NotKnown("cannot_be")
-    return kind.judge(kind, *design)
 
 
 class Unjudged(NotKnown):
@@ -361,120 +466,6 @@ def judged_by(given: Given | None, code: str, *missing: str, **known: Any) -> Gi
     return given
 
 
-def not_checked(kind: Kind, why: NotKnown | ImpossibleMechanism) -> Check:
-    """A check that could not be made.
-
-    Parameters
-    ----------
-    kind : Kind
-        Which.
-    why : NotKnown or ImpossibleMechanism
-        Why what it looks at is not known.
-
-    Returns
-    -------
-    Check
-    """
-    found = Check(kind, "not_checked", reason=why.code)
-    if isinstance(why, ImpossibleMechanism):
-        return found._replace(params=why.where | why.params)
-    return found._replace(missing=why.missing, refusal=why.refusal, params=why.params)
-
-
-def judged(
-    kind: Kind,
-    value: float,
-    limit: float,
-    *,
-    reserve: float | None = None,
-    error: float = 4 * ROUNDING,
-    warning: str = "",
-    **more: Any,
-) -> Check:
-    """A check whose value and limit are known.
-
-    Parameters
-    ----------
-    kind : Kind
-        Which.
-    value, limit : float
-        What is compared.
-    reserve : float, optional
-        Factor on the torque at which it is at its limit.
-    error : float
-        Relative error of the value, of number and model: where the limit lies within, the check
-        is marginal. Without a finite error it is not checked, nor where the value may be anything
-        down to 0, from an error of 1 on, with a smaller limit.
-    warning : str
-        Reason where it does not hold, if that is a warning only.
-    **more
-        Other attributes of the check.
-
-    Returns
-    -------
-    Check
-
-    Examples
-    --------
-    >>> from core.checks.records import CHECKS
-    >>> pin_static, wall_holes = CHECKS["pin_static"], CHECKS["wall_holes"]
-    >>> judged(pin_static, 90.0, 100.0, reserve=1.2).status
-    'pass'
-    >>> judged(pin_static, 99.0, 100.0, reserve=1.02).status
-    'marginal'
-    >>> judged(pin_static, 9.0, 100.0, reserve=1.02, error=math.inf).status
-    'not_checked'
-    >>> judged(wall_holes, 1.0, 2.0).utilisation
-    2.0
-    """
-    part, whole = (value, limit) if kind.keep == "below" else (limit, value)
-    used = whole > 0 and part >= 0 and limit > 0  # of a limit of 0 there is nothing to use
-    utilisation = part / whole if used else None
-    doubtful = abs(value - limit) <= error * abs(value)
-    if not error < (1.0 if value > limit else math.inf):
-        more |= {"reason": "value_unknown"}
-        return Check(kind, "not_checked", value=value, limit=limit, **more)
-    status: Status = "pass"
-    if doubtful and reserve is not None:  # without one: sizes that are asked for are there
-        status = "marginal"
-        if error > AS_TYPED:
-            more.setdefault("reason", "pressure_error")
-    elif not (part <= whole or doubtful):
-        status = "marginal" if warning else "fail"
-        more.setdefault("reason", warning)
-    elif reserve is not None and reserve < MARGIN and not warning:
-        status = "marginal"
-    more.setdefault("impossible", kind.impossible and status == "fail")
-    return Check(
-        kind,
-        status,
-        value=value,
-        limit=limit,
-        utilisation=utilisation,
-        torque_reserve=reserve,
-        warning=bool(warning),
-        **more,
-    )
-
-
-def necessary(found: Check) -> Check:
-    """A check that is necessary and not enough: it may fail, and never passes.
-
-    Parameters
-    ----------
-    found : Check
-        A value judged against its limit.
-
-    Returns
-    -------
-    Check
-        `not_checked` where it holds, with its numbers.
-    """
-    if found.status in ("fail", "not_checked"):
-        return found
-    return found._replace(status="not_checked", reason="necessary_only")
-
-
 def over_range(
     *, least: Callable[[], Check], most: Callable[[], Check], values: Mapping[str, Spread]
 ) -> Check:
@@ -504,7 +495,7 @@ def over_range(
         raise Unjudged(why.code, *missing, value=sure.value, at=sure.at) from why
     if found.status == "fail" and differ and most().status != "fail":
         return found._replace(status="marginal", reason="range_decides", missing=differ)
-    return necessary(found)
+    return found.necessary
 
 
 class Measure(NamedTuple):
@@ -536,88 +527,6 @@ class Measure(NamedTuple):
     solved: bool = False
     used: Callable[[float], float] | None = None
     reason: str | None = None
-
-
-def _asked(kind: Kind, found: Check | Measure, limit: float | None) -> Check:
-    """What was found, against a limit that somebody may ask."""
-    if isinstance(found, Check) and found.status == "not_applicable":
-        return found._replace(limit=limit)
-    if limit is None:
-        missing = (f"requirements.{kind.asks}",)
-        return Check(kind, "not_asked", value=found.value, reason="no_limit", missing=missing)
-    if isinstance(found, Check):
-        return found._replace(limit=limit)
-    reserve = found.reserve(limit / found.value) if found.reserve and found.value > 0 else None
-    check = judged(
-        kind,
-        found.value,
-        limit,
-        reserve=reserve,
-        error=found.error,
-        at=found.at,
-        solved=found.solved,
-    )
-    check = check._replace(reason=found.reason or check.reason)
-    return check._replace(utilisation=found.used(limit)) if found.used else check
-
-
-def gap(kind: Kind, *, width: float, size: float) -> Check:
-    """A gap that has to be there, else the part cannot exist.
-
-    Parameters
-    ----------
-    kind : Kind
-        Which check.
-    width : float
-        Width of the gap, m.
-    size : float
-        Size of the parts beside it, m: of which rounding may take `AS_TYPED`.
-
-    Returns
-    -------
-    Check
-    """
-    there = width > AS_TYPED * size
-    found = judged(kind, width if there else min(width, 0.0), 0.0)
-    return found if there else found._replace(status="fail", impossible=True)
-
-
-def wall(
-    kind: Kind,
-    *,
-    width: float,
-    size: float,
-    least: float | None = None,
-    guide: float | None = None,
-) -> Check:
-    """A wall: more than nothing, else the part cannot exist, and at least what is asked, or else
-    what is usual.
-
-    Parameters
-    ----------
-    kind : Kind
-        Which check.
-    width : float
-        Width of the wall, m.
-    size : float
-        Size of the parts beside it, m: of which rounding may take `AS_TYPED`.
-    least : float, optional
-        Least width that is asked, m.
-    guide : float, optional
-        Least width that is usual, m: below it the check is marginal.
-
-    Returns
-    -------
-    Check
-    """
-    found = gap(kind, width=width, size=size)
-    if found.status == "fail":
-        return found._replace(limit=least or guide or 0.0)
-    if least is not None:
-        return judged(kind, width, least)
-    if guide is not None:
-        return judged(kind, width, guide, warning="thin_wall")._replace(limit_source="guide")
-    return found._replace(status="not_checked", reason="no_sourced_limit")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -789,7 +698,7 @@ def verdict(
     --------
     >>> from core.checks.records import CHECKS
     >>> pin_fatigue, pin_static = CHECKS["pin_fatigue"], CHECKS["pin_static"]
-    >>> passing = judged(pin_static, 50.0, 100.0, reserve=2.0)
+    >>> passing = pin_static.judged(50.0, 100.0, reserve=2.0)
     >>> found = verdict([Check(pin_fatigue, "not_checked"), passing])
     >>> found.verdict, found.governing, found.torque_reserve
     ('incomplete', 'pin_static', None)

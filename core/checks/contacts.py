@@ -19,7 +19,6 @@ from core.checks.check import (
     Unjudged,
     common,
     design_check,
-    judged,
     judged_by,
     over_range,
 )
@@ -189,7 +188,7 @@ def _in_disc(
     solved = results.solved or bool(results.design.pin)
     if not solved and reserve < math.inf:
         solved = results.ovals_under(max(reserve, MARGIN))
-    return judged(kind, pressure, limit, error=error, solved=solved, **more)
+    return kind.judged(pressure, limit, error=error, solved=solved, **more)
 
 
 def _against_limit(kind: Kind, results: Results, **more: Any) -> Check:
@@ -328,7 +327,7 @@ def _pressed(results: Results, *, static: bool) -> Pressed:
 def _judged(kind: Kind, pressed: Pressed, limit: float, **more: Any) -> Check:
     """A pressure of the teeth, which grows with the root of the torque, against a limit."""
     reserve = (limit / pressed.value) ** 2
-    return judged(kind, limit=limit, **{"reserve": reserve, **pressed._asdict(), **more})
+    return kind.judged(limit=limit, **{"reserve": reserve, **pressed._asdict(), **more})
 
 
 def _ring_pressure(body: RingBody) -> Kind:
@@ -548,7 +547,7 @@ def contact_solid_depth(kind: Kind, design: Design, results: Results) -> Check:
 
     def by(made: Results) -> Check:
         depth = DEEP * float(made.static_contact.half_width)
-        return judged(kind, depth, wall, reserve=(wall / depth) ** 2, solved=True)
+        return kind.judged(depth, wall, reserve=(wall / depth) ** 2, solved=True)
 
     moduli = {
         path: each for path, each in design.usual_in_holes.items() if path.endswith("modulus")
@@ -563,8 +562,8 @@ def _temperature(kind: Kind, design: Design, body: Body) -> Check:
     name = f"contact.{body}_material"
     known = required(design.plastics[body].softening, "softening_unknown", name)
     return over_range(
-        least=lambda: judged(kind, given, known.low),
-        most=lambda: judged(kind, given, known.high),
+        least=lambda: kind.judged(given, known.low),
+        most=lambda: kind.judged(given, known.high),
         values={name: known},
     )
 

@@ -11,7 +11,6 @@ from core.checks.check import (
     Verdict,
     asked_of,
     cannot_be,
-    make_check,
     rank,
     verdict,
 )
@@ -124,12 +123,12 @@ def crank_check(code: str, results: Results) -> Check:
     Check
     """
     kind = CRANK_CHECKS[code]
-    check = make_check(kind, results.design, results)
+    check = kind.of(results.design, results)
     assumed = [path for path in results.design.mild if path in kind.inputs]
     if check.status != "fail" or not assumed:
         return check
     ends = [results.milder[path] for path in assumed]
-    milder = (make_check(kind, made.design, made) for made in ends)
+    milder = (kind.of(made.design, made) for made in ends)
     if all(each.status == "fail" for each in milder):
         return check
     return check._replace(status="marginal", impossible=False, reason="default_decides")
@@ -179,7 +178,7 @@ def crank_checks(results: Results) -> Verdict:
     meshing = (each for each in checks if each.kind.part in MESHES and each.code != "pins_apart")
     unforced = cannot_be(meshing)
     checks += (
-        make_check(CRANK_CHECKS[code], design, results, unforced=True)
+        CRANK_CHECKS[code].of(design, results, unforced=True)
         if unforced
         else crank_check(code, results)
         for code in codes

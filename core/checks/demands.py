@@ -1,6 +1,6 @@
 """Checks of what somebody may ask of the meshes: play, evenness, efficiency, sliding, wear, seats.
 
-Each returns what is measured; `make_check` holds it against the requirement of its record. What
+Each returns what is measured; `Kind.of` holds it against the requirement of its record. What
 takes a solution is not looked for where nobody asks.
 """
 
@@ -15,9 +15,7 @@ from core.checks.check import (
     asked_of,
     common,
     design_check,
-    judged,
     judged_by,
-    make_check,
 )
 from core.checks.contacts import FIRST_ORDER, mesh_error
 from core.checks.inputs import (
@@ -134,14 +132,14 @@ def lost_motion(kind: Kind, design: Design, results: Results) -> Measure:
 def clearance(kind: Kind, design: Design, results: Results) -> Check:
     share = max(design.known_clearance, 0.0) / design.known_eccentricity
     wanted = [
-        make_check(play, design, results).status == "pass"
+        play.of(design, results).status == "pass"
         for play in (backlash, lost_motion)
         if share > MOST_PLAY and asked_of(design, play.asks)
     ]
     if wanted and all(wanted):  # as much play as is asked for
         return Check(kind, "pass", value=share, limit=MOST_PLAY)
     ratio = {"ratio": share}
-    return judged(kind, share, MOST_PLAY, warning="clearance_like_eccentricity", params=ratio)
+    return kind.judged(share, MOST_PLAY, warning="clearance_like_eccentricity", params=ratio)
 
 
 @_of_teeth(

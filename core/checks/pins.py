@@ -19,7 +19,6 @@ from core.checks.check import (
     asked_of,
     common,
     design_check,
-    judged,
     judged_by,
     over_range,
 )
@@ -115,8 +114,8 @@ class BentPins:
     def judged(self, kind: Kind, value: float, limit: float, **more: Any) -> Check:
         """A stress or a safety against its limit: the torque has the reserve that it has."""
         reserve = limit / value if kind.keep == "below" else value / limit
-        return judged(
-            kind, value, limit, reserve=reserve, error=self.error, solved=self.solved, **more
+        return kind.judged(
+            value, limit, reserve=reserve, error=self.error, solved=self.solved, **more
         )
 
     def static(self, kind: Kind, safety: float) -> Check:
@@ -315,8 +314,8 @@ def pin_wall(kind: Kind, design: Design, results: Results) -> Check:
 
     def by(strength: float) -> Check:
         limit = strength / design.requirements.bending_safety
-        return judged(
-            kind, stress, limit, reserve=limit / stress, error=error, solved=results.solved
+        return kind.judged(
+            stress, limit, reserve=limit / stress, error=error, solved=results.solved
         )
 
     if pin.material.plastic:
@@ -341,8 +340,8 @@ def _gripped(
     """A load of the root that the preload has to hold; beyond it the bolt is judged alone."""
     said = {"value": value, "status": "not_applicable"}
     limit = judged_by(most, "bolt_alone", **said) / safety
-    return judged(
-        kind, value, limit, reserve=limit / value, warning="bolt_alone", solved=results.solved
+    return kind.judged(
+        value, limit, reserve=limit / value, warning="bolt_alone", solved=results.solved
     )
 
 

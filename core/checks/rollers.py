@@ -10,10 +10,7 @@ from core.checks.check import (
     Kind,
     Verdict,
     design_check,
-    gap,
-    judged,
     judged_by,
-    make_check,
     verdict,
 )
 from core.checks.inputs import FATIGUE
@@ -108,7 +105,7 @@ def roller_stress(kind: Kind, design: RollerDesign) -> Check:
     strength = judged_by(design.yield_strength, "yield_unknown", "yield_strength", value=stress)
     limit = strength / design.requirements.bending_safety
     reserve = design.reserve(limit / stress)
-    return judged(kind, stress, limit, reserve=reserve, error=design.error)
+    return kind.judged(stress, limit, reserve=reserve, error=design.error)
 
 
 def cycle_check(
@@ -141,7 +138,7 @@ def cycle_check(
     if isinstance(fatigue, Notice):
         why = fatigue.code
         return Check(kind, "not_checked", limit=safety, reason=why, missing=MISSING[why])
-    return judged(kind, fatigue.safety_factor, safety, reserve=reserve, error=error)
+    return kind.judged(fatigue.safety_factor, safety, reserve=reserve, error=error)
 
 
 @_check(
@@ -179,7 +176,7 @@ def roller_fatigue(kind: Kind, design: RollerDesign) -> Check:
 )
 def roller_sharing(kind: Kind, design: RollerDesign) -> Check:
     carrying = float(design.result.loaded_rollers)
-    return judged(kind, carrying, float(design.rollers), warning="uneven")
+    return kind.judged(carrying, float(design.rollers), warning="uneven")
 
 
 @_check(
@@ -197,7 +194,7 @@ def roller_spacing(kind: Kind, design: RollerDesign) -> Check:
         return Check(kind, "not_applicable", reason="one_only")
     pitch = 2 * design.hole_circle_radius * math.sin(math.pi / design.rollers)
     size = design.sphere_diameter
-    return gap(kind, width=pitch - size, size=size)
+    return kind.gap(pitch - size, size=size)
 
 
 @_check(
@@ -212,7 +209,7 @@ def roller_spacing(kind: Kind, design: RollerDesign) -> Check:
 )
 def roller_room(kind: Kind, design: RollerDesign) -> Check:
     size = design.sphere_diameter
-    return gap(kind, width=design.hole_circle_radius - size / 2, size=size)
+    return kind.gap(design.hole_circle_radius - size / 2, size=size)
 
 
 @_check(
@@ -234,7 +231,7 @@ def roller_tilt(kind: Kind, design: RollerDesign) -> Check:
     length = 2 * design.cylinder_length + 3 * design.sphere_width
     said = {"value": length, "status": "not_asked"}
     eccentricity = judged_by(design.eccentricity, "", "eccentricity", **said)
-    return judged(kind, length, ROLLER_LENGTH * eccentricity, warning="tilted")
+    return kind.judged(length, ROLLER_LENGTH * eccentricity, warning="tilted")
 
 
 ROLLERS = (
@@ -261,6 +258,6 @@ def roller_checks(design: RollerDesign) -> Verdict:
     """
     kinds = [kind for kind in ROLLERS if all(getattr(design, each) for each in kind.needs)]
     return verdict(
-        [make_check(kind, design) for kind in kinds],
+        [kind.of(design) for kind in kinds],
         ("roller_contact", *(() if design.fatigue else ("fatigue",)), "friction"),
     )

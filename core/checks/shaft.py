@@ -12,10 +12,7 @@ from core.checks.check import (
     Verdict,
     asked_of,
     design_check,
-    gap,
-    judged,
     judged_by,
-    make_check,
     verdict,
 )
 from core.checks.inputs import FATIGUE
@@ -109,7 +106,7 @@ def line_spacing(kind: Kind, design: ShaftDesign) -> Check:
     if not apart:
         return Check(kind, "not_applicable", reason="one_only")
     pitch, size = 2 * design.roller_circle_radius * math.sin(min(apart) / 2), design.roller_radius
-    return gap(kind, width=pitch - 2 * size, size=size)
+    return kind.gap(pitch - 2 * size, size=size)
 
 
 @design_check(
@@ -126,7 +123,7 @@ def line_spacing(kind: Kind, design: ShaftDesign) -> Check:
 def shaft_in_circle(kind: Kind, design: ShaftDesign) -> Check:
     size = design.roller_radius
     room = design.roller_circle_radius - size - max(design.diameters) / 2
-    return gap(kind, width=room, size=size)
+    return kind.gap(room, size=size)
 
 
 @design_check(
@@ -180,7 +177,7 @@ def shaft_static(kind: Kind, design: ShaftDesign) -> Check:
     strength = judged_by(design.yield_strength, "yield_unknown", "yield_strength", value=stress)
     limit = strength / design.requirements.bending_safety
     reserve = limit / stress if stress > 0 else None
-    return judged(kind, stress, limit, reserve=reserve, error=design.error)
+    return kind.judged(stress, limit, reserve=reserve, error=design.error)
 
 
 @design_check(
@@ -232,7 +229,7 @@ def line_pressure(kind: Kind, design: ShaftDesign) -> Check:
     missing = tuple(name for name in LINE_MATERIALS if name not in limits)
     error = 4 * float(design.contact.accuracy.relative_error)
     limit = min(limits.values(), default=math.inf) / design.requirements.pitting_safety
-    found = judged(kind, pressure, limit, reserve=(limit / pressure) ** 2, error=error)
+    found = kind.judged(pressure, limit, reserve=(limit / pressure) ** 2, error=error)
     if missing and found.status != "fail":
         return Check(kind, "not_checked", value=pressure, reason="limit_unknown", missing=missing)
     return found
@@ -271,6 +268,6 @@ def shaft_checks(design: ShaftDesign) -> Verdict:
         left.append("fatigue")
     kinds = [kind for kind in SHAFT if all(getattr(design, each) for each in kind.needs)]
     return verdict(
-        [make_check(kind, design) for kind in kinds],
+        [kind.of(design) for kind in kinds],
         (*left, "bearing", "friction"),
     )

@@ -5,7 +5,7 @@ mesh, involute teeth as they are made, cycloid discs on the pins of their ring.
 from functools import partial
 from typing import Any
 
-from core.checks.check import Check, Checks, Kind, common, design_check, judged, judged_by
+from core.checks.check import Check, Checks, Kind, common, design_check, judged_by
 from core.checks.inputs import (
     INVOLUTE_CUTTER,
     INVOLUTE_GEARS,
@@ -95,7 +95,7 @@ def pressure_angle(kind: Kind, design: Design, results: Results) -> Check:
     if design.gear and design.gear.kind != "involute":
         return Check(kind, "not_applicable", reason="no_involute")
     angle = results.ring.force.operating_pressure_angle
-    return judged(kind, float(angle), STEEP, warning="steep_mesh")
+    return kind.judged(float(angle), STEEP, warning="steep_mesh")
 
 
 @_mesh(
@@ -124,7 +124,7 @@ def mesh_possible(kind: Kind, design: Design, results: Results) -> Check:
         eccentricity=eccentricity,
         rack=usual_rack(pressure_angle=gear.reference_pressure_angle),
     )
-    check = judged(kind, found.contact_ratio, 1.0, impossible=not found.any_mesh)
+    check = kind.judged(found.contact_ratio, 1.0, impossible=not found.any_mesh)
     if check.status == "fail" and found.any_mesh:
         return check._replace(status="marginal", reason="unusual_teeth")
     return check
@@ -151,8 +151,8 @@ def _usual(
 ) -> Check:
     """A value that has to be there, else it fails, and is marginal below a guide."""
     if fails:
-        return judged(kind, value, guide)
-    return judged(kind, value, guide, warning=warning, limit_source="guide")
+        return kind.judged(value, guide)
+    return kind.judged(value, guide, warning=warning, limit_source="guide")
 
 
 def _felt(value: float) -> float:
@@ -207,7 +207,7 @@ def mesh_involute(kind: Kind, design: Design, results: Results) -> Check:
     pair = results.ring.pair
     of_ring = pair.ring_flank.form_roll - pair.end_roll_ring
     value = min(pair.start_roll - pair.form_roll_satellite, of_ring)
-    found = judged(kind, _felt(value), 0.0)
+    found = kind.judged(_felt(value), 0.0)
     if pair.teeth.cutter or found.status == "fail":
         return found
     return found._replace(reason="ring_flank_unknown", missing=("gear.cutter_teeth",))
@@ -226,7 +226,7 @@ def mesh_involute(kind: Kind, design: Design, results: Results) -> Check:
     fixes="gear.satellite_profile_shift",
 )
 def mesh_undercut(kind: Kind, design: Design, results: Results) -> Check:
-    return judged(kind, _felt(results.ring.pair.form_roll_satellite), 0.0)
+    return kind.judged(_felt(results.ring.pair.form_roll_satellite), 0.0)
 
 
 @_mesh(
@@ -286,8 +286,7 @@ def mesh_root_stress(kind: Kind, design: Design, results: Results) -> Check:
     strength = judged_by(given, "root_strength_unknown", "gear.root_strength", value=stress)
     limit = strength / design.requirements.fatigue_safety
     factor = design.load_factor
-    return judged(
-        kind,
+    return kind.judged(
         stress,
         limit,
         reserve=limit / stress,
@@ -366,7 +365,7 @@ def ring_valley_tool(kind: Kind, design: Design, results: Results) -> Check:
     concave = _disc(design).min_concave_radius
     if concave is None:
         return Check(kind, "not_applicable", reason="no_valley")
-    return judged(kind, concave, tool)
+    return kind.judged(concave, tool)
 
 
 def ring_alone(results: Results) -> str | None:
@@ -394,7 +393,7 @@ def ring_pressed(kind: Kind, design: Design, results: Results) -> Check:
         pair = results.ring.pair
         over = -pair.normal_backlash
         felt = over > AS_TYPED * pair.teeth.module
-        return judged(kind, over if felt else 0.0, 0.0)
+        return kind.judged(over if felt else 0.0, 0.0)
     try:
         over = results.ring.working[0].interference
     except ImpossibleMechanism as why:  # of the forces, which this asks for no more
@@ -407,8 +406,8 @@ def ring_pressed(kind: Kind, design: Design, results: Results) -> Check:
             raise
         place: dict[str, Any] = why.where | why.params
         said: dict[str, Any] = {"reason": why.code, "params": place, "at": why.where}
-        return judged(kind, over, 0.0, **said)
-    return judged(kind, over, 0.0, reason=ring_alone(results) or "")
+        return kind.judged(over, 0.0, **said)
+    return kind.judged(over, 0.0, reason=ring_alone(results) or "")
 
 
 FORCE = (pressure_angle, mesh_possible)

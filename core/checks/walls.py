@@ -13,11 +13,7 @@ from core.checks.check import (
     Status,
     common,
     design_check,
-    gap,
-    judged,
     judged_by,
-    not_checked,
-    wall,
 )
 from core.checks.inputs import CRANKS, HOLE, ROOTS
 from core.checks.teeth import NOT_OF
@@ -59,7 +55,7 @@ def dead_centre(kind: Kind, design: Design, results: Results) -> Check:
         return Check(kind, "pass", value=0.0, limit=0.0)
     start = zones[0][0] * design.built.crank_angle_per_wave
     at = {"crank_angle": start}
-    return judged(kind, float(len(zones)), 0.0, impossible=True, at=at)
+    return kind.judged(float(len(zones)), 0.0, impossible=True, at=at)
 
 
 @_mechanism(
@@ -79,7 +75,7 @@ def assembly(kind: Kind, design: Design, results: Results) -> Check:
     teeth = judged_by(design.mechanism.satellite_teeth, "", name, status="not_asked")
     angles = assembly_angles(mechanism=design.built, satellite_teeth=teeth)
     different = sum(not each.identical for each in angles)
-    return judged(kind, float(different), 0.0, warning="different_parts")
+    return kind.judged(float(different), 0.0, warning="different_parts")
 
 
 @design_check(
@@ -101,7 +97,7 @@ def interference(kind: Kind, design: Design, results: Results) -> Check:
         misfit = "" if room.state == "fits" else results.fit.misfit
     except NotKnown as why:
         if clearance >= 0 and not design.deviations:  # the room is the clearance
-            return judged(kind, clearance, 0.0)._replace(utilisation=None)
+            return kind.judged(clearance, 0.0)._replace(utilisation=None)
         if not design.load:
             raise
         if clearance < 0:  # of all pairs alike
@@ -113,7 +109,7 @@ def interference(kind: Kind, design: Design, results: Results) -> Check:
             }
             found = Check(kind, "fail", value=clearance, limit=0.0, impossible=True)
             return found._replace(reason="cannot_assemble", params=lacking)
-        return not_checked(kind, why)._replace(limit=0.0)
+        return kind.unknown(why)._replace(limit=0.0)
     at: dict[str, float] = {}
     if room.binding:
         pair = room.binding[0]
@@ -173,7 +169,7 @@ def wall_holes(kind: Kind, design: Design, results: Results) -> Check:
     width = _between(design, radius)
     if math.isinf(width):
         return Check(kind, "not_applicable", reason="one_only")
-    return wall(kind, width=width, size=radius, least=least, guide=design.wall_guide)
+    return kind.wall(width, size=radius, least=least, guide=design.wall_guide)
 
 
 @_placed(
@@ -189,7 +185,7 @@ def pins_apart(kind: Kind, design: Design, results: Results) -> Check:
     width = _between(design, radius)
     if math.isinf(width):
         return Check(kind, "not_applicable", reason="one_only")
-    return gap(kind, width=width, size=radius)
+    return kind.gap(width, size=radius)
 
 
 @_placed(
@@ -202,7 +198,7 @@ def pins_apart(kind: Kind, design: Design, results: Results) -> Check:
 )
 def holes_off_centre(kind: Kind, design: Design, results: Results) -> Check:
     size = design.nominal_pair.hole_radius
-    return gap(kind, width=design.load.pin_circle_radius - size, size=size)
+    return kind.gap(design.load.pin_circle_radius - size, size=size)
 
 
 def _within_roots(kind: Kind, design: Design, *, solid: bool) -> Check:
@@ -217,9 +213,9 @@ def _within_roots(kind: Kind, design: Design, *, solid: bool) -> Check:
 
     def wide(radius: float) -> Check:
         if not solid:
-            return gap(kind, width=radius - reach, size=size)._replace(limit_source=source)
+            return kind.gap(radius - reach, size=size)._replace(limit_source=source)
         asked = design.requirements.min_wall
-        found = wall(kind, width=radius - reach, size=size, least=asked, guide=_rim_guide(design))
+        found = kind.wall(radius - reach, size=size, least=asked, guide=_rim_guide(design))
         return found if found.limit_source else found._replace(limit_source=source)
 
     shallow, deep = map(wide, reversed(design.roots))
@@ -276,7 +272,7 @@ def wall_bore(kind: Kind, design: Design, results: Results) -> Check:
     size = design.nominal_pair.hole_radius
     bore = required(design.bore_radius, "size_missing", "satellite_body.bore_radius")
     width, least = design.load.pin_circle_radius - size - bore, design.requirements.min_wall
-    return wall(kind, width=width, size=size, least=least, guide=design.wall_guide)
+    return kind.wall(width, size=size, least=least, guide=design.wall_guide)
 
 
 @_body(
@@ -329,7 +325,7 @@ def wall_sleeve(kind: Kind, design: Design, results: Results) -> Check:
         return Check(kind, "not_applicable", reason="without_sleeve")
     radius, diameter = design.nominal_pair.pin_radius, design.pin.diameter
     width, guide = radius - diameter / 2, SLEEVE * diameter
-    return wall(kind, width=width, size=radius, guide=guide)
+    return kind.wall(width, size=radius, guide=guide)
 
 
 @_wall(
@@ -349,7 +345,7 @@ def ring_pin_room(kind: Kind, design: Design, results: Results) -> Check:
     pins = design.ring_pins // (2 if design.cycloid.every_second_pin else 1)
     size, circle = design.cycloid.known_pin_radius, design.cycloid.ring_pin_circle_radius
     width = 2 * circle * math.sin(math.pi / pins) - 2 * size
-    return wall(kind, width=width, size=size, guide=2 * BETWEEN_PINS * size)
+    return kind.wall(width, size=size, guide=2 * BETWEEN_PINS * size)
 
 
 FITTED = (dead_centre, assembly, interference)

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
-from core.checks.check import MARGIN, Check, judged, verdict
+from core.checks.check import MARGIN, Check, verdict
 from core.checks.crank_planetary import crank_checks
 from core.checks.records import CHECKS
 from core.checks.rollers import RollerDesign, roller_checks
@@ -143,7 +143,7 @@ def test_more_torque_is_never_better(design: Design, times: float) -> None:
     st.sampled_from(["contact_pressure_pin", "wall_holes"]),
 )
 def test_one_sense_of_utilisation(value: float, limit: float, code: str) -> None:
-    check = judged(CHECKS[code], value, limit)
+    check = CHECKS[code].judged(value, limit)
     assert check.utilisation is not None
     assert (check.utilisation > 1 + 1e-12) == (check.status == "fail")
     assert (check.margin < 0) == (check.utilisation > 1) or check.utilisation == 1
@@ -159,24 +159,24 @@ def test_one_sense_of_utilisation(value: float, limit: float, code: str) -> None
     ],
 )
 def test_the_marginal_band(reserve: float | None, warning: str, status: str) -> None:
-    check = judged(CHECKS["contact_pressure_pin"], 1.0, 1.2, reserve=reserve, warning=warning)
+    check = CHECKS["contact_pressure_pin"].judged(1.0, 1.2, reserve=reserve, warning=warning)
     assert check.status == status
 
 
 def test_within_the_error_of_the_model_nothing_is_certain() -> None:
     for value, status in ((0.96, "marginal"), (1.02, "marginal"), (1.06, "fail"), (0.9, "pass")):
-        check = judged(CHECKS["contact_pressure_pin"], value, 1.0, reserve=1.5, error=0.05)
+        check = CHECKS["contact_pressure_pin"].judged(value, 1.0, reserve=1.5, error=0.05)
         assert check.status == status, value
         assert (check.reason == "pressure_error") == (status == "marginal")
 
 
 def test_order_and_verdict() -> None:
     one = Check(CHECKS["interference"], "fail", impossible=True)
-    two = judged(CHECKS["wall_holes"], 1.0, 2.0)
-    three = judged(CHECKS["contact_pressure_pin"], 2.0, 1.0, reserve=0.25)
-    four = judged(CHECKS["contact_pressure_hole"], 1.5, 1.0, reserve=0.44)
-    five = judged(CHECKS["contact_shakedown_pin"], 1.0, 1.04, reserve=1.08)
-    six = judged(CHECKS["contact_yield_pin"], 2.0, 1.0, reserve=0.2, warning="plastic_first")
+    two = CHECKS["wall_holes"].judged(1.0, 2.0)
+    three = CHECKS["contact_pressure_pin"].judged(2.0, 1.0, reserve=0.25)
+    four = CHECKS["contact_pressure_hole"].judged(1.5, 1.0, reserve=0.44)
+    five = CHECKS["contact_shakedown_pin"].judged(1.0, 1.04, reserve=1.08)
+    six = CHECKS["contact_yield_pin"].judged(2.0, 1.0, reserve=0.2, warning="plastic_first")
     seven = Check(CHECKS["assembly"], "not_asked")
     eight = Check(CHECKS["contact_shakedown_hole"], "not_checked")
     every = [eight, seven, six, five, four, three, two, one]
@@ -197,11 +197,11 @@ def test_order_and_verdict() -> None:
     assert verdict([five, eight]).torque_reserve is None
     assert verdict([five, six, seven]).verdict == "marginal"
     assert verdict([seven]).verdict == "incomplete"
-    room = judged(CHECKS["line_spacing"], 2.0, 0.0)
-    warned = judged(CHECKS["contact_yield_pin"], 0.1, 0.159, reserve=2.5, warning="plastic_first")
+    room = CHECKS["line_spacing"].judged(2.0, 0.0)
+    warned = CHECKS["contact_yield_pin"].judged(0.1, 0.159, reserve=2.5, warning="plastic_first")
     assert verdict([room]).verdict == "incomplete"  # nothing that the load could break
     assert verdict([room, warned]).verdict == "incomplete"
-    assert verdict([room, judged(CHECKS["shaft_slope"], 1.0, 2.0, reserve=2.0)]).verdict == "pass"
+    assert verdict([room, CHECKS["shaft_slope"].judged(1.0, 2.0, reserve=2.0)]).verdict == "pass"
     assert verdict([room._replace(status="fail")]).verdict == "fail"
     assert verdict([seven]).governing is None
 

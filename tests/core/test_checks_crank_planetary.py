@@ -7,7 +7,6 @@ from typing import Any
 
 import pytest
 
-from core.checks.check import gap
 from core.checks.crank_planetary import CRANK_CHECKS, crank_checks, crank_codes
 from core.checks.walls import pins_apart
 from core.design.real_forces import RealForces
@@ -191,7 +190,7 @@ def test_a_wall_to_teeth_of_which_only_the_tips_are_known() -> None:
 
 def test_a_wall_of_the_size_of_rounding_is_none() -> None:
     for width, status in ((2e-12, "pass"), (0.9e-12, "fail"), (-1e-3, "fail")):
-        found = gap(pins_apart, width=width, size=1e-3)
+        found = pins_apart.gap(width, size=1e-3)
         assert (found.status, found.impossible) == (status, status == "fail")
         assert found.value == (width if status == "pass" else min(width, 0.0))
 

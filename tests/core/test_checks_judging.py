@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from core.checks.check import Check, judged, verdict
+from core.checks.check import Check, verdict
 from core.checks.records import CHECKS
 from core.errors import NotKnown
 from core.precision import CONVERGED
@@ -37,7 +37,7 @@ from core.precision import CONVERGED
 def test_judging(changes: dict[str, Any], status: str, reason: str) -> None:
     limit, code = changes["limit"], changes.get("code", "contact_pressure_pin")
     more = {name: each for name, each in changes.items() if name not in ("limit", "code")}
-    found = judged(CHECKS[code], 1.0, limit, **more)
+    found = CHECKS[code].judged(1.0, limit, **more)
     assert (found.status, found.reason) == (status, reason)
     assert found.utilisation == pytest.approx(
         limit if "code" in changes else 1 / limit, rel=CONVERGED
@@ -59,13 +59,13 @@ def test_of_what_nothing_is_known_nothing_is_said(code: str, reserve: float | No
         (268_669.0, 1.0),
         (268_669.0, 85.0),
     ):
-        found = judged(CHECKS[code], value, 3140.0, reserve=reserve, error=error, warning="uneven")
+        found = CHECKS[code].judged(value, 3140.0, reserve=reserve, error=error, warning="uneven")
         assert (found.status, found.reason) == ("not_checked", "value_unknown")
         assert (found.value, found.limit, found.torque_reserve) == (value, 3140.0, None)
     # upwards a finite error ends somewhere
     kind = CHECKS[code]
-    assert judged(kind, 10.0, 1000.0, error=4.0).status == judged(kind, 10.0, 1000.0).status
-    assert judged(kind, 10.0, 49.0, reserve=0.2, error=4.0).status == "marginal"
+    assert kind.judged(10.0, 1000.0, error=4.0).status == kind.judged(10.0, 1000.0).status
+    assert kind.judged(10.0, 49.0, reserve=0.2, error=4.0).status == "marginal"
 
 
 def test_utilisation_needs_something_to_use() -> None:
@@ -77,7 +77,7 @@ def test_utilisation_needs_something_to_use() -> None:
         (-1.0, 1.0, "wall_holes", None),
         (1.0, 0.0, "wall_holes", None),
     ):
-        found = judged(CHECKS[code], value, limit)
+        found = CHECKS[code].judged(value, limit)
         assert found.utilisation == used
         assert found.margin == (limit - value if code == "wear" else value - limit)
     for own in ({"value": 1.0}, {"limit": 1.0}):
@@ -91,7 +91,7 @@ def test_the_order_of_what_is_not_judged_and_of_equals() -> None:
         Check(CHECKS["assembly"], "not_asked"),
         Check(CHECKS["clearance"], "not_checked"),
     ]
-    half, most = (judged(CHECKS["wall_holes"], 1.0, part) for part in (0.5, 0.9))
+    half, most = (CHECKS["wall_holes"].judged(1.0, part) for part in (0.5, 0.9))
     found = verdict([*unknown, half, most])
     assert [each.utilisation for each in found.checks[1:3]] == [0.9, 0.5]
     assert [found.checks[index].status for index in (0, 3, 4)] == [
@@ -101,14 +101,14 @@ def test_the_order_of_what_is_not_judged_and_of_equals() -> None:
     ]
     assert found["assembly"].status == "not_asked"
     # what is not known before what warns, and that before what passes, whatever their reserves
-    warned = judged(CHECKS["unbalance_force"], 1.0, 0.0, warning="unbalanced")
-    room = judged(CHECKS["line_spacing"], 1.0, 0.0)
-    stressed = judged(CHECKS["roller_stress"], 1.0, 2.0, reserve=1.5)
+    warned = CHECKS["unbalance_force"].judged(1.0, 0.0, warning="unbalanced")
+    room = CHECKS["line_spacing"].judged(1.0, 0.0)
+    stressed = CHECKS["roller_stress"].judged(1.0, 2.0, reserve=1.5)
     order = [unknown[2], warned, stressed, room, unknown[1], unknown[0]]
     assert verdict(reversed(order)).checks == tuple(order)
     # an impossible part that is not there is none
     passing = half._replace(impossible=True)
-    stress = judged(CHECKS["roller_stress"], 1.0, 2.0, reserve=2.0)
+    stress = CHECKS["roller_stress"].judged(1.0, 2.0, reserve=2.0)
     assert [each.code for each in verdict([passing, stress]).checks] == [stress.code, "wall_holes"]
     assert verdict([stress]).largest_torque_known
     assert not verdict([stress, half._replace(status="fail")]).largest_torque_known
@@ -132,5 +132,5 @@ def test_what_has_to_stay_above_its_limit_says_so() -> None:
 
 def test_what_is_no_number_passes_nothing() -> None:
     for code in ("contact_pressure_pin", "bearing_life"):
-        assert judged(CHECKS[code], math.nan, 1.0).status == "fail"
-        assert judged(CHECKS[code], math.nan, 1.0, reserve=math.nan).status == "fail"
+        assert CHECKS[code].judged(math.nan, 1.0).status == "fail"
+        assert CHECKS[code].judged(math.nan, 1.0, reserve=math.nan).status == "fail"

@@ -7,7 +7,7 @@ from typing import Any, get_args
 
 import pytest
 
-from core.checks.check import PartStatus, PartVerdict, make_check, whole
+from core.checks.check import PartStatus, PartVerdict, whole
 from core.checks.crank_planetary import CRANK_CHECKS, PARTS, crank_checks
 from core.checks.reserve import crank_verdict
 from core.checks.usual_fit import usual_fit
@@ -202,7 +202,7 @@ def test_a_part_of_an_unknown_clearance_fails_where_it_fails_both_ways() -> None
         solved = check_of("pin_static", design).status
         equal = Results(design).equal
         assert equal.design is design
-        other = make_check(CRANK_CHECKS["pin_static"], design, equal).status
+        other = CRANK_CHECKS["pin_static"].of(design, equal).status
         seen.add((solved, other))
         if solved == other:
             assert found.status == solved
