@@ -291,12 +291,6 @@ class Check(NamedTuple):
 
     Attributes
     ----------
-    kind : Kind
-        Which.
-    status : Status
-        How it went.
-    value, limit : float or None
-        What is compared, in SI units; the limit with the required safety in it.
     utilisation : float or None
         How much of the limit is used, 1 at the limit; None where the limit is 0 or the value not
         positive.
@@ -304,47 +298,33 @@ class Check(NamedTuple):
         Factor on the torque at which the value is at its limit; None where it does not depend on
         it, or is not known. Where `solved` it is what it would be if forces grew in proportion:
         that orders checks, and no answer states it.
-    solved : bool
-        Whether forces have to be solved again under another torque, as they are shared otherwise.
-    impossible : bool
-        Whether the mechanism cannot exist or move so.
-    warning : bool
-        Whether the check can be marginal at worst.
-    reason : str
-        Why the status is so, where the numbers do not say it: a key of `core.codes.CODES`.
-    params : mapping
-        What the words of the reason name, in SI units; of a warning as its notice has it.
     refusal : InvalidInput or None
         The reason as the refusal of who asks for what the check looks at, where it is one.
-    limit_source, criterion, verified : str
-        Of the limit of a material: source, criterion, how that was seen.
     life_factor : float or None
-        Of that limit, which is in it, by the loads over the life; None where none is known.
+        Of the limit, which is in it, by the loads over the life; None where none is known.
     at : mapping
         Where the value is reached: satellite, pin, crank_angle (rad); of pins that a tie ring joins
         their section, `root` or `ring`.
-    missing : tuple of str
-        Core names of inputs that would have to be given.
     """
 
-    kind: Kind
-    status: Status
-    value: float | None = None
-    limit: float | None = None
+    kind: Kind  # which
+    status: Status  # how it went
+    value: float | None = None  # that is compared, in SI units
+    limit: float | None = None  # with the required safety in it
     utilisation: float | None = None
     torque_reserve: float | None = None
-    solved: bool = False
-    impossible: bool = False
-    warning: bool = False
-    reason: str = ""
-    params: Mapping[str, Any] = {}
+    solved: bool = False  # whether forces are solved again under another torque, shared otherwise
+    impossible: bool = False  # whether the mechanism cannot exist or move so
+    warning: bool = False  # whether the check can be marginal at worst
+    reason: str = ""  # why, where the numbers do not say it: a key of `core.codes.CODES`
+    params: Mapping[str, Any] = {}  # what its words name, SI; of a warning as its notice has it
     refusal: InvalidInput | None = None
-    limit_source: str = ""
-    criterion: str = ""
-    verified: str = ""
+    limit_source: str = ""  # of the limit of a material
+    criterion: str = ""  # of that limit
+    verified: str = ""  # how that was seen
     life_factor: float | None = None
     at: Mapping[str, Any] = {}
-    missing: tuple[str, ...] = ()
+    missing: tuple[str, ...] = ()  # core names of inputs that would have to be given
 
     @property
     def code(self) -> str:
@@ -401,7 +381,7 @@ class Check(NamedTuple):
 
 
 def asked_of(design: Any, *names: str) -> dict[str, float]:
-    """Those of some requirements that are asked of a design.
+    """Those of some requirements that are asked of a design, by their names.
 
     Parameters
     ----------
@@ -409,11 +389,6 @@ def asked_of(design: Any, *names: str) -> dict[str, float]:
         The design.
     *names : str
         Their names.
-
-    Returns
-    -------
-    dict
-        What is asked, by its name.
     """
     values = {name: getattr(design.requirements, name) for name in names}
     return {name: value for name, value in values.items() if value is not None}
@@ -499,34 +474,16 @@ def over_range(
 
 
 class Measure(NamedTuple):
-    """What is compared with a limit that somebody may ask.
+    """What is compared with a limit that somebody may ask."""
 
-    Attributes
-    ----------
-    value : float
-        The value, in SI units.
-    error : float
-        Its relative error, of number and model.
-    at : mapping
-        Where it is reached.
-    reserve : callable, optional
-        Factor on the torque under which the value is so many times as large, where it grows with
-        it.
-    solved : bool
-        Whether it does not grow in proportion, as forces are solved.
-    used : callable, optional
-        How much of a limit is used, where that is not their ratio.
-    reason : str, optional
-        What else it is of than the check says.
-    """
-
-    value: float
-    error: float = 4 * ROUNDING
-    at: Mapping[str, float] = {}
+    value: float  # in SI units
+    error: float = 4 * ROUNDING  # relative, of number and model
+    at: Mapping[str, float] = {}  # where it is reached
+    # Factor on the torque under which the value is so many times as large, where it grows with it.
     reserve: Callable[[float], float] | None = None
-    solved: bool = False
-    used: Callable[[float], float] | None = None
-    reason: str | None = None
+    solved: bool = False  # whether it does not grow in proportion, as forces are solved
+    used: Callable[[float], float] | None = None  # part of a limit, where that is not their ratio
+    reason: str | None = None  # what else it is of than the check says
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -557,15 +514,6 @@ class PartVerdict:
 
 def whole(parts: Iterable[PartVerdict]) -> Outcome:
     """What parts come to together.
-
-    Parameters
-    ----------
-    parts : iterable of PartVerdict
-        The parts.
-
-    Returns
-    -------
-    Outcome
 
     Examples
     --------
@@ -643,21 +591,11 @@ def cannot_be(checks: Iterable[Check]) -> bool:
 
 
 def rank(check: Check) -> tuple[float, ...]:
-    """Order of checks, as they decide the verdict: impossible, failing, those that could not be
-    made, marginal, passing, then what is not judged.
+    """What checks are sorted by, as they decide the verdict: impossible, failing, those that could
+    not be made, marginal, passing, then what is not judged.
 
     Utilisations of different powers of the torque cannot be compared; its reserve can. What fails
     whatever the torque comes before.
-
-    Parameters
-    ----------
-    check : Check
-        The check.
-
-    Returns
-    -------
-    tuple of float
-        What it is sorted by.
     """
     order = {"fail": 1, "not_checked": 2, "marginal": 3, "pass": 4, "not_asked": 5}
     place = 0 if check.impossible and check.status == "fail" else order.get(check.status, 6)

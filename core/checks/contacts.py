@@ -36,7 +36,7 @@ from core.checks.teeth import not_toothed
 from core.design.document import Design, value_at
 from core.design.results import Results
 from core.design.ring import RingBody
-from core.errors import NotKnown, if_known, is_known, required
+from core.errors import NotKnown, if_known, required
 from core.hertz import SLIDING as KNOWN_SLIDING
 from core.hertz import Body, ContactLimit, ElasticMaterial, HertzContact, force_factor, shakedown
 from core.numerics.inverse import edge
@@ -616,24 +616,6 @@ def fatigue_plastic(kind: Kind, design: Design, results: Results) -> Check:
 def contact_conformity(kind: Kind, design: Design, results: Results) -> Check:
     """For one release."""
     return Check(kind, "not_applicable", reason="conformal_solution")
-
-
-def life_considered(*, design: Design, body: Body) -> bool:
-    """Whether the limit of the pressure of a body, if one is known, is that over the life.
-
-    Parameters
-    ----------
-    design : Design
-        The design.
-    body : {"pin", "hole"}
-        Whose surface.
-
-    Returns
-    -------
-    bool
-    """
-    limit = design.lasting[body].limit
-    return not limit or is_known(lambda: limit.life)
 
 
 PLASTICS = (contact_static_cold, contact_solid_depth, temperature, creep, fatigue_plastic)

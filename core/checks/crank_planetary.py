@@ -14,9 +14,11 @@ from core.checks.check import (
     rank,
     verdict,
 )
+from core.checks.inputs import paths
 from core.design.document import Design
 from core.design.results import Results
-from core.errors import NotKnown
+from core.errors import NotKnown, is_known
+from core.hertz import Body
 
 CRANK_CHECKS = {
     kind.code: kind
@@ -52,49 +54,36 @@ _NEEDS = tuple(dict.fromkeys(need for kind in CRANK_CHECKS.values() for need in 
 _ASKED_ALONE = tuple(kind.asks for kind in CRANK_CHECKS.values() if kind.asked_alone)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class Part:
     """A part of a reducer."""
 
     code: str  # its name in requests and answers
     title: str  # its name in English
-    sections: tuple[str, ...]  # of a design that its checks need
+    own: str = ""  # sections of a design that its checks need besides load and contact
     by_forces: bool = True  # whether these read the pins' forces
-    demands: tuple[str, ...] = ()  # without its section or one of these nobody asks for it
+    demands: str = ""  # requirements: without its section or one of these nobody asks for it
+
+    @property
+    def sections(self) -> tuple[str, ...]:
+        """All sections that its checks need."""
+        return ("load", "contact", *self.own.split())
 
 
 PARTS = {
     part.code: part
     for part in (
-        Part(code="contact", title="pins in holes", sections=("load", "contact")),
-        Part(code="pins", title="pins", sections=("load", "contact", "pin")),
+        Part("contact", "pins in holes"),
+        Part("pins", "pins", "pin"),
+        Part("teeth", "teeth of satellite and ring", "gear", by_forces=False),
+        Part("satellite_bearing", "bearings of the satellites", "gear bearing"),
+        Part("crank_bearings", "bearings and balance of the crankshaft", "gear crankshaft"),
+        Part("body", "body of the satellite", "satellite_body", by_forces=False),
         Part(
-            code="teeth",
-            title="teeth of satellite and ring",
-            sections=("load", "contact", "gear"),
-            by_forces=False,
-        ),
-        Part(
-            code="satellite_bearing",
-            title="bearings of the satellites",
-            sections=("load", "contact", "gear", "bearing"),
-        ),
-        Part(
-            code="crank_bearings",
-            title="bearings and balance of the crankshaft",
-            sections=("load", "contact", "gear", "crankshaft"),
-        ),
-        Part(
-            code="body",
-            title="body of the satellite",
-            sections=("load", "contact", "satellite_body"),
-            by_forces=False,
-        ),
-        Part(
-            code="losses",
-            title="friction, wear and efficiency",
-            sections=("load", "contact", "friction"),
-            demands=("min_efficiency", "max_sliding_speed", "max_pv", "max_wear"),
+            "losses",
+            "friction, wear and efficiency",
+            "friction",
+            demands="min_efficiency max_sliding_speed max_pv max_wear",
         ),
     )
 }
@@ -135,18 +124,7 @@ def crank_check(code: str, results: Results) -> Check:
 
 
 def crank_codes(design: Design) -> tuple[str, ...]:
-    """The checks that the sections of a design allow.
-
-    Parameters
-    ----------
-    design : Design
-        The design.
-
-    Returns
-    -------
-    tuple of str
-        Their codes, first of those that need less.
-    """
+    """Codes of the checks that the sections of a design allow, first of those that need less."""
     there = [need for need in _NEEDS if getattr(design, need)]
     asked = asked_of(design, *_ASKED_ALONE)
     return _codes(frozenset((*there, *asked)), design.scope)
@@ -161,17 +139,8 @@ def _codes(given: frozenset[str], scope: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def crank_checks(results: Results) -> Verdict:
-    """All checks of a crank-planetary reducer, as far as they are in its scope.
-
-    Parameters
-    ----------
-    results : Results
-        Results of a design.
-
-    Returns
-    -------
-    Verdict
-        Nothing that hangs on forces is checked where pins in holes or teeth cannot be.
+    """All checks of a crank-planetary reducer, as far as they are in its scope: nothing that hangs
+    on forces is checked where pins in holes or teeth cannot be.
     """
     design, codes = results.design, crank_codes(results.design)
     checks = [crank_check(code, results) for code in codes if not CRANK_CHECKS[code].loaded]
@@ -207,8 +176,8 @@ def of_parts(*, design: Design, checks: Iterable[Check]) -> Verdict:
     pressed = "contact" in design.scope and bool(design.load) and design.touching
     left_out = {
         **{code: code not in judged for code in PARTS},
-        "contact_life_pin": pressed and not contacts.life_considered(design=design, body="pin"),
-        "contact_life_hole": pressed and not contacts.life_considered(design=design, body="hole"),
+        "contact_life_pin": pressed and _without_life(design, "pin"),
+        "contact_life_hole": pressed and _without_life(design, "hole"),
         "ligament_strength": "body" in judged,
         **dict.fromkeys(UNCOVERED, True),
     }
@@ -221,12 +190,14 @@ def of_parts(*, design: Design, checks: Iterable[Check]) -> Verdict:
     )
 
 
-NOTHING_KNOWN = (
-    "limit_unknown",
-    "static_limit_unknown",
-    "yield_unknown",
-    "direction_unknown",
-    "friction_unknown",
+def _without_life(design: Design, body: Body) -> bool:
+    """Whether the limit of the pressure of a body is known, but not that over the life."""
+    limit = design.lasting[body].limit
+    return limit is not None and not is_known(lambda: limit.life)
+
+
+NOTHING_KNOWN = paths(
+    "limit_unknown static_limit_unknown yield_unknown direction_unknown friction_unknown"
 )
 """Reasons for which a check knows nothing of what a body bears, which may be less than all else."""
 
@@ -241,7 +212,7 @@ def _part(design: Design, part: Part, made: list[Check]) -> PartVerdict:
     """What a part comes to, by the checks that are made, the one that decides first."""
     if part.code not in design.scope:
         return PartVerdict(code=part.code, status="left_out")
-    demanded = asked_of(design, *part.demands)
+    demanded = asked_of(design, *part.demands.split())
     if part.demands and not demanded and not getattr(design, part.sections[-1]):
         return PartVerdict(code=part.code, status="not_asked")
     own = [check for check in made if check.kind.part == part.code]
@@ -251,7 +222,7 @@ def _part(design: Design, part: Part, made: list[Check]) -> PartVerdict:
         return PartVerdict(code=part.code, status="fail", governing=governing)
     lacks = list(_lacks(design, part, own))
     if not decided:
-        demands = (f"requirements.{name}" for name in part.demands)
+        demands = (f"requirements.{name}" for name in part.demands.split())
         lacks.append(NotKnown("nothing_judged", *demands))
     if lacks:
         missing = dict.fromkeys(name for each in lacks for name in each.missing)

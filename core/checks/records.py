@@ -11,17 +11,7 @@ CHECKS = CRANK_CHECKS | {kind.code: kind for kind in (*ROLLERS, *SHAFT)}
 
 
 def record(code: str) -> Kind:
-    """The record of a check: what a check that goes to another process has instead of it.
-
-    Parameters
-    ----------
-    code : str
-        Which.
-
-    Returns
-    -------
-    Kind
-    """
+    """The record of a check: what a check that goes to another process has instead of it."""
     return CHECKS[code]
 
 

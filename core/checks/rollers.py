@@ -245,17 +245,7 @@ ROLLERS = (
 
 
 def roller_checks(design: RollerDesign) -> Verdict:
-    """All checks of swinging rollers.
-
-    Parameters
-    ----------
-    design : RollerDesign
-        The rollers.
-
-    Returns
-    -------
-    Verdict
-    """
+    """All checks of swinging rollers."""
     kinds = [kind for kind in ROLLERS if all(getattr(design, each) for each in kind.needs)]
     return verdict(
         [kind.of(design) for kind in kinds],

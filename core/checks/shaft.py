@@ -247,17 +247,7 @@ SHAFT = (
 
 
 def shaft_checks(design: ShaftDesign) -> Verdict:
-    """All checks of a precessional gear and its shaft.
-
-    Parameters
-    ----------
-    design : ShaftDesign
-        The gear.
-
-    Returns
-    -------
-    Verdict
-    """
+    """All checks of a precessional gear and its shaft."""
     limits = {"deflection": "max_deflection", "slope": "max_slope"}
     left = [name for name, limit in limits.items() if not asked_of(design, limit)]
     if not design.contact:

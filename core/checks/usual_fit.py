@@ -24,37 +24,13 @@ SOFT = 20e9
 
 
 def soft(material: ElasticMaterial | None) -> bool:
-    """Whether a part is taken as printed.
-
-    Parameters
-    ----------
-    material : ElasticMaterial or None
-        Its material, where that is known.
-
-    Returns
-    -------
-    bool
-    """
+    """Whether a part is taken as printed, by its material, where that is known."""
     return material is not None and bool(material.youngs_modulus < SOFT)
 
 
 def usual_clearance(design: Design) -> tuple[str, float]:
-    """The fit that pins and holes of such materials and sizes usually have.
-
-    Parameters
-    ----------
-    design : Design
-        The design, with load, contact and eccentricity.
-
-    Returns
-    -------
-    tuple of str and float
-        Its name and the radial clearance, m.
-
-    Raises
-    ------
-    InvalidInput
-        If the diameters are not in the tables of fits.
+    """The fit that pins and holes of such materials and sizes usually have, and its radial
+    clearance, m; `InvalidInput` of diameters that are not in the tables of fits.
     """
     if soft(design.contact.hole_material):
         return PRINTED, PRINTED_CLEARANCE
@@ -65,18 +41,9 @@ def usual_clearance(design: Design) -> tuple[str, float]:
 
 
 def usual_fit(design: Design) -> tuple[str, Results, Verdict] | None:
-    """The design with a usual clearance.
-
-    Parameters
-    ----------
-    design : Design
-        The design, with load, contact and eccentricity.
-
-    Returns
-    -------
-    tuple of str, Results and Verdict, or None
-        The fit, the results with it and the verdict; None where the design has a clearance, or is
-        beyond the sizes of the fit.
+    """The design, of which load, contact and eccentricity are given, with a usual clearance: the
+    fit, the results and the verdict; None where it has a clearance, or is beyond the sizes of the
+    fit.
     """
     if if_known(lambda: design.clearance) != 0:
         return None
@@ -89,18 +56,7 @@ def usual_fit(design: Design) -> tuple[str, Results, Verdict] | None:
 
 
 def with_usual_clearance(design: Design) -> Design:
-    """The design with a usual clearance where none is known.
-
-    Parameters
-    ----------
-    design : Design
-        The design.
-
-    Returns
-    -------
-    Design
-        As it is where it has a clearance, or none that is usual is known.
-    """
+    """The design with a usual clearance where none is known and there is a usual one."""
     if not (design.clearance_unknown and is_known(lambda: design.known_eccentricity)):
         return design
     try:

@@ -76,17 +76,7 @@ class UsualModification:
 
 
 def ring_class_of(design: Design) -> RingClass:
-    """How discs and ring are made: as it is said, or printed where the discs are soft.
-
-    Parameters
-    ----------
-    design : Design
-        The design, with a ring.
-
-    Returns
-    -------
-    {"ground", "machined", "printed"}
-    """
+    """How discs and ring are made: as is said, or printed where discs are soft, else ground."""
     usual: RingClass = "printed" if soft(design.disc_material) else "ground"
     return design.cycloid.ring_class or usual
 
@@ -168,18 +158,9 @@ def _looked_at(mesh: CycloidMesh, torques: list[float]) -> _Piece:
 
 def usual_modification(design: Design) -> UsualModification | None:
     """The design with a usual modification where none is known, and with pins of the ring that
-    stand as they usually do where nothing is known of their places.
-
-    Parameters
-    ----------
-    design : Design
-        The design.
-
-    Returns
-    -------
-    UsualModification or None
-        None where both are known, the teeth are left out, or the mesh of its ring cannot be
-        solved: see `core.design.ring_results.RingResults.mesh`.
+    stand as they usually do where nothing is known of their places; None where both are known, the
+    teeth are left out, or the mesh of its ring cannot be solved
+    (`core.design.ring_results.RingResults.mesh`).
     """
     gear, made = design.gear, design.deviations or Deviations()
     placed = bool(made.ring_pin_radial or made.ring_pin_tangential)

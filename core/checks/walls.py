@@ -130,22 +130,6 @@ def interference(kind: Kind, design: Design, results: Results) -> Check:
     )
 
 
-def of_both(results: Results) -> str | None:
-    """Why a value is of both meshes, where it is.
-
-    Parameters
-    ----------
-    results : Results
-        Results of a design.
-
-    Returns
-    -------
-    str or None
-        The reason.
-    """
-    return "both_meshes" if results.in_series else None
-
-
 def _between(design: Design, radius: float) -> float:
     """Width between neighbours on the pin circle, m; infinite of a single one."""
     pins = design.mechanism.pins
