@@ -48,7 +48,7 @@ from app.theme import (
 from app.units import from_si, to_si
 from app.worked import worked
 from core.checks.check import Verdict
-from core.checks.rollers import RollerDesign, roller_checks
+from core.checks.plain import RollerDesign, roller_checks
 from core.errors import Notice, NotKnown
 from core.fatigue import CycleFatigue
 from core.fixes.plain import plain_fixes

@@ -37,7 +37,7 @@ from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical
 from app.units import core_name, from_si, to_si
 from app.worked import worked
 from core.checks.check import Verdict
-from core.checks.shaft import LINE_MATERIALS, ShaftDesign, shaft_checks
+from core.checks.plain import LINE_MATERIALS, ShaftDesign, shaft_checks
 from core.design.document import not_given
 from core.errors import Notice, NotKnown, if_known
 from core.fatigue import FatigueStrength

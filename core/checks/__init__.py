@@ -22,7 +22,6 @@ shares              which satellite carries how much, and what hangs on it
 cold_yield          the torque at which a plastic contact yields at once
 usual_fit           the reducer with a usual clearance, where none is known
 usual_modification  with a usual ring, where its modification or its pins' places are not
-rollers             swinging rollers
-shaft               the precessional gear and its shaft
+plain               swinging rollers; the precessional gear and its shaft
 records             all checks, by code
 """

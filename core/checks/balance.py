@@ -2,8 +2,8 @@
 
 from functools import partial
 
+from core.checks import inputs as of
 from core.checks.check import Check, Checks, Kind, asked_of, design_check
-from core.checks.inputs import OF_DISCS
 from core.design.document import Design
 from core.design.results import Results
 
@@ -24,7 +24,7 @@ _check: Checks = partial(
     why="Above it the reducer shakes with every turn of the crank.",
 )
 _INPUTS = (
-    *OF_DISCS,  # of a share of what the mechanism does
+    *of.OF_DISCS,  # of a share of what the mechanism does
     "load.input_speed",
     "crankshaft.satellite_mass",
     "crankshaft.satellite_positions",

@@ -11,8 +11,8 @@ from typing import Any
 
 import numpy as np
 
+from core.checks import inputs as of
 from core.checks.check import Check, Element, Kind, common
-from core.checks.inputs import BEARING_LOAD, FORCES, LIFE, LOADED, OF_DISCS, ON_STRESSES, SPEEDS
 from core.crank import pin_rollers
 from core.crank.bearing_life import EXPONENTS, PEAK_SAFETY, STATIC_SAFETY, Bearing
 from core.crank.envelope import (
@@ -204,8 +204,8 @@ def _least_bore(design: Design) -> float:
     _LIFE,
     formula="L_nh ≥ L",
     inputs=(
-        BEARING_LOAD,
-        LIFE,
+        of.BEARING_LOAD,
+        of.LIFE,
         "bearing.ring_factor bearing.dynamic_rating bearing.reliability_percent",
     ),
     fixes=("bearing.dynamic_rating", _PLACES),
@@ -229,9 +229,9 @@ def bearing_life(kind: Kind, design: Design, results: Results) -> Check:
     _STATIC,
     formula="C₀/Q_max ≥ S_0",
     inputs=(
-        BEARING_LOAD,
+        of.BEARING_LOAD,
         "load.input_speed",
-        ON_STRESSES,
+        of.ON_STRESSES,
         "load.peak_torque load.peak_kind bearing.static_rating requirements.static_safety",
     ),
     fixes="bearing.static_rating load.pin_circle_radius load.output_torque load.peak_torque",
@@ -282,8 +282,8 @@ def system_life(kind: Kind, design: Design, results: Results) -> Check:
     _LIFE,
     formula="L_10h ≥ L",
     inputs=(
-        OF_DISCS,
-        LIFE,
+        of.OF_DISCS,
+        of.LIFE,
         "crankshaft.satellite_mass crankshaft.bearings crankshaft.satellite_positions",
         "crankshaft.bearing_positions crankshaft.counterweights",
     ),
@@ -354,7 +354,7 @@ def bearing_fits(kind: Kind, design: Design, results: Results) -> Check:
     _SPEED,
     formula="n₁·(1 + 1/u) ≤ n_lim",
     why="Above it the bearing gets too hot.",
-    inputs=(SPEEDS, "mechanism.ratio bearing.limiting_speed"),
+    inputs=(of.SPEEDS, "mechanism.ratio bearing.limiting_speed"),
     fixes="load.input_speed",
 )
 def bearing_speed(kind: Kind, design: Design, results: Results) -> Check:
@@ -372,7 +372,7 @@ def _rating(design: Design) -> float:
     _LEAST,
     formula="Q_min ≥ q·C",
     why="Below it rolling elements slide, and tracks are smeared.",
-    inputs=(BEARING_LOAD, "load.input_speed bearing.dynamic_rating"),
+    inputs=(of.BEARING_LOAD, "load.input_speed bearing.dynamic_rating"),
     source="slip",
 )
 def bearing_min_load(kind: Kind, design: Design, results: Results) -> Check:
@@ -396,7 +396,7 @@ def bearing_min_load(kind: Kind, design: Design, results: Results) -> Check:
     formula="P/(0.5·C), Q_max/C₀ ≤ 1",
     why="Above it the formula of the life promises more than the bearing lasts.",
     inputs=(
-        BEARING_LOAD,
+        of.BEARING_LOAD,
         "load.input_speed bearing.ring_factor bearing.dynamic_rating bearing.static_rating",
         "load.peak_torque load.application_factor contact.dynamic_factor",
     ),
@@ -451,7 +451,7 @@ def crank_bearing_fits(kind: Kind, design: Design, results: Results) -> Check:
     _SPEED,
     formula="n₁ ≤ n_lim",
     why="Above it the bearing gets too hot.",
-    inputs=(SPEEDS, "mechanism.ratio crankshaft.bearings"),
+    inputs=(of.SPEEDS, "mechanism.ratio crankshaft.bearings"),
 )
 def crank_bearing_speed(kind: Kind, design: Design, results: Results) -> Check:
     speeds, bearings = design.known_speeds, design.crankshaft.known_bearings
@@ -463,14 +463,14 @@ _MADE = "rollers.kind rollers.ratings rollers.rolling_elements"
 
 _LESS = "load.pin_circle_radius mechanism.pins load.output_torque"
 
-_PEAK = (LOADED, "load.peak_torque")
+_PEAK = (of.LOADED, "load.peak_torque")
 
 
 @ROLLERS.check(
     "life",
     _LIFE,
     formula="L_10h ≥ L",
-    inputs=(FORCES, LIFE, _MADE, "rollers.dynamic_rating"),
+    inputs=(of.FORCES, of.LIFE, _MADE, "rollers.dynamic_rating"),
     fixes=("rollers.dynamic_rating load.input_speed", _LESS),
     source="roller_rating",
     requires={"rollers.dynamic_rating": "rating_unknown"},
@@ -538,7 +538,7 @@ def pin_roller_max_load(kind: Kind, design: Design, results: Results) -> Check:
     _LEAST,
     formula="F ≥ 0.0167·C₀",
     why="Below it outer rings slide in the holes before they roll.",
-    inputs=(FORCES, "rollers.static_rating"),
+    inputs=(of.FORCES, "rollers.static_rating"),
     source="track_rollers",
 )
 def pin_roller_min_load(kind: Kind, design: Design, results: Results) -> Check:
@@ -593,7 +593,7 @@ def pin_roller_fits(kind: Kind, design: Design, results: Results) -> Check:
     unit="mrad",
     formula="θ ≤ θ_max",
     why="Above it rolling elements carry on their ends, and last less than the formula says.",
-    inputs=(LOADED, "rollers.kind"),
+    inputs=(of.LOADED, "rollers.kind"),
     source="tilt_guide",
     needs=("touching", "load", "rollers", "pin"),
     needed=False,

@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any, NamedTuple
 
+from core.checks import inputs as of
 from core.checks.check import (
     MARGIN,
     Check,
@@ -22,16 +23,7 @@ from core.checks.check import (
     judged_by,
     over_range,
 )
-from core.checks.inputs import (
-    LIFE,
-    LOADED,
-    MATERIALS,
-    OF_CLEARANCE,
-    SLIDING,
-    TEETH_GIVE,
-    TEETH_LOADED,
-    paths,
-)
+from core.checks.inputs import paths
 from core.checks.teeth import not_toothed
 from core.design.document import Design, value_at
 from core.design.results import Results
@@ -119,7 +111,7 @@ FIXES = paths(
 """What may lower the pressure in the holes."""
 
 _RING_FIXES = (
-    OF_CLEARANCE,
+    of.OF_CLEARANCE,
     "gear.contact_length gear.ring_pin_radius contact.eccentricity",
 )
 """What may lower the pressure of the teeth, besides the torque."""
@@ -223,7 +215,7 @@ def _pressure(body: Body) -> Kind:
     @row.check(
         "pressure",
         _PRESSURE,
-        inputs=(LOADED, LIFE, "requirements.pitting_safety"),
+        inputs=(of.LOADED, of.LIFE, "requirements.pitting_safety"),
         fixes=(FIXES, f"contact.{body}_material"),
         source="yanchevsky_2018",
         known=known,
@@ -242,7 +234,7 @@ def _flowing(sort: str, said: Mapping[str, Any], body: Body, **more: Any) -> Kin
     @row.check(
         sort,
         said,
-        inputs=(LOADED, SLIDING),
+        inputs=(of.LOADED, of.SLIDING),
         fixes=(FIXES, f"contact.{body}_material"),
         known=lambda design, results: {"limit": results.pressure_limits[row.code(sort)]},
     )
@@ -276,7 +268,7 @@ def _static(body: Body) -> Kind:
     @IN_HOLES[body].check(
         "static",
         _STATIC,
-        inputs=(LOADED, "load.peak_torque"),
+        inputs=(of.LOADED, "load.peak_torque"),
         fixes=(FIXES, f"contact.{body}_material load.peak_torque"),
     )
     def static(kind: Kind, design: Design, results: Results) -> Check:
@@ -343,7 +335,7 @@ def _ring_pressure(body: RingBody) -> Kind:
     @IN_RING[body].check(
         "pressure",
         _PRESSURE,
-        inputs=(TEETH_LOADED, LIFE, "requirements.pitting_safety"),
+        inputs=(of.TEETH_LOADED, of.LIFE, "requirements.pitting_safety"),
         fixes=(_RING_FIXES, "load.output_torque"),
         source="ring_mesh",
         not_of=not_toothed,
@@ -361,7 +353,7 @@ def _ring_static(body: RingBody) -> Kind:
     @IN_RING[body].check(
         "static",
         _STATIC,
-        inputs=(TEETH_GIVE, "load.peak_torque"),
+        inputs=(of.TEETH_GIVE, "load.peak_torque"),
         fixes=(_RING_FIXES, "load.peak_torque"),
         not_of=not_toothed,
     )
@@ -402,7 +394,7 @@ _plastic: Checks = partial(design_check, **common("plastic", "contact", "plastic
     formula="p ≤ f(ν, μ)·R_min",
     why="Above it the teeth yield under the first load, even cold.",
     inputs=(
-        TEETH_GIVE,
+        of.TEETH_GIVE,
         "load.output_torque load.peak_torque contact.dynamic_factor gear.friction_coefficient",
         "gear.rolling",
     ),
@@ -487,7 +479,7 @@ def _yielding(
     title="First yield of the plastic",
     formula="p ≤ f(ν, μ)·R_min",
     why="Above it the plastic yields under the first load, even cold.",
-    inputs=(LOADED, SLIDING, "load.peak_torque"),
+    inputs=(of.LOADED, of.SLIDING, "load.peak_torque"),
     fixes=(FIXES, "load.peak_torque"),
     **_COLD,
 )
@@ -504,7 +496,7 @@ def contact_static_cold(kind: Kind, design: Design, results: Results) -> Check:
     unit="MPa",
     formula="p ≤ f(ν, μ)·R_min·k_lt",
     why="Above it the plastic goes on giving way under the load.",
-    inputs=(LOADED, SLIDING),
+    inputs=(of.LOADED, of.SLIDING),
     fixes=FIXES,
     source="long_term",
 )
@@ -534,7 +526,7 @@ def _not_printed(design: Design, results: Results) -> str:
     unit="mm",
     formula="3·a ≤ w",
     why="Below a thinner wall lies the infill, which gives way.",
-    inputs=(LOADED, "load.peak_torque satellite_body.solid_wall"),
+    inputs=(of.LOADED, "load.peak_torque satellite_body.solid_wall"),
     fixes=("satellite_body.solid_wall", FIXES),
     source="solid_depth",
     not_of=_not_printed,
@@ -574,7 +566,7 @@ def _temperature(kind: Kind, design: Design, body: Body) -> Check:
     unit="C",
     formula="T ≤ T_soft",
     why="Above it the plastic goes soft; a motor nearby is enough for that.",
-    inputs=("temperatures.satellite temperatures.pins", MATERIALS),
+    inputs=("temperatures.satellite temperatures.pins", of.MATERIALS),
     fixes="temperatures.satellite temperatures.pins",
     source="heat_deflection",
 )
@@ -597,7 +589,7 @@ def temperature(kind: Kind, design: Design, results: Results) -> Check:
     title="Fatigue of the plastic",
     formula="N ≥ N_L",
     why="Every turn loads each place of the holes once, and plastics have no endurance limit.",
-    inputs=MATERIALS,
+    inputs=of.MATERIALS,
     keep="above",
     source="no_source",
 )

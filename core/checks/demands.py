@@ -6,6 +6,7 @@ takes a solution is not looked for where nobody asks.
 
 from functools import partial
 
+from core.checks import inputs as of
 from core.checks.check import (
     Check,
     Checks,
@@ -18,21 +19,6 @@ from core.checks.check import (
     judged_by,
 )
 from core.checks.contacts import FIRST_ORDER, mesh_error
-from core.checks.inputs import (
-    CRANKS,
-    FORCES,
-    HOLE,
-    INVOLUTE_TEETH,
-    LIFE,
-    OF_BENT_PINS,
-    OF_CLEARANCE,
-    RING_FORCES,
-    RING_GIVES,
-    RING_LOADED,
-    SHARING,
-    SPEEDS,
-    TEETH_GAPS,
-)
 from core.checks.teeth import not_cycloid, not_toothed, ring_alone
 from core.design.document import Design
 from core.design.results import Results
@@ -71,13 +57,13 @@ def _of_both(results: Results) -> str | None:
     "backlash",
     title="Backlash of the output mechanism",
     inputs=(
-        CRANKS,
+        of.CRANKS,
         "mechanism.ratio load.pin_circle_radius",
-        HOLE,
+        of.HOLE,
         "contact.eccentricity deviations crank_support rollers.radial_clearance",
         "requirements.max_backlash contact.distribution_factor",
         "gear.kind gear.ring_pin_circle_radius gear.teeth_difference",
-        OF_CLEARANCE,
+        of.OF_CLEARANCE,
         "gear.modification.rotation",
     ),
     asks="max_backlash",
@@ -97,11 +83,11 @@ def backlash(kind: Kind, design: Design, results: Results) -> Measure:
     why="Otherwise the output gives way by more than is asked when the torque turns.",
     inputs=(
         "load.output_torque contact.distribution_factor load.pin_circle_radius",
-        CRANKS,
+        of.CRANKS,
         "mechanism.ratio",
-        SHARING,
+        of.SHARING,
         "requirements.max_lost_motion",
-        RING_GIVES,
+        of.RING_GIVES,
         "gear.modification.rotation",
     ),
     asks="max_lost_motion",
@@ -124,7 +110,7 @@ def lost_motion(kind: Kind, design: Design, results: Results) -> Measure:
     title="Clearance over eccentricity",
     formula="(r_out − r_in − e)/e ≤ 0.75",
     why="Otherwise the play is a large part of what the mechanism moves by.",
-    inputs=(HOLE, "contact.eccentricity"),
+    inputs=(of.HOLE, "contact.eccentricity"),
     fixes="contact.hole_radius contact.fit",
     source="yanchevskiy_2021",
     **common("geometry", "contact", "touching"),
@@ -145,8 +131,8 @@ def clearance(kind: Kind, design: Design, results: Results) -> Check:
 @_of_teeth(
     "ring_backlash",
     title="Backlash of the teeth",
-    inputs=(TEETH_GAPS, "contact.distribution_factor requirements.max_ring_backlash"),
-    fixes=(OF_CLEARANCE, "gear.satellite_profile_shift"),
+    inputs=(of.TEETH_GAPS, "contact.distribution_factor requirements.max_ring_backlash"),
+    fixes=(of.OF_CLEARANCE, "gear.satellite_profile_shift"),
     source="ring_mesh",
     asks="max_ring_backlash",
     **_BACKLASH,
@@ -166,8 +152,8 @@ def ring_backlash(kind: Kind, design: Design, results: Results) -> Check | Measu
     unit="arcmin",
     formula="max θ − min θ ≤ TE",
     why="Otherwise the output turns less evenly than is asked.",
-    inputs=(RING_FORCES, "requirements.max_transmission_error"),
-    fixes=OF_CLEARANCE,
+    inputs=(of.RING_FORCES, "requirements.max_transmission_error"),
+    fixes=of.OF_CLEARANCE,
     source="ring_mesh",
     asks="max_transmission_error",
     only_asked=True,
@@ -187,10 +173,10 @@ def ring_transmission_error(kind: Kind, design: Design, results: Results) -> Che
     title="Efficiency of the output mechanism",
     why="Below it more is lost than is asked.",
     inputs=(
-        FORCES,
+        of.FORCES,
         "gear.modification.rotation",
-        SPEEDS,
-        INVOLUTE_TEETH,
+        of.SPEEDS,
+        of.INVOLUTE_TEETH,
         "gear.friction_coefficient gear.sleeve_bore_radius friction.coefficient friction.sleeve",
         "rollers.kind rollers.bore_diameter rollers.friction_coefficient",
         "requirements.min_efficiency",
@@ -217,7 +203,7 @@ def efficiency(kind: Kind, design: Design, results: Results) -> Measure:
     formula="v ≤ v_max",
     why="Above it the surfaces get hot.",
     inputs=(
-        SPEEDS,
+        of.SPEEDS,
         "mechanism.ratio contact.eccentricity friction.sleeve pin.diameter contact.pin_radius",
         "requirements.max_sliding_speed",
     ),
@@ -245,7 +231,7 @@ def _with_torque(results: Results, value: float) -> Measure:
     "pv",
     title="Pressure times sliding speed",
     why="Above it the surfaces get hot and wear fast.",
-    inputs=(FORCES, SPEEDS, "friction.sleeve requirements.max_pv"),
+    inputs=(of.FORCES, of.SPEEDS, "friction.sleeve requirements.max_pv"),
     fixes=(
         "contact.pin_radius contact.contact_length load.pin_circle_radius load.input_speed",
         "load.output_torque",
@@ -268,7 +254,7 @@ def pv(kind: Kind, design: Design, results: Results) -> Check | Measure:
     unit="mm",
     formula="h ≤ h_max",
     why="Above it the output has more play than is asked before the end of its life.",
-    inputs=(FORCES, LIFE, "friction.wear_rate friction.life requirements.max_wear"),
+    inputs=(of.FORCES, of.LIFE, "friction.wear_rate friction.life requirements.max_wear"),
     fixes=(
         "friction.wear_rate contact.contact_length contact.pin_radius load.pin_circle_radius",
         "load.input_speed load.output_torque",
@@ -306,7 +292,7 @@ def _no_sleeves(design: Design, results: Results) -> str:
     formula="F/(2·r_p·b) ≤ p_all",
     why="Above it the bores that hold the pins of the ring wear out.",
     inputs=(
-        tuple(name for name in RING_LOADED if name not in OF_BENT_PINS),
+        tuple(name for name in of.RING_LOADED if name not in of.OF_BENT_PINS),
         "requirements.max_seat_pressure",
     ),
     fixes="gear.ring_pin_radius gear.contact_length load.output_torque",
@@ -335,8 +321,8 @@ def ring_seat_pressure(kind: Kind, design: Design, results: Results) -> Check | 
     title="Efficiency of the teeth",
     why="Below it more is lost in the teeth than is asked.",
     inputs=(
-        RING_FORCES,
-        INVOLUTE_TEETH,
+        of.RING_FORCES,
+        of.INVOLUTE_TEETH,
         "gear.friction_coefficient requirements.min_ring_efficiency",
     ),
     fixes="gear.friction_coefficient",
@@ -360,7 +346,7 @@ def ring_efficiency(kind: Kind, design: Design, results: Results) -> Check | Mea
     "ring_pv",
     title="Pressure times sliding speed of the sleeves of the ring",
     why="Above it the sleeves on the pins of the ring get hot and wear fast.",
-    inputs=(RING_FORCES, SPEEDS, "contact.distribution_of gear.rolling requirements.max_pv"),
+    inputs=(of.RING_FORCES, of.SPEEDS, "contact.distribution_of gear.rolling requirements.max_pv"),
     fixes="gear.contact_length load.input_speed load.output_torque",
     not_of=_no_sleeves,
     requires={"load.input_speed": "speed_missing"},

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
+from core.checks import inputs as of
 from core.checks.check import (
     Check,
     Checks,
@@ -23,7 +24,7 @@ from core.checks.check import (
     over_range,
 )
 from core.checks.contacts import FIRST_ORDER
-from core.checks.inputs import FATIGUE, LIFE, LOADED, RING_LOADED, Paths
+from core.checks.inputs import Paths
 from core.checks.teeth import not_cycloid
 from core.design.document import Design
 from core.design.results import Results
@@ -222,7 +223,7 @@ _OUTPUT = _Place(
     ),
     of=_output,
     tired=_tired_output,
-    loaded=LOADED,
+    loaded=of.LOADED,
     turns="pin.rotates",
     static_fixes=(_THICKER, "load.output_torque load.peak_torque"),
     fixes=(_THICKER, "load.output_torque"),
@@ -237,7 +238,7 @@ _RING = _Place(
     ),
     of=_ring,
     tired=_tired_ring,
-    loaded=RING_LOADED,
+    loaded=of.RING_LOADED,
     turns="gear.rotates",
     static_fixes="gear.ring_pin_radius gear.sleeve_bore_radius gear.span load.output_torque",
     fixes="gear.ring_pin_radius gear.sleeve_bore_radius gear.span load.output_torque",
@@ -266,7 +267,7 @@ def _fatigue(place: _Place) -> Kind:
     @place.row.check(
         "fatigue",
         _FATIGUE,
-        inputs=(place.loaded, place.turns, FATIGUE, LIFE, "requirements.fatigue_safety"),
+        inputs=(place.loaded, place.turns, of.FATIGUE, of.LIFE, "requirements.fatigue_safety"),
         fixes=place.fixes,
         **place.own,
     )
@@ -301,7 +302,7 @@ def _bent(place: _Place, sort: str, said: Mapping[str, Any], *names: str) -> Kin
     unit="MPa",
     formula="σ_w(T_max) ≤ R_e/S_F",
     why="Above it the pin is squeezed flat under the satellite.",
-    inputs=(LOADED, "load.peak_torque requirements.bending_safety"),
+    inputs=(of.LOADED, "load.peak_torque requirements.bending_safety"),
     fixes=("pin.bore_diameter", _OUTPUT.static_fixes),
     source="pin_wall",
 )
@@ -327,7 +328,7 @@ def pin_wall(kind: Kind, design: Design, results: Results) -> Check:
 
 _bolt_check: Checks = partial(
     design_check,
-    inputs=(LOADED, "load.peak_torque"),
+    inputs=(of.LOADED, "load.peak_torque"),
     source="beam",
     needed=False,
     **common("pin", "pins", "touching load pin bolted"),

@@ -4,8 +4,7 @@ import copyreg
 
 from core.checks.check import Kind
 from core.checks.crank_planetary import CRANK_CHECKS
-from core.checks.rollers import ROLLERS
-from core.checks.shaft import SHAFT
+from core.checks.plain import ROLLERS, SHAFT
 
 CHECKS = CRANK_CHECKS | {kind.code: kind for kind in (*ROLLERS, *SHAFT)}
 

@@ -5,18 +5,8 @@ mesh, involute teeth as they are made, cycloid discs on the pins of their ring.
 from functools import partial
 from typing import Any
 
+from core.checks import inputs as of
 from core.checks.check import Check, Checks, Kind, common, design_check, judged_by
-from core.checks.inputs import (
-    INVOLUTE_CUTTER,
-    INVOLUTE_GEARS,
-    INVOLUTE_LOADED,
-    INVOLUTE_RACK,
-    INVOLUTE_TEETH,
-    OF_CLEARANCE,
-    RING,
-    SATELLITE_TIPS,
-    TEETH_GAPS,
-)
 from core.crank.ring_mesh import STEEP
 from core.design.document import Design
 from core.design.refusals import named
@@ -85,7 +75,7 @@ _disc_check: Checks = partial(
     unit="deg",
     formula="α_w ≤ 55°",
     why="Above it the ring loads the bearings far more than the torque needs.",
-    inputs=(RING, "contact.eccentricity"),
+    inputs=(of.RING, "contact.eccentricity"),
     fixes="gear.module",
     source="steep",
     **common("gear", "teeth", "touching load gear"),
@@ -104,7 +94,7 @@ def pressure_angle(kind: Kind, design: Design, results: Results) -> Check:
     formula="ε_α,max ≥ 1",
     why="Otherwise teeth of this module do not mesh at this eccentricity, whatever their heights "
     "and shifts.",
-    inputs=INVOLUTE_GEARS,
+    inputs=of.INVOLUTE_GEARS,
     fixes="gear.module",
     source="teeth_tried",
 )
@@ -166,7 +156,7 @@ def _felt(value: float) -> float:
     formula="ε_α ≥ 1.05",
     why="Below 1 no pair is in contact at times, and the motion is not handed on. Slightly above, "
     "errors do so.",
-    inputs=INVOLUTE_TEETH,
+    inputs=of.INVOLUTE_TEETH,
 )
 def mesh_contact_ratio(kind: Kind, design: Design, results: Results) -> Check:
     ratio = results.ring.pair.contact_ratio
@@ -179,7 +169,7 @@ def mesh_contact_ratio(kind: Kind, design: Design, results: Results) -> Check:
     formula="G ≥ 0.05",
     why="Below 0 the tips run into each other beside the path of contact: the teeth cannot turn. "
     "Slightly above, errors do so.",
-    inputs=INVOLUTE_TEETH,
+    inputs=of.INVOLUTE_TEETH,
     impossible=True,
 )
 def mesh_tips(kind: Kind, design: Design, results: Results) -> Check:
@@ -198,7 +188,7 @@ def mesh_tips(kind: Kind, design: Design, results: Results) -> Check:
     title="Contact on involutes only",
     formula="tan α₁ ≥ tan α_F",
     why="Otherwise a tip of one runs into the fillet of the other.",
-    inputs=(INVOLUTE_TEETH, INVOLUTE_RACK, INVOLUTE_CUTTER),
+    inputs=(of.INVOLUTE_TEETH, of.INVOLUTE_RACK, of.INVOLUTE_CUTTER),
 )
 def mesh_involute(kind: Kind, design: Design, results: Results) -> Check:
     """Of the satellite's flanks, and of the ring's where its cutter is known."""
@@ -221,7 +211,7 @@ def mesh_involute(kind: Kind, design: Design, results: Results) -> Check:
     inputs=(
         "gear.kind gear.teeth_difference gear.reference_pressure_angle",
         "gear.satellite_profile_shift mechanism.ratio",
-        INVOLUTE_RACK,
+        of.INVOLUTE_RACK,
     ),
     fixes="gear.satellite_profile_shift",
 )
@@ -234,7 +224,7 @@ def mesh_undercut(kind: Kind, design: Design, results: Results) -> Check:
     title="Clearance of the tips",
     formula="c/m ≥ 0.15",
     why="Below 0 tips run into the roots of the others. Slightly above, errors do so.",
-    inputs=(INVOLUTE_TEETH, "gear.dedendum", INVOLUTE_CUTTER),
+    inputs=(of.INVOLUTE_TEETH, "gear.dedendum", of.INVOLUTE_CUTTER),
     impossible=True,
 )
 def mesh_tip_clearance(kind: Kind, design: Design, results: Results) -> Check:
@@ -253,7 +243,7 @@ def mesh_tip_clearance(kind: Kind, design: Design, results: Results) -> Check:
     formula="s_a/m ≥ 0.25",
     why="Below 0 the teeth are pointed and shorter than they are meant to be. Slightly above, the "
     "tips break.",
-    inputs=tuple(each for each in INVOLUTE_TEETH if each != "contact.eccentricity"),
+    inputs=tuple(each for each in of.INVOLUTE_TEETH if each != "contact.eccentricity"),
     impossible=True,
 )
 def mesh_tip_thickness(kind: Kind, design: Design, results: Results) -> Check:
@@ -269,9 +259,9 @@ def mesh_tip_thickness(kind: Kind, design: Design, results: Results) -> Check:
     formula="K·σ_F ≤ σ_FG/S_D",
     why="Above it teeth of the satellites break at their roots within the life.",
     inputs=(
-        INVOLUTE_LOADED,
-        SATELLITE_TIPS,
-        INVOLUTE_RACK,
+        of.INVOLUTE_LOADED,
+        of.SATELLITE_TIPS,
+        of.INVOLUTE_RACK,
         "gear.root_strength requirements.fatigue_safety",
     ),
     fixes="gear.contact_length load.output_torque",
@@ -315,7 +305,7 @@ def mesh_ring_root(kind: Kind, design: Design, results: Results) -> Check:
 
 _PATH = (
     "gear.kind gear.ring_pin_circle_radius",
-    OF_CLEARANCE,
+    of.OF_CLEARANCE,
     "mechanism.ratio contact.eccentricity gear.ring_pin_radius gear.teeth_difference",
 )
 
@@ -379,8 +369,8 @@ def ring_alone(results: Results) -> str | None:
     unit="mm",
     formula="δ ≤ 0",
     why="With it satellites and ring press without load, and go together by force only.",
-    inputs=TEETH_GAPS,
-    fixes=(OF_CLEARANCE, "gear.satellite_profile_shift"),
+    inputs=of.TEETH_GAPS,
+    fixes=(of.OF_CLEARANCE, "gear.satellite_profile_shift"),
     source="ring_mesh",
     not_of=not_toothed,
     impossible=True,

@@ -5,6 +5,7 @@ between holes, pins and rollers, to rim, bore and axis, of sleeves; the space th
 import math
 from functools import partial
 
+from core.checks import inputs as of
 from core.checks.check import (
     Check,
     Checks,
@@ -15,7 +16,6 @@ from core.checks.check import (
     design_check,
     judged_by,
 )
-from core.checks.inputs import CRANKS, HOLE, ROOTS
 from core.checks.teeth import NOT_OF
 from core.design.document import Design, value_at
 from core.design.results import Results
@@ -45,7 +45,7 @@ _body: Checks = partial(_wall, **common("body", "body", "touching load satellite
     title="Dead centres",
     formula="Δθ < 180°",
     why="There no pair drives, and no torque is transmitted.",
-    inputs=CRANKS,
+    inputs=of.CRANKS,
     fixes="mechanism.pins mechanism.satellites",
     source="yanchevskiy_2021",
 )
@@ -84,7 +84,7 @@ def assembly(kind: Kind, design: Design, results: Results) -> Check:
     unit="mm",
     formula="min(C − |P·exp(−iθ) − H|) ≥ 0",
     why="Otherwise the parts cannot be put together, jam, or press without load.",
-    inputs=(HOLE, "contact.eccentricity deviations rollers.radial_clearance"),
+    inputs=(of.HOLE, "contact.eccentricity deviations rollers.radial_clearance"),
     keep="above",
     fixes="contact.hole_radius contact.fit",
     **common("geometry", "contact", "touching"),
@@ -227,7 +227,7 @@ def _rim_guide(design: Design) -> float | None:
     title="Wall to the rim",
     formula="r_f − R − r_out ≥ w",
     why="Otherwise the holes break through the rim of the satellite.",
-    inputs=(ROOTS, "load.pin_circle_radius contact.hole_radius requirements.min_wall"),
+    inputs=(of.ROOTS, "load.pin_circle_radius contact.hole_radius requirements.min_wall"),
     fixes=(
         "satellite_body.outer_radius satellite_body.root_radius load.pin_circle_radius",
         "contact.pin_radius",
@@ -282,7 +282,7 @@ def outer_diameter(kind: Kind, design: Design, results: Results) -> Measure:
     title="Holes within the teeth",
     formula="r_f − R − r_out > 0",
     why="Otherwise the holes lie in the teeth of the satellite, or beyond.",
-    inputs=(ROOTS, "load.pin_circle_radius contact.hole_radius"),
+    inputs=(of.ROOTS, "load.pin_circle_radius contact.hole_radius"),
     fixes=(
         "load.pin_circle_radius contact.pin_radius gear.ring_pin_circle_radius",
         "gear.ring_pin_radius",

@@ -8,8 +8,7 @@ from typing import Any
 
 import pytest
 
-from core.checks.rollers import ROLLERS
-from core.checks.shaft import SHAFT
+from core.checks.plain import ROLLERS, SHAFT
 
 pytestmark = pytest.mark.anyio
 

@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 
 from core.checks.check import MARGIN, Check, verdict
 from core.checks.crank_planetary import crank_checks
+from core.checks.plain import RollerDesign, roller_checks
 from core.checks.records import CHECKS
-from core.checks.rollers import RollerDesign, roller_checks
 from core.design.document import Design, value_at
 from core.design.results import Results
 from core.fixes.changes import vary

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from core.checks.check import Verdict
-from core.checks.rollers import RollerDesign, roller_checks
+from core.checks.plain import RollerDesign, roller_checks
 from core.errors import Notice
 from core.fatigue import CycleFatigue, FatigueStrength
 from core.precision import EXACT, SAME

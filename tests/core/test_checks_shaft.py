@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from core.checks.check import Verdict
-from core.checks.shaft import LINE_MATERIALS, ShaftDesign, shaft_checks
+from core.checks.plain import LINE_MATERIALS, ShaftDesign, shaft_checks
 from core.errors import Notice
 from core.fatigue import FatigueStrength, judge_cycle
 from core.precision import EXACT, SAME
