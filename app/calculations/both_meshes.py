@@ -21,8 +21,8 @@ from core.design.ring import CycloidRing
 from core.errors import InvalidInput
 from core.output.elasticity import RingInSeries, SatelliteSupport
 from core.output.real_mechanism import RealMechanism
-from core.output.room import Deviations
-from core.ring.series import MeshesInSeries, SeriesPosition
+from core.output.room import Deviations, Rooms
+from core.ring.series import MeshesInSeries, SeriesPosition, in_their_ring
 from core.ring.sharing import CycloidMesh, RingDeviations
 
 MAX_FORCES_IN_SERIES = 25_000
@@ -208,6 +208,20 @@ class RingInSeriesFields(RealDesignFields):
                     raise InvalidInput(name, error.value, error.code, **error.params) from error
             raise
         return MeshesInSeries(ring, output)
+
+    def rooms_in_ring(self, output: RealMechanism) -> Rooms:
+        """Room of the pins in the holes of discs that turn in their ring.
+
+        Parameters
+        ----------
+        output : RealMechanism
+            As `made`.
+
+        Returns
+        -------
+        Rooms
+        """
+        return in_their_ring(output.rooms, self.in_ring(output).ring)
 
     @property
     def ring_deviations(self) -> RingDeviations:

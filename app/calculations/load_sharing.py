@@ -38,7 +38,7 @@ from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.alternating import WorseTurn, worse_curves, worse_position
 from core.output.contact_force import drawing_angles, force_curves, force_peak
 from core.output.elasticity import law_kind
-from core.output.fit import solvable
+from core.output.fit import Fit, solvable
 from core.output.loaded_position import loaded_position
 from core.output.over_turn import over_turn
 from core.output.real_curves import RealCurves, StiffnessCurve, real_curves, stiffness_curve
@@ -152,10 +152,14 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
         """What the torque is handed on by: the output mechanism, or both meshes."""
         return self.in_ring(real) if self.in_series else real
 
+    def fit_of(self, real: RealMechanism) -> Fit:
+        """How its pins fit; what makes forces impossible is refused."""
+        return solvable(real, self.rooms_in_ring(real) if self.in_series else None)
+
     def solve_all(self) -> Solved:
         """What is asked for."""
         real = self.real()
-        fit = solvable(real, in_series=self.in_series)
+        fit = self.fit_of(real)
         notices = fit_notices(self.contact, self.load.pin_circle_radius_mm, fit.rooms)
         asked, solved = {*self.include} - {"worked"} or {"positions"}, Solved()
         solved.notices |= {each.code: each for each in notices}
@@ -279,7 +283,7 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
         if self.in_series:
             samples = DRAWN_IN_SERIES
             self.refuse_many_in_series(MAX_FORCES_IN_SERIES // (2 * samples))
-        solvable(real, in_series=self.in_series)
+        self.fit_of(real)
         angles, _ = drawing_angles(mechanism=self.built)
         curves, direction = self.curves(stage, float(angles[-1]), samples)
         hardest = [real.hardest(force.tolist()) for force in curves.force.T]

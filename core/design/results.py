@@ -35,7 +35,7 @@ from core.output.real_turn import sampled
 from core.output.room import Deviations, Rooms
 from core.output.sampled_turn import WAYS, Made
 from core.output.turn import Turn
-from core.ring.series import MeshesInSeries, series_position
+from core.ring.series import MeshesInSeries, in_their_ring, series_position
 from core.ring.series_samples import sampled_in_series
 from core.ring.series_turn import SeriesOverTurn, SeriesTurn, positions_in_series
 
@@ -216,7 +216,7 @@ class Results:
             than = {"field": "pin_circle_radius", "limit": radius}
             refusal = InvalidInput("contact.eccentricity", None, "smaller_than", **than)
             raise NotKnown(refusal.code, refusal=refusal)
-        return Rooms(
+        held = Rooms(
             mechanism=design.built,
             pin_circle_radius=radius,
             pin_radius=pair.pin_radius,
@@ -226,6 +226,8 @@ class Results:
             roller_play=design.roller_play,
             apart=isinstance(design.support, Shares),
         )
+        turn = design.in_series and is_known(lambda: self.ring.mesh)
+        return in_their_ring(held, self.ring.mesh) if turn else held
 
     @derived
     def real(self) -> RealMechanism:

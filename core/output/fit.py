@@ -176,15 +176,16 @@ def _force_under(real: RealMechanism, pair: int, pressure: float) -> float:
     return force_factor(contact=under(1.0), contact_at=under, limit=pressure)
 
 
-def solvable(real: RealMechanism, *, in_series: bool = False) -> Fit:
+def solvable(real: RealMechanism, rooms: Rooms | None = None) -> Fit:
     """How the pins fit, where forces may be solved.
 
     Parameters
     ----------
     real : RealMechanism
         The mechanism.
-    in_series : bool
-        Whether the discs turn in their ring, too: what does not fit where they are held may.
+    rooms : Rooms, optional
+        Room of the pins where the discs turn in their ring, which may take up by its elasticity too
+        what does not fit.
 
     Returns
     -------
@@ -196,9 +197,9 @@ def solvable(real: RealMechanism, *, in_series: bool = False) -> Fit:
         If a hole is no larger than its pin, if the holes do not hold their pins, which could pass
         from one into the next or around the satellite's centre, or if no elastic state exists.
     """
-    fit = Fit(real.rooms, real)
+    fit = Fit(rooms or real.rooms, real)
     real.rooms.refuse_without_bound()
     real.pairs  # noqa: B018 - refuses holes that are no larger than their pins
-    if fit.impossible and not in_series:
+    if not rooms and fit.impossible:
         raise fit.refusal()
     return fit

@@ -3,7 +3,8 @@ geometry alone: whether parts go together and turn.
 
 A pin at P and its hole's centre at H, with C the difference of their radii: at a lag of the output
 their centres lie ``|P*exp(-i*lag) - H|`` apart, which must not exceed C. All of the room holds for
-clearances and misfits of any size, and asks for no force.
+clearances and misfits of any size, and asks for no force. A disc that has play in a ring turns
+within it about its own centre, to where the pins have most room.
 """
 
 import math
@@ -28,6 +29,18 @@ Side = Literal["driving", "reverse", "radial"]
 POSITIONS = 720
 """Even positions of the turn: between two of them the room changes by at most the eccentricity
 times half their step."""
+
+OF_A_TURN = 48
+"""Even positions of a turn at least, where many turns make the room repeat."""
+
+RETURNS = 8
+"""How often at most a disc is turned anew in its ring, as its holes are where it has turned: each
+time by less, as the eccentricity is less than the pin circle's radius."""
+
+ELSEWHERE = 1e-9
+"""Room that a disc would win at most by turning in its ring without need, m: as much as deviations
+of some micrometres make on the angle of its play.
+"""
 
 FINEST = 2**14
 """Positions at most that the sign of the room is looked at."""
@@ -250,6 +263,18 @@ class _Pairs(NamedTuple):
         return _Pairs(*[each[row, pair] for each in self])
 
 
+Turned = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
+"""From where to where each disc can turn in its ring, rad, shape (M, K), of crank angles, rad."""
+
+
+class _Free(NamedTuple):
+    """Where discs that turn in their ring have most room, of each position."""
+
+    room: FloatArray  # m, [M]
+    lag: FloatArray  # of the output, rad, [M]
+    turned: FloatArray  # of each disc in the ring, rad, [M, K]
+
+
 class _Placed(NamedTuple):
     """The parts at rest: pins, holes without their crank, differences of radii, eccentricities and
     crank angles of the satellites.
@@ -301,6 +326,8 @@ class Rooms:
     # What rollers give to either side on their pins, m: as more clearance.
     roller_play: float = 0.0
     apart: bool = False  # whether each satellite turns for itself
+    ring: Turned | None = None  # how far each turns in a ring; None where it holds them
+    turns: int = 1  # turns of the wave after which the ring's play repeats with it
 
     @cached_property
     def numbered(self) -> tuple[Deviations, tuple[int, ...]]:
@@ -333,7 +360,8 @@ class Rooms:
     @property
     def even(self) -> bool:
         """Whether the room is the clearance at all angles: no deviations, and more than one pin."""
-        return self.deviations == Deviations() and self.mechanism.pins > 1
+        made = self.deviations != Deviations() or self.ring
+        return not made and self.mechanism.pins > 1
 
     def _pairs(self, wave: FloatArray, disc: int | None) -> _Pairs:
         pin, hole, gap, eccentricity, cranks = self._placed
@@ -390,8 +418,14 @@ class Rooms:
             Lags, rad: low above high where there is none; infinite where a pair has none, or no
             bound.
         """
-        low, high = self.arcs(wave, disc)
-        return low.max(axis=1), high.min(axis=1)
+        if not self.ring or disc is not None:
+            low, high = self.arcs(wave, disc)
+            return low.max(axis=1), high.min(axis=1)
+        found = []
+        for end, turned in enumerate(self.ring(self._crank(wave))):  # as far back, as far ahead
+            own = [self.windows(wave - each, j)[end] for j, each in enumerate(turned.T)]
+            found.append(np.stack(own, axis=1) + turned)
+        return found[0].max(axis=1), found[1].min(axis=1)
 
     def rooms(self, wave: FloatArray, disc: int | None = None) -> tuple[FloatArray, FloatArray]:
         """Room at wave angles: the largest over the lag of the least ``C - |P*exp(-i*lag) - H|``.
@@ -413,6 +447,8 @@ class Rooms:
         lag : array, shape (M,)
             Where, rad.
         """
+        if self.ring and disc is None:
+            return self._free(wave)[:2]
         pairs, row = self._pairs(wave, disc), np.arange(len(wave))
         low, high = pairs.nearest.min(axis=1), pairs.nearest.max(axis=1)
         rising, falling = (pairs.left(lag[:, None]).argmin(axis=1) for lag in (low, high))
@@ -429,6 +465,36 @@ class Rooms:
             high, falling = np.where(ahead, lag, high), np.where(ahead, worst, falling)
         return room, lag
 
+    def _free(self, wave: FloatArray) -> _Free:
+        """Most room of discs that turn in their ring. One that has turned has its holes where they
+        are at a wave angle that is so much less, seen from it: what the room changes by that alone
+        is no reason to turn (`ELSEWHERE`).
+        """
+        assert self.ring
+        low, high = self.ring(self._crank(wave))
+        turned, discs = np.clip(0.0, low, high), range(self.mechanism.satellites)
+        for _ in range(RETURNS):
+            best = np.stack([self.rooms(wave - turned[:, j], j)[1] for j in discs], axis=1)
+            pairs = [self._pairs(wave - turned[:, j], j) for j in discs]
+            # Between the greatest of the least lags and the least of the greatest each disc has all
+            # of its room; where these cross, the worse of two has most.
+            ends = (best + low).max(axis=1), (best + high).min(axis=1)
+            first, last = np.minimum(*ends), np.maximum(*ends)
+            crossed, lag = ends[0] > ends[1], (first + last) / 2
+            for _ in range(HALVINGS if crossed.any() else 0):
+                own = np.clip(best, lag[:, None] - high, lag[:, None] - low)
+                left = [p.left(o[:, None]).min(axis=1) for p, o in zip(pairs, own.T, strict=True)]
+                worst = np.argmin(left, axis=0)[:, None]
+                ahead = np.take_along_axis(own > best, worst, axis=1)[:, 0]
+                first, last = np.where(ahead, first, lag), np.where(ahead, lag, last)
+                lag = np.where(crossed, (first + last) / 2, lag)
+            own = np.clip(best, lag[:, None] - high, lag[:, None] - low)
+            before, turned = turned, lag[:, None] - own
+            if np.abs(turned - before).max() * self._steepest <= self._rounding:
+                break
+        left = [p.left(o[:, None]).min(axis=1) for p, o in zip(pairs, own.T, strict=True)]
+        return _Free(np.min(left, axis=0), lag, turned)
+
     @property
     def _rounding(self) -> float:
         return 4 * ROUNDING * self.pin_circle_radius
@@ -438,8 +504,9 @@ class Rooms:
         """Bound of the error of rooms over the turn, m: the last places about an extreme are as
         far apart, and a hole moves on a circle of the eccentricity.
         """
-        last = 0.0 if self.even else 2 * np.pi / POSITIONS * CLOSER_BY**ZOOMS
-        return float(self._steepest * last) + 4 * self._rounding
+        last = 0.0 if self.even else self._step * CLOSER_BY**ZOOMS
+        elsewhere = ELSEWHERE if self.ring else 0.0
+        return float(self._steepest * last) + 4 * self._rounding + elsewhere
 
     @property
     def closed(self) -> bool:
@@ -454,8 +521,21 @@ class Rooms:
         """Room at the places of the grid, m, of all satellites or of one, each once."""
         return cache(lambda disc: self.rooms(self._grid(), disc)[0])
 
+    @property
+    def _positions(self) -> int:
+        return max(POSITIONS, OF_A_TURN * self.turns)
+
+    @property
+    def _step(self) -> float:
+        return 2 * math.pi * self.turns / self._positions
+
     def _grid(self) -> FloatArray:
-        return self._start() + 2 * np.pi * np.arange(POSITIONS) / POSITIONS
+        return self._start() + self._step * np.arange(self._positions, dtype=float)
+
+    def _crank(self, wave: FloatArray) -> FloatArray:
+        """Crank angles of wave angles, rad."""
+        found: FloatArray = (wave - self._start()) / (1 + 1 / self.mechanism.ratio)
+        return found
 
     def _narrowed(
         self,
@@ -471,14 +551,14 @@ class Rooms:
             values=lambda wave: sign * values(wave), places=places, width=width
         )
         alike = places[height >= height.max() - AS_TYPED * self.eccentricity]
-        first = alike[((alike - self._start() + NEAR) % (2 * np.pi)).argmin()]
+        first = alike[((alike - self._start() + NEAR) % (2 * np.pi * self.turns)).argmin()]
         error = float(errors[height.argmax()]) + self._rounding
         return _Extreme(float(first), float(sign * height.max()), error)
 
     def _extreme(self, grid: FloatArray, heights: FloatArray, sign: int, disc: int | None
                  ) -> _Extreme:  # fmt: skip
         """Place and height of the greatest room over the turn (sign 1), or of the least."""
-        signed, step = sign * heights, 2 * np.pi / len(grid)
+        signed, step = sign * heights, self._step
         best = signed.max()
         tops = (signed >= np.roll(signed, 1)) & (signed >= np.roll(signed, -1))
         tops &= signed >= best - self._steepest * step / 2
@@ -620,7 +700,7 @@ class Rooms:
         """A position without room between those of a grid that all have some, or None: intervals in
         which the room may fall below 0 are halved.
         """
-        low, step, rooms = grid, 2 * np.pi / len(grid), heights
+        low, step, rooms = grid, self._step, heights
         following = np.roll(heights, -1)
         while len(low) and 2 * np.pi / step < FINEST:
             doubtful = (rooms + following) / 2 < self._steepest * step / 2
@@ -641,24 +721,30 @@ class Rooms:
     def _binding(self, wave: float, disc: int | None) -> tuple[Binding, ...]:
         """The pairs that limit the room at a wave angle."""
         where = np.array([wave])
-        (room,), (lag,) = self.rooms(where, disc)
-        pairs = _Pairs(*[row[0] for row in self._pairs(where, disc)])
-        left = pairs.left(lag)
-        away = np.maximum(pairs.gap - left, TINY)
-        lever = pairs.p * pairs.h * np.sin(lag - pairs.nearest) / away
+        if self.ring and disc is None:
+            (room,), (lag,), (turned,) = self._free(where)
+            own = [(lag - each, self._pairs(where - each, j)) for j, each in enumerate(turned)]
+        else:
+            (room,), (lag,) = self.rooms(where, disc)
+            own = [(lag, self._pairs(where, disc))]
         found = []
-        for i in np.flatnonzero(left <= room + AS_TYPED * self.eccentricity):
-            j, n = divmod(int(i), self.mechanism.pins)
-            side: Side = "driving" if lever[i] > 0 else "reverse"
-            if abs(lever[i]) <= RADIAL * self.pin_circle_radius:
-                side = "radial"
-            found.append(Binding((disc or 0) + j + 1, n + 1, side))
+        for first, (lag, of_disc) in enumerate(own, disc or 0):
+            pairs = _Pairs(*[row[0] for row in of_disc])
+            left = pairs.left(lag)
+            away = np.maximum(pairs.gap - left, TINY)
+            lever = pairs.p * pairs.h * np.sin(lag - pairs.nearest) / away
+            for i in np.flatnonzero(left <= room + AS_TYPED * self.eccentricity):
+                j, n = divmod(int(i), self.mechanism.pins)
+                side: Side = "driving" if lever[i] > 0 else "reverse"
+                if abs(lever[i]) <= RADIAL * self.pin_circle_radius:
+                    side = "radial"
+                found.append(Binding(first + j + 1, n + 1, side))
         return tuple(found)
 
     def crank_angle(self, wave: float) -> float:
         """First crank angle >= 0 of a wave angle, rad."""
-        off = (wave - self._start()) % (2 * math.pi)
-        if off > 2 * math.pi - NEAR:
+        off = (wave - self._start()) % (2 * math.pi * self.turns)
+        if off > 2 * math.pi * self.turns - NEAR:
             off = 0.0
         return off / (1 + 1 / self.mechanism.ratio)
 
@@ -735,13 +821,13 @@ class Rooms:
         if free.all() or not free.any():
             return ()
         turns = np.flatnonzero(free != np.roll(free, -1))
-        low, high = grid[turns], grid[turns] + 2 * np.pi / POSITIONS
+        low, high = grid[turns], grid[turns] + self._step
         for _ in range(HALVINGS):
             middle = (low + high) / 2
             before = (self.rooms(middle)[0] >= 0) == free[turns]
             low, high = np.where(before, middle, low), np.where(before, high, middle)
         ends = [*zip(map(self.crank_angle, high.tolist()), free[turns].tolist(), strict=True)]
-        turn = self.mechanism.crank_angle_per_wave
+        turn = self.mechanism.crank_angle_per_wave * self.turns
         starts = [angle for angle, begins in ends if begins]
         stops = [angle for angle, begins in ends if not begins]
         return tuple(

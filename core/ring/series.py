@@ -12,7 +12,7 @@ from functools import cached_property
 
 import numpy as np
 
-from core.arrays import check_finite, check_single
+from core.arrays import FloatArray, check_finite, check_single
 from core.drive import engine
 from core.drive.model import Pieces
 from core.errors import Accuracy, InvalidInput, Notice, poorly_known
@@ -20,6 +20,7 @@ from core.hertz import HertzContact
 from core.output.loaded_position import bent_together, notices
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import RealMechanism
+from core.output.room import Deviations, Rooms
 from core.precision import SAME
 from core.ring.drive_turn import DriveStage, Solved
 from core.ring.drives import series_drive
@@ -30,6 +31,64 @@ HALVINGS = 60
 
 SHARED = "eccentricity", "crank_phase", "disc_phase"
 """Deviations that both stages have."""
+
+
+def each_alone(ring: CycloidMesh) -> tuple[CycloidMesh, ...]:
+    """Each disc by itself in its ring.
+
+    Parameters
+    ----------
+    ring : CycloidMesh
+        The ring with all discs.
+
+    Returns
+    -------
+    tuple of CycloidMesh, K
+    """
+    own, found = ring.deviations, []
+    for j in range(len(ring.crank_angles)):
+        alone = {name: getattr(own, name)[j : j + 1] for name in SHARED}
+        found.append(
+            replace(
+                ring,
+                crank_angles=ring.crank_angles[j : j + 1],
+                pin=ring.pin.at(j),
+                deviations=replace(own, **alone),
+            )
+        )
+    return tuple(found)
+
+
+def in_their_ring(rooms: Rooms, ring: CycloidMesh) -> Rooms:
+    """Pins in the holes of discs that turn in their ring as far as its pins let each.
+
+    Parameters
+    ----------
+    rooms : Rooms
+        Pins in the holes of discs that are held.
+    ring : CycloidMesh
+        The ring, with the deviations of cranks and discs.
+
+    Returns
+    -------
+    Rooms
+        Their room is the largest that is left as each disc turns within its play in the ring.
+    """
+    discs = each_alone(replace(ring, deviations=replace(ring.deviations, disc_phase=())))
+    ahead = [phase / rooms.mechanism.ratio for phase in ring.deviations.crank_phase]
+
+    def turned(crank: FloatArray) -> tuple[FloatArray, FloatArray]:
+        ends = np.empty((2, len(crank), len(discs)))
+        for j, disc in enumerate(discs):
+            room = Solved.of(disc.drive, len(crank))
+            engine.unloaded(crank, 1.0, False, room.drive, room.work, room.rows, room.play)
+            # Holes are ahead with a crank that is: of that the ring turns them too.
+            ends[:, :, j] = room.play[:, 0].T + (ahead[j] if ahead else 0.0)
+        return ends[0], ends[1]
+
+    made = rooms.deviations != Deviations() or not ring.pins_alike
+    turns = 1 if ring.pins_alike else ring.disc.pins
+    return replace(rooms, ring=turned, turns=turns) if made else rooms
 
 
 @dataclass(frozen=True)
@@ -83,23 +142,7 @@ class MeshesInSeries(DriveStage):
     @cached_property
     def teeth(self) -> tuple[CycloidMesh, ...]:
         """Each disc by itself in its ring."""
-        ring, found = self.ring, []
-        for j, angle in enumerate(self.mechanism.crank_angles):
-
-            def of(values: tuple[float, ...], j: int = j) -> tuple[float, ...]:
-                return values[j : j + 1]
-
-            own = ring.deviations
-            alone = {name: of(getattr(own, name)) for name in SHARED}
-            found.append(
-                replace(
-                    ring,
-                    crank_angles=(angle,),
-                    pin=ring.pin.at(j),
-                    deviations=replace(own, **alone),
-                )
-            )
-        return tuple(found)
+        return each_alone(self.ring)
 
     @cached_property
     def drive(self) -> Pieces:

@@ -192,3 +192,38 @@ async def test_work_and_precision_are_of_both(api):
     many = changed([["deviations"]], mechanism={"satellites": 4})
     error = (await api.post("work-precision", json=body | {"input": many})).json()["errors"][0]
     assert (error["pointer"], error["code"]) == ("/input/mechanism/ring_teeth", "too_many_pairs")
+
+
+FREE = {
+    "mechanism": {"pins": 8, "satellites": 2, "satellite_teeth": 20, "ring_teeth": 21},
+    "load": {"output_torque_Nm": 10.0, "pin_circle_radius_mm": 25.0},
+    "contact": {
+        "contact_length_mm": 10.0, "pin_radius_mm": 3.0, "eccentricity_mm": 1.25,
+        "hole_clearance_mm": 0.005, "pin_material": "steel_bearing",
+        "hole_material": "steel_bearing",
+    },
+    "gear": {
+        "kind": "cycloid", "ring_pin_circle_radius_mm": 45.0, "ring_pin_radius_mm": 2.5,
+        "contact_length_mm": 10.0, "disc_material": "steel_bearing",
+        "pin_material": "steel_bearing", "modification": {"equidistant_mm": 0.03},
+    },
+    "satellite_coupling": {"kind": "ring"},
+    "deviations": {"disc_phase_deg": [0.0, 0.05]},
+}  # fmt: skip
+
+
+async def test_a_phase_that_the_play_in_the_ring_takes_up_is_no_misfit(api):
+    """Held by the ring the pins would be 6 um too thick; each disc turns to where they are not."""
+    answer = await answered(api, FREE)
+    low, high = answer["positions"][0]["play_arcmin"]
+    assert low < -4 and high > 1
+    response = await api.post("crank-planetary", json=FREE | {"include": ["checks", "fixes"]})
+    whole = response.json()
+    for fit in (answer["fit"], whole["fit"]):
+        assert fit == {"state": "fits", "least_room_mm": pytest.approx(0.005, rel=SAME)}
+    (check,) = (each for each in whole["checks"] if each["code"] == "interference")
+    assert check["status"] == "pass"
+    tight = FREE | {"gear": FREE["gear"] | {"modification": {"equidistant_mm": 0.003}}}
+    response = await api.post("crank-planetary", json=tight | {"include": ["checks"]})
+    (check,) = (each for each in response.json()["checks"] if each["code"] == "interference")
+    assert check["status"] == "fail" and -0.006 < check["value"] < 0
