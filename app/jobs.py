@@ -129,7 +129,7 @@ class Jobs:
             self._replace(self._free.pop())
         for child in self._children:
             child.kill()  # whoever runs a job in it sees that
-        if self._starting:
+        if self._starting and not self._able:
             _end_server()
         self._refuse_waiting()
 

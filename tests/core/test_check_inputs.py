@@ -811,7 +811,6 @@ def look(
             found[code, of] = found.get((code, of), False) or moves_it
 
 
-@pytest.fixture(scope="module")
 def seen() -> dict[tuple[str, str], bool]:
     """Whether a check moves with an input, in any of the designs."""
     found: dict[tuple[str, str], bool] = {}
@@ -834,21 +833,19 @@ def named(code: str, name: str) -> bool:
     return name in CHECKS[code].inputs
 
 
-def test_what_moves_a_check_is_named(seen: dict[tuple[str, str], bool]) -> None:
-    assert {pair for pair, moves_it in seen.items() if moves_it and not named(*pair)} == set()
-    without_value = {"contact_conformity", "fatigue_plastic", "mesh_ring_root"}
-    assert CRANK_CHECKS.keys() - {code for code, _ in seen} == without_value
-
-
-def test_what_a_check_names_moves_it(seen: dict[tuple[str, str], bool]) -> None:
+def test_a_check_names_what_moves_it_and_nothing_else() -> None:
     """Of both meshes in series forces are one solution: an input of the ring moves the checks of
     the pins through these alone, and the other way round, so that one check has to show it; but of
     what is moved in designs of its own.
     """
-    felt = {(of_ring(code), name) for (code, name), moves_it in seen.items() if moves_it}
+    found = seen()  # once for both, as it takes a minute, and tests may run apart
+    assert {pair for pair, moves_it in found.items() if moves_it and not named(*pair)} == set()
+    without_value = {"contact_conformity", "fatigue_plastic", "mesh_ring_root"}
+    assert CRANK_CHECKS.keys() - {code for code, _ in found} == without_value
+    felt = {(of_ring(code), name) for (code, name), moves_it in found.items() if moves_it}
     idle = {
         (code, name)
-        for (code, name), moves_it in seen.items()
+        for (code, name), moves_it in found.items()
         if named(code, name) and not moves_it
         if of_ring(code) == name.startswith("gear.")
         or (of_ring(code), name) not in felt
