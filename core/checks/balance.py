@@ -1,9 +1,7 @@
 """Checks of the balance: what turns with the crankshaft against what is asked, or is usual."""
 
-from functools import partial
-
 from core.checks import inputs as of
-from core.checks.check import Check, Checks, Kind, asked_of, design_check
+from core.checks.check import Check, Element, Kind, asked_of
 from core.design.document import Design
 from core.design.results import Results
 
@@ -13,11 +11,10 @@ GRADE = 16e-3
 _GRADE, _SHARE = "balance_grade", "max_unbalance_share"
 _OF_FORCE, _OF_COUPLE = ("max_unbalance", _GRADE, _SHARE), ("max_unbalance_couple", _SHARE)
 
-_check: Checks = partial(
-    design_check,
-    group="crankshaft",
-    part="crank_bearings",
-    needs=("touching", "load"),
+_check = Element(
+    "crankshaft",
+    "crank_bearings",
+    "touching load",
     requires={"crankshaft.satellite_mass": "mass_unknown"},
     fixes="crankshaft.satellite_mass load.input_speed",
     source="balance",

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from core.checks import inputs as of
-from core.checks.check import Check, Element, Kind, common
+from core.checks.check import Check, Element, Kind
 from core.crank import pin_rollers
 from core.crank.bearing_life import EXPONENTS, PEAK_SAFETY, STATIC_SAFETY, Bearing
 from core.crank.envelope import (
@@ -35,28 +35,34 @@ PRESSED = 1e-4
 """What a bearing's outside may be larger than its seat, m: it is pressed in."""
 
 SATELLITE = Element(
-    (
+    "bearing",
+    "satellite_bearing",
+    "touching load bearing",
+    codes=(
         "life=bearing_life system=system_life static=bearing_static ratings=bearing_rating",
         "room=bearing_fits speed=bearing_speed least=bearing_min_load most=bearing_overload",
     ),
-    {"them": "the satellites' bearings", "one": "a bearing of a satellite"},
-    common("bearing", "satellite_bearing", "touching load bearing"),
+    words={"them": "the satellites' bearings", "one": "a bearing of a satellite"},
 )
 CRANKSHAFT = Element(
-    (
+    "crankshaft",
+    "crank_bearings",
+    "touching load crankshaft",
+    codes=(
         "life=crank_bearing_life ratings=crank_bearing_rating room=crank_bearing_fits",
         "speed=crank_bearing_speed",
     ),
-    {"them": "the crankshaft's bearings", "one": "a bearing of the crankshaft"},
-    common("crankshaft", "crank_bearings", "touching load crankshaft"),
+    words={"them": "the crankshaft's bearings", "one": "a bearing of the crankshaft"},
 )
 ROLLERS = Element(
-    (
+    "pin_rollers",
+    "contact",
+    "touching load rollers",
+    codes=(
         "life=pin_roller_life static=pin_roller_static room=pin_roller_fits tilt=pin_roller_tilt",
         "speed=pin_roller_speed least=pin_roller_min_load most=pin_roller_max_load",
     ),
-    {"them": "the rollers on the pins", "one": "a roller"},
-    common("pin_rollers", "contact", "touching load rollers"),
+    words={"them": "the rollers on the pins", "one": "a roller"},
 )
 
 ROWS = (SATELLITE, CRANKSHAFT, ROLLERS)
@@ -595,7 +601,7 @@ def pin_roller_fits(kind: Kind, design: Design, results: Results) -> Check:
     why="Above it rolling elements carry on their ends, and last less than the formula says.",
     inputs=(of.LOADED, "rollers.kind"),
     source="tilt_guide",
-    needs=("touching", "load", "rollers", "pin"),
+    needs="touching load rollers pin",
     needed=False,
 )
 def pin_roller_tilt(kind: Kind, design: Design, results: Results) -> Check:

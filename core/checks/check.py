@@ -25,6 +25,9 @@ MARGIN = 1.1
 
 Given = TypeVar("Given")
 
+Judge = Callable[..., "Check | Measure"]
+"""Makes the check of a design; of what somebody may ask, a measure will do."""
+
 
 def _nothing(*_: Any) -> dict[str, Any]:
     return {}
@@ -61,8 +64,7 @@ class Kind:
     asked_alone: bool = False  # whether it needs nothing else where that is asked
     # Attributes of the check that are known although its value is not, as its limit.
     known: Callable[..., dict[str, Any]] = _nothing
-    # The check of a design, told which it is; of what somebody may ask, a measure will do.
-    judge: "Callable[..., Check | Measure]"
+    judge: "Judge"  # the check of a design, told which it is
 
     @property
     def loaded(self) -> bool:
@@ -217,73 +219,39 @@ class Kind:
         return found._replace(status="not_checked", reason="no_sourced_limit")
 
 
-Checks = Callable[..., Callable[["Callable[..., Check | Measure]"], Kind]]
-"""As `design_check`, for records that have some of their attributes already."""
-
-
-def design_check(
-    code: str, *, inputs: Paths = (), fixes: Paths = (), **said: Any
-) -> Callable[["Callable[..., Check | Measure]"], Kind]:
-    """Decorator of a function that is a check: it becomes its record.
-
-    Parameters
-    ----------
-    code : str
-        Its name in answers.
-    inputs, fixes : str or tuple
-        Its inputs and what a fix may change, as `core.checks.inputs.paths` takes them.
-    **said
-        Other attributes of the record.
-
-    Returns
-    -------
-    callable
-    """
-    said |= {"inputs": paths(inputs), "fixes": paths(fixes)}
-    return lambda judge: Kind(code=code, judge=judge, **said)
-
-
-def common(group: str, part: str, needs: str) -> dict[str, Any]:
-    """Attributes of records, the sections that they need as words.
-
-    Parameters
-    ----------
-    group, part, needs : str
-        As of `Kind`.
-
-    Returns
-    -------
-    dict
-    """
-    return {"group": group, "part": part, "needs": paths(needs)}
-
-
-@dataclass(frozen=True, slots=True)
 class Element:
-    """A machine element as a row of its module, which has others of its sort: its checks."""
+    """A machine element: what the records of its checks have in common. Of one of a sort, as one of
+    the rolling bearings, codes are those of its checks by their sort (``sort=code``), and words
+    what titles and reasons of a sort, which are the same for all of it, call it.
+    """
 
-    codes: Paths  # of its checks, each with its sort: ``sort=code``
-    words: Mapping[str, str]  # by which title and reason of a sort call it
-    common: Mapping[str, Any]  # what the records of all its checks say
+    def __init__(
+        self,
+        group: str,
+        part: str = "",
+        needs: str = "",
+        *,
+        codes: Paths = (),
+        words: Mapping[str, str] | None = None,
+        **common: Any,
+    ) -> None:
+        self.common = {"group": group, "part": part, "needs": needs, **common}
+        self.codes = dict(each.split("=") for each in paths(codes))
+        self.words = words or {}
 
-    @property
-    def all_codes(self) -> dict[str, str]:
-        """The codes of its checks, by their sort."""
-        return dict(each.split("=") for each in paths(self.codes))
-
-    def code(self, sort: str) -> str:
-        """The code of its check of a sort."""
-        return self.all_codes[sort]
-
-    def check(
-        self, sort: str, said: Mapping[str, Any], **own: Any
-    ) -> Callable[["Callable[..., Check | Measure]"], Kind]:
-        """As `design_check`: one of a sort, by what all records of that say, whose title and reason
-        leave words open, and by what its own says besides, or instead.
+    def __call__(self, code: str, **own: Any) -> Callable[[Judge], Kind]:
+        """Decorator of a function that is a check of it, which becomes its record, by its code and
+        what its own record says besides, or instead; sections and paths as words.
         """
-        of = {**self.common, **said, **own}
-        of |= {name: of[name].format(**self.words) for name in ("title", "why")}
-        return design_check(self.code(sort), **of)
+        said = self.common | own
+        said |= {name: paths(said.get(name, ())) for name in ("needs", "inputs", "fixes")}
+        return lambda judge: Kind(code=code, judge=judge, **said)
+
+    def check(self, sort: str, said: Mapping[str, Any], **own: Any) -> Callable[[Judge], Kind]:
+        """As a call, of one of a sort, of which all records say as much."""
+        of = {**said, **own}
+        words = {name: of[name].format(**self.words) for name in ("title", "why")}
+        return self(self.codes[sort], **of | words)
 
 
 class Check(NamedTuple):

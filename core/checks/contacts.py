@@ -7,19 +7,15 @@ pressure they bear for long, so that what holds is `necessary_only`.
 
 import math
 from collections.abc import Callable, Mapping
-from functools import partial
 from typing import Any, NamedTuple
 
 from core.checks import inputs as of
 from core.checks.check import (
     MARGIN,
     Check,
-    Checks,
     Element,
     Kind,
     Unjudged,
-    common,
-    design_check,
     judged_by,
     over_range,
 )
@@ -42,35 +38,39 @@ DEEP = 3.0
 """Depth of solid material below a contact over its half-width: there the pressure has fallen to a
 third, and the largest stress lies at 0.75."""
 
-_HOLES = common("contact", "contact", "touching load")
-_RING = common("gear", "teeth", "load contact gear")
+_HOLES = ("contact", "contact", "touching load")
+_TEETH = ("gear", "teeth", "load contact gear")
 
 IN_HOLES: dict[Body, Element] = {
     "pin": Element(
-        (
+        *_HOLES,
+        codes=(
             "pressure=contact_pressure_pin shakedown=contact_shakedown_pin",
             "yield=contact_yield_pin static=contact_static_pin",
         ),
-        {"it": "pin"},
-        _HOLES,
+        words={"it": "pin"},
     ),
     "hole": Element(
-        (
+        *_HOLES,
+        codes=(
             "pressure=contact_pressure_hole shakedown=contact_shakedown_hole",
             "yield=contact_yield_hole static=contact_static_hole",
         ),
-        {"it": "hole"},
-        _HOLES,
+        words={"it": "hole"},
     ),
 }
 IN_RING: dict[RingBody, Element] = {
     "pin": Element(
-        "pressure=ring_pressure_pin static=ring_static_pin",
-        {"it": "pins or teeth of the ring"},
-        _RING,
+        *_TEETH,
+        codes="pressure=ring_pressure_pin static=ring_static_pin",
+        words={"it": "pins or teeth of the ring"},
+        not_of=not_toothed,
     ),
     "disc": Element(
-        "pressure=ring_pressure_disc static=ring_static_disc", {"it": "satellites' teeth"}, _RING
+        *_TEETH,
+        codes="pressure=ring_pressure_disc static=ring_static_disc",
+        words={"it": "satellites' teeth"},
+        not_of=not_toothed,
     ),
 }
 
@@ -209,7 +209,7 @@ def _pressure(body: Body) -> Kind:
 
     def known(design: Design, results: Results) -> dict[str, Any]:
         limit = limit_of(design, results)
-        own = results.pressure_limits[row.code("pressure")]
+        own = results.pressure_limits[row.codes["pressure"]]
         return {"limit": own, "life_factor": limit.life_factor, **_whence(limit)}
 
     @row.check(
@@ -236,7 +236,7 @@ def _flowing(sort: str, said: Mapping[str, Any], body: Body, **more: Any) -> Kin
         said,
         inputs=(of.LOADED, of.SLIDING),
         fixes=(FIXES, f"contact.{body}_material"),
-        known=lambda design, results: {"limit": results.pressure_limits[row.code(sort)]},
+        known=lambda design, results: {"limit": results.pressure_limits[row.codes[sort]]},
     )
     def flowing(kind: Kind, design: Design, results: Results) -> Check:
         material = design.lasting[body]
@@ -256,7 +256,7 @@ def _flowing(sort: str, said: Mapping[str, Any], body: Body, **more: Any) -> Kin
             decides = ("friction.coefficient",)
             return found._replace(status="marginal", reason="range_decides", missing=decides)
         # between the pressure up to which nothing yields and the one from which it goes on
-        yields = results.pressure_limits[row.code("yield")]
+        yields = results.pressure_limits[row.codes["yield"]]
         if sliding.high > KNOWN_SLIDING and pressure > yields:
             return found._replace(status="marginal", reason="shakedown_unknown")
         return found
@@ -338,7 +338,6 @@ def _ring_pressure(body: RingBody) -> Kind:
         inputs=(of.TEETH_LOADED, of.LIFE, "requirements.pitting_safety"),
         fixes=(_RING_FIXES, "load.output_torque"),
         source="ring_mesh",
-        not_of=not_toothed,
         known=limits,
     )
     def pressure(kind: Kind, design: Design, results: Results) -> Check:
@@ -355,7 +354,6 @@ def _ring_static(body: RingBody) -> Kind:
         _STATIC,
         inputs=(of.TEETH_GIVE, "load.peak_torque"),
         fixes=(_RING_FIXES, "load.peak_torque"),
-        not_of=not_toothed,
     )
     def static(kind: Kind, design: Design, results: Results) -> Check:
         pressed, path = _pressed(results, static=True), design.teeth_path(body)
@@ -385,10 +383,10 @@ def _necessary(
 
 _COLD: dict[str, Any] = {"unit": "MPa", "source": "first_yield"}
 
-_plastic: Checks = partial(design_check, **common("plastic", "contact", "plastics load"))
+_plastic = Element("plastic", "contact", "plastics load")
 
 
-@design_check(
+@Element(*_TEETH, not_of=not_toothed)(
     "ring_static_cold",
     title="First yield of plastic teeth",
     formula="p ≤ f(ν, μ)·R_min",
@@ -399,8 +397,7 @@ _plastic: Checks = partial(design_check, **common("plastic", "contact", "plastic
         "gear.rolling",
     ),
     fixes=(_RING_FIXES, "load.output_torque load.peak_torque"),
-    not_of=not_toothed,
-    **common("gear", "teeth", "load contact plastic_teeth"),
+    needs="load contact plastic_teeth",
     **_COLD,
 )
 def ring_static_cold(kind: Kind, design: Design, results: Results) -> Check:
@@ -597,13 +594,12 @@ def fatigue_plastic(kind: Kind, design: Design, results: Results) -> Check:
     return Check(kind, "not_checked", reason="no_plastic_fatigue")
 
 
-@design_check(
+@Element(*_HOLES)(
     "contact_conformity",
     title="Width of the contact",
     formula="a/r ≤ 0.159",
     why="No check any more: wide contacts have a pressure of their own.",
     source="hertz",
-    **_HOLES,
 )
 def contact_conformity(kind: Kind, design: Design, results: Results) -> Check:
     """For one release."""

@@ -4,18 +4,14 @@ Each returns what is measured; `Kind.of` holds it against the requirement of its
 takes a solution is not looked for where nobody asks.
 """
 
-from functools import partial
-
 from core.checks import inputs as of
 from core.checks.check import (
     Check,
-    Checks,
+    Element,
     Kind,
     Measure,
     Unjudged,
     asked_of,
-    common,
-    design_check,
     judged_by,
 )
 from core.checks.contacts import FIRST_ORDER, mesh_error
@@ -28,6 +24,8 @@ MOST_PLAY = 0.75
 """Clearance over the eccentricity above which a design is marginal: the play is a large part of
 what the mechanism moves by."""
 
+_LESS = "contact.hole_radius contact.fit"
+
 _BACKLASH = {
     "unit": "arcmin",
     "formula": "max(θ₊ − θ₋) ≤ Δφ",
@@ -37,15 +35,10 @@ _EFFICIENCY = {"formula": "η ≥ η_min", "source": "user", "keep": "above"}
 _PV = {"unit": "MPa_m_per_s", "formula": "p·v ≤ (pv)_all", "source": "user", "asks": "max_pv"}
 
 # No meshes in series have the factor of a share that is stated: of their play it is an input.
-_play: Checks = partial(
-    design_check,
-    fixes="contact.hole_radius contact.fit",
-    source="load_sharing",
-    **common("play", "contact", "touching load"),
-)
-_rubs: Checks = partial(design_check, **common("friction", "losses", "touching load rubs"))
-_ring: Checks = partial(design_check, **common("gear", "teeth", "load contact gear"))
-_of_teeth: Checks = partial(_ring, not_of=not_toothed)
+_play = Element("play", "contact", "touching load", fixes=_LESS, source="load_sharing")
+_rubs = Element("friction", "losses", "touching load rubs")
+_ring = Element("gear", "teeth", "load contact gear")
+_of_teeth = Element("gear", "teeth", "load contact gear", not_of=not_toothed)
 
 
 def _of_both(results: Results) -> str | None:
@@ -105,15 +98,14 @@ def lost_motion(kind: Kind, design: Design, results: Results) -> Measure:
     return Measure(design.members.angle_at_output(lost), reason=_of_both(results))
 
 
-@design_check(
+@Element("geometry", "contact", "touching")(
     "clearance",
     title="Clearance over eccentricity",
     formula="(r_out − r_in − e)/e ≤ 0.75",
     why="Otherwise the play is a large part of what the mechanism moves by.",
     inputs=(of.HOLE, "contact.eccentricity"),
-    fixes="contact.hole_radius contact.fit",
+    fixes=_LESS,
     source="yanchevskiy_2021",
-    **common("geometry", "contact", "touching"),
 )
 def clearance(kind: Kind, design: Design, results: Results) -> Check:
     share = max(design.known_clearance, 0.0) / design.known_eccentricity

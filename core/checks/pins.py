@@ -13,18 +13,15 @@ from typing import Any
 from core.checks import inputs as of
 from core.checks.check import (
     Check,
-    Checks,
     Element,
     Kind,
     Measure,
     asked_of,
-    common,
-    design_check,
     judged_by,
     over_range,
 )
 from core.checks.contacts import FIRST_ORDER
-from core.checks.inputs import Paths
+from core.checks.inputs import Paths, paths
 from core.checks.teeth import not_cycloid
 from core.design.document import Design
 from core.design.results import Results
@@ -205,45 +202,44 @@ class _Place:
     tired: Callable[[Results], BentPins]  # with their fatigue
     loaded: Paths  # inputs of their forces
     turns: str  # input that says whether they turn
-    static_fixes: Paths  # what may cure their static strength
-    fixes: Paths  # their fatigue
-    stiffer: Paths  # their slope
-    own: Mapping[str, Any]  # what the records of their checks say besides
+    thicker: tuple[str, ...]  # what may cure them
+    at_peak: str = ""  # and their static strength besides
 
 
-_THICKER = "pin.diameter contact.pin_radius load.pin_circle_radius mechanism.pins"
 _OUTPUT = _Place(
     row=Element(
-        (
+        "pin",
+        "pins",
+        "touching load pin",
+        codes=(
             "static=pin_static fatigue=pin_fatigue deflection=pin_deflection slope=pin_slope",
             "wall=pin_wall",
         ),
-        {"pins": "the pins", "contacts": "contacts"},
-        common("pin", "pins", "touching load pin"),
+        words={"pins": "the pins", "contacts": "contacts"},
     ),
     of=_output,
     tired=_tired_output,
     loaded=of.LOADED,
     turns="pin.rotates",
-    static_fixes=(_THICKER, "load.output_torque load.peak_torque"),
-    fixes=(_THICKER, "load.output_torque"),
-    stiffer=(_THICKER, "load.output_torque"),
-    own={},
+    thicker=paths(
+        "pin.diameter contact.pin_radius load.pin_circle_radius mechanism.pins load.output_torque"
+    ),
+    at_peak="load.peak_torque",
 )
 _RING = _Place(
     row=Element(
-        "static=ring_pin_stress fatigue=ring_pin_fatigue slope=ring_pin_slope",
-        {"pins": "the pins of the ring", "contacts": "teeth"},
-        common("gear", "teeth", "load contact gear"),
+        "gear",
+        "teeth",
+        "load contact gear",
+        codes="static=ring_pin_stress fatigue=ring_pin_fatigue slope=ring_pin_slope",
+        words={"pins": "the pins of the ring", "contacts": "teeth"},
+        not_of=_not_bent,
     ),
     of=_ring,
     tired=_tired_ring,
     loaded=of.RING_LOADED,
     turns="gear.rotates",
-    static_fixes="gear.ring_pin_radius gear.sleeve_bore_radius gear.span load.output_torque",
-    fixes="gear.ring_pin_radius gear.sleeve_bore_radius gear.span load.output_torque",
-    stiffer="gear.ring_pin_radius gear.sleeve_bore_radius load.output_torque",
-    own={"not_of": _not_bent},
+    thicker=paths("gear.ring_pin_radius gear.sleeve_bore_radius gear.span load.output_torque"),
 )
 
 ROWS = (_OUTPUT.row, _RING.row)
@@ -254,8 +250,7 @@ def _static(place: _Place) -> Kind:
         "static",
         _STATIC,
         inputs=(place.loaded, "load.peak_torque requirements.bending_safety"),
-        fixes=place.static_fixes,
-        **place.own,
+        fixes=(place.thicker, place.at_peak),
     )
     def static(kind: Kind, design: Design, results: Results) -> Check:
         return place.of(results).static(kind, design.requirements.bending_safety)
@@ -268,8 +263,7 @@ def _fatigue(place: _Place) -> Kind:
         "fatigue",
         _FATIGUE,
         inputs=(place.loaded, place.turns, of.FATIGUE, of.LIFE, "requirements.fatigue_safety"),
-        fixes=place.fixes,
-        **place.own,
+        fixes=place.thicker,
     )
     def fatigue(kind: Kind, design: Design, results: Results) -> Check:
         return place.tired(results).fatigue(kind, design.requirements.fatigue_safety)
@@ -285,8 +279,7 @@ def _bent(place: _Place, sort: str, said: Mapping[str, Any], *names: str) -> Kin
         sort,
         said,
         inputs=(place.loaded, f"requirements.{asks}"),
-        fixes=place.stiffer,
-        **place.own,
+        fixes=tuple(each for each in place.thicker if each != "gear.span"),
     )
     def bent(kind: Kind, design: Design, results: Results) -> Measure:
         made = results.softest if asked_of(design, asks) else results
@@ -303,7 +296,7 @@ def _bent(place: _Place, sort: str, said: Mapping[str, Any], *names: str) -> Kin
     formula="σ_w(T_max) ≤ R_e/S_F",
     why="Above it the pin is squeezed flat under the satellite.",
     inputs=(of.LOADED, "load.peak_torque requirements.bending_safety"),
-    fixes=("pin.bore_diameter", _OUTPUT.static_fixes),
+    fixes=("pin.bore_diameter", _OUTPUT.thicker, _OUTPUT.at_peak),
     source="pin_wall",
 )
 def pin_wall(kind: Kind, design: Design, results: Results) -> Check:
@@ -326,12 +319,13 @@ def pin_wall(kind: Kind, design: Design, results: Results) -> Check:
     return _of_size(pin, by(strength))
 
 
-_bolt_check: Checks = partial(
-    design_check,
+_bolt_check = Element(
+    "pin",
+    "pins",
+    "touching load pin bolted",
     inputs=(of.LOADED, "load.peak_torque"),
     source="beam",
     needed=False,
-    **common("pin", "pins", "touching load pin bolted"),
 )
 
 

@@ -5,17 +5,15 @@ room, tilt), the precessional gear and its shaft (room, deflection, slope, stren
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import partial
 from itertools import pairwise
 
 from core.checks.check import (
     Check,
-    Checks,
+    Element,
     Kind,
     Measure,
     Verdict,
     asked_of,
-    design_check,
     judged_by,
     verdict,
 )
@@ -137,9 +135,9 @@ _SHAFT = (_LINES, "reference_z bearing_distance overhang shaft_diameter shaft_se
 LINE_MATERIALS = ("line_contact.roller_material", "line_contact.mating_material")
 """Materials of what touches along the contact lines."""
 
-_roller: Checks = partial(design_check, group="rollers")
-_shaft: Checks = partial(design_check, group="shaft")
-_gap: Checks = partial(design_check, unit="mm", keep="above")
+_roller, _shaft = Element("rollers"), Element("shaft")
+_between = Element("rollers", unit="mm", keep="above")
+_room = Element("room", unit="mm", keep="above")
 
 
 def _static(kind: Kind, design: Plain, stress: float) -> Check:
@@ -188,7 +186,7 @@ def roller_stress(kind: Kind, design: RollerDesign) -> Check:
     fixes="diameter hole_circle_radius rollers output_torque",
     source="shigley",
     keep="above",
-    needs=("fatigue",),
+    needs="fatigue",
 )
 def roller_fatigue(kind: Kind, design: RollerDesign) -> Check:
     return _lasting(kind, design, design.fatigue)
@@ -209,9 +207,8 @@ def roller_sharing(kind: Kind, design: RollerDesign) -> Check:
     return kind.judged(carrying, float(design.rollers), warning="uneven")
 
 
-@_gap(
+@_between(
     "roller_spacing",
-    group="rollers",
     title="Space between rollers",
     formula="2·R·sin(π/n) − D > 0",
     why="Otherwise the spheres overlap.",
@@ -226,9 +223,8 @@ def roller_spacing(kind: Kind, design: RollerDesign) -> Check:
     return kind.gap(pitch - size, size=size)
 
 
-@_gap(
+@_between(
     "roller_room",
-    group="rollers",
     title="Rollers beside the centre",
     formula="R − D/2 > 0",
     why="Otherwise the rollers reach the axis.",
@@ -240,9 +236,8 @@ def roller_room(kind: Kind, design: RollerDesign) -> Check:
     return kind.gap(design.hole_circle_radius - size / 2, size=size)
 
 
-@_gap(
+@_between(
     "roller_tilt",
-    group="rollers",
     title="Length of the rollers",
     formula="2·l + 3·b ≥ 10·e",
     why="Shorter ones tilt too much against the discs.",
@@ -271,10 +266,9 @@ ROLLERS = (
 )
 
 
-@_gap(
+@_room(
     "line_spacing",
     title="Space between rollers",
-    group="room",
     formula="2·R_C·sin(Δφ/2) − 2·ρ > 0",
     why="Otherwise the rollers overlap.",
     inputs="roller_circle_radius roller_radius rollers wheel",
@@ -291,10 +285,9 @@ def line_spacing(kind: Kind, design: ShaftDesign) -> Check:
     return kind.gap(pitch - 2 * size, size=size)
 
 
-@_gap(
+@_room(
     "shaft_in_circle",
     title="Shaft within the rollers",
-    group="room",
     formula="R_C − ρ − d/2 > 0",
     why="Otherwise the shaft reaches the rollers.",
     inputs="roller_circle_radius roller_radius shaft_diameter shaft_sections",
@@ -347,7 +340,7 @@ def shaft_slope(kind: Kind, design: ShaftDesign) -> Measure:
     inputs=(_SHAFT, "yield_strength bending_safety"),
     fixes="shaft_diameter overhang",
     source="beam",
-    needs=("strength",),
+    needs="strength",
 )
 def shaft_static(kind: Kind, design: ShaftDesign) -> Check:
     return _static(kind, design, design.strength.peak_stress)
@@ -367,7 +360,7 @@ def shaft_static(kind: Kind, design: ShaftDesign) -> Check:
     fixes="shaft_diameter overhang",
     source="shigley",
     keep="above",
-    needs=("strength", "fatigue_asked"),
+    needs="strength fatigue_asked",
 )
 def shaft_fatigue(kind: Kind, design: ShaftDesign) -> Check:
     """Its reversed bending; a load that turns with the shaft bends it one way."""
@@ -377,10 +370,9 @@ def shaft_fatigue(kind: Kind, design: ShaftDesign) -> Check:
     return _lasting(kind, design, fatigue)
 
 
-@design_check(
+@Element("lines")(
     "line_pressure",
     title="Pressure along the contact lines",
-    group="lines",
     unit="MPa",
     formula="p₀ ≤ p_all/S_H",
     why="Above it rollers or teeth pit in the long run.",
@@ -391,7 +383,7 @@ def shaft_fatigue(kind: Kind, design: ShaftDesign) -> Check:
     ),
     fixes="roller_radius roller_circle_radius",
     source="hertz",
-    needs=("contact",),
+    needs="contact",
 )
 def line_pressure(kind: Kind, design: ShaftDesign) -> Check:
     """Against the lower of both limits, where both are known."""

@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any
 
 from core.checks import inputs as of
-from core.checks.check import Check, Checks, Kind, common, design_check, judged_by
+from core.checks.check import Check, Element, Kind, judged_by
 from core.crank.ring_mesh import STEEP
 from core.design.document import Design
 from core.design.refusals import named
@@ -56,20 +56,19 @@ not_involute = partial(_other_ring, of=("involute",))
 not_cycloid = partial(_other_ring, of=("cycloid",))
 not_toothed = partial(_other_ring, of=("cycloid", "involute"))
 
-_mesh: Checks = partial(
-    design_check,
+_mesh = Element(
+    "gear",
+    "teeth",
+    "contact gear",
     fixes="gear.satellite_profile_shift gear.satellite_addendum gear.ring_addendum",
     source="involute_mesh",
     not_of=not_involute,
     keep="above",
-    **common("gear", "teeth", "contact gear"),
 )
-_disc_check: Checks = partial(
-    design_check, keep="above", not_of=not_cycloid, **common("gear", "teeth", "contact gear")
-)
+_disc_check = Element("gear", "teeth", "contact gear", keep="above", not_of=not_cycloid)
 
 
-@design_check(
+@Element("gear", "teeth", "touching load gear")(
     "pressure_angle",
     title="Operating pressure angle",
     unit="deg",
@@ -78,7 +77,6 @@ _disc_check: Checks = partial(
     inputs=(of.RING, "contact.eccentricity"),
     fixes="gear.module",
     source="steep",
-    **common("gear", "teeth", "touching load gear"),
 )
 def pressure_angle(kind: Kind, design: Design, results: Results) -> Check:
     if_known(lambda: results.ring.force)  # a ring that cannot be is refused, of whatever kind
@@ -267,7 +265,7 @@ def mesh_tip_thickness(kind: Kind, design: Design, results: Results) -> Check:
     fixes="gear.contact_length load.output_torque",
     source="iso_6336_root",
     keep="below",
-    needs=("load", "contact", "gear"),
+    needs="load contact gear",
     needed=False,
 )
 def mesh_root_stress(kind: Kind, design: Design, results: Results) -> Check:
@@ -363,7 +361,7 @@ def ring_alone(results: Results) -> str | None:
     return "ring_alone" if results.in_series else None
 
 
-@design_check(
+@Element("gear", "teeth", "load contact gear")(
     "ring_pressed",
     title="Interference of the teeth without load",
     unit="mm",
@@ -374,7 +372,6 @@ def ring_alone(results: Results) -> str | None:
     source="ring_mesh",
     not_of=not_toothed,
     impossible=True,
-    **common("gear", "teeth", "load contact gear"),
 )
 def ring_pressed(kind: Kind, design: Design, results: Results) -> Check:
     if design.gear.kind == "involute":

@@ -3,17 +3,15 @@ between holes, pins and rollers, to rim, bore and axis, of sleeves; the space th
 """
 
 import math
-from functools import partial
+from typing import Any
 
 from core.checks import inputs as of
 from core.checks.check import (
     Check,
-    Checks,
+    Element,
     Kind,
     Measure,
     Status,
-    common,
-    design_check,
     judged_by,
 )
 from core.checks.teeth import NOT_OF
@@ -34,10 +32,11 @@ wrapped bushes 0.1."""
 BETWEEN_PINS = 0.1
 """Least wall of the ring between its pins, over their diameter."""
 
-_mechanism: Checks = partial(design_check, group="mechanism", part="contact")
-_wall: Checks = partial(design_check, unit="mm", keep="above")
-_placed: Checks = partial(_wall, **common("geometry", "contact", "touching load"))
-_body: Checks = partial(_wall, **common("body", "body", "touching load satellite_body"))
+_WIDE: dict[str, Any] = {"unit": "mm", "keep": "above"}
+
+_mechanism = Element("mechanism", "contact")
+_placed = Element("geometry", "contact", "touching load", **_WIDE)
+_body = Element("body", "body", "touching load satellite_body", **_WIDE)
 
 
 @_mechanism(
@@ -78,16 +77,13 @@ def assembly(kind: Kind, design: Design, results: Results) -> Check:
     return kind.judged(float(different), 0.0, warning="different_parts")
 
 
-@design_check(
+@Element("geometry", "contact", "touching", **_WIDE)(
     "interference",
     title="Room of the pins in their holes",
-    unit="mm",
     formula="min(C − |P·exp(−iθ) − H|) ≥ 0",
     why="Otherwise the parts cannot be put together, jam, or press without load.",
     inputs=(of.HOLE, "contact.eccentricity deviations rollers.radial_clearance"),
-    keep="above",
     fixes="contact.hole_radius contact.fit",
-    **common("geometry", "contact", "touching"),
 )
 def interference(kind: Kind, design: Design, results: Results) -> Check:
     """By geometry, before any force: the room over the turn."""
@@ -277,7 +273,7 @@ def outer_diameter(kind: Kind, design: Design, results: Results) -> Measure:
     return Measure(2 * (radius + design.known_eccentricity))
 
 
-@_wall(
+@Element("gear", "body", "touching load gear", **_WIDE)(
     "gear_room",
     title="Holes within the teeth",
     formula="r_f − R − r_out > 0",
@@ -287,7 +283,6 @@ def outer_diameter(kind: Kind, design: Design, results: Results) -> Measure:
         "load.pin_circle_radius contact.pin_radius gear.ring_pin_circle_radius",
         "gear.ring_pin_radius",
     ),
-    **common("gear", "body", "touching load gear"),
 )
 def gear_room(kind: Kind, design: Design, results: Results) -> Check:
     if design.gear.kind not in ("involute", "cycloid"):
@@ -295,14 +290,13 @@ def gear_room(kind: Kind, design: Design, results: Results) -> Check:
     return _within_roots(kind, design, solid=False)
 
 
-@_wall(
+@Element("pin", "pins", "touching load pin", **_WIDE)(
     "wall_sleeve",
     title="Wall of the sleeves",
     formula="r_in − d/2 ≥ 0.1·d",
     why="Thinner sleeves break or run out of round.",
     inputs="contact.pin_radius pin.diameter",
     fixes="contact.pin_radius",
-    **common("pin", "pins", "touching load pin"),
 )
 def wall_sleeve(kind: Kind, design: Design, results: Results) -> Check:
     if not design.sleeved:
@@ -312,7 +306,7 @@ def wall_sleeve(kind: Kind, design: Design, results: Results) -> Check:
     return kind.wall(width, size=radius, guide=guide)
 
 
-@_wall(
+@Element("gear", "teeth", "gear", **_WIDE)(
     "ring_pin_room",
     title="Space between the ring's pins",
     formula="2·R_p·sin(π/n) − 2·r_p ≥ 0.2·r_p",
@@ -323,7 +317,6 @@ def wall_sleeve(kind: Kind, design: Design, results: Results) -> Check:
     ),
     fixes="gear.ring_pin_radius gear.ring_pin_circle_radius",
     not_of=lambda design, results: "" if design.gear.kind == "cycloid" else NOT_OF["cycloid"],
-    **common("gear", "teeth", "gear"),
 )
 def ring_pin_room(kind: Kind, design: Design, results: Results) -> Check:
     pins = design.ring_pins // (2 if design.cycloid.every_second_pin else 1)

@@ -48,7 +48,6 @@ ORDERED = {
     "core.arrays.where",
     "core.arrays.known_where",
     "core.arrays.refuse",
-    "core.checks.check.common",
     "core.checks.check.judged_by",
     "core.checks.check.verdict",
     "core.checks.crank_planetary.crank_check",

@@ -887,7 +887,7 @@ def test_every_record_is_found_by_its_code() -> None:
 
 def test_every_code_of_a_row_is_that_of_one_check() -> None:
     rows = [*bearings.ROWS, *contacts.IN_HOLES.values(), *contacts.IN_RING.values(), *pins.ROWS]
-    codes = [code for row in rows for code in row.all_codes.values()]
+    codes = [code for row in rows for code in row.codes.values()]
     assert len(codes) > 30 and len({*codes}) == len(codes) and {*codes} <= {*CHECKS}
 
 
