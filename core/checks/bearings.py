@@ -5,7 +5,7 @@ each place has the codes.
 """
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -29,10 +29,36 @@ from core.crank.envelope import (
 from core.design.document import Design
 from core.design.results import Results
 from core.design.sections import RollingBearing
-from core.errors import NotKnown, required
+from core.errors import Accuracy, NotKnown, required
 
 PRESSED = 1e-4
 """What a bearing's outside may be larger than its seat, m: it is pressed in."""
+
+_SORTS: dict[str, dict[str, Any]] = {
+    "life": {
+        "title": "Life of {them}",
+        "unit": "h",
+        "why": "Otherwise {one} fails before the life that is asked.",
+        "source": "iso_281_life",
+        "keep": "above",
+        "known": lambda design, results: {"limit": design.life},
+    },
+    "static": {
+        "title": "Static load of {them}",
+        "why": "Otherwise rolling elements dent their tracks.",
+        "keep": "above",
+    },
+    "ratings": {
+        "title": "Ratings of {them}",
+        "why": "There is no bearing of these sizes that carries so much.",
+        "source": "envelope",
+        "impossible": True,
+    },
+    "room": {"unit": "mm", "keep": "above", "impossible": True},
+    "speed": {"title": "Speed of {them}", "unit": "rpm", "source": "user", "needed": False},
+    "least": {"title": "Least load of {them}", "unit": "N", "keep": "above", "needed": False},
+}
+_SORTS["system"] = _SORTS["life"]
 
 SATELLITE = Element(
     "bearing",
@@ -42,6 +68,7 @@ SATELLITE = Element(
         "life=bearing_life system=system_life static=bearing_static ratings=bearing_rating",
         "room=bearing_fits speed=bearing_speed least=bearing_min_load most=bearing_overload",
     ),
+    sorts=_SORTS,
     words={"them": "the satellites' bearings", "one": "a bearing of a satellite"},
 )
 CRANKSHAFT = Element(
@@ -52,6 +79,7 @@ CRANKSHAFT = Element(
         "life=crank_bearing_life ratings=crank_bearing_rating room=crank_bearing_fits",
         "speed=crank_bearing_speed",
     ),
+    sorts=_SORTS,
     words={"them": "the crankshaft's bearings", "one": "a bearing of the crankshaft"},
 )
 ROLLERS = Element(
@@ -62,56 +90,27 @@ ROLLERS = Element(
         "life=pin_roller_life static=pin_roller_static room=pin_roller_fits tilt=pin_roller_tilt",
         "speed=pin_roller_speed least=pin_roller_min_load most=pin_roller_max_load",
     ),
+    sorts=_SORTS,
     words={"them": "the rollers on the pins", "one": "a roller"},
 )
 
 ROWS = (SATELLITE, CRANKSHAFT, ROLLERS)
 
-_LIFE = {
-    "title": "Life of {them}",
-    "unit": "h",
-    "why": "Otherwise {one} fails before the life that is asked.",
-    "source": "iso_281_life",
-    "keep": "above",
-    "known": lambda design, results: {"limit": design.life},
-}
-_STATIC = {
-    "title": "Static load of {them}",
-    "why": "Otherwise rolling elements dent their tracks.",
-    "keep": "above",
-}
-_RATINGS = {
-    "title": "Ratings of {them}",
-    "why": "There is no bearing of these sizes that carries so much.",
-    "source": "envelope",
-    "impossible": True,
-}
-_ROOM = {"unit": "mm", "keep": "above", "impossible": True}
-_SPEED = {"title": "Speed of {them}", "unit": "rpm", "source": "user", "needed": False}
-_LEAST = {"title": "Least load of {them}", "unit": "N", "keep": "above", "needed": False}
+
+_Life = tuple[float, float, Mapping[str, Any]]
+"""A life, s, its exponent over the load, and where it is."""
 
 _PLACES = "load.pin_circle_radius load.input_speed load.output_torque"
 
 
 def _lasting(
-    kind: Kind,
-    lives: Iterable[tuple[float, float, Mapping[str, Any]]],
-    *,
-    limit: float,
-    error: float,
-    solved: bool,
+    kind: Kind, limit: float, lives: Sequence[_Life], accuracy: Accuracy, *, solved: bool
 ) -> Check:
-    """The shortest of lives, each with its exponent and place; the loads have this error."""
-    each = list(lives)
-    value, _, at = min(each, key=lambda one: one[0])
-    return kind.judged(
-        value,
-        limit,
-        reserve=min((life / limit) ** (1 / power) for life, power, _ in each),
-        error=4 * max(power for _, power, _ in each) * error,
-        solved=solved,
-        at=at,
-    )
+    """The shortest of lives, under loads of an accuracy."""
+    value, _, at = min(lives, key=lambda each: each[0])
+    reserve = min((life / limit) ** (1 / power) for life, power, _ in lives)
+    error = 4 * max(power for _, power, _ in lives) * float(accuracy.relative_error)
+    return kind.judged(value, limit, reserve=reserve, error=error, solved=solved, at=at)
 
 
 def _static_safety(design: Design, elements: Bearing) -> float:
@@ -207,7 +206,6 @@ def _least_bore(design: Design) -> float:
 
 @SATELLITE.check(
     "life",
-    _LIFE,
     formula="L_nh ≥ L",
     inputs=(
         of.BEARING_LOAD,
@@ -220,19 +218,13 @@ def bearing_life(kind: Kind, design: Design, results: Results) -> Check:
     found, limit = results.crank.bearings, design.life
     if found.given_speed == 0:
         return Check(kind, "not_applicable", limit=limit, reason="members_locked")
-    power = EXPONENTS[design.bearing.kind]
-    return _lasting(
-        kind,
-        ((life, power, {"satellite": j}) for j, life in enumerate(found.life.tolist(), 1)),
-        limit=limit,
-        error=float(found.accuracy.relative_error),
-        solved=results.crank.uneven_growth,
-    )
+    power, lives = EXPONENTS[design.bearing.kind], enumerate(found.life.tolist(), 1)
+    each = [(life, power, {"satellite": place}) for place, life in lives]
+    return _lasting(kind, limit, each, found.accuracy, solved=results.crank.uneven_growth)
 
 
 @SATELLITE.check(
     "static",
-    _STATIC,
     formula="C₀/Q_max ≥ S_0",
     inputs=(
         of.BEARING_LOAD,
@@ -260,7 +252,6 @@ def bearing_static(kind: Kind, design: Design, results: Results) -> Check:
 
 @SATELLITE.check(
     "system",
-    _LIFE,
     title="Life of all satellites' bearings together",
     formula="(Σ L_j^−β)^(−1/β) ≥ L",
     why="Otherwise one of the bearings fails before the life that is asked.",
@@ -274,18 +265,12 @@ def system_life(kind: Kind, design: Design, results: Results) -> Check:
     limit, found = design.life, results.crank.bearings
     if found.given_speed == 0:
         return Check(kind, "not_applicable", limit=limit, reason="members_locked")
-    return _lasting(
-        kind,
-        [(float(found.system_life), EXPONENTS[design.bearing.kind], {})],
-        limit=limit,
-        error=float(found.accuracy.relative_error),
-        solved=results.crank.uneven_growth,
-    )
+    life: _Life = (float(found.system_life), EXPONENTS[design.bearing.kind], {})
+    return _lasting(kind, limit, [life], found.accuracy, solved=results.crank.uneven_growth)
 
 
 @CRANKSHAFT.check(
     "life",
-    _LIFE,
     formula="L_10h ≥ L",
     inputs=(
         of.OF_DISCS,
@@ -308,13 +293,11 @@ def crank_bearing_life(kind: Kind, design: Design, results: Results) -> Check:
     ]
     if all(math.isinf(life) for life, _, _ in lives):
         return Check(kind, "not_applicable", limit=limit, reason="unloaded")
-    error, solved = float(found.accuracy.relative_error), results.crank.uneven_growth
-    return _lasting(kind, lives, limit=limit, error=error, solved=solved)
+    return _lasting(kind, limit, lives, found.accuracy, solved=results.crank.uneven_growth)
 
 
 @SATELLITE.check(
     "ratings",
-    _RATINGS,
     formula="C/C_max, C₀/C₀_max ≤ q",
     inputs=("bearing.kind bearing.dynamic_rating bearing.static_rating", _SEAT),
 )
@@ -336,7 +319,6 @@ def bearing_rating(kind: Kind, design: Design, results: Results) -> Check:
 
 @SATELLITE.check(
     "room",
-    _ROOM,
     title="Room for {them}",
     formula="D ≤ 2·r_b, d ≥ d_shaft + 2·e, B ≤ b",
     why="Otherwise the bearing does not go onto its eccentric, or into the satellite.",
@@ -357,7 +339,6 @@ def bearing_fits(kind: Kind, design: Design, results: Results) -> Check:
 
 @SATELLITE.check(
     "speed",
-    _SPEED,
     formula="n₁·(1 + 1/u) ≤ n_lim",
     why="Above it the bearing gets too hot.",
     inputs=(of.SPEEDS, "mechanism.ratio bearing.limiting_speed"),
@@ -375,7 +356,6 @@ def _rating(design: Design) -> float:
 
 @SATELLITE.check(
     "least",
-    _LEAST,
     formula="Q_min ≥ q·C",
     why="Below it rolling elements slide, and tracks are smeared.",
     inputs=(of.BEARING_LOAD, "load.input_speed bearing.dynamic_rating"),
@@ -397,7 +377,6 @@ def bearing_min_load(kind: Kind, design: Design, results: Results) -> Check:
 
 @SATELLITE.check(
     "most",
-    {},
     title="Load of {them} over their ratings",
     formula="P/(0.5·C), Q_max/C₀ ≤ 1",
     why="Above it the formula of the life promises more than the bearing lasts.",
@@ -424,7 +403,7 @@ def bearing_overload(kind: Kind, design: Design, results: Results) -> Check:
     )
 
 
-@CRANKSHAFT.check("ratings", _RATINGS, formula="C/C_max ≤ q", inputs="crankshaft.bearings")
+@CRANKSHAFT.check("ratings", formula="C/C_max ≤ q", inputs="crankshaft.bearings")
 def crank_bearing_rating(kind: Kind, design: Design, results: Results) -> Check:
     found = [
         _possible(kind, each, _largest(each, "crankshaft.bearings"), at={"bearing": place})
@@ -435,7 +414,6 @@ def crank_bearing_rating(kind: Kind, design: Design, results: Results) -> Check:
 
 @CRANKSHAFT.check(
     "room",
-    _ROOM,
     title="Bores of {them}",
     formula="d ≥ d_shaft",
     why="Otherwise the bearing does not go onto the shaft.",
@@ -454,7 +432,6 @@ def crank_bearing_fits(kind: Kind, design: Design, results: Results) -> Check:
 
 @CRANKSHAFT.check(
     "speed",
-    _SPEED,
     formula="n₁ ≤ n_lim",
     why="Above it the bearing gets too hot.",
     inputs=(of.SPEEDS, "mechanism.ratio crankshaft.bearings"),
@@ -474,7 +451,6 @@ _PEAK = (of.LOADED, "load.peak_torque")
 
 @ROLLERS.check(
     "life",
-    _LIFE,
     formula="L_10h ≥ L",
     inputs=(of.FORCES, of.LIFE, _MADE, "rollers.dynamic_rating"),
     fixes=("rollers.dynamic_rating load.input_speed", _LESS),
@@ -484,11 +460,8 @@ _PEAK = (of.LOADED, "load.peak_torque")
 def pin_roller_life(kind: Kind, design: Design, results: Results) -> Check:
     design.known_speed  # noqa: B018 - of which the life is a matter
     found, power = results.roller_loads, EXPONENTS[_elements(design)]
-    at = {"satellite": found.satellite, "pin": found.pin}
-    error, limit = found.accuracy.relative_error, design.life
-    return _lasting(
-        kind, [(found.life, power, at)], limit=limit, error=error, solved=results.solved
-    )
+    lives = [(found.life, power, {"satellite": found.satellite, "pin": found.pin})]
+    return _lasting(kind, design.life, lives, found.accuracy, solved=results.solved)
 
 
 def _elements(design: Design) -> Bearing:
@@ -498,7 +471,6 @@ def _elements(design: Design) -> Bearing:
 
 @ROLLERS.check(
     "static",
-    _STATIC,
     formula="C₀w/F_max ≥ S_0",
     inputs=(
         _PEAK,
@@ -518,7 +490,6 @@ def pin_roller_static(kind: Kind, design: Design, results: Results) -> Check:
 
 @ROLLERS.check(
     "most",
-    {},
     title="Largest load of {them}",
     formula="F·K_A/F_r, F_max/F_0r ≤ 1",
     why="Above it the outer ring, which nothing supports, breaks by bending.",
@@ -541,7 +512,6 @@ def pin_roller_max_load(kind: Kind, design: Design, results: Results) -> Check:
 
 @ROLLERS.check(
     "least",
-    _LEAST,
     formula="F ≥ 0.0167·C₀",
     why="Below it outer rings slide in the holes before they roll.",
     inputs=(of.FORCES, "rollers.static_rating"),
@@ -558,7 +528,6 @@ def pin_roller_min_load(kind: Kind, design: Design, results: Results) -> Check:
 
 @ROLLERS.check(
     "speed",
-    _SPEED,
     formula="n·e/r_s ≤ n_lim",
     why="Above it the roller gets too hot.",
     inputs=(
@@ -575,7 +544,6 @@ def pin_roller_speed(kind: Kind, design: Design, results: Results) -> Check:
 
 @ROLLERS.check(
     "room",
-    _ROOM,
     title="Room for the rollers along the pins",
     formula="n·B ≤ |z_j − z_k|, b",
     why="Otherwise rollers of neighbouring satellites lie in each other.",
@@ -594,7 +562,6 @@ def pin_roller_fits(kind: Kind, design: Design, results: Results) -> Check:
 
 @ROLLERS.check(
     "tilt",
-    {},
     title="Slope of the pins in their rollers",
     unit="mrad",
     formula="θ ≤ θ_max",

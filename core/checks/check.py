@@ -220,9 +220,9 @@ class Kind:
 
 
 class Element:
-    """A machine element: what the records of its checks have in common. Of one of a sort, as one of
-    the rolling bearings, codes are those of its checks by their sort (``sort=code``), and words
-    what titles and reasons of a sort, which are the same for all of it, call it.
+    """A machine element: what the records of its checks have in common. Of one of several, as of
+    rolling bearings, codes are those of its checks by their sort (``sort=code``), sorts what all
+    records of a sort say, and words what title and reason there call it.
     """
 
     def __init__(
@@ -232,12 +232,13 @@ class Element:
         needs: str = "",
         *,
         codes: Paths = (),
+        sorts: Mapping[str, Mapping[str, Any]] | None = None,
         words: Mapping[str, str] | None = None,
         **common: Any,
     ) -> None:
         self.common = {"group": group, "part": part, "needs": needs, **common}
         self.codes = dict(each.split("=") for each in paths(codes))
-        self.words = words or {}
+        self.sorts, self.words = sorts or {}, words or {}
 
     def __call__(self, code: str, **own: Any) -> Callable[[Judge], Kind]:
         """Decorator of a function that is a check of it, which becomes its record, by its code and
@@ -247,9 +248,9 @@ class Element:
         said |= {name: paths(said.get(name, ())) for name in ("needs", "inputs", "fixes")}
         return lambda judge: Kind(code=code, judge=judge, **said)
 
-    def check(self, sort: str, said: Mapping[str, Any], **own: Any) -> Callable[[Judge], Kind]:
-        """As a call, of one of a sort, of which all records say as much."""
-        of = {**said, **own}
+    def check(self, sort: str, **own: Any) -> Callable[[Judge], Kind]:
+        """As a call, of its check of a sort."""
+        of = {**self.sorts.get(sort, {}), **own}
         words = {name: of[name].format(**self.words) for name in ("title", "why")}
         return self(self.codes[sort], **of | words)
 
@@ -363,17 +364,7 @@ def asked_of(design: Any, *names: str) -> dict[str, float]:
 
 
 class Unjudged(NotKnown):
-    """A value that is known, and nothing to hold it against.
-
-    Parameters
-    ----------
-    code : str
-        Why, a key of `core.codes.CODES`.
-    *missing : str
-        Core names of inputs that would have to be given.
-    **known
-        Attributes of the check that are known.
-    """
+    """A value that is known, and nothing to hold it against; with attributes of its check."""
 
     def __init__(self, code: str, *missing: str, **known: Any) -> None:
         super().__init__(code, *missing)

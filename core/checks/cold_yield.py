@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from core.checks.check import Check, Verdict
-from core.checks.contacts import PLASTICS, cold_limits
+from core.checks.contacts import PLASTICS
 from core.checks.crank_planetary import crank_check
 from core.design.results import Results
 from core.errors import UNKNOWN, required
@@ -69,7 +69,8 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
         of_teeth = _settled(results, teeth, LOOKS) if teeth else math.inf
     except UNKNOWN:
         return None
-    limits = cold_limits(results=results, contact=results.static_contact)
+    contact = results.static_contact
+    limits = {body: results.cold_limit(body, contact) for body in design.plastics}
     body = min(limits, key=limits.__getitem__)
     strength = design.lasting[body].known_strength(body, f"contact.{body}_material")
     part: Literal["contact", "teeth"] = "contact"
@@ -102,13 +103,7 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
 
 
 def _settled(results: Results, check: Check, looks: int) -> float:
-    """Factor on the torque at which a check is at its limit, by looks at others.
-
-    Raises
-    ------
-    NotKnown
-        If it has none.
-    """
+    """Factor on the torque at which a check is at its limit, by looks at others, if it has one."""
     factor = required(check.torque_reserve, "value_unknown")
     for _ in range(looks):
         there = crank_check(check.code, results.under(factor))

@@ -7,6 +7,7 @@ pressure they bear for long, so that what holds is `necessary_only`.
 
 import math
 from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Any, NamedTuple
 
 from core.checks import inputs as of
@@ -41,6 +42,38 @@ third, and the largest stress lies at 0.75."""
 _HOLES = ("contact", "contact", "touching load")
 _TEETH = ("gear", "teeth", "load contact gear")
 
+_SORTS: dict[str, dict[str, Any]] = {
+    "pressure": {
+        "unit": "MPa",
+        "title": "Contact pressure of the {it}",
+        "formula": "p ≤ p_all·Z_NT/S",
+        "why": "Above it the surface of the {it} pits within the life.",
+    },
+    "static": {
+        "unit": "MPa",
+        "title": "Contact pressure of the {it} at the peak torque",
+        "formula": "p(T_max) ≤ p_static",
+        "why": "Above it the surface of the {it} is dented at once.",
+        "requires": {"load.peak_torque": "no_peak_torque"},
+        "demands": ("load.peak_torque",),
+        "source": "static_pressure",
+    },
+    "shakedown": {
+        "unit": "MPa",
+        "title": "Shakedown of the {it}",
+        "formula": "p ≤ (2.31 … 2.06)·R_e",
+        "why": "Above it the surface of the {it} flows on with every turn.",
+        "source": "johnson_shakedown",
+    },
+    "yield": {
+        "unit": "MPa",
+        "title": "First yield of the {it}",
+        "formula": "p ≤ f(ν, μ)·R_e",
+        "why": "Above it the {it} yields in the first turns.",
+        "source": "johnson_yield",
+    },
+}
+
 IN_HOLES: dict[Body, Element] = {
     "pin": Element(
         *_HOLES,
@@ -48,6 +81,7 @@ IN_HOLES: dict[Body, Element] = {
             "pressure=contact_pressure_pin shakedown=contact_shakedown_pin",
             "yield=contact_yield_pin static=contact_static_pin",
         ),
+        sorts=_SORTS,
         words={"it": "pin"},
     ),
     "hole": Element(
@@ -56,6 +90,7 @@ IN_HOLES: dict[Body, Element] = {
             "pressure=contact_pressure_hole shakedown=contact_shakedown_hole",
             "yield=contact_yield_hole static=contact_static_hole",
         ),
+        sorts=_SORTS,
         words={"it": "hole"},
     ),
 }
@@ -63,46 +98,19 @@ IN_RING: dict[RingBody, Element] = {
     "pin": Element(
         *_TEETH,
         codes="pressure=ring_pressure_pin static=ring_static_pin",
+        sorts=_SORTS,
         words={"it": "pins or teeth of the ring"},
         not_of=not_toothed,
     ),
     "disc": Element(
         *_TEETH,
         codes="pressure=ring_pressure_disc static=ring_static_disc",
+        sorts=_SORTS,
         words={"it": "satellites' teeth"},
         not_of=not_toothed,
     ),
 }
 
-_PRESSURE = {
-    "unit": "MPa",
-    "title": "Contact pressure of the {it}",
-    "formula": "p ≤ p_all·Z_NT/S",
-    "why": "Above it the surface of the {it} pits within the life.",
-}
-_STATIC = {
-    "unit": "MPa",
-    "title": "Contact pressure of the {it} at the peak torque",
-    "formula": "p(T_max) ≤ p_static",
-    "why": "Above it the surface of the {it} is dented at once.",
-    "requires": {"load.peak_torque": "no_peak_torque"},
-    "demands": ("load.peak_torque",),
-    "source": "static_pressure",
-}
-_SHAKEDOWN = {
-    "unit": "MPa",
-    "title": "Shakedown of the {it}",
-    "formula": "p ≤ (2.31 … 2.06)·R_e",
-    "why": "Above it the surface of the {it} flows on with every turn.",
-    "source": "johnson_shakedown",
-}
-_YIELD = {
-    "unit": "MPa",
-    "title": "First yield of the {it}",
-    "formula": "p ≤ f(ν, μ)·R_e",
-    "why": "Above it the {it} yields in the first turns.",
-    "source": "johnson_yield",
-}
 
 FIXES = paths(
     "pin.diameter contact.contact_length contact.pin_radius load.pin_circle_radius",
@@ -214,7 +222,6 @@ def _pressure(body: Body) -> Kind:
 
     @row.check(
         "pressure",
-        _PRESSURE,
         inputs=(of.LOADED, of.LIFE, "requirements.pitting_safety"),
         fixes=(FIXES, f"contact.{body}_material"),
         source="yanchevsky_2018",
@@ -227,13 +234,12 @@ def _pressure(body: Body) -> Kind:
     return pressure
 
 
-def _flowing(sort: str, said: Mapping[str, Any], body: Body, **more: Any) -> Kind:
+def _flowing(sort: str, body: Body, **more: Any) -> Kind:
     """The pressure against one by the yield strength, where that governs."""
     row = IN_HOLES[body]
 
     @row.check(
         sort,
-        said,
         inputs=(of.LOADED, of.SLIDING),
         fixes=(FIXES, f"contact.{body}_material"),
         known=lambda design, results: {"limit": results.pressure_limits[row.codes[sort]]},
@@ -267,7 +273,6 @@ def _flowing(sort: str, said: Mapping[str, Any], body: Body, **more: Any) -> Kin
 def _static(body: Body) -> Kind:
     @IN_HOLES[body].check(
         "static",
-        _STATIC,
         inputs=(of.LOADED, "load.peak_torque"),
         fixes=(FIXES, f"contact.{body}_material load.peak_torque"),
     )
@@ -334,7 +339,6 @@ def _ring_pressure(body: RingBody) -> Kind:
 
     @IN_RING[body].check(
         "pressure",
-        _PRESSURE,
         inputs=(of.TEETH_LOADED, of.LIFE, "requirements.pitting_safety"),
         fixes=(_RING_FIXES, "load.output_torque"),
         source="ring_mesh",
@@ -351,7 +355,6 @@ def _ring_pressure(body: RingBody) -> Kind:
 def _ring_static(body: RingBody) -> Kind:
     @IN_RING[body].check(
         "static",
-        _STATIC,
         inputs=(of.TEETH_GIVE, "load.peak_torque"),
         fixes=(_RING_FIXES, "load.peak_torque"),
     )
@@ -411,28 +414,6 @@ def ring_static_cold(kind: Kind, design: Design, results: Results) -> Check:
     return _necessary(results, design.usual_in_teeth, by)
 
 
-def cold_limits(
-    *, results: Results, contact: HertzContact, most: bool = False
-) -> dict[Body, float]:
-    """Pressures at which plastic bodies of a contact yield at once.
-
-    Parameters
-    ----------
-    results : Results
-        Results of the design.
-    contact : HertzContact
-        The contact.
-    most : bool
-        Whether those at which they do for certain are wanted, not the least ones.
-
-    Returns
-    -------
-    dict
-        Pa, by body.
-    """
-    return {body: results.cold_limit(body, contact, most=most) for body in results.design.plastics}
-
-
 Grown = tuple[HertzContact, Callable[[float], HertzContact]]
 """A contact, and that under so many times its force."""
 
@@ -445,8 +426,8 @@ def _yielding(
     """
 
     def least(contact: HertzContact, most: bool = False) -> float:
-        limits = cold_limits(results=results, contact=contact, most=most)
-        return min(one * part[body] for body, one in limits.items())
+        cold = partial(results.cold_limit, contact=contact, most=most)
+        return min(cold(body) * share for body, share in part.items())
 
     def reserve_of(contact: HertzContact, at: Callable[[float], HertzContact]) -> float:
         """Factor on the force at which it yields."""
@@ -609,8 +590,8 @@ def contact_conformity(kind: Kind, design: Design, results: Results) -> Check:
 PLASTICS = (contact_static_cold, contact_solid_depth, temperature, creep, fatigue_plastic)
 CONTACT = (
     *map(_pressure, IN_HOLES),
-    *(_flowing("shakedown", _SHAKEDOWN, body) for body in IN_HOLES),
-    *(_flowing("yield", _YIELD, body, warning="plastic_first") for body in IN_HOLES),
+    *(_flowing("shakedown", body) for body in IN_HOLES),
+    *(_flowing("yield", body, warning="plastic_first") for body in IN_HOLES),
     *map(_static, IN_HOLES),
     contact_conformity,
     *PLASTICS,

@@ -33,35 +33,38 @@ from core.output.tied_pin import section_of
 HARDENED = 1400e6
 """Tensile strength above which a steel hardly yields before it breaks, Pa."""
 
-_STATIC = {
-    "title": "Static strength of {pins}",
-    "unit": "MPa",
-    "formula": "σ_v ≤ R_e/S_F",
-    "why": "Above it {pins} bend for good.",
-    "source": "pin_beam",
-}
-_FATIGUE = {
-    "title": "Fatigue of {pins}",
-    "formula": "n ≥ S_D",
-    "why": "Below it {pins} break after some time where they bend most.",
-    "source": "shigley",
-    "keep": "above",
-}
-_DEFLECTION = {
-    "title": "Deflection of {pins}",
-    "unit": "mm",
-    "formula": "w ≤ Δ_max",
-    "why": "Above it the satellites share the load unevenly.",
-    "source": "beam",
-    "asks": "max_deflection",
-}
-_SLOPE = {
-    "title": "Slope of {pins} in the satellites",
-    "unit": "mrad",
-    "formula": "θ ≤ θ_max",
-    "why": "Above it the {contacts} carry on their edges.",
-    "source": "beam",
-    "asks": "max_slope",
+
+_SORTS: dict[str, dict[str, Any]] = {
+    "static": {
+        "title": "Static strength of {pins}",
+        "unit": "MPa",
+        "formula": "σ_v ≤ R_e/S_F",
+        "why": "Above it {pins} bend for good.",
+        "source": "pin_beam",
+    },
+    "fatigue": {
+        "title": "Fatigue of {pins}",
+        "formula": "n ≥ S_D",
+        "why": "Below it {pins} break after some time where they bend most.",
+        "source": "shigley",
+        "keep": "above",
+    },
+    "deflection": {
+        "title": "Deflection of {pins}",
+        "unit": "mm",
+        "formula": "w ≤ Δ_max",
+        "why": "Above it the satellites share the load unevenly.",
+        "source": "beam",
+        "asks": "max_deflection",
+    },
+    "slope": {
+        "title": "Slope of {pins} in the satellites",
+        "unit": "mrad",
+        "formula": "θ ≤ θ_max",
+        "why": "Above it the {contacts} carry on their edges.",
+        "source": "beam",
+        "asks": "max_slope",
+    },
 }
 
 
@@ -215,6 +218,7 @@ _OUTPUT = _Place(
             "static=pin_static fatigue=pin_fatigue deflection=pin_deflection slope=pin_slope",
             "wall=pin_wall",
         ),
+        sorts=_SORTS,
         words={"pins": "the pins", "contacts": "contacts"},
     ),
     of=_output,
@@ -232,6 +236,7 @@ _RING = _Place(
         "teeth",
         "load contact gear",
         codes="static=ring_pin_stress fatigue=ring_pin_fatigue slope=ring_pin_slope",
+        sorts=_SORTS,
         words={"pins": "the pins of the ring", "contacts": "teeth"},
         not_of=_not_bent,
     ),
@@ -248,7 +253,6 @@ ROWS = (_OUTPUT.row, _RING.row)
 def _static(place: _Place) -> Kind:
     @place.row.check(
         "static",
-        _STATIC,
         inputs=(place.loaded, "load.peak_torque requirements.bending_safety"),
         fixes=(place.thicker, place.at_peak),
     )
@@ -261,7 +265,6 @@ def _static(place: _Place) -> Kind:
 def _fatigue(place: _Place) -> Kind:
     @place.row.check(
         "fatigue",
-        _FATIGUE,
         inputs=(place.loaded, place.turns, of.FATIGUE, of.LIFE, "requirements.fatigue_safety"),
         fixes=place.thicker,
     )
@@ -271,13 +274,12 @@ def _fatigue(place: _Place) -> Kind:
     return fatigue
 
 
-def _bent(place: _Place, sort: str, said: Mapping[str, Any], *names: str) -> Kind:
+def _bent(place: _Place, sort: str, *names: str) -> Kind:
     """Deflection or slope, where a limit is asked of the softest material that sources allow."""
-    asks = said["asks"]
+    asks = _SORTS[sort]["asks"]
 
     @place.row.check(
         sort,
-        said,
         inputs=(place.loaded, f"requirements.{asks}"),
         fixes=tuple(each for each in place.thicker if each != "gear.span"),
     )
@@ -290,7 +292,6 @@ def _bent(place: _Place, sort: str, said: Mapping[str, Any], *names: str) -> Kin
 
 @_OUTPUT.row.check(
     "wall",
-    {},
     title="Wall about the bore of the pins",
     unit="MPa",
     formula="σ_w(T_max) ≤ R_e/S_F",
@@ -366,13 +367,13 @@ def bolt_slips(kind: Kind, design: Design, results: Results) -> Check:
 
 BENDING = (
     _static(_OUTPUT),
-    _bent(_OUTPUT, "deflection", _DEFLECTION, "deflection", "satellite"),
-    _bent(_OUTPUT, "slope", _SLOPE, "slope", "slope_satellite"),
+    _bent(_OUTPUT, "deflection", "deflection", "satellite"),
+    _bent(_OUTPUT, "slope", "slope", "slope_satellite"),
     _fatigue(_OUTPUT),
 )
 HOLLOW = (pin_wall, bolt_opens, bolt_slips)
 RING_BENDING = (
     _static(_RING),
     _fatigue(_RING),
-    _bent(_RING, "slope", _SLOPE, "slope", "slope_satellite"),
+    _bent(_RING, "slope", "slope", "slope_satellite"),
 )
