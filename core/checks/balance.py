@@ -33,26 +33,18 @@ _INPUTS = (
 )
 
 
-def _of_grade(design: Design, grade: float) -> float:
-    """Force of a centre of what turns that is so fast, N."""
-    return grade * design.rotor_mass * design.known_speed
-
-
-def _of_share(results: Results, value: float, share: float) -> float:
-    """Limit of a value where what is not balanced may load each bearing by a share of the most that
+def _limit(results: Results, value: float, demand: str, asked: float) -> float:
+    """Limit of a value by what is asked: of a grade the force of a centre of what turns that is so
+    fast, N; of a share where what is not balanced may load each bearing by a share of the most that
     the mechanism does there: both grow together.
     """
+    if demand == _GRADE:
+        return asked * results.design.rotor_mass * results.design.known_speed
+    if demand != _SHARE:
+        return asked
     peaks = results.crank.still_shaft.peak_reaction.tolist()
     sizes = zip(results.crank.balance.bearing_force, peaks, strict=True)
-    least = min((peak / force for force, peak in sizes if force), default=0.0)
-    return share * value * least
-
-
-def _limit(results: Results, value: float, demand: str, asked: float) -> float:
-    """Limit of a value by what is asked."""
-    if demand == _GRADE:
-        return _of_grade(results.design, asked)
-    return _of_share(results, value, asked) if demand == _SHARE else asked
+    return asked * value * min((peak / force for force, peak in sizes if force), default=0.0)
 
 
 def _against(kind: Kind, results: Results, value: float, *demands: str) -> Check:
@@ -65,7 +57,7 @@ def _against(kind: Kind, results: Results, value: float, *demands: str) -> Check
         return kind.judged(value, min(limits))._replace(limit_source="user")
     if kind is unbalance_couple:
         return Check(kind, "not_asked", value=value, reason="no_limit")
-    limit = _of_grade(results.design, GRADE)
+    limit = _limit(results, value, _GRADE, GRADE)
     return kind.judged(value, limit, warning="unbalanced", limit_source="balance_guide")
 
 

@@ -29,14 +29,6 @@ Judge = Callable[..., "Check | Measure"]
 """Makes the check of a design; of what somebody may ask, a measure will do."""
 
 
-def _nothing(*_: Any) -> dict[str, Any]:
-    return {}
-
-
-def _never(*_: Any) -> str:
-    return ""
-
-
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Kind:
     """What a check is: a record at the function that makes it."""
@@ -56,14 +48,15 @@ class Kind:
     needs: tuple[str, ...] = ()  # what has to be there of a design: it is made of no other one
     # What has to be given besides, by its path, with the code of why nothing is known without it.
     requires: Mapping[str, str] = field(default_factory=dict)
-    not_of: Callable[..., str] = _never  # why it is no check of a design, a code; empty of others
+    # Why it is no check of a design, a code; empty of others.
+    not_of: Callable[..., str] = field(default_factory=lambda: lambda *_: "")
     demands: tuple[str, ...] = ()  # paths: where none is given nobody asks what is not known
     asks: str = ""  # requirement that is its limit, where somebody may ask it
     impossible: bool = False  # whether what fails by it cannot exist or move
     only_asked: bool = False  # whether its value is not looked for where nobody does
     asked_alone: bool = False  # whether it needs nothing else where that is asked
     # Attributes of the check that are known although its value is not, as its limit.
-    known: Callable[..., dict[str, Any]] = _nothing
+    known: Callable[..., dict[str, Any]] = field(default_factory=lambda: lambda *_: {})
     judge: "Judge"  # the check of a design, told which it is
 
     @property

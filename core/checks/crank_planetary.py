@@ -7,6 +7,7 @@ from functools import cache
 from core.checks import balance, bearings, contacts, demands, pins, teeth, walls
 from core.checks.check import (
     Check,
+    PartStatus,
     PartVerdict,
     Verdict,
     asked_of,
@@ -224,20 +225,19 @@ def _part(design: Design, part: Part, made: list[Check]) -> PartVerdict:
     if not decided:
         demands = (f"requirements.{name}" for name in part.demands.split())
         lacks.append(NotKnown("nothing_judged", *demands))
-    if lacks:
-        missing = dict.fromkeys(name for each in lacks for name in each.missing)
-        return PartVerdict(
-            code=part.code,
-            status="open",
-            governing=governing,
-            reason=lacks[0].code,
-            params=lacks[0].params,
-            refusal=lacks[0].refusal,
-            missing=tuple(missing),
-        )
-    marginal = any(check.status == "marginal" for check in decided)
+    if not lacks:
+        marginal = any(check.status == "marginal" for check in decided)
+        status: PartStatus = "marginal" if marginal else "pass"
+        return PartVerdict(code=part.code, status=status, governing=governing)
+    first, missing = lacks[0], dict.fromkeys(name for each in lacks for name in each.missing)
     return PartVerdict(
-        code=part.code, status="marginal" if marginal else "pass", governing=governing
+        code=part.code,
+        status="open",
+        governing=governing,
+        reason=first.code,
+        params=first.params,
+        refusal=first.refusal,
+        missing=tuple(missing),
     )
 
 

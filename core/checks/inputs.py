@@ -55,9 +55,6 @@ RING_PINS = paths(
 the lag at each.
 """
 
-RING_GAPS = paths(RING_PINS, "gear.modification.rotation")
-"""Of these gaps."""
-
 OF_BENT_PINS = paths("gear.span gear.satellite_positions gear.sleeve_bore_radius")
 """Of how pins of the ring bend."""
 
@@ -102,9 +99,6 @@ RING = paths(
     "gear.ring_pin_circle_radius gear.radial_force_ratio",
 )
 """Of the ring's force on a satellite."""
-
-UNEVEN = "contact.distribution_factor contact.distribution_of"
-"""Of a share that is stated."""
 
 RING_FORCES = paths(
     RING_GIVES,
@@ -151,12 +145,19 @@ INVOLUTE_LOADED = paths(INVOLUTE_GIVES, "load.output_torque", ON_STRESSES)
 """Of the forces on them."""
 
 TEETH_GAPS = paths(
-    RING_GAPS, INVOLUTE_GEARS, "gear.satellite_profile_shift gear.ring_profile_shift"
+    RING_PINS,
+    "gear.modification.rotation",
+    INVOLUTE_GEARS,
+    "gear.satellite_profile_shift gear.ring_profile_shift",
 )
 """Of the gaps between satellites and ring, of whatever kind."""
 
 TEETH_GIVE = paths(
-    RING_GIVES, UNEVEN, INVOLUTE_GIVES, RING_TIPS, "gear.ring_material gear.satellite_material"
+    RING_GIVES,
+    "contact.distribution_factor contact.distribution_of",
+    INVOLUTE_GIVES,
+    RING_TIPS,
+    "gear.ring_material gear.satellite_material",
 )
 """Of how a torque is on satellites and ring, of whatever kind."""
 

@@ -40,21 +40,21 @@ NOT_OF: dict[RingKind, str] = {"involute": "no_involute", "cycloid": "no_ring_pi
 """Why a check is not one of a ring, by the kind that it is of."""
 
 
-def _other_ring(design: Design, results: Results, *, of: tuple[RingKind, ...]) -> str:
+def _other_ring(design: Design, results: Results, *, kinds: tuple[RingKind, ...]) -> str:
     """Why a check is none of the ring of a design, by the first of the kinds that it is of; empty
     where it is of this ring, which can be.
     """
     own = design.gear.kind
-    if own not in of:
-        return NOT_OF[of[0]]
+    if own not in kinds:
+        return NOT_OF[kinds[0]]
     if own == "cycloid":
         _ = results.ring.force  # which refuses a disc whose path crosses itself
     return ""
 
 
-not_involute = partial(_other_ring, of=("involute",))
-not_cycloid = partial(_other_ring, of=("cycloid",))
-not_toothed = partial(_other_ring, of=("cycloid", "involute"))
+not_involute = partial(_other_ring, kinds=("involute",))
+not_cycloid = partial(_other_ring, kinds=("cycloid",))
+not_toothed = partial(_other_ring, kinds=("cycloid", "involute"))
 
 _mesh = Element(
     "gear",

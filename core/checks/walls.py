@@ -126,12 +126,19 @@ def interference(kind: Kind, design: Design, results: Results) -> Check:
     )
 
 
-def _between(design: Design, radius: float) -> float:
-    """Width between neighbours on the pin circle, m; infinite of a single one."""
+def _apart(kind: Kind, design: Design, radius: float, *, solid: bool) -> Check:
+    """What is left between neighbours of a radius, m, on the pin circle: a wall, or a gap."""
     pins = design.mechanism.pins
     if pins < 2:
-        return math.inf
-    return 2 * design.load.pin_circle_radius * math.sin(math.pi / pins) - 2 * radius
+        return Check(kind, "not_applicable", reason="one_only")
+    width = 2 * design.load.pin_circle_radius * math.sin(math.pi / pins) - 2 * radius
+    return _thick(kind, design, width, radius) if solid else kind.gap(width, size=radius)
+
+
+def _thick(kind: Kind, design: Design, width: float, size: float) -> Check:
+    """A wall that is as thick as is asked, or else usual."""
+    least, guide = design.requirements.min_wall, design.wall_guide
+    return kind.wall(width, size=size, least=least, guide=guide)
 
 
 @_placed(
@@ -145,11 +152,7 @@ def _between(design: Design, radius: float) -> float:
     source="wang_2016",
 )
 def wall_holes(kind: Kind, design: Design, results: Results) -> Check:
-    radius, least = design.nominal_pair.hole_radius, design.requirements.min_wall
-    width = _between(design, radius)
-    if math.isinf(width):
-        return Check(kind, "not_applicable", reason="one_only")
-    return kind.wall(width, size=radius, least=least, guide=design.wall_guide)
+    return _apart(kind, design, design.nominal_pair.hole_radius, solid=True)
 
 
 @_placed(
@@ -161,11 +164,7 @@ def wall_holes(kind: Kind, design: Design, results: Results) -> Check:
     fixes="load.pin_circle_radius contact.pin_radius mechanism.pins",
 )
 def pins_apart(kind: Kind, design: Design, results: Results) -> Check:
-    radius = design.nominal_pair.pin_radius
-    width = _between(design, radius)
-    if math.isinf(width):
-        return Check(kind, "not_applicable", reason="one_only")
-    return kind.gap(width, size=radius)
+    return _apart(kind, design, design.nominal_pair.pin_radius, solid=False)
 
 
 @_placed(
@@ -251,8 +250,7 @@ def wall_rim(kind: Kind, design: Design, results: Results) -> Check:
 def wall_bore(kind: Kind, design: Design, results: Results) -> Check:
     size = design.nominal_pair.hole_radius
     bore = required(design.bore_radius, "size_missing", "satellite_body.bore_radius")
-    width, least = design.load.pin_circle_radius - size - bore, design.requirements.min_wall
-    return kind.wall(width, size=size, least=least, guide=design.wall_guide)
+    return _thick(kind, design, design.load.pin_circle_radius - size - bore, size)
 
 
 @_body(
