@@ -583,20 +583,7 @@ def pin_roller_tilt(kind: Kind, design: Design, results: Results) -> Check:
 
 
 LIVES = (bearing_life, bearing_static, system_life, crank_bearing_life)
-BEARINGS = (
-    bearing_rating,
-    bearing_fits,
-    bearing_speed,
-    bearing_min_load,
-    bearing_overload,
-    crank_bearing_rating,
-    crank_bearing_fits,
-    crank_bearing_speed,
-    pin_roller_life,
-    pin_roller_static,
-    pin_roller_max_load,
-    pin_roller_min_load,
-    pin_roller_speed,
-    pin_roller_fits,
-    pin_roller_tilt,
-)
+OF_SATELLITES = (bearing_rating, bearing_fits, bearing_speed, bearing_min_load, bearing_overload)
+OF_CRANKSHAFT = (crank_bearing_rating, crank_bearing_fits, crank_bearing_speed)
+LOADS = (pin_roller_life, pin_roller_static, pin_roller_max_load, pin_roller_min_load)
+ON_PINS = (*LOADS, pin_roller_speed, pin_roller_fits, pin_roller_tilt)

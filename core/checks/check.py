@@ -580,10 +580,6 @@ def verdict(
     once : bool
         Whether what is known is of loads that act once only, as of plastics.
 
-    Returns
-    -------
-    Verdict
-
     Examples
     --------
     >>> from core.checks.records import CHECKS

@@ -38,7 +38,9 @@ class ColdYield:
 
 
 def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
-    """The torque at which a plastic may yield at once.
+    """The torque at which a plastic may yield at once; None where no plastic touches, where of one,
+    or of teeth, it is not known, and where the parts do not go together. Its friction has to be
+    known.
 
     Parameters
     ----------
@@ -46,17 +48,6 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
         Results of a design.
     found : Verdict
         Its checks.
-
-    Returns
-    -------
-    ColdYield or None
-        None where no plastic touches, where of one, or of teeth, it is not known, and where the
-        parts do not go together.
-
-    Raises
-    ------
-    NotKnown
-        If its friction is not known.
     """
     design, checks = results.design, {each.code: each for each in found.checks}
     check, teeth = checks.get("contact_static_cold"), checks.get("ring_static_cold")

@@ -37,7 +37,8 @@ CRANK_CHECKS = {
         *teeth.FORCE,
         walls.gear_room,
         *bearings.LIVES,
-        *teeth.INVOLUTE_MESH,
+        *teeth.MESH,
+        *teeth.TIPS,
         *teeth.RING_PINS,
         walls.ring_pin_room,
         teeth.ring_pressed,
@@ -45,7 +46,9 @@ CRANK_CHECKS = {
         *demands.TURNING,
         *pins.RING_BENDING,
         *demands.SEATS,
-        *bearings.BEARINGS,
+        *bearings.OF_SATELLITES,
+        *bearings.OF_CRANKSHAFT,
+        *bearings.ON_PINS,
         *balance.BALANCE,
     )
 }
@@ -107,10 +110,6 @@ def crank_check(code: str, results: Results) -> Check:
         Which.
     results : Results
         Results of a design.
-
-    Returns
-    -------
-    Check
     """
     kind = CRANK_CHECKS[code]
     check = kind.of(results.design, results)
@@ -166,10 +165,6 @@ def of_parts(*, design: Design, checks: Iterable[Check]) -> Verdict:
         The design.
     checks : iterable of Check
         Its checks.
-
-    Returns
-    -------
-    Verdict
     """
     made = sorted(checks, key=rank)
     parts = tuple(_part(design, part, made) for part in PARTS.values())

@@ -136,6 +136,7 @@ LINE_MATERIALS = ("line_contact.roller_material", "line_contact.mating_material"
 """Materials of what touches along the contact lines."""
 
 _roller, _shaft = Element("rollers"), Element("shaft")
+_bending = Element("shaft", fixes="shaft_diameter overhang bearing_distance", source="beam")
 _between = Element("rollers", unit="mm", keep="above")
 _room = Element("room", unit="mm", keep="above")
 
@@ -256,14 +257,7 @@ def roller_tilt(kind: Kind, design: RollerDesign) -> Check:
     return kind.judged(length, ROLLER_LENGTH * eccentricity, warning="tilted")
 
 
-ROLLERS = (
-    roller_stress,
-    roller_fatigue,
-    roller_sharing,
-    roller_spacing,
-    roller_room,
-    roller_tilt,
-)
+ROLLERS = (roller_stress, roller_fatigue, roller_sharing, roller_spacing, roller_room, roller_tilt)
 
 
 @_room(
@@ -299,36 +293,36 @@ def shaft_in_circle(kind: Kind, design: ShaftDesign) -> Check:
     return kind.gap(room, size=size)
 
 
-@_shaft(
+def _bent(design: ShaftDesign, name: str) -> Measure:
+    """The larger deflection or slope of the shaft, in B or C."""
+    largest = max(getattr(design.result, f"{name}_{place}").total for place in "BC")
+    return Measure(largest, error=design.error, reserve=float)
+
+
+@_bending(
     "shaft_deflection",
     title="Deflection of the shaft",
     unit="mm",
     formula="max(Δ_B, Δ_C) ≤ Δ_max",
     why="Above it the mesh is off its place.",
     inputs=(_SHAFT, "youngs_modulus max_deflection"),
-    fixes="shaft_diameter overhang bearing_distance",
-    source="beam",
     asks="max_deflection",
 )
 def shaft_deflection(kind: Kind, design: ShaftDesign) -> Measure:
-    largest = max(design.result.deflection_B.total, design.result.deflection_C.total)
-    return Measure(largest, error=design.error, reserve=float)
+    return _bent(design, "deflection")
 
 
-@_shaft(
+@_bending(
     "shaft_slope",
     title="Slope of the shaft in its bearings",
     unit="mrad",
     formula="max(θ_B, θ_C) ≤ θ_max",
     why="Above it the bearings carry on their edges.",
     inputs=(_SHAFT, "youngs_modulus max_slope"),
-    fixes="shaft_diameter overhang bearing_distance",
-    source="beam",
     asks="max_slope",
 )
 def shaft_slope(kind: Kind, design: ShaftDesign) -> Measure:
-    largest = max(design.result.slope_B.total, design.result.slope_C.total)
-    return Measure(largest, error=design.error, reserve=float)
+    return _bent(design, "slope")
 
 
 @_shaft(

@@ -72,7 +72,8 @@ class DiscShares:
 
 
 def disc_shares(*, results: Results, found: Verdict) -> DiscShares | None:
-    """How the satellites share the torque, over the turn.
+    """How the satellites share the torque, over the turn; None where all carry 1/K, within `ALIKE`,
+    or nothing is known of their forces.
 
     Parameters
     ----------
@@ -80,11 +81,6 @@ def disc_shares(*, results: Results, found: Verdict) -> DiscShares | None:
         Results of a design.
     found : Verdict
         Its checks.
-
-    Returns
-    -------
-    DiscShares or None
-        None where all carry 1/K, within `ALIKE`, or nothing is known of their forces.
     """
     design = results.design
     count = design.mechanism.satellites

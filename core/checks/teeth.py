@@ -398,14 +398,6 @@ def ring_pressed(kind: Kind, design: Design, results: Results) -> Check:
 
 
 FORCE = (pressure_angle, mesh_possible)
-INVOLUTE_MESH = (
-    mesh_contact_ratio,
-    mesh_tips,
-    mesh_involute,
-    mesh_undercut,
-    mesh_tip_clearance,
-    mesh_tip_thickness,
-    mesh_root_stress,
-    mesh_ring_root,
-)
+MESH = (mesh_contact_ratio, mesh_tips, mesh_involute, mesh_undercut)
+TIPS = (mesh_tip_clearance, mesh_tip_thickness, mesh_root_stress, mesh_ring_root)
 RING_PINS = (ring_undercut, ring_valley_tool)
