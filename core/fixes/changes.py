@@ -22,10 +22,6 @@ def vary(*, design: Design, variable: str, value: float) -> Design:
         Its path.
     value : float
         The value, SI.
-
-    Returns
-    -------
-    Design
     """
     if variable in WHOLE:
         return changed(design, {variable: round(value)})
@@ -63,10 +59,6 @@ def value_of(*, design: Design, variable: str) -> float:
     variable : str
         Its path.
 
-    Returns
-    -------
-    float
-
     Raises
     ------
     NotKnown
@@ -93,10 +85,6 @@ def count_may_change(design: Design) -> bool:
     ----------
     design : Design
         The design.
-
-    Returns
-    -------
-    bool
     """
     cranks = design.mechanism
     if cranks.output == "coupling":  # which has one

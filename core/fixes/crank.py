@@ -62,10 +62,6 @@ def crank_fixes(*, results: Results, codes: Iterable[str], current: Verdict) -> 
         The checks to be cured.
     current : Verdict
         Its checks.
-
-    Returns
-    -------
-    list of Fix
     """
     fixes: list[Fix] = []
     chosen = cache(lambda: shifted(results))
@@ -100,10 +96,6 @@ def possible(fix: Fix) -> bool:
     ----------
     fix : Fix
         A fix.
-
-    Returns
-    -------
-    bool
     """
     made = ((each.before, each.after) for each in fix.side_effects)
     return not any(
@@ -147,10 +139,6 @@ def aimed(*, design: Design, check: Check) -> Check:
         That with a fix.
     check : Check
         The check without.
-
-    Returns
-    -------
-    Check
     """
     factors = {aim(check) if check.by_torque else 1.0, aim(check) if check.kind.loaded else 1.0}
     under_each = [Results(design).under(factor) for factor in factors]

@@ -119,10 +119,6 @@ def aim(check: Check) -> float:
     ----------
     check : Check
         The check.
-
-    Returns
-    -------
-    float
     """
     return 1.0 if check.warning else MARGIN
 
@@ -231,10 +227,6 @@ def fix_of(*, cure: Cure, change: Change) -> Fix:
     change : callable
         The check with another value of the input.
 
-    Returns
-    -------
-    Fix
-
     Raises
     ------
     NoFix
@@ -281,10 +273,6 @@ def side_effects(*, code: str, current: Verdict, found: Verdict) -> tuple[SideEf
         The check.
     current, found : Verdict
         All checks without and with the fix.
-
-    Returns
-    -------
-    tuple of SideEffect
     """
     return tuple(
         SideEffect(code=each.code, before=old, after=each)
@@ -309,10 +297,6 @@ def in_order(fixes: Iterable[Fix]) -> list[Fix]:
     ----------
     fixes : iterable of Fix
         The fixes.
-
-    Returns
-    -------
-    list of Fix
     """
     verdicts = ("pass", "marginal", "incomplete", "fail")
     ways = ("solved", "not_monotone", "not_enough")

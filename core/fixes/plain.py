@@ -27,10 +27,6 @@ def plain_fixes(
         Its checks.
     checks : callable
         All checks of changed inputs.
-
-    Returns
-    -------
-    list of Fix
     """
     fixes = []
     for code in codes:

@@ -130,10 +130,6 @@ def worst_bearing(found: SatelliteBearings) -> int:
     ----------
     found : SatelliteBearings
         The bearings of one design.
-
-    Returns
-    -------
-    int
     """
     most, loads = 0, found.equivalent_load.tolist()
     for index, load in enumerate(loads):
@@ -149,10 +145,6 @@ def bearing_steps(results: Results) -> list[Step]:
     ----------
     results : Results
         Results of a design with bearings.
-
-    Returns
-    -------
-    list of Step
     """
     sheet, bearing, found = Sheet(), results.design.bearing, results.crank.bearings
     _take(sheet, results)
@@ -241,10 +233,6 @@ def shaft_steps(results: Results) -> list[Step]:
     ----------
     results : Results
         Results of a design with a crankshaft.
-
-    Returns
-    -------
-    list of Step
     """
     sheet, shaft, found = Sheet(), results.design.crankshaft, results.crank.shaft
     _take(sheet, results)

@@ -62,10 +62,6 @@ def hertz_steps(
         K_A, K_alpha, and K_b of pins that bend.
     turning : tuple of float, optional
         Speed of the crank, rad/s, life, s, and ratio, where limits fall over the life.
-
-    Returns
-    -------
-    list of Step
     """
     sheet = Sheet()
     sheet.take("F", "force", force)
@@ -204,10 +200,6 @@ def judged_steps(results: Results) -> list[Step]:
     ----------
     results : Results
         Results of a design with a load and a contact.
-
-    Returns
-    -------
-    list of Step
     """
     design, found, force = results.design, results.hertz, results.judged_forces
     length, radius, hole = design.nominal_pair

@@ -14,10 +14,6 @@ def loss_steps(results: Results) -> list[Step]:
     ----------
     results : Results
         Results of a design with friction, or with rollers.
-
-    Returns
-    -------
-    list of Step
     """
     sheet, found, design = Sheet(), results.losses.pins, results.design
     load, contact, friction = design.load, design.contact, design.output_friction

@@ -56,10 +56,6 @@ def cyclogram_steps(
         Teeth of satellite and ring, where the ratio is given by them.
     satellite_teeth : int, optional
         Teeth of a satellite, for the angles of assembly.
-
-    Returns
-    -------
-    list of Step
     """
     sheet = Sheet()
     slower = _ratio(sheet, mechanism, teeth).replace("*", "/")
@@ -138,10 +134,6 @@ def force_steps(
         Torque of the crank, N*m, and efficiency, where the torque is given by these.
     judged : bool, optional
         Whether these forces are those that are judged, not others that are solved.
-
-    Returns
-    -------
-    list of Step
     """
     sheet = Sheet()
     wave = sheet.take_ratio(mechanism.ratio)
@@ -263,10 +255,6 @@ def clearance_steps(
         The clearance, m.
     hole_radius, pin_radius, eccentricity : float
         Sizes, m.
-
-    Returns
-    -------
-    list of Step
     """
     sheet = Sheet()
     sheet.take("r_out", "hole_radius", hole_radius)

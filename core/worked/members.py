@@ -88,10 +88,6 @@ def member_steps(results: Results) -> list[Step]:
     ----------
     results : Results
         Results of a design with a load.
-
-    Returns
-    -------
-    list of Step
     """
     sheet, found, design = Sheet(), results.member_loads, results.design
     members, load = design.members, design.load

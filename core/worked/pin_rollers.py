@@ -24,10 +24,6 @@ def roller_steps(results: Results) -> list[Step]:
     ----------
     results : Results
         Results of a design with rollers.
-
-    Returns
-    -------
-    list of Step
     """
     sheet, design, found = Sheet(), results.design, results.roller_loads
     own, elements = design.rollers, KINDS[design.rollers.kind]

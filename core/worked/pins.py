@@ -66,10 +66,6 @@ def strength_steps(*, results: Results, found: PinStrength, deflection: bool) ->
         Its strength.
     deflection : bool
         Whether its deflection is wanted.
-
-    Returns
-    -------
-    list of Step
     """
     sheet, pin = Sheet(), results.bent_pin
     sheet.take("d", "diameter", pin.diameter)

@@ -43,10 +43,6 @@ def line_steps(*, gear: dict[str, float], found: ContactLines, by_angle: bool) -
         The lines.
     by_angle : bool
         Whether the first roller's line is given by its polar angles.
-
-    Returns
-    -------
-    list of Step
     """
     sheet, line = Sheet(), found.lines[0]
     _gear(sheet, gear, line)
@@ -114,10 +110,6 @@ def load_steps(
         The load.
     torque, reference_z : float
         Torque M1, N*m, and place l of C, m.
-
-    Returns
-    -------
-    list of Step
     """
     sheet = Sheet()
     _gear(sheet, gear, found.lines[0])
@@ -233,10 +225,6 @@ def shaft_steps(
         What the strength is judged by: `basis`, `tensile_strength`, `yield_strength`.
     contact : tuple, optional
         Contact along the lines, and `roller_radius`, `mating_radius`, `materials` of it.
-
-    Returns
-    -------
-    list of Step
     """
     sheet, shaft = Sheet(), _Shaft(shaft_sections, bearing_distance, overhang)
     sheet.take("a", "bearing_distance", bearing_distance)

@@ -49,10 +49,6 @@ def disc_steps(disc: CycloidDisc) -> list[Step]:
     ----------
     disc : CycloidDisc
         The discs.
-
-    Returns
-    -------
-    list of Step
     """
     sheet, pins = Sheet(), disc.pins
     _disc(sheet, disc)
@@ -80,10 +76,6 @@ def ideal_ring_steps(*, disc: CycloidDisc, output_torque: float, satellites: int
         Torque of all discs, N*m.
     satellites : int
         How many there are.
-
-    Returns
-    -------
-    list of Step
     """
     sheet, change = Sheet(), disc.modification
     each = output_torque / satellites
@@ -117,10 +109,6 @@ def pressure_steps(
         Forces of all pairs there, N.
     pressure : float
         The pressure, Pa.
-
-    Returns
-    -------
-    list of Step
     """
     first, second = mesh.pin_material, mesh.disc_material
     sheet, disc = Sheet(), mesh.disc
@@ -178,10 +166,6 @@ def ring_loss_steps(
         Lobes of a disc.
     input_speed : float or None
         Of the crank, rad/s.
-
-    Returns
-    -------
-    list of Step
     """
     sheet = Sheet()
     sheet.take("mu", "friction_coefficient", coefficient)
@@ -203,10 +187,6 @@ def involute_steps(pair: InvolutePair) -> list[Step]:
     ----------
     pair : InvolutePair
         The teeth.
-
-    Returns
-    -------
-    list of Step
     """
     sheet, teeth, line = Sheet(), pair.teeth, pair.line
     for symbol, quantity, value in (
@@ -252,10 +232,6 @@ def ring_steps(results: Results) -> list[Step]:
     ----------
     results : Results
         Results of a design of which it is solved.
-
-    Returns
-    -------
-    list of Step
     """
     if results.design.gear.kind == "involute":
         return involute_steps(results.ring.pair)

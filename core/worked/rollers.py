@@ -52,10 +52,6 @@ diameter, friction_coefficient, youngs_modulus, shear, stress_concentration, spa
     judged : dict, optional
         What that is judged by: `basis`, `tensile_strength`, `yield_strength`, and whether the
         roller `rotates`.
-
-    Returns
-    -------
-    list of Step
     """
     sheet = Sheet()
     for symbol, quantity, value in (

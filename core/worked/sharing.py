@@ -48,10 +48,6 @@ def beam_of(results: Results) -> PinBeam:
     ----------
     results : Results
         Results of a design with a pin.
-
-    Returns
-    -------
-    PinBeam
     """
     pin = results.bent_pin
     return PinBeam.round(
@@ -152,10 +148,6 @@ def ideal_turn(sheet: Sheet, *, results: Results) -> IdealTurn | None:
         Gets the exponent of the force.
     results : Results
         Results of the design.
-
-    Returns
-    -------
-    IdealTurn or None
     """
     design = results.design
     if results.solved or design.pairs > MOST_PAIRS:

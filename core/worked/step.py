@@ -79,10 +79,6 @@ def names_of(formula: str) -> tuple[str, ...]:
     formula : str
         Of a step.
 
-    Returns
-    -------
-    tuple of str
-
     Examples
     --------
     >>> names_of("F_0*cos(gamma_p)/(2*pi*F_0)")

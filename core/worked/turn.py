@@ -76,10 +76,6 @@ def is_at(at: Position, *, measure: Measure, value: float) -> bool:
         Values of positions.
     value : float
         The largest value.
-
-    Returns
-    -------
-    bool
     """
     return len(at.pin) <= MOST_TERMS and math.isclose(float(measure(at)[0]), value, rel_tol=FOUND)
 
@@ -91,10 +87,6 @@ def first_largest(found: Iterable[tuple[float, Found]]) -> Found:
     ----------
     found : iterable of tuple
         Values, and what has them.
-
-    Returns
-    -------
-    object
 
     Examples
     --------
@@ -143,10 +135,6 @@ class IdealTurn:
             Places, rad.
         within : float
             Place that says which pairs drive, rad.
-
-        Returns
-        -------
-        Position
         """
         drives = np.cos(within + self.phase) > 0
         angle = np.remainder(wave[:, None] + self.phase[drives] + math.pi, 2 * math.pi) - math.pi
