@@ -44,8 +44,8 @@ def _limit(results: Results, value: float, demand: str, asked: float) -> float:
 
 
 def _unbalanced(name: str, code: str, *demands: str, usual: bool, **said: Any) -> Kind:
-    """What is not balanced, a force or a couple, against the least limit that is asked; without one
-    a force against the usual grade, and a couple, of which no grade says anything, against nothing.
+    """An unbalanced force or couple against the least limit that is asked; without one the force
+    against the usual grade, and the couple, of which no grade says anything, against nothing.
     """
     paths = tuple(f"requirements.{each}" for each in demands)
 

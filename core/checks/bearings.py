@@ -32,7 +32,7 @@ from core.design.sections import RollingBearing
 from core.errors import Accuracy, NotKnown, required
 
 PRESSED = 1e-4
-"""What a bearing's outside may be larger than its seat, m: it is pressed in."""
+"""Excess of a bearing's outside over its seat that is pressed in, m."""
 
 _SORTS: dict[str, dict[str, Any]] = {
     "life": {
@@ -150,7 +150,7 @@ def _fitting(kind: Kind, room: float, *, wide: bool) -> Check:
 
 
 def _possible(kind: Kind, bearing: RollingBearing, bounds: Bounds, **more: Any) -> Check:
-    """Whether there is a bearing of such ratings: by the larger one over the largest that fits."""
+    """Judge the larger rating over the largest that fits: there may be no such bearing."""
     given = (
         (bearing.dynamic_rating, bounds.dynamic),
         (bearing.static_rating, bounds.static),
@@ -186,7 +186,7 @@ _SEAT = (
     "satellite_body.bore_radius contact.contact_length contact.eccentricity",
     "crankshaft.eccentric_diameter crankshaft.shaft_diameter",
 )
-"""Of the satellites' bearings and the room for them."""
+"""Inputs of the satellites' bearings and the room for them."""
 
 
 def _seat(design: Design) -> float:
@@ -518,7 +518,7 @@ def pin_roller_max_load(kind: Kind, design: Design, results: Results) -> Check:
     source="track_rollers",
 )
 def pin_roller_min_load(kind: Kind, design: Design, results: Results) -> Check:
-    """Of the largest load over the turn: half of it no roller is loaded."""
+    """Judge the largest load over the turn: half of it no roller is loaded."""
     name = "rollers.static_rating"
     limit = pin_rollers.MIN_LOAD * required(design.rollers.static_rating, "rating_unknown", name)
     found = results.roller_loads

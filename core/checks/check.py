@@ -31,7 +31,7 @@ Judge = Callable[..., "Check | Measure"]
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Kind:
-    """What a check is: a record at the function that makes it."""
+    """Record of a check, at the function that makes it."""
 
     code: str  # its name in answers
     title: str  # its name in English
@@ -61,11 +61,11 @@ class Kind:
 
     @property
     def loaded(self) -> bool:
-        """Whether the torque of the output moves it."""
+        """True where the torque of the output moves it."""
         return "load.output_torque" in self.inputs
 
     def sections(self, given: Set[str]) -> tuple[str, ...]:
-        """What has to be there of a design that has these, or asks them: that may be enough."""
+        """Sections that a design has to have, where it has these, or asks them."""
         return (self.asks,) if self.asked_alone and self.asks in given else self.needs
 
     def of(self, *design: Any, unforced: bool = False) -> "Check":
@@ -89,7 +89,7 @@ class Kind:
         return found
 
     def _found(self, *design: Any, unforced: bool) -> "Check | Measure":
-        """What its function finds, where nothing here keeps it from looking."""
+        """Call its function, where nothing here keeps it from looking."""
         if reason := self.not_of(*design):
             return Check(self, "not_applicable", reason=reason)
         for path, code in self.requires.items():
@@ -101,7 +101,7 @@ class Kind:
         return self.judge(self, *design)
 
     def _asked(self, found: "Check | Measure", limit: float | None) -> "Check":
-        """What was found, against a limit that somebody may ask."""
+        """Judge what was found against a limit that somebody may ask."""
         if isinstance(found, Check) and found.status == "not_applicable":
             return found._replace(limit=limit)
         if limit is None:
@@ -213,7 +213,7 @@ class Kind:
 
 
 class Element:
-    """A machine element: what the records of its checks have in common. Of one of several, as of
+    """A machine element: what the records of its checks have in common. For one of several, as
     rolling bearings, codes are those of its checks by their sort (``sort=code``), sorts what all
     records of a sort say, and words what title and reason there call it.
     """
@@ -295,7 +295,7 @@ class Check(NamedTuple):
 
     @property
     def margin(self) -> float:
-        """What is left to the limit, below 0 beyond it, in SI units; `NotKnown` as `compared`."""
+        """Distance to the limit, below 0 beyond it, in SI units; `NotKnown` as `compared`."""
         value, limit = self.compared
         return limit - value if self.kind.keep == "below" else value - limit
 
@@ -307,7 +307,7 @@ class Check(NamedTuple):
 
     @property
     def by_torque(self) -> bool:
-        """Whether a factor on the torque is known at which it is at its limit."""
+        """True where a factor on the torque is known at which it is at its limit."""
         return self.torque_reserve is not None
 
     @property
@@ -321,7 +321,7 @@ class Check(NamedTuple):
 
     @property
     def only_needed(self) -> bool:
-        """Whether it holds, which is necessary and not enough to pass."""
+        """True where it holds, which is necessary and not enough to pass."""
         return self.status == "not_checked" and self.reason == "necessary_only"
 
     @property
@@ -333,17 +333,17 @@ class Check(NamedTuple):
 
     @property
     def opens(self) -> bool:
-        """Whether its part cannot be judged without it."""
+        """True where its part cannot be judged without it."""
         return self.status == "not_checked" and self.needed
 
     @property
     def needed(self) -> bool:
-        """Whether its part is open without it: a limit that no source has nobody could give."""
+        """True where its part is open without it: a limit that no source has nobody could give."""
         return self.kind.needed and self.reason != "no_sourced_limit"
 
 
 def asked_of(design: Any, *names: str) -> dict[str, float]:
-    """Those of some requirements that are asked of a design, by their names.
+    """Requirements that are asked of a design, of some, by their names.
 
     Parameters
     ----------
@@ -365,7 +365,7 @@ class Unjudged(NotKnown):
 
 
 def judged_by(given: Given | None, code: str, *missing: str, **known: Any) -> Given:
-    """What a value is judged by, as its limit, which has to be given.
+    """Limit, or else by which a value is judged, which has to be given.
 
     Parameters
     ----------
@@ -426,7 +426,7 @@ def over_range(
 
 
 class Measure(NamedTuple):
-    """What is compared with a limit that somebody may ask."""
+    """Value that is compared with a limit that somebody may ask."""
 
     value: float  # in SI units
     error: float = 4 * ROUNDING  # relative, of number and model
@@ -440,7 +440,7 @@ class Measure(NamedTuple):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PartVerdict:
-    """What a part comes to.
+    """Verdict of a part.
 
     Attributes
     ----------
@@ -460,12 +460,12 @@ class PartVerdict:
 
     @property
     def judged(self) -> bool:
-        """Whether it passes or fails."""
+        """True where it passes or fails."""
         return self.status in ("pass", "marginal", "fail")
 
 
 def whole(parts: Iterable[PartVerdict]) -> Outcome:
-    """What parts come to together.
+    """Verdict of parts together.
 
     Examples
     --------
@@ -482,13 +482,13 @@ def whole(parts: Iterable[PartVerdict]) -> Outcome:
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """What all checks of a design come to.
+    """Verdict of all checks of a design.
 
     Attributes
     ----------
     verdict : Outcome
         Of a design with parts, of these: `fail` where one fails, else `incomplete` where one is
-        open or none is judged, else `marginal` where one is, else `pass`. Of other calculations:
+        open or none is judged, else `marginal` where one is, else `pass`. For other calculations:
         `incomplete` where a check could not be made, or none is of what the load could break.
     governing : str or None
         Code of the check that decides of those that are made: the worst failing one, else the one
@@ -524,12 +524,12 @@ class Verdict:
 
     @property
     def impossible(self) -> bool:
-        """Whether such a design cannot exist or move."""
+        """True where such a design cannot exist or move."""
         return cannot_be(self.checks)
 
     @property
     def unforced(self) -> bool:
-        """Whether no force is known of it, as it cannot exist or move."""
+        """True where no force is known of it, as it cannot exist or move."""
         return any(each.reason == "cannot_be" for each in self.checks)
 
     def __getitem__(self, code: str) -> Check:
@@ -538,16 +538,16 @@ class Verdict:
 
 
 def cannot_be(checks: Iterable[Check]) -> bool:
-    """Whether a check says that the design cannot exist or move."""
+    """Tell whether a check says that the design cannot exist or move."""
     return any(each.impossible and each.status == "fail" for each in checks)
 
 
 def rank(check: Check) -> tuple[float, ...]:
-    """What checks are sorted by, as they decide the verdict: impossible, failing, those that could
-    not be made, marginal, passing, then what is not judged.
+    """Key by which checks are sorted, as they decide the verdict: impossible, failing, not made,
+    marginal, passing, then what is not judged.
 
-    Utilisations of different powers of the torque cannot be compared; its reserve can. What fails
-    whatever the torque comes before.
+    Utilisations of different powers of the torque cannot be compared; its reserve can. A check that
+    fails whatever the torque comes before.
     """
     order = {"fail": 1, "not_checked": 2, "marginal": 3, "pass": 4, "not_asked": 5}
     place = 0 if check.impossible and check.status == "fail" else order.get(check.status, 6)

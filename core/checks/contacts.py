@@ -116,13 +116,13 @@ FIXES = paths(
     "pin.diameter contact.contact_length contact.pin_radius load.pin_circle_radius",
     "mechanism.pins mechanism.satellites load.output_torque contact.fit",
 )
-"""What may lower the pressure in the holes."""
+"""Inputs that may lower the pressure in the holes."""
 
 _RING_FIXES = (
     of.OF_CLEARANCE,
     "gear.contact_length gear.ring_pin_radius contact.eccentricity",
 )
-"""What may lower the pressure of the teeth, besides the torque."""
+"""Inputs that may lower the pressure of the teeth, besides the torque."""
 
 
 def _whence(limit: ContactLimit) -> dict[str, str]:
@@ -329,7 +329,7 @@ def _judged(kind: Kind, pressed: Pressed, limit: float, **more: Any) -> Check:
 
 def _ring_pressure(body: RingBody) -> Kind:
     def limits(design: Design, results: Results) -> dict[str, Any]:
-        """Of a material that has a limit."""
+        """Limit of a material that has one, and whence it is."""
         material = design.lasting_teeth.get(body)
         limit = material and material.limit
         if not limit:
@@ -510,7 +510,7 @@ def _not_printed(design: Design, results: Results) -> str:
     not_of=_not_printed,
 )
 def contact_solid_depth(kind: Kind, design: Design, results: Results) -> Check:
-    """Of holes that may be printed in layers, with infill behind their walls."""
+    """Judge holes that may be printed in layers, with infill behind their walls."""
     given = design.satellite_body.solid_wall if design.satellite_body else None
     depth = DEEP * float(results.static_contact.half_width)
     wall = judged_by(given, "solid_wall_unknown", "satellite_body.solid_wall", value=depth)
@@ -549,7 +549,7 @@ def _temperature(kind: Kind, design: Design, body: Body) -> Check:
     source="heat_deflection",
 )
 def temperature(kind: Kind, design: Design, results: Results) -> Check:
-    """Of the body that fails, else of the first that is not known."""
+    """Judge the body that fails, else the first that is not known."""
     found, unknown = [], []
     for body in design.plastics:
         try:

@@ -97,12 +97,12 @@ MESHES = ("contact", "teeth")
 """Parts without which there are no forces."""
 
 UNCOVERED = ("crankshaft", "output_bearing", "housing", "lubrication", "dynamics")
-"""What no part covers."""
+"""Subjects that no part covers."""
 
 
 def crank_check(code: str, results: Results) -> Check:
-    """One check of a crank-planetary reducer; it says why where it could not be made. What fails by
-    a value that is assumed, and holds at the mild end of that, is marginal.
+    """One check of a crank-planetary reducer; it says why where it could not be made. A check that
+    fails by a value that is assumed, and holds at the mild end of that, is marginal.
 
     Parameters
     ----------
@@ -187,7 +187,7 @@ def of_parts(*, design: Design, checks: Iterable[Check]) -> Verdict:
 
 
 def _without_life(design: Design, body: Body) -> bool:
-    """Whether the limit of the pressure of a body is known, but not that over the life."""
+    """True where the limit of the pressure of a body is known, but not that over the life."""
     limit = design.lasting[body].limit
     return limit is not None and not is_known(lambda: limit.life)
 
@@ -199,13 +199,13 @@ NOTHING_KNOWN = paths(
 
 
 def _unknown(check: Check) -> bool:
-    """Whether a check knows nothing of what a body bears, or only a bound above it."""
+    """True where a check knows nothing of what a body bears, or only a bound above it."""
     bounded = check.status == "fail" and check.reason == "above_any"
     return bounded or (check.opens and check.reason in NOTHING_KNOWN)
 
 
 def _part(design: Design, part: Part, made: list[Check]) -> PartVerdict:
-    """What a part comes to, by the checks that are made, the one that decides first."""
+    """Verdict of a part, by the checks that are made, the one that decides first."""
     if part.code not in design.scope:
         return PartVerdict(code=part.code, status="left_out")
     demanded = asked_of(design, *part.demands.split())
@@ -237,7 +237,7 @@ def _part(design: Design, part: Part, made: list[Check]) -> PartVerdict:
 
 
 def _lacks(design: Design, part: Part, own: list[Check]) -> Iterator[NotKnown]:
-    """What is not known of a part, for which it is open."""
+    """Unknowns of a part, for which it is open."""
     absent = tuple(
         name
         for name in part.sections

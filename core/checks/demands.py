@@ -1,7 +1,7 @@
 """Checks of what somebody may ask of the meshes: play, evenness, efficiency, sliding, wear, seats.
 
-Each returns what is measured; `Kind.of` holds it against the requirement of its record. What
-takes a solution is not looked for where nobody asks.
+Each returns what is measured; `Kind.of` holds it against the requirement of its record.
+Nothing that takes a solution is looked for where nobody asks.
 """
 
 from core.checks import inputs as of
@@ -130,7 +130,7 @@ def clearance(kind: Kind, design: Design, results: Results) -> Check:
     **_BACKLASH,
 )
 def ring_backlash(kind: Kind, design: Design, results: Results) -> Check | Measure:
-    """Of the ring alone; not looked for where nobody asks. Of involute teeth known at once."""
+    """Backlash of the ring alone; that of involute teeth is known at once."""
     if design.gear.kind == "involute":
         return Measure(design.members.angle_at_output(max(results.ring.pair.backlash, 0.0)))
     judged_by(design.requirements.max_ring_backlash, "no_limit")
@@ -231,7 +231,7 @@ def _with_torque(results: Results, value: float) -> Measure:
     **_PV,
 )
 def pv(kind: Kind, design: Design, results: Results) -> Check | Measure:
-    """Of a sleeve, which is a bush; a bare pin in a wider hole is none."""
+    """Judge a sleeve, which is a bush; a bare pin in a wider hole is none."""
     if design.rollers:
         return Check(kind, "not_applicable", reason="rollers_roll")
     value = float(results.losses.pins.peak_pv)
@@ -295,7 +295,7 @@ def _no_sleeves(design: Design, results: Results) -> str:
     needed=False,
 )
 def ring_seat_pressure(kind: Kind, design: Design, results: Results) -> Check | Measure:
-    """Of the force on the area that the pin covers; not looked for where nobody asks."""
+    """Pressure of the force on the area that the pin covers."""
     turn = results.ring.loading
     area = 2 * turn.mesh.disc.ring_pin_radius * turn.mesh.contact_length
     pair = turn.peak_pair

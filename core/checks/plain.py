@@ -32,7 +32,7 @@ MISSING = {
     "endurance_unknown": ("tensile_strength",),
     "notch_unknown": ("fatigue.fatigue_notch_factor",),
 }
-"""What is missing where a fatigue is not known, by the code that says why."""
+"""Inputs that are missing where a fatigue is not known, by the code that says why."""
 
 ROLLER_LENGTH = 10.0
 """Usual least length of a swinging roller, from end to end, over the eccentricity."""
@@ -127,10 +127,10 @@ _ROLLERS = paths(
     "position_tolerance gaps",
 )
 _LINES = "torque roller_circle_radius roller_radius nutation_angle ratio_u12 rollers wheel"
-"""Of the contact lines and their load."""
+"""Inputs of the contact lines and their load."""
 
 _SHAFT = (_LINES, "reference_z bearing_distance overhang shaft_diameter shaft_sections")
-"""Of the moments along the shaft."""
+"""Inputs of the moments along the shaft."""
 
 LINE_MATERIALS = ("line_contact.roller_material", "line_contact.mating_material")
 """Materials of what touches along the contact lines."""
@@ -248,8 +248,8 @@ def roller_room(kind: Kind, design: RollerDesign) -> Check:
 )
 def roller_tilt(kind: Kind, design: RollerDesign) -> Check:
     """By Ovsyannikov et al. 2019, before fig. 3: "the length of a roller usually exceeds the centre
-    distance at least 10 times", a tilt of about 12°. That is the whole length, two cylinders and
-    three spheres: over half of it, 5*e, the centre moves by e, 11.3°.
+    distance at least 10 times", a tilt of about 12°. The whole length is meant, two cylinders
+    and three spheres: over half of it, 5*e, the centre moves by e, 11.3°.
     """
     length = 2 * design.cylinder_length + 3 * design.sphere_width
     said = {"value": length, "status": "not_asked"}
@@ -403,7 +403,7 @@ SHAFT = (
 
 
 def _verdict(kinds: Iterable[Kind], design: Plain, left: Iterable[str]) -> Verdict:
-    """Those checks that a design has what it needs for, and what is left out."""
+    """Verdict of the checks for which a design has what they need; with what is left out."""
     there = [kind for kind in kinds if all(getattr(design, each) for each in kind.needs)]
     return verdict([kind.of(design) for kind in there], tuple(left))
 

@@ -31,7 +31,7 @@ EVEN_CRANKS = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class DiscShare:
-    """What a satellite carries."""
+    """Load of a satellite."""
 
     satellite: int  # from 1
     torque: float  # mean over the turn, N*m
@@ -63,7 +63,7 @@ class DiscShares:
 
     @property
     def notices(self) -> tuple[Notice, ...]:
-        """That one carries much more than its part."""
+        """Warning that one carries much more than its part."""
         largest, even = self.largest, 1 / len(self.discs)
         if largest.share <= UNEVEN * even:
             return ()
@@ -134,7 +134,7 @@ def _by_forces(results: Results) -> Sharing | None:
 
 
 def _alike(results: Results) -> bool:
-    """Whether every satellite meets over the turn what every other one does."""
+    """True where every satellite meets over the turn what every other one does."""
     design = results.design
     angles = sorted(each % (2 * math.pi) for each in design.built.crank_angles)
     gap = 2 * math.pi / len(angles)
@@ -145,13 +145,13 @@ def _alike(results: Results) -> bool:
 
 
 def _deviating(results: Results) -> bool:
-    """Whether a size or a place deviates."""
+    """True where a size or a place deviates."""
     return results.design.output_deviations not in (None, Deviations())
 
 
 def _reason(results: Results, shares: list[float]) -> ShareReason:
-    """What makes them differ most: bending where it explains half, by springs in parallel, one for
-    each satellite, of contact and pin in series.
+    """Cause that makes them differ most: bending where it explains half, by springs in parallel,
+    one for each satellite, of contact and pin in series.
     """
     design, count = results.design, len(shares)
     most = shares.index(max(shares))

@@ -189,7 +189,7 @@ def mesh_tips(kind: Kind, design: Design, results: Results) -> Check:
     inputs=(of.INVOLUTE_TEETH, of.INVOLUTE_RACK, of.INVOLUTE_CUTTER),
 )
 def mesh_involute(kind: Kind, design: Design, results: Results) -> Check:
-    """Of the satellite's flanks, and of the ring's where its cutter is known."""
+    """Judge the satellite's flanks, and the ring's where its cutter is known."""
     if within := _refused(kind, results, *HEIGHTS):
         return within  # a tip that lies within its base circle
     pair = results.ring.pair
@@ -226,7 +226,7 @@ def mesh_undercut(kind: Kind, design: Design, results: Results) -> Check:
     impossible=True,
 )
 def mesh_tip_clearance(kind: Kind, design: Design, results: Results) -> Check:
-    """Of a ring whose cutter is not known with the root that the hob's dedendum gives it."""
+    """A ring whose cutter is not known has the root that the hob's dedendum gives it."""
     pair = results.ring.pair
     least = min(pair.tip_clearance_satellite, pair.tip_clearance_ring) / pair.teeth.module
     found = _usual(kind, least, LEAST_CLEARANCE, fails=least < -AS_TYPED)

@@ -9,10 +9,10 @@ from core.hertz import ElasticMaterial
 from core.tolerance.iso286 import fit_clearance
 
 USUAL_FIT = "H7/f7"
-"""Of holes and of pins or sleeves that are turned or ground."""
+"""Fit of holes and of pins or sleeves that are turned or ground."""
 
 ROLLER_FIT = "H7/h6"
-"""Of holes and of the outer rings of bearings, whose tolerance lies as that of h does."""
+"""Fit of holes and of the outer rings of bearings, whose tolerance lies as that of h does."""
 
 PRINTED, PRINTED_CLEARANCE = "printed", 0.25e-3
 """Radial clearance of printed holes, m: a sliding fit of FDM, for which guides of those who print
@@ -24,7 +24,7 @@ SOFT = 20e9
 
 
 def soft(material: ElasticMaterial | None) -> bool:
-    """Whether a part is taken as printed, by its material, where that is known."""
+    """Tell whether a part is taken as printed, by its material, where that is known."""
     return material is not None and bool(material.youngs_modulus < SOFT)
 
 

@@ -45,14 +45,14 @@ MADE: dict[RingClass, tuple[float, float]] = {
 
 
 class Spread(NamedTuple):
-    """What half of the pieces keep, and nine tenths."""
+    """Values that half of the pieces keep, and nine tenths."""
 
     median: float  # x_(32) of 64
     percent_90: float  # x_(58)
 
     @classmethod
     def of(cls, values: list[float]) -> "Spread":
-        """Of values of the pieces."""
+        """Take it of values of the pieces."""
         ascending, count = sorted(values), len(values)
         ranks = (-(-count * each // SAMPLES) - 1 for each in (MEDIAN, OF_90))
         return cls(*(ascending[rank] for rank in ranks))
@@ -134,7 +134,7 @@ def ring_places(*, pins: int, radius: float, samples: int) -> list[tuple[tuple[f
 
 @dataclass(frozen=True, slots=True)
 class _Piece:
-    """What is seen of a piece."""
+    """Values that are seen of a piece."""
 
     peak_force: float  # N
     max_pressure: float  # Pa

@@ -127,7 +127,7 @@ def interference(kind: Kind, design: Design, results: Results) -> Check:
 
 
 def _apart(kind: Kind, design: Design, radius: float, *, solid: bool) -> Check:
-    """What is left between neighbours of a radius, m, on the pin circle: a wall, or a gap."""
+    """Judge the wall, or the gap, between neighbours of a radius, m, on the pin circle."""
     pins = design.mechanism.pins
     if pins < 2:
         return Check(kind, "not_applicable", reason="one_only")
@@ -265,7 +265,7 @@ def wall_bore(kind: Kind, design: Design, results: Results) -> Check:
     asked_alone=True,
 )
 def outer_diameter(kind: Kind, design: Design, results: Results) -> Measure:
-    """Of the circle in which a satellite moves."""
+    """Diameter of the circle in which a satellite moves."""
     path = "satellite_body.outer_radius"
     radius: float = required(value_at(design, path), "size_missing", path)
     return Measure(2 * (radius + design.known_eccentricity))

@@ -1,5 +1,5 @@
 """Words of checks in English, by code: what they are about, where their formulas come from, what a
-verdict leaves out. Those of one check stand at its function.
+verdict leaves out. Words of one check stand at its function.
 """
 
 from core.checks.crank_planetary import PARTS
@@ -22,7 +22,7 @@ GROUPS = {
     "shaft": "Bending of the shaft",
     "room": "Room for rollers and shaft",
 }
-"""What checks are about, in English, by code."""
+"""Subjects of checks, in English, by code."""
 
 CHECK_SOURCES = {
     "archard_1953": "Archard 1953, with the wear coefficient that was given",
@@ -113,5 +113,5 @@ NOT_CONSIDERED = {
     "shaft_strength": "strength of the shaft",
     "slope": "slope of the shaft, of which no limit is asked",
 }
-"""What a verdict does not consider, in English, by code; of a reducer also the parts that are not
-judged."""
+"""Subjects that a verdict does not consider, in English, by code; of a reducer also its parts that
+are not judged."""
