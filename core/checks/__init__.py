@@ -1,8 +1,10 @@
 """Checks of a design and its verdict: results against limits, each as data.
 
-A check is a small function of a design in the module of its machine element, with its record: what
-it is called, depends on, needs, asks. Nothing passes by absence: what is asked and not known is
-`not_checked` and leaves the verdict incomplete, what nobody asked is `not_asked`.
+A check is a small function of a design in the module of its machine element, with its record: its
+name, what it depends on, needs, asks. Elements of a sort, as rolling bearings, are rows with the
+codes of their checks; each sort of check is written once. Nothing passes by absence: a value that
+is asked and not known is `not_checked` and leaves the verdict incomplete, one that nobody asked is
+`not_asked`.
 
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------

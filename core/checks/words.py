@@ -1,5 +1,5 @@
 """Words of checks in English, by code: what they are about, where their formulas come from, what a
-verdict leaves out. Words of one check stand at its function.
+verdict leaves out. Words of one check stand at its function, or in the sorts of its element.
 """
 
 from core.checks.crank_planetary import PARTS

@@ -13,6 +13,7 @@ from core.ring.involute import InvolutePair
 from core.ring.loss import RingLoss
 from core.ring.profile import CycloidDisc
 from core.ring.sharing import CycloidMesh, ideal_mesh
+from core.worked.hertz import MODULUS, take_materials
 from core.worked.step import Sheet, Step
 
 FELT = 1e-6
@@ -138,11 +139,9 @@ def pressure_steps(
     if size[at] != disc.ring_pin_radius:
         sheet.take("r_p", "ring_pin_radius", size[at])
     sheet.work("reduced_radius", "rho", reduced[at], "1/(1/r_p+1/(rho_W-r_m))")
-    for mark, material in (("1", first), ("2", second)):
-        sheet.take(f"E_{mark}", "youngs_modulus", float(material.youngs_modulus))
-        sheet.take(f"nu_{mark}", "poissons_ratio", float(material.poissons_ratio))
+    take_materials(sheet, first=first, second=second)
     modulus = effective_modulus(first=first, second=second)
-    sheet.work("effective_modulus", "E_m", modulus, "1/((1-nu_1^2)/E_1+(1-nu_2^2)/E_2)")
+    sheet.work("effective_modulus", "E_m", modulus, MODULUS)
     sheet.take("b", "contact_length", mesh.contact_length)
     sheet.state("ring_pin_force", "F", carried[at], "solved")
     sheet.work("max_pressure", "p_0", pressure, "sqrt(F*E_m/(pi*b*rho))", source="johnson")
