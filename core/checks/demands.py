@@ -34,7 +34,7 @@ _BACKLASH = {
 _EFFICIENCY = {"formula": "η ≥ η_min", "source": "user", "keep": "above"}
 _PV = {"unit": "MPa_m_per_s", "formula": "p·v ≤ (pv)_all", "source": "user", "asks": "max_pv"}
 
-# No meshes in series have the factor of a share that is stated: of their play it is an input.
+# The factor of a share that is stated is an input of play: meshes in series have none.
 _play = Element("play", "contact", "touching load", fixes=_LESS, source="load_sharing")
 _rubs = Element("friction", "losses", "touching load rubs")
 _ring = Element("gear", "teeth", "load contact gear")
