@@ -13,6 +13,7 @@ import pytest
 from core.checks.check import Check
 from core.crank.bearing_life import Bearing
 from core.crank.envelope import largest_ratings, largest_ratings_of_room
+from core.crank.satellite_bearing import SatelliteBearings
 from core.design.document import Design
 from core.design.results import Results
 from core.design.sections import RollingBearing
@@ -214,3 +215,17 @@ def test_too_little_and_too_much_load() -> None:
     for times, status in ((1.01, "pass"), (0.99, "marginal")):
         rated = bearing(dynamic_rating=1e9, static_rating=peak * times)
         assert check_of("bearing_overload", rated).status == status
+
+
+@pytest.mark.parametrize("code", ["bearing_life", "system_life"])
+def test_a_life_that_its_loads_leave_in_doubt_is_marginal(
+    code: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """An error of the loads by 0.001 is one of the life by 0.01 at least, of its power."""
+    bearing = replace(WHOLE.bearing, weibull_slope=1.5)
+    found = Results(having(WHOLE, bearing=bearing)).crank.bearings
+    rough = found.accuracy._replace(relative_error=1e-3)
+    monkeypatch.setattr(SatelliteBearings, "accuracy", rough)
+    lived = float(found.life.min()) if code == "bearing_life" else float(found.system_life)
+    for more, status in ((1.005, "marginal"), (1.05, "fail"), (0.5, "pass")):
+        assert check_of(code, having(WHOLE, bearing=bearing, life=lived * more)).status == status
