@@ -1,5 +1,13 @@
-"""What processes for calculations have from their start: the compiled loops, read or made."""
+"""What processes for calculations have from their start: the engine, read or compiled."""
 
-from app.compiled import load
+import logging
+import sys
 
+from app.compiled import LOG, load
+from app.observability import JsonLines
+
+OUT = logging.StreamHandler(sys.stdout)  # the service's own logging is not set up here
+OUT.setFormatter(JsonLines())
+LOG.addHandler(OUT)
+LOG.propagate = False
 load()

@@ -15,7 +15,7 @@ from typing import Any
 
 import uvicorn
 
-from app import VERSION, compiled
+from app import VERSION
 from app.settings import OVER_UNIX, PREFIX, Settings
 
 OPTIONS = ("host", "port", "workers", "unix_socket", "root_path")
@@ -140,7 +140,6 @@ def main() -> None:
         settings = Settings.from_environment()
     started = {"version": VERSION, "python": platform.python_version(), **settings.model_dump()}
     LOG.info({"message": "settings", **started})
-    compiled.make_cache()
     with ExitStack() as stack:
         if settings.workers > 1 and "PROMETHEUS_MULTIPROC_DIR" not in os.environ:
             try:

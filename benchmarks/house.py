@@ -232,7 +232,7 @@ def first_start() -> tuple[float, float]:
     and over that of the loop.
     """
     code = (
-        "from app import compiled; compiled.make_cache(); compiled.load();"
+        "from app import compiled; compiled.load();"
         "from benchmarks.house import asked, costly; asked(costly()['forces alone'])()"
     )
     loop = beside()

@@ -143,9 +143,9 @@ def changed_file(tree: Path, each: Mutation) -> bytes:
 @functools.cache
 def compiled() -> set[str]:
     """Files of loops that are compiled."""
-    from app.compiled import SOURCES  # which a plugin of pytest has not, of an earlier revision
+    from core.output.compiled import SOURCES  # which a plugin of pytest has not
 
-    return {each.name for each in SOURCES}
+    return {Path(str(each.__file__)).name for each in SOURCES}
 
 
 def noting(tree: Path, chosen: list[Mutation]) -> dict[str, bytes]:

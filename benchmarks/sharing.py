@@ -54,12 +54,10 @@ TOLERANCES = Tolerances(
 COLD = """
 import time
 begun = time.process_time()
-from app.compiled import run_once
-from core.output import compiled
+from app.compiled import load
 from core.tolerance.study import tolerance_study
 ready = time.process_time()
-compiled.load()
-run_once()
+load()
 print(time.process_time() - ready)
 """
 ANGLES = np.linspace(0, 2 * np.pi, 361)[:, None] + np.arange(12) * np.pi / 6

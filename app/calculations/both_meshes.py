@@ -221,7 +221,7 @@ class RingInSeriesFields(RealDesignFields):
         -------
         Rooms
         """
-        return in_their_ring(output.rooms, self.in_ring(output).ring)
+        return in_their_ring(rooms=output.rooms, ring=self.in_ring(output).ring)
 
     @property
     def ring_deviations(self) -> RingDeviations:

@@ -154,7 +154,8 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
 
     def fit_of(self, real: RealMechanism) -> Fit:
         """How its pins fit; what makes forces impossible is refused."""
-        return solvable(real, self.rooms_in_ring(real) if self.in_series else None)
+        rooms = self.rooms_in_ring(real) if self.in_series else None
+        return solvable(real=real, rooms=rooms)
 
     def solve_all(self) -> Solved:
         """What is asked for."""

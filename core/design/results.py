@@ -227,7 +227,7 @@ class Results:
             apart=isinstance(design.support, Shares),
         )
         turn = design.in_series and is_known(lambda: self.ring.mesh)
-        return in_their_ring(held, self.ring.mesh) if turn else held
+        return in_their_ring(rooms=held, ring=self.ring.mesh) if turn else held
 
     @derived
     def real(self) -> RealMechanism:

@@ -1,6 +1,14 @@
-"""The engine compiled: each function once, for the arrays that its annotations say."""
+"""The engine compiled: each function once, for the arrays that its annotations say.
 
+Numba keeps what it has compiled beside the source, or in ``NUMBA_CACHE_DIR``, for any processor of
+its kind; it may be moved to another machine, and read where it cannot be written.
+"""
+
+import functools
+import os
 import types
+from collections.abc import Callable
+from contextlib import suppress
 from typing import Any, get_type_hints
 
 from core.drive import engine
@@ -17,6 +25,13 @@ CALLED = "positions", "narrow", "unloaded", "gaps", "goes_together"
 
 INLINED = "touch", "pin", "lobe", "slopes", "press", "turned", "moved", "law", "disc_at", "bent"
 """Functions that are called at each contact."""
+
+MADE = "compiling, once an installation: a minute or two"
+
+UNUSABLE = "the cache of what is compiled is broken, or cannot be read or written"
+
+Say = Callable[[str], None] | None
+"""Who is told `MADE` before anything is compiled, and `UNUSABLE`, each once; None: nobody."""
 
 
 def kind(annotation: Any) -> Any:
@@ -41,8 +56,95 @@ def kind(annotation: Any) -> Any:
     return of.Tuple([kind(each) for each in annotation.__args__])
 
 
-def load() -> None:
+@functools.cache
+def _cache_of(say: Say) -> Any:
+    """Kind of a cache of numba's by which all start: what cannot be read is compiled, and what
+    cannot be written is compiled in memory.
+    """
+    os.environ.setdefault("NUMBA_CPU_NAME", "generic")
+    from numba.core import caching, config
+
+    config.reload_config()  # which reads it as it is imported, by whoever does so first
+    told = functools.cache(say or str)
+
+    class Place:
+        """Beside the source or in ``NUMBA_CACHE_DIR``, whether that can be written or not."""
+
+        @staticmethod
+        def from_function(function: types.FunctionType, file: str) -> Any:
+            beside = caching.InTreeCacheLocator, caching.UserProvidedCacheLocator
+            own = beside[bool(config.CACHE_DIR)](function, file)
+            read = [os.stat(each) for each in function.__globals__.get("SOURCES", (file,))]
+            own.get_source_stamp = lambda: [(each.st_mtime, each.st_size) for each in read]
+            return own
+
+    class Results(caching.CompileResultCacheImpl):  # type: ignore[misc]
+        _locator_classes = (Place,)
+
+    class Kept(caching.FunctionCache):  # type: ignore[misc]
+        _impl_class = Results
+
+        def load_overload(self, *asked: Any) -> Any:
+            found = self._found(asked)
+            if found is None:
+                told(MADE)  # who is told may have waited until another process has made it
+                found = self._found(asked)
+            return found
+
+        def _found(self, asked: Any) -> Any:
+            try:
+                return super().load_overload(*asked)
+            except Exception:  # whatever a broken file makes of it
+                told(UNUSABLE)
+                with suppress(OSError):
+                    self.flush()
+                return None
+
+        def save_overload(self, *made: Any) -> None:
+            try:
+                super().save_overload(*made)
+            except OSError:
+                told(UNUSABLE)
+
+    return Kept
+
+
+def dispatcher(*, plain: Any, say: Say, inlined: bool, called: bool) -> Any:
+    """A function that numba compiles. It makes no arrays: what it is given is held by who calls it,
+    not counted there.
+
+    Parameters
+    ----------
+    plain : function
+        As it is.
+    say : callable, optional
+        As `load` takes it.
+    inlined : bool
+        Whether it becomes a part of who calls it.
+    called : bool
+        Whether it is called from outside of what is compiled.
+
+    Returns
+    -------
+    dispatcher
+    """
+    kept = _cache_of(say)
+    import numba
+
+    options = {"nogil": True, "error_model": "numpy", "_nrt": False, "no_cfunc_wrapper": True}
+    ways = {"forceinline": inlined, "no_cpython_wrapper": not called}
+    found = numba.njit(**options, **ways)(plain)
+    found._cache = kept(plain)
+    return found
+
+
+def load(say: Say = None) -> None:
     """Have the engine compiled from now on: read from numba's cache, or made now.
+
+    Parameters
+    ----------
+    say : callable, optional
+        Told, each once, that something is compiled, and that a cache cannot be used.
 
     Raises
     ------
@@ -50,24 +152,20 @@ def load() -> None:
         If numba is not installed.
     """
     for name in PLAIN:
-        make(name)
+        _make(name, say)
 
 
-def make(name: str) -> None:
+def _make(name: str, say: Say) -> None:
     """Compile a function of the engine after those that it calls."""
-    import numba
-
     plain = PLAIN[name]
     if vars(engine)[name] is not plain:
         return
     for called in plain.__code__.co_names:
         if called in PLAIN:
-            make(called)
+            _make(called, say)
+    found = dispatcher(plain=plain, say=say, inlined=name in INLINED, called=name in CALLED)
     hints = get_type_hints(plain, include_extras=True)
     gives = kind(hints.pop("return"))
-    signature = gives(*(kind(each) for each in hints.values()))
-    # The engine makes no arrays: what it is given is held by who calls it, not counted here.
-    options = {"cache": True, "nogil": True, "error_model": "numpy", "_nrt": False}
-    options |= {"forceinline": name in INLINED}
-    options |= {"no_cpython_wrapper": name not in CALLED, "no_cfunc_wrapper": True}
-    setattr(engine, name, numba.njit(signature, **options)(plain))
+    found.compile(gives(*(kind(each) for each in hints.values())))
+    found.disable_compile()
+    setattr(engine, name, found)

@@ -8,7 +8,6 @@ import functools
 import os
 import types
 from collections.abc import Callable
-from contextlib import suppress
 from typing import Any
 
 import numpy as np
@@ -91,82 +90,35 @@ def at_hand() -> Any:
     return _at_hand()
 
 
-def load() -> None:
+def load(say: drive.Say = None) -> None:
     """Have the loops and the engine compiled from now on: each loop with its first call, or read
     from numba's cache.
 
-    The cache is numba's, beside the source or in ``NUMBA_CACHE_DIR``; it is compiled for any
-    processor of its kind, and may be moved to another machine.
+    Parameters
+    ----------
+    say : callable, optional
+        As `core.drive.compiled.load` takes it.
 
     Raises
     ------
     ImportError
         If numba is not installed.
     """
-    load_loops()
-    drive.load()
-
-
-def load_loops() -> None:
-    """Those of pins in holes alone."""
     global _at_hand
-    _compiled()
-    _at_hand = _compiled
+    drive.load(say)
+    _at_hand = functools.partial(_compiled, say)
 
 
 @functools.cache
-def _compiled() -> types.SimpleNamespace:
-    names = _dispatchers()
+def _compiled(say: drive.Say) -> types.SimpleNamespace:
+    def made(copy: Any) -> Any:
+        inlined, called = copy.__name__ in INLINED, copy.__name__ in CALLED
+        return drive.dispatcher(plain=copy, say=say, inlined=inlined, called=called)
+
+    names = _copies(made, {})
     return types.SimpleNamespace(
         **{name: names[name] for name in CALLED},
         row=functools.partial(np.array, dtype=float),
         table=np.ascontiguousarray,
         threads=len(os.sched_getaffinity(0)),
     )
-
-
-@functools.cache
-def _dispatchers() -> dict[str, Any]:
-    """The functions of all sources, each of which numba compiles with its first call."""
-    os.environ.setdefault("NUMBA_CPU_NAME", "generic")
-    os.environ.setdefault("NUMBA_CACHE_LOCATOR_CLASSES", f"{__name__}.{Place.__name__}")
-    import numba
-
-    numba.config.reload_config()  # which reads it as it is imported, by whoever does so first
-
-    def made(copy: Any) -> Any:
-        # The loops make no arrays: what they are given is held by who calls them, not counted here.
-        options = {"cache": True, "nogil": True, "error_model": "numpy", "_nrt": False}
-        options |= {"no_cpython_wrapper": copy.__name__ not in CALLED, "no_cfunc_wrapper": True}
-        return numba.njit(forceinline=copy.__name__ in INLINED, **options)(copy)
-
-    return _copies(made, {})
-
-
-class Place:
-    """Where numba keeps what it has compiled; it may be read where it cannot be written."""
-
-    @staticmethod
-    def from_function(function: types.FunctionType, file: str) -> Any:
-        """What numba asks for the place of a function.
-
-        Parameters
-        ----------
-        function : function
-            To be compiled.
-        file : str
-            Its source.
-
-        Returns
-        -------
-        locator
-        """
-        from numba.core import caching, config
-
-        beside = caching.InTreeCacheLocator(function, file)
-        own = caching.UserProvidedCacheLocator(function, file) if config.CACHE_DIR else beside
-        read = [os.stat(each) for each in function.__globals__.get("SOURCES", (file,))]
-        own.get_source_stamp = lambda: [(each.st_mtime, each.st_size) for each in read]
-        with suppress(OSError):
-            own.ensure_cache_path()
-        return own

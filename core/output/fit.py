@@ -176,7 +176,7 @@ def _force_under(real: RealMechanism, pair: int, pressure: float) -> float:
     return force_factor(contact=under(1.0), contact_at=under, limit=pressure)
 
 
-def solvable(real: RealMechanism, rooms: Rooms | None = None) -> Fit:
+def solvable(*, real: RealMechanism, rooms: Rooms | None = None) -> Fit:
     """How the pins fit, where forces may be solved.
 
     Parameters

@@ -59,7 +59,7 @@ def each_alone(ring: CycloidMesh) -> tuple[CycloidMesh, ...]:
     return tuple(found)
 
 
-def in_their_ring(rooms: Rooms, ring: CycloidMesh) -> Rooms:
+def in_their_ring(*, rooms: Rooms, ring: CycloidMesh) -> Rooms:
     """Pins in the holes of discs that turn in their ring as far as its pins let each.
 
     Parameters

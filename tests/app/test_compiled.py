@@ -1,30 +1,19 @@
-"""The cache of the compiled loops: made once, read where turns are calculated, mended."""
+"""The compiled engine: its cache is made once, read where turns are calculated, and mended."""
 
-import ast
-import functools
-import importlib
-import json
-import signal
-import subprocess
+import os
+import shutil
 import sys
-from collections import Counter
-from contextlib import suppress
 from pathlib import Path
 
-import numba
+import httpx
 import pytest
-from numba.core.caching import FunctionCache, IndexDataCacheFile
-from pydantic import ValidationError
+from numba.core.caching import UserProvidedCacheLocator as Place
 
-import core
-from app import compiled
-from app.problems import Problem
-from app.registry import CALCULATIONS
+from app.examples import REQUESTS
 from core.drive import compiled as drive
 from core.drive import engine
-from core.errors import ImpossibleMechanism, InvalidInput
 from core.output import compiled as loops
-from core.output import sharing_kernel, turn_kernel
+from core.output import turn_kernel
 from core.output.elasticity import LinearLaw
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
@@ -33,50 +22,12 @@ from core.ring.profile import CycloidDisc
 from core.ring.sharing import CycloidMesh, mesh_over_turn
 from tests.inputs.children import ran
 from tests.inputs.real_mechanisms import STEEL
-
-CORPUS = Path(__file__).parent.parent / "corpus" / "requests.json"
-WALKED = ("crank-planetary", "load-sharing", "tolerance-study", "crankshaft", "satellite-bearing")
-
-
-def called() -> set[str]:
-    """What core calls of the loops by name."""
-    trees = (ast.parse(path.read_text()) for path in Path(core.__file__).parent.rglob("*.py"))
-    return {
-        node.func.attr
-        for tree in trees
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute)
-        if (isinstance(of := node.func.value, ast.Name) and of.id == "kernel")
-        or (isinstance(of, ast.Attribute) and of.attr == "kernel")
-    } - {"row", "table", "none"}
-
-
-def test_all_that_is_called_of_the_loops_is_in_the_cache():
-    """Nothing is compiled any more by turns, curves and pieces of whatever design."""
-    names = called()
-    assert names == {*loops.CALLED} == {"poses", "values", "narrow", "pieces"}
-    compiled.load()
-    kernel = loops.at_hand()
-    before = {name: getattr(kernel, name).signatures for name in names}
-    assert {name: len(each) for name, each in before.items()} == dict.fromkeys(names, 1)
-    asked = Counter[str]()
-    for request in json.loads(CORPUS.read_text())[2::4]:
-        body = request["body"]
-        searches = "fixes" in body.get("include", ())  # which solve the same again and again
-        if request["path"] in WALKED and "contact" in body and not searches:
-            calculation = CALCULATIONS[request["path"]]
-            with suppress(ValidationError, InvalidInput, ImpossibleMechanism, Problem):
-                calculation.solve(calculation.request.model_validate(body))
-                asked[request["path"]] += 1
-    assert {*asked} == {*WALKED} and asked.total() > 30
-    assert {name: getattr(kernel, name).signatures for name in names} == before
+from tests.running_service import running_service
 
 
 def test_whole_numbers_are_floats_to_the_loops():
     """A ratio of 18 and no clearance do not have them compiled once more."""
-    compiled.load()
     kernel = loops.at_hand()
-    before = kernel.poses.signatures, engine.positions.signatures
     real = RealMechanism(
         mechanism=Mechanism.evenly_spaced(pins=3, satellites=1, ratio=18),
         pin_circle_radius=0.02,
@@ -99,173 +50,162 @@ def test_whole_numbers_are_floats_to_the_loops():
     )
     found = over_turn(real=real, output_torque=30)
     assert found.peak_force > 0 and mesh_over_turn(mesh=ring, output_torque=30).peak_force > 0
-    assert (kernel.poses.signatures, engine.positions.signatures) == before != ([], [])
+    assert [len(each.signatures) for each in (kernel.poses, engine.positions)] == [1, 1]
 
 
-def test_who_looks_for_the_cache_imports_nothing_of_the_calculation():
+def test_what_starts_the_service_imports_nothing_of_the_calculation():
     code = """
 import sys
 import app.serve
 print([name for name in sys.modules if name.partition(".")[0] in ("core", "numpy", "numba")])
 """
-    done = ran(sys.executable, "-c", code)
-    assert done.stdout.strip() == "[]"
-    assert tuple(Path(each.__file__) for each in loops.SOURCES) == compiled.SOURCES
-    assert Path(engine.__file__) == compiled.ENGINE
-    assert {*compiled.LAST} <= {*loops.CALLED, *drive.CALLED}
+    assert ran(sys.executable, "-c", code).stdout.strip() == "[]"
 
 
-def test_without_numba_the_loops_run_as_they_are():
+def test_without_numba_the_engine_runs_as_it_is():
     code = """
 import sys
 sys.modules["numba"] = None
 import app.loaded, app.main
-from core.output import compiled
-print(compiled.at_hand() is compiled.PLAIN)
+from core.drive import compiled, engine
+from core.output import compiled as loops
+from core.output import turn_kernel
+print(loops.at_hand() is loops.PLAIN, engine.positions is compiled.PLAIN["positions"])
 """
     done = ran(sys.executable, "-c", code)
-    assert done.stdout.split() == ["True"]
-    assert "numba is not installed" in done.stderr
+    said, found = done.stdout.splitlines()
+    assert found == "True True" and "numba is not installed" in said
 
 
 def test_who_has_imported_numba_before_reads_the_same_cache():
     code = """
 import numba
-from app import compiled
-compiled.load()
-from core.output import compiled as loops
-print(numba.config.CPU_NAME, loops.at_hand().poses.stats.cache_misses)
+from app.compiled import load
+load()
+from core.drive import engine
+print(numba.config.CPU_NAME, engine.positions.stats.cache_misses)
 """
-    compiled.load()
     done = ran(sys.executable, "-c", code)
-    assert done.stdout.strip() == "generic Counter()"
+    assert (done.stdout.strip(), done.stderr) == ("generic Counter()", "")
+
+
+TINY = """
+import sys, types
+from core.drive import compiled, engine
+def small(x: float) -> float:
+    return x + 1.0
+def large(x: float) -> float:
+    return small(x) + 1.0
+source = "{source}"
+for each in (small, large):
+    code = each.__code__.replace(co_filename=source)
+    made = types.FunctionType(code, vars(engine), each.__name__)
+    made.__annotations__, made.__module__ = each.__annotations__, engine.__name__
+    setattr(engine, each.__name__, made)
+compiled.PLAIN = {{each: vars(engine)[each] for each in ("small", "large")}}
+compiled.CALLED = ("large",)
+from core.output import compiled as loops
+from core.output import turn_kernel
+loops.SOURCES = ()
+loops.CALLED = ()
+from app import compiled as app
+app._turn = lambda: None
+app.load()
+print(engine.large(1.0), *(len(engine.large.stats.cache_hits) for _ in "1"))
+"""
+"""Two functions in the place of the engine's, which are compiled in a moment."""
 
 
 @pytest.fixture
-def elsewhere(monkeypatch, tmp_path):
-    """A place of its own for the cache."""
-    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
-    return tmp_path
+def start(tmp_path):
+    """What a process says that reads or makes the cache of two small functions; how many of the
+    outer one were read.
+    """
+    source, cache = tmp_path / "small.py", tmp_path / "cache"
+    source.write_text("# where the functions are said to be\n")
+    cache.mkdir()
+
+    def started(place=cache):
+        found = os.environ | {"NUMBA_CACHE_DIR": str(place)}
+        done = ran(sys.executable, "-c", TINY.format(source=source), env=found)
+        value, read = done.stdout.split()
+        assert value == "3.0"
+        return done.stderr.splitlines(), int(read)
+
+    started.cache, started.source = cache, source
+    return started
 
 
-def indexed(place, stamp=None, names=tuple(compiled.LAST)):
-    """Indices as numba writes them of what it compiles last, for its stamps of the sources."""
-    functions = {"pieces": loops.in_place_of().pieces, "narrow": drive.PLAIN["narrow"]}
-    for name in names:
-        source = turn_kernel if name == "pieces" else engine
-        own = loops.Place.from_function(functions[name], source.__file__).get_source_stamp()
-        base = f"{Path(source.__file__).stem}.{name}-1.py311"
-        IndexDataCacheFile(str(place), base, own if stamp is None else stamp(own)).flush()
+def files(cache, ending):
+    return sorted(cache.rglob(f"*.nb{ending}"))
 
 
-def test_a_cache_is_one_that_numba_takes_for_that_of_the_sources(elsewhere, monkeypatch):
-    assert not compiled.cached()
-    place = elsewhere / "ring_0"
-    place.mkdir()
-    for name in compiled.LAST:
-        indexed(place, names=(name,))
-        assert compiled.cached() == (name == [*compiled.LAST][-1])
-    assert compiled.cached()
-    monkeypatch.setattr(compiled, "version", lambda _: "0.1")
-    assert not compiled.cached()
+def test_the_cache_is_made_once_and_read_from_then_on(start):
+    assert start() == ([drive.MADE], 0)
+    assert len(files(start.cache, "i")) == len(files(start.cache, "c")) == 2
+    assert start() == ([], 1)
 
 
-def test_a_cache_of_sources_of_other_times_is_none(elsewhere):
-    """As of a tree that was copied by whole seconds, with the cache that was made before."""
-    indexed(elsewhere, lambda own: [(float(int(time) - 1), size) for time, size in own])
-    assert not compiled.cached()
-    indexed(elsewhere, lambda own: [(time, size + 1) for time, size in own])
-    assert not compiled.cached()
-    indexed(elsewhere)
-    index = min(elsewhere.glob("*.nbi"))
-    index.write_bytes(index.read_bytes()[:40])
-    assert not compiled.cached()
+def test_a_cache_of_another_source_is_made_anew(start):
+    start()
+    start.source.write_text("# another one of another length\n")
+    assert start() == ([drive.MADE], 0)
+    assert start() == ([], 1)
 
 
-def test_the_cache_that_is_loaded_is_one():
-    compiled.load()
-    assert compiled.cached()
+@pytest.mark.parametrize(("ending", "left"), [("i", 0), ("i", 40), ("c", 40)])
+def test_a_truncated_cache_is_mended(start, ending, left):
+    start()
+    for each in files(start.cache, ending):
+        each.write_bytes(each.read_bytes()[:left])
+    assert start() == ([drive.UNUSABLE, drive.MADE], 0)
+    assert start() == ([], 1)
 
 
-def test_a_broken_cache_is_made_anew(elsewhere, monkeypatch):
-    runs = []
+def test_where_nothing_can_be_written_it_is_compiled_in_memory(start, tmp_path):
+    (tmp_path / "file").touch()
+    said, read = start(tmp_path / "file" / "cache")
+    assert ({*said}, read) == ({drive.UNUSABLE, drive.MADE}, 0)
 
-    def run_once():
-        runs.append([*elsewhere.rglob("*.nb?")])
-        if runs[-1]:
-            raise EOFError
 
-    (elsewhere / "turn_kernel.pieces-1.py311.1.nbc").write_bytes(b"broken")
-    monkeypatch.setattr(compiled, "run_once", run_once)
-    compiled.load()
-    assert [*map(bool, runs)] == [True, False]
+def test_it_is_read_where_it_cannot_be_written(start):
+    """As in an image, whose files are another user's."""
+    start()
+    for each in (start.cache, *start.cache.iterdir()):
+        each.chmod(0o555)
+    assert start() == ([], 1)
+
+
+BODY = REQUESTS["load-sharing"]
 
 
 @pytest.fixture
-def tiny(elsewhere, monkeypatch):
-    """Loops that are compiled in a moment."""
-    source = elsewhere / "tiny.py"
-    source.write_text("\n".join(f"def {name}(x):\n    return x + 1.0\n" for name in loops.CALLED))
-    monkeypatch.syspath_prepend(elsewhere)
-    monkeypatch.setattr(loops, "SOURCES", (importlib.import_module("tiny"),))
-    monkeypatch.setattr(loops, "_at_hand", loops.plain)
-    for name in ("_dispatchers", "_compiled"):
-        monkeypatch.setattr(loops, name, functools.cache(getattr(loops, name).__wrapped__))
-    monkeypatch.setattr(compiled, "run_once", lambda: loops.at_hand().poses(1.0))
-    for name in ("save_overload", "load_overload"):
-        monkeypatch.setattr(FunctionCache, name, getattr(FunctionCache, name))
-    yield elsewhere
-    del sys.modules["tiny"]
-    monkeypatch.undo()
-    numba.config.reload_config()
+def broken(tmp_path):
+    """The cache of this installation with an index and a result that are cut, and a function that
+    is not there, where nothing can be written.
+    """
+    for module in (engine, turn_kernel):
+        beside = Path(module.__file__).parent / "__pycache__"
+        own = os.environ.get("NUMBA_CACHE_DIR")
+        below = Place.get_suitable_cache_subpath(module.__file__)
+        shutil.copytree(Path(own, below) if own else beside, tmp_path / below)
+    for name, ending in (("turned", "i"), ("excess", "c")):
+        (each,) = tmp_path.rglob(f"engine.{name}-*.nb{ending}")
+        each.write_bytes(each.read_bytes()[:40])
+    for each in tmp_path.rglob("engine.moved-*.nb?"):
+        each.unlink()
+    if ran("mount", "--bind", "-o", "ro", tmp_path, tmp_path, check=False).returncode:
+        pytest.skip("file systems can only be mounted as root")
+    yield tmp_path
+    ran("umount", "--lazy", tmp_path)
 
 
-def test_where_nothing_can_be_written_the_loops_are_compiled_in_memory(tiny, monkeypatch, caplog):
-    (tiny / "file").touch()
-    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tiny / "file" / "cache"))
-    compiled.load()
-    poses = loops.at_hand().poses
-    assert poses.signatures and poses(2.0) == 3.0
-    assert "cannot be made" in caplog.text
-
-
-def test_a_service_without_a_cache_makes_one_first(elsewhere, monkeypatch, caplog):
-    run, ended = [], []
-    former = elsewhere / "turn_kernel.pieces-1.py311.nbi"
-    former.write_bytes(b"of other sources")
-
-    class Part:
-        def __init__(self, command):
-            assert not former.exists()
-            run.append(command[2])
-
-        def wait(self):
-            ended.append("waited")
-
-        def kill(self):
-            ended.append("killed")
-
-    monkeypatch.setattr(subprocess, "Popen", Part)
-    monkeypatch.setattr(signal, "signal", lambda *_: None)
-    with caplog.at_level("INFO", logger="khv.compiled"):
-        compiled.make_cache()
-        named = [[name for name in compiled.PARTS if repr(name) in code] for code in run]
-        assert named == [["turns"], ["engine"]]
-        assert ended == [*["waited"] * 2, *["killed"] * 2]
-        assert "once an installation" in caplog.text
-        indexed(elsewhere)
-        compiled.make_cache()
-    assert len(run) == 2 and len(caplog.records) == 1
-
-
-def test_a_cache_can_be_read_where_it_cannot_be_written(elsewhere, monkeypatch):
-    """As in an image, whose files are another user's: no locator of numba's own takes that."""
-
-    def refuse(path):
-        raise PermissionError(path)
-
-    from numba.core.caching import UserProvidedCacheLocator
-
-    monkeypatch.setattr(UserProvidedCacheLocator, "ensure_cache_path", refuse)
-    found = loops.Place.from_function(sharing_kernel.solve, sharing_kernel.__file__)
-    assert found.get_cache_path()
+def test_a_service_starts_whatever_its_cache_is_like(broken, monkeypatch):
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(broken))
+    before = {each: each.stat().st_size for each in broken.rglob("*")}
+    with running_service(processes=1, max_seconds=300) as service:
+        answer = httpx.post(f"{service.url}/api/v1/load-sharing", json=BODY, timeout=300)
+        assert answer.status_code == 200
+    said = [line.get("message") for line in service.log()]
+    assert [said.count(each) for each in (drive.MADE, drive.UNUSABLE)] == [1, 1]
+    assert before == {each: each.stat().st_size for each in broken.rglob("*")}

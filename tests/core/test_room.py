@@ -232,11 +232,11 @@ def test_pressed_or_impossible() -> None:
     beyond = fit_of(replace(PRESSED, clearance=-3.6e-5))
     assert beyond.misfit == "cannot_assemble" and beyond.impossible
     with pytest.raises(ImpossibleMechanism) as refusal:
-        solvable(beyond.real)
+        solvable(real=beyond.real)
     assert refusal.value.code == "cannot_assemble" and refusal.value.parameter == "hole_radius"
     unknown = replace(PRESSED, clearance=-3.6e-5, pin_material=replace(STEEL, yield_strength=None),
                       hole_material=replace(STEEL, yield_strength=None))  # fmt: skip
-    assert solvable(unknown).misfit == "pressed_without_load"  # nothing is proven
+    assert solvable(real=unknown).misfit == "pressed_without_load"  # nothing is proven
 
 
 def test_the_force_at_the_limit_is_that_of_the_weaker_body() -> None:
@@ -270,9 +270,9 @@ def test_satellites_that_turn_for_themselves_have_each_its_own_room() -> None:
 def test_holes_that_do_not_hold_their_pins() -> None:
     apart = 0.05 * math.sin(math.pi / 6)
     limit = math.hypot(0.008, apart)
-    solvable(replace(PRESSED, clearance=limit - 0.010 - 1e-9))
+    solvable(real=replace(PRESSED, clearance=limit - 0.010 - 1e-9))
     with pytest.raises(ImpossibleMechanism) as refusal:
-        solvable(replace(PRESSED, clearance=limit - 0.010))
+        solvable(real=replace(PRESSED, clearance=limit - 0.010))
     assert refusal.value.code == "no_mechanism"
     assert refusal.value.params["limit_length"] == limit
 

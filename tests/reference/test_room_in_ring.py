@@ -55,7 +55,7 @@ def sizes_of(real: RealMechanism) -> Sizes:
 def test_the_room_is_the_largest_that_discs_find_in_their_ring(seed: int) -> None:
     series = out_of_phase(seed, 2e-3)
     ring, output = series.ring, series.output
-    found = in_their_ring(output.rooms, ring)
+    found = in_their_ring(rooms=output.rooms, ring=ring)
     crank = random.Random(seed).uniform(0, 2 * np.pi * series.mechanism.ratio)
     wave = series.mechanism.wave_angle(np.array([crank]))
     (room,), _ = found.rooms(wave)
