@@ -235,7 +235,6 @@ METHODS = {
     "singularities",
     "graded_z": "graded Gauss-Legendre in z",
     "integral_equation": "integral equation at Chebyshev nodes, Newton's method",
-    "locus_support": "locus of the moment: sampled by segments, extremes narrowed",
     "mohr": "Mohr's integral in closed form",
     "monte_carlo": "random pieces, percentiles by order statistics",
     "monte_carlo_double": "random pieces, twice the crank angles",

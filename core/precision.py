@@ -45,7 +45,6 @@ CLASSES = {
     "closed_form_newton": EXACT,
     "graded_quadrature": EXACT,
     "integral_equation": EXACT,
-    "locus_support": EXACT,
     "mohr": EXACT,
     "newton_bracket": EXACT,
     "sampling": 10 * JUDGED,

@@ -30,17 +30,17 @@ MAX_ROLLERS = 24
 """Most rollers of a study: its reference is calculated for each."""
 
 ONE_METHOD = {
-    "crankshaft": "segments_tanh_sinh",
+    "crankshaft": "sampling",
     "cyclogram": "closed_form",
     "fit": "arcs_zoomed",
     "hertz": "integral_equation",
     "meshing_load": "graded_quadrature",
     "output-efficiency": "segments_tanh_sinh",
-    "pin-strength": "locus_support",
+    "pin-strength": "sampling",
     "precession/meshing-load": "graded_quadrature",
     "roller-strength": "closed_form_gaps",
     "roller_sharing": "closed_form_gaps",
-    "satellite-bearing": "segments_tanh_sinh",
+    "satellite-bearing": "sampling",
 }
 """The only method of what is not compared, of ideal forces, by every name that it has had."""
 

@@ -8,6 +8,7 @@ that the shaft is bent one way all the time.
 
 import math
 from dataclasses import dataclass
+from functools import partial
 from itertools import product
 
 import numpy as np
@@ -24,12 +25,10 @@ from core.crank.balance import (
 )
 from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
 from core.crank.ring_mesh import RingMesh
-from core.crank.satellite_bearing import BearingCurves, made_parts, mean_power, uneven_shares
+from core.crank.satellite_bearing import BearingCurves, made_parts, uneven_shares
 from core.errors import Accuracy, Notice, poorly_known
-from core.output.contact_force import force_peak
+from core.output.ideal_turn import ideal_turn
 from core.output.mechanism import Mechanism
-from core.output.pin_search import MISSED, largest
-from core.output.pin_turn import satellite_turn
 from core.output.sampled_turn import WAYS, Direction, Made, SampledTurn
 from core.precision import ROUNDING
 
@@ -174,45 +173,41 @@ def crankshaft(
             input_speed=input_speed,
             rotor_mass=rotor_mass,
         )
-    still = _still(spun) if spun else STILL
     ways = WAYS[torque_direction]
     exponents = [EXPONENTS[kind] for kind in kinds]
-    if made is None:
-        found = _ideal_reactions(
-            mechanism=mechanism,
-            force_exponent=force_exponent,
-            across=output_torque / (eccentricity * mechanism.ratio),
-            pins=output_torque / pin_circle_radius,
-            mesh=mesh,
-            carried=held,
-            arm_error=arm_error,
-            still=still,
-            distribution_factor=distribution_factor,
-            exponents=exponents,
-            ways=ways,
-        )
-    else:
-        found = _made_reactions(
-            [made(way * output_torque) for way in ways],
-            eccentricity * mechanism.ratio,
-            mesh,
-            held,
-            still,
-            exponents,
-        )
+    forces: Made = made or partial(
+        ideal_turn,
+        mechanism=mechanism,
+        force_exponent=force_exponent,
+        pin_circle_radius=pin_circle_radius,
+    )
+    turns = [forces(way * output_torque) for way in ways]
+    found = _reactions(
+        turns=turns,
+        arm=eccentricity * mechanism.ratio,
+        mesh=mesh,
+        carried=held,
+        arm_error=arm_error,
+        still=_still(spun) if spun else STILL,
+        shares=uneven_shares(
+            satellites=mechanism.satellites, distribution_factor=distribution_factor
+        ),
+        exponents=exponents,
+    )
     speeds = bearing_speeds or (input_speed, input_speed)
     lives: dict[int, float] = {}
     error = 0.0
     for row in np.flatnonzero(found.most).tolist():
         load = float(found.equivalent[row])
         own = float(found.off[row]) / load
-        error = max(error, own + MISSED + found.truncation)
+        error = max(error, own)
         rating = dynamic_ratings[row]
         if rating is not None and (speed := speeds[row]):
             million = 1e6 * 2 * math.pi / speed
             lives[row] = million * rating_life(load=load, rating=rating, kind=kinds[row])
-            error = max(error, exponents[row] * own + found.truncation)
-    accuracy = Accuracy(found.method, error + 8 * ROUNDING, found.evaluations)
+            error = max(error, exponents[row] * own)
+    evaluations = sum(turn.evaluations for turn in turns)
+    accuracy = Accuracy("sampling", error + 8 * ROUNDING, evaluations)
     notices = (*mesh.notices, *poorly_known(accuracy))
     return Crankshaft(found.most, found.equivalent, lives, spun, accuracy, notices)
 
@@ -220,97 +215,45 @@ def crankshaft(
 @dataclass(frozen=True, slots=True)
 class _Reactions:
     """Largest and equivalent reaction of both bearings and their error, N; 0 where that is all
-    there is; the relative error of the means; how they were found.
+    there is.
     """
 
     most: FloatArray
     equivalent: FloatArray
     off: FloatArray
-    truncation: float
-    method: str
-    evaluations: int
 
 
-def _ideal_reactions(
+def _reactions(
     *,
-    mechanism: Mechanism,
-    force_exponent: float,
-    across: float,
-    pins: float,
-    mesh: RingMesh,
-    carried: FloatArray,
-    arm_error: FloatArray,
-    still: tuple[ComplexArray, FloatArray],
-    distribution_factor: float,
-    exponents: list[float],
-    ways: tuple[float, ...],
-) -> _Reactions:
-    """By the ideal forces; in reverse the part across the crank changes its sign. What stands still
-    is a part of the sum of all shares, which is 1.
-    """
-    force_peak(mechanism, force_exponent)  # refuses what cannot be
-    rho = float(mesh.radial_force_ratio)
-    most, equivalent, truncation = np.zeros(2), np.zeros(2), 0.0
-    turn = satellite_turn(mechanism, force_exponent)
-    share, force = turn.forces.max(axis=(1, 2)).reshape(2, -1)
-    share_error, force_error = turn.errors.reshape(2, -1)
-    share_error = math.hypot(1, rho) * share_error + mesh.error * abs(rho) * share
-    arms = carried * _cranks(mechanism.crank_angles)
-    constant, still_error = still
-    own = np.abs(carried) * (across * share_error + pins * force_error)
-    own += arm_error * (across * math.hypot(1, rho) * share + pins * force)
-    shares = uneven_shares(satellites=mechanism.satellites, distribution_factor=distribution_factor)
-    off = shares.max() * own.sum(axis=1) + still_error
-    off += np.abs(constant) * share_error.sum()
-    for way, own_shares in product(ways, shares):
-        held = own_shares * arms
-        rings = across * (1j * way + rho) * held + constant[:, None]
-        both = np.concatenate((rings, pins * held), axis=1)
-        found = largest(turn=turn, arms=(both,), measure=np.abs)
-        rows = np.flatnonzero(found > off)
-        if not len(rows):
-            continue
-        mean, lost = mean_power(
-            turn=turn,
-            arms=(both[rows],),
-            measure=np.abs,
-            largest=found[rows],
-            exponents=[exponents[row] for row in rows],
-        )
-        most[rows] = np.maximum(most[rows], found[rows])
-        equivalent[rows] = np.maximum(equivalent[rows], mean)
-        truncation = max(truncation, lost)
-    size = turn.forces[0].size
-    return _Reactions(most, equivalent, off, truncation, "segments_tanh_sinh", size)
-
-
-def _made_reactions(
     turns: list[SampledTurn],
     arm: float,
     mesh: RingMesh,
     carried: FloatArray,
-    unbalanced: tuple[ComplexArray, FloatArray],
+    arm_error: FloatArray,
+    still: tuple[ComplexArray, FloatArray],
+    shares: FloatArray,
     exponents: list[float],
 ) -> _Reactions:
-    """By the forces of the mechanism as it is made."""
-    rho, (still, still_error) = float(mesh.radial_force_ratio), unbalanced
+    """By the forces of the pins, of each choice of what the satellites share."""
+    rho, (unbalanced, still_error) = float(mesh.radial_force_ratio), still
     most, equivalent, off = np.zeros(2), np.zeros(2), np.zeros(2)
-    for turn in turns:
+    for turn, own in product(turns, shares[..., None]):
         parts = made_parts(turn=turn, arm=arm, radial_force_ratio=rho)
-        reaction = carried @ (parts.load * _cranks(turn.crank_angles)[:, None]) + still[:, None]
-        sizes = turn.error * np.abs(parts.load)
+        load = own * parts.load
+        held = carried @ (load * _cranks(turn.crank_angles)[:, None]) + unbalanced[:, None]
+        sizes = turn.error * np.abs(load)
         if not parts.solved:
-            sizes = sizes + mesh.error * np.abs(parts.ring.real)
-            sizes = sizes + mesh.ratio_error * np.abs(parts.ring.imag)
-        lost = (np.abs(carried) @ sizes).max(axis=1) + still_error
-        for row, size in enumerate(np.abs(reaction)):
-            off[row] = max(off[row], turn.missed(reaction[row]) + lost[row])
-            if size.max() > off[row]:
-                mean = turn.mean(size ** exponents[row]) ** (1 / exponents[row])
-                most[row] = max(most[row], size.max())
-                equivalent[row] = max(equivalent[row], mean)
-    evaluations = sum(turn.evaluations for turn in turns)
-    return _Reactions(most, equivalent, off, 0.0, "sampling", evaluations)
+            sizes = sizes + mesh.error * np.abs(own * parts.ring.real)
+            sizes = sizes + mesh.ratio_error * np.abs(own * parts.ring.imag)
+        lost = np.abs(carried) @ sizes + arm_error @ np.abs(load)
+        size = np.abs(held)
+        for row, peak in enumerate(turn.largest(size).tolist()):
+            known = turn.missed(held[row]) + float(lost[row].max() + still_error[row])
+            off[row] = max(off[row], known)
+            if peak > off[row]:
+                mean = float(turn.mean(size[row] ** exponents[row]) ** (1 / exponents[row]))
+                most[row], equivalent[row] = max(most[row], peak), max(equivalent[row], mean)
+    return _Reactions(most, equivalent, off)
 
 
 STILL: tuple[ComplexArray, FloatArray] = (np.zeros(2, dtype=complex), np.zeros(2))

@@ -15,10 +15,10 @@ from core.arrays import check_positive
 from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
 from core.errors import Accuracy, Notice, poorly_known, required
 from core.output.contact_force import force_peak
+from core.output.ideal_turn import ideal_turn
 from core.output.mechanism import Mechanism
-from core.output.pin_turn import COARSEST, pin_turn
 from core.output.sampled_turn import WAYS, Direction, Made
-from core.precision import ROUNDING
+from core.precision import SEARCHED
 
 RollerKind = Literal["ball", "cylindrical", "needle"]
 
@@ -283,14 +283,15 @@ def pin_rollers(
 def _ideal(mechanism: Mechanism, exponent: float, reference: float, power: float) -> _Loads:
     """Under ideal forces; each contact feels the same over the turn."""
     peak = force_peak(mechanism, exponent)
-    values, weights = pin_turn(mechanism, exponent).nodes_of(COARSEST + 1, COARSEST + 2)
-    rough, mean = (np.abs(values[0]) ** power @ weights).tolist()
-    missed = abs(rough / mean - 1) / power
-    error = peak.accuracy.relative_error + missed + 64 * ROUNDING * (1 + exponent)
+    turn = ideal_turn(
+        reference, mechanism=mechanism, force_exponent=exponent, pin_circle_radius=1.0
+    )
+    mean = float(turn.mean(np.abs(turn.on_pins[0]) ** power).mean())
+    error = peak.accuracy.relative_error + SEARCHED
     return _Loads(
         peak=reference * peak.peak_force_ratio,
-        equivalent=reference * mean ** (1 / power),
-        accuracy=Accuracy("segments_tanh_sinh", error, values.size),
+        equivalent=mean ** (1 / power),
+        accuracy=Accuracy("sampling", error, turn.evaluations),
     )
 
 

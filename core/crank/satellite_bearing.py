@@ -13,14 +13,12 @@ with the centrifugal force of the satellite, which relieves its bearing, where i
 """
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cache, partial
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from core.arrays import (
     ComplexArray,
@@ -40,15 +38,11 @@ from core.crank.bearing_life import (
 )
 from core.crank.ring_mesh import RingMesh
 from core.errors import Accuracy, Notice, NotKnown, derived, is_known, poorly_known, required
-from core.output.contact_force import force_peak, force_ratios
+from core.output.contact_force import force_ratios
+from core.output.ideal_turn import ideal_turn
 from core.output.mechanism import Mechanism, pressure_cosines
-from core.output.pin_search import MISSED, largest
-from core.output.pin_turn import BLOCK, COARSEST, SatelliteTurn, combine, satellite_turn
 from core.output.sampled_turn import WAYS, Direction, Made, SampledTurn
-from core.precision import CONVERGED, ROUNDING
-
-FINEST = 9
-"""Level of the last rule of the mean, some 3500 nodes an arc."""
+from core.precision import ROUNDING, SEARCHED
 
 
 @dataclass(frozen=True)
@@ -404,59 +398,64 @@ def _ideal_loads(
     centrifugal: Number = 0.0,
     exponent: float,
 ) -> _Loads:
-    """Loads under the ideal forces."""
-    force_peak(mechanism, force_exponent)  # refuses what cannot be
-    relief = np.asarray(centrifugal) / across if np.any(centrifugal) else 0.0
-    shape = np.broadcast(mesh.radial_force_ratio, arm, relief).shape
-    rho, along, less = (
-        np.full(shape, each, dtype=np.float64).ravel()
-        for each in (mesh.radial_force_ratio, arm, relief)
+    """Loads under the ideal forces, of all designs."""
+    turn = ideal_turn(
+        1.0, mechanism=mechanism, force_exponent=force_exponent, pin_circle_radius=1.0
     )
-    turn = satellite_turn(mechanism, force_exponent)
-    phases = mechanism.phases
-    even = len(phases.sector_phases) == phases.symmetry and len({*phases.multiplicity}) == 1
-    loads, off, truncation = _loads(turn, even, (rho, along, less), exponent)
-    scale = np.asarray(across)[..., None]
-    most, least, mean, ring = (scale * each for each in loads.reshape(4, *shape, -1))
-    off += mesh.error * max(1.0, float(np.abs(rho).max()))  # of W, which is no more than the load
-    return _Loads(
-        most,
-        0.0 - least,
-        mean,
-        ring * np.sqrt(1 + np.square(mesh.radial_force_ratio))[..., None],
-        mesh.radial_force_ratio,
-        off + truncation / exponent,
-        Accuracy("segments_tanh_sinh", off + MISSED + truncation, turn.forces[0].size),
+    across, along, rho, relief = (
+        np.asarray(each, dtype=np.float64)[..., None, None]
+        for each in (across, arm, mesh.radial_force_ratio, centrifugal)
     )
+    rings = across * (rho + 1j) * turn.couple
+    held = rings + across * along * turn.on_satellites.real - relief
+    off = mesh.error * max(1.0, float(np.abs(rho).max()))  # of W, which is no more than the load
+    ratio = mesh.radial_force_ratio
+    return _loads([(turn, held, rings)], [turn.error + SEARCHED + off], ratio, exponent)
 
 
 def _made_loads(
     turns: list[SampledTurn], arm: float, mesh: RingMesh, centrifugal: float, exponent: float
 ) -> _Loads:
-    """Loads of the mechanism as it is made; of both directions the worse. What is within their
-    error nothing, is 0.
-    """
-    loads, rings, means, missed, ratios = [], [], [], [], []
+    """Loads of the mechanism as it is made; of both directions the worse."""
+    forces, errors, ratios = [], [], []
     for turn in turns:
         parts = made_parts(turn=turn, arm=arm, radial_force_ratio=float(mesh.radial_force_ratio))
         given = mesh.error * max(1.0, abs(parts.ratio)) + mesh.ratio_error
-        off = 0.0 if parts.solved else given
         held = parts.load - centrifugal
-        load = np.abs(held)
-        loads.append(load)
-        rings.append(np.abs(parts.ring))
-        means.append(turn.mean(load**exponent) ** (1 / exponent))
-        missed.append(turn.missed(held) / load.max() + turn.error + off)
+        forces.append((turn, held, parts.ring))
+        missed = turn.missed(held) / np.abs(held).max()
+        errors.append(missed + turn.error + (0.0 if parts.solved else given))
         ratios.append(parts.ratio)
-    error = max(missed)
-    every, ring = np.concatenate(loads, axis=1), np.concatenate(rings, axis=1).max(axis=1)
-    most = every.max(axis=1)
-    carrying = most > error * most.max()
-    least, mean = every.min(axis=1), np.maximum.reduce(means)
-    most, least, mean, ring = (np.where(carrying, each, 0.0) for each in (most, least, mean, ring))
-    evaluations = sum(turn.evaluations for turn in turns)
-    ratio = max(ratios, key=abs)
-    return _Loads(most, least, mean, ring, ratio, error, Accuracy("sampling", error, evaluations))
+    return _loads(forces, errors, max(ratios, key=abs), exponent)
+
+
+def _loads(
+    forces: list[tuple[SampledTurn, ComplexArray, ComplexArray]],
+    errors: list[float],
+    ratio: Number,
+    exponent: float,
+) -> _Loads:
+    """Loads by the forces that each bearing bears and those of the ring, shape (..., K, n), in each
+    direction; what is within their error nothing, is 0.
+    """
+    rows = []
+    for turn, held, ring in forces:
+        load = np.abs(held)
+        mean = turn.mean(load**exponent) ** (1 / exponent)
+        rows.append((turn.largest(load), turn.largest(-load), mean, turn.largest(np.abs(ring))))
+    most, least, mean, ring = np.maximum.reduce([np.array(each) for each in rows])
+    error = max(errors)
+    carrying = most > error * most.max(axis=-1, keepdims=True)
+    evaluations = sum(turn.evaluations for turn, *_ in forces)
+    return _Loads(
+        most=np.where(carrying, most, 0.0),
+        least=np.where(carrying, np.abs(least), 0.0),
+        mean=np.where(carrying, mean, 0.0),
+        ring=np.where(carrying, ring, 0.0),
+        ratio=ratio,
+        mean_error=error,
+        accuracy=Accuracy("sampling", error, evaluations),
+    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -495,114 +494,6 @@ def made_parts(*, turn: SampledTurn, arm: float, radial_force_ratio: float) -> M
     across = turn.couple / arm
     ring = radial_force_ratio * np.abs(across) + 1j * across
     return MadeParts(turn.on_satellites + ring, ring, radial_force_ratio)
-
-
-def _loads(
-    turn: SatelliteTurn,
-    alike: bool,
-    inward: tuple[FloatArray, FloatArray, FloatArray],
-    exponent: float,
-) -> tuple[FloatArray, float, float]:
-    """Largest, least (its sign turned) and equivalent load of each satellite, and the largest force
-    of the ring across the crank, over that of all the torque, shape (4, designs, K); their error by
-    rounding; and the error of the mean of powers.
-    """
-    rho, along, less = inward  # of the ring's force, of the pins', of all torque
-    satellites = len(turn.forces) // 2
-    some = 1 if alike else satellites
-    own, pins = np.eye(2 * satellites).reshape(2, satellites, -1)
-    shares = own[:some]
-    whole = own.sum(axis=0)  # of the sum of all shares, which is 1
-    inwards = rho[:, None, None] * shares + along[:, None, None] * pins[:some]
-    inwards = inwards - less[:, None, None] * whole
-    inwards = inwards.reshape(-1, 2 * satellites)
-    every = len(inwards)
-    across = shares if len(rho) == 1 else np.tile(shares, (len(rho), 1))
-    # most, least and ring at once: what is sought least has its sign turned
-    sign = np.ones((2 * every + some, 1))
-    sign[every : 2 * every] = -1.0
-    found = largest(
-        turn=turn,
-        arms=(
-            np.concatenate((across, across, shares)),
-            np.concatenate((inwards, inwards, 0.0 * shares)),
-            sign * whole,
-        ),
-        measure=lambda w, s, sign: np.copysign(np.hypot(w, s), sign),
-    )
-    most, least, ring = found[:every], found[every : 2 * every], found[2 * every :]
-    mean, truncation = mean_power(
-        turn=turn,
-        arms=(across, inwards),
-        measure=np.hypot,
-        largest=most,
-        exponents=[exponent] * every,
-    )
-    share, force = turn.errors.reshape(2, -1)[:, :some]
-    off = np.hypot(1, rho)[:, None] * share + along[:, None] * force
-    off = off + less[:, None] * share.sum()
-    error = max(float((off / mean.reshape(-1, some)).max()), float((share / ring).max()))
-    loads = np.empty((4, len(rho), satellites))
-    for row, each in zip(loads, (most, np.minimum(least, 0.0), mean, ring), strict=True):
-        row[:] = each.reshape(-1, some)
-    return loads, error, truncation
-
-
-def mean_power(
-    *,
-    turn: SatelliteTurn,
-    arms: tuple[NDArray[Any], ...],
-    measure: Callable[..., FloatArray],
-    largest: FloatArray,
-    exponents: Sequence[float],
-) -> tuple[FloatArray, float]:
-    """Equivalent loads ``<Q^p>^(1/p)`` over the turn.
-
-    Parameters
-    ----------
-    turn : SatelliteTurn
-        Forces over the turn.
-    arms : tuple of array, each shape (rows, 2*K)
-        What the satellites' shares and forces do.
-    measure : callable
-        The load by the sums, each shape (rows, n).
-    largest : array, shape (rows,)
-        Largest loads, > 0.
-    exponents : sequence of float
-        p of each.
-
-    Returns
-    -------
-    loads : array, shape (rows,)
-    error : float
-        Relative difference of the last two rules.
-    """
-    powers = np.array(exponents)
-    for level in range(COARSEST, FINEST):
-        nodes = turn.coarse_nodes if level == COARSEST else turn.nodes_of(level, level + 1)
-        before, mean = _mean(nodes, arms, measure, largest, powers).T
-        off = np.abs(mean - before)
-        if (off <= CONVERGED * mean).all():
-            break
-    return largest * mean ** (1 / powers), float((off / mean).max())
-
-
-def _mean(
-    nodes: tuple[FloatArray, FloatArray],
-    arms: tuple[NDArray[Any], ...],
-    measure: Callable[..., FloatArray],
-    largest: FloatArray,
-    powers: FloatArray,
-) -> FloatArray:
-    """Means of powers of loads over their largest, by the nodes and the weights of each rule."""
-    values, weights = nodes
-    means = np.zeros((len(largest), weights.shape[1]))
-    rows = max(1, BLOCK // len(weights))
-    for some in (slice(i, i + rows) for i in range(0, len(largest), rows)):
-        sums = (combine(arms=each[some], forces=values) for each in arms)
-        shares = measure(*sums) / largest[some, None]
-        means[some] = shares ** powers[some, None] @ weights
-    return means
 
 
 @dataclass(frozen=True, slots=True)

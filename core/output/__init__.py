@@ -13,10 +13,9 @@ pin_beam            a pin as a beam on three kinds of supports: moment, shear, d
 pin_bolt            a bolt through a spacer as the pin: when it opens, slips or bends alone
 tie_ring            a floating ring that joins the pins' ends: its forces, how it moves
 pin_fatigue         what the fatigue of a pin is judged by, and the verdict on a cycle of stress
-pin_turn            the forces that one pin feels over a turn
-sampled_turn        the forces of the mechanism as it is made, at samples
-pin_search          where over the turn, along the pin and around it a measure is largest
-pin_cycle           the worst stress cycle of a pin, of all sections and directions
+sampled_turn        forces over a turn at samples, and what is largest of them
+ideal_turn          the ideal forces over a turn, sampled
+worst_section       where along a pin and around it something is largest
 loaded_pin          a pin under the forces of a turn: its largest stresses, its worst cycle
 tied_pin            the same of pins that a tie ring joins
 edge_load           line load at the ends of contacts whose pins slope

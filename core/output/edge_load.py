@@ -5,10 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.arrays import ComplexArray, FloatArray, Number
+from core.arrays import FloatArray, Number
 from core.output.loaded_pin import LoadedPin, PinLoads
 from core.output.pin_beam import face_load_factor
-from core.output.pin_search import Measure, largest
 
 IDLE = 1e-12
 """Forces below this part of the largest bear no line load that counts."""
@@ -23,8 +22,6 @@ class EdgeLoad:
     force: float
     satellite: int  # from 1
     pin: int | None  # from 1; None where all are alike
-    own: float  # the contact's own force, N
-    slope: float  # rotation of its pin in the plane of the force, rad
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,40 +57,16 @@ class SlopingContacts:
 
     def largest(self) -> EdgeLoad:
         """The contact with the largest line load."""
-        worst = (0.0, 0.0, 0.0)
-
-        def even(force: FloatArray, slope: FloatArray) -> FloatArray:
-            nonlocal worst
-            found = np.asarray(self.even(force, slope))
-            top = np.unravel_index(int(np.argmax(found)), found.shape)
-            worst = max(worst, (float(found[top]), float(force[top]), float(slope[top])))
-            return found
-
-        found = self._each(even)
+        found = np.array([self._of_pin(each) for each in self.loads])
         case, satellite = np.unravel_index(int(found.argmax()), found.shape)
-        alike = all(each.pin == self.loads[0].pin for each in self.loads)
-        force, own, slope = worst
-        pin = None if alike else self.loads[case].pin
-        return EdgeLoad(force=force, satellite=int(satellite) + 1, pin=pin, own=own, slope=slope)
+        pin = None if len(self.loads) == 1 else self.loads[case].pin
+        return EdgeLoad(float(found.max()), int(satellite) + 1, pin)
 
-    def _each(self, even: Callable[..., Number]) -> FloatArray:
-        """The largest of a function of force and slope, by load and satellite."""
-        slopes = self.pin.slopes
-        forces = np.eye(*slopes.shape)
-        measure = _of_sums(even)
-        found = [
-            largest(turn=each.turn, arms=(each.unit * forces, each.unit * slopes), measure=measure)
-            for each in self.loads
-        ]
-        return np.array(found)
-
-
-def _of_sums(even: Callable[..., Number]) -> Measure:
-    """A function of force and slope, by the sums of forces and of slopes."""
-
-    def edge(forces: ComplexArray, turned: ComplexArray) -> FloatArray:
-        force = np.abs(forces)
-        felt = np.maximum(force, IDLE * (float(force.max()) or 1.0))
-        return np.asarray(even(felt, np.abs((turned * forces.conj()).real) / felt))
-
-    return edge
+    def _of_pin(self, loads: PinLoads) -> FloatArray:
+        """The largest even force of each satellite on a pin."""
+        turn, slopes = loads.turn, self.pin.slopes
+        forces = turn.forces[: len(slopes)]
+        size = np.abs(forces)
+        felt = np.maximum(size, IDLE * (float(size.max()) or 1.0))
+        slope = np.abs((turn.sums(slopes) * forces.conj()).real) / felt
+        return turn.largest(np.asarray(self.even(felt, slope)))

@@ -1,48 +1,40 @@
 """A pin under the forces of a turn: its largest stresses and its worst stress cycle."""
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
-from core.arrays import BoolArray, ComplexArray, FloatArray
+from core.arrays import FloatArray, Number
+from core.numerics.extremes import zoom
 from core.output.pin_beam import PinBeam, section_stress
-from core.output.pin_cycle import Cycle, StressCycles
 from core.output.pin_fatigue import FatigueStrength
-from core.output.pin_search import (
-    CELLS,
-    NARROWER,
-    NEAR,
-    REACHED,
-    ROUNDS,
-    Arms,
-    Measure,
-    OfArcs,
-    Points,
-    climbed,
-    first_of,
-    highest,
-    largest,
-    quadratics,
-    sampled,
-    summits,
-)
 from core.output.pin_section import PinSection
-from core.output.pin_turn import PinTurn, combine
 from core.output.sampled_turn import PinSamples
+from core.output.worst_section import Cells, Place, largest_of_cells
 
-FIRST = np.zeros(1, dtype=np.intp)
+NEARLY, FEW = 0.98, 8
+"""What part of the worst utilisation counts beside it, and of how many samples one comes first,
+where it is looked for along corners of a line."""
+
+
+class Cycle(NamedTuple):
+    """The worst stress cycle."""
+
+    largest: float  # stress, Pa
+    least: float  # stress, Pa
+    section: float  # distance from the carrier's face, m
+    direction: float  # rad
 
 
 @dataclass(frozen=True, slots=True)
 class PinLoads:
     """Forces on a pin over a turn."""
 
-    turn: PinTurn | PinSamples  # forces in a unit
-    unit: float  # N; negative where they act the other way
-    error: float = NEAR  # relative, of samples, at which a search of them ends
-    alternates: bool = False  # whether they also act the other way
+    turn: PinSamples
     pin: int = 1  # from 1
 
     @property
@@ -119,8 +111,8 @@ class LoadedPin:
                 np.eye(*self.slopes.shape),
                 self.by_unit("deflection", self.positions),
                 self.slopes,
-                self.shears(self.ends, 1.0),
-                self.moments(self.bent, 1.0),
+                self.shears(self.ends),
+                self.moments(self.bent),
             )
         )
 
@@ -143,142 +135,193 @@ class LoadedPin:
             low, high = (np.concatenate((each[loaded], ends)) for each in (low, high))
         return np.array([low, high])
 
-    def moments(self, x: FloatArray, unit: float) -> FloatArray:
+    def moments(self, x: FloatArray) -> FloatArray:
         """Bending stress at sections by a unit of each load, Pa."""
-        found: FloatArray = unit / self.modulus * self.by_unit("moment", x)
+        found: FloatArray = self.by_unit("moment", x) / self.modulus
         return found
 
-    def shears(self, x: FloatArray, unit: float) -> FloatArray:
+    def shears(self, x: FloatArray) -> FloatArray:
         """Mean shear stress of the same, Pa."""
-        found: FloatArray = unit / self.area * self.by_unit("shear", x)
+        found: FloatArray = self.by_unit("shear", x) / self.area
         return found
 
-    def _curvature(self, loads: PinLoads) -> float:
-        """Largest second derivative of the bending stress along the pin."""
-        most = float(np.abs(loads.turn.forces).sum(axis=0).max())
-        return abs(loads.unit) / self.modulus * most / float(self.beam.contact_length)
+    def changes(self, turn: PinSamples) -> tuple[float, float]:
+        """Largest second and first derivative of the bending stress along the pin."""
+        most = float(np.abs(turn.forces).sum(axis=0).max()) / self.modulus
+        return most / float(self.beam.contact_length), most
 
     def largest(self, loads: PinLoads) -> FloatArray:
         """Largest `effects` over the turn."""
-        return largest(turn=loads.turn, arms=(loads.unit * self.effects,), measure=np.abs)
+        return loads.turn.largest(np.abs(loads.turn.sums(self.effects)))
 
-    def bending(self, loads: PinLoads) -> tuple[float, float]:
-        """Largest bending stress of any section, Pa, and the section, m."""
-        return self._along(loads, lambda x: (self.moments(x, loads.unit),), np.abs, 0.0)
+    def bending(self, loads: PinLoads) -> Place:
+        """Largest bending stress of any section, Pa."""
+        found = self._along(loads, lambda turn, x: np.abs(turn.sums(self.moments(x))), 0.0)
+        assert found is not None
+        return found
 
     def equivalent(self, loads: PinLoads, beyond: float) -> float:
-        """Largest equivalent stress of any section, Pa; 0 where it is not beyond one, Pa."""
+        """Largest equivalent stress of any section, Pa; at least the one beyond which it counts."""
 
-        def arms(x: FloatArray) -> tuple[FloatArray, ...]:
-            return self.moments(x, loads.unit), self.shears(x, loads.unit)
+        def stress(turn: PinSamples, x: FloatArray) -> FloatArray:
+            sums = turn.sums(self.moments(x)), turn.sums(self.shears(x))
+            return np.asarray(section_stress(bending=sums[0], mean_shear=sums[1]))
 
         if self.rooted:  # the shear force is largest there, or before any later load
-            found = largest(turn=loads.turn, arms=arms(self.ends[:-1]), measure=_equivalent)
-            return float(found.max())
-        return self._along(loads, arms, _equivalent, beyond)[0]
+            return float(loads.turn.largest(stress(loads.turn, self.ends[:-1])).max())
+        found = self._along(loads, stress, beyond)
+        return beyond if found is None else found.value
 
     def _along(
-        self, loads: PinLoads, arms: Arms, measure: Measure, beyond: float
-    ) -> tuple[float, float]:
-        """Largest measure of any section, and the section; 0 where it is not beyond a value."""
-        turn, curvature = loads.turn, self._curvature(loads)
-        samples = turn.forces.reshape(len(turn.forces), -1)
+        self,
+        loads: PinLoads,
+        measure: Callable[[PinSamples, FloatArray], FloatArray],
+        beyond: float,
+    ) -> Place | None:
+        """Largest measure of any section over the turn."""
+        turn, (curvature, steepest) = loads.turn.loaded, self.changes(loads.turn)
 
-        def room(at: Points) -> FloatArray:
-            return curvature * at.length**2 / 8
+        def value(at: Cells) -> tuple[FloatArray, FloatArray]:
+            found = turn.largest(measure(turn, at.section))
+            return found, found + curvature * at.length**2 / 8
 
-        def value(at: Points, rounds: int) -> tuple[FloatArray, FloatArray, FloatArray]:
-            if rounds:
-                found = largest(turn=turn, arms=arms(at.section), measure=measure, rounds=rounds)
-            else:
-                sums = (combine(arms=each, forces=samples) for each in arms(at.section))
-                found = sampled(turn=turn, values=measure(*sums))
-            return found, room(at), room(at)
+        def near(at: Cells) -> None:
+            nonlocal turn
+            values = measure(turn, at.section)
+            reach = (steepest * at.length)[:, None]
+            turn = turn.only((values >= values.max(axis=1, keepdims=True) - reach).any(axis=0))
 
-        def climb(points: Points) -> tuple[float, float]:
-            if isinstance(turn, PinSamples):
-                return float(value(points.of(FIRST), 0)[0][0]), float(points.section[0])
-            own, lower = arms(points.section), REACHED * room(points)
-            _, tops = summits(turn=turn, arms=own, measure=measure, lower=lower)
-            start, summit = points.of(tops.row), OfArcs(turn, tops)
-            arms_at = quadratics(arms=arms, points=start)
-
-            def near(x: FloatArray, _: FloatArray) -> tuple[FloatArray, BoolArray]:
-                along = arms_at(x)
-
-                def measured(forces: ComplexArray) -> FloatArray:
-                    return measure(*(combine(arms=each, forces=forces) for each in along))
-
-                _, above, left = summit.narrow(measured, NARROWER, seen=1)
-                return above, left == 0
-
-            x, _ = climbed(value=near, points=start)
-            values = largest(turn=turn, arms=arms(x), measure=measure)
-            top = first_of(values=values, section=x)
-            return float(values[top]), float(x[top])
-
-        found = highest(
-            value=value,
-            stretches=self.stretches(),
-            enough=loads.error,
-            climb=climb,
-            size=turn.forces[0].size,
-            beyond=beyond,
+        return largest_of_cells(
+            value=value, near=near, stretches=self.stretches(), around=False, beyond=beyond
         )
-        return (0.0, 0.0) if found is None else found
 
-    def direction(self, loads: PinLoads, section: float) -> float:
-        """Direction of the largest moment of a section, rad."""
-        turn = loads.turn
-        assert isinstance(turn, PinTurn)
-        arms = self.moments(np.array([section]), loads.unit)
-        _, tops = summits(turn=turn, arms=(arms,), measure=np.abs)
-        summit, each = OfArcs(turn, tops), arms[tops.row]
-        for _ in range(ROUNDS):
-            values, _, left = summit.narrow(
-                lambda forces: np.abs(combine(arms=each, forces=forces))[:, None], CELLS
-            )
-            if not left.any():
-                break
-        moments = combine(arms=each, forces=summit.at(summit.place[:, None]))
-        moment = moments[values[:, 0].argmax(), 0]
-        return math.atan2(moment.imag, moment.real)
-
-    def cycle(
-        self, loads: PinLoads, strength: FatigueStrength, bent: float, beyond: float
-    ) -> Cycle | None:
+    def cycle(self, loads: PinLoads, strength: FatigueStrength, beyond: float) -> Cycle | None:
         """The worst stress cycle of any point of the edge.
 
         Parameters
         ----------
         loads : PinLoads
-            Forces that do not also act the other way.
+            Forces over the turn.
         strength : FatigueStrength
             What it is judged by.
-        bent : float
-            Largest bending stress, Pa.
         beyond : float
             Utilisation up to which a cycle does not count.
 
         Returns
         -------
-        largest, least : float
-            Stress, Pa; None where there is no such cycle.
-        section, direction : float
-            m, rad.
+        Cycle or None
+            None where there is no such cycle.
         """
-        cycles = StressCycles(
-            turn=loads.turn,
-            moments=lambda x: self.moments(x, loads.unit),
-            strength=strength,
-            bent=bent,
-            curvature=self._curvature(loads),
-            contact_length=float(self.beam.contact_length),
-            error=loads.error,
+        stretches = self.stretches(convex=strength.criterion != "fkm_haigh")
+        search = _CycleSearch(self, loads.turn, strength)
+        found = search.worst(stretches, beyond)
+        if found is None:
+            return None
+        if search.corners and not self.rooted:
+            found = search.along_corners(stretches, found)
+        return search.cycle(found)
+
+
+class _CycleSearch:
+    """The worst cycle of a pin's edge over sections and directions."""
+
+    def __init__(self, pin: LoadedPin, turn: PinSamples, strength: FatigueStrength) -> None:
+        self.pin, self.turn, self.strength = pin, turn, strength
+        # whether the line may have a corner: the guideline's is less steep beyond R = 0 and R = 0.5
+        always = bool(turn.forces.any(axis=0).all())
+        self.corners = strength.criterion == "fkm_haigh" and always
+        self.left, (self.curvature, self.steepest) = turn.loaded, pin.changes(turn)
+        self.steep = self._used(self.curvature, 0.0) + self._used(0.0, -self.curvature)
+
+    def worst(self, stretches: FloatArray, beyond: float) -> Place | None:
+        """The worst place of stretches beyond a utilisation; at a corner of the line about it."""
+        self.left = self.turn.loaded
+        return largest_of_cells(
+            value=self.value, near=self.near, stretches=stretches, around=True, beyond=beyond
         )
-        return cycles.worst(self.stretches(strength.criterion != "fkm_haigh"), beyond)
 
+    def along_corners(self, stretches: FloatArray, found: Place) -> Place:
+        """The worst place where the line may have a corner, from which utilisation falls at once:
+        in each section the worst direction, of all sections the worst; a few samples come first.
+        """
+        for stretch in stretches[:, stretches[1] > stretches[0]].T:
+            about = self.worst(stretch[:, None], NEARLY * found.value)
+            if about is not None:
+                few = self.about_corner(
+                    about, stretch, self.turn.of(np.arange(0, len(self.turn.wave), FEW)), 0.25, 0.3
+                )
+                every = self.about_corner(few, stretch, self.turn, 0.02, 0.02)
+                found = max(found, about, every)
+        return found
 
-def _equivalent(bending: ComplexArray, mean_shear: ComplexArray) -> FloatArray:
-    found: FloatArray = section_stress(bending=bending, mean_shear=mean_shear)
-    return found
+    def about_corner(
+        self, about: Place, stretch: FloatArray, turn: PinSamples, part: float, angle: float
+    ) -> Place:
+        """The worst place about one, within a part of its stretch and an angle, of some samples."""
+        low, high = stretch.tolist()
+        length = part * (high - low)
+        section, direction = np.array(about[1:])[:, None]
+        self.left = turn
+        self.near(Cells(section, direction, np.array([2 * length]), 2 * angle))
+
+        def directions(x: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+            def used(chi: FloatArray) -> FloatArray:
+                ends = self.ends(np.repeat(x, len(chi) // len(x)), chi)
+                return np.asarray(self._used(*ends))
+
+            return zoom(values=used, places=np.full(len(x), about.direction), width=angle)
+
+        (x,), (height,), _ = zoom(
+            values=lambda x: directions(x)[1], places=section, width=length, low=low, high=high
+        )
+        return Place(float(height), float(x), float(directions(np.array([x]))[0][0]))
+
+    def cycle(self, place: Place) -> Cycle:
+        """The cycle at a place."""
+        self.left = self.turn
+        section, direction = np.array(place[1:])[:, None]
+        (top,), (bottom,) = self.ends(section, direction)
+        (stress,), chi = self.stress(section, direction), place.direction
+        if math.isclose(top, -bottom) and stress.argmax() > stress.argmin():
+            chi += math.pi  # of two points alike that which is pulled first
+        return Cycle(float(top), float(bottom), place.section, chi)
+
+    def stress(self, x: FloatArray, chi: FloatArray) -> FloatArray:
+        """Stress of sections in directions at the samples that are left."""
+        ways = np.stack((np.cos(chi), np.sin(chi)), axis=1)[..., None]
+        arms = self.pin.moments(x)[:, None] * ways
+        found: FloatArray = arms.reshape(len(x), -1) @ self.parts
+        return found
+
+    @property
+    def parts(self) -> FloatArray:
+        """Parts of the forces along both axes at these samples, shape (2*K, n)."""
+        return np.concatenate((self.left.forces.real, self.left.forces.imag))
+
+    def ends(self, x: FloatArray, chi: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Largest and least stress of sections in directions."""
+        found = self.stress(x, chi)
+        return self.left.largest(found), -self.left.largest(-found)
+
+    def value(self, at: Cells) -> tuple[FloatArray, FloatArray]:
+        """Utilisation at corners of cells, and how large it may be within."""
+        top, bottom = self.ends(at.section, at.direction)
+        use = self._used(top, bottom)
+        bound = (use + self.steep * at.length**2 / 8) / math.cos(at.angle / 2)
+        if self.corners:
+            reach = (np.maximum(top, -bottom) * at.angle + self.steepest * at.length) / 2
+            close = np.minimum(np.abs(bottom), np.abs(2 * bottom - top) / 3) <= reach
+            bound += close * (self._used(top + reach, bottom - reach) - use)
+        return use, bound
+
+    def near(self, at: Cells) -> None:
+        """Keep the samples at which the stress may be largest or least within cells."""
+        found = self.stress(at.section, at.direction)
+        top, bottom = found.max(axis=1, keepdims=True), found.min(axis=1, keepdims=True)
+        sizes = np.abs(self.left.sums(self.pin.moments(at.section))).max(axis=1)
+        reach = (sizes * at.angle + self.steepest * at.length)[:, None]
+        self.left = self.left.only(((found >= top - reach) | (found <= bottom + reach)).any(axis=0))
+
+    def _used(self, top: Number, bottom: Number) -> Number:
+        """Share of the strength that a cycle between two stresses takes."""
+        return self.strength.utilisation((top - bottom) / 2, (top + bottom) / 2)

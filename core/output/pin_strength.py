@@ -18,19 +18,20 @@ from core.arrays import FloatArray, check_positive, check_single
 from core.errors import Accuracy, InvalidInput, Notice, poorly_known, required
 from core.fatigue import LOW_CYCLES
 from core.hertz import ElasticMaterial
-from core.output.contact_force import force_peak
+from core.output.ideal_turn import ideal_turn
 from core.output.loaded_pin import LoadedPin, PinLoads
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam, Support, section_stress
 from core.output.pin_bolt import Grip
 from core.output.pin_fatigue import FatigueStrength, PinFatigue, judged
-from core.output.pin_search import SETTLED, first_of
 from core.output.pin_section import check_bore
-from core.output.pin_turn import PinTurn, combine, pin_turn
 from core.output.sampled_turn import WAYS, Direction, PinForces, PinSamples, PinsMade
 from core.output.tie_ring import RingJoint, TieRing
-from core.output.tied_pin import TiedPin, TieRingLoad, ideal_samples
-from core.precision import ROUNDING
+from core.output.tied_pin import TiedPin, TieRingLoad
+from core.precision import EXACT, ROUNDING, SEARCHED
+
+DRAWN = 1e-4
+"""How far a line that is drawn may lie off the forces, over the largest."""
 
 AT_ZERO = 1e-6
 """Directions closer to 0 than this, rad, are 0: none is known better."""
@@ -293,53 +294,40 @@ def pin_stresses(
     )
     _check_positions(mechanism, satellite_positions, beam)
     pin = LoadedPin(beam, diameter, np.array(satellite_positions), bore_diameter)
-    tie_ring: TieRingLoad | None = None
+    ideal = made is None
+    forces: PinsMade = made or partial(
+        ideal_turn,
+        mechanism=mechanism,
+        force_exponent=force_exponent,
+        pin_circle_radius=pin_circle_radius,
+    )
     if support == "tie_ring":
         ring = TieRing(ring_joint, beam.span, beam.rigidity, beam.shear_area)
         pin = TiedPin(beam, diameter, pin.positions, bore_diameter, ring=ring)
-        made = pin.holding(
-            made
-            or partial(
-                ideal_samples,
-                pin=pin,
-                mechanism=mechanism,
-                force_exponent=force_exponent,
-                pin_circle_radius=pin_circle_radius,
-            )
-        )
+        forces = pin.holding(forces)
     ways = WAYS[torque_direction]
-    static, again = 1.0, list[PinLoads]()
-    if made is None:
-        peak = force_peak(mechanism, force_exponent)
-        case = PinLoads(
-            turn=pin_turn(mechanism, force_exponent),
-            unit=ways[0] * torque / pin_circle_radius,
-            alternates=len(ways) > 1,  # the reverse is the same the other way
-        )
-        cases = [case]
-        error = 2 * peak.accuracy.relative_error + 4 * SETTLED
-        error += ROUNDING * (32 + 4 * force_exponent)
-        method, evaluations = "locus_support", case.turn.forces[0].size
-        static = static_torque / torque
-    else:
-        turns = [made(way * torque) for way in ways]
-        cases = _made_cases(turns)
-        error = max(turn.error for turn in turns)
-        if isinstance(pin, TiedPin):
-            tie_ring = pin.ring_load(turns, pin_circle_radius)
-        method, evaluations = "sampling", sum(turn.evaluations for turn in turns)
-        if static_torque != torque:
-            again = _made_cases([made(way * static_torque) for way in ways])
+    turns = [forces(way * torque) for way in ways]
+    cases = _cases(turns)
     found: list[_Stresses] = []
     for case in reversed(cases):  # the uneven ones first, within which others mostly stay
         most = max((each.equivalent for each in found), default=0.0)
         found.insert(0, _stresses(pin, case, most))
-    if again:
+    static = static_torque / torque
+    if not ideal and static != 1:
+        again = _cases([forces(way * static_torque) for way in ways])
         static = max(pin.equivalent(case, 0.0) for case in again)
         static /= max(each.equivalent for each in found)
-    error += _of_two_supports(beam, satellite_positions)
+    error = max(turn.error for turn in turns) + _of_two_supports(beam, satellite_positions)
     return PinStresses(
-        pin, mechanism, material, found, static, method, error, evaluations, tie_ring
+        pin=pin,
+        mechanism=mechanism,
+        material=material,
+        cases=found,
+        static=static,
+        method="sampling",
+        error=error + SEARCHED if ideal else error,
+        evaluations=sum(turn.evaluations for turn in turns),
+        tie_ring=pin.ring_load(turns, pin_circle_radius) if isinstance(pin, TiedPin) else None,
     )
 
 
@@ -398,17 +386,11 @@ def pin_strength(
     )
 
 
-def _made_cases(turns: list[PinForces]) -> list[PinLoads]:
+def _cases(turns: list[PinForces]) -> list[PinLoads]:
     """Each pin that differs from the others, under all directions."""
-    wave = np.concatenate([turn.wave for turn in turns])
     return [
-        PinLoads(
-            turn=PinSamples(np.concatenate([turn.on_pins[:, n] for turn in turns], axis=1), wave),
-            unit=1.0,
-            pin=n + 1,
-            error=max(turn.error for turn in turns),
-        )
-        for n in range(turns[0].unlike)
+        PinLoads(PinSamples.together([turn.felt(pin) for turn in turns]), pin + 1)
+        for pin in range(turns[0].unlike)
     ]
 
 
@@ -437,10 +419,11 @@ def _stresses(pin: LoadedPin, loads: PinLoads, beyond: float) -> _Stresses:
     shears, bends = found[count : -len(pin.bent)], found[-len(pin.bent) :]
     mean_shear = float(shears.max())
     if alone or pin.rooted:
-        top = first_of(values=bends, section=pin.bent)
+        alike = np.flatnonzero(bends >= bends.max() * (1 - EXACT))
+        top = alike[pin.bent[alike].argmin()]
         bent, place = float(bends[top]), float(pin.bent[top])
     else:
-        bent, place = pin.bending(loads)
+        bent, place, _ = pin.bending(loads)
     if alone:
         equivalent = float(section_stress(bending=bent, mean_shear=mean_shear))
     else:
@@ -470,17 +453,14 @@ def _cycles(
             break
         top, bottom, seen, chi = case.bent, -case.bent, case.place, None
         if not rotates:
-            if case.loads.alternates:
-                angle = pin.direction(case.loads, case.place)
-            else:
-                seen_cycle = pin.cycle(case.loads, strength, case.bent, 1 / least)
-                if seen_cycle is None:
-                    continue
-                top, bottom, seen, angle = seen_cycle
+            cycle = pin.cycle(case.loads, strength, 1 / least)
+            if cycle is None:
+                continue
+            top, bottom, seen, angle = cycle
             chi = _turned(angle)
-        cycle = judged(strength=strength, direction=chi, position=seen, largest=top, least=bottom)
-        least = min(least, cycle.safety_factor)
-        yield case, cycle
+        fatigue = judged(strength=strength, direction=chi, position=seen, largest=top, least=bottom)
+        least = min(least, fatigue.safety_factor)
+        yield case, fatigue
 
 
 def _check_positions(mechanism: Mechanism, positions: tuple[float, ...], beam: PinBeam) -> None:
@@ -506,18 +486,9 @@ def _locus(
     """The locus of a section, with its stress in a direction, else in that of the largest
     moment.
     """
-    arms = pin.moments(np.array([position]), case.unit)
-    if isinstance(case.turn, PinTurn):
-        places, forces = case.turn.drawn()
-        if case.unit < 0:
-            places = (places + 0.5) % 1.0
-            first = int(places.argmin())
-            places, forces = np.roll(places, -first), np.roll(forces, -first, axis=1)
-        angles = places * mechanism.crank_angle_per_wave
-    else:
-        forces = case.turn.forces
-        angles = (case.turn.wave - mechanism.initial_crank_angle) / mechanism.waves_per_turn
-    stress = combine(arms=arms, forces=forces)[0]
+    turn = case.turn.thinned(DRAWN)
+    angles = (turn.wave - mechanism.initial_crank_angle) / mechanism.waves_per_turn
+    stress = turn.sums(pin.moments(np.array([position])))[0]
     if chi is None:
         chi = float(np.angle(stress[np.abs(stress).argmax()]))
     return MomentLocus(

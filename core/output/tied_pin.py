@@ -7,20 +7,9 @@ from functools import cached_property
 import numpy as np
 
 from core.arrays import ComplexArray, FloatArray
-from core.output.contact_force import force_ratios
 from core.output.loaded_pin import LoadedPin
-from core.output.mechanism import Mechanism
-from core.output.sampled_turn import PinForces, PinsMade, SampledTurn, off_straight
+from core.output.sampled_turn import PinForces, PinsMade
 from core.output.tie_ring import RingForces, TieRing, ring_forces
-
-SAMPLES, PER_PAIR = 1440, 24
-"""Samples of ideal forces over the turn at least, and for each pair."""
-
-BESIDE = 1e-9
-"""How far on both sides of a switching angle ideal forces are sampled, rad."""
-
-CLOSER = 16
-"""How often what lies beside a largest value is halved."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,96 +65,13 @@ class TiedPin(LoadedPin):
 
     def ring_load(self, turns: list[PinForces], pin_circle_radius: float) -> TieRingLoad:
         """What the ring bears over turns that it holds, with the radius of the pin circle, m."""
-        forces = np.concatenate([turn.on_pins for turn in turns], axis=2)
-        moved = self.ring_forces(forces[:-1])
-        moments = np.tensordot(self.end_moments, forces, axes=1)
-        return TieRingLoad(
-            peak_force=float(np.abs(forces[-1]).max()),
-            peak_end_moment=float(np.abs(moments).max()),
-            shift=float(np.abs(moved.shift).max()),
-            turn=float(np.abs(moved.along).max()) / pin_circle_radius,
-        )
-
-
-def ideal_samples(
-    torque: float,
-    *,
-    pin: TiedPin,
-    mechanism: Mechanism,
-    force_exponent: float,
-    pin_circle_radius: float,
-) -> SampledTurn:
-    """Ideal forces over a turn, sampled; dense where the ring or the root of a pin bears most.
-
-    Parameters
-    ----------
-    torque : float
-        On the output link, N*m; negative in reverse.
-    pin : TiedPin
-        The pins.
-    mechanism : Mechanism
-        Pins, satellites, ratio.
-    force_exponent : float
-        Exponent v of the force over the approach.
-    pin_circle_radius : float
-        Radius R of the circle of pin centres, m.
-
-    Returns
-    -------
-    SampledTurn
-
-    Raises
-    ------
-    ImpossibleMechanism
-        If the mechanism has a dead centre.
-    """
-    cranks, first = np.array(mechanism.crank_angles), mechanism.initial_crank_angle
-    radial = 1j * np.exp(2j * np.pi * np.arange(mechanism.pins) / mechanism.pins)
-
-    def at(wave: FloatArray) -> SampledTurn:
-        crank = 1j * np.exp(-1j * (wave + cranks[:, None]))[:, None]
-        ratios = force_ratios(
-            mechanism=mechanism,
-            crank_angles=(wave - first) / mechanism.waves_per_turn,
-            force_exponent=force_exponent,
-        )
-        acts = (torque / pin_circle_radius * ratios.transpose(1, 2, 0)) * crank
-        tangential = (1j * radial)[:, None]
-        on_pins = np.conj(acts / tangential)
-        around = np.concatenate((on_pins[..., -1:], on_pins, on_pins[..., :1]), axis=-1)
-        turn = 2 * np.pi
-        beyond = np.concatenate(([wave[-1] - turn], wave, [wave[0] + turn]))
-        off = float(off_straight(wave=beyond, values=around).max())
-        return SampledTurn(
-            wave=wave,
-            on_pins=on_pins,
-            on_satellites=np.conj((acts / crank).sum(axis=1)),
-            total=np.abs(acts).sum(axis=(0, 1)),
-            couple=pin_circle_radius * on_pins.real.sum(axis=1),
-            crank_angles=mechanism.crank_angles,
-            error=off / float(np.abs(acts).max()),
-            evaluations=len(wave),
-            unlike=1,
-        )
-
-    pairs = mechanism.pins * mechanism.satellites
-    grid = np.linspace(0, 2 * np.pi, max(SAMPLES, PER_PAIR * pairs), endpoint=False)
-    dead = np.arange(2 * mechanism.pins) * np.pi / mechanism.pins - cranks[:, None]
-    beside = (dead.ravel()[:, None] + np.array([-BESIDE, BESIDE])).ravel()
-    wave = first + np.unique(np.concatenate((grid, (beside - first) % (2 * np.pi))))
-    places = np.append(pin.positions, pin.ring.span)
-    measures = places + pin.end_moments, pin.end_moments, places == pin.ring.span
-    for _ in range(CLOSER):
-        alike = pin.held(at(wave)).on_pins[:, 0]
-        between = []
-        for arms in measures:
-            top = int(np.abs(arms @ alike).argmax())
-            around = np.take(wave, [top - 1, top, top + 1], mode="wrap")
-            gaps = (np.diff(around) % (2 * np.pi)) / 2
-            between += [wave[top] - gaps[0], wave[top] + gaps[1]]
-        inside = first + (np.array(between) - first) % (2 * np.pi)
-        wave = np.unique(np.concatenate((wave, inside)))
-    return at(wave)
+        found = []
+        for turn in turns:
+            moved = self.ring_forces(turn.on_pins[:-1])
+            moments = np.tensordot(self.end_moments, turn.on_pins, axes=1)
+            every = turn.on_pins[-1], moments, moved.shift, moved.along / pin_circle_radius
+            found.append([float(turn.largest(np.abs(each)).max()) for each in every])
+        return TieRingLoad(*map(max, zip(*found, strict=True)))
 
 
 def section_of(*, position: float, span: float) -> str:

@@ -33,7 +33,7 @@ REF = LOAD | PLACES | {"mesh": MESH, "mechanism": spaced(6, 2)}
 def test_the_reference_design() -> None:
     found = crankshaft(**REF)
     assert [f"{each:.3f}" for each in found.peak_reaction] == ["4487.098"] * 2
-    assert found.accuracy.relative_error < 5e-14 and found.balance is None
+    assert found.accuracy.relative_error < 2e-6 and found.balance is None
 
 
 def test_loads_stand_still_in_the_crank() -> None:
@@ -69,7 +69,8 @@ def test_far_places_cost_digits_and_the_error_says_so() -> None:
     far = {name: tuple(1e5 + each for each in places) for name, places in PLACES.items()}
     found = crankshaft(**REF | far)
     off = np.abs(found.peak_reaction / near.peak_reaction - 1).max()
-    assert 0 < off < found.accuracy.relative_error < 1e3 * off
+    more = found.accuracy.relative_error - near.accuracy.relative_error
+    assert 0 < off < more < 1e3 * off
 
 
 def test_a_satellite_beside_a_far_bearing() -> None:
@@ -152,7 +153,7 @@ def test_a_bearing_that_holds_nothing() -> None:
         assert (loaded, other) == (pytest.approx(alone.peak_load[0], rel=CONVERGED), 0)
         assert found.equivalent_reaction[1 - held] == 0
         assert (found.basic_life[held] > 0, 1 - held in found.basic_life) == (True, False)
-        assert found.accuracy.relative_error < 1e-13
+        assert found.accuracy.relative_error < 4e-6
         corrections = found.balance.corrections
         assert (corrections[1 - held].unbalance, corrections[1 - held].angle) == (0, 0)
 

@@ -8,7 +8,7 @@ from core.output.pin_beam import PinBeam
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import pin_strength
 from core.output.sampled_turn import SampledTurn
-from core.precision import CONVERGED, EXACT, SAME
+from core.precision import CONVERGED, EXACT, SAME, SEARCHED
 from tests.inputs.real_mechanisms import REFERENCE, UNLIKE, made
 
 EQUAL = 10000 / 3
@@ -24,7 +24,7 @@ def test_beside_a_support_the_deflection_is_known_less(places: tuple[float, floa
         for each in (places, (0.03, 0.04), tuple(sorted((0.03, places[0]))))
     ]
     assert 1e-16 * 3000**3 < errors[0] < 1e-15 * 3000**3
-    assert 1e-14 < errors[1] < 1e-13
+    assert errors[1] == pytest.approx(SEARCHED, rel=SEARCHED)
     assert errors[2] == pytest.approx(errors[1], rel=0.1)
 
 
@@ -121,7 +121,7 @@ def test_of_two_directions_that_are_nearly_alike_the_worse_one(
     stress = 50 * 32 / (np.pi * 0.016**3)
     assert found.max_stress == pytest.approx(stress, rel=EXACT)
     assert found.safety_factor == pytest.approx(2 / (stress / 300e6 + stress / 1000e6), rel=EXACT)
-    assert np.degrees(found.direction) == pytest.approx(degrees[1 - lower], abs=1e-3)
+    assert np.degrees(found.direction) == pytest.approx(degrees[1 - lower], abs=4e-3)
 
 
 @pytest.mark.parametrize(("places", "lower"), [((52.5, 20), 1), ((52, 19.5), 0)])
@@ -157,7 +157,7 @@ def test_a_pin_loaded_in_the_middle_of_two_supports(criterion: str, exponent: fl
     assert found.peak_moment_position == pytest.approx(0.026, abs=1e-7)
     single = pin_strength(**design | {"satellite_positions": (0.015,)}).fatigue
     assert found.fatigue.safety_factor == pytest.approx(
-        single.safety_factor * 0.015 / arm, rel=SAME
+        single.safety_factor * 0.015 / arm, rel=EXACT
     )
     assert found.fatigue.position == pytest.approx(0.026, abs=1e-7)
 

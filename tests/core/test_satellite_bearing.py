@@ -16,7 +16,6 @@ from core.crank.ring_mesh import RingMesh, cycloid_mesh, involute_mesh
 from core.crank.satellite_bearing import bearing_curves, satellite_bearings
 from core.errors import ImpossibleMechanism, InvalidInput, NotKnown
 from core.output.mechanism import Mechanism, pin_geometry
-from core.output.pin_turn import SatelliteTurn
 from core.precision import CONVERGED, EXACT, SAME, SEARCHED
 from tests.inputs.satellites import exponents, mechanisms
 from tests.oracles.satellites import forces
@@ -45,7 +44,9 @@ def test_the_reference_design() -> None:
     rollers = satellite_bearings(**REF | {"kind": "roller"})
     assert f"{rollers.equivalent_load[0]:.3f}" == "12390.851"
     assert found.relative_speed / (math.pi / 30) == pytest.approx(1575, rel=CONVERGED)
-    assert found.accuracy.relative_error < 3e-14 and found.notices == ()
+    assert (
+        found.accuracy.relative_error == pytest.approx(SEARCHED, rel=1e-6) and found.notices == ()
+    )
 
 
 def test_three_pins() -> None:
@@ -131,9 +132,9 @@ def test_the_turn_by_brute_force(mechanism: Mechanism, exponent: float, rho: flo
     load = np.hypot(across, along)
     room = 1e-9 + (1e-3 if exponent >= 1 else 2e-2)
     largest = load.max()
-    assert (load.max(axis=1) <= found.peak_load * (1 + 1e-12)).all()
+    assert (load.max(axis=1) <= found.peak_load * (1 + SEARCHED)).all()
     assert found.peak_load == pytest.approx(load.max(axis=1), rel=room)
-    assert (load.min(axis=1) >= found.min_load - 1e-12 * largest).all()
+    assert (load.min(axis=1) >= found.min_load - SEARCHED * largest).all()
     assert found.min_load == pytest.approx(load.min(axis=1), rel=room, abs=room * largest)
     mean = (load ** (10 / 3)).mean(axis=1) ** 0.3
     assert found.equivalent_load == pytest.approx(mean, rel=1e-3 if exponent < 1 else 1e-5)
@@ -170,35 +171,6 @@ def test_curves_are_the_loads() -> None:
     assert curves.load.min(axis=0) == pytest.approx(found.min_load, rel=1e-3)
     torque = 2e-3 * 20 * curves.across.sum(axis=1)
     assert torque == pytest.approx(500.0, rel=SAME)
-
-
-@given(
-    mechanism=mechanisms.filter(lambda each: each.satellites > 1),
-    exponent=st.sampled_from([1.0, 10 / 9, 1.5, 6.0]),
-    seed=st.integers(0, 2**32 - 1),
-)
-def test_errors_are_those_of_phases_that_are_off(
-    mechanism: Mechanism, exponent: float, seed: int
-) -> None:
-    """Pairs moved at random by a millionth, over and above the error that the phases have."""
-    turn = SatelliteTurn(mechanism, exponent)
-    off = 1e-6
-    pins = 2 * np.pi * np.arange(mechanism.pins) / mechanism.pins
-    phases = np.add.outer(np.array(mechanism.crank_angles), pins)
-    psi = np.linspace(0, 2 * np.pi, 4001) + 1e-3
-    signs = np.random.default_rng(seed).choice((-1, 1), (20, *phases.shape))
-
-    def sums(phases: np.ndarray) -> np.ndarray:
-        cosine = np.maximum(-np.sin(psi + phases[..., None]), 0)
-        powers = cosine**exponent
-        total = (powers * cosine).sum(axis=(0, 1))
-        return np.concatenate(((powers * cosine).sum(axis=1), powers.sum(axis=1))) / total
-
-    before = sums(phases)
-    moved = [np.abs(sums(phases + off * sign) - before).max(axis=1) for sign in signs]
-    stated = turn.errors * (off / turn.off)
-    assert (np.max(moved, axis=0) <= stated * (1 + 1e-3)).all()
-    assert (stated <= 30 * np.max(moved, axis=0) + 30 * off).all()
 
 
 @pytest.mark.parametrize("rho", [0.7, -0.3, 3.0])
