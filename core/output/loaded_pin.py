@@ -34,7 +34,7 @@ class Cycle(NamedTuple):
 class PinLoads:
     """Forces on a pin over a turn."""
 
-    turn: PinSamples
+    turn: PinSamples  # at samples
     pin: int = 1  # from 1
 
     @property

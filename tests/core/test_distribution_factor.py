@@ -16,7 +16,7 @@ from core.design.document import Design
 from core.design.results import Results
 from core.errors import InvalidInput
 from core.output.mechanism import Mechanism
-from core.precision import EXACT, SAME
+from core.precision import EXACT, SAME, SEARCHED
 from tests.inputs.checks import REF, WHOLE, check_of, having
 from tests.inputs.satellites import mechanisms
 from tests.oracles.satellites import forces
@@ -136,7 +136,7 @@ def test_reactions_by_statics_with_vectors(mechanism: Mechanism, part: float, rh
         last = np.cross([0, 0, 1], moment) / 0.1  # (0, 0, L) x R_B + moment = 0
         peak = np.maximum(peak, np.linalg.norm([-force - last, last], axis=2).max(axis=1))
     assert found.peak_reaction == pytest.approx(peak, rel=1e-3)
-    assert (peak <= found.peak_reaction * (1 + 1e-11)).all()
+    assert (peak <= found.peak_reaction * (1 + SEARCHED)).all()
 
 
 def test_a_factor_is_no_share_of_its_own_beside_solved_forces() -> None:
