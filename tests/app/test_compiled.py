@@ -105,7 +105,6 @@ for each in (small, large):
 compiled.PLAIN = {{each: vars(engine)[each] for each in ("small", "large")}}
 compiled.CALLED = ("large",)
 from core.output import compiled as loops
-from core.output import turn_kernel
 loops.SOURCES = ()
 loops.CALLED = ()
 from app import compiled as app
@@ -140,25 +139,18 @@ def files(cache, ending):
     return sorted(cache.rglob(f"*.nb{ending}"))
 
 
-def test_the_cache_is_made_once_and_read_from_then_on(start):
-    assert start() == ([drive.MADE], 0)
+def test_the_cache_is_made_once_and_mended_once_where_it_is_broken(start):
+    made, mended = ([drive.MADE], 0), ([drive.UNUSABLE, drive.MADE], 0)
+    assert start() == made
     assert len(files(start.cache, "i")) == len(files(start.cache, "c")) == 2
-    assert start() == ([], 1)
-
-
-def test_a_cache_of_another_source_is_made_anew(start):
-    start()
-    start.source.write_text("# another one of another length\n")
-    assert start() == ([drive.MADE], 0)
-    assert start() == ([], 1)
-
-
-@pytest.mark.parametrize(("ending", "left"), [("i", 0), ("i", 40), ("c", 40)])
-def test_a_truncated_cache_is_mended(start, ending, left):
-    start()
-    for each in files(start.cache, ending):
+    start.source.write_text("# of another length\n")
+    assert start() == made  # it is that of another source
+    for left, each in zip((40, 0), files(start.cache, "i"), strict=True):
         each.write_bytes(each.read_bytes()[:left])
-    assert start() == ([drive.UNUSABLE, drive.MADE], 0)
+    assert start() == mended
+    for left, each in zip((40, 0), files(start.cache, "c"), strict=True):
+        each.write_bytes(each.read_bytes()[:left])
+    assert start() == mended
     assert start() == ([], 1)
 
 
@@ -166,14 +158,6 @@ def test_where_nothing_can_be_written_it_is_compiled_in_memory(start, tmp_path):
     (tmp_path / "file").touch()
     said, read = start(tmp_path / "file" / "cache")
     assert ({*said}, read) == ({drive.UNUSABLE, drive.MADE}, 0)
-
-
-def test_it_is_read_where_it_cannot_be_written(start):
-    """As in an image, whose files are another user's."""
-    start()
-    for each in (start.cache, *start.cache.iterdir()):
-        each.chmod(0o555)
-    assert start() == ([], 1)
 
 
 BODY = REQUESTS["load-sharing"]
