@@ -277,11 +277,11 @@ def page_circles() -> list[str]:
     return []
 
 
-def print_lines() -> None:
-    """Lines by room, and lengths of core's functions."""
+def print_lines(smallest: bool) -> None:
+    """Lines by room, or of a small one, and lengths of core's functions."""
     print("| lines of | all | code | docstrings | above 100 |\n|---|---|---|---|---|")
     tests = [f"tests/{path.name}" for path in sorted((ROOT / "tests").iterdir()) if path.is_dir()]
-    for room in (*ROOMS, *tests):
+    for room in ["clients"] if smallest else (*ROOMS, *tests):
         if any(files(room)):
             print(weight(room))
     core = lengths("core")
@@ -314,7 +314,7 @@ def print_requests(smallest: bool, start: bool) -> None:
 
 
 def main(smallest: bool = False, start: bool = False) -> None:
-    print_lines()
+    print_lines(smallest)
     print_requests(smallest, start)
     asked, said = optionals()
     width, place = widest_union()
@@ -324,7 +324,9 @@ def main(smallest: bool = False, start: bool = False) -> None:
     print(f"types in the widest union of a result: {width} ({place})")
     print(f"codes of refusals, notices, reasons, checks: {number}, in two tables: {twice}")
     print(f"circles of imports in the page: {page_circles() or 0}")
-    python = [path for room in ("core", "app") for path in files(room)]
+    python = [
+        path for room in (["clients"] if smallest else ["core", "app"]) for path in files(room)
+    ]
     largest = sorted(((len(code_lines(path)), path) for path in python), reverse=True)[:10]
     print("largest files, lines of code:")
     for count, path in largest:

@@ -3,6 +3,7 @@ that oracles import nothing of app and core.
 """
 
 import ast
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -66,3 +67,9 @@ def test_a_file_imports_what_it_may() -> None:
 )
 def test_the_check_sees_what_is_wrong(importer: str, source: str) -> None:
     assert not any(belongs(name, importer) for name in imported(source))
+
+
+def test_processes_of_tests_are_started_by_what_ends_their_groups() -> None:
+    started = re.compile(r"subprocess\.(run|Popen|call|check_\w+)\(|os\.(system|spawn\w+|popen)\(")
+    own = [each for each in FILES if "tests" in each.parts and started.search(each.read_text())]
+    assert [each.name for each in own] == ["children.py"]
