@@ -14,8 +14,7 @@ from typing import Any
 
 from app.compiled import load
 from core.errors import CalculationError
-from core.output.loop_rows import Pieces
-from core.tolerance.study import Block, Mapped
+from core.tolerance.study import Block, Mapped, Pieces
 from core.tolerance.tolerances import Drawn
 
 LOG = logging.getLogger("khv.cluster")

@@ -17,9 +17,11 @@ from dataclasses import dataclass
 from itertools import repeat
 from pathlib import Path
 
+from core.drive.compiled import load
+from core.output.loop_rows import FORCE
+
 from benchmarks.options import options
 from core.errors import ImpossibleMechanism
-from core.output.compiled import load
 from core.output.elasticity import (
     RIGID_SUPPORT,
     CrankSupport,
@@ -31,7 +33,6 @@ from core.output.elasticity import (
     SatelliteSupport,
     Shares,
 )
-from core.output.loop_rows import FORCE
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_mechanism import RealMechanism
@@ -113,7 +114,7 @@ def design(seed: int) -> tuple[RealMechanism, float]:
             hole_tangential=tuple(row(pins) for _ in range(satellites)),
             disc_phase=tuple(each / 0.040 for each in row(satellites)),
         ),
-        exact=not support.first_order and r.random() < 0.5,
+        exact=not support.gives and r.random() < 0.5,
         support=support,
     )
     return real, 10 ** (r.uniform(-3, 1) if hard else r.uniform(1, 2.5))

@@ -16,7 +16,7 @@ import numpy as np
 
 from benchmarks.options import options
 from core.hertz import ElasticMaterial
-from core.output import compiled
+from core.drive import compiled
 from core.output.elasticity import (
     RIGID_PINS,
     HertzLaw,

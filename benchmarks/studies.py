@@ -20,7 +20,7 @@ import numpy as np
 from app.cluster import Lost, on_cluster
 from benchmarks.options import options
 from benchmarks.sharing import study_of
-from core.output import compiled
+from core.drive import compiled
 from core.tolerance.study import Mapped, Study
 from tests.inputs.cluster import Cluster
 

@@ -16,7 +16,7 @@ import numpy as np
 
 from benchmarks.options import options
 from benchmarks.sharing import STEEL, TOLERANCES
-from core.output import compiled
+from core.drive import compiled
 from core.output.elasticity import (
     RIGID_PINS,
     ContactLaw,

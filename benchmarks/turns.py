@@ -15,10 +15,10 @@ import time
 from pathlib import Path
 
 import numpy as np
+from core.drive.compiled import load
 
 from benchmarks.options import options
 from core.errors import ImpossibleMechanism
-from core.output.compiled import load
 from core.output.elasticity import LinearLaw, PowerLaw
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn

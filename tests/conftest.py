@@ -60,7 +60,7 @@ collect_ignore = ["corpus", "inputs", "oracles"]  # no doctests there
 @pytest.fixture(scope="session", autouse=True)
 def compiled_loops() -> None:
     """Turns and pieces are calculated by the compiled loops, as in the service."""
-    from core.output import compiled
+    from core.drive import compiled
 
     compiled.load()
 

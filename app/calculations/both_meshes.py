@@ -128,11 +128,6 @@ class RingInSeriesFields(RealDesignFields):
         """Whether the mesh with the ring is in series."""
         return self.satellite_coupling.kind == "ring"
 
-    @property
-    def known_in_first_order(self) -> bool:
-        """Whether what the satellites give is known in first order only."""
-        return super().known_in_first_order and not self.in_series
-
     @model_validator(mode="after")
     def _ring_in_series(self) -> Self:
         if not self.in_series:
@@ -148,8 +143,6 @@ class RingInSeriesFields(RealDesignFields):
         if ring != satellite + 1:
             more = {"expected": satellite + 1}
             raise field_error("mechanism/ring_teeth", "not_this_cycloid", **more)
-        if self.geometry == "exact" and self.gear.turned:
-            raise field_error("geometry", "flanks_first_order", field="rotation_arcmin")
         return self
 
     @property

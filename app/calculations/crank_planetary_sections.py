@@ -367,7 +367,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     @cached_property
     def results(self) -> Results:
         """What follows from the design."""
-        return Results(self.design, asked=True)
+        return Results(self.design)
 
     def parts(self) -> dict[str, Any]:
         """Without pins where there is no contact: nothing loads them. Both meshes are in series
@@ -615,7 +615,6 @@ def _notices(body: CrankPlanetaryRequest) -> tuple[Notice, ...]:
         found += (Notice("both_meshes"),)
     elif forces := results.forces_in_series:
         found += (Notice("meshes_apart", {"forces": forces, "limit": MOST_IN_SERIES}),)
-    found += results.first_order
     found += notices_of(if_known(lambda: results.disc_of(results.hertz)))
     if "pin_strength" not in body.sections:  # which tells it itself
         found += results.size_notices

@@ -640,12 +640,12 @@ class DesignFields(GivingFields):
     @cached_property
     def results(self) -> Results:
         """What follows from it, each result worked out once; perfect parts share equally."""
-        return Results(self.design, equal=True, asked=True)
+        return Results(self.design, equal=True)
 
     def with_fit(self, result: Result) -> Result:
-        """A result with the notices of how pins and holes fit, and of forces in first order."""
+        """A result with the notices of how pins and holes fit."""
         fit = notices_of(if_known(self.solve_fit))
-        notices = (*fit, *self.results.first_order, *notices_of(result))
+        notices = (*fit, *notices_of(result))
         return cast(Result, replace(cast(Any, result), notices=notices))
 
     def drawn_angles(self) -> tuple[FloatArray, FloatArray]:

@@ -116,7 +116,7 @@ class FitRequest(RequestModel, group="positions"):
         return self.mechanism.mechanism()
 
     def fit(self) -> Fit:
-        """The pins in their holes, in SI units; bearings that give do so in first order."""
+        """The pins in their holes, in SI units."""
         given = self.crank_support
         support = RIGID_SUPPORT if given is None else given.section()
         real = RealMechanism(
@@ -125,7 +125,6 @@ class FitRequest(RequestModel, group="positions"):
             **self.contact.sizes(),
             law=law_by_materials(self.contact),
             deviations=self.deviations.section(),
-            exact=not support.first_order,
             support=support,
         )
         return Fit(real.rooms, real)

@@ -201,9 +201,6 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
                     ring=ring_values(there) if self.in_series else None,
                 )
                 positions.append(at_output(values, self.members))
-        elif real.support.first_order and "over_turn" not in asked:  # what is said of all forces
-            there, _ = self.position(stage, self.crank_angles[0])
-            solved.take(there.accuracy, there.notices)
         if "curves" in asked:
             curves, direction = self.curves(stage, 2 * math.pi, self.samples)
             solved.take(curves.accuracy)

@@ -175,7 +175,6 @@ class RealCyclogramOut(ResponseModel):
     period_deg: float = result("Crank angle after which the same pairs carry again.")
     pairs: list[CarryingPairOut] = result("The pairs, satellite by satellite.")
     loaded_count: list[CountIntervalOut] = result("Numbers of pairs that carry.")
-    end_error_deg: float = result("Estimate of the error of the ends.")
     step_deg: float = result("Step of the search: what is shorter may not be found.")
     accuracy: AccuracyOut
 

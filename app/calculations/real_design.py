@@ -16,7 +16,6 @@ from app.calculations.design import (
 from app.calculations.mechanism import MechanismFields
 from app.calculations.pin_rollers import RollersFields
 from app.model import Maybe, quantity
-from app.rules import field_error
 from app.settings import Settings
 from app.units import to_si
 from core.errors import InvalidInput
@@ -72,24 +71,11 @@ class RealDesignFields(GivingFields, group="contact_law"):
         return self
 
     @property
-    def known_in_first_order(self) -> bool:
-        """Whether what the satellites give is known in first order only."""
-        return bool(self.giving)
-
-    @model_validator(mode="after")
-    def _first_order(self) -> Self:
-        if self.geometry == "exact" and self.known_in_first_order:
-            raise field_error("geometry", "first_order_only", field=self.giving[0])
-        if self.geometry == "exact" and self.tied:
-            raise field_error("geometry", "first_order_only", field="support")
-        return self
-
-    @property
     def times_as_long(self) -> int:
         """How many times as long as of rigid satellites a position takes."""
         if self.tied:
             return TIED_AS_LONG
-        return TIMES_AS_LONG if self.support.first_order else 1
+        return TIMES_AS_LONG if self.support.gives else 1
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse more pairs than a tie ring may join."""

@@ -55,7 +55,7 @@ from core.design.ring import CycloidRing, InvoluteRing
 from core.errors import InvalidInput
 from core.output.elasticity import HertzLaw, SatelliteSupport, Shares
 from core.output.real_curves import stiffness_curve
-from core.ring.drive_turn import DriveTurn
+from core.output.turn import Turn
 from core.ring.involute import InvolutePair, involute_pair
 from core.ring.loss import RingFriction, RingLoss, ring_loss, sliding_part
 from core.ring.profile import CycloidDisc, outline_points
@@ -197,12 +197,6 @@ class RingMeshRequest(RequestModel, group="positions"):
             raise field_error("contact", "needed_beside", field="gear")
         if self.load.application_factor is not None:
             raise field_error("load/application_factor", "of_another_kind", kind=kind)
-        return self
-
-    @model_validator(mode="after")
-    def _flanks(self) -> Self:
-        if self.geometry == "exact" and self.gear.kind == "cycloid" and self.gear.turned:
-            raise field_error("geometry", "flanks_first_order", field="rotation_arcmin")
         return self
 
     def refuse_beyond(self, settings: Settings) -> None:
@@ -435,7 +429,7 @@ class RingMeshRequest(RequestModel, group="positions"):
 
     def solve_for_drawing(self) -> ShownMesh:
         """All that the figure shows."""
-        turn = MeshTurn(DriveTurn(self.mesh, self.torque))
+        turn = MeshTurn(Turn(self.mesh, self.torque))
         return ShownMesh.at_angle(turn, self.angles[0])
 
 

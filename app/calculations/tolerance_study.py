@@ -46,11 +46,8 @@ from app.units import core_name, from_si, to_si
 from app.worked import stated
 from core.arrays import FloatArray
 from core.errors import Accuracy, InvalidInput, Notice
-from core.output.loaded_position import in_first_order
-from core.output.over_turn import OverTurn
 from core.output.real_mechanism import RealMechanism
 from core.output.room import Deviations
-from core.output.turn import Turn
 from core.ring.series_study import FINER, SeriesStudy
 from core.tolerance.contributions import MOST_FIT, contributions
 from core.tolerance.quantiles import Estimate, refuse_few
@@ -372,7 +369,7 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
             means = {name: each.get("mean") for name, each in quantities.items()}
             counts = {name: values[name] for name in ("samples", "fits", "cannot_work")}
             values["worked"] = stated("tolerance_study", means | counts, "simulated")
-        notices = (*self._few(found), *self._off())
+        notices = self._few(found)
         if self._lost:
             notices += (Notice("cluster_lost"),)
         if notices:
@@ -421,14 +418,6 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
             return (Notice("no_piece_fits"),)
         given = min(len(self._percentiles(name, found)) for name in self.names)
         return (Notice("too_few_fit", {"fits": fits}),) if given < asked else ()
-
-    def _off(self) -> tuple[Notice, ...]:
-        """How far first order is off of the drive without deviations."""
-        real = self.made(Deviations())
-        if not real.support.first_order:
-            return ()
-        error = OverTurn(Turn(real, self.torque)).geometry_error
-        return in_first_order(real=real, error=error)
 
     def seen(self, name: str, value: Any) -> Any:
         """A quantity of the output, in its unit, of what the satellites do against the pins."""

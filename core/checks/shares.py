@@ -5,6 +5,8 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Literal
 
+import numpy as np
+
 from core.checks.check import Check, Verdict
 from core.checks.crank_planetary import crank_check
 from core.design.document import changed
@@ -120,15 +122,18 @@ def _by_forces(results: Results) -> Sharing | None:
         return None
     forces, torque = results.real_forces, design.pin_torque
     turn = results.made(forces.way * torque)
+    given = isinstance(design.support, Shares)
     means = turn.mean(turn.couple)
     wave = design.built.wave_angle(forces.turn.peak_crank_angle)
     there = turn.at(wave=wave, values=turn.couple)
     shares, at_peak = means / means.sum(), there / there.sum()
+    if given:
+        shares = at_peak = np.array(design.support.given_shares)
     discs = tuple(
         DiscShare(j + 1, torque * share, share, peak)
         for j, (share, peak) in enumerate(zip(shares.tolist(), at_peak.tolist(), strict=True))
     )
-    if isinstance(design.support, Shares):
+    if given:
         return "given", "given", discs
     return "real", _reason(results, shares.tolist()), discs
 
@@ -169,7 +174,7 @@ def _reason(results: Results, shares: list[float]) -> ShareReason:
         return "pin_bending"
     if results.in_series:
         return "ring_mesh"
-    return "crank_support" if design.support.first_order else "clearance"
+    return "crank_support" if design.support.gives else "clearance"
 
 
 def _governed(results: Results, found: Verdict) -> tuple[Governed, ...]:

@@ -20,7 +20,7 @@ from core.design.ring import RingClass
 from core.errors import UNKNOWN, ImpossibleMechanism
 from core.output.room import Deviations
 from core.output.sampled_turn import WAYS
-from core.ring.drive_turn import DriveTurn
+from core.output.turn import Turn
 from core.ring.profile import Modification
 from core.ring.sharing import CycloidMesh
 from core.tolerance.draws import KINDS, uniforms, zone_places
@@ -145,7 +145,7 @@ class _Piece:
 def _looked_at(mesh: CycloidMesh, torques: list[float]) -> _Piece:
     """A piece under torques, N*m."""
     places = np.linspace(0.0, 2 * np.pi, POSITIONS, endpoint=False).tolist()
-    rows = [DriveTurn(mesh, torque).poses(places) for torque in torques]
+    rows = [Turn(mesh, torque).poses(places) for torque in torques]
     play = rows[0]["high"] - rows[0]["low"]
     pressure = mesh.pressure(max(float(each["pressure"].max()) for each in rows))
     return _Piece(

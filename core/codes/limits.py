@@ -165,15 +165,6 @@ OF_RESULTS = {
         why="Below and above, the sensitivity to the notch is that of the nearest end of the fit.",
         mend="Give the fatigue notch factor itself.",
     ),
-    "pin_bending_uncoupled": limit(
-        "A pin is loaded by several satellites at once: how each bends it for the others is left "
-        "out, 1 to 2 % of the largest force.",
-        title="Pin bent by several satellites",
-        tests="Whether each loaded pin is loaded by one satellite only.",
-        why="How the force of one satellite bends the pin for the others is left out: 1 to 2 % of "
-        "the largest force.",
-        mend="Keep the difference in mind, or stiffen the pins.",
-    ),
     "seat_rigid": limit(
         "The seats of the ring's pins are taken as rigid: what they give makes the mesh softer.",
         title="Rigid seats of the ring's pins",
@@ -205,14 +196,13 @@ OF_RESULTS = {
         why="The eccentricity is larger than that at which teeth fill their spaces.",
         mend="Make the eccentricity smaller, or the profile shift of the ring larger.",
     ),
-    "first_order_geometry": limit(
-        "What the satellites' bearings or mesh give is solved in first order: of rigid satellites "
-        "its forces differ from those of exact geometry by {percent:.2g} % of the largest.",
-        title="First order beside what gives",
-        tests="Whether forces are solved in exact geometry.",
-        why="First order leaves out how lines of action turn as the parts give.",
-        mend="Read the stated relative error with the forces; without crank support, stiffness of "
-        "a mesh and given shares they are exact.",
+    "flanks_turned": limit(
+        "The flanks of the lobes are turned against each other, which adds to the gaps where pins "
+        "press; tips and roots are left out.",
+        title="Flanks that are turned",
+        tests="Whether the whole outline of the lobes is known.",
+        why="A turned flank says nothing of the tips and roots between two flanks.",
+        mend="Use equidistant and pin circle offsets, whose outline is known.",
     ),
     "both_meshes": limit(
         "The mesh with the ring and that with the pins are in series: each disc finds its place "

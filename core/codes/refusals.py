@@ -10,10 +10,6 @@ INVALID = {
     "drawn_cup": "must be those of a roller, or with an outer diameter: a drawn cup or a cage of "
     "needles has no ring that could roll by itself",
     "finite_number": "must be a finite number",
-    "first_order_only": "must be of first order beside {field}: what satellites give is not known "
-    "in exact geometry",
-    "flanks_first_order": "must be of first order beside {field}: flanks that are turned against "
-    "each other say nothing of tips and roots",
     "flanks_not_drawn": "must be 0: flanks that are turned against each other say nothing of tips "
     "and roots, so that there is no outline to draw",
     "greater_than": "must be greater than {limit:.15g}",

@@ -135,8 +135,8 @@ class Design:
     deviations : Deviations or None
         Of this piece, where they are stated.
     crank_support, satellite_coupling : SatelliteSupport
-        What the satellites give, where that is stated, in one way: the geometry is of first order
-        then. Or that both meshes are in series.
+        What the satellites give, where that is stated, in one way. Or that both meshes are in
+        series.
 
     Raises
     ------
@@ -168,7 +168,7 @@ class Design:
     def __post_init__(self) -> None:
         self._check_peak()
         self._check_distribution()
-        if self.tied and self.support.first_order:
+        if self.tied and self.support.gives:
             raise InvalidInput("pin.support", self.pin.support, "only_one", field="support")
         self._check_places()
         self._check_rollers()
@@ -281,7 +281,7 @@ class Design:
     def support(self) -> SatelliteSupport:
         """What the satellites give by themselves."""
         held = self.crank_support
-        return held if held.first_order else self.satellite_coupling
+        return held if held.gives else self.satellite_coupling
 
     @property
     def in_series(self) -> bool:
@@ -307,7 +307,7 @@ class Design:
 
     @property
     def tied(self) -> bool:
-        """Whether a tie ring joins the pins: the geometry is of first order then."""
+        """Whether a tie ring joins the pins."""
         return bool(self.pin) and self.pin.support == "tie_ring"
 
     @property
@@ -323,7 +323,7 @@ class Design:
         clearance = self.play
         if self.touching and not self.clearance_unknown:
             clearance += self.roller_play
-        given = clearance > 0 or self.support.first_order
+        given = clearance > 0 or self.support.gives
         return given or bool(self.contact_law or self.output_deviations) or self.in_series
 
     @property

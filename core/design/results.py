@@ -24,7 +24,7 @@ from core.output.contact_force import ContactForce, contact_force
 from core.output.edge_load import EdgeLoad, SlopingContacts
 from core.output.elasticity import RIGID_PINS, ContactLaw, Shares, contact_compliance, usual_law
 from core.output.fit import FITS, Fit
-from core.output.loaded_position import in_first_order, loaded_position
+from core.output.loaded_position import loaded_position
 from core.output.mechanism import MemberLoads
 from core.output.over_turn import OverTurn
 from core.output.pin_bolt import Grip, grip
@@ -80,13 +80,10 @@ class Results:
     equal : bool
         Whether satellites share the load equally, as in the papers, where nothing but the bending
         of their pins makes them share otherwise.
-    asked : bool
-        Whether it is the very design that is asked, under its torque: then errors have by how much
-        first order is off, which is solved for besides.
     """
 
-    def __init__(self, design: Design, *, equal: bool = False, asked: bool = False) -> None:
-        self.design, self.asked = design, asked
+    def __init__(self, design: Design, *, equal: bool = False) -> None:
+        self.design = design
         self.shared_equally = equal
         self.solved = design.as_made or (design.bends and not equal)
         """Whether the forces that are judged are solved over the turn: those of the mechanism as it
@@ -206,7 +203,7 @@ class Results:
         """Pins in their holes by geometry, of at most `MOST_REAL_PAIRS`, or `MOST_GIVING_PAIRS`."""
         design = self.design
         radius, pair = design.load.pin_circle_radius, design.pair
-        most = MOST_GIVING_PAIRS if design.support.first_order else MOST_REAL_PAIRS
+        most = MOST_GIVING_PAIRS if design.support.gives else MOST_REAL_PAIRS
         if design.pairs > most:
             raise design.too_many(most)
         eccentricity = design.contact.eccentricity
@@ -247,17 +244,9 @@ class Results:
             hole_material=design.known_material("hole"),
             pin=pin,
             deviations=rooms.deviations,
-            exact=not design.support.first_order
-            and not (bends and design.tied)
-            and not self._by_flanks,
             support=design.support,
             roller_play=rooms.roller_play,
         )
-
-    @property
-    def _by_flanks(self) -> bool:
-        """Whether flanks of discs in series are turned, which is known in first order only."""
-        return self.in_series and self.design.cycloid.changed.rotation > 0
 
     @cached_property
     def law(self) -> ContactLaw:
@@ -364,17 +353,7 @@ class Results:
     def _over(self, turn: Turn) -> OverTurn:
         if isinstance(turn, SeriesTurn):
             return SeriesOverTurn(turn)
-        return OverTurn(turn, lambda: self.geometry_error)
-
-    @derived
-    def geometry_error(self) -> float:
-        """By how much first order is off the forces under the torque, where satellites give; 0 of
-        what is looked at besides the design that is asked.
-        """
-        if not self.asked:
-            return 0.0
-        way = WAYS[self.design.load.torque_direction][0]
-        return OverTurn(self.turn(way * self.design.pin_torque)).geometry_error
+        return OverTurn(turn)
 
     def forces_at(self, crank_angle: float) -> tuple[tuple[float, ...], ...]:
         """Forces on the pins that are solved, N, K x N, at a crank angle, rad, under the torque in
@@ -527,15 +506,6 @@ class Results:
             peak_equivalent_stress=found.peak_equivalent_stress + self.grip.squeeze,
             static_stress=found.static_stress + self.grip.squeeze,
         )
-
-    @property
-    def first_order(self) -> tuple[Notice, ...]:
-        """How far forces are off that are solved in first order, as satellites give."""
-        if not (self.solved and self.design.support.first_order):
-            return ()
-        if not is_known(lambda: self.loading):
-            return ()
-        return in_first_order(real=self.real, error=self.geometry_error)
 
     @property
     def size_notices(self) -> tuple[Notice, ...]:

@@ -73,11 +73,10 @@ class RingResults:
     @derived
     def mesh(self) -> CycloidMesh:
         """Cycloid discs on the pins of their ring as they are made, where their modification is
-        known: in exact geometry where flanks are not turned. All discs have one lag,
-        or given shares of the torque.
+        known. All discs have one lag, or given shares of the torque.
         """
         design, gear = self.design, self.design.cycloid
-        change = required(gear.modification, "modification_unknown", "gear.modification")
+        required(gear.modification, "modification_unknown", "gear.modification")
         if (difference := gear.teeth_difference or 1) > 1:
             raise NotKnown("cycloid_difference", difference=difference)
         if gear.every_second_pin:
@@ -99,7 +98,6 @@ class RingResults:
                 disc_material=material,
                 law=gear.law,
                 deviations=design.ring_deviations,
-                exact=change.rotation == 0,
                 support=shares,
             )
         )

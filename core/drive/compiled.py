@@ -20,13 +20,16 @@ PLAIN = {
 }
 """Its functions as they are."""
 
-CALLED = "positions", "narrow", "unloaded", "gaps", "goes_together"
+CALLED = "positions", "narrow", "unloaded", "gaps", "goes_together", "pieces", "fit_of"
 """Functions that are called from outside of it."""
 
-INLINED = "touch", "pin", "lobe", "slopes", "press", "turned", "moved", "law", "disc_at", "bent"
+INLINED = {
+    *("touch", "pin", "lobe", "slopes", "press", "turned", "moved", "law", "disc_at", "bent"),
+    *("turn_to", "window", "torque_at", "law_alone", "lay"),
+}
 """Functions that are called at each contact."""
 
-MADE = "compiling, once an installation: a minute or two"
+MADE = "compiling, once an installation: half a minute or more"
 
 UNUSABLE = "the cache of what is compiled is broken, or cannot be read or written"
 
@@ -73,10 +76,7 @@ def _cache_of(say: Say) -> Any:
         @staticmethod
         def from_function(function: types.FunctionType, file: str) -> Any:
             beside = caching.InTreeCacheLocator, caching.UserProvidedCacheLocator
-            own = beside[bool(config.CACHE_DIR)](function, file)
-            read = [os.stat(each) for each in function.__globals__.get("SOURCES", (file,))]
-            own.get_source_stamp = lambda: [(each.st_mtime, each.st_size) for each in read]
-            return own
+            return beside[bool(config.CACHE_DIR)](function, file)
 
     class Results(caching.CompileResultCacheImpl):  # type: ignore[misc]
         _locator_classes = (Place,)

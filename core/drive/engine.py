@@ -130,13 +130,17 @@ that; ALONG forces of the ring on a disc along its crank, to the axis; INTERFERE
 possible worst approach without load."""
 
 SOLVED, NOT_SOLVED, NO_DRIVE, NOT_STABLE, TOO_WIDE, TOO_FAR = range(6)
-"""Status of a position, as `core.output.loop_rows` numbers them."""
+"""Status of a position."""
 
 FITS, BINDS, NOWHERE = 2, 1, 0
 """A piece goes together everywhere, somewhere, nowhere."""
 
 CLASS = 1e-11
 """Unbalance after the last step but one, over the largest force: the last one leaves its square."""
+
+STILL = 4 * 2.0**-52
+"""Step over the displacements that is rounding: under a torque of next to nothing no step is less.
+"""
 
 REACH = 5e-6
 """First step at most, m; later ones grow to `FURTHEST` of it."""
@@ -145,10 +149,11 @@ FURTHEST = 50.0
 STEPS_MOST = 400
 
 HERTZ_END = 1.2
-"""Where the logarithm of the Hertz law ends, see `core.output.loop_rows.HERTZ_END`."""
+"""Where the logarithm of the Hertz law ends, in ``approach/(b*force)``: its stiffness would grow
+beyond bounds at 1. It goes on as a straight line; what lies there is refused afterwards."""
 
 WRAP_BEND = 0.4
-"""Constant of the width of contacts that wrap, see `core.output.loop_rows.BEND`."""
+"""Constant of the width of contacts that wrap, see `core.output.conformal_law.BEND`."""
 
 EPS = 2.0**-52
 TINY = 1e-100
@@ -213,6 +218,7 @@ class Work(NamedTuple):
     side: Row  # [6] across the normal
     hgg: Table
     hbb: Block
+    low: Block  # its factor
     hbg: Block
     rg: Row
     rb: Table
@@ -221,6 +227,7 @@ class Work(NamedTuple):
     p: Table
     pb: Table
     kept: Row  # displacements that are looked at again
+    bends: Table  # and of pins
     sides: Table  # and those under a torque in either direction
     play: Table  # [bodies, 2] of each disc in its ring
     wrench: Table  # [G, 3] on the disc along its crank, across it, and about its centre
@@ -228,8 +235,8 @@ class Work(NamedTuple):
 
 def over_width(x: float, table: Row) -> tuple[float, float]:
     """``Delta/dR`` of a contact that wraps over its load x, and its derivative by it; see
-    `core.output.loop_rows.Curve`. The table: modulus, widest, number n of powers, these; modulus,
-    load since which it governs, widest and powers of the largest pressure.
+    `core.output.conformal_law.Curve`. The table: modulus, widest, number n of powers, these;
+    modulus, load since which it governs, widest and powers of the largest pressure.
     """
     width, widest = math.sqrt(x / (1 + WRAP_BEND * x)), table[1]
     beyond = width >= widest
@@ -665,7 +672,7 @@ def reduced(damp: float, drive: Drive, work: Work) -> bool:
     """Factor of the bodies' equations with each pin's block eliminated first, ``p`` their right
     side; whether all is convex.
     """
-    hbb, hbg, sol, red, p = work.hbb, work.hbg, work.sol, work.red, work.p
+    low, hbg, sol, red, p = work.low, work.hbg, work.sol, work.red, work.p
     ng, blocks, nb = len(work.rg), work.rb.shape[0], work.rb.shape[1]
     for i in range(ng):
         for k in range(ng):
@@ -673,14 +680,17 @@ def reduced(damp: float, drive: Drive, work: Work) -> bool:
         red[i, i] += damp * drive.weight[i]
         p[i, 0] = -work.rg[i]
     for m in range(blocks):
-        if not factor(hbb[m], nb):
+        for i in range(nb):
+            for k in range(nb):
+                low[m, i, k] = work.hbb[m, i, k]
+        if not factor(low[m], nb):
             return False
         for i in range(nb):
             for k in range(ng):
                 sol[m, i, k] = hbg[m, i, k]
             sol[m, i, ng] = -work.rb[m, i]
         for k in range(ng + 1):
-            back(hbb[m], sol[m], nb, k)
+            back(low[m], sol[m], nb, k)
         for i in range(ng):
             for n in range(nb):
                 for k in range(ng):
@@ -770,6 +780,14 @@ def length_of(drive: Drive, work: Work) -> float:
     return step
 
 
+def far_off(drive: Drive, work: Work) -> float:
+    """Largest of the displacements, m."""
+    far = 0.0
+    for i in range(len(work.q)):
+        far = max(far, abs(work.q[i]) * math.sqrt(drive.weight[i]))
+    return far
+
+
 def held(drive: Drive, work: Work) -> None:
     """Hold discs without force where they are."""
     for i in range(len(work.q)):
@@ -816,7 +834,8 @@ def solve(torque: float, drive: Drive, work: Work) -> int:
                 return -count
             continue
         slope, step = along_step(work), length_of(drive, work)
-        if step < REACH and left_over(damp, step, drive, work) <= CLASS:
+        near = step < REACH and left_over(damp, step, drive, work) <= CLASS
+        if near or (damp == 0 and step <= STILL * far_off(drive, work)):
             last_step(torque, drive, work)
             return count
         damp = damp * 0.01 if damp > 1e-2 else 0.0
@@ -1118,23 +1137,25 @@ def rest(kind: int, slot: int, body: int, drive: Drive, work: Work) -> float:
     return lag
 
 
-def drives(g: int, way: float, drive: Drive, w: Table) -> bool:
-    """True where a contact of a group can carry a torque in a direction."""
+def drives(g: int, way: float, drive: Drive, work: Work) -> bool:
+    """True where a contact of a group can carry a torque in a direction, where it is."""
+    w, exact = work.w, drive.gi[g, EXACT] != 0
     for i in range(drive.gi[g, START], drive.gi[g, STOP]):
-        if way * w[i, LEVER] > NO_LEVER * drive.gf[g, CIRCLE]:
+        lever = w[i, LEVER]
+        if exact:
+            touch(i, g, work.q, work.b, drive, w)
+            lever = w[i, NX] * w[i, AY] - w[i, NY] * w[i, AX]
+        if way * lever > NO_LEVER * drive.gf[g, CIRCLE]:
             return True
     return False
 
 
-def placed(way: float, drive: Drive, work: Work, row: Row) -> None:
-    """Play of a position, of each disc in its ring and of the output, and whether a torque can be
-    carried; the displacements are left where the first contact of each stage touches.
+def ring_plays(way: float, drive: Drive, work: Work) -> tuple[bool, bool]:
+    """Play of each disc in its ring, which is left where its pins first touch; whether pins press
+    without load, and whether a torque can be carried.
     """
-    gi, q, play = drive.gi, work.q, work.play
-    low, high, last, pressed, carries = -math.inf, math.inf, -1, False, True
+    gi, q, play, last, pressed, carries = drive.gi, work.q, work.play, -1, False, True
     series = gi[0, KIND] == PIN
-    if not series:
-        low = high = 0.0
     for g in range(len(gi)):
         body = gi[g, OWN]
         if gi[g, KIND] != LOBE or body == last:
@@ -1148,30 +1169,73 @@ def placed(way: float, drive: Drive, work: Work, row: Row) -> None:
                 least = most = q[body] = rest(LOBE, body, body, drive, work)
         carries = carries and abs(q[body]) < math.inf
         play[body, 0], play[body, 1] = least, most
-        if not series:
-            low, high = low + drive.share[body] * least, high + drive.share[body] * most
-    for g in range(len(gi)):
-        if not series or gi[g, KIND] != PIN:
-            continue
-        body = gi[g, OWN]
-        carries = carries and drives(g, way, drive, work.w)
-        for end in range(2):
-            q[body] = play[body, end]
-            least, most = slack(g, drive, work)
-            if least > most + LEAST_PLAY:
-                pressed = True
-                least = most = rest(PIN, gi[g, TURN], body, drive, work)
-            if end == 0:
-                low = max(low, least)
-            else:
-                high = min(high, most)
-        q[body] = play[body, 1 if way > 0 else 0]
-    if series:
-        q[0] = high if way > 0 else low
-        carries = carries and abs(q[0]) < math.inf
+    return pressed, carries
+
+
+def pin_play(g: int, drive: Drive, work: Work) -> tuple[float, float, bool]:
+    """Least and largest lag of the output at which no pin of a disc touches, at either end of the
+    disc's own play; whether pins press without load.
+    """
+    gi, q, play, pressed = drive.gi, work.q, work.play, False
+    body, low, high = gi[g, OWN], 0.0, 0.0
+    if body < 0 or drive.kgg[body, body] > 0:  # held where it is
+        low, high = slack(g, drive, work)
+        return low, high, low > high + LEAST_PLAY
+    kept = q[body]
+    for end in range(2):
+        q[body] = play[body, end]
+        least, most = slack(g, drive, work)
+        if least > most + LEAST_PLAY:
+            pressed = True
+            least = most = rest(PIN, gi[g, TURN], body, drive, work)
+        if end == 0:
+            low = least
+        else:
+            high = most
+    q[body] = kept
+    return low, high, pressed
+
+
+def first_lag(way: float, low: float, high: float) -> float:
+    """End of a play that a torque closes; between both where pins press without load."""
     if low > high + LEAST_PLAY:
-        pressed = True
-    if pressed and not series and len(q) > 1:  # of discs that turn for themselves
+        return (low + high) / 2 if abs(low) < 1 and abs(high) < 1 else 0.0
+    return high if way > 0 else low
+
+
+def placed(way: float, drive: Drive, work: Work, row: Row) -> None:
+    """Play of a position, of each disc in its ring and of the output, and whether a torque can be
+    carried; the displacements are left where the first contact of each stage touches.
+    """
+    gi, q, play = drive.gi, work.q, work.play
+    for i in range(len(q)):
+        q[i] = 0.0
+    pressed, carries = ring_plays(way, drive, work)
+    mean = gi[0, KIND] == LOBE or drive.share[0] < 1  # of discs that turn for themselves
+    low, high = (0.0, 0.0) if mean else (-math.inf, math.inf)
+    if gi[0, KIND] == LOBE:
+        for i in range(len(q)):
+            low, high = low + drive.share[i] * play[i, 0], high + drive.share[i] * play[i, 1]
+    driven = gi[0, KIND] == LOBE
+    for g in range(len(gi)):
+        turn = gi[g, TURN]
+        if gi[g, KIND] != PIN or turn < 0:
+            continue
+        least, most, presses = pin_play(g, drive, work)
+        pressed = pressed or presses
+        if mean:
+            q[turn] = first_lag(way, least, most)
+            carries = carries and drives(g, way, drive, work)
+            low, high = low + drive.share[turn] * least, high + drive.share[turn] * most
+        else:
+            low, high = max(low, least), min(high, most)
+            q[0] = first_lag(way, low, high)
+    for g in range(len(gi)):
+        driven = driven or (gi[g, TURN] >= 0 and drives(g, way, drive, work))
+    for i in range(len(q)):
+        carries = carries and driven and abs(q[i]) < math.inf
+    pressed = pressed or low > high + LEAST_PLAY
+    if pressed and mean and len(q) > 1:
         low, high = math.inf, -math.inf
     if way < 0:
         low, high = -high, -low
@@ -1294,25 +1358,35 @@ def turning_lobe(i: int, g: int, drive: Drive, work: Work) -> float:
 def on_crank(torque: float, drive: Drive, work: Work) -> float:
     """Torque that turns the crank without friction, after `wrenches`: the torque's part, and of
     each force times the derivative of its approach by the crank angle; in exact geometry all forces
-    across cranks times the eccentricities.
+    on discs times the arms of these. Where no ring is in the drive what turns each disc is a pure
+    torque, of which a part acts on the crank.
     """
     gi, gf, w, total = drive.gi, drive.gf, work.w, 0.0
-    if gi[0, EXACT] != 0:
-        for g in range(len(gi)):
-            total += gf[g, ECC] * work.wrench[g, 1]
-        return total
+    exact, ratio = gi[0, EXACT] != 0, gf[0, RATIO]
+    series = gi[0, KIND] == PIN and gi[len(gi) - 1, KIND] != PIN
     for g in range(len(gi)):
+        pins = gi[g, KIND] == PIN
+        if pins and gi[g, TURN] < 0:  # a bearing on the crank itself
+            continue
+        _, along, across = disc_at(g, work.q, drive)
+        if exact:
+            turns = work.wrench[g, 1] * (gf[g, ECC] + along) + work.wrench[g, 0] * across
+            total += turns * (1.0 if series or not pins else 1 + 1 / ratio)
+            continue
         for i in range(gi[g, START], gi[g, STOP]):
             if w[i, FORCE] <= 0:
                 continue
-            if gi[g, KIND] == PIN:
+            if pins:
                 ca, sa = w[i, CA], -w[i, SA]
                 lag = moved(gi[g, TURN], work.q) - moved(gi[g, OWN], work.q) - gf[g, LATE]
-                sx, sy = drive.cf[i, EX], drive.cf[i, EY] - lag * gf[g, CIRCLE]
-                total += gf[g, RATE] * w[i, FORCE] * (ca * sy - sa * sx)
+                bx, by = bent(i, work.b, drive)
+                sx, sy = drive.cf[i, EX] + bx, drive.cf[i, EY] + by - lag * gf[g, CIRCLE]
+                total += (1 + 1 / ratio) * w[i, FORCE] * (ca * sy - sa * sx)
             else:
                 total += w[i, FORCE] * turning_lobe(i, g, drive, work)
-    return float(total + torque / drive.gf[0, RATIO])
+    if exact and (series or gi[0, KIND] != PIN):
+        return total
+    return float(total + torque / ratio)
 
 
 def pressing(g: int, i: int, drive: Drive, w: Table) -> float:
@@ -1379,7 +1453,9 @@ def loose_discs(play: bool, drive: Drive, work: Work) -> None:
         top = max(top, w[i, FORCE])
     for g in range(len(gi)):
         body = gi[g, OWN]
-        if gi[g, KIND] == PIN and body >= 0 and without_force(body, top, drive, work):
+        if gi[g, KIND] != PIN or body < 0 or drive.kgg[body, body] > 0:
+            continue
+        if without_force(body, top, drive, work):
             if not play:
                 work.play[body, 0], work.play[body, 1] = ring_play(body, drive, work)
             work.q[body] = middle(g, drive, work)
@@ -1398,6 +1474,13 @@ def take_side(sides: Table, side: int, q: Row, kept: bool) -> None:
             sides[side, i] = q[i]
         else:
             q[i] = sides[side, i]
+
+
+def take_bends(given: Table, into: Table) -> None:
+    """Copy how pins are bent."""
+    for m in range(given.shape[0]):
+        for i in range(given.shape[1]):
+            into[m, i] = given[m, i]
 
 
 def straighten(work: Work) -> None:
@@ -1421,11 +1504,12 @@ def position(
     for _ in range(2):
         if play or not warm:
             take(q, kept)
+            take_bends(work.b, work.bends)
+            straighten(work)
             placed(way, drive, work, row)
             if warm:
                 take(kept, q)
-            else:
-                straighten(work)
+                take_bends(work.bends, work.b)
             if row[STATUS] != SOLVED:
                 return NO_DRIVE
         count = solve(torque, drive, work)
@@ -1485,6 +1569,7 @@ def unloaded(
     places: Row, way: float, least: bool, drive: Drive, work: Work, rows: Table, plays: Block
 ) -> None:
     """Play at crank angles; and, of a ring alone, the smallest possible worst approach there."""
+    straighten(work)
     for m in range(len(places)):
         place(places[m], drive, work)
         placed(way, drive, work, rows[m])
@@ -1545,10 +1630,15 @@ def narrow(
                 low, a, at_a = a, b, at_b
                 b = low + GOLDEN * (high - low)
         there, found = a if left else b, 0.0
-        for side in range(2 if kind == LOST else 1):
+        if play:
+            place(there, drive, work)
+            straighten(work)
+            placed(math.copysign(1.0, torque), drive, work, row)
+            found = row[kind]
+        for side in range(0 if play else (2 if kind == LOST else 1)):
             asked = torque if kind != LOST else share * torque * (1.0 - 2.0 * side)
             take_side(work.sides, side, work.q, False)
-            if position(there, asked, looks > 0, play, drive, work, row) != SOLVED:
+            if position(there, asked, looks > 0, False, drive, work, row) != SOLVED:
                 return there, 0.0, 0.0, 0
             take_side(work.sides, side, work.q, True)
             found += row[LAG] if kind == LOST else row[kind]
@@ -1574,6 +1664,20 @@ def free_there(drive: Drive, work: Work) -> bool:
     return True
 
 
+def between(drive: Drive, work: Work, row: Row) -> None:
+    """Put output and discs between the ends of their plays, as `placed` left them."""
+    gi, q = drive.gi, work.q
+    q[0] = (row[LOW] + row[HIGH]) / 2
+    for g in range(len(gi)):
+        if gi[g, KIND] != PIN or gi[g, TURN] < 0:
+            continue
+        if drive.share[gi[g, TURN]] < 1:  # each turns for itself
+            low, high = slack(g, drive, work)
+            q[gi[g, TURN]] = (low + high) / 2
+        elif gi[g, OWN] >= 0 and drive.kgg[gi[g, OWN], gi[g, OWN]] == 0:
+            q[gi[g, OWN]] = middle(g, drive, work)
+
+
 def goes_together(places: Row, drive: Drive, work: Work, row: Row) -> int:
     """FITS where a piece goes together without load at all places, BINDS at some, NOWHERE at none.
     A lag that was free at one place mostly is at the next one.
@@ -1591,10 +1695,463 @@ def goes_together(places: Row, drive: Drive, work: Work, row: Row) -> int:
             blocked = True
         else:
             free = True
-            work.q[0] = (row[LOW] + row[HIGH]) / 2
-            for g in range(len(drive.gi)):
-                if drive.gi[g, KIND] == PIN:
-                    work.q[drive.gi[g, OWN]] = middle(g, drive, work)
+            between(drive, work, row)
         if free and blocked:
             return BINDS
     return FITS if free else NOWHERE
+
+
+# Pieces of a study whose discs are rigid, held by their cranks, in exact geometry, with one lag of
+# the output: a scalar loop for the case that nearly all studies are of. With P a pin's centre, eps
+# what it lies off its hole's, w the crank's direction times ``-2*e`` and the room C between both
+# centres in contact, ``|d|^2 - C^2 = q + (cos(lag) - 1)*u + sin(lag)*v``; q, u, v are linear in w.
+
+RX, RY, OX, OY, K0, K1, K2, ROOM, SIZE, Q, U, V, PUSH, ARM, HARD = range(15)
+"""Floats of a pair: pin, what it lies off, constants of q, u and v, the room between the centres,
+the size of the terms of q; q, u, v of a position; force, lever, stiffness of the contact."""
+
+PEAK, PRESSURE, TRANSMISSION, BACKLASH, MOTION, SOFTEST = range(6)
+"""Quantities of a piece; the pressure as by `pressing`."""
+
+FIT_POSITIONS = 720
+"""Positions of the turn at which is looked whether a piece goes together. Its least room is a
+smooth minimum, which they miss by no more than 1e-5 of the eccentricity."""
+
+NEARLY = 1e-8
+"""Last step of Newton, over the lag, that is taken along the tangents: its square is left."""
+
+JUST = 1e-9
+"""Part of the eccentricity by which parts that just fit may press: their sizes are rounded."""
+
+SURE = 1e-9
+"""Part that bounds of the play are wider than their terms, for rounding: a thousand times that."""
+
+NEAR = 1e-3
+"""Lever over its largest, below which a pair is near its dead angle and bounds no play."""
+
+ALONE = 20
+"""Steps of Newton after which the stretch is halved too."""
+
+
+def lay(gf: Table, cf: Table, w: Table) -> None:
+    """Constants of the pairs of a piece; a crank that is ahead turns its disc."""
+    discs = len(gf)
+    pins = len(w) // discs
+    for j in range(discs):
+        e, late = gf[j, ECC], gf[j, LATE]
+        half = math.sin(late / 2)
+        turn_x, turn_y = -2 * half * half, -math.sin(late)  # exp(-i*late) - 1
+        for i in range(j * pins, (j + 1) * pins):
+            c, s, gap = cf[i, CB], cf[i, SB], cf[i, GAP]
+            px, py = cf[i, PX], cf[i, PY]
+            hx, hy = px - cf[i, EX], py - cf[i, EY]
+            ex = cf[i, EX] - (turn_x * hx - turn_y * hy)
+            ey = cf[i, EY] - (turn_x * hy + turn_y * hx)
+            x, y = px * c - py * s, px * s + py * c
+            ox, oy = ex * c - ey * s, ex * s + ey * c
+            w[i, RX], w[i, RY], w[i, OX], w[i, OY] = x, y, ox, oy
+            w[i, K0] = ox * ox + oy * oy - gap * (2 * e + gap)
+            w[i, K1] = 2 * (ox * x + oy * y - (x * x + y * y))
+            w[i, K2] = 2 * (ox * y - oy * x)
+            w[i, ROOM] = e + gap
+            off = abs(ex) + abs(ey)
+            w[i, SIZE] = (2 * abs(e) + off) * off + abs(gap) * (2 * abs(e) + abs(gap))
+
+
+def turn_to(psi: float, way: float, gf: Table, w: Table) -> None:
+    """The pairs at a wave angle; in reverse v changes its sign, and so does the lag."""
+    pins = len(w) // len(gf)
+    for j in range(len(gf)):
+        angle = psi + gf[j, PHASE]
+        wx, wy = -2 * gf[j, ECC] * math.cos(angle), 2 * gf[j, ECC] * math.sin(angle)
+        for i in range(j * pins, (j + 1) * pins):
+            x, y = w[i, RX], w[i, RY]
+            w[i, Q] = wx * w[i, OX] + wy * w[i, OY] + w[i, K0]
+            w[i, U] = wx * x + wy * y + w[i, K1]
+            w[i, V] = way * (wx * y - wy * x + w[i, K2])
+
+
+def window(w: Table) -> tuple[float, float, int]:
+    """Least and largest lag at which no pair touches, and the pair that touches at the largest. The
+    first is larger where pairs press. In tangents of half the lags ``a*t^2 + 2*v*t + q = 0``.
+    """
+    low, high, onset = -math.inf, math.inf, -1
+    for i in range(len(w)):
+        q, v = w[i, Q], w[i, V]
+        a = max(q - 2 * w[i, U], TINY)
+        square = v * v - a * q
+        if square < 0:
+            return math.inf, -math.inf, -1
+        root = math.sqrt(square)
+        if v >= 0:
+            first, last = -(v + root) / a, -q / (v + root) if v + root > 0 else 0.0
+        else:
+            first, last = q / (root - v), (root - v) / a
+        low = max(low, first)
+        if last < high:
+            high, onset = last, i
+    return 2 * math.atan(low), 2 * math.atan(high), onset
+
+
+def count_from(lag: float, onset: int, w: Table) -> None:
+    """Count the lag from here on, where the pair `onset` (-1: none) just touches and the others do
+    not: small loads keep their digits.
+    """
+    sine, half = math.sin(lag), math.sin(lag / 2)
+    less = -2 * half * half
+    for i in range(len(w)):
+        q, u, v = w[i, Q], w[i, U], w[i, V]
+        q += less * u + sine * v
+        w[i, U], w[i, V] = (1 + less) * u + sine * v, (1 + less) * v - sine * u
+        w[i, Q] = q if onset < 0 else min(q, 0.0)
+    if onset >= 0:
+        w[onset, Q] = 0.0
+
+
+def law_alone(
+    kind: int, d: float, i: int, exponent: float, cf: Table, table: Row, w: Table
+) -> tuple[float, float]:
+    """Force and stiffness of a pair at its approach > 0."""
+    if kind == LINEAR:
+        return d / cf[i, A], 1 / cf[i, A]
+    if kind == HERTZ:
+        return line(d, cf[i, A], cf[i, B])
+    if kind == CONFORMAL:
+        return wrapped(d, cf[i, A], cf[i, B], w[i, PUSH], table)
+    return power(d, cf[i, A], cf[i, B], exponent)
+
+
+def torque_at(
+    lag: float, kind: int, exponent: float, cf: Table, table: Row, w: Table
+) -> tuple[float, float, float]:
+    """Torque of all pairs at a lag, its derivative, and the sum of its terms' sizes."""
+    sine, half = math.sin(lag), math.sin(lag / 2)
+    less = -2 * half * half
+    torque = slope = gross = 0.0
+    for i in range(len(w)):
+        approach = w[i, Q] + less * w[i, U] + sine * w[i, V]
+        if approach <= TINY:
+            w[i, PUSH] = w[i, ARM] = w[i, HARD] = 0.0
+            continue
+        c = w[i, ROOM]
+        length = math.sqrt(c * c + approach)
+        approach /= length + c
+        lever = ((1 + less) * w[i, V] - sine * w[i, U]) / (2 * length)
+        bend = (-((1 + less) * w[i, U] + sine * w[i, V]) / 2 - lever * lever) / length
+        f, stiff = law_alone(kind, approach, i, exponent, cf, table, w)
+        w[i, PUSH], w[i, ARM], w[i, HARD] = f, lever, stiff
+        torque += f * lever
+        gross += f * abs(lever)
+        slope += stiff * lever * lever + f * bend
+    return torque, slope, gross
+
+
+def next_place(x: float, change: float, low: float, high: float, step: int) -> float:
+    """The next place of Newton inside a bracket, at one of its ends where nothing is left of it."""
+    following = x + change
+    if low < following < high and not (step > ALONE and step % 2):
+        return following
+    if high == math.inf:
+        return x + max(abs(x), 1e-9)
+    if low == -math.inf:
+        return x - max(abs(x), 1e-9)
+    return (low + high) / 2
+
+
+def first_guess(
+    torque: float, kind: int, exponent: float, gf: Table, cf: Table, table: Row, w: Table
+) -> float:
+    """Lag at which the best placed pair alone would carry the torque about; infinite where none
+    can.
+    """
+    lag = math.inf
+    for i in range(len(w)):
+        lever = w[i, V] / (2 * w[i, ROOM])
+        if lever <= NO_LEVER * gf[0, CIRCLE]:
+            continue
+        f, approach = torque / lever, 0.0
+        if kind == LINEAR:
+            approach = cf[i, A] * f
+        elif kind == HERTZ:
+            approach = f * cf[i, B] * max(cf[i, A] / cf[i, B] - math.log(f), HERTZ_END)
+        elif kind == CONFORMAL:
+            over, _ = over_width(f / cf[i, A], table)
+            approach = f * (over + cf[i, B]) / table[0]
+        else:
+            approach = (f / cf[i, A]) ** (1 / exponent) + cf[i, B] * f
+        lag = min(lag, (approach - w[i, Q] / (2 * w[i, ROOM])) / lever)
+    return lag
+
+
+def carry(
+    psi: float,
+    torque: float,
+    way: float,
+    kind: int,
+    gf: Table,
+    cf: Table,
+    table: Row,
+    w: Table,
+    found: Row,
+) -> bool:
+    """Equilibrium of a position under a torque > 0; False where there is none. Its lag, stiffness
+    and play are in the row `found`. Newton on ``torque^(1/exponent)``, which is nearly straight;
+    the last step is taken along the tangents.
+    """
+    turn_to(psi, way, gf, w)
+    low, high, onset = window(w)
+    pressed, exponent = low > high + LEAST_PLAY, gf[0, EXPONENT]
+    zero = 0.0 if pressed else high
+    if abs(zero) == math.inf:
+        return False
+    count_from(zero, -1 if pressed else onset, w)
+    lag = first_guess(torque, kind, exponent, gf, cf, table, w)
+    if lag == math.inf:
+        return False
+    for i in range(len(w)):
+        w[i, PUSH] = 0.0
+    lag = 0.0 if pressed else lag
+    below, above = -math.inf if pressed else 0.0, math.inf
+    power, far = 1.0 if pressed else 1 / exponent, gf[0, BASE_E] / gf[0, CIRCLE]
+    close = NEARLY if exponent >= 1 else EPS
+    slope = change = 0.0
+    for step in range(1, HALVINGS):
+        carried, slope, gross = torque_at(lag, kind, exponent, cf, table, w)
+        if carried > torque:
+            above = lag
+        else:
+            below = lag
+        ratio, change = carried / torque, math.inf
+        if slope > 0 and power == 1:
+            change = (torque - carried) / slope
+        elif slope > 0 and ratio > 0:
+            change = torque * (ratio ** (1 - power) - ratio) / (power * slope)
+        if abs(carried - torque) <= EPS * gross or abs(change) <= close * abs(lag):
+            break
+        if pressed:  # at its dead angle a pair hardly holds
+            change = min(max(change, -far), far)
+        following = next_place(lag, change, below, above, step)
+        if following in (below, above):
+            change = 0.0
+            break
+        lag = following
+    if slope <= 0 or abs(lag) > 1 or not abs(change) < 1:
+        return False
+    for i in range(len(w)):
+        if w[i, PUSH] > 0:
+            w[i, PUSH] = max(w[i, PUSH] + w[i, HARD] * w[i, ARM] * change, 0.0)
+        if w[i, PUSH] > cf[i, LIMIT]:
+            return False
+    found[0], found[1], found[2] = zero + lag + change, slope, high - low
+    return True
+
+
+def hardest(gf: Table, cf: Table, table: Row, w: Table) -> tuple[float, float]:
+    """Largest force, and largest force over reduced radius, of contacts that wrap times the square
+    of their pressure over Hertz's.
+    """
+    most = pressure = 0.0
+    at = 3 + int(table[2])
+    for i in range(len(w)):
+        f = w[i, PUSH]
+        pressed, widest = f * cf[i, CURVED], table[at] * (gf[0, BASE_E] + cf[i, WIDER])
+        if f > table[at + 1] * widest:
+            pressed *= excess(f / widest, table)
+        most, pressure = max(most, f), max(pressure, pressed)
+    return most, pressure
+
+
+def clear(lag: float, gf: Table, w: Table) -> float:
+    """How far the wave may turn on from where `turn_to` was called before any pair can touch at a
+    lag, rad: there a pair is ``k + m*cos(psi - psi_0)``, which changes by no more than m for each
+    radian, and with ``k + m < 0`` touches nowhere.
+    """
+    sine, half = math.sin(lag), math.sin(lag / 2)
+    less, far, pins = -2 * half * half, 2 * math.pi, len(w) // len(gf)
+    for j in range(len(gf)):
+        arm = 2 * gf[j, ECC]
+        for i in range(j * pins, (j + 1) * pins):
+            x, y = w[i, RX], w[i, RY]
+            over = w[i, Q] + less * w[i, U] + sine * w[i, V]
+            middle = w[i, K0] + less * w[i, K1] + sine * w[i, K2]
+            a, b = w[i, OX] + less * x + sine * y, w[i, OY] + less * y - sine * x
+            if over >= 0:
+                return 0.0
+            square = arm * arm * (a * a + b * b)
+            if middle * middle > square:
+                continue
+            most = math.sqrt(square)
+            if -over < most * far:
+                far = -over / most
+    return far
+
+
+def fitting(gf: Table, w: Table) -> int:
+    """FITS where a piece goes together without load at all positions, BINDS at some, NOWHERE at
+    none. Positions up to which no pair can touch at the middle of the play are not looked at.
+    """
+    free = blocked = False
+    step, k = 2 * math.pi / FIT_POSITIONS, 0
+    while k < FIT_POSITIONS and not (free and blocked):
+        turn_to(k * step, 1.0, gf, w)
+        low, high, _ = window(w)
+        if low <= high + JUST * gf[0, BASE_E] / gf[0, CIRCLE]:
+            free = True
+            if high - low < math.inf:
+                k += int(clear((low + high) / 2, gf, w) / step)
+        else:
+            blocked = True
+        k += 1
+    if free and blocked:
+        return BINDS
+    return FITS if free else NOWHERE
+
+
+def widest(places: Row, gf: Table, w: Table, front: Row, back: Row) -> float:
+    """Largest play at positions of the wave, 0 where all press. Only where it can be the largest it
+    is looked at, first where it may be widest.
+    """
+    at_most(places, gf, w, front, back)
+    most, first = 0.0, 0
+    for k in range(len(places)):
+        if front[k] > front[first]:
+            first = k
+    for step in range(len(places)):
+        k = (first + step) % len(places)
+        if front[k] > most:
+            turn_to(places[k], 1.0, gf, w)
+            low, high, _ = window(w)
+            most = max(most, high - low)
+    return most
+
+
+def at_most(places: Row, gf: Table, w: Table, front: Row, back: Row) -> None:
+    """Bounds of the play, where there is any, at positions of the wave: in the row `front`.
+
+    A pair does not touch where ``a*t^2 + 2*v*t + q <= 0``, t the tangent of half the lag; lags are
+    no further apart than twice their t. With a lever v above 0 that ends at ``t = -q/(v + s)``,
+    ``s = sqrt(v^2 - a*q)``: no later than with s = v, as a parabola is above its tangent. While the
+    pair is open all around ``-a*q`` is no less than m, of the least a and the least -q, and s no
+    less than the tangent of ``sqrt(v^2 + m)`` at the longest lever: ``v + s >= 2*(c + d*v)``. With
+    a lever below 0 it begins there. The play, from the last begin to the first end, is no wider
+    than between any two of these. Rounding of the terms is 1e-12 of them: `SURE` is added.
+    """
+    pins = len(w) // len(gf)
+    for k in range(len(places)):
+        front[k] = back[k] = math.inf
+    for j in range(len(gf)):
+        arm = 2 * gf[j, ECC]
+        for i in range(j * pins, (j + 1) * pins):
+            x, y, ex, ey = w[i, RX], w[i, RY], w[i, OX], w[i, OY]
+            reach, open_by = math.sqrt(x * x + y * y), -w[i, K0]
+            longest, swing = arm * reach + abs(w[i, K2]), arm * (abs(ex) + abs(ey))
+            steep = -2 * w[i, K1] - 2 * arm * reach - open_by - swing
+            m = max(steep, 0.0) * max(open_by - swing - SURE * w[i, SIZE], 0.0)
+            half = 0.5 / max(math.sqrt(longest * longest + m), TINY)
+            c, d = max(m * half, TINY), 0.5 + longest * half
+            least, q0 = NEAR * longest * d, SURE * w[i, SIZE] - w[i, K0]
+            for k in range(len(places)):
+                angle = places[k] + gf[j, PHASE]
+                wx, wy = -arm * math.cos(angle), arm * math.sin(angle)
+                v = d * (wx * y - wy * x + w[i, K2])
+                end = (q0 - wx * ex - wy * ey) / (c + abs(v))
+                front[k] = min(front[k], end if v > least else math.inf)
+                back[k] = min(back[k], end if v < -least else math.inf)
+    for k in range(len(places)):
+        end, begin = front[k], back[k]
+        front[k] = end + begin + SURE * (abs(end) + abs(begin))
+
+
+def piece(
+    places: Row,
+    torque: float,
+    share: float,
+    under_load: bool,
+    lost: bool,
+    kind: int,
+    gf: Table,
+    cf: Table,
+    table: Row,
+    w: Table,
+    front: Row,
+    back: Row,
+    found: Row,
+    row: Row,
+) -> int:
+    """Quantities of a piece at wave angles; whether it fits, less 3 where it cannot work."""
+    lay(gf, cf, w)
+    fits = fitting(gf, w)
+    if fits != FITS:
+        return fits
+    way, size = math.copysign(1.0, torque), abs(torque)
+    least, most, stiffness = math.inf, -math.inf, math.inf
+    for k in range(6):
+        row[k] = 0.0
+    if not under_load:
+        row[BACKLASH] = widest(places, gf, w, front, back)
+    for k in range(len(places) if under_load or lost else 0):
+        if under_load:
+            if not carry(places[k], size, way, kind, gf, cf, table, w, found):
+                return fits - 3
+            peak, pressure = hardest(gf, cf, table, w)
+            row[PEAK], row[PRESSURE] = max(row[PEAK], peak), max(row[PRESSURE], pressure)
+            least, most = min(least, found[0]), max(most, found[0])
+            stiffness = min(stiffness, found[1])
+            row[BACKLASH] = max(row[BACKLASH], found[2])
+        both = 0.0
+        for side in range(2 if lost else 0):
+            sign = way * (1.0 - 2.0 * side)
+            if not carry(places[k], share * size, sign, kind, gf, cf, table, w, found):
+                return fits - 3
+            both += found[0]
+        row[MOTION] = max(row[MOTION], both)
+    row[TRANSMISSION] = most - least if under_load else 0.0
+    row[SOFTEST] = stiffness
+    return fits
+
+
+def pieces(
+    places: Row,
+    torque: float,
+    share: float,
+    under_load: bool,
+    lost: bool,
+    kind: int,
+    gf: Block,
+    cf: Block,
+    table: Row,
+    w: Table,
+    room: Table,
+    fits: Row,
+    rows: Table,
+) -> None:
+    """Quantities of many pieces; what a study asks is in `rows`, not a number where a piece does
+    not fit or cannot work. The room has three rows as long as the places.
+    """
+    for s in range(len(gf)):
+        given = piece(
+            places,
+            torque,
+            share,
+            under_load,
+            lost,
+            kind,
+            gf[s],
+            cf[s],
+            table,
+            w,
+            room[0],
+            room[1],
+            room[2],
+            rows[s],
+        )
+        fits[s] = given if given >= 0 else given + 3
+        if given != FITS:
+            for k in range(6):
+                rows[s, k] = math.nan
+
+
+def fit_of(gf: Table, cf: Table, w: Table) -> int:
+    """FITS, BINDS or NOWHERE of one piece."""
+    lay(gf, cf, w)
+    return fitting(gf, w)

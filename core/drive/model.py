@@ -16,7 +16,7 @@ class Contacts(NamedTuple):
     """Contacts of one kind of all discs, of many pieces."""
 
     kind: int  # PIN or LOBE of the engine
-    law: int  # as `core.output.loop_rows` numbers it
+    law: int  # of the engine
     exact: bool  # geometry; else first order
     gf: FloatArray  # floats of the engine of each disc, shape (S, K, 16)
     cf: FloatArray  # and of each contact, shape (S, K, N, 13)
@@ -32,6 +32,25 @@ class Contacts(NamedTuple):
         return self.exact and bool(wide.any())
 
 
+class Bending(NamedTuple):
+    """Pins that bend between their discs."""
+
+    stiffness: FloatArray  # of one pin between its places, N/m, shape (K, K)
+    end: float = 0.0  # of one end, where a ring joins these, N/m
+    to_end: FloatArray | None = None  # between an end and the places, N/m, shape (K,)
+
+
+class Springs(NamedTuple):
+    """What gives besides the contacts."""
+
+    bearing: float = 0.0  # of a disc on its crank, N/m; 0 where that is rigid
+    mesh: float = 0.0  # of a disc in its ring, N*m/rad; 0 where that is rigid
+    bending: Bending | None = None  # of the output pins
+
+
+RIGID = Springs()
+
+
 class Pieces(NamedTuple):
     """Drives that differ in their sizes alone, as `engine.Drive`."""
 
@@ -40,8 +59,11 @@ class Pieces(NamedTuple):
     ci: IntArray  # integers of the contacts, shape (n, 3)
     cf: FloatArray  # floats of the contacts, shape (S, n, 13)
     table: FloatArray  # of the conformal law
+    kgg: FloatArray  # springs, as the engine's, shape (bodies, bodies)
+    kbb: FloatArray  # of a pin that bends, shape (2*K, 2*K), or nothing
+    kbg: FloatArray  # between both, shape (pins, 2*K, bodies)
     share: FloatArray  # of the torque that bodies carry
-    weight: FloatArray  # squares of the lengths by which displacements count, m^2
+    weight: FloatArray  # squares of the lengths by which displacements count, m^2 or 1
 
     @property
     def sound(self) -> BoolArray:
@@ -64,39 +86,32 @@ class Pieces(NamedTuple):
         -------
         Drive
         """
-        bodies = len(self.share)
-        return Drive(
-            gi=self.gi,
-            gf=self.gf[piece],
-            ci=self.ci,
-            cf=self.cf[piece],
-            table=self.table,
-            kgg=np.zeros((bodies, bodies)),
-            kbb=np.zeros((0, 0)),
-            kbg=np.zeros((0, 0, bodies)),
-            share=self.share,
-            weight=self.weight,
-        )
+        fields = self._asdict()
+        fields |= {"gf": self.gf[piece], "cf": self.cf[piece]}
+        return Drive(**{name: fields[name] for name in Drive._fields})
 
 
 def pieces_of(
     *,
-    lobes: Contacts,
+    lobes: Contacts | None = None,
     pins: Contacts | None = None,
     shares: tuple[float, ...] = (),
+    springs: Springs = RIGID,
     table: FloatArray,
 ) -> Pieces:
-    """Drives of a ring on its discs, alone or in series with output pins.
+    """Drives of discs on output pins, of a ring on its discs, or of both in series.
 
     Parameters
     ----------
-    lobes : Contacts
+    lobes : Contacts, optional
         Of the discs on the ring's pins.
     pins : Contacts, optional
-        Of the output pins; each disc then has a lag of its own between both.
+        Of the output pins; where there are lobes too each disc has a lag of its own between both.
     shares : tuple of float, optional
-        Of the torque, where a ring alone shares it so: each disc turns for itself. Else all discs
+        Of the torque, where one mesh alone shares it so: each disc turns for itself. Else all discs
         have one lag.
+    springs : Springs
+        Of bearings, meshes and pins.
     table : array
         Constants of the conformal law, see `engine.over_width`.
 
@@ -104,39 +119,122 @@ def pieces_of(
     -------
     Pieces
     """
-    discs = lobes.gf.shape[1]
-    own = [1 + j if pins else j if shares else 0 for j in range(discs)]
-    kinds = [pins] if pins else []
-    kinds += [lobes, lobes._replace(kind=engine.FLANK)] if lobes.straddle else [lobes]
+    kinds = [each for each in (pins, lobes) if each]
+    discs = kinds[0].gf.shape[1]
+    if lobes and lobes.straddle:
+        kinds.append(lobes._replace(kind=engine.FLANK))
+    count = bodies = discs if shares else 1
+    own, along = [-1] * discs, [-1] * discs
+    turn = [*range(discs)] if shares else [0] * discs
+    if not pins:
+        own = turn
+    elif lobes or springs.mesh:
+        own = [*range(bodies, bodies + discs)]
+        bodies += discs
+    if springs.bearing:
+        along = [*range(bodies, bodies + discs)]
+        bodies += discs
+    ring, bodies = bodies, bodies + 3 * bool(springs.bending and springs.bending.end)
     gi: list[list[int]] = []
-    count = 0
+    contacts = 0
     for each in kinds:
-        turn = 0 if each.kind == engine.PIN else -1
+        pin = each.kind == engine.PIN
         of = len(gi) - discs if each.kind == engine.FLANK else -1
         for j in range(discs):
-            stop = count + each.cf.shape[2]
-            fixed = [each.kind, each.law, count, stop, turn, own[j], -1, -1, int(each.exact)]
+            stop = contacts + each.cf.shape[2]
+            moves = [turn[j] if pin else -1, own[j], along[j], -1]
+            fixed = [each.kind, each.law, contacts, stop, *moves, int(each.exact)]
             gi.append([*fixed, of + j if of >= 0 else -1])
-            count = stop
-    ci = np.full((count, 3), -1)
-    for row in gi:
-        if row[engine.KIND] == engine.FLANK:
-            first = gi[row[engine.OF]]
-            there = np.arange(first[engine.START], first[engine.STOP])
-            ci[row[engine.START] : row[engine.STOP], engine.FIRST] = there
-    share = np.array([1.0] + [0.0] * discs if pins else shares or [1.0], float)
-    radius = np.full(len(share), lobes.gf[0, 0, engine.CIRCLE])
-    radius[0] = kinds[0].gf[0, 0, engine.CIRCLE]
+            contacts = stop
+    radius = np.ones(bodies)
+    radius[: bodies if not along[0] > 0 else along[0]] = kinds[-1].gf[0, 0, engine.CIRCLE]
+    radius[:count] = kinds[0].gf[0, 0, engine.CIRCLE]
+    radius[ring:] = 1.0
+    kgg = np.zeros((bodies, bodies))
+    for j in range(discs):
+        if springs.mesh and not lobes:
+            kgg[own[j], own[j]] = springs.mesh
+        if springs.bearing:
+            kgg[along[j], along[j]] = springs.bearing
+    share = np.zeros(bodies)
+    share[:count] = shares or 1.0
+    kgg, kbb, kbg = bent_springs(bending=springs.bending, pins=pins, kgg=kgg, ring=ring)
     cf = [each.cf.reshape(len(each.cf), -1, FLOATS[1]) for each in kinds]
     return Pieces(
         gi=np.array(gi, np.int64),
         gf=np.ascontiguousarray(np.concatenate([each.gf for each in kinds], axis=1)),
-        ci=ci,
+        ci=links(gi=gi, contacts=contacts, blocks=len(kbg)),
         cf=np.ascontiguousarray(np.concatenate(cf, axis=1)),
         table=table,
+        kgg=kgg,
+        kbb=kbb,
+        kbg=kbg,
         share=share,
         weight=radius**2,
     )
+
+
+def links(*, gi: list[list[int]], contacts: int, blocks: int) -> IntArray:
+    """Integers of the contacts: the pin that bends with each and its place, the first foot of a
+    second one.
+
+    Parameters
+    ----------
+    gi : list of list of int
+        Integers of the groups.
+    contacts, blocks : int
+        Numbers of contacts, and of pins that bend.
+
+    Returns
+    -------
+    array, shape (n, 3)
+    """
+    ci = np.full((contacts, engine.FIRST + 1), -1)
+    for j, row in enumerate(gi):
+        own = slice(row[engine.START], row[engine.STOP])
+        if row[engine.KIND] == engine.FLANK:
+            first = gi[row[engine.OF]]
+            ci[own, engine.FIRST] = np.arange(first[engine.START], first[engine.STOP])
+        if row[engine.KIND] == engine.PIN and blocks:
+            ci[own, engine.BLOCK], ci[own, engine.PLANE] = np.arange(blocks), j
+    return ci
+
+
+def bent_springs(
+    *, bending: Bending | None, pins: Contacts | None, kgg: FloatArray, ring: int
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Springs of bodies, of a pin that bends, and between both.
+
+    Parameters
+    ----------
+    bending : Bending, optional
+        Of the pins.
+    pins : Contacts, optional
+        The output pins.
+    kgg : array, shape (bodies, bodies)
+        Springs of the bodies without it.
+    ring : int
+        The first of three displacements of a ring that joins the pins' ends: of its middle, and
+        along the circle of the pins.
+
+    Returns
+    -------
+    kgg, kbb, kbg : array
+        As `Pieces` has them.
+    """
+    if bending is None or pins is None:
+        return kgg, np.zeros((0, 0)), np.zeros((0, 0, len(kgg)))
+    count, kbb = pins.cf.shape[2], np.asarray(np.kron(bending.stiffness, np.eye(2)), float)
+    kbg = np.zeros((count, len(kbb), len(kgg)))
+    if bending.to_end is not None:
+        kgg = kgg.copy()
+        for i in range(count):
+            c, s = pins.cf[0, 0, i, [engine.CB, engine.SB]]
+            # The end in directions of its pin, outward and as the output turns.
+            moves = np.array([[-s, c, 0.0], [-c, -s, 1.0]])
+            kbg[i, :, ring:] = np.kron(bending.to_end[:, None], moves)
+            kgg[ring:, ring:] += bending.end * moves.T @ moves
+    return kgg, kbb, kbg
 
 
 def work_for(drive: Drive) -> Work:
@@ -161,6 +259,7 @@ def work_for(drive: Drive) -> Work:
         "side": 6,
         "hgg": (bodies, bodies),
         "hbb": (blocks, nb, nb),
+        "low": (blocks, nb, nb),
         "hbg": (blocks, nb, bodies),
         "rg": bodies,
         "rb": (blocks, nb),
@@ -169,6 +268,7 @@ def work_for(drive: Drive) -> Work:
         "p": (bodies, 1),
         "pb": (blocks, nb),
         "kept": bodies,
+        "bends": (blocks, nb),
         "sides": (2, bodies),
         "play": (bodies, 2),
         "wrench": (groups, 3),

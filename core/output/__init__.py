@@ -20,17 +20,11 @@ loaded_pin          a pin under the forces of a turn: its largest stresses, its 
 tied_pin            the same of pins that a tie ring joins
 edge_load           line load at the ends of contacts whose pins slope
 pin_strength        bending, shear, static safety, fatigue and deflection of the pins
-loop_rows           what the loops over pairs with gaps take and leave; their rules
-contact_kernel      loops: laws of contact of one pair
-giving_kernel       loops: satellites that give on their cranks or in their mesh
-tied_kernel         loops: pins that a tie ring joins
-sharing_kernel      loops: one position
-turn_kernel         loops: a turn, pieces of a study
-compiled            the same loops compiled, for turns and studies
 conformal_law       the law of contact of a pin that wraps, as one curve
 elasticity          what gives: contact of a pair, by its law; its pin; the satellites
-stage               what pairs share a torque by one lag: pins in holes, a ring on teeth
 room                what parts deviate, the room of pins in their holes, whether they go together
+drives              discs on output pins, as `core.drive` takes them
+stage               what shares a torque: positions as the engine solves them
 real_mechanism      the mechanism as it is made: sizes, clearance, deviations, elasticity
 fit                 what of a misfit elasticity takes up
 loaded_position     its forces, lag, play and stiffness at one position

@@ -2,6 +2,7 @@
 
 import math
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 from numpy.polynomial import chebyshev
@@ -10,8 +11,32 @@ from core.arrays import FloatArray, Number, log, smaller, sqrt
 from core.conformal import ConformalContact, conformal_contact, local_approach, widest_load
 from core.hertz import HERTZ_TOLERANCE, ElasticMaterial, effective_modulus, mismatch
 from core.numerics.inverse import edge
-from core.output.contact_kernel import excess
-from core.output.loop_rows import BEND, Curve, Wrap
+
+BEND = 0.4
+"""Curves of contacts that wrap are smooth in the width ``sqrt(x/(1 + BEND*x))`` of the load
+``x = Q/(E* dR)``, from none to the largest."""
+
+
+class Curve(NamedTuple):
+    """What a contact that wraps gives, for all pairs of a design: over the load ``x = Q/(E* dR)``
+    the approach ``Delta/dR = x*(P - 2/pi*ln(width))``, P a polynomial of ``2*width/widest - 1``.
+    """
+
+    modulus: float  # b*E*, N/m
+    widest: float  # width up to which it is known; beyond it goes on as a straight line
+    powers: tuple[float, ...]  # of the polynomial, from the highest; as many for any law
+
+
+class Wrap(NamedTuple):
+    """The largest pressure of contacts that wrap, of all pairs: over Hertz's it is
+    ``P*sqrt(1 + BEND*x)``, P a polynomial as that of `Curve`.
+    """
+
+    modulus: float  # b*E*, N/m; infinite where it is not known: then Hertz's pressure stands
+    since: float  # load from which it governs in the place of Hertz's
+    widest: float  # width up to which it is known; beyond it P stays
+    powers: tuple[float, ...]  # of the polynomial, from the highest
+
 
 FAR = 3.0
 """Radius of the circle in the satellite, over the hole's, against whose mean displacement the
@@ -125,10 +150,31 @@ def _pressures(alpha: float, beta: float) -> Wrap:
     wrap = Wrap(1.0, 0.0, _widest(alpha, beta), powers)
 
     def below(load: float) -> float:
-        return (1 + HERTZ_TOLERANCE) ** 2 - excess(load, wrap)
+        return (1 + HERTZ_TOLERANCE) ** 2 - excess(load=load, wrap=wrap)
 
     since, _ = edge(inside=1e-3, outside=0.7, excess=below)
     return wrap._replace(since=since)
+
+
+def excess(*, load: float, wrap: Wrap) -> float:
+    """Square of the largest pressure under a load over Hertz's.
+
+    Parameters
+    ----------
+    load : float
+        ``Q/(E* dR)``, >= 0.
+    wrap : Wrap
+        Largest pressures.
+
+    Returns
+    -------
+    float
+    """
+    width = math.sqrt(load / (1 + BEND * load))
+    place, value = 2 * min(width / wrap.widest, 1.0) - 1, 0.0
+    for power in wrap.powers:
+        value = value * place + power
+    return value * value * (1 + BEND * load)
 
 
 def _widest(alpha: float, beta: float) -> float:
@@ -167,6 +213,25 @@ def end(curve: Curve) -> float:
     """
     rest = 1 / curve.widest**2 - BEND
     return 1 / rest if rest > 1e-12 else math.inf
+
+
+def table_of(*, curve: Curve, wrap: Wrap) -> FloatArray:
+    """Constants of contacts that wrap as the engine takes them, see
+    `core.drive.engine.over_width`.
+
+    Parameters
+    ----------
+    curve : Curve
+        Approach over force.
+    wrap : Wrap
+        Largest pressures.
+
+    Returns
+    -------
+    array, shape (6 + 2*n,)
+    """
+    given = curve.modulus, curve.widest, len(curve.powers), *curve.powers
+    return np.array([*given, wrap.modulus, wrap.since, wrap.widest, *wrap.powers])
 
 
 def approach_over_load(*, load: Number, curve: Curve) -> Number:

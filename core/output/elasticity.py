@@ -1,35 +1,22 @@
 """What gives under a force: the contact of a pair of pin and hole, by its law, and its pin, which
 bends; and satellites that give: elastic crank bearings, an elastic mesh, or given shares of the
 torque.
-
-Satellites give in first order only. What bearings and meshes give is solved in
-`core.output.giving_kernel`; with given shares every satellite is solved for itself.
 """
 
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import ClassVar, Self
+from typing import Any, NamedTuple, Self
 
-from core.arrays import Number, check_positive, larger, log
+import numpy as np
+
+from core.arrays import FloatArray, Number, check_positive, larger, log
+from core.drive.engine import CONFORMAL, HERTZ, HERTZ_END, LINEAR, POWER
+from core.drive.model import Bending
 from core.errors import InvalidInput
 from core.hertz import ElasticMaterial, effective_modulus
 from core.materials import SOFT
-from core.output.conformal_law import NO_CURVE, approach_over_load, conformal_curve, end
-from core.output.contact_kernel import pair_law
-from core.output.loop_rows import (
-    CONFORMAL,
-    CRANK,
-    HERTZ,
-    HERTZ_END,
-    LINEAR,
-    MESH,
-    POWER,
-    RIGID,
-    SHARES,
-    Curve,
-    Law,
-)
+from core.output.conformal_law import NO_CURVE, Curve, approach_over_load, conformal_curve, end
 from core.output.pin_beam import PinBeam, Support, check_apart
 from core.output.pin_section import PinSection, check_bore
 from core.output.tie_ring import RingJoint, TieRing
@@ -143,25 +130,25 @@ class Pins:
         """
         return [0.0] * satellites
 
-    def compliance(self, *, satellites: int, contact_length: float, pins: int) -> list[float]:
-        """Of a pin at each satellite, with the wall about its bore, m/N; where a tie ring joins the
-        pins what `tied_compliance` gives.
+    def wall_compliance(self, contact_length: float) -> float:
+        """How much the wall about its bore gives under a force, m/N: in series with each contact.
 
         Parameters
         ----------
-        satellites : int
-            Their number K.
         contact_length : float
-            Length b on which each force presses, m, > 0.
-        pins : int
-            Number N of the pins.
+            Length b on which the force presses, m, > 0.
 
         Raises
         ------
         InvalidInput
-            As `bending`, and if satellites reach into each other.
+            If satellites reach into each other.
         """
-        return self.bending(satellites)
+        return 0.0
+
+    @property
+    def spring(self) -> Bending | None:
+        """Stiffness of a pin between its satellites; None where it does not bend."""
+        return None
 
 
 RIGID_PINS = Pins()
@@ -231,27 +218,10 @@ class PinSupport(Pins):
         self._check_count(satellites)
         return [*pin_compliance(self)]
 
-    def compliance(self, *, satellites: int, contact_length: float, pins: int) -> list[float]:
-        """Bending and wall."""
-        self._check_count(satellites)
+    def wall_compliance(self, contact_length: float) -> float:
+        """See `Pins.wall_compliance`."""
         places = self.satellite_positions
         check_apart(name="satellite_positions", positions=places, width=contact_length)
-        wall = self.wall_compliance(contact_length)
-        alone = [each + wall for each in pin_compliance(self)]
-        return tied_compliance(pin=self, pins=pins, wall=wall) if self.tied else alone
-
-    def wall_compliance(self, contact_length: float) -> float:
-        """How much the wall about its bore gives under a force, m/N: in series with each contact.
-
-        Parameters
-        ----------
-        contact_length : float
-            Length b on which the force presses, m, > 0.
-
-        Returns
-        -------
-        float
-        """
         given = self.section.wall_compliance(
             contact_length=contact_length,
             youngs_modulus=self.material.youngs_modulus,
@@ -259,9 +229,77 @@ class PinSupport(Pins):
         )
         return float(given)
 
+    @property
+    def spring(self) -> Bending:
+        """Stiffness of a pin between its satellites, and the end that a tie ring joins."""
+        count, places = len(self.satellite_positions), self.satellite_positions
+        if not self.tied:
+            return Bending(np.asarray(np.linalg.inv(pin_flexibility(self)), float))
+        ring, nodes = ring_of(self), (*places, self.known_span)
+        whole = np.linalg.inv([[ring.flexibility(x, z) for z in nodes] for x in nodes])
+        return Bending(whole[:count, :count], float(whole[count, count]), whole[:count, count])
+
+
+def pin_flexibility(pin: PinSupport) -> FloatArray:
+    """Deflections of a pin at its satellites under a unit force at each: bending and shear.
+
+    Parameters
+    ----------
+    pin : PinSupport
+        The pin; one that a tie ring joins while nothing holds its end.
+
+    Returns
+    -------
+    array, shape (K, K)
+        m/N.
+
+    Raises
+    ------
+    InvalidInput
+        If a size is not positive, or a satellite does not lie between the supports.
+
+    Notes
+    -----
+    With I, S and k of the section, of a solid pin ``pi*d^4/64``, ``pi*d^2/4``, 10/9, at x under a
+    force at z, x <= z: a cantilever ``x^2*(3*z - x)/(6*E*I) + k*x/(G*S)``; two supports
+    ``x*(L - z)*(2*L*z - x^2 - z^2)/(6*E*I*L) + k*x*(L - z)/(G*S*L)``; clamped ends take from this
+    what their moments turn back.
+    """
+    check_positive(diameter=pin.diameter)
+    check_bore(bore_diameter=pin.bore_diameter, diameter=pin.diameter)
+    d, bore, ratio = pin.diameter, pin.bore_diameter, pin.material.poissons_ratio
+    bending = pin.material.youngs_modulus * math.pi * (d**4 - bore**4) / 64
+    shear_modulus = pin.material.youngs_modulus / (2 * (1 + ratio))
+    coefficient = pin.section.shear_coefficient(ratio)
+    shear = coefficient / (shear_modulus * math.pi * (d**2 - bore**2) / 4)
+    span = math.inf if pin.support == "cantilever" else pin.known_span
+    for index, z in enumerate(pin.satellite_positions):
+        name = f"satellite_positions[{index}]"
+        if not z > 0:
+            raise InvalidInput(name, z, "greater_than", limit=0)
+        if not z < span:
+            raise InvalidInput(name, z, "smaller_than", field="span", limit=span)
+    places = np.array(pin.satellite_positions)
+    x, z = np.minimum.outer(places, places), np.maximum.outer(places, places)
+    found: FloatArray
+    if pin.support in ("cantilever", "tie_ring"):
+        found = x * x * (3 * z - x) / (6 * bending) + shear * x
+        return found
+    rest = span - z
+    found = x * rest * (2 * span * z - x * x - z * z) / (6 * bending * span)
+    found += shear * x * rest / span
+    if pin.support == "fixed":
+        # End rotations by the force, even and odd, and what moments at the ends turn back.
+        turned = places * (span - places) / (6 * bending * span)
+        near, far = turned * (2 * span - places), turned * (span + places)
+        even, odd = span / (2 * bending), span / (6 * bending) + 2 * shear / span
+        found -= np.outer(near + far, near + far) / (2 * even)
+        found -= np.outer(near - far, near - far) / (2 * odd)
+    return found
+
 
 def pin_compliance(pin: PinSupport) -> tuple[float, ...]:
-    """Deflection of a pin under a unit force, at each satellite: bending and shear.
+    """Deflection of a pin under a unit force, at each satellite that loads it alone.
 
     Parameters
     ----------
@@ -276,14 +314,7 @@ def pin_compliance(pin: PinSupport) -> tuple[float, ...]:
     Raises
     ------
     InvalidInput
-        If a size is not positive, or a satellite does not lie between the supports.
-
-    Notes
-    -----
-    With I, S and k of the section, of a solid pin ``pi*d^4/64``, ``pi*d^2/4``, 10/9: a cantilever
-    ``z^3/(3*E*I) + k*z/(G*S)``; two supports ``z^2*(L - z)^2/(3*E*I*L) + k*z*(L - z)/(G*S*L)``;
-    clamped ends take from this what their moments turn back. Each satellite loads the pin for
-    itself: the bending by another satellite's force on the same pin is left out.
+        As `pin_flexibility`.
 
     Examples
     --------
@@ -292,38 +323,7 @@ def pin_compliance(pin: PinSupport) -> tuple[float, ...]:
     >>> [round(c*1e9, 3) for c in pin_compliance(pin)]
     [3.057, 38.285]
     """
-    check_positive(diameter=pin.diameter)
-    check_bore(bore_diameter=pin.bore_diameter, diameter=pin.diameter)
-    d, bore, ratio = pin.diameter, pin.bore_diameter, pin.material.poissons_ratio
-    bending = pin.material.youngs_modulus * math.pi * (d**4 - bore**4) / 64
-    shear_modulus = pin.material.youngs_modulus / (2 * (1 + ratio))
-    coefficient = pin.section.shear_coefficient(ratio)
-    shear = coefficient / (shear_modulus * math.pi * (d**2 - bore**2) / 4)
-    compliances = []
-    for index, z in enumerate(pin.satellite_positions):
-        name = f"satellite_positions[{index}]"
-        if not z > 0:
-            raise InvalidInput(name, z, "greater_than", limit=0)
-        free = z**3 / (3 * bending) + shear * z
-        if pin.support == "cantilever":
-            compliances.append(free)
-            continue
-        span = pin.known_span
-        if not z < span:
-            raise InvalidInput(name, z, "smaller_than", field="span", limit=span)
-        if pin.support == "tie_ring":  # which gives: see `tied_compliance`
-            compliances.append(free)
-            continue
-        rest = span - z
-        compliance = (z * rest) ** 2 / (3 * bending * span) + shear * z * rest / span
-        if pin.support == "fixed":
-            # End rotations by the force, even and odd, and what moments at the ends turn back.
-            near = z * rest * (span + rest) / (6 * bending * span)
-            far = z * rest * (span + z) / (6 * bending * span)
-            even, odd = span / (2 * bending), span / (6 * bending) + 2 * shear / span
-            compliance -= (near + far) ** 2 / (2 * even) + (near - far) ** 2 / (2 * odd)
-        compliances.append(compliance)
-    return tuple(compliances)
+    return tuple(pin_flexibility(pin).diagonal().tolist())
 
 
 def ring_of(pin: PinSupport) -> TieRing:
@@ -347,42 +347,6 @@ def ring_of(pin: PinSupport) -> TieRing:
         poissons_ratio=pin.material.poissons_ratio,
     )
     return TieRing(pin.ring_joint, pin.known_span, beam.rigidity, beam.shear_area)
-
-
-def tied_compliance(*, pin: PinSupport, pins: int, wall: float = 0.0) -> list[float]:
-    """What pins that a tie ring joins give, as the kernel takes it.
-
-    Parameters
-    ----------
-    pin : PinSupport
-        One of them.
-    pins : int
-        Their number N.
-    wall : float
-        What the wall about a pin's bore gives under a force, m/N.
-
-    Returns
-    -------
-    list of float
-        At each of K satellites the deflection under a unit force that is alone, on the mean of its
-        directions, m/N; then between all satellites of one pin while nothing holds its end, m/N,
-        K*K; then by which they move the ring, ``a(z)/sqrt(f*N)``, sqrt(m/N), K.
-
-    Notes
-    -----
-    With c(x, z) and a(z) = c(z, L) of `TieRing`, f = a(L), u_j the direction of a force and t_n
-    that of the circle at its pin, forces of the pairs (j, n) and (k, m) bend each other's pin by
-
-        S = u_j*u_k*(c(z_j, z_k)*d_nm - a_j*a_k/f*(d_nm - 1/N)) + a_j*a_k/(f*N)*(u_j*t_n)*(u_k*t_m)
-    """
-    ring, places = ring_of(pin), pin.satellite_positions
-    moved = [ring.end(z) / math.sqrt(ring.end(ring.span) * pins) for z in places]
-    free = [ring.flexibility(x, z) + wall * (x == z) for x in places for z in places]
-    alone = [
-        ring.flexibility(z, z) + wall - (pins - 1.5) * by_ring**2
-        for z, by_ring in zip(places, moved, strict=True)
-    ]
-    return [float(each) for each in (*alone, *free, *moved)]
 
 
 def contact_compliance(
@@ -425,15 +389,95 @@ def contact_compliance(
     constants = law_constants(
         law=law, contact_length=contact_length, hole_radius=hole_radius, pin=pin, hole=hole
     )
-    a, b, _ = pair_law(kind, constants, pin_radius, clearance, 0.0)
+    given = pair_law(kind=kind, law=constants, pin=pin_radius, wide=clearance, give=0.0)
+    a, b = map(float, given[:2])
     curve = law_curve(law=law, contact_length=contact_length, pin=pin, hole=hole)
+    return lambda force: _secant(kind, force, a, b, exponent, curve)
+
+
+def _secant(
+    kind: int, force: Number, a: Number, b: Number, exponent: float, curve: Curve
+) -> Number:
+    """Approach over force of a contact with a compliance in series, by its law's constants."""
     if kind == LINEAR:
-        return lambda force: a + 0.0 * force
+        return a + 0.0 * force
     if kind == HERTZ:
-        return lambda force: b * larger(a / b - log(force), HERTZ_END)
+        return b * larger(a / b - log(force), HERTZ_END)
     if kind == CONFORMAL:
-        return lambda force: approach_over_load(load=force / a, curve=curve) / curve.modulus
-    return lambda force: (force / a) ** (1 / exponent) / force
+        return (approach_over_load(load=force / a, curve=curve) + b) / curve.modulus
+    return (force / a) ** (1 / exponent) / force + b
+
+
+def approach_under(*, law: ContactLaw, curve: Curve, force: Number, a: Number, b: Number) -> Number:
+    """Approach of a contact under a force, its pin's compliance with it.
+
+    Parameters
+    ----------
+    law : ContactLaw
+        The law.
+    curve : Curve
+        Of a contact that wraps.
+    force : float or array
+        Force F, N, > 0.
+    a, b : float or array
+        Constants as `pair_law` gives them.
+
+    Returns
+    -------
+    float or array
+        m.
+    """
+    kind, exponent = law_kind(law)
+    return force * _secant(kind, force, a, b, exponent, curve)
+
+
+class Law(NamedTuple):
+    """Law of contact of all pairs."""
+
+    a: float  # LINEAR 1/k; POWER k; CONFORMAL b*E*
+    first: float  # HERTZ: (1 - nu^2)/E of the pin
+    second: float  # of the hole
+    quarter: float  # pi*b*E*/4
+    around: float  # pi*b
+    depth: float  # to which the hole's approach is counted, m
+    ratio: float  # nu/(1 - nu) of the hole
+    end: float  # CONFORMAL: load Q/(E* dR) at which it ends
+
+
+def pair_law(*, kind: int, law: Law, pin: Any, wide: Any, give: Any) -> tuple[Any, Any, Any]:
+    """Constants a, b and the force at which the law ends of contacts.
+
+    Parameters
+    ----------
+    kind : int
+        Of the law.
+    law : Law
+        Its constants.
+    pin : float or array
+        Radius of the pin, m.
+    wide : float, array or None
+        Difference of the radii, m; None of a lobe, whose curvature the position knows.
+    give : float or array
+        Compliance in series, m/N.
+
+    Returns
+    -------
+    a, b, limit : float or array
+        LINEAR ``1/k + C, 0``; POWER ``k, C``; HERTZ ``A + C, B`` of ``F*(A - B*ln F)``, of a lobe
+        at a reduced radius of 1 m; CONFORMAL ``b*E*dR, b*E*C``.
+    """
+    if kind == LINEAR:
+        return law.a + give, 0.0, math.inf
+    if kind == POWER:
+        return law.a, give, math.inf
+    if kind == CONFORMAL:
+        return law.a * wide, law.a * give, law.a * wide * law.end
+    q = law.quarter / (1.0 if wide is None else pin * (pin + wide) / wide)
+    b = (law.first + law.second) / law.around
+    a = law.first * (np.log(16 * pin * pin * q) - 1)
+    a = (a + law.second * (np.log(4 * law.depth * law.depth * q) - law.ratio)) / law.around
+    limit = np.minimum(q * pin * pin, np.exp(np.minimum(a / b - HERTZ_END, 700.0)))
+    return a + give, b, limit
 
 
 def law_kind(law: ContactLaw) -> tuple[int, float]:
@@ -497,7 +541,7 @@ def law_constants(
     pin: ElasticMaterial,
     hole: ElasticMaterial,
 ) -> Law:
-    """Constants of a law, of which `core.output.contact_kernel.pair_law` makes those of each pair.
+    """Constants of a law, of which `pair_law` makes those of each pair.
 
     Parameters
     ----------
@@ -577,17 +621,24 @@ def law_curve(
 class SatelliteSupport:
     """How the satellites are held: rigidly, where no kind of it says what gives."""
 
-    first_order: ClassVar[bool] = False  # whether it is known in first order only
-    turning: ClassVar[bool] = False  # whether satellites turn against each other
+    @property
+    def gives(self) -> bool:
+        """True where it lets satellites move or turn."""
+        return False
 
     @property
-    def kind(self) -> int:
-        """What gives, as the loops know it: see `core.output.loop_rows`."""
-        return RIGID
+    def turning(self) -> bool:
+        """True where satellites turn against each other."""
+        return False
 
     @property
-    def gives(self) -> float:
-        """Compliance at one satellite, m/N, of a mesh rad/(N*m)."""
+    def bearing(self) -> float:
+        """Stiffness of the bearing of one satellite on its crank, N/m; 0 where that is rigid."""
+        return 0.0
+
+    @property
+    def mesh(self) -> float:
+        """Torque over rotation of one satellite in its mesh, N*m/rad; 0 where that is rigid."""
         return 0.0
 
     @property
@@ -625,17 +676,15 @@ class CrankSupport(SatelliteSupport):
     stiffness: float = math.inf  # k_b of one bearing, radial, N/m; infinite where not given
     radial_clearance: float = 0.0  # G, m: the inner ring moves by G/2 to either side of its middle
 
-    first_order = True
+    @property
+    def gives(self) -> bool:
+        """True: a bearing is given."""
+        return True
 
     @property
-    def kind(self) -> int:
-        """The bearings, where they are elastic."""
-        return CRANK if self.gives > 0 else RIGID
-
-    @property
-    def gives(self) -> float:
-        """Of one bearing, m/N."""
-        return 1 / self.stiffness
+    def bearing(self) -> float:
+        """Of one bearing; 0 where it is not given."""
+        return self.stiffness if math.isfinite(self.stiffness) else 0.0
 
     @property
     def loose(self) -> float:
@@ -656,17 +705,20 @@ class ElasticMesh(SatelliteSupport):
 
     stiffness: float  # torque over rotation k_D of one disc, N*m/rad
 
-    first_order = turning = True
+    @property
+    def gives(self) -> bool:
+        """True: a mesh is given."""
+        return True
 
     @property
-    def kind(self) -> int:
-        """The meshes with the ring."""
-        return MESH
+    def turning(self) -> bool:
+        """True: each mesh gives for itself."""
+        return True
 
     @property
-    def gives(self) -> float:
-        """Of one mesh, rad/(N*m)."""
-        return 1 / self.stiffness
+    def mesh(self) -> float:
+        """Of one mesh; 0 where it is infinite."""
+        return self.stiffness if math.isfinite(self.stiffness) else 0.0
 
     def check(self, satellites: int) -> None:
         """Refuse a stiffness out of range."""
@@ -679,12 +731,15 @@ class Shares(SatelliteSupport):
 
     shares: tuple[float, ...]  # w_j of each of the K satellites, > 0, of sum 1
 
-    first_order = turning = True
+    @property
+    def gives(self) -> bool:
+        """True: satellites are not held together."""
+        return True
 
     @property
-    def kind(self) -> int:
-        """Each satellite turns for itself."""
-        return SHARES
+    def turning(self) -> bool:
+        """True: each turns for itself."""
+        return True
 
     @property
     def given_shares(self) -> tuple[float, ...]:

@@ -5,9 +5,12 @@ from dataclasses import dataclass
 from functools import cached_property, partial
 from typing import Literal
 
+import numpy as np
+
+from core.drive import engine
 from core.errors import ImpossibleMechanism, NotKnown, if_known
 from core.hertz import force_factor
-from core.output.contact_kernel import alone
+from core.output.elasticity import approach_under
 from core.output.real_mechanism import RealMechanism
 from core.output.room import Binding, Rooms
 from core.precision import AS_TYPED
@@ -57,7 +60,7 @@ class Fit:
         if not known:
             return ()
         found: dict[tuple[float, float], float] = {}
-        sizes = [*zip(real.pin_radii, real.pairs.distance, strict=True)]
+        sizes = [*zip(real.pin_radii.tolist(), real.differences.tolist(), strict=True)]
         for pair, size in enumerate(sizes):
             if size not in found:
                 found[size] = _force_under(real, pair, min(known))
@@ -66,10 +69,12 @@ class Fit:
     @cached_property
     def _approaches_at_limit(self) -> list[float]:
         """Approach of each pair under its force at the limit, m; none where that is not known."""
-        setup, pairs = self.real.setup(1.0), self.real.pairs
-        laws = zip(self.forces_at_limit, pairs.a, pairs.b, strict=False)
-        kind, n, curve = setup.law, setup.exponent, setup.curve
-        return [alone(kind, force, a, b, n, curve) for force, a, b in laws]
+        real, forces = self.real, self.forces_at_limit
+        if not forces:
+            return []
+        a, b = real.drive.cf[0, :, [engine.A, engine.B]]
+        under = approach_under(law=real.law, curve=real.curve, force=np.array(forces), a=a, b=b)
+        return [*map(float, under)]
 
     @cached_property
     def impossible(self) -> bool:
@@ -114,14 +119,14 @@ class Fit:
         """Force of each pair where the room is least and nothing loads the output, N, satellite by
         satellite; no forces where none balance there.
         """
-        real, room = self.real, self.real.room()
+        real = self.real
         psi = real.wave(self.rooms.room.crank_angle or 0.0)
         torque = NO_TORQUE * real.pin_circle_radius * min(self.forces_at_limit or (1.0,))
         try:
-            real.solved(psi, torque, real.setup(1.0), room)
+            room = real.solved([psi], torque)
         except ImpossibleMechanism:
             return ()
-        return tuple(room.force)
+        return tuple(room.forces[0].tolist())
 
     def _pressed(self) -> bool:
         """Whether every pair stands what presses it without load where the room is least; where no
@@ -199,7 +204,7 @@ def solvable(*, real: RealMechanism, rooms: Rooms | None = None) -> Fit:
     """
     fit = Fit(rooms or real.rooms, real)
     real.rooms.refuse_without_bound()
-    real.pairs  # noqa: B018 - refuses holes that are no larger than their pins
+    real.drive  # noqa: B018 - refuses holes that are no larger than their pins
     if not rooms and fit.impossible:
         raise fit.refusal()
     return fit

@@ -1,18 +1,16 @@
 """One position of the mechanism as it is made: forces, lag, play, stiffness, pressures."""
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass, replace
-from typing import Any
+from dataclasses import dataclass
 
 import numpy as np
 
 from core.arrays import FloatArray, check_finite, check_single
-from core.errors import Accuracy, ImpossibleMechanism, InvalidInput, Notice, poorly_known
+from core.errors import Accuracy, InvalidInput, Notice, poorly_known
 from core.hertz import HertzContact
-from core.output.elasticity import RIGID_SUPPORT, HertzLaw
+from core.output.elasticity import HertzLaw
 from core.output.real_mechanism import RealMechanism
-from core.output.sharing_kernel import at, pressing
+from core.output.stage import Solved
 
 LARGE_ROTATION = 0.1
 """Movement of the pins over the eccentricity above which the position is a strange one."""
@@ -104,97 +102,57 @@ def loaded_position(
     if output_torque == 0:
         raise InvalidInput("output_torque", output_torque, "not_zero")
     direction = math.copysign(1.0, output_torque)
-    setup, room = real.setup(direction), real.room()
-    psi = real.wave(crank_angle)
-    # The wave angle of a far crank angle is as rough as that.
-    found = real.solved(psi, abs(output_torque), setup, room)
-    pins = setup.pins
-    rows = range(0, pins * setup.satellites, pins)
-    force = np.array(room.force)
-    largest = float(force.max())
-    pressed = found.low > found.high + found.play_error
-    contact = real.hardest(room.force)
-    play = tuple(sorted((direction * found.low + 0.0, direction * found.high + 0.0)))
-    torques = [
-        direction * math.fsum(room.force[k] * room.lever[k] for k in range(i, i + pins))
-        for i in rows
-    ]
+    room = real.solved([real.wave(crank_angle)], output_torque)
+    force = room.forces[0]
+    pressed, lag = bool(room.jammed[0]), float(room.lag[0])
+    contact = real.hardest(force.tolist())
+    play = sorted((direction * room.play[0] + 0.0).tolist())
+    torques = _torques(real, room)
     own_lags = None
     if real.support.turning:
-        own_lags = tuple(direction * lag for lag in room.own_lag)
-    asked = {"crank_angle": crank_angle, "output_torque": output_torque}
-    rough = first_order_error(
-        real=real, forces=lambda rigid: loaded_position(real=rigid, **asked).force
-    )
-    error = found.force_error / largest
-    accuracy = Accuracy("newton_bracket", error + rough, found.steps)
+        own_lags = tuple(_behind(real, room).tolist())
+    error = float(room.force_error[0])
+    accuracy = Accuracy("newton_bracket", error / float(force.max()), room.steps)
     return LoadedPosition(
         crank_angle=crank_angle,
-        rotation=direction * found.lag,
-        force=real.rows(room.force),
-        satellite_torque=tuple(torques),
+        rotation=direction * lag,
+        force=real.rows(force.tolist()),
+        satellite_torque=tuple(torques.tolist()),
         satellite_rotation=own_lags,
         loaded_pairs=int((force > 0).sum()),
         play=None if pressed else (play[0], play[1]),
-        interference=least_interference(real=real, psi=psi) if pressed else None,
-        stiffness=found.stiffness,
+        interference=least_interference(real=real, psi=real.wave(crank_angle)) if pressed else None,
+        stiffness=float(room.stiffness[0]),
         contacts=(contact,),
-        rotation_error=found.lag_error,
-        play_error=found.play_error,
-        force_error=found.force_error,
+        rotation_error=float(room.lag_error[0]),
+        play_error=float(room.play_error[0]),
+        force_error=error,
         accuracy=accuracy,
         notices=(
-            *notices(real=real, lag=abs(found.lag), pressed=pressed, contact=contact),
-            *in_first_order(real=real, error=rough),
-            *bent_together(real=real, force=force.reshape(-1, pins)),
-            *poorly_known(accuracy._replace(relative_error=error)),
+            *notices(real=real, lag=abs(lag), pressed=pressed, contact=contact),
+            *poorly_known(accuracy),
         ),
     )
 
 
-def first_order_error(*, real: RealMechanism, forces: Callable[[RealMechanism], Any]) -> float:
-    """By how much first order is off, where what satellites give is solved in no other.
+def _behind(real: RealMechanism, room: Solved) -> FloatArray:
+    """Lag of the output behind each satellite, rad, shape (K,)."""
+    lags, count = room.lags[0], real.mechanism.satellites
+    behind: FloatArray = np.zeros(count) + lags[0]
+    if real.support.given_shares:
+        behind = lags[:count]
+    elif real.support.mesh:
+        behind = lags[0] - lags[1 : count + 1]
+    return behind
 
-    Parameters
-    ----------
-    real : RealMechanism
-        The mechanism.
-    forces : callable
-        Forces of a mechanism.
 
-    Returns
-    -------
-    float
-        Largest difference of the forces of rigid satellites in both geometries, over the largest of
-        them in exact one: 0 where nothing gives, 1 where these cannot be solved.
+def _torques(real: RealMechanism, room: Solved) -> FloatArray:
+    """Part of each satellite in the torque, N*m, shape (K,): of its forces times what a turn of the
+    output moves their contacts.
     """
-    if not real.support.first_order:
-        return 0.0
-    loose = real.roller_play + real.support.loose
-    rigid = replace(real, support=RIGID_SUPPORT, roller_play=loose)
-    try:
-        first, exact = (np.array(forces(replace(rigid, exact=way))) for way in (False, True))
-    except ImpossibleMechanism:
-        return 1.0
-    return float(abs(first - exact).max() / exact.max())
-
-
-def in_first_order(*, real: RealMechanism, error: float) -> tuple[Notice, ...]:
-    """Notice that forces are solved in first order, and how far that is off.
-
-    Parameters
-    ----------
-    real : RealMechanism
-        The mechanism.
-    error : float
-        Difference of both geometries over the largest force.
-
-    Returns
-    -------
-    tuple of Notice
-    """
-    percent = {"percent": 100 * error}
-    return (Notice("first_order_geometry", percent),) if real.support.first_order else ()
+    levers = room.work.grad[:, 0] * room.forces[0]
+    found: FloatArray = levers.reshape(real.mechanism.satellites, -1).sum(axis=1)
+    return found
 
 
 def least_interference(*, real: RealMechanism, psi: float) -> float:
@@ -212,13 +170,9 @@ def least_interference(*, real: RealMechanism, psi: float) -> float:
     float
         Positive where pairs press without load.
     """
-    if real.exact:
-        least, _ = real.rooms.rooms(np.array([psi]))
-        return -float(least[0])
-    setup, room = real.setup(1.0), real.room()
-    at(psi, setup, real.pairs, room)
-    far = real.eccentricity / real.pin_circle_radius
-    return pressing(-far, far, setup, real.pairs, room)
+    apart = range(real.mechanism.satellites) if real.support.given_shares else (None,)
+    least = min(float(real.rooms.rooms(np.array([psi]), disc)[0][0]) for disc in apart)
+    return -least - real.support.loose
 
 
 def notices(
@@ -256,21 +210,3 @@ def notices(
             low, high = DEPTHS
             found.append(Notice("reference_depth", {"ratio": ratio, "low": low, "high": high}))
     return (*found, *contact.notices)
-
-
-def bent_together(*, real: RealMechanism, force: FloatArray) -> tuple[Notice, ...]:
-    """Notice that pins are loaded by several satellites, whose bending is taken one by one.
-
-    Parameters
-    ----------
-    real : RealMechanism
-        The mechanism.
-    force : array, K x N
-        Force of each pair, N.
-
-    Returns
-    -------
-    tuple of Notice
-    """
-    together = real.pin.bends and ((force > 0).sum(axis=0) > 1).any()
-    return (Notice("pin_bending_uncoupled"),) if together else ()

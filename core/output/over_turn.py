@@ -14,21 +14,12 @@ from typing import NamedTuple
 import numpy as np
 
 from core.arrays import FloatArray, check_finite, check_single
+from core.drive.engine import HIGH, INPUT_TORQUE, LAG, LOST, PLAY, STIFFNESS
 from core.errors import Accuracy, InvalidInput, Notice, derived, poorly_known
 from core.hertz import HertzContact
 from core.numerics.extremes import second_look
 from core.output.contact_force import PairNumber
-from core.output.loaded_position import first_order_error, in_first_order, notices
-from core.output.loop_rows import (
-    BACKLASH,
-    FORCE,
-    INPUT_TORQUE,
-    LAG,
-    LOST_MOTION,
-    PLAY_END,
-    PRESSURE,
-    STIFFNESS,
-)
+from core.output.loaded_position import notices
 from core.output.real_mechanism import RealMechanism
 from core.output.summits import Grid, Summit, all_summits, highest, summits
 from core.output.turn import Rows, Turn
@@ -46,8 +37,7 @@ FLAT = 1e-7
 
 def _play_error(rows: Rows) -> FloatArray:
     """What rounding does to the play: where pairs press it is 0, of which nothing is lost."""
-    press = rows["low"] > rows["high"] + rows["play_error"]
-    return np.where(press, 0.0, 2 * rows["play_error"])
+    return np.where(rows["pressed"], 0.0, 2 * rows["play_error"])
 
 
 ROUNDED: dict[str, Callable[[Rows], FloatArray]] = {
@@ -109,12 +99,10 @@ class OverTurn:
     ----------
     turn : Turn
         The mechanism under a torque.
-    off : callable, optional
-        By how much first order is off, where that is known by another torque.
     """
 
-    def __init__(self, turn: Turn, off: Callable[[], float] | None = None) -> None:
-        self.turn, self.off = turn, off
+    def __init__(self, turn: Turn) -> None:
+        self.turn = turn
         self.real: RealMechanism = turn.real
 
     def _grid(self, rows: Rows, name: str, sign: int = 1) -> Grid:
@@ -143,8 +131,8 @@ class OverTurn:
             self._grid(rows, "force") for rows in (turn.coarse, turn.fine, turn.again)
         )
         before = turn.evaluations
-        found, top, rough = all_summits(coarse=coarse, fine=fine, narrow=turn.narrow(FORCE))
-        top, missed = self._above(again, FORCE, top)
+        found, top, rough = all_summits(coarse=coarse, fine=fine, narrow=turn.narrow(turn.force))
+        top, missed = self._above(again, turn.force, top)
         found.append(top)
         peak, first = top.height, turn.first
         offs = [
@@ -213,16 +201,16 @@ class OverTurn:
     @derived
     def _curved_alike(self) -> bool:
         """Whether all pairs are, so that the largest pressure is at the peak of the force."""
-        curved = self.real.pairs.curved
-        return not max(curved) > min(curved) * (1 + SAME)
+        curved = self.real.curved
+        return not bool(curved.max() > curved.min() * (1 + SAME))
 
     @derived
     def _pressed(self) -> Summit:
         """Where the largest pressure is."""
         grid = self._grid(self.turn.fine, "pressure")
-        tops = summits(grid=grid, narrow=self.turn.narrow(PRESSURE))
+        tops = summits(grid=grid, narrow=self.turn.narrow(self.turn.pressure))
         top = max(tops, key=lambda summit: summit.height)
-        return self._above(self._grid(self.turn.again, "pressure"), PRESSURE, top)[0]
+        return self._above(self._grid(self.turn.again, "pressure"), self.turn.pressure, top)[0]
 
     @derived
     def _wraps(self) -> bool:
@@ -257,7 +245,7 @@ class OverTurn:
         """Largest of Hertz's pressures."""
         pressure = float(self._contact.max_pressure)
         if not self._curved_alike:
-            at_peak = self.peak_force * self.real.pairs.curved[self._peak.pair]
+            at_peak = self.peak_force * self.real.curved[self._peak.pair]
             pressure *= math.sqrt(self._pressed.height / at_peak)
         return pressure
 
@@ -290,7 +278,7 @@ class OverTurn:
 
     @derived
     def _backlash(self) -> tuple[Extreme, Extreme]:
-        return self._extreme("backlash", BACKLASH), self._extreme("backlash", BACKLASH, -1)
+        return self._extreme("backlash", PLAY), self._extreme("backlash", PLAY, -1)
 
     @property
     def backlash_max(self) -> float:
@@ -319,7 +307,7 @@ class OverTurn:
 
     @derived
     def _lost_motion(self) -> Extreme:
-        top, lost = self._by_values(LOST_MOTION)
+        top, lost = self._by_values(LOST)
         there = np.searchsorted(self.turn.fine["wave"], lost.places)
         lags = 2 * self.turn.fine["lag_error"][there]  # as good as under all of the torque
         rounding = by_rounding(heights=lost.heights, errors=lags)
@@ -349,14 +337,13 @@ class OverTurn:
     @property
     def pressed_without_load(self) -> bool:
         """Whether pairs press so anywhere."""
-        rows = self.turn.fine
-        return bool((rows["low"] > rows["high"] + rows["play_error"]).any())
+        return bool(self.turn.fine["pressed"].any())
 
     @derived
     def _unloaded(self) -> Extreme:
         if self.pressed_without_load:
             return Extreme(0.0, 0.0)
-        return self._spread("high", PLAY_END)
+        return self._spread("high", HIGH)
 
     @property
     def unloaded_transmission_error(self) -> float:
@@ -447,22 +434,7 @@ class OverTurn:
         """Of the peak force: what twice as many positions change, what a second look at other
         positions found above, and rounding. An honest estimate, no proof.
         """
-        found = self._sought
-        return found._replace(relative_error=found.relative_error + self.geometry_error)
-
-    @property
-    def _sought(self) -> Accuracy:
         return Accuracy("sampling_zoomed", self._peak.relative_error, self._peak.evaluations)
-
-    @derived
-    def geometry_error(self) -> float:
-        """By how much first order is off the peak force, where satellites give."""
-        if self.off:
-            return self.off()
-        torque = self.turn.torque
-        return first_order_error(
-            real=self.real, forces=lambda rigid: OverTurn(Turn(rigid, torque)).peak_force
-        )
 
     @property
     def notices(self) -> tuple[Notice, ...]:
@@ -473,8 +445,7 @@ class OverTurn:
             pressed=self.pressed_without_load,
             contact=self.real.contact(*self.hardest) if self._wraps else self._contact,
         )
-        rough = in_first_order(real=self.real, error=self.geometry_error)
-        return (*position, *rough, *poorly_known(self._sought))
+        return (*position, *poorly_known(self.accuracy))
 
 
 def over_turn(

@@ -79,42 +79,23 @@ def real_curves(*, real: Stage, crank_angle: FloatArray, output_torque: float) -
     the mean.
     """
     check_single(output_torque=output_torque)
-    direction = math.copysign(1.0, output_torque)
-    there, back, room = real.setup(direction), real.setup(-direction), real.room()
-    torque = abs(output_torque)
-    forces, rows, unsure, steps = [], [], 0.0, 0
-    for angle in crank_angle:
-        psi = real.wave(float(angle))
-        reverse = real.solved(psi, torque, back, room)
-        found = real.solved(psi, torque, there, room)
-        least, most = sorted((direction * found.low, direction * found.high))
-        if found.low > found.high:
-            least = most = (least + most) / 2 if math.isfinite(least) else 0.0
-        forces.append(real.forces(room))
-        unsure, steps = max(unsure, found.force_error), steps + found.steps + reverse.steps
-        rows.append(
-            (
-                direction * found.lag,
-                -direction * reverse.lag,
-                least + 0.0,
-                most + 0.0,
-                found.stiffness,
-                real.input_torque(psi, torque, found.lag, there, room),
-            )
-        )
-    force = np.array(forces).T
-    accuracy = Accuracy("newton_bracket", unsure / float(force.max()), steps)
-    lag, back_lag, low, high, stiffness, on_crank = np.array(rows).T
+    direction, waves = math.copysign(1.0, output_torque), [*map(real.wave, crank_angle.tolist())]
+    back, there = (real.solved(waves, way * output_torque) for way in (-1, 1))
+    ends = np.sort(direction * there.play, axis=1) + 0.0
+    middle = np.where(np.isfinite(ends).all(axis=1), ends.mean(axis=1), 0.0)
+    ends = np.where(there.jammed[:, None], middle[:, None], ends)
+    force = there.forces[:, there.contacts(real.kind)].T
+    unsure = float(there.force_error.max() / force.max())
     return RealCurves(
         crank_angle=crank_angle,
         force=force,
-        rotation=lag,
-        reverse_rotation=back_lag,
-        play_from=low,
-        play_to=high,
-        stiffness=stiffness,
-        input_torque=on_crank,
-        accuracy=accuracy,
+        rotation=direction * there.lag,
+        reverse_rotation=-direction * back.lag,
+        play_from=ends[:, 0],
+        play_to=ends[:, 1],
+        stiffness=there.stiffness,
+        input_torque=there.input_torque,
+        accuracy=Accuracy("newton_bracket", unsure, there.steps + back.steps),
     )
 
 
@@ -172,21 +153,19 @@ def stiffness_curve(*, real: Stage, crank_angle: float, torques: Sequence[float]
         See `Stage.solved`.
     """
     check_single(crank_angle=crank_angle)
-    setups = {sign: real.setup(sign) for sign in (1.0, -1.0)}
-    room, psi, found = real.room(), real.wave(crank_angle), []
+    psi, found = real.wave(crank_angle), []
     for index, torque in enumerate(torques):
         if torque == 0:
             raise InvalidInput(f"torques[{index}]", torque, "not_zero")
-        sign = math.copysign(1.0, torque)
-        position = real.solved(psi, abs(torque), setups[sign], room)
-        found.append((sign * position.lag, position))
-    largest = max(abs(rotation) for rotation, _ in found) or 1.0
-    unsure = max(position.lag_error for _, position in found)
-    steps = sum(position.steps for _, position in found)
+        found.append(real.solved([psi], torque))
+    lags = np.array([float(each.lag[0]) for each in found])
+    unsure = max(float(each.lag_error[0]) for each in found)
     return StiffnessCurve(
         crank_angle,
         tuple(torques),
-        tuple(rotation for rotation, _ in found),
-        tuple(position.stiffness for _, position in found),
-        Accuracy("newton_bracket", unsure / largest, steps),
+        tuple((np.sign(torques) * lags).tolist()),
+        tuple(float(each.stiffness[0]) for each in found),
+        Accuracy(
+            "newton_bracket", unsure / (abs(lags).max() or 1.0), sum(each.steps for each in found)
+        ),
     )

@@ -24,9 +24,6 @@ SAMPLES = 720
 HALVINGS = 16
 """How often the step that holds an end is halved."""
 
-WIDER = 4.0
-"""By what an end is less sure where the force beside it is still within its own error."""
-
 
 class Ends(NamedTuple):
     """Where pairs begin and end to carry."""
@@ -49,9 +46,7 @@ class RealCyclogram:
     loaded_count: tuple[CountInterval, ...]
     min_loaded: int  # least number of pairs over the range
     max_loaded: int  # largest number
-    # What the ends may be off, rad; what is shorter than the step of the grid may not be found.
-    end_error: float
-    step: float  # of that grid, crank angle, rad
+    step: float  # of the grid, crank angle, rad: what is shorter may not be found
     accuracy: Accuracy  # of the ends, over the period
 
 
@@ -82,11 +77,9 @@ def real_cyclogram(*, turn: Turn, revolutions: float = 1.0) -> RealCyclogram:
     mechanism, solved = turn.real.mechanism, turn.evaluations
     step = 2 * math.pi / SAMPLES
     ends, pair, falls, carries = _ends(turn, step)
-    inward, width = np.where(falls, -1.0, 1.0), step / 2.0 ** (HALVINGS + 1)
-    sure = _sure(turn, ends + mechanism.initial_crank_angle, pair, inward, width)
     per_wave = mechanism.crank_angle_per_wave
     crank = per_wave / (2 * math.pi)
-    error = crank * sure + 8 * ROUNDING * per_wave
+    error = crank * step / 2.0**HALVINGS + 8 * ROUNDING * per_wave
     shown = revolutions * 2 * math.pi
     pairs = tuple(
         DrivingPair(
@@ -105,7 +98,6 @@ def real_cyclogram(*, turn: Turn, revolutions: float = 1.0) -> RealCyclogram:
         loaded_count=counts,
         min_loaded=min(numbers),
         max_loaded=max(numbers),
-        end_error=error,
         step=crank * step,
         accuracy=Accuracy("bisection", error / per_wave, turn.evaluations - solved),
     )
@@ -120,7 +112,7 @@ def _ends(turn: Turn, step: float) -> Ends:
     low, high, falls = places[place], places[place] + step, carries[place, pair]
     for _ in range(HALVINGS if len(place) else 0):
         middle = (low + high) / 2
-        same = (_forces(turn, middle, pair)[0] > 0) == falls
+        same = (turn.at_waves(middle)["forces"][np.arange(len(pair)), pair] > 0) == falls
         low, high = np.where(same, middle, low), np.where(same, high, middle)
     return Ends((low + high) / 2 - first, pair, falls, carries[0])
 
@@ -153,31 +145,11 @@ def carried_forces(
     ImpossibleMechanism
         See `core.output.real_mechanism.RealMechanism.solved`.
     """
-    end, beside = carried.loaded_count[-1].end, carried.end_error
+    end, beside = carried.loaded_count[-1].end, carried.step / 2.0**HALVINGS
     ends = {place for pair in carried.pairs for phase in pair.driving for place in phase}
     sides = [place + side for place in ends for side in (-beside, beside)]
     angles = np.union1d(np.linspace(0.0, end, samples), np.clip([*sides, *places], 0.0, end))
     return angles, turn.poses([turn.real.wave(float(each)) for each in angles])["forces"].T
-
-
-def _forces(turn: Turn, places: FloatArray, pair: np.ndarray) -> tuple[FloatArray, FloatArray]:
-    """Force of one pair at each wave angle, and its error, N."""
-    rows = turn.at_waves(places)
-    return rows["forces"][np.arange(len(pair)), pair], rows["force_error"]
-
-
-def _sure(
-    turn: Turn, ends: FloatArray, pair: np.ndarray, inward: FloatArray, width: float
-) -> float:
-    """How far from the ends, rad of the wave, forces are beyond their own error; twice the width to
-    which the ends are known at least.
-    """
-    away, unsure = 2 * width, len(ends) > 0
-    while unsure and away < math.pi / SAMPLES:
-        force, error = _forces(turn, ends + inward * away, pair)
-        unsure = bool((force <= 2 * error).any())
-        away *= WIDER if unsure else 1.0
-    return away
 
 
 def _intervals(

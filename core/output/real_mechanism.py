@@ -1,40 +1,39 @@
 """The output mechanism as it is made: its sizes, clearance, deviations and elasticity.
 
-Every satellite is a rigid disc, held by its crank and turned by the ring. The one unknown is the
-lag of the output behind its ideal angle; the approach of each pair follows from it, a force from
-each approach, and the torque of all forces must be the load.
+Every satellite is a rigid disc, held by its crank and turned by the ring, or by bearings and meshes
+that give. The output lags behind its ideal angle; the approach of each pair follows from that, a
+force from each approach, and the torque of all forces must be the load.
 """
 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
-from core.arrays import Number, check_finite, check_positive, check_single
+from core.arrays import FloatArray, Number, check_finite, check_positive, check_single
+from core.drive import engine
+from core.drive.model import Pieces, Springs
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.hertz import ElasticMaterial, HertzContact, hertz
-from core.output.compiled import PLAIN, at_hand
-from core.output.conformal_law import conformal_wrap
+from core.output.conformal_law import Curve, conformal_wrap, table_of
+from core.output.drives import output_pieces
 from core.output.elasticity import (
     RIGID_PINS,
     RIGID_SUPPORT,
     ContactLaw,
+    Law,
     Pins,
     SatelliteSupport,
     Shares,
     check_law,
     law_constants,
     law_curve,
-    law_kind,
 )
-from core.output.loop_rows import TIED, Law, Pairs, Room, Setup, Wrap
 from core.output.mechanism import Mechanism
-from core.output.room import Deviations, Rooms
-from core.output.sharing_kernel import prepare
-from core.output.stage import Stage, blank_rows, in_floats
+from core.output.room import Deviations, Errors, Rooms
+from core.output.stage import Stage
 
 
 @dataclass(frozen=True)
@@ -54,7 +53,7 @@ class RealMechanism(Stage):
     deviations: Deviations = field(default_factory=Deviations)
     # Exact geometry; else first order in lag and deviations, fixed lines of action.
     exact: bool = True
-    # What the satellites' bearings or mesh give, in first order.
+    # What the satellites' bearings or mesh give.
     support: SatelliteSupport = RIGID_SUPPORT
     # What rollers give to either side on their pins, m: in the play, not in the curvatures.
     roller_play: float = 0.0
@@ -71,12 +70,8 @@ class RealMechanism(Stage):
             than = {"field": "pin_circle_radius", "limit": self.pin_circle_radius}
             raise InvalidInput("eccentricity", self.eccentricity, "smaller_than", **than)
         check_law(self.law)
-        if self.support.first_order and self.exact:
-            raise InvalidInput("exact", self.exact, "first_order_only", field="support")
         self.support.check(self.mechanism.satellites)
-        if self.pin.tied and self.exact:
-            raise InvalidInput("exact", self.exact, "first_order_only", field="pin.support")
-        if self.pin.tied and self.support.first_order:
+        if self.pin.tied and self.support.gives:
             raise InvalidInput("support", self.support, "only_one", field="pin.support")
 
     @property
@@ -87,51 +82,23 @@ class RealMechanism(Stage):
         holes = own.hole_radial, own.hole_tangential, own.hole_radius
         return not any(map(any, pins)) and not any(any(map(any, each)) for each in holes)
 
-    def setup(self, direction: float) -> Setup:
-        """The design as the kernel takes it.
-
-        Parameters
-        ----------
-        direction : float
-            Of the torque: 1, or -1 in reverse.
-
-        Returns
-        -------
-        Setup
-        """
-        kind, exponent = law_kind(self.law)
-        return in_floats(
-            Setup(
-                pins=self.mechanism.pins,
-                satellites=self.mechanism.satellites,
-                ratio=self.mechanism.ratio,
-                exact=self.exact,
-                radius=self.pin_circle_radius,
-                pin_radius=self.pin_radius,
-                eccentricity=self.eccentricity,
-                clearance=self.clearance,
-                direction=direction,
-                law=kind,
-                exponent=exponent,
-                curve=law_curve(
-                    law=self.law,
-                    contact_length=self.contact_length,
-                    pin=self.pin_material,
-                    hole=self.hole_material,
-                ),
-                wrap=self.wrap,
-                support=TIED if self.pin.tied else self.support.kind,
-                gives=self.support.gives,
-                loose=self.roller_play + self.support.loose,
-            )
+    @property
+    def curve(self) -> Curve:
+        """Approach over force of contacts that wrap."""
+        return law_curve(
+            law=self.law,
+            contact_length=self.contact_length,
+            pin=self.pin_material,
+            hole=self.hole_material,
         )
 
     @property
-    def wrap(self) -> Wrap:
-        """Largest pressures of contacts that wrap."""
-        return conformal_wrap(
+    def table(self) -> FloatArray:
+        """Constants of contacts that wrap, as the engine takes them."""
+        wrap = conformal_wrap(
             contact_length=self.contact_length, pin=self.pin_material, hole=self.hole_material
         )
+        return table_of(curve=self.curve, wrap=wrap)
 
     @property
     def law_constants(self) -> Law:
@@ -145,20 +112,24 @@ class RealMechanism(Stage):
         )
 
     @property
-    def compliance(self) -> list[float]:
-        """Of the pin at each satellite, with the wall about its bore, m/N; where a tie ring joins
-        the pins what `tied_compliance` gives.
-        """
-        own = self.mechanism
-        return self.pin.compliance(
-            satellites=own.satellites, contact_length=self.contact_length, pins=own.pins
-        )
+    def _joined(self) -> bool:
+        """True where each pin is bent by several discs at once, or by a ring."""
+        return self.pin.tied or (self.pin.bends and self.mechanism.satellites > 1)
 
     @property
-    def outward(self) -> list[float]:
-        """Directions of the pins from the middle, ``-sin, cos`` of their angles, [N, 2]."""
-        angles = [2 * math.pi * n / self.mechanism.pins for n in range(self.mechanism.pins)]
-        return [each for angle in angles for each in (-math.sin(angle), math.cos(angle))]
+    def compliance(self) -> list[float]:
+        """In series with the contacts at each satellite, m/N: of the wall about a pin's bore, and
+        of a pin that this satellite alone bends.
+        """
+        bent = self.pin.bending(self.mechanism.satellites)
+        wall = self.pin.wall_compliance(self.contact_length)
+        return [wall + (0.0 if self._joined else each) for each in bent]
+
+    @property
+    def springs(self) -> Springs:
+        """What gives besides the contacts."""
+        bending = self.pin.spring if self._joined else None
+        return Springs(self.support.bearing, self.support.mesh, bending)
 
     @cached_property
     def rooms(self) -> Rooms:
@@ -174,63 +145,47 @@ class RealMechanism(Stage):
             apart=isinstance(self.support, Shares),
         )
 
-    @cached_property
-    def _prepared(self) -> tuple[Pairs, list[float]]:
-        """Constants of the pairs, and their pins' radii."""
-        pins, satellites = self.mechanism.pins, self.mechanism.satellites
-        errors = self.rooms.numbered[0].rows(pins, satellites)
-        pairs: Pairs = self.blank(Pairs)
-        phase = list(self.mechanism.crank_angles)
-        setup = self.setup(1.0)
-        given = setup, self.law_constants, errors, phase, self.compliance, self.outward
-        none = prepare(*given, pairs)
-        if none >= 0:
-            j, n = divmod(none, pins)
-            raise ImpossibleMechanism("no_room_in_hole", satellite=j + 1, pin=n + 1)
-        return pairs, [self.pin_radius + error for error in errors.pin_radius] * satellites
-
     @property
-    def pairs(self) -> Pairs:
-        """Constants of the pairs."""
-        return self._prepared[0]
-
-    @property
-    def pin_radii(self) -> list[float]:
-        """Radius of each pair's pin, m."""
-        return self._prepared[1]
-
-    def room(self) -> Room:
-        """Room for the results of one position."""
-        room: Room = self.blank(Room)
-        return room
-
-    def blank(self, kind: Any) -> Any:
-        """Rows of zeros for the kernel.
-
-        Parameters
-        ----------
-        kind : type
-            `Pairs` or `Room`.
-
-        Returns
-        -------
-        Pairs or Room
+    def errors(self) -> Errors[FloatArray]:
+        """Deviations as rows of one piece, whose discs are put onto the pins by the holes that lie
+        next to them.
         """
-        pins, satellites = self.mechanism.pins, self.mechanism.satellites
-        square = (pins * satellites) ** 2 if self.pin.tied else 0
-        sizes = {"give": square, "system": 2 * square}
-        shares = self.support.given_shares
-        return blank_rows(kind, pins=pins, satellites=satellites, shares=shares, **sizes)
+        own = self.mechanism
+        rows = self.rooms.numbered[0].rows(own.pins, own.satellites)
+        return Errors(*[np.array([each]) for each in rows])
+
+    @cached_property
+    def drive(self) -> Pieces:
+        """The mechanism as the engine takes it."""
+        found = output_pieces(output=self, errors=self.errors)
+        radius, own = found.cf[0, :, engine.RAD], found.gf[0, :, engine.ECC]
+        least = np.minimum(radius, self.eccentricity + found.cf[0, :, engine.WIDER])
+        none = np.minimum(least, own.repeat(self.mechanism.pins)) <= 0
+        if none.any():
+            j, n = divmod(int(none.argmax()), self.mechanism.pins)
+            raise ImpossibleMechanism("no_room_in_hole", satellite=j + 1, pin=n + 1)
+        return found
 
     @property
-    def loops(self) -> Any:
-        """The functions of `core.output.sharing_kernel`, interpreted."""
-        return PLAIN
+    def phases(self) -> list[float]:
+        """Angles of the cranks with their errors, rad."""
+        errors = self.deviations.crank_phase or (0.0,) * self.mechanism.satellites
+        return [each + more for each, more in zip(self.mechanism.crank_angles, errors, strict=True)]
 
     @property
-    def loops_of_turns(self) -> Any:
-        """The same, compiled where they can be."""
-        return at_hand()
+    def pin_radii(self) -> FloatArray:
+        """Radius of each pair's pin, m, shape (K*N,)."""
+        return np.asarray(self.drive.cf[0, :, engine.RAD])
+
+    @property
+    def differences(self) -> FloatArray:
+        """By how much each hole's radius is larger than its pin's, m, shape (K*N,)."""
+        return np.asarray(self.eccentricity + self.drive.cf[0, :, engine.WIDER])
+
+    @property
+    def curved(self) -> FloatArray:
+        """Difference of the curvatures of each pair, 1/m, shape (K*N,)."""
+        return np.asarray(self.drive.cf[0, :, engine.CURVED])
 
     def contact(self, pair: int, force: float) -> HertzContact:
         """Contact of a pair.
@@ -246,7 +201,7 @@ class RealMechanism(Stage):
         -------
         HertzContact
         """
-        return self._contact(force, self.pin_radii[pair], self.pairs.distance[pair])
+        return self._contact(force, float(self.pin_radii[pair]), float(self.differences[pair]))
 
     def contacts(self, force: Sequence[float]) -> HertzContact:
         """The same of all pairs, as arrays.
@@ -260,11 +215,9 @@ class RealMechanism(Stage):
         -------
         HertzContact
         """
-        return self._contact(*map(np.array, (force, self.pin_radii, self.pairs.distance)))
+        return self._contact(np.array(force), self.pin_radii, self.differences)
 
     def _contact(self, force: Number, radius: Number, apart: Number) -> HertzContact:
-        if self.exact:
-            apart = apart - self.roller_play  # which lets the centres move, not the radii grow
         return hertz(
             force=force,
             contact_length=self.contact_length,
@@ -310,8 +263,7 @@ class RealMechanism(Stage):
             pressure = contacts.governing
             unknown = np.isnan(pressure)
             return int(np.argmax(force if unknown.all() else np.where(unknown, math.inf, pressure)))
-        curved = [f * curved for f, curved in zip(force, self.pairs.curved, strict=True)]
-        return curved.index(max(curved))
+        return int((np.array(force) * self.curved).argmax())
 
     def wraps(self, force: Sequence[float]) -> bool:
         """Whether any pair wraps, so that its pressure is not Hertz's.

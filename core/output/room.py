@@ -8,20 +8,22 @@ within it about its own centre, to where the pins have most room.
 """
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, MutableSequence, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache, cached_property
 from itertools import chain
-from typing import Literal, NamedTuple
+from typing import Generic, Literal, NamedTuple, TypeVar
 
 import numpy as np
 
 from core.arrays import ComplexArray, FloatArray, IntArray, check_finite
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.numerics.extremes import CLOSER_BY, ZOOMS, zoom
-from core.output.loop_rows import Errors, Row
 from core.output.mechanism import Mechanism
 from core.precision import AS_TYPED, ROUNDING
+
+Row = MutableSequence[float]
+R = TypeVar("R")
 
 State = Literal["fits", "binds_in_turning", "does_not_fit", "no_bound"]
 Side = Literal["driving", "reverse", "radial"]
@@ -65,6 +67,20 @@ NO_PLAY = -1e3
 
 TINY = 1e-300
 """What is divided by in the place of 0."""
+
+
+class Errors(NamedTuple, Generic[R]):
+    """Deviations of one piece, rows of [N], [K*N] or [K]; of many, a table of each."""
+
+    pin_radial: R  # place of each pin, m
+    pin_tangential: R  # m
+    pin_radius: R  # m
+    hole_radial: R  # place of each hole, m
+    hole_tangential: R  # m
+    hole_radius: R  # m
+    eccentricity: R  # of each crank, m
+    crank_phase: R  # of each crank, rad
+    disc_phase: R  # of each disc's holes against its teeth, rad
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,116 +1,212 @@
-"""What pairs of pins and discs share a torque by one lag: what the loops over pairs solve."""
+"""Pins and discs that share a torque: positions as the engine solves them."""
 
 import math
-from array import array
-from collections.abc import Iterable, Sequence
-from typing import Any, TypeVar
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
 
+import numpy as np
+
+from core.arrays import BoolArray, FloatArray
+from core.drive import engine
+from core.drive.engine import Drive, Work
+from core.drive.model import Pieces, work_for
 from core.errors import ImpossibleMechanism
-from core.output.loop_rows import NO_DRIVE, NOT_SOLVED, NOT_STABLE, TOO_FAR, TOO_WIDE, Position
 from core.output.mechanism import Mechanism
-from core.output.sharing_kernel import too_wide
+from core.precision import ROUNDING
 
 REFUSALS = {
-    NO_DRIVE: "dead_centre",
-    NOT_STABLE: "not_stable",
-    NOT_SOLVED: "not_balanced",
-    TOO_WIDE: "beyond_hertz",
-    TOO_FAR: "beyond_first_order",
+    engine.NO_DRIVE: "dead_centre",
+    engine.NOT_STABLE: "not_stable",
+    engine.NOT_SOLVED: "not_balanced",
+    engine.TOO_WIDE: "beyond_hertz",
+    engine.TOO_FAR: "beyond_first_order",
 }
 """What a position is refused as that cannot be."""
 
+CLASS = 1e-9
+"""Error of forces and lags of positions over the largest: of the method, not of a call."""
 
-Sizes = TypeVar("Sizes")
+ROUNDED = 32 * ROUNDING
+"""Part of a displacement that its sums may lose."""
 
-
-def in_floats(setup: Sizes) -> Sizes:
-    """A setup whose sizes are floats, which the loops are compiled for: a whole number would have
-    them compiled once more.
-
-    Parameters
-    ----------
-    setup : named tuple
-        Sizes as they are given.
-
-    Returns
-    -------
-    named tuple
-    """
-    own: Any = setup
-    kinds = type(setup).__annotations__
-    sizes = (name for name, kind in kinds.items() if kind is float)
-    found: Sizes = own._replace(**{name: float(getattr(setup, name)) for name in sizes})
-    return found
+PLAY_CLASS = 1e-13
+"""Error of the ends of a play over them."""
 
 
-OF_SATELLITES = {"arm", "phase", "share", "own", "off", "eta", "own_lag", "own_moves", "own_error"}
-"""Rows of pairs and rooms with one number for each satellite."""
+@dataclass(frozen=True, slots=True)
+class Solved:
+    """Room for positions of a drive, and what they leave there, position by position."""
 
+    drive: Drive
+    work: Work
+    rows: FloatArray  # read-outs of the engine, [m, 21]
+    lags: FloatArray  # of the bodies, against the direction of the output, rad
+    forces: FloatArray  # of all contacts, N
+    wrench: FloatArray  # of each group on its disc: along the crank, across it, about its centre
+    plays: FloatArray  # of each disc in its ring, rad, [m, bodies, 2]
 
-def blank_rows(
-    kind: Any, *, pins: int, satellites: int, shares: Sequence[float] = (), **sizes: int
-) -> Any:
-    """Rows of zeros as the loops take them.
+    @classmethod
+    def of(cls, pieces: Pieces, count: int = 1) -> "Solved":
+        """Room for so many positions of the first piece.
 
-    Parameters
-    ----------
-    kind : type
-        Named tuple of rows.
-    pins, satellites : int
-        Numbers N and K.
-    shares : sequence of float
-        Of the torque, where they are given: then parts of rows are rows too.
-    **sizes : int
-        Lengths of rows that have neither K nor K*N numbers.
+        Parameters
+        ----------
+        pieces : Pieces
+            The drive.
+        count : int
+            How many positions.
 
-    Returns
-    -------
-    named tuple
-    """
-    own = dict.fromkeys(kind._fields, pins * satellites) | dict.fromkeys(OF_SATELLITES, satellites)
-    rows = {name: [0.0] * sizes.get(name, own[name]) for name in kind._fields}
-    if not shares:
-        return kind(**rows)
-    if "share" in rows:
-        rows["share"] = [*shares]
-    return kind(**{name: divisible(row) for name, row in rows.items()})
+        Returns
+        -------
+        Solved
+        """
+        drive, blank = pieces.drive(), np.zeros
+        bodies = len(drive.share)
+        return cls(
+            drive,
+            work_for(drive),
+            blank((count, engine.INTERFERENCE + 1)),
+            blank((count, bodies)),
+            blank((count, len(drive.ci))),
+            blank((count, len(drive.gi), 3)),
+            blank((count, bodies, 2)),
+        )
 
+    def at(self, places: FloatArray, torque: float, *, play: bool = True) -> int:
+        """Solve positions; the first that cannot be, or -1.
 
-def divisible(row: Iterable[float]) -> memoryview:
-    """A row of which parts are rows too.
+        Parameters
+        ----------
+        places : array, shape (m,)
+            Angles of the engine, rad.
+        torque : float
+            N*m, negative in reverse.
+        play : bool
+            True where the play is asked too.
 
-    Parameters
-    ----------
-    row : iterable of float
-        Its numbers.
+        Returns
+        -------
+        int
+        """
+        given = places, torque, play, self.drive, self.work
+        left = self.rows, self.lags, self.forces, self.wrench, self.plays
+        return engine.positions(*given, *left)
 
-    Returns
-    -------
-    memoryview
-    """
-    return memoryview(array("d", row))
+    def contacts(self, kind: int) -> slice:
+        """The contacts of a kind, which lie together.
+
+        Parameters
+        ----------
+        kind : int
+            `engine.PIN` or `engine.LOBE`.
+
+        Returns
+        -------
+        slice
+        """
+        gi = self.drive.gi[self.drive.gi[:, engine.KIND] == kind]
+        return slice(gi[0, engine.START], gi[-1, engine.STOP]) if len(gi) else slice(0, 0)
+
+    def on_discs(self, *kinds: int) -> FloatArray:
+        """Forces of kinds of contacts on each disc along its crank, across it, and their torque.
+
+        Parameters
+        ----------
+        *kinds : int
+            Of groups.
+
+        Returns
+        -------
+        array, shape (m, K, 3)
+        """
+        found = [self.wrench[:, self.drive.gi[:, engine.KIND] == kind] for kind in kinds]
+        total: FloatArray = np.sum([each for each in found if each.shape[1]], axis=0)
+        return total
+
+    @property
+    def by_ring(self) -> FloatArray:
+        """Forces of the ring on each disc."""
+        return self.on_discs(engine.LOBE, engine.FLANK)
+
+    @property
+    def lag(self) -> FloatArray:
+        """Lag of the output, counted as the torque turns, rad."""
+        return np.asarray(self.rows[:, engine.LAG])
+
+    @property
+    def stiffness(self) -> FloatArray:
+        """Torque over the lag, N*m/rad."""
+        return np.asarray(self.rows[:, engine.STIFFNESS])
+
+    @property
+    def play(self) -> FloatArray:
+        """Least and largest lag without load, counted as the torque turns, rad, shape (m, 2)."""
+        return np.asarray(self.rows[:, engine.LOW : engine.HIGH + 1])
+
+    @property
+    def pressed(self) -> BoolArray:
+        """True where pairs of any stage press without load."""
+        pressed: BoolArray = self.rows[:, engine.PRESSED] > 0
+        return pressed
+
+    @property
+    def jammed(self) -> BoolArray:
+        """True where the output has no play, as pairs press."""
+        jammed: BoolArray = self.play[:, 0] > self.play[:, 1] + engine.LEAST_PLAY
+        return jammed
+
+    @property
+    def input_torque(self) -> FloatArray:
+        """Torque that turns the crank without friction, N*m."""
+        return np.asarray(self.rows[:, engine.INPUT_TORQUE])
+
+    @property
+    def steps(self) -> int:
+        """Steps of all positions."""
+        return int(self.rows[:, engine.STEPS].sum())
+
+    @property
+    def lag_error(self) -> FloatArray:
+        """Error of the lags, rad."""
+        return np.asarray(CLASS * np.abs(self.lag))
+
+    @property
+    def play_error(self) -> FloatArray:
+        """Error of the ends of the play, rad."""
+        return np.asarray(PLAY_CLASS * np.abs(self.play).max(axis=1) + engine.LEAST_PLAY)
+
+    @property
+    def force_error(self) -> FloatArray:
+        """Error of the forces, N: of the method, and by rounding of what moves, which counts under
+        a torque of next to nothing.
+        """
+        radius = float(self.drive.gf[0, engine.CIRCLE])
+        rounded = ROUNDED * self.stiffness * np.abs(self.lags).max(axis=1) / radius
+        return np.asarray(CLASS * self.forces.max(axis=1) + rounded)
 
 
 class Stage:
-    """Output pins in the holes of satellites, or a ring on the teeth of satellites."""
+    """Output pins in the holes of discs, a ring of pins on the teeth of discs, or both."""
 
     mechanism: Mechanism  # pins and cranks; of a ring the wave turns with the crank
     support: Any  # what of the satellites gives, or their given shares; None where they are rigid
+    kind = engine.PIN
+    """Contacts whose forces are those of the stage."""
 
     @property
-    def pairs(self) -> Any:
-        """Constants of the pairs, as the loops take them."""
+    def drive(self) -> Pieces:
+        """The drive as the engine takes it."""
         raise NotImplementedError
 
     @property
     def phases(self) -> Sequence[float]:
         """Angles of the cranks with their errors, rad."""
-        phases: Sequence[float] = self.pairs.phase[: self.mechanism.satellites]
-        return phases
+        raise NotImplementedError
 
     @property
     def pins_alike(self) -> bool:
-        """Whether all pins are alike, and all that they touch of a satellite."""
+        """True where all pins are alike, and all that they touch of a satellite."""
         raise NotImplementedError
 
     @property
@@ -118,46 +214,8 @@ class Stage:
         """Angles from the crank at which a pin takes up or leaves, rad."""
         return 0.0, math.pi
 
-    @property
-    def loops(self) -> Any:
-        """The functions of `core.output.sharing_kernel`, interpreted."""
-        raise NotImplementedError
-
-    @property
-    def loops_of_turns(self) -> Any:
-        """The same, compiled where they can be."""
-        raise NotImplementedError
-
-    def setup(self, direction: float) -> Any:
-        """The design as the kernel takes it.
-
-        Parameters
-        ----------
-        direction : float
-            Of the torque: 1, or -1 in reverse.
-
-        Returns
-        -------
-        named tuple
-        """
-        raise NotImplementedError
-
-    def room(self) -> Any:
-        """Room for the results of one position."""
-        raise NotImplementedError
-
-    def forces(self, room: Any) -> list[float]:
-        """Forces of the pairs as a position left them, N.
-
-        Parameters
-        ----------
-        room : named tuple
-            Of the position.
-        """
-        return [*room.force]
-
     def wave(self, crank_angle: float) -> float:
-        """Wave angle of a crank angle, rad, within half a turn around 0.
+        """Angle of the engine at a crank angle, rad: that of the wave, within half a turn around 0.
 
         Parameters
         ----------
@@ -166,23 +224,32 @@ class Stage:
         """
         return math.remainder(self.mechanism.wave_angle(crank_angle), 2 * math.pi)
 
-    def solved(self, psi: float, torque: float, setup: Any, room: Any) -> Position:
-        """Equilibrium at a wave angle; what cannot be is refused.
+    def crank_angle(self, psi: float) -> float:
+        """First crank angle >= 0 of an angle of the engine, rad.
 
         Parameters
         ----------
         psi : float
-            Wave angle, rad.
+            As `wave` gives it, rad.
+        """
+        off = psi - self.mechanism.initial_crank_angle
+        return off % (2 * math.pi) / self.mechanism.waves_per_turn
+
+    def solved(self, places: Sequence[float], torque: float, *, play: bool = True) -> Solved:
+        """Equilibrium at angles of the engine; what cannot be is refused.
+
+        Parameters
+        ----------
+        places : sequence of float
+            As `wave` gives them, rad.
         torque : float
-            Size of the torque, N*m, > 0.
-        setup : named tuple
-            The design, with the torque's direction.
-        room : named tuple
-            Takes forces and levers.
+            On the output link, N*m, not 0; negative in reverse.
+        play : bool
+            True where the play is asked too.
 
         Returns
         -------
-        Position
+        Solved
 
         Raises
         ------
@@ -190,54 +257,61 @@ class Stage:
             If no pair can drive, forces would not balance or not be stable, or a contact would be
             as wide as its pin.
         """
-        position: Position = self.loops.solve(psi, torque, setup, self.pairs, room)
-        status = self.loops.judged(position, setup, self.pairs, room)
-        if status in REFUSALS:
-            params = self.beyond_law(room) if status == TOO_WIDE else {}
-            place = {"crank_angle": self.crank_angle(psi)}
-            raise ImpossibleMechanism(REFUSALS[status], place, **params)
-        return position
+        room = Solved.of(self.drive, len(places))
+        bad = room.at(np.array(places, float), torque, play=play)
+        if bad >= 0:
+            self.refuse(angle=places[bad], status=int(room.rows[bad, engine.STATUS]), room=room)
+        return room
 
-    def input_torque(self, psi: float, torque: float, lag: float, setup: Any, room: Any) -> float:
-        """Torque that turns the crank without friction, N*m, as `solved` left the room.
+    def refuse(self, *, angle: float, status: int, room: Solved) -> None:
+        """Refuse a position that cannot be, as the engine left it.
 
         Parameters
         ----------
-        psi, torque : float
-            As they were solved.
-        lag : float
-            As it was found, rad.
-        setup, room : named tuple
-            As `solved` takes them.
+        angle : float
+            Angle of the engine, rad.
+        status : int
+            Of the position.
+        room : Solved
+            The positions.
+
+        Raises
+        ------
+        ImpossibleMechanism
+            Always.
+        """
+        params = self._beyond_law(room) if status == engine.TOO_WIDE else {}
+        place = {"crank_angle": self.crank_angle(float(angle))}
+        raise ImpossibleMechanism(REFUSALS[status], place, **params)
+
+    def _beyond_law(self, room: Solved) -> dict[str, Any]:
+        """The pair whose force is beyond its law: disc, and pin of the ring or the output."""
+        w, gi = room.work.w, room.drive.gi
+        index = int(np.flatnonzero(w[:, engine.FORCE] > w[:, engine.MOST])[0])
+        g = int(((gi[:, engine.START] <= index) & (index < gi[:, engine.STOP])).argmax())
+        disc = int((gi[:g, engine.KIND] == gi[g, engine.KIND]).sum())
+        return {"satellite": disc + 1, "pin": index - int(gi[g, engine.START]) + 1}
+
+    def unloaded(self, places: FloatArray, way: float = 1.0, *, least: bool = False) -> FloatArray:
+        """Play, and where it is asked what presses least, at angles of the engine.
+
+        Parameters
+        ----------
+        places : array, shape (m,)
+            rad.
+        way : float
+            Direction in which lags count: 1, or -1 in reverse.
+        least : bool
+            True where the smallest possible worst approach is asked, of a ring alone.
 
         Returns
         -------
-        float
+        array, shape (m, 21)
+            Read-outs of the engine.
         """
-        found: float = self.loops.input_torque(psi, torque, lag, setup, self.pairs, room)
-        return found
-
-    def crank_angle(self, psi: float) -> float:
-        """First crank angle >= 0 of a wave angle, rad.
-
-        Parameters
-        ----------
-        psi : float
-            Wave angle, rad.
-        """
-        off = psi - self.mechanism.initial_crank_angle
-        return off % (2 * math.pi) / self.mechanism.waves_per_turn
-
-    def beyond_law(self, room: Any) -> dict[str, Any]:
-        """The pair whose force is beyond its law: numbers of satellite and pin.
-
-        Parameters
-        ----------
-        room : named tuple
-            A position in which one is.
-        """
-        j, n = divmod(too_wide(self.pairs, room), self.mechanism.pins)
-        return {"satellite": j + 1, "pin": n + 1}
+        room = Solved.of(self.drive, len(places))
+        engine.unloaded(places, way, least, room.drive, room.work, room.rows, room.plays)
+        return room.rows
 
     def rows(self, values: Sequence[float]) -> tuple[tuple[float, ...], ...]:
         """Values of the pairs, satellite by satellite.
@@ -245,7 +319,7 @@ class Stage:
         Parameters
         ----------
         values : sequence of float, K*N
-            Values in the kernel's order.
+            Values in the engine's order.
 
         Returns
         -------

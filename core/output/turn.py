@@ -6,16 +6,16 @@ with each of them, and only one pitch of it is solved.
 """
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
 
 from core.arrays import FloatArray
+from core.drive import engine
 from core.errors import derived
 from core.numerics.extremes import Narrow, other_places
-from core.output.loop_rows import BACKLASH, LOST_MOTION, PLAY_END, Load, Poses
-from core.output.stage import Stage
+from core.output.stage import Solved, Stage
 from core.output.summits import Grid
 
 POSITIONS = 720
@@ -33,12 +33,12 @@ LOOKED_AGAIN = 461
 LEAST_AGAIN = 37
 """The same over a pitch at least."""
 
-SOLVES = {PLAY_END: 0, BACKLASH: 0, LOST_MOTION: 2}
-"""Positions that are solved for a value; 1 for all others."""
+OF_PLAY = engine.HIGH, engine.PLAY
+"""Read-outs for which no position is solved."""
 
 Rows = dict[str, FloatArray]
-"""Quantities at positions by the names of `core.output.loop_rows.Poses`, each shape (n,); the
-forces of all pairs, shape (n, K*N); and `wave`, the wave angles, rad."""
+"""Quantities at positions by their names, each shape (n,); the forces of all pairs, shape (n, K*N);
+and `wave`, the angles of the engine, rad."""
 
 
 class Turn:
@@ -55,20 +55,13 @@ class Turn:
     """
 
     def __init__(self, real: Stage, torque: float, share: float = 0.03) -> None:
-        self.start(real, torque, share)
-        self.kernel = real.loops_of_turns
-        direction = math.copysign(1.0, torque)
-        self.load = Load(
-            abs(float(torque)), float(share), real.setup(direction), real.setup(-direction)
-        )
-        self.pairs, self.room = (
-            as_rows(values=each, row=self.kernel.row) for each in (real.pairs, real.room())
-        )
-
-    def start(self, real: Stage, torque: float, share: float) -> None:
-        """What any turn has."""
         self.real: Any = real
         self.torque, self.share = float(torque), float(share)
+        self.room = Solved.of(real.drive)
+        pins = real.kind == engine.PIN
+        self.force = engine.PIN_FORCE if pins else engine.LOBE_FORCE
+        """Read-out of the largest force; those of pressure and loaded pairs come next to it."""
+        self.pressure = self.force + 1
         self.evaluations = 0
         self.repeats = real.mechanism.pins if real.pins_alike else 1
         """How often the turn repeats: from one period to the next a pin feels what the next one
@@ -90,22 +83,46 @@ class Turn:
         return np.broadcast_to(own.max(axis=1, keepdims=True), own.shape).ravel()
 
     def between(self, places: Sequence[float]) -> Rows:
-        """Positions between others, of which the play need not be known."""
-        return self.poses(places)
+        """Positions of which the play is not asked."""
+        return self.poses(places, play=False)
 
-    def poses(self, places: Sequence[float]) -> Rows:
-        """Positions at wave angles, rad."""
+    def poses(self, places: Sequence[float], *, play: bool = True) -> Rows:
+        """Positions at angles of the engine, rad."""
         self.evaluations += len(places)
-        own = self.real.mechanism
-        row, many, pairs = self.kernel.row, len(places), own.pins * own.satellites
-        results = Poses(
-            *[row([0.0] * many * (pairs if name == "forces" else 1)) for name in Poses._fields]
-        )
-        given = self.load.torque, self.load.setup, self.pairs, self.room, results
-        self._refused(places, self.kernel.poses(row(places), *given))
-        rows = {name: np.array(each) for name, each in results._asdict().items()}
-        rows["forces"] = rows["forces"].reshape(many, pairs)
-        return rows | {"wave": np.array(places)}
+        room = self.real.solved(places, self.torque, play=play)
+        found = {
+            "forces": room.forces[:, room.contacts(self.real.kind)],
+            "lag": room.lag,
+            "stiffness": room.stiffness,
+            "force": room.rows[:, self.force],
+            "pressure": room.rows[:, self.pressure],
+            "loaded": room.rows[:, self.force + 2],
+            "low": room.play[:, 0],
+            "high": room.play[:, 1],
+            "lag_error": room.lag_error,
+            "play_error": room.play_error,
+            "force_error": room.force_error,
+            "input_torque": room.input_torque,
+            "pressed": room.pressed,
+            "wave": np.array(places),
+        }
+        return found | self.of_ring(room)
+
+    def of_ring(self, room: Solved) -> Rows:
+        """What positions have of a ring."""
+        teeth = room.contacts(engine.LOBE)
+        if teeth.stop == 0:
+            return {}
+        way = math.copysign(1.0, self.torque)
+        return {
+            "mesh_force": room.rows[:, engine.LOBE_FORCE],
+            "mesh_pressure": room.rows[:, engine.LOBE_PRESSED],
+            "mesh_loaded": room.rows[:, engine.LOBE_LOADED],
+            "along": room.by_ring[:, :, 0],
+            "across": room.by_ring[:, :, 1],
+            "teeth": room.forces[:, teeth],
+            "own": way * room.lags[:, 1 : 1 + self.real.mechanism.satellites],
+        }
 
     def at_waves(self, places: FloatArray) -> Rows:
         """Positions at wave angles of the output, rad."""
@@ -137,40 +154,36 @@ class Turn:
         return max(LOOKED_AGAIN // self.repeats, LEAST_AGAIN)
 
     def values(self, kind: int, places: Iterable[float], period: float = 2 * math.pi) -> Grid:
-        """A quantity at wave angles over a turn, or over so much of it, rad."""
+        """A read-out of the engine at its angles over a turn, or over so much of it, rad."""
         where = [*places]
-        self.evaluations += len(where) * SOLVES.get(kind, 1)
-        results = self.kernel.row([0.0] * len(where))
-        rows = self.kernel.row(where), self.load, self.pairs, self.room, results
-        self._refused(where, self.kernel.values(kind, *rows))
-        return Grid(np.array(where), np.array(results), period)
+        if kind in OF_PLAY:
+            way = math.copysign(1.0, self.torque)
+            return Grid(np.array(where), self.real.unloaded(np.array(where), way)[:, kind], period)
+        ways = (1, -1) if kind == engine.LOST else (1,)
+        self.evaluations += len(where) * len(ways)
+        torque = self.torque * (self.share if kind == engine.LOST else 1)
+        looked = engine.LAG if kind == engine.LOST else kind
+        rows = [self.real.solved(where, way * torque, play=False).rows for way in ways]
+        heights: FloatArray = np.sum([each[:, looked] for each in rows], axis=0)
+        return Grid(np.array(where), heights, period)
 
     def narrow(self, kind: int, sign: int = 1) -> Narrow:
-        """How the largest value of a quantity between two places is found; for the sign -1 the
+        """How the largest value of a read-out between two places is found; for the sign -1 the
         least, as its opposite.
         """
+        room = self.room
 
         def narrowed(low: float, high: float) -> tuple[float, float, float]:
-            place, height, error, looks = self.kernel.narrow(
-                kind, sign, low, high, self.load, self.pairs, self.room
-            )
+            given = kind, sign, low, high, self.torque, self.share
+            place, height, error, looks = engine.narrow(*given, room.drive, room.work, room.rows[0])
             if not looks:
-                self._refuse(place)
-            self.evaluations += looks * SOLVES.get(kind, 1)
-            return place, sign * height, error
+                status = int(room.rows[0, engine.STATUS])
+                self.real.refuse(angle=place, status=status, room=room)
+            if kind not in OF_PLAY:
+                self.evaluations += looks * (2 if kind == engine.LOST else 1)
+            return float(place), float(sign * height), float(error)
 
         return narrowed
-
-    def _refused(self, places: Sequence[float], first: int) -> None:
-        if first >= 0:
-            self._refuse(places[first])
-
-    def _refuse(self, psi: float) -> None:
-        """Say why a position cannot be."""
-        load, room, place = self.load, self.real.room(), float(psi)
-        self.real.solved(place, load.torque, load.setup, room)
-        for setup in (load.setup, load.back):
-            self.real.solved(place, load.share * load.torque, setup, room)
 
     def positions(self) -> tuple[list[float], list[float]]:
         """Wave angles of an even grid over a period, and those around dead angles."""
@@ -194,27 +207,6 @@ class Turn:
             for sign in (-1, 1)
         ]
         return grid, near
-
-
-def as_rows(*, values: Any, row: Callable[[Any], Any]) -> Any:
-    """Rows as loops take them, of which parts are rows too.
-
-    Parameters
-    ----------
-    values : named tuple
-        Rows, or named tuples of such.
-    row : callable
-        Makes one of what loops at hand take.
-
-    Returns
-    -------
-    named tuple
-    """
-    if isinstance(values, tuple):
-        return type(values)(*[as_rows(values=each, row=row) for each in values])
-    if isinstance(values, memoryview) and row is list:
-        return values
-    return row(values)
 
 
 def joined(*, one: Rows, other: Rows) -> Rows:

@@ -4,7 +4,6 @@ Modules, in reading order (each may use those above it)
 -------------------------------------------------------
 profile             a cycloid disc as it is cut: outline, curvature, undercut, points
 drives              a ring on its discs, and both meshes in series, as `core.drive` takes them
-drive_turn          their positions and turns
 sharing             forces, lag, play and stiffness at a position and over the turn
 series              both meshes in series: forces, lags, play and stiffness at a position
 series_turn         the same over the turns after which all repeats

@@ -17,12 +17,12 @@ from core.drive import engine
 from core.drive.model import Pieces
 from core.errors import Accuracy, InvalidInput, Notice, poorly_known
 from core.hertz import HertzContact
-from core.output.loaded_position import bent_together, notices
+from core.output.loaded_position import notices
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import RealMechanism
 from core.output.room import Deviations, Rooms
+from core.output.stage import Solved, Stage
 from core.precision import SAME
-from core.ring.drive_turn import DriveStage, Solved
 from core.ring.drives import series_drive
 from core.ring.sharing import CycloidMesh
 
@@ -81,9 +81,9 @@ def in_their_ring(*, rooms: Rooms, ring: CycloidMesh) -> Rooms:
         ends = np.empty((2, len(crank), len(discs)))
         for j, disc in enumerate(discs):
             room = Solved.of(disc.drive, len(crank))
-            engine.unloaded(crank, 1.0, False, room.drive, room.work, room.rows, room.play)
+            engine.unloaded(crank, 1.0, False, room.drive, room.work, room.rows, room.plays)
             # Holes are ahead with a crank that is: of that the ring turns them too.
-            ends[:, :, j] = room.play[:, 0].T + (ahead[j] if ahead else 0.0)
+            ends[:, :, j] = room.plays[:, 0].T + (ahead[j] if ahead else 0.0)
         return ends[0], ends[1]
 
     made = rooms.deviations != Deviations() or not ring.pins_alike
@@ -92,7 +92,7 @@ def in_their_ring(*, rooms: Rooms, ring: CycloidMesh) -> Rooms:
 
 
 @dataclass(frozen=True)
-class MeshesInSeries(DriveStage):
+class MeshesInSeries(Stage):
     """Cycloid discs between the pins of their ring and those of the output."""
 
     ring: CycloidMesh  # with the phases' deviations, without given shares
@@ -104,10 +104,8 @@ class MeshesInSeries(DriveStage):
             if abs(one - other) > SAME * abs(other):
                 raise InvalidInput(name, one, "stages_differ", other=other)
         for support in (ring.support, output.support):
-            if support.first_order:
+            if support.gives:
                 raise InvalidInput("support", support, "only_one", field="ring")
-        if output.pin.tied:
-            raise InvalidInput("pin.support", "tie_ring", "only_one", field="ring")
 
     def _twice(self) -> Iterator[tuple[str, float, float]]:
         """What both stages say, each by its name."""
@@ -135,6 +133,11 @@ class MeshesInSeries(DriveStage):
         """Nothing else gives."""
 
     @property
+    def phases(self) -> list[float]:
+        """Angles of the cranks with their errors, rad."""
+        return self.output.phases
+
+    @property
     def pins_alike(self) -> bool:
         """Whether all pins of the ring are alike, those of the output, and all holes of a disc."""
         return self.ring.pins_alike and self.output.pins_alike
@@ -147,19 +150,8 @@ class MeshesInSeries(DriveStage):
     @cached_property
     def drive(self) -> Pieces:
         """Both meshes as the engine takes them."""
-        assert self.ring.drive and self.output.pairs  # refuse what has no size, by its own number
+        assert self.ring.drive and self.output.drive  # refuse what has no size, by its own number
         return series_drive(self)
-
-    def forces(self, room: Solved) -> list[float]:
-        """Forces of the pins of the output, N.
-
-        Parameters
-        ----------
-        room : Solved
-            Of a position.
-        """
-        found: list[float] = room.forces[0, room.contacts(engine.PIN)].tolist()
-        return found
 
     def wave(self, crank_angle: float) -> float:
         """Crank angle, rad, within half of the turns after which everything repeats.
@@ -327,21 +319,20 @@ def series_position(
     check_finite(crank_angle=crank_angle, output_torque=output_torque)
     if output_torque == 0:
         raise InvalidInput("output_torque", output_torque, "not_zero")
-    way, torque = math.copysign(1.0, output_torque), abs(output_torque)
-    room, angle = real.room(), real.wave(crank_angle)
-    found = real.solved(angle, torque, way, room)
-    row, own_lags = room.rows[0], room.lags[0, 1:]
+    way, angle = math.copysign(1.0, output_torque), real.wave(crank_angle)
+    discs = slice(1, 1 + real.mechanism.satellites)
+    room = real.solved([angle], output_torque)
+    row, own_lags = room.rows[0], room.lags[0, discs]
     behind = room.lags[0, 0] - own_lags
-    force, on_teeth = np.array(real.forces(room)), room.forces[0, room.contacts(engine.LOBE)]
+    force, on_teeth = (room.forces[0, room.contacts(kind)] for kind in (engine.PIN, engine.LOBE))
     by_ring, by_pins = room.by_ring[0], room.on_discs(engine.PIN)[0]
     torques = tuple((by_ring[:, 2] + 0.0).tolist())
     on_cranks = by_ring + by_pins
-    presses = bool(row[engine.PRESSED])
-    pressed = found.low > found.high + found.play_error
-    play = sorted((way * found.low + 0.0, way * found.high + 0.0))
+    presses, error = bool(room.pressed[0]), float(room.force_error[0])
+    play = sorted((way * room.play[0] + 0.0).tolist())
     contact = real.output.hardest(force.tolist())
     most = max(float(force.max()), float(on_teeth.max()))
-    accuracy = Accuracy("newton_bracket", found.force_error / most, found.steps)
+    accuracy = Accuracy("newton_bracket", error / most, room.steps)
     known = (
         *notices(
             real=real.output,
@@ -349,20 +340,19 @@ def series_position(
             pressed=False,
             contact=contact,
         ),
-        *bent_together(real=real.output, force=force.reshape(-1, real.mechanism.pins)),
         *real.notices(pressed=presses),
         *poorly_known(accuracy),
     )
     return SeriesPosition(
         crank_angle=crank_angle,
-        rotation=way * found.lag,
+        rotation=way * float(room.lag[0]),
         force=real.rows(force.tolist()),
         satellite_torque=torques,
         satellite_rotation=tuple(behind.tolist()),
         loaded_pairs=int((force > 0).sum()),
-        play=None if pressed else (play[0], play[1]),
+        play=None if room.jammed[0] else (play[0], play[1]),
         interference=_interference(real, angle) if presses else None,
-        stiffness=found.stiffness,
+        stiffness=float(room.stiffness[0]),
         contacts=(contact,),
         ring=RingPart(
             rotation=tuple(own_lags.tolist()),
@@ -372,14 +362,14 @@ def series_position(
             crank_along=tuple(by_ring[:, 0].tolist()),
             loaded_pairs=int((on_teeth > 0).sum()),
             max_pressure=real.ring.pressure(float(row[engine.LOBE_PRESSED])),
-            play=tuple((low + 0.0, high + 0.0) for low, high in room.play[0, 1:].tolist()),
+            play=tuple((low + 0.0, high + 0.0) for low, high in room.plays[0, discs].tolist()),
         ),
         crank_force=tuple(np.hypot(on_cranks[:, 0], on_cranks[:, 1]).tolist()),
         across=tuple(on_cranks[:, 1].tolist()),
         input_torque=float(row[engine.INPUT_TORQUE]),
-        rotation_error=found.lag_error,
-        play_error=found.play_error,
-        force_error=found.force_error,
+        rotation_error=float(room.lag_error[0]),
+        play_error=float(room.play_error[0]),
+        force_error=error,
         accuracy=accuracy,
         notices=tuple({each.code: each for each in known}.values()),
     )

@@ -3,17 +3,15 @@
 import math
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from core.arrays import FloatArray
-from core.drive import engine
+from core.drive.model import Pieces
 from core.errors import InvalidInput
-from core.output.loop_rows import FITS, FORCE, LOST_MOTION, NOWHERE
 from core.output.real_mechanism import RealMechanism
-from core.ring.drive_turn import Solved
-from core.ring.drives import Cranks, LobeErrors, PinErrors, series_pieces, tool_of
+from core.ring.drives import LobeErrors, series_pieces, tool_of
 from core.ring.profile import CycloidDisc, Modification
 from core.ring.series import MeshesInSeries
 from core.ring.series_turn import SeriesTurn
@@ -32,24 +30,6 @@ NAMES = {"equidistant": "equidistant", "pin_circle": "modification_pin_circle"}
 
 TRIED = 24
 """Ways of going through the turns that are tried, of which one comes everywhere on the wave."""
-
-
-NOTHING = (math.nan,) * 8
-"""Quantities of a piece that cannot work."""
-
-
-class SeriesPieces(NamedTuple):
-    """Quantities of pieces; not a number where one cannot work."""
-
-    fits: FloatArray  # FITS, BINDS or NOWHERE
-    peak_force: FloatArray  # of the pins of the output
-    max_pressure: FloatArray  # of these, as `core.output.turn_kernel.hardest`
-    transmission_error: FloatArray  # largest less least lag under load, rad
-    backlash_max: FloatArray  # largest play of the output, rad
-    lost_motion: FloatArray  # largest, rad
-    stiffness_min: FloatArray  # least, N*m/rad
-    ring_peak_force: FloatArray  # of the pins of the ring
-    ring_max_pressure: FloatArray  # of these, force over reduced radius
 
 
 @lru_cache(maxsize=16)
@@ -147,8 +127,16 @@ class SeriesStudy(Study):
         """
         return crank_places(lobes=self.ring_pins - 1, count=count)
 
-    def drawn(self, pieces: Drawn) -> Any:
-        """Quantities of pieces, drawn where they are calculated.
+    rigid = False
+    """No scalar loop knows a ring."""
+
+    @property
+    def looked(self) -> FloatArray:
+        """Crank angles at which is looked whether a piece goes together, rad."""
+        return np.sort(self.places(LOOKED * self.ring_pins))
+
+    def drives(self, pieces: Drawn) -> Pieces:
+        """Drives of pieces, as the engine takes them.
 
         Parameters
         ----------
@@ -157,59 +145,14 @@ class SeriesStudy(Study):
 
         Returns
         -------
-        SeriesPieces
+        Pieces
         """
-        series, asked = self.real, self.asked
-        errors, of_ring = pieces.rows(), pieces.ring_rows()
-        count, discs = len(pieces), series.mechanism.satellites
+        series, of_ring = self.real, pieces.ring_rows()
         tool = _tools(series.ring.disc, of_ring)
         teeth = LobeErrors(
             of_ring.ring_pin_radial, of_ring.ring_pin_tangential, of_ring.ring_pin_radius, tool
         )
-        holes = [each.reshape(count, discs, -1) for each in errors[3:6]]
-        pins = PinErrors(errors.pin_radial, errors.pin_tangential, errors.pin_radius, *holes)
-        with np.errstate(invalid="ignore", divide="ignore"):  # of pieces that have no size
-            drives = series_pieces(
-                series=series, teeth=teeth, holes=pins, cranks=Cranks(*errors[6:])
-            )
-        looked = np.sort(self.places(LOOKED * self.ring_pins))
-        room = Solved.of(drives, asked.positions)
-        found = [
-            self._piece(replace(room, drive=drives.drive(k)), looked) if sound else (NOWHERE, None)
-            for k, sound in enumerate(drives.sound.tolist())
-        ]
-        fits = np.array([each[0] for each in found], float)
-        extremes = np.array([each[1] or NOTHING for each in found]).T
-        return SeriesPieces(fits, *extremes)
-
-    def _piece(self, room: Solved, looked: FloatArray) -> tuple[int, tuple[float, ...] | None]:
-        """Whether a piece fits, and its extremes: nothing where it does not, or cannot work."""
-        asked = self.asked
-        fits = engine.goes_together(looked, room.drive, room.work, room.rows[0])
-        if fits != FITS:
-            return fits, None
-        places, torque, play = np.array(self.places(asked.positions)), asked.output_torque, True
-        rows, most = room.rows, np.zeros(engine.INTERFERENCE + 1)
-        lag = stiffness = lost = 0.0
-        if self.under_load:
-            play = "backlash_max" in asked.quantities
-            if room.at(places, torque, play=play) >= 0:
-                return fits, None
-            most, lags = rows.max(axis=0), rows[:, engine.LAG]
-            lag, stiffness = np.ptp(lags), rows[:, engine.STIFFNESS].min()
-        elif "backlash_max" in asked.quantities:
-            engine.unloaded(places, 1.0, False, room.drive, room.work, rows, room.play)
-            most = rows.max(axis=0)
-        if "lost_motion" in asked.quantities:
-            both = np.zeros(len(places))
-            for part in (asked.lost_motion_share, -asked.lost_motion_share):
-                if room.at(places, part * torque, play=False) >= 0:
-                    return fits, None
-                both += rows[:, engine.LAG]
-            lost = both.max()
-        forces = engine.PIN_FORCE, engine.PIN_PRESSED, engine.LOBE_FORCE, engine.LOBE_PRESSED
-        one, pressed, ring, ring_pressed = most[[*forces]]
-        return fits, (one, pressed, lag, most[engine.PLAY], lost, stiffness, ring, ring_pressed)
+        return series_pieces(series=series, teeth=teeth, errors=pieces.rows())
 
     def piece(self, pieces: Drawn, index: int) -> Any:
         """Both meshes of one piece.
@@ -236,23 +179,22 @@ class SeriesStudy(Study):
             replace(self.real.output, deviations=own),
         )
 
-    def refuse(self, pieces: Drawn) -> None:
-        """Refuse what cannot work of the first piece.
+    def turn_of(self, pieces: Drawn, index: int) -> SeriesTurn:
+        """One piece under the torque, over the turns.
 
         Parameters
         ----------
         pieces : Drawn
             The pieces.
+        index : int
+            Which of them.
 
-        Raises
-        ------
-        ImpossibleMechanism
-            If it cannot.
+        Returns
+        -------
+        SeriesTurn
         """
-        asked = self.asked
-        turn = SeriesTurn(self.piece(pieces, 0), asked.output_torque, asked.lost_motion_share)
-        for kind in (FORCE, LOST_MOTION):
-            turn.values(kind, self.places(asked.positions))
+        piece = self.piece(pieces, index)
+        return SeriesTurn(piece, self.asked.output_torque, self.asked.lost_motion_share)
 
     def square_pressure(self, name: str) -> float:
         """Square of a quantity that is a pressure, over what the kernel says of it.

@@ -3,19 +3,13 @@
 import numpy as np
 
 from core.arrays import FloatArray, IntArray
+from core.drive import engine
 from core.errors import Accuracy, derived
 from core.output.contact_force import PairNumber
 from core.output.over_turn import Extreme
 from core.output.real_turn import CloseSamples
 from core.output.summits import Summit
-from core.ring.drive_turn import (
-    ALONG_LEAST,
-    ALONG_MOST,
-    MESH_PRESSURE,
-    RUB,
-    RUB_AND_PRESS,
-    DriveTurn,
-)
+from core.output.turn import Turn
 from core.ring.series_samples import teeth_samples
 from core.ring.series_turn import SeriesOverTurn, SeriesTurn
 from core.ring.sharing import CycloidMesh, MeshTurn
@@ -90,7 +84,7 @@ class TeethInSeries(MeshTurn):
     @property
     def _hardest(self) -> Summit:
         """The largest force over reduced radius over the turns."""
-        return self.series.top("mesh_pressure", MESH_PRESSURE)[0]
+        return self.series.top("mesh_pressure", engine.LOBE_PRESSED)[0]
 
     @property
     def _period(self) -> float:
@@ -148,7 +142,7 @@ class TeethInSeries(MeshTurn):
         """Each disc by itself in the ring, those that are alike there once."""
         one, torque = self.series.series, self.turn.torque / len(self.mesh.crank_angles)
         alike = {teeth.deviations.eccentricity: teeth for teeth in one.teeth}
-        return tuple(MeshTurn(DriveTurn(teeth, torque)) for teeth in alike.values())
+        return tuple(MeshTurn(Turn(teeth, torque)) for teeth in alike.values())
 
     @property
     def play_in_ring(self) -> float:
@@ -163,22 +157,22 @@ class TeethInSeries(MeshTurn):
     @derived
     def _along(self) -> tuple[Extreme, Extreme]:
         series = self.series
-        return series.by_values(ALONG_MOST), series.by_values(ALONG_LEAST, -1)
+        return series.by_values(engine.ALONG_MOST), series.by_values(engine.ALONG_LEAST, -1)
 
     @derived
     def hardest_rub(self) -> float:
         """Largest product over the turn of force and distance to the pitch point, N*m."""
-        return self.series.by_values(RUB).value
+        return self.series.by_values(engine.RUB).value
 
     @derived
     def hardest_pressed_rub(self) -> float:
         """Largest product of Hertz pressure and that distance, Pa*m."""
-        return self.mesh.pressure(1.0) * self.series.by_values(RUB_AND_PRESS).value
+        return self.mesh.pressure(1.0) * self.series.by_values(engine.RUB_PRESSED).value
 
     @property
     def accuracy(self) -> Accuracy:
         """Of the largest force over reduced radius."""
-        top, missed = self.series.top("mesh_pressure", MESH_PRESSURE)
+        top, missed = self.series.top("mesh_pressure", engine.LOBE_PRESSED)
         rows = self.series.turn.fine
         unsure = float(rows["force_error"].max() / rows["mesh_force"].max())
         error = (missed + top.error) / top.height + unsure

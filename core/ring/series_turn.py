@@ -17,18 +17,11 @@ from core.errors import InvalidInput, Notice, derived, poorly_known
 from core.numerics.extremes import LOOKED, zoom
 from core.output.contact_force import PairNumber
 from core.output.loaded_position import notices
-from core.output.loop_rows import FORCE, PRESSURE, STIFFNESS
 from core.output.over_turn import Extreme, OverTurn, Peak
 from core.output.real_turn import refined
 from core.output.sampled_turn import off_straight
 from core.output.summits import Summit
-from core.output.turn import LOOKED_AGAIN, POSITIONS, Rows
-from core.ring.drive_turn import (
-    MESH_FORCE,
-    MESH_PRESSURE,
-    OF_SERIES,
-    DriveTurn,
-)
+from core.output.turn import LOOKED_AGAIN, POSITIONS, Rows, Turn
 from core.ring.series import MeshesInSeries
 
 LEAST_A_TURN = 48
@@ -91,7 +84,7 @@ def of_ring(rows: Rows) -> ComplexArray:
     return found
 
 
-class SeriesTurn(DriveTurn):
+class SeriesTurn(Turn):
     """Both meshes under a torque, over the turns of the crank; refusals as `Stage.solved`.
 
     Parameters
@@ -103,8 +96,6 @@ class SeriesTurn(DriveTurn):
     share : float
         Share of the torque under which the lost motion is taken.
     """
-
-    columns, kind = OF_SERIES, engine.PIN
 
     def __init__(self, real: MeshesInSeries, torque: float, share: float = 0.03) -> None:
         super().__init__(real, torque, share)
@@ -205,7 +196,7 @@ class SeriesOverTurn(OverTurn):
     def _peak(self) -> Peak:
         turn = self.turn
         before = turn.evaluations
-        top, missed = self._top("force", FORCE)
+        top, missed = self._top("force", turn.force)
         place = min(each % turn.period for each in top.alike)
         there = turn.poses([place])["forces"]
         coarse, fine, again = (each["forces"] for each in (turn.coarse, turn.fine, turn.again))
@@ -228,7 +219,7 @@ class SeriesOverTurn(OverTurn):
     def ring(self) -> RingTurn:
         """What the ring does."""
         turn, series = self.turn, self.series
-        top, missed = self.top("mesh_force", MESH_FORCE)
+        top, missed = self.top("mesh_force", engine.LOBE_FORCE)
         place = min(each % turn.period for each in top.alike)
         pair = int(turn.poses([place])["teeth"].argmax())
         satellite, pin = divmod(pair, series.ring.disc.pins)
@@ -246,7 +237,7 @@ class SeriesOverTurn(OverTurn):
     @property
     def ring_pressure(self) -> float:
         """Largest Hertz pressure of its pairs, Pa."""
-        return self.series.ring.pressure(self.top("mesh_pressure", MESH_PRESSURE)[0].height)
+        return self.series.ring.pressure(self.top("mesh_pressure", engine.LOBE_PRESSED)[0].height)
 
     @property
     def pressed_without_load(self) -> bool:
@@ -263,7 +254,7 @@ class SeriesOverTurn(OverTurn):
         for sign in (1, -1):
 
             def values(places: FloatArray, sign: int = sign) -> FloatArray:
-                return sign * turn.values(STIFFNESS, places.tolist()).heights
+                return sign * turn.values(engine.STIFFNESS, places.tolist()).heights
 
             known = sign * np.concatenate([turn.fine["stiffness"], turn.again["stiffness"]])
             places = np.concatenate([turn.fine["wave"], turn.again["wave"]])
@@ -276,7 +267,7 @@ class SeriesOverTurn(OverTurn):
 
     @derived
     def _pressed(self) -> Summit:
-        return self._top("pressure", PRESSURE)[0]
+        return self._top("pressure", self.turn.pressure)[0]
 
     @property
     def ripple_error(self) -> float:

@@ -21,6 +21,7 @@ from core.output.elasticity import (
     RIGID_SUPPORT,
     ContactLaw,
     HertzLaw,
+    Law,
     LinearLaw,
     Pins,
     SatelliteSupport,
@@ -28,21 +29,13 @@ from core.output.elasticity import (
     check_law,
     law_constants,
 )
-from core.output.loop_rows import PRESSURE, Law
 from core.output.mechanism import Mechanism
 from core.output.over_turn import Extreme, OverTurn
 from core.output.real_turn import CloseSamples, close_samples
+from core.output.stage import Solved, Stage
 from core.output.summits import Summit, summits
+from core.output.turn import Turn
 from core.precision import ROUNDING
-from core.ring.drive_turn import (
-    ALONG_LEAST,
-    ALONG_MOST,
-    RUB,
-    RUB_AND_PRESS,
-    DriveStage,
-    DriveTurn,
-    Solved,
-)
 from core.ring.drives import ring_drive
 from core.ring.profile import CycloidDisc, Modification
 
@@ -103,7 +96,7 @@ class RingDeviations:
 
 
 @dataclass(frozen=True)
-class CycloidMesh(DriveStage):
+class CycloidMesh(Stage):
     """Cycloid discs on a ring of pins, as they are made."""
 
     disc: CycloidDisc  # all discs
@@ -119,6 +112,8 @@ class CycloidMesh(DriveStage):
     # Given shares of the torque; of rigid satellites all discs have one lag. Nothing else gives.
     support: SatelliteSupport = RIGID_SUPPORT
 
+    kind = engine.LOBE
+
     def __post_init__(self) -> None:
         check_single(contact_length=self.contact_length, seat_stiffness=self.seat_stiffness)
         check_positive(contact_length=self.contact_length, seat_stiffness=self.seat_stiffness)
@@ -132,11 +127,9 @@ class CycloidMesh(DriveStage):
             raise InvalidInput(
                 "reference_depth", self.reference_depth, "less_than_equal", limit=high
             )
-        if self.support.first_order and not self.support.given_shares:
+        if self.support.gives and not self.support.given_shares:
             raise InvalidInput("support", self.support, "not_in_table", values="given shares")
         self.support.check(len(self.crank_angles))
-        if self.exact and self.disc.modification.rotation > 0:
-            raise InvalidInput("exact", self.exact, "flanks_first_order", field="rotation")
 
     @cached_property
     def mechanism(self) -> Mechanism:  # type: ignore[override] # not set
@@ -286,6 +279,8 @@ class CycloidMesh(DriveStage):
         if not low <= self.disc.shortening_coefficient <= high:
             share = {"shortening": self.disc.shortening_coefficient}
             found.append(Notice("unusual_shortening", share))
+        if self.disc.modification.rotation > 0:
+            found.append(Notice("flanks_turned"))
         if not self.pin.bends and not math.isfinite(self.seat_stiffness):
             found.append(Notice("seat_rigid"))
         return tuple(found)
@@ -369,15 +364,14 @@ def mesh_position(*, mesh: CycloidMesh, crank_angle: float, output_torque: float
     check_finite(crank_angle=crank_angle, output_torque=output_torque)
     if output_torque == 0:
         raise InvalidInput("output_torque", output_torque, "not_zero")
-    direction, room = math.copysign(1.0, output_torque), mesh.room()
-    found = mesh.solved(mesh.wave(crank_angle), abs(output_torque), direction, room)
+    room = mesh.solved([mesh.wave(crank_angle)], output_torque)
     w, pairs = room.work.w, room.contacts(engine.LOBE)
     force, far = room.forces[0, pairs], w[pairs, engine.SLIDE]
     along, across, torques = room.by_ring[0].T
     loaded = force > 0
-    pressed = bool(room.rows[0, engine.PRESSED])
-    ends = sorted((direction * found.low + 0.0, direction * found.high + 0.0))
-    accuracy = Accuracy("newton_bracket", found.force_error / float(force.max()), found.steps)
+    pressed, error = bool(room.pressed[0]), float(room.force_error[0])
+    ends = sorted((math.copysign(1.0, output_torque) * room.play[0] + 0.0).tolist())
+    accuracy = Accuracy("newton_bracket", error / float(force.max()), room.steps)
     own = room.lags[0] if mesh.support.given_shares else room.lags[0].repeat(len(along))
     return MeshPosition(
         crank_angle=crank_angle,
@@ -389,13 +383,13 @@ def mesh_position(*, mesh: CycloidMesh, crank_angle: float, output_torque: float
         loaded_pairs=int(loaded.sum()),
         play=None if pressed else (ends[0], ends[1]),
         interference=mesh.pressing_at(mesh.wave(crank_angle)) if pressed else None,
-        stiffness=found.stiffness,
+        stiffness=float(room.stiffness[0]),
         max_pressure=mesh.pressure(float(room.rows[0, engine.LOBE_PRESSED])),
         sliding_distance=float(far[loaded].max()),
         sliding_loss=float((force * far).sum()) / abs(output_torque),
-        rotation_error=found.lag_error,
-        play_error=found.play_error,
-        force_error=found.force_error,
+        rotation_error=float(room.lag_error[0]),
+        play_error=float(room.play_error[0]),
+        force_error=error,
         accuracy=accuracy,
         notices=(*mesh.notices(pressed=pressed), *poorly_known(accuracy)),
     )
@@ -452,8 +446,6 @@ class MeshTurn(OverTurn):
         The mesh under a torque.
     """
 
-    geometry_error = 0.0  # given shares are known in either geometry
-
     @property
     def mesh(self) -> CycloidMesh:
         """The mesh."""
@@ -464,9 +456,9 @@ class MeshTurn(OverTurn):
     def _hardest(self) -> Summit:
         """The largest force over reduced radius over the turn."""
         grid = self._grid(self.turn.fine, "pressure")
-        tops = summits(grid=grid, narrow=self.turn.narrow(PRESSURE))
+        tops = summits(grid=grid, narrow=self.turn.narrow(self.turn.pressure))
         top = max(tops, key=lambda summit: summit.height)
-        top, _ = self._above(self._grid(self.turn.again, "pressure"), PRESSURE, top)
+        top, _ = self._above(self._grid(self.turn.again, "pressure"), self.turn.pressure, top)
         return top
 
     @property
@@ -478,8 +470,7 @@ class MeshTurn(OverTurn):
     def hardest_place(self) -> tuple[PairNumber, float]:
         """The pair with that pressure, and the crank angle at which it has it, rad."""
         place, turn = self._hardest.place, self.turn
-        assert isinstance(turn, DriveTurn)
-        room = turn.solve([place], turn.torque)
+        room = self.mesh.solved([place], turn.torque)
         pairs = room.contacts(engine.LOBE)
         pressed = room.forces[0, pairs] * room.work.w[pairs, engine.BENT]
         satellite, pin = divmod(int(pressed.argmax()), self.mesh.disc.pins)
@@ -554,8 +545,8 @@ class MeshTurn(OverTurn):
 
     @derived
     def _along(self) -> tuple[Extreme, Extreme]:
-        (high, _), (low, _) = self._by_values(ALONG_MOST), self._by_values(ALONG_LEAST, -1)
-        return high, low
+        most, least = (engine.ALONG_MOST, 1), (engine.ALONG_LEAST, -1)
+        return self._by_values(*most)[0], self._by_values(*least)[0]
 
     @property
     def _across(self) -> float:
@@ -644,12 +635,12 @@ class MeshTurn(OverTurn):
     @derived
     def hardest_rub(self) -> float:
         """Largest product over the turn of force and distance to the pitch point, N*m."""
-        return self._by_values(RUB)[0].value
+        return self._by_values(engine.RUB)[0].value
 
     @derived
     def hardest_pressed_rub(self) -> float:
         """Largest product of Hertz pressure and that distance, Pa*m."""
-        return self.mesh.pressure(1.0) * self._by_values(RUB_AND_PRESS)[0].value
+        return self.mesh.pressure(1.0) * self._by_values(engine.RUB_PRESSED)[0].value
 
     @property
     def notices(self) -> tuple[Notice, ...]:
@@ -704,7 +695,7 @@ def mesh_over_turn(
     if not 0 < lost_motion_share <= 1:
         code, limit = ("greater_than", 0) if lost_motion_share <= 0 else ("less_than_equal", 1)
         raise InvalidInput("lost_motion_share", lost_motion_share, code, limit=limit)
-    found = MeshTurn(DriveTurn(mesh, output_torque, lost_motion_share))
+    found = MeshTurn(Turn(mesh, output_torque, lost_motion_share))
     assert found.turn.coarse  # refuses what cannot be
     return found
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.arrays import FloatArray
-from core.output.loop_rows import FITS
+from core.drive.engine import FITS
 from core.tolerance.quantiles import Estimate, percentile, share
 from core.tolerance.study import Study
 from core.tolerance.tolerances import Drawn

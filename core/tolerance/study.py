@@ -1,31 +1,23 @@
 """What tolerances do to many pieces: peak force, pressure, transmission error, backlash, ..."""
 
 import math
+import os
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
 from core.arrays import BoolArray, FloatArray
-from core.output.compiled import at_hand
-from core.output.loop_rows import (
-    BINDS,
-    FITS,
-    FORCE,
-    LOST_MOTION,
-    Around,
-    Errors,
-    Load,
-    Pairs,
-    Pieces,
-    Room,
-)
+from core.drive import engine, model
+from core.drive.engine import BINDS, FITS, LOST, NOWHERE
+from core.output.drives import output_pieces
 from core.output.real_mechanism import RealMechanism
 from core.output.room import Deviations
-from core.output.stage import blank_rows
+from core.output.stage import Solved
 from core.output.summits import summits
-from core.output.turn import Turn, as_rows
+from core.output.turn import Turn
 from core.tolerance.quantiles import Estimate, percentile, share
 from core.tolerance.tolerances import Drawn, Tolerances, deviations
 
@@ -66,14 +58,6 @@ class Evaluation:
     output_torque: float  # T on the output link, N*m, not 0; negative in reverse
     positions: int = 60  # of the wave, evenly spaced
     lost_motion_share: float = 0.03  # of the torque under which the lost motion is taken
-
-    @property
-    def around(self) -> Around:
-        """The positions as the loops take them."""
-        rows: Around = blank_rows(Around, pins=self.positions, satellites=1)
-        for k, psi in enumerate(_places(self.positions)):
-            rows.sine[k], rows.cosine[k] = math.sin(psi), math.cos(psi)
-        return rows
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,6 +132,24 @@ class ToleranceStudy:
 
 def _untold(done: int) -> None:
     """Nobody asks how much is done."""
+
+
+class Pieces(NamedTuple):
+    """Quantities of pieces; not a number where one cannot work."""
+
+    fits: FloatArray  # FITS, BINDS or NOWHERE of the engine
+    peak_force: FloatArray  # of the output pins, N
+    max_pressure: FloatArray  # of these, as the engine's `pressing`, N/m
+    transmission_error: FloatArray  # largest less least lag under load, rad
+    backlash_max: FloatArray  # largest play of the output, rad
+    lost_motion: FloatArray  # largest, rad
+    stiffness_min: FloatArray  # least, N*m/rad
+    ring_peak_force: FloatArray  # of the pins of the ring, N
+    ring_max_pressure: FloatArray  # of these, force over reduced radius, N/m
+
+
+NOTHING = (math.nan,) * (len(Pieces._fields) - 1)
+"""Quantities of a piece that cannot work."""
 
 
 Block = Callable[[Drawn], Pieces]
@@ -225,7 +227,7 @@ class Study:
         """
         most = min(WORK // (self.asked.positions * self.pairs), LARGEST)
         if self.mapped is None:
-            most = min(most, pieces // (4 * (self.threads or at_hand().threads)))
+            most = min(most, pieces // (4 * self.cores))
         return max(most, BLOCK)
 
     def values(self, pieces: Drawn) -> tuple[FloatArray, FloatArray]:
@@ -242,7 +244,7 @@ class Study:
         values : array, shape (pieces, quantities)
             SI units; NaN where a piece does not fit or cannot work.
         fits : array, shape (pieces,)
-            FITS, BINDS or NOWHERE of `core.output.loop_rows`.
+            FITS, BINDS or NOWHERE of the engine.
         """
         size = self.block(len(pieces))
         blocks = [pieces.part(first, first + size) for first in range(0, len(pieces), size)]
@@ -270,7 +272,7 @@ class Study:
         iterator of Pieces
             Their results, in their order.
         """
-        with ThreadPoolExecutor(self.threads or at_hand().threads) as threads:
+        with ThreadPoolExecutor(self.cores) as threads:
             yield from threads.map(block, blocks)
 
     def _columns(self, found: Sequence[Pieces]) -> tuple[FloatArray, FloatArray]:
@@ -312,41 +314,115 @@ class Study:
         -------
         Pieces
         """
-        return self._block(pieces.rows())
+        with np.errstate(invalid="ignore", divide="ignore"):  # of pieces that have no size
+            drives = self.drives(pieces)
+        return self._rigid(drives) if self.rigid else self._solved(drives)
+
+    def drives(self, pieces: Drawn) -> model.Pieces:
+        """Drives of pieces, as the engine takes them.
+
+        Parameters
+        ----------
+        pieces : Drawn
+            The pieces.
+
+        Returns
+        -------
+        Pieces
+        """
+        return output_pieces(output=self.real, errors=pieces.rows())
 
     @property
-    def load(self) -> Load:
-        """What is asked of each piece, as the loops take it."""
-        asked, setup = self.asked, self.real.setup
-        direction = math.copysign(1.0, asked.output_torque)
-        torque, share = abs(float(asked.output_torque)), float(asked.lost_motion_share)
-        return Load(torque, share, setup(direction), setup(-direction))
+    def rigid(self) -> bool:
+        """True where discs and pins are rigid, for which there is a quicker loop."""
+        real = self.real
+        return real.exact and real.springs == model.RIGID and not real.support.given_shares
+
+    @property
+    def cores(self) -> int:
+        """How many threads."""
+        return self.threads or len(os.sched_getaffinity(0))
 
     @property
     def under_load(self) -> bool:
         """Whether anything is asked that takes the forces under the torque."""
         return bool({*self.asked.quantities} - {"backlash_max", "lost_motion"})
 
-    def _block(self, pieces: Errors[FloatArray]) -> Pieces:
-        real, asked = self.real, self.asked
-        kernel = at_hand()
-        none = [0.0] * len(pieces.pin_radial)
-        results: Pieces = as_rows(values=Pieces(*[none] * len(Pieces._fields)), row=kernel.row)
-        kernel.pieces(
-            Errors(*map(kernel.table, pieces)),
-            self.under_load,
-            "lost_motion" in asked.quantities,
-            real.law_constants,
-            self.load,
-            kernel.row(real.mechanism.crank_angles),
-            kernel.row(real.compliance),
-            kernel.row(real.outward),
-            as_rows(values=real.blank(Pairs), row=kernel.row),
-            as_rows(values=asked.around, row=kernel.row),
-            as_rows(values=real.blank(Room), row=kernel.row),
-            results,
-        )
-        return results
+    def places(self, count: int) -> tuple[float, ...]:
+        """Angles at which pieces are solved, evenly over a turn of the wave.
+
+        Parameters
+        ----------
+        count : int
+            How many.
+
+        Returns
+        -------
+        tuple of float
+            rad.
+        """
+        return tuple(2 * math.pi * k / count for k in range(count))
+
+    @property
+    def looked(self) -> FloatArray:
+        """Angles at which is looked whether a piece goes together, rad."""
+        return np.array(self.places(engine.FIT_POSITIONS))
+
+    def _rigid(self, drives: model.Pieces) -> Pieces:
+        """Quantities of pieces whose discs are rigid."""
+        asked, sound, blank = self.asked, drives.sound, np.zeros
+        gf, cf = (each if sound.all() else each[sound] for each in (drives.gf, drives.cf))
+        places, count = np.array(self.places(asked.positions)), len(gf)
+        fits, rows = blank(count), blank((count, engine.SOFTEST + 1))
+        room = blank((cf.shape[1], engine.HARD + 1)), blank((3, max(len(places), 3)))
+        wanted = self.under_load, "lost_motion" in asked.quantities
+        law = int(drives.gi[0, engine.LAW])
+        given = places, asked.output_torque, asked.lost_motion_share, *wanted, law
+        engine.pieces(*given, gf, cf, drives.table, *room, fits, rows)
+        whole = np.full((len(sound), len(NOTHING)), math.nan)
+        whole[np.flatnonzero(sound), : rows.shape[1]] = rows
+        of_all = np.full(len(sound), float(NOWHERE))
+        of_all[sound] = fits
+        return Pieces(of_all, *whole.T)
+
+    def _solved(self, drives: model.Pieces) -> Pieces:
+        """Quantities of pieces by the engine."""
+        room, looked = Solved.of(drives, self.asked.positions), self.looked
+        found = [
+            self._piece(replace(room, drive=drives.drive(k)), looked) if sound else (NOWHERE, None)
+            for k, sound in enumerate(drives.sound.tolist())
+        ]
+        fits = np.array([each[0] for each in found], float)
+        return Pieces(fits, *np.array([each[1] or NOTHING for each in found]).T)
+
+    def _piece(self, room: Solved, looked: FloatArray) -> tuple[int, tuple[float, ...] | None]:
+        """Whether a piece fits, and its extremes: nothing where it does not, or cannot work."""
+        asked = self.asked
+        fits = engine.goes_together(looked, room.drive, room.work, room.rows[0])
+        if fits != FITS:
+            return fits, None
+        places, torque, play = np.array(self.places(asked.positions)), asked.output_torque, True
+        rows, most = room.rows, np.zeros(engine.INTERFERENCE + 1)
+        lag = stiffness = lost = 0.0
+        if self.under_load:
+            play = "backlash_max" in asked.quantities
+            if room.at(places, torque, play=play) >= 0:
+                return fits, None
+            most, lags = rows.max(axis=0), rows[:, engine.LAG]
+            lag, stiffness = np.ptp(lags), rows[:, engine.STIFFNESS].min()
+        elif "backlash_max" in asked.quantities:
+            engine.unloaded(places, 1.0, False, room.drive, room.work, rows, room.plays)
+            most = rows.max(axis=0)
+        if "lost_motion" in asked.quantities:
+            both = np.zeros(len(places))
+            for part in (asked.lost_motion_share, -asked.lost_motion_share):
+                if room.at(places, part * torque, play=False) >= 0:
+                    return fits, None
+                both += rows[:, engine.LAG]
+            lost = both.max()
+        forces = engine.PIN_FORCE, engine.PIN_PRESSED, engine.LOBE_FORCE, engine.LOBE_PRESSED
+        one, pressed, ring, ring_pressed = most[[*forces]]
+        return fits, (one, pressed, lag, most[engine.PLAY], lost, stiffness, ring, ring_pressed)
 
     def piece(self, pieces: Drawn, index: int) -> RealMechanism:
         """The mechanism of one piece.
@@ -397,9 +473,26 @@ class Study:
             If it cannot.
         """
         asked = self.asked
-        turn = Turn(self.piece(pieces, 0), asked.output_torque, asked.lost_motion_share)
-        for kind in (FORCE, LOST_MOTION):
-            turn.values(kind, _places(asked.positions))
+        turn = self.turn_of(pieces, 0)
+        for kind in (turn.force, LOST):
+            turn.values(kind, self.places(asked.positions))
+
+    def turn_of(self, pieces: Drawn, index: int) -> Turn:
+        """One piece under the torque, over the turn.
+
+        Parameters
+        ----------
+        pieces : Drawn
+            The pieces.
+        index : int
+            Which of them.
+
+        Returns
+        -------
+        Turn
+        """
+        piece = self.piece(pieces, index)
+        return Turn(piece, self.asked.output_torque, self.asked.lost_motion_share)
 
     def square_pressure(self, name: str) -> float:
         """Square of a quantity that is a pressure, over what the kernel says of it.
@@ -414,7 +507,7 @@ class Study:
         float
         """
         real = replace(self.output, deviations=Deviations())
-        return float(real.contact(0, 1.0).max_pressure ** 2 / real.pairs.curved[0])
+        return float(real.contact(0, 1.0).max_pressure ** 2 / real.curved[0])
 
     def grid_errors(self, pieces: Drawn, values: FloatArray) -> dict[str, float]:
         """What the positions miss of each quantity.
@@ -514,10 +607,6 @@ def _nominal(study: Study) -> dict[str, float]:
     return dict(zip(study.asked.quantities, map(float, values), strict=True))
 
 
-def _places(positions: int) -> list[float]:
-    return [2 * math.pi * k / positions for k in range(positions)]
-
-
 def _missed_peak(study: Study, pieces: Drawn, values: FloatArray) -> float:
     """Mean of what the positions miss of the peak, over the samples of the highest peaks."""
     peaks = values[:, study.asked.quantities.index("peak_force")]
@@ -525,9 +614,9 @@ def _missed_peak(study: Study, pieces: Drawn, values: FloatArray) -> float:
     order = order[: min(WORST, math.ceil(len(peaks) / 10))]
     missed = []
     for i in order:
-        turn = Turn(study.piece(pieces, i), study.asked.output_torque)
-        grid = turn.values(FORCE, _places(study.asked.positions))
-        found = summits(grid=grid, narrow=turn.narrow(FORCE), most=3)
+        turn = study.turn_of(pieces, int(i))
+        grid = turn.values(turn.force, study.places(study.asked.positions))
+        found = summits(grid=grid, narrow=turn.narrow(turn.force), most=3)
         highest = max(summit.height for summit in found)
         missed.append(max(0.0, 1 - float(grid.heights.max()) / highest))
     return float(np.mean(missed)) if missed else 0.0

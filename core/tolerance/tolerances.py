@@ -7,8 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from core.arrays import FloatArray, check_not_negative
-from core.output.loop_rows import Errors
-from core.output.room import Deviations
+from core.output.room import Deviations, Errors
 from core.tolerance.draws import (
     KINDS,
     OF_RING,

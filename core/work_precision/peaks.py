@@ -9,13 +9,11 @@ import numpy as np
 from core.arrays import FloatArray
 from core.errors import InvalidInput
 from core.output.contact_force import approximate_peak_ratio, force_ratios, peak_force
-from core.output.loop_rows import FORCE
 from core.output.mechanism import Mechanism
 from core.output.over_turn import OverTurn
 from core.output.stage import Stage
 from core.output.summits import Grid, all_summits, summits
 from core.output.turn import Turn
-from core.ring.drive_turn import DriveStage, DriveTurn
 from core.ring.series import MeshesInSeries
 from core.ring.series_turn import SeriesOverTurn, SeriesTurn
 from core.work_precision.study import (
@@ -206,15 +204,14 @@ def real_peak_study(
         turn, over = SeriesTurn(real, output_torque), SeriesOverTurn
         whole = turn.period
     else:
-        limit = MAX_COMPLIANT_PAIRS if real.support.first_order else MAX_REAL_PAIRS
+        limit = MAX_COMPLIANT_PAIRS if real.support.gives else MAX_REAL_PAIRS
         _refuse_many(real.mechanism, limit, pins)
-        of = DriveTurn if isinstance(real, DriveStage) else Turn
-        turn, whole = of(real, output_torque), 2 * math.pi
-    narrow = turn.narrow(FORCE)
+        turn, whole = Turn(real, output_torque), 2 * math.pi
+    narrow = turn.narrow(turn.force)
 
     def grid(count: int) -> Grid:
         step = whole / count
-        return turn.values(FORCE, [turn.first + step * i for i in range(count)], whole)
+        return turn.values(turn.force, [turn.first + step * i for i in range(count)], whole)
 
     def sampled(count: int) -> Outcome:
         return float(grid(count).heights.max()), count
@@ -230,7 +227,7 @@ def real_peak_study(
         even, near = turn.positions()
         step = (even[1] - even[0]) / DENSE
         places = {psi + step * i for psi in even for i in range(DENSE)} | {*near}
-        values = turn.values(FORCE, sorted(places), turn.period)
+        values = turn.values(turn.force, sorted(places), turn.period)
         return all_summits(coarse=values, fine=values, narrow=narrow)[1].height
 
     return work_precision(

@@ -158,8 +158,6 @@ async def test_the_figure(api):
         (changed(crank_support={"stiffness_N_per_mm": 1e5}), "/satellite_coupling", "only_one"),
         (changed(pin={"support": "tie_ring", "satellite_positions_mm": [10, 25], "span_mm": 40}),
          "/pin/support", "only_one"),
-        (changed(geometry="exact", gear={"modification": {"rotation_arcmin": 1.0}}), "/geometry",
-         "flanks_first_order"),
         (changed(deviations={"ring_pin_radial_mm": [0.0]}), "/deviations/ring_pin_radial_mm",
          "different_length"),
         (changed(deviations={"pin_radial_mm": [0.0]}), "/deviations/pin_radial_mm",

@@ -51,7 +51,6 @@ PHYSICAL = {code for code, each in CODES.items() if each.kind == "impossible"} |
     "drawn_cup",
     "dust",
     "elastomer",
-    "flanks_first_order",
     "greater_than",
     "hole_disagrees",
     "in_carrier",
@@ -102,7 +101,6 @@ UNDESCRIBED = re.compile("/input/|/requests/")
 """Of another calculation, which the body names."""
 
 BETWEEN_FIELDS = {
-    "first_order_only",
     "flanks_not_drawn",
     "needed_for",
     "needed_to_draw",

@@ -7,10 +7,9 @@ from copy import deepcopy
 import numpy as np
 import pytest
 
-from app.calculations.crank_planetary_sections import CrankPlanetaryRequest, solve
+from app.calculations.crank_planetary_sections import CrankPlanetaryRequest
 from app.endpoint import LIGHT_COST
 from app.examples import REQUESTS
-from core.output.loaded_position import first_order_error
 from core.precision import EXACT
 
 pytestmark = pytest.mark.anyio
@@ -109,7 +108,7 @@ async def test_satellites_that_give_are_those_of_load_sharing(api, gives):
     design = changed(load__torque_direction="driving", requirements=None) | gives
     design["include"] = ["load_sharing", "pin_strength", "checks"]
     body = {name: design[name] for name in ("mechanism", "load", "contact", "deviations", "pin")}
-    body |= gives | {"geometry": "first_order", "include": ["over_turn"]}
+    body |= gives | {"include": ["over_turn"]}
     expected = (await api.post("load-sharing", json=body)).json()["over_turn"]
     answer = await answered(api, design)
     found = answer["load_sharing"]
@@ -120,28 +119,6 @@ async def test_satellites_that_give_are_those_of_load_sharing(api, gives):
     assert checks["lost_motion"]["value"] == found["lost_motion_arcmin"]
     peak = answer["pin_strength"]["peak_force_N"]
     assert peak == pytest.approx(expected["peak_force_N"], rel=2e-5)
-
-
-@pytest.mark.parametrize(
-    "load",
-    [{}, {"torque_direction": "alternating"}, {"application_factor": 1.5, "peak_torque_Nm": 500.0}],
-)
-def test_how_far_first_order_is_off_is_solved_once(monkeypatch, load):
-    """Under the torque; others are judged too, or looked at for the reserve."""
-    off = []
-
-    def counted(**given):
-        off.append(first_order_error(**given))
-        return off[-1]
-
-    monkeypatch.setattr("core.output.over_turn.first_order_error", counted)
-    design = DESIGN | {"load": DESIGN["load"] | {"torque_direction": "driving"} | load}
-    design |= GIVES["bearings"]
-    answer = solve(CrankPlanetaryRequest.model_validate(design))
-    (said,) = (each for each in answer["warnings"] if each["code"] == "first_order_geometry")
-    (error,) = off
-    assert said["params"]["percent"] == 100 * error > 0
-    assert answer["load_sharing"]["accuracy"]["relative_error"] == pytest.approx(error, rel=0.1)
 
 
 async def test_satellites_that_give_are_refused_by_name(api):

@@ -175,7 +175,6 @@ async def test_reverse_and_rotation(api):
         ),
         ({"gear": {"modification": {"pin_circle_mm": 0.6}}},
          "/gear/modification/pin_circle_mm", "less_than_equal"),
-        ({"gear": {"modification": {"rotation_arcmin": 1.0}}}, "/geometry", "flanks_first_order"),
         ({"gear": {"span_mm": 40.0}}, "/gear/span_mm", "of_another_kind"),
         ({"gear": {"pin_support": "fixed"}}, "/gear/span_mm", "needed_beside"),
         (

@@ -262,12 +262,6 @@ async def test_satellites_that_give_do_so_in_the_study_too(api, giving):
     design = {name: body[name] for name in ("mechanism", "load", "contact", "contact_law",
                                             "geometry", *giving)}  # fmt: skip
     design["include"] = ["over_turn"]
-    perfect = (await api.post("load-sharing", json=design)).json()
-    said = [
-        [each for each in one["warnings"] if each["code"] == "first_order_geometry"]
-        for one in (answer, perfect)
-    ]
-    assert said[0] == said[1] and said[0][0]["params"]["percent"] > 0
     design["deviations"] = {"disc_phase_deg": [0.01, 0.01]}
     turn = (await api.post("load-sharing", json=design)).json()["over_turn"]
     for name in names:

@@ -13,7 +13,6 @@ from types import FunctionType, ModuleType
 import pytest
 
 import core
-from core.output.compiled import SOURCES
 
 ROOT = Path(__file__).parent.parent.parent
 MODULES = [
@@ -64,7 +63,6 @@ ORDERED = {
 stretch, what NumPy's `where` takes, a check's value and limit."""
 
 KERNELS = {
-    *(each.__name__ for each in SOURCES),
     "core.drive.engine",
 }
 """Loops that are compiled as well, which knows no arguments by keyword; not for other packages."""

@@ -9,19 +9,27 @@ import pytest
 from core.conformal import conformal_contact, local_approach
 from core.errors import ImpossibleMechanism
 from core.hertz import ElasticMaterial, effective_modulus, mismatch
-from core.output.conformal_law import approach_over_load, conformal_curve, end, far_approach
-from core.output.contact_kernel import alone, given_over, law
+from core.output.conformal_law import (
+    NO_WRAP,
+    Curve,
+    approach_over_load,
+    conformal_curve,
+    end,
+    far_approach,
+    table_of,
+)
 from core.output.elasticity import (
     ConformalLaw,
     HertzLaw,
+    approach_under,
     contact_compliance,
     usual_law,
 )
 from core.output.loaded_position import loaded_position
-from core.output.loop_rows import CONFORMAL, Curve
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import RealMechanism
 from core.precision import CONVERGED, SAME
+from tests.inputs.plain_engine import plain
 
 STEEL, PLA = ElasticMaterial(207e9, 0.3), ElasticMaterial(3.5e9, 0.36)
 NEAR_LIMIT = ElasticMaterial(20e9, 0.3)
@@ -46,6 +54,26 @@ def curve_of(pin: ElasticMaterial, hole: ElasticMaterial) -> Curve:
     return conformal_curve(contact_length=0.01, pin=pin, hole=hole)
 
 
+def alone(force: float, a: float, bending: float, curve: Curve) -> float:
+    """Approach under a force."""
+    under = approach_under(law=ConformalLaw(), curve=curve, force=force, a=a, b=bending)
+    return float(under)
+
+
+def given_over(load: float, curve: Curve) -> tuple[float, float]:
+    """Approach over a load, and its derivative, as the engine has them."""
+    found: tuple[float, float] = plain.over_width(load, table_of(curve=curve, wrap=NO_WRAP))
+    return found
+
+
+def law(d: float, a: float, bending: float, near: float, curve: Curve) -> tuple[float, float]:
+    """Force and stiffness of an approach, as the engine finds them."""
+    found: tuple[float, float] = plain.wrapped(
+        d, a, bending, near, table_of(curve=curve, wrap=NO_WRAP)
+    )
+    return found
+
+
 @pytest.mark.parametrize(("pin", "hole"), PAIRS)
 def test_force_grows_steadily_with_the_approach_also_beyond_the_end(
     pin: ElasticMaterial, hole: ElasticMaterial
@@ -54,8 +82,8 @@ def test_force_grows_steadily_with_the_approach_also_beyond_the_end(
     curve = curve_of(pin, hole)
     a, last = curve.modulus * 1e-4, min(end(curve), 1e3)
     loads = np.concatenate((np.geomspace(1e-12, last, 400), last * np.geomspace(1 + 1e-9, 100, 20)))
-    approach = [alone(CONFORMAL, a * x, a, 0.0, 1.0, curve) for x in loads]
-    stiffness = [law(CONFORMAL, d, a, 0.0, 1.0, 0.0, 0.0, curve)[1] for d in approach]
+    approach = [alone(a * x, a, 0.0, curve) for x in loads]
+    stiffness = [law(d, a, 0.0, 0.0, curve)[1] for d in approach]
     assert (np.diff(approach) > 0).all() and (np.diff(stiffness[:380]) > 0).all()
     secants = np.diff(a * loads) / np.diff(approach)
     low, high = np.minimum(stiffness[:-1], stiffness[1:]), np.maximum(stiffness[:-1], stiffness[1:])
@@ -73,12 +101,12 @@ def test_force_and_approach_are_each_others_inverse(
     curve = curve_of(pin, hole)
     a = curve.modulus * 2e-4
     for x in (1e-30, 1e-9, 1e-3, 0.1, 1.0, 8.0, 300.0):
-        approach = alone(CONFORMAL, a * x, a, bending, 1.0, curve)
+        approach = alone(a * x, a, bending, curve)
         bent = a * x * bending / curve.modulus
-        contact = alone(CONFORMAL, a * x, a, 0.0, 1.0, curve)
+        contact = alone(a * x, a, 0.0, curve)
         assert approach == pytest.approx(contact + bent, rel=CONVERGED)
         for near in (0.0, a * x * 0.3, a * x * 50):
-            force, stiffness = law(CONFORMAL, approach, a, bending, 1.0, near, 1.0, curve)
+            force, stiffness = law(approach, a, bending, near, curve)
             assert force == pytest.approx(a * x, rel=CONVERGED)
             secant, tangent = given_over(x, curve)
             assert stiffness == pytest.approx(curve.modulus / (tangent + bending), rel=SAME)
@@ -158,7 +186,7 @@ def test_a_contact_of_more_than_half_of_the_pin_is_refused() -> None:
         loaded_position(real=wide, crank_angle=0.4, output_torque=20 * torque)
 
 
-def test_numbers_of_arrays_are_those_of_the_kernel() -> None:
+def test_numbers_of_arrays_are_those_of_the_engine() -> None:
     curve = curve_of(STEEL, PLA)
     loads = np.geomspace(1e-20, 1e8, 50)
     one = [given_over(float(each), curve)[0] for each in loads]

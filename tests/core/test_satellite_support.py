@@ -57,35 +57,6 @@ def test_what_is_infinitely_stiff_is_rigid(
     same(replace(real, support=rigid), real, angle, torque)
 
 
-@pytest.mark.parametrize(
-    "support", [CrankSupport(1e8), CrankSupport(1e8, 4e-6), ElasticMesh(1e5), Shares((0.5, 0.5))]
-)
-def test_what_first_order_leaves_out_is_said(support: SatelliteSupport) -> None:
-    """By rigid satellites with the bearings' clearance in both geometries: where forces are looked
-    at, and of the peaks over the turn. It is in the stated error.
-    """
-    wide = tuple(1e-5 * (-1) ** (n // 2) for n in range(6))
-    rigid = replace(TWO, deviations=Deviations(pin_radial=wide, pin_tangential=wide))
-    real = replace(rigid, support=support)
-    rigid = replace(rigid, roller_play=support.loose)
-    first, exact = (
-        np.array(solved(replace(rigid, exact=way), 0.3, 50.0).force) for way in (False, True)
-    )
-    off = abs(first - exact).max() / exact.max()
-    found = solved(real, 0.3, 50.0)
-    peaks = [
-        over_turn(real=replace(rigid, exact=way), output_torque=50.0).peak_force
-        for way in (False, True)
-    ]
-    turn = over_turn(real=real, output_torque=50.0)
-    for one, error in ((found, off), (turn, abs(peaks[0] / peaks[1] - 1))):
-        (said,) = (each for each in one.notices if each.code == "first_order_geometry")
-        assert said.params["percent"] == pytest.approx(100 * error, rel=SEARCHED)
-        assert one.accuracy.relative_error == pytest.approx(error, rel=JUDGED) and error > 1e-3
-    alone = over_turn(real=replace(rigid, exact=False), output_torque=50.0)
-    assert "first_order_geometry" not in [each.code for each in alone.notices]
-
-
 @given(reals(exact=False), crank_angles, torques, st.sampled_from([0.0, 1e-6, 3e-5]))
 def test_the_clearance_of_a_bearing_is_half_a_clearance_of_the_holes(
     real: RealMechanism, angle: float, torque: float, loose: float
@@ -149,9 +120,9 @@ def test_more_torque_turns_further_and_play_is_what_none_leaves(
 ) -> None:
     lags = [solved(real, angle, torque).rotation for torque in (-100.0, -1.0, 1.0, 100.0)]
     assert lags == sorted(lags)
-    found = solved(real, angle, 1e-9)
+    found = solved(real, angle, 1e-5)
     if found.play is not None:
-        back, soft = solved(real, angle, -1e-9), 1e-6
+        back, soft = solved(real, angle, -1e-5), 1e-5
         assert back.rotation == pytest.approx(found.play[0], abs=soft)
         assert found.rotation == pytest.approx(found.play[1], abs=soft)
 
@@ -310,7 +281,6 @@ def test_one_pin_and_two() -> None:
 @pytest.mark.parametrize(
     ("changes", "parameter", "code"),
     [
-        ({"exact": True, "support": CrankSupport(1e8)}, "exact", "first_order_only"),
         ({"support": CrankSupport(0.0)}, "stiffness", "greater_than"),
         ({"support": CrankSupport(1e8, -1e-6)}, "radial_clearance", "greater_than_equal"),
         ({"support": CrankSupport(1e8, math.inf)}, "radial_clearance", "greater_than_equal"),

@@ -250,7 +250,7 @@ def test_pieces_without_a_size_are_none_and_what_is_not_asked_is_not_solved(
 
     series, torque = bare(8, exact=False)
     asked = Evaluation(("backlash_max",), torque, 2)
-    monkeypatch.setattr("core.ring.drive_turn.Solved.at", none)
+    monkeypatch.setattr("core.output.stage.Solved.at", none)
     play = Tolerances(ring_pin_position=1e-6)
     study = SeriesStudy(series, play, asked, samples=2)
     assert np.isfinite(study.values(study.pieces())[0]).all()

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from core.drive.engine import LOST
 from core.errors import InvalidInput
 from core.output.elasticity import LinearLaw
-from core.output.loop_rows import LOST_MOTION
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_mechanism import RealMechanism
@@ -92,7 +92,7 @@ def test_the_summits_against_a_dense_walk(exact: bool, torque: float) -> None:
     count = 8_009
     places = (np.arange(count) + 0.3) * (walk.period / count)
     rows = walk.poses(places.tolist())
-    lost = walk.values(LOST_MOTION, places[::4].tolist()).heights
+    lost = walk.values(LOST, places[::4].tolist()).heights
     play = rows["high"] - rows["low"]
     rough = 0.01  # of kinks and cusps, which a walk does not meet
     for found, there, near in (

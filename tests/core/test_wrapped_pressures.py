@@ -9,8 +9,7 @@ import pytest
 from core.errors import ImpossibleMechanism, NotKnown
 from core.hertz import ElasticMaterial, HertzContact, hertz
 from core.output.alternating import WorseTurn
-from core.output.conformal_law import PRESSURE_ERROR, conformal_wrap
-from core.output.contact_kernel import excess
+from core.output.conformal_law import PRESSURE_ERROR, conformal_wrap, excess
 from core.output.elasticity import ConformalLaw, HertzLaw, LinearLaw
 from core.output.loaded_position import loaded_position
 from core.output.mechanism import Mechanism
@@ -144,9 +143,7 @@ def contact_under(load: float, pin: ElasticMaterial, hole: ElasticMaterial) -> H
 
 
 @pytest.mark.parametrize(("pin", "hole"), [(STEEL, PLA), (PLA, STEEL), (STEEL, STEEL), (PLA, PLA)])
-def test_the_kernel_lets_the_same_pressure_govern(
-    pin: ElasticMaterial, hole: ElasticMaterial
-) -> None:
+def test_the_law_lets_the_same_pressure_govern(pin: ElasticMaterial, hole: ElasticMaterial) -> None:
     """From the same load on, by the same factor."""
     wrap = conformal_wrap(contact_length=1.0, pin=pin, hole=hole)
     assert contact_under(wrap.since * (1 - 1e-5), pin, hole).conformal_pressure is None
@@ -154,7 +151,7 @@ def test_the_kernel_lets_the_same_pressure_govern(
         found = contact_under(load, pin, hole)
         assert found.conformal_pressure is not None
         factor = float(found.conformal_pressure / found.max_pressure)
-        assert math.sqrt(excess(load, wrap)) == pytest.approx(factor, rel=PRESSURE_ERROR)
+        assert math.sqrt(excess(load=load, wrap=wrap)) == pytest.approx(factor, rel=PRESSURE_ERROR)
 
 
 def test_what_wraps_further_than_is_known_has_no_pressure() -> None:

@@ -70,7 +70,7 @@ def reals(draw: st.DrawFn, exact: bool | None = None, powers: bool = False) -> R
         draw(angles),
     )
     pin: Pins = RIGID_PINS
-    if not powers and draw(st.booleans()):
+    if not powers and satellites == 1 and draw(st.booleans()):
         places = tuple(SPAN * (j + 1) / (satellites + 1) for j in range(satellites))
         support = draw(st.sampled_from(["cantilever", "supported", "fixed"]))
         pin = PinSupport(support, 0.010, places, STEEL, SPAN)

@@ -262,6 +262,11 @@ def _state(real: Any, pairs: list, lag: mpf) -> list:
     return found
 
 
+def law_of(real: Any, radius: float, reach: float):
+    """Force over approach of a rigid pin of a radius in a hole that is so much larger."""
+    return _law(real, mpf(radius), mpf(reach), mpf(0))
+
+
 def _law(real: Any, radius: mpf, reach: mpf, bent: mpf):
     law, length = real.law, mpf(real.contact_length)
     match law:
@@ -275,7 +280,7 @@ def _law(real: Any, radius: mpf, reach: mpf, bent: mpf):
         case object(reference_depth=depth):  # Hertz
             pass
         case _ if type(law).__name__ == "ConformalLaw":
-            return _wrapped(real.setup(1).curve, reach, bent)
+            return _wrapped(real.curve, reach, bent)
         case _:  # Palmgren
             k = mpf("3.84e-5") / (1000 * length) ** mpf("0.8") / 1000
             n = mpf(10) / 9

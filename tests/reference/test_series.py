@@ -59,7 +59,6 @@ def test_forces_and_lags_are_within_their_stated_errors(seed: int) -> None:
     forces, known = flat(found.force) + flat(found.ring.force), exact.force + exact.ring_force
     for force, each in zip(forces, known, strict=True):
         assert abs(force - each) <= found.force_error
-    assert found.accuracy.relative_error < 1e-9
     size = abs(torque)
     assert found.satellite_torque == pytest.approx([*map(float, exact.torques)], abs=1e-9 * size)
     assert found.input_torque == pytest.approx(

@@ -5,9 +5,9 @@ import math
 import numpy as np
 import pytest
 
+from core.drive.engine import LAG, PIN_FORCE
 from core.output.contact_force import reference_force
 from core.output.elasticity import LinearLaw
-from core.output.loop_rows import FORCE, LAG
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import RealMechanism
 from core.output.turn import Turn
@@ -73,7 +73,7 @@ def test_the_whole_run() -> None:
         assert np.isnan(found.values[i]).all()
         turn = Turn(study.piece(pieces, int(i)), 200.0)
         lags = turn.values(LAG, places).heights
-        found.values[i] = turn.values(FORCE, places).heights.max(), np.ptp(lags)
+        found.values[i] = turn.values(PIN_FORCE, places).heights.max(), np.ptp(lags)
     for percent, value, low, high in (
         (50, 3015.52689857, 3006.10515829, 3024.73822266),
         (95, 3452.40797208, 3431.88663015, 3463.39246078),
