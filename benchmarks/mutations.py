@@ -39,8 +39,9 @@ ELSEWHERE = ("architecture", "benchmarks", "browser", "service")
 ASKS_OTHERS = "tests/app/"
 """Tests of what no test reaches in its own process: another one may, for it."""
 
-ITS_DOOR = "return _at_hand"
-"""What is compiled notes nothing: its tests are those that fetch it by this line."""
+COMPILED = "engine.py"
+ITS_DOOR = "core/drive/model.py", "[each for each in (pins, lobes) if each]"
+"""The file that is compiled notes nothing: its tests are those that make a drive by this line."""
 
 OTHER: dict[type, type] = {
     ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.Pow: ast.Mult,
@@ -140,26 +141,18 @@ def changed_file(tree: Path, each: Mutation) -> bytes:
     return source[: each.start] + f"({each.after})".encode() + source[each.end :]
 
 
-@functools.cache
-def compiled() -> set[str]:
-    """Files of loops that are compiled."""
-    from core.output.compiled import SOURCES  # which a plugin of pytest has not
-
-    return {Path(str(each.__file__)).name for each in SOURCES}
-
-
 def noting(tree: Path, chosen: list[Mutation]) -> dict[str, bytes]:
     """The files of mutations, where each place notes that it is reached."""
     note, files = '(__import__("reached").SEEN.update({}) or (', dict[str, bytes]()
     inserted = list[tuple[str, int, str]]()
     for index, each in enumerate(chosen):
-        if Path(each.file).name not in compiled():
+        if Path(each.file).name != COMPILED:
             inserted += (each.file, each.start, note.format([index])), (each.file, each.end, "))")
-    loops = [n for n, each in enumerate(chosen) if Path(each.file).name in compiled()]
-    for path in (tree / "core").rglob("compiled.py") if loops else ():
-        at = path.read_bytes().index(ITS_DOOR.encode()) + len("return ")
-        file = str(path.relative_to(tree))
-        inserted += (file, at, note.format(loops)), (file, at + len("_at_hand"), "))")
+    loops = [n for n, each in enumerate(chosen) if Path(each.file).name == COMPILED]
+    if loops:
+        file, door = ITS_DOOR
+        at = (tree / file).read_bytes().index(door.encode())
+        inserted += (file, at, note.format(loops)), (file, at + len(door), "))")
     for file, at, text in sorted(inserted, key=lambda each: -each[1]):
         source = files.get(file) or (tree / file).read_bytes()
         files[file] = source[:at] + text.encode() + source[at:]
@@ -234,7 +227,7 @@ class Trial:
         order, asked = sorted(tests, key=lambda test: tests[test]), self.folder / "asked.json"
         cache = self.folder / "numba"
         shutil.rmtree(cache, ignore_errors=True)
-        kernel = {"NUMBA_CACHE_DIR": str(cache)} if Path(each.file).name in compiled() else {}
+        kernel = {"NUMBA_CACHE_DIR": str(cache)} if Path(each.file).name == COMPILED else {}
         for some in filter(None, (order[:FIRST], order[FIRST:])):
             asked.write_text(json.dumps({test: tests[test] for test in some}))
             files = sorted({test.split("::")[0] for test in some})

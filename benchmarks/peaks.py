@@ -17,10 +17,8 @@ from dataclasses import dataclass
 from itertools import repeat
 from pathlib import Path
 
-from core.drive.compiled import load
-from core.output.loop_rows import FORCE
-
 from benchmarks.options import options
+from core.drive.compiled import load
 from core.errors import ImpossibleMechanism
 from core.output.elasticity import (
     RIGID_SUPPORT,
@@ -125,10 +123,9 @@ def scan(seed: int, positions: int) -> Scan | None:
     real, torque = design(seed)
     try:
         turn = over_turn(real=real, output_torque=torque)
-        if real.support is not None:
-            positions //= 10
         places = [2 * math.pi * (k + 0.5) / positions for k in range(positions)]
-        highest = Turn(real, torque).values(FORCE, places).heights.max()
+        made = Turn(real, torque)
+        highest = made.values(made.force, places).heights.max()
     except ImpossibleMechanism:
         return None
     above = float(highest) / turn.peak_force - 1

@@ -15,8 +15,8 @@ from dataclasses import replace
 import numpy as np
 
 from benchmarks.options import options
-from core.hertz import ElasticMaterial
 from core.drive import compiled
+from core.hertz import ElasticMaterial
 from core.output.elasticity import (
     RIGID_PINS,
     HertzLaw,

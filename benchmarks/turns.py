@@ -15,9 +15,9 @@ import time
 from pathlib import Path
 
 import numpy as np
-from core.drive.compiled import load
 
 from benchmarks.options import options
+from core.drive.compiled import load
 from core.errors import ImpossibleMechanism
 from core.output.elasticity import LinearLaw, PowerLaw
 from core.output.mechanism import Mechanism

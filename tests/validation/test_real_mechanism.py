@@ -23,7 +23,7 @@ from tests.inputs.real_mechanisms import STEEL
 
 APART = {"S13"}
 """Cases of pins that several discs bend, each for itself: they bend each other
-(`tests.reference.test_bent_pins`)."""
+(`tests.reference.test_what_gives`)."""
 
 
 @pytest.mark.parametrize(
