@@ -14,7 +14,11 @@ from core.output.pin_beam import PinBeam, section_stress
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_section import PinSection
 from core.output.sampled_turn import PinSamples
-from core.output.worst_section import Cells, Place, largest_of_cells
+from core.output.worst_section import Cells, Place, largest_of_cells, settled
+
+ROUGH, FEWER = 2e-7, 2e-5
+"""How much worse than the worst cycle one may be about which all samples are looked at; how far off
+the line between the others those lie, over the largest force, without which it is looked for."""
 
 NEARLY, FEW = 0.98, 8
 """What part of the worst utilisation counts beside it, and of how many samples one comes first,
@@ -191,9 +195,10 @@ class LoadedPin:
             reach = (steepest * at.length)[:, None]
             turn = turn.only((values >= values.max(axis=1, keepdims=True) - reach).any(axis=0))
 
-        return largest_of_cells(
-            value=value, near=near, stretches=self.stretches(), around=False, beyond=beyond
-        )
+        ends = self.stretches()
+        found = largest_of_cells(value=value, near=near, stretches=ends, beyond=beyond)
+        turn = loads.turn
+        return found and settled(value=value, found=found, stretches=ends)
 
     def cycle(self, loads: PinLoads, strength: FatigueStrength, beyond: float) -> Cycle | None:
         """The worst stress cycle of any point of the edge.
@@ -230,15 +235,38 @@ class _CycleSearch:
         # whether the line may have a corner: the guideline's is less steep beyond R = 0 and R = 0.5
         always = bool(turn.forces.any(axis=0).all())
         self.corners = strength.criterion == "fkm_haigh" and always
-        self.left, (self.curvature, self.steepest) = turn.loaded, pin.changes(turn)
+        self.left = self.rough = turn.thinned(FEWER).loaded
+        self.curvature, self.steepest = pin.changes(turn)
         self.steep = self._used(self.curvature, 0.0) + self._used(0.0, -self.curvature)
 
     def worst(self, stretches: FloatArray, beyond: float) -> Place | None:
         """The worst place of stretches beyond a utilisation; at a corner of the line about it."""
-        self.left = self.turn.loaded
-        return largest_of_cells(
-            value=self.value, near=self.near, stretches=stretches, around=True, beyond=beyond
+        self.left = self.rough
+        about = largest_of_cells(
+            value=self.value,
+            near=self.near,
+            stretches=stretches,
+            directions=(0.0, 2 * math.pi),
+            beyond=beyond,
+            enough=ROUGH,
         )
+        if about is None:
+            return None
+        x, chi = about.section, about.direction
+        angle = 3 * math.sqrt(8 * ROUGH)
+        length = 3 * math.sqrt(8 * ROUGH * about.value / self.steep)
+        ends = np.clip(np.array([[x - length], [x + length]]), stretches.min(), stretches.max())
+        self.left = self.turn.loaded
+        self.near(Cells(np.array([x]), np.array([chi]), np.array([2 * length]), 2 * angle))
+        found = largest_of_cells(
+            value=self.value,
+            near=self.near,
+            stretches=ends,
+            directions=(chi - angle, 2 * angle),
+            beyond=0.0,
+        )
+        self.left = self.turn
+        return found and settled(value=self.value, found=found, stretches=stretches)
 
     def along_corners(self, stretches: FloatArray, found: Place) -> Place:
         """The worst place where the line may have a corner, from which utilisation falls at once:

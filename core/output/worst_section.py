@@ -22,11 +22,11 @@ ALONG, AROUND = 1, 8
 CLOSER = 3
 """Into how many parts a cell is cut each way."""
 
-KEPT, FEWEST = 300, 150
+KEPT, FEWEST = 200, 100
 """Most cells that are cut at first, and at last: more are left only where the value is flat."""
 
 ENOUGH = 1e-9
-"""How much more than the largest value found a cell may hold, as a part of it."""
+"""How much more than the largest value found a cell may hold at last, as a part of it."""
 
 BESIDE = 1e-3
 """How far beside the largest value a parabola is laid through, over the length of the stretch."""
@@ -57,8 +57,9 @@ def largest_of_cells(
     value: Callable[[Cells], tuple[FloatArray, FloatArray]],
     near: Callable[[Cells], None],
     stretches: FloatArray,
-    around: bool,
+    directions: tuple[float, float] = (0.0, 0.0),
     beyond: float,
+    enough: float = ENOUGH,
 ) -> Place | None:
     """The largest value of all sections, and of all directions where they count.
 
@@ -70,19 +71,21 @@ def largest_of_cells(
         Told the middles of the cells that are left: no other places are asked of after.
     stretches : array, shape (2, s)
         Ends of the stretches along which the value is smooth; the same twice for one section.
-    around : bool
-        Whether directions count.
+    directions : tuple of float
+        The first one and the angle over which they are looked at, rad; 0 where none counts.
     beyond : float
         Value up to which a largest one does not count.
+    enough : float
+        How much more than the largest value found there may be, as a part of it.
 
     Returns
     -------
     Place or None
         None where there is nothing beyond. Of places that are alike the first section counts.
     """
-    (low, high), start = stretches, np.zeros(stretches.shape[1])
-    angle = 2 * np.pi if around else 0.0
-    along, turned = (ALONG if (high > low).any() else 0), (AROUND if around else 0)
+    (low, high), start = stretches, np.full(stretches.shape[1], directions[0])
+    angle = directions[1]
+    along, turned = (ALONG if (high > low).any() else 0), (AROUND if angle else 0)
     best, found = beyond, None
     for cut in range(ROUNDS):
         long = (high - low) / max(along, 1)
@@ -106,7 +109,7 @@ def largest_of_cells(
             if parts:
                 ends = np.arange(parts)
                 bounds = np.maximum(bounds.take(ends, axis), bounds.take(ends + 1, axis))
-        kept = np.argwhere(bounds > best * (1 + ENOUGH))
+        kept = np.argwhere(bounds > best * (1 + enough))
         if not len(kept):
             break
         order = np.argsort(-bounds[tuple(kept.T)], kind="stable")[: max(KEPT // (cut + 1), FEWEST)]
@@ -115,13 +118,27 @@ def largest_of_cells(
         high = low + long
         near(Cells(low + long / 2, start + angle / 2, long, angle))
         along, turned = (CLOSER if along else 0), (CLOSER if turned else 0)
-    return found and _settled(value, found, stretches)
+    return found
 
 
-def _settled(
-    value: Callable[[Cells], tuple[FloatArray, FloatArray]], found: Place, stretches: FloatArray
+def settled(
+    *, value: Callable[[Cells], tuple[FloatArray, FloatArray]], found: Place, stretches: FloatArray
 ) -> Place:
-    """The place with its section where a parabola through three is largest: the value is flat."""
+    """The place with its section where a parabola through three is largest: the value is flat.
+
+    Parameters
+    ----------
+    value : callable
+        As `largest_of_cells` takes it.
+    found : Place
+        Where the value is largest but for what is hardly seen.
+    stretches : array, shape (2, s)
+        Ends of the stretches along which the value is smooth, m.
+
+    Returns
+    -------
+    Place
+    """
     step = BESIDE * (stretches[1] - stretches[0])
     off = np.minimum(found.section - stretches[0], stretches[1] - found.section)
     for own in step[(step > 0) & (off >= step)][:1]:
