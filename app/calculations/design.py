@@ -490,9 +490,8 @@ class DesignFields(GivingFields):
     """Mechanism, load and contact, and all that changes the forces.
 
     Where clearance, deviations, a contact law or satellites that give are given, the forces are
-    those of the mechanism as it is made, as by `/load-sharing`, and the pins bend in series with
-    the contacts; in first order where satellites give. Else they are the ideal ones, shared equally
-    by the satellites.
+    those of the mechanism as it is made, as by `/load-sharing`, and the pins bend. Else they are
+    the ideal ones, shared equally by the satellites.
     """
 
     BETWEEN: ClassVar[tuple[Rule, ...]] = (

@@ -94,7 +94,7 @@ class ModificationFields(PartFields, group="gear"):
     rotation_arcmin: float = quantity(
         "Modification by rotation", "δ_r", default=0.0, step=0.5, schema=NO_DUST, ge=0, le=30
     )
-    """By which the flanks are turned to either side; in first order only."""
+    """By which the flanks are turned to either side; tips and roots are left out."""
 
     _sizes = field_validator("equidistant_mm", "pin_circle_mm", "rotation_arcmin")(no_dust)
 

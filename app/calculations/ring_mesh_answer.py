@@ -334,9 +334,7 @@ class DesignMeshOut(ResponseModel):
     BESIDE = ("geometry", "method", "torque_direction", "ideal", "over_turn", "efficiency")
 
     geometry: RingGeometryOut
-    method: Literal["exact", "first_order"] = result(
-        "Geometry of the forces: of first order where flanks are turned."
-    )
+    method: Literal["exact", "first_order"] = result("Geometry of the forces.")
     torque_direction: Literal["driving", "reverse"] = result(
         "Direction of the torque: of both the one with the larger pressure."
     )

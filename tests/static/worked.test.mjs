@@ -21,7 +21,7 @@ import json
 import orjson
 from pydantic import TypeAdapter
 from app.registry import CALCULATIONS
-from core.output import compiled
+from core.drive import compiled
 from tests.app.worked_designs import REQUESTS
 
 compiled.load()
