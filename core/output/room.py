@@ -489,8 +489,8 @@ class Rooms:
         assert self.ring
         low, high = self.ring(self._crank(wave))
         turned, discs = np.clip(0.0, low, high), range(self.mechanism.satellites)
+        best = np.stack([self.rooms(wave, j)[1] for j in discs], axis=1)
         for _ in range(RETURNS):
-            best = np.stack([self.rooms(wave - turned[:, j], j)[1] for j in discs], axis=1)
             pairs = [self._pairs(wave - turned[:, j], j) for j in discs]
             # Between the greatest of the least lags and the least of the greatest each disc has all
             # of its room; where these cross, the worse of two has most.
