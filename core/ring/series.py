@@ -14,9 +14,10 @@ import numpy as np
 
 from core.arrays import FloatArray, check_finite, check_single
 from core.drive import engine
-from core.drive.model import Pieces
+from core.drive.model import Pieces, work_for
 from core.errors import Accuracy, InvalidInput, Notice, poorly_known
 from core.hertz import HertzContact
+from core.numerics.extremes import zoom
 from core.output.loaded_position import notices
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import RealMechanism
@@ -59,6 +60,24 @@ def each_alone(ring: CycloidMesh) -> tuple[CycloidMesh, ...]:
     return tuple(found)
 
 
+def _freest(disc: CycloidMesh, crank_angle: float, low: float, high: float) -> float:
+    """Lag at which the pins of a ring press a disc least, rad, between those at which the first one
+    does either way.
+    """
+    drive = disc.drive.drive()
+    work, found = work_for(drive), np.empty(len(drive.ci))
+
+    def spare(lags: FloatArray) -> FloatArray:
+        heights = []
+        for lag in lags:
+            engine.gaps(crank_angle, np.array([lag]), drive, work, found)
+            heights.append(-found.max())
+        return np.array(heights)
+
+    places, _, _ = zoom(values=spare, places=np.array([(low + high) / 2]), width=low - high)
+    return float(places[0])
+
+
 def in_their_ring(*, rooms: Rooms, ring: CycloidMesh) -> Rooms:
     """Pins in the holes of discs that turn in their ring as far as its pins let each.
 
@@ -75,15 +94,19 @@ def in_their_ring(*, rooms: Rooms, ring: CycloidMesh) -> Rooms:
         Their room is the largest that is left as each disc turns within its play in the ring.
     """
     discs = each_alone(replace(ring, deviations=replace(ring.deviations, disc_phase=())))
-    ahead = [phase / rooms.mechanism.ratio for phase in ring.deviations.crank_phase]
+    # Holes are ahead with a crank that is: of that the ring turns them too.
+    ahead = ring.deviations.crank_phase or (0.0,) * len(discs)
+    more = [phase / rooms.mechanism.ratio for phase in ahead]
 
     def turned(crank: FloatArray) -> tuple[FloatArray, FloatArray]:
         ends = np.empty((2, len(crank), len(discs)))
         for j, disc in enumerate(discs):
             room = Solved.of(disc.drive, len(crank))
             engine.unloaded(crank, 1.0, False, room.drive, room.work, room.rows, room.plays)
-            # Holes are ahead with a crank that is: of that the ring turns them too.
-            ends[:, :, j] = room.plays[:, 0].T + (ahead[j] if ahead else 0.0)
+            ends[:, :, j] = room.plays[:, 0].T + more[j]
+        for m, j in zip(*np.nonzero(ends[0] > ends[1]), strict=True):
+            low, high = (ends[:, m, j] - more[j]).tolist()
+            ends[:, m, j] = _freest(discs[j], float(crank[m]), low, high) + more[j]
         return ends[0], ends[1]
 
     made = rooms.deviations != Deviations() or not ring.pins_alike

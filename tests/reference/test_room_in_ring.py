@@ -9,6 +9,7 @@ import pytest
 from core.drive.engine import HIGH, LOW
 from core.output.real_mechanism import RealMechanism
 from core.output.room import ELSEWHERE
+from core.ring.profile import Modification
 from core.ring.series import MeshesInSeries, in_their_ring
 from core.ring.sharing import CycloidMesh
 from tests.inputs.series import drawn
@@ -51,6 +52,19 @@ def sizes_of(real: RealMechanism) -> Sizes:
     return Sizes(*sizes, real.eccentricity, hole, off)
 
 
+def most_room(series: MeshesInSeries, crank: float) -> tuple[float, list[tuple[float, float]]]:
+    """The room at a crank angle by the oracle, and how far each disc turns."""
+    free = turned(series.ring, series.mechanism.ratio, crank)
+    wave = float(series.mechanism.wave_angle(np.array([crank]))[0])
+    return room_in_ring(sizes_of(series.output), wave, free, 0.02), free
+
+
+def pressed(series: MeshesInSeries) -> MeshesInSeries:
+    """The same in a ring whose pins press: its discs are not modified."""
+    disc = replace(series.ring.disc, modification=Modification())
+    return replace(series, ring=replace(series.ring, disc=disc))
+
+
 @pytest.mark.parametrize("seed", seeds(6, 20))
 def test_the_room_is_the_largest_that_discs_find_in_their_ring(seed: int) -> None:
     series = out_of_phase(seed, 2e-3)
@@ -59,8 +73,7 @@ def test_the_room_is_the_largest_that_discs_find_in_their_ring(seed: int) -> Non
     crank = random.Random(seed).uniform(0, 2 * np.pi * series.mechanism.ratio)
     wave = series.mechanism.wave_angle(np.array([crank]))
     (room,), _ = found.rooms(wave)
-    free = turned(ring, series.mechanism.ratio, crank)
-    exact = room_in_ring(sizes_of(output), float(wave[0]), free, 0.02)
+    exact, free = most_room(series, crank)
     assert exact - ELSEWHERE < room < exact + 1e-10
     (held,), _ = output.rooms.rooms(wave)
     assert held < room + 1e-10
@@ -71,3 +84,26 @@ def test_the_room_is_the_largest_that_discs_find_in_their_ring(seed: int) -> Non
     if low <= high:
         play = series.unloaded(np.array([crank]))[0]
         assert (low, high) == pytest.approx((play[LOW], play[HIGH]), abs=1e-9)
+
+
+def test_in_a_ring_whose_pins_press_discs_lie_where_they_press_least() -> None:
+    series = pressed(out_of_phase(1, 2e-3))
+    found = in_their_ring(rooms=series.output.rooms, ring=series.ring)
+    exact, free = most_room(series, 0.7)
+    assert all(low == high for low, high in free)
+    (room,), _ = found.rooms(series.mechanism.wave_angle(np.array([0.7])))
+    assert room == pytest.approx(exact, abs=1e-10)
+
+
+def test_the_least_room_is_that_of_all_turns() -> None:
+    """Pins of the ring deviate: it repeats with all turns of the crank, not with one wave."""
+    series = out_of_phase(3, 2e-3)
+    found = in_their_ring(rooms=series.output.rooms, ring=series.ring)
+    least = found.over_turn()
+    assert found.turns == series.ring.disc.pins
+    places = np.random.default_rng(3).uniform(0, 2 * np.pi * found.turns, 2000)
+    heights, _ = found.rooms(places)
+    assert heights.min() >= least.least - least.error
+    crank = least.crank_angle
+    assert crank is not None
+    assert most_room(series, crank)[0] == pytest.approx(least.least, abs=ELSEWHERE)
