@@ -17,7 +17,6 @@ from core.drive import engine
 from core.drive.model import Pieces, work_for
 from core.errors import Accuracy, InvalidInput, Notice, poorly_known
 from core.hertz import HertzContact
-from core.numerics.extremes import zoom
 from core.output.loaded_position import notices
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import RealMechanism
@@ -29,6 +28,9 @@ from core.ring.sharing import CycloidMesh
 
 HALVINGS = 60
 """How often the interference of parts that press is halved."""
+
+GOLDEN, SECTIONS = (math.sqrt(5) - 1) / 2, 24
+"""Part that is left at each section, and how many lead to the lag at which pins press least."""
 
 SHARED = "eccentricity", "crank_phase", "disc_phase"
 """Deviations that both stages have."""
@@ -67,15 +69,16 @@ def _freest(disc: CycloidMesh, crank_angle: float, low: float, high: float) -> f
     drive = disc.drive.drive()
     work, found = work_for(drive), np.empty(len(drive.ci))
 
-    def spare(lags: FloatArray) -> FloatArray:
-        heights = []
-        for lag in lags:
-            engine.gaps(crank_angle, np.array([lag]), drive, work, found)
-            heights.append(-found.max())
-        return np.array(heights)
+    def worst(lag: float) -> float:
+        engine.gaps(crank_angle, np.array([lag]), drive, work, found)
+        return float(found.max())
 
-    places, _, _ = zoom(values=spare, places=np.array([(low + high) / 2]), width=low - high)
-    return float(places[0])
+    first, last = high, low  # golden section
+    for _ in range(SECTIONS):
+        part = GOLDEN * (last - first)
+        lower = worst(last - part) < worst(first + part)
+        first, last = (first, first + part) if lower else (last - part, last)
+    return (first + last) / 2
 
 
 def in_their_ring(*, rooms: Rooms, ring: CycloidMesh) -> Rooms:
