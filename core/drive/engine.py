@@ -219,6 +219,7 @@ class Work(NamedTuple):
     hgg: Table
     hbb: Block
     low: Block  # its factor
+    used: Row  # 1 for a pin that something moves, else 0
     hbg: Block
     rg: Row
     rb: Table
@@ -586,6 +587,7 @@ def press_block(
     """Add a contact with a force to the balance of its pin that bends."""
     gi, grad, side, block = drive.gi, work.grad, work.side, drive.ci[i, BLOCK]
     at = 2 * drive.ci[i, PLANE]
+    work.used[block] = 1.0
     for s in range(4, 6):
         row = at + s - 4
         work.rb[block, row] += f * grad[i, s]
@@ -610,6 +612,7 @@ def springs(torque: float, drive: Drive, work: Work) -> None:
             work.hgg[i, k] = drive.kgg[i, k]
             work.rg[i] += drive.kgg[i, k] * q[k]
     for m in range(b.shape[0]):
+        work.used[m] = 0.0
         for i in range(b.shape[1]):
             r = 0.0
             for k in range(b.shape[1]):
@@ -618,6 +621,7 @@ def springs(torque: float, drive: Drive, work: Work) -> None:
             for k in range(len(q)):
                 work.hbg[m, i, k] = drive.kbg[m, i, k]
                 r += drive.kbg[m, i, k] * q[k]
+                work.used[m] = max(work.used[m], abs(drive.kbg[m, i, k]))
                 work.rg[k] += drive.kbg[m, i, k] * b[m, i]
             work.rb[m, i] = r
 
@@ -668,6 +672,17 @@ def back(m: Table, x: Table, n: int, col: int) -> None:
         x[i, col] = s / m[i, i]
 
 
+def free(m: int, work: Work) -> None:
+    """Step of a pin that nothing moves: back to where it is straight."""
+    moved = 0.0
+    for i in range(work.rb.shape[1]):
+        moved += abs(work.rb[m, i])
+    for i in range(work.rb.shape[1]):
+        for k in range(len(work.rg)):
+            work.sol[m, i, k] = 0.0
+        work.sol[m, i, len(work.rg)] = -work.b[m, i] if moved > 0 else 0.0
+
+
 def reduced(damp: float, drive: Drive, work: Work) -> bool:
     """Factor of the bodies' equations with each pin's block eliminated first, ``p`` their right
     side; whether all is convex.
@@ -680,6 +695,9 @@ def reduced(damp: float, drive: Drive, work: Work) -> bool:
         red[i, i] += damp * drive.weight[i]
         p[i, 0] = -work.rg[i]
     for m in range(blocks):
+        if work.used[m] == 0:
+            free(m, work)
+            continue
         for i in range(nb):
             for k in range(nb):
                 low[m, i, k] = work.hbb[m, i, k]

@@ -260,6 +260,7 @@ def work_for(drive: Drive) -> Work:
         "hgg": (bodies, bodies),
         "hbb": (blocks, nb, nb),
         "low": (blocks, nb, nb),
+        "used": blocks,
         "hbg": (blocks, nb, bodies),
         "rg": bodies,
         "rb": (blocks, nb),

@@ -346,7 +346,7 @@ class _CycleSearch:
         """Keep the samples at which the stress may be largest or least within cells."""
         found = self.stress(at.section, at.direction)
         top, bottom = found.max(axis=1, keepdims=True), found.min(axis=1, keepdims=True)
-        sizes = np.abs(self.left.sums(self.pin.moments(at.section))).max(axis=1)
+        sizes = np.abs(self.pin.moments(at.section)) @ np.abs(self.left.forces).max(axis=1)
         reach = (sizes * at.angle + self.steepest * at.length)[:, None]
         self.left = self.left.only(((found >= top - reach) | (found <= bottom + reach)).any(axis=0))
 

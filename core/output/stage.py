@@ -24,7 +24,7 @@ REFUSALS = {
 }
 """What a position is refused as that cannot be."""
 
-CLASS = 1e-9
+CLASS = 5 * engine.CLASS
 """Error of forces and lags of positions over the largest: of the method, not of a call."""
 
 ROUNDED = 32 * ROUNDING
