@@ -14,6 +14,7 @@ import numpy as np
 
 from core.arrays import FloatArray, check_finite, check_single
 from core.drive import engine
+from core.drive.engine import Drive
 from core.drive.model import Pieces, work_for
 from core.errors import Accuracy, InvalidInput, Notice, poorly_known
 from core.hertz import HertzContact
@@ -62,11 +63,10 @@ def each_alone(ring: CycloidMesh) -> tuple[CycloidMesh, ...]:
     return tuple(found)
 
 
-def _freest(disc: CycloidMesh, crank_angle: float, low: float, high: float) -> float:
+def _freest(drive: Drive, crank_angle: float, low: float, high: float) -> float:
     """Lag at which the pins of a ring press a disc least, rad, between those at which the first one
     does either way.
     """
-    drive = disc.drive.drive()
     work, found = work_for(drive), np.empty(len(drive.ci))
 
     def worst(lag: float) -> float:
@@ -101,15 +101,18 @@ def in_their_ring(*, rooms: Rooms, ring: CycloidMesh) -> Rooms:
     ahead = ring.deviations.crank_phase or (0.0,) * len(discs)
     more = [phase / rooms.mechanism.ratio for phase in ahead]
 
+    pieces = [disc.drive for disc in discs]
+    drives = [each.drive() for each in pieces]
+
     def turned(crank: FloatArray) -> tuple[FloatArray, FloatArray]:
         ends = np.empty((2, len(crank), len(discs)))
-        for j, disc in enumerate(discs):
-            room = Solved.of(disc.drive, len(crank))
+        for j, each in enumerate(pieces):
+            room = Solved.of(each, len(crank))
             engine.unloaded(crank, 1.0, False, room.drive, room.work, room.rows, room.plays)
             ends[:, :, j] = room.plays[:, 0].T + more[j]
         for m, j in zip(*np.nonzero(ends[0] > ends[1]), strict=True):
             low, high = (ends[:, m, j] - more[j]).tolist()
-            ends[:, m, j] = _freest(discs[j], float(crank[m]), low, high) + more[j]
+            ends[:, m, j] = _freest(drives[j], float(crank[m]), low, high) + more[j]
         return ends[0], ends[1]
 
     made = rooms.deviations != Deviations() or not ring.pins_alike

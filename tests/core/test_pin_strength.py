@@ -519,6 +519,16 @@ def test_the_locus_is_closed_but_for_equal_sharing(mechanism: Mechanism) -> None
         assert bool(jumps < 1e-12) is closed
 
 
+@pytest.mark.parametrize("way", [1.0, -1.0])
+def test_in_reverse_those_pairs_carry_that_would_brake(way: float) -> None:
+    """Pairs of the other sign of the cosine, at the place where they are."""
+    mechanism = Mechanism(pins=5, crank_angles=(0.3, 2.0), ratio=20.0, initial_crank_angle=0.4)
+    turn = ideal_turn(way, mechanism=mechanism, force_exponent=1.0, pin_circle_radius=1.0)
+    pins = 2 * np.pi * np.arange(5) / 5
+    angle = np.pi / 2 + np.add.outer(np.array(mechanism.crank_angles), pins)[..., None] + turn.wave
+    assert ((np.abs(turn.on_pins) < 1e-9) | (way * np.cos(angle) > -1e-9)).all()
+
+
 @given(
     amplitude=st.floats(0, 3),
     mean=st.floats(-3, 3),
