@@ -14,8 +14,7 @@ import numpy as np
 
 from core.arrays import FloatArray, check_finite, check_single
 from core.drive import engine
-from core.drive.engine import Drive
-from core.drive.model import Pieces, work_for
+from core.drive.model import Pieces
 from core.errors import Accuracy, InvalidInput, Notice, poorly_known
 from core.hertz import HertzContact
 from core.output.loaded_position import notices
@@ -30,8 +29,8 @@ from core.ring.sharing import CycloidMesh
 HALVINGS = 60
 """How often the interference of parts that press is halved."""
 
-GOLDEN, SECTIONS = (math.sqrt(5) - 1) / 2, 24
-"""Part that is left at each section, and how many lead to the lag at which pins press least."""
+PRESSES = 60
+"""Crank angles at which is looked whether the ring has play for its discs."""
 
 SHARED = "eccentricity", "crank_phase", "disc_phase"
 """Deviations that both stages have."""
@@ -63,24 +62,6 @@ def each_alone(ring: CycloidMesh) -> tuple[CycloidMesh, ...]:
     return tuple(found)
 
 
-def _freest(drive: Drive, crank_angle: float, low: float, high: float) -> float:
-    """Lag at which the pins of a ring press a disc least, rad, between those at which the first one
-    does either way.
-    """
-    work, found = work_for(drive), np.empty(len(drive.ci))
-
-    def worst(lag: float) -> float:
-        engine.gaps(crank_angle, np.array([lag]), drive, work, found)
-        return float(found.max())
-
-    first, last = high, low  # golden section
-    for _ in range(SECTIONS):
-        part = GOLDEN * (last - first)
-        lower = worst(last - part) < worst(first + part)
-        first, last = (first, first + part) if lower else (last - part, last)
-    return (first + last) / 2
-
-
 def in_their_ring(*, rooms: Rooms, ring: CycloidMesh) -> Rooms:
     """Pins in the holes of discs that turn in their ring as far as its pins let each.
 
@@ -96,13 +77,14 @@ def in_their_ring(*, rooms: Rooms, ring: CycloidMesh) -> Rooms:
     Rooms
         Their room is the largest that is left as each disc turns within its play in the ring.
     """
+    if rooms.deviations == Deviations() and ring.pins_alike:
+        return rooms
     discs = each_alone(replace(ring, deviations=replace(ring.deviations, disc_phase=())))
     # Holes are ahead with a crank that is: of that the ring turns them too.
     ahead = ring.deviations.crank_phase or (0.0,) * len(discs)
     more = [phase / rooms.mechanism.ratio for phase in ahead]
 
     pieces = [disc.drive for disc in discs]
-    drives = [each.drive() for each in pieces]
 
     def turned(crank: FloatArray) -> tuple[FloatArray, FloatArray]:
         ends = np.empty((2, len(crank), len(discs)))
@@ -110,14 +92,15 @@ def in_their_ring(*, rooms: Rooms, ring: CycloidMesh) -> Rooms:
             room = Solved.of(each, len(crank))
             engine.unloaded(crank, 1.0, False, room.drive, room.work, room.rows, room.plays)
             ends[:, :, j] = room.plays[:, 0].T + more[j]
-        for m, j in zip(*np.nonzero(ends[0] > ends[1]), strict=True):
-            low, high = (ends[:, m, j] - more[j]).tolist()
-            ends[:, m, j] = _freest(drives[j], float(crank[m]), low, high) + more[j]
+        presses = ends[0] > ends[1]
+        ends[:, presses] = ends[:, presses].mean(axis=0)
         return ends[0], ends[1]
 
-    made = rooms.deviations != Deviations() or not ring.pins_alike
+    low, high = turned(np.linspace(0.0, 2 * np.pi, PRESSES, endpoint=False))
+    if (low == high).any():  # pins of the ring press without load, and hold the discs
+        return rooms
     turns = 1 if ring.pins_alike else ring.disc.pins
-    return replace(rooms, ring=turned, turns=turns) if made else rooms
+    return replace(rooms, ring=turned, turns=turns)
 
 
 @dataclass(frozen=True)

@@ -86,15 +86,6 @@ def test_the_room_is_the_largest_that_discs_find_in_their_ring(seed: int) -> Non
         assert (low, high) == pytest.approx((play[LOW], play[HIGH]), abs=1e-9)
 
 
-def test_in_a_ring_whose_pins_press_discs_lie_where_they_press_least() -> None:
-    series = pressed(out_of_phase(1, 2e-3))
-    found = in_their_ring(rooms=series.output.rooms, ring=series.ring)
-    exact, free = most_room(series, 0.7)
-    assert all(low == high for low, high in free)
-    (room,), _ = found.rooms(series.mechanism.wave_angle(np.array([0.7])))
-    assert room == pytest.approx(exact, abs=1e-10)
-
-
 def test_the_least_room_is_that_of_all_turns() -> None:
     """Pins of the ring deviate: it repeats with all turns of the crank, not with one wave."""
     series = out_of_phase(3, 2e-3)
