@@ -269,7 +269,7 @@ class Jobs:
         """Start a process, in the place of one that has been ended where there is one."""
         former, child = self._ended.pop() if self._ended else None, None
         try:
-            # Its server may compile the loops before it forks: that is waited for.
+            # Its server may compile the engine before it forks: that is waited for.
             child = await asyncio.to_thread(_started, former)
             async with asyncio.timeout(START_S):
                 await child.receive()

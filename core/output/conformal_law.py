@@ -235,7 +235,7 @@ def table_of(*, curve: Curve, wrap: Wrap) -> FloatArray:
 
 
 def approach_over_load(*, load: Number, curve: Curve) -> Number:
-    """``Delta/dR`` over the load, as the kernel has it.
+    """``Delta/dR`` over the load, as the engine has it.
 
     Parameters
     ----------

@@ -481,7 +481,7 @@ def pair_law(*, kind: int, law: Law, pin: Any, wide: Any, give: Any) -> tuple[An
 
 
 def law_kind(law: ContactLaw) -> tuple[int, float]:
-    """Kind and exponent of a law, as the kernel knows them.
+    """Kind and exponent of a law, as the engine knows them.
 
     Parameters
     ----------

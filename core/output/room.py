@@ -114,7 +114,7 @@ class Deviations:
         return self != self.of_output
 
     def rows(self, pins: int, satellites: int) -> Errors[Row]:
-        """Flat rows for the kernel.
+        """Flat rows of one piece.
 
         Parameters
         ----------

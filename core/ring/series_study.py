@@ -197,7 +197,7 @@ class SeriesStudy(Study):
         return SeriesTurn(piece, self.asked.output_torque, self.asked.lost_motion_share)
 
     def square_pressure(self, name: str) -> float:
-        """Square of a quantity that is a pressure, over what the kernel says of it.
+        """Square of a quantity that is a pressure, over what the engine says of it.
 
         Parameters
         ----------
@@ -238,7 +238,7 @@ def _cut(disc: CycloidDisc, equidistant: float, pin_circle: float) -> CycloidDis
 
 
 def _tools(disc: CycloidDisc, rows: RingRows) -> FloatArray:
-    """What the loops take of the tool of each piece."""
+    """Sizes that come from the tool of each piece."""
     changes = np.concatenate([rows.equidistant, rows.modification_pin_circle], axis=1)
     if not changes.any():
         changes = changes[:1]

@@ -31,7 +31,7 @@ QUANTITIES = (
 )
 
 PRESSURES = frozenset(("max_pressure", "ring_max_pressure"))
-"""Quantities of which the kernel says what their square is a multiple of."""
+"""Quantities of which the engine says what their square is a multiple of."""
 
 BLOCK, LARGEST = 64, 1024
 """Pieces that are calculated at once, at least and at most."""
@@ -170,7 +170,7 @@ class Study:
     seed: int = 0  # of the draws
     # Called with the number of pieces done.
     progress: Callable[[int], None] = _untold
-    threads: int = 0  # how many, where the loops are compiled; 0 for one to a processor
+    threads: int = 0  # how many; 0 for one to a processor
     mapped: Mapped | None = None  # elsewhere than in these threads
 
     def pieces(self, *, tolerances: Tolerances | None = None, other: Sequence[str] = ()) -> Drawn:
@@ -231,8 +231,8 @@ class Study:
         return max(most, BLOCK)
 
     def values(self, pieces: Drawn) -> tuple[FloatArray, FloatArray]:
-        """Quantities of pieces, and which of them fit; on all processors where the loops are
-        compiled, or where the study is `mapped` to, with the same bits however they are split.
+        """Quantities of pieces, and which of them fit; on all processors, or where the study is
+        `mapped` to, with the same bits however they are split.
 
         Parameters
         ----------
@@ -495,7 +495,7 @@ class Study:
         return Turn(piece, self.asked.output_torque, self.asked.lost_motion_share)
 
     def square_pressure(self, name: str) -> float:
-        """Square of a quantity that is a pressure, over what the kernel says of it.
+        """Square of a quantity that is a pressure, over what the engine says of it.
 
         Parameters
         ----------
