@@ -54,6 +54,9 @@ MAX_DRAWN_PAIRS = 240
 PAIR_POINTS = 240
 """Points of a pair, whose forces are searched and integrated over the turn."""
 
+STEEP = 1.25
+"""How many times as many, where forces by an exponent below 1 rise steeply at once."""
+
 
 OF_RINGS = ("ratio", "satellite_teeth", "ring_teeth", "crank_spacing_deg", "crank_angles_deg")
 """Fields of a mechanism that has a ring, and cranks."""
@@ -205,9 +208,10 @@ class MechanismFields(RequestModel, group="mechanism"):
     def points(self, *, exponent: float = 1.0, samples: int = 0, revolutions: float = 1.0) -> float:
         """Points over the turn: each satellite has a driving set of its own, which meets those of
         all others. Forces by an exponent above 1 are as much sharper, and are looked at in as many
-        more places; a curve with more samples has as many.
+        more places, by one below 1 steeper at their ends; a curve with more samples has as many.
         """
-        of_each = max(PAIR_POINTS * max(1.0, exponent), samples) * max(1.0, revolutions)
+        sharp = STEEP if 0 < exponent < 1 else max(1.0, exponent)
+        of_each = max(PAIR_POINTS * sharp, samples) * max(1.0, revolutions)
         teeth = (self.ring_teeth or 1) / (self.satellite_teeth or 1)
         return of_each * self.pins * self.satellites**2 * teeth
 

@@ -69,7 +69,7 @@ RING_CARRIES = paths(
 RING_GIVES = paths(RING_CARRIES, "gear.modification.rotation")
 """Inputs of how these pins share a torque."""
 
-FORCES = paths(PIN_FORCES, RING_CARRIES)
+FORCES = paths(PIN_FORCES, RING_GIVES)
 """Inputs of the forces on pins; discs in series with their ring have those of its sharing, too."""
 
 ON_STRESSES = "contact.dynamic_factor load.application_factor"

@@ -18,7 +18,7 @@ from pydantic import TypeAdapter
 from app import endpoint, jobs
 from app.calculations.contact_force import ContactForceRequest
 from app.calculations.gear import ROLLER_POINTS
-from app.calculations.mechanism import PAIR_POINTS
+from app.calculations.mechanism import PAIR_POINTS, STEEP
 from app.endpoint import LIGHT_BYTES, LIGHT_COST, read_body
 from app.examples import REQUESTS
 from app.main import create_app
@@ -242,7 +242,8 @@ def largest(name, satellites, exponent):
         mechanism.pop("crank_spacing_deg", None)
         mechanism["satellites"] = satellites
         mechanism["crank_angles_deg"] = [97.3 * each for each in range(satellites)]
-        sharp = max(1.0, exponent) if "output_torque_Nm" in load else 1.0
+        sharp = STEEP if 0 < exponent < 1 else max(1.0, exponent)
+        sharp = sharp if "output_torque_Nm" in load else 1.0
         most = LIGHT_COST / (PAIR_POINTS * satellites**2 * sharp)
         mechanism["pins"] = max(1, int(most))
         if "output_torque_Nm" in load:

@@ -180,4 +180,4 @@ async def test_a_share_that_decides_is_said(api):
     assert (params["satellite"], params["reason"]) == (1, "pin_bending")
     assert (params["check"], params["unit"]) == ("crank_bearing_life", "h")
     assert (params["check_value"], params["even_value"]) == (governing["value"], even["value"])
-    assert "0.894" in warned["detail"] and "1345 h" in warned["detail"]
+    assert "0.902" in warned["detail"] and "1345 h" in warned["detail"]

@@ -573,14 +573,15 @@ def test_the_forces_that_are_judged_are_solved_where_pins_bend() -> None:
 
 
 def test_the_perfect_parts_of_the_reference_design() -> None:
-    """Its stresses, recalculated apart from this program: shared equally 306.70 MPa and 1.5048, by
-    elasticity without clearance 219.88 MPa, with 0.02 mm of it 284.71 MPa.
+    """Its stresses: shared equally 306.70 MPa, recalculated apart from this program; by elasticity
+    without clearance 180.08 MPa, as satellites bend the pins of each other (219.88 MPa where each
+    bends them for itself), with 0.02 mm of it, which keeps them apart, 284.71 MPa.
     """
     design = having(WHOLE, contact_law=None)
     loose = having(design, hole_radius=0.01002)
     for results, stress in (
         (Results(design, equal=True), 306.70e6),
-        (Results(design), 219.88e6),
+        (Results(design), 180.08e6),
         (Results(loose), 284.71e6),
         (Results(loose, equal=True), 284.71e6),  # clearance is solved, however it is asked
     ):
@@ -601,10 +602,10 @@ ON_PINS = having(WHOLE, gear=CycloidRing(ring_pin_circle_radius=0.084, ring_pin_
 
 FAILING: dict[str, Design] = {
     "contact_pressure_hole": WHOLE,
-    "pin_static": having(WHOLE, output_torque=1500.0),
-    "pin_fatigue": having(WHOLE, output_torque=800.0),
-    "pin_slope": having(WHOLE, max_slope=1e-3),
-    "pin_deflection": having(WHOLE, max_deflection=3e-5),
+    "pin_static": having(WHOLE, output_torque=1800.0),
+    "pin_fatigue": having(WHOLE, output_torque=1000.0),
+    "pin_slope": having(WHOLE, max_slope=6e-4),
+    "pin_deflection": having(WHOLE, max_deflection=2e-5),
     "efficiency": having(WHOLE, **NO_RING, min_efficiency=0.95),
     "sliding_speed": having(WHOLE, max_sliding_speed=0.2),
     "pv": part(
@@ -683,9 +684,9 @@ def test_a_longer_contact_has_to_stay_off_the_carrier() -> None:
     """The first satellite is at 15 mm: its contact may be 30 mm long, and as long as the pitch."""
     apart = part(having(WHOLE, crankshaft=None), "pin", satellite_positions=(0.015, 0.047))
     for given, limit, allowed in (
-        (apart, 1.4e-4, False),
-        (apart, 1.8e-4, True),
-        (WHOLE, 1.8e-4, False),
+        (apart, 1.6e-4, False),
+        (apart, 2.0e-4, True),
+        (WHOLE, 2.0e-4, False),
     ):
         design = having(given, max_wear=limit)
         fixes = fixes_of(design, ["wear"])
@@ -723,7 +724,7 @@ def test_a_larger_pin_without_sleeve_is_larger_itself() -> None:
 def test_a_thicker_pin_in_its_sleeve_lowers_the_pressure() -> None:
     """It slopes less; the next standard size would leave no room for the sleeve."""
     sleeved = part(part(WHOLE, "pin", diameter=0.011), "friction", sleeve=True)
-    code, design = "contact_pressure_hole", having(sleeved, output_torque=100.0)
+    code, design = "contact_pressure_hole", having(sleeved, output_torque=135.0)
     fixes = {each.variable: each for each in fixes_of(design, [code])}
     fix, sleeve = fixes["pin.diameter"], fixes["contact.pin_radius"]
     assert fix.status == "solved" and 0.012 < fix.after < 0.016 and not fix.standard

@@ -227,7 +227,7 @@ def test_reverse_and_alternating() -> None:
     mirrored = (back.fatigue.direction + there.fatigue.direction) % (2 * math.pi)
     assert min(abs(turned - math.pi), abs(mirrored - math.pi)) < 1e-4
     assert both.fatigue.mean == 0
-    assert both.fatigue.amplitude == pytest.approx(there.peak_bending_stress, rel=SAME)
+    assert both.fatigue.amplitude == pytest.approx(there.peak_bending_stress, rel=EXACT)
     assert (np.diff(back.locus.crank_angle) >= -1e-12).all()
     turn = mechanism.crank_angle_per_wave
     later = np.interp(
@@ -236,7 +236,8 @@ def test_reverse_and_alternating() -> None:
         back.locus.tangential,
         period=turn,
     )
-    assert later == pytest.approx(-there.locus.tangential, abs=1e-6 * there.peak_moment)
+    straight = 1e-4 * there.peak_moment  # between samples, which lie at other places
+    assert later == pytest.approx(-there.locus.tangential, abs=straight)
     # at one crank angle a pin feels one direction or the other
     now = np.interp(
         there.locus.crank_angle, back.locus.crank_angle, back.locus.tangential, period=turn

@@ -602,7 +602,7 @@ def rough(seed: int) -> tuple[CycloidMesh, float]:
 def unloaded(mesh: CycloidMesh, angle: float) -> Solved:
     """A position without load."""
     room, places = Solved.of(mesh.drive), np.array([angle])
-    engine.unloaded(places, 1.0, False, room.drive, room.work, room.rows, room.play)
+    engine.unloaded(places, 1.0, False, room.drive, room.work, room.rows, room.plays)
     return room
 
 
