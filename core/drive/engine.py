@@ -229,6 +229,8 @@ class Work(NamedTuple):
     pb: Table
     kept: Row  # displacements that are looked at again
     bends: Table  # and of pins
+    last: Table  # how pins were bent at the position before, and at the one before that
+    older: Table
     sides: Table  # and those under a torque in either direction
     play: Table  # [bodies, 2] of each disc in its ring
     wrench: Table  # [G, 3] on the disc along its crank, across it, and about its centre
@@ -1501,6 +1503,13 @@ def take_bends(given: Table, into: Table) -> None:
             into[m, i] = given[m, i]
 
 
+def bend_on(part: float, work: Work) -> None:
+    """Bend pins on by so many times what the position before has bent them."""
+    for m in range(work.b.shape[0]):
+        for i in range(work.b.shape[1]):
+            work.b[m, i] += part * (work.last[m, i] - work.older[m, i])
+
+
 def straighten(work: Work) -> None:
     """Pins without bending, contacts without force."""
     for i in range(len(work.w)):
@@ -1576,10 +1585,13 @@ def positions(
             if abs(ahead) <= 2 * abs(wide):
                 for i in range(len(work.q)):
                     work.q[i] += ahead / wide * (lags[m - 1, i] - lags[m - 2, i])
+                bend_on(ahead / wide, work)
         status = position(places[m], torque, m > 0, play, drive, work, rows[m])
         if status != SOLVED:
             return m
         record(m, drive, work, lags, forces, wrench, plays)
+        take_bends(work.last, work.older)
+        take_bends(work.b, work.last)
     return -1
 
 

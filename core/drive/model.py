@@ -270,6 +270,8 @@ def work_for(drive: Drive) -> Work:
         "pb": (blocks, nb),
         "kept": bodies,
         "bends": (blocks, nb),
+        "last": (blocks, nb),
+        "older": (blocks, nb),
         "sides": (2, bodies),
         "play": (bodies, 2),
         "wrench": (groups, 3),
