@@ -167,9 +167,17 @@ class Solved:
         return int(self.rows[:, engine.STEPS].sum())
 
     @property
+    def _radius(self) -> float:
+        """Radius of the circle of pins, m."""
+        return float(self.drive.gf[0, engine.CIRCLE])
+
+    @property
     def lag_error(self) -> FloatArray:
-        """Error of the lags, rad."""
-        return np.asarray(CLASS * np.abs(self.lag))
+        """Error of the lags, rad: of the method, and by rounding of the torque of all forces, which
+        counts where parts press each other.
+        """
+        torque = self.forces.sum(axis=1) * self._radius
+        return np.asarray(CLASS * np.abs(self.lag) + ROUNDED * torque / self.stiffness)
 
     @property
     def play_error(self) -> FloatArray:
@@ -181,8 +189,7 @@ class Solved:
         """Error of the forces, N: of the method, and by rounding of what moves, which counts under
         a torque of next to nothing.
         """
-        radius = float(self.drive.gf[0, engine.CIRCLE])
-        rounded = ROUNDED * self.stiffness * np.abs(self.lags).max(axis=1) / radius
+        rounded = ROUNDED * self.stiffness * np.abs(self.lags).max(axis=1) / self._radius
         return np.asarray(CLASS * self.forces.max(axis=1) + rounded)
 
 
