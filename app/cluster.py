@@ -46,7 +46,7 @@ def version() -> str:
 
 @cache
 def _prepared() -> str:
-    """The same, once the compiled engine is there."""
+    """Version of these sources, once the compiled engine is there."""
     load()
     return version()
 

@@ -29,7 +29,7 @@ MAX_FORCES_IN_SERIES = 25_000
 """Most forces of positions, and of curves, of both meshes: angles times pairs."""
 
 MAX_TURN_IN_SERIES = 250_000
-"""The same over all turns."""
+"""Most forces of both meshes over all turns: their angles times pairs."""
 
 
 def _no_involute(given: Any) -> Any:

@@ -55,7 +55,8 @@ PAIR_POINTS = 240
 """Points of a pair, whose forces are searched and integrated over the turn."""
 
 STEEP = 1.25
-"""How many times as many, where forces by an exponent below 1 rise steeply at once."""
+"""Points by an exponent below 1 over those by 1: such forces rise steeply where a pair begins to
+drive, and take so much more work, counted in calls."""
 
 
 OF_RINGS = ("ratio", "satellite_teeth", "ring_teeth", "crank_spacing_deg", "crank_angles_deg")

@@ -20,7 +20,7 @@ PLAIN = {
 }
 """Its functions as they are."""
 
-CALLED = "positions", "narrow", "unloaded", "gaps", "goes_together", "pieces", "fit_of"
+CALLED = "positions", "narrow", "unloaded", "gaps", "goes_together", "pieces"
 """Functions that are called from outside of it."""
 
 INLINED = {

@@ -1231,12 +1231,13 @@ def placed(way: float, drive: Drive, work: Work, row: Row) -> None:
     for i in range(len(q)):
         q[i] = 0.0
     pressed, carries = ring_plays(way, drive, work)
-    mean = gi[0, KIND] == LOBE or drive.share[0] < 1  # of discs that turn for themselves
+    ringed = gi[0, KIND] == LOBE
+    mean = ringed or drive.share[0] < 1  # of discs that turn for themselves
     low, high = (0.0, 0.0) if mean else (-math.inf, math.inf)
-    if gi[0, KIND] == LOBE:
+    if ringed:
         for i in range(len(q)):
             low, high = low + drive.share[i] * play[i, 0], high + drive.share[i] * play[i, 1]
-    driven = gi[0, KIND] == LOBE
+    driven = ringed
     for g in range(len(gi)):
         turn = gi[g, TURN]
         if gi[g, KIND] != PIN or turn < 0:
@@ -2179,9 +2180,3 @@ def pieces(
         if given != FITS:
             for k in range(6):
                 rows[s, k] = math.nan
-
-
-def fit_of(gf: Table, cf: Table, w: Table) -> int:
-    """FITS, BINDS or NOWHERE of one piece."""
-    lay(gf, cf, w)
-    return fitting(gf, w)

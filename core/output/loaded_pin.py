@@ -21,8 +21,8 @@ ROUGH, FEWER = 2e-7, 2e-5
 the line between the others those lie, over the largest force, without which it is looked for."""
 
 NEARLY, FEW = 0.98, 8
-"""What part of the worst utilisation counts beside it, and of how many samples one comes first,
-where it is looked for along corners of a line."""
+"""Along the corners of a line the worst is looked for first among every eighth sample, and then
+where a section comes to 0.98 of it."""
 
 
 class Cycle(NamedTuple):
