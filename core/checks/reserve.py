@@ -31,7 +31,7 @@ FARTHEST = 1e6
 LEAST = 1e-6
 """Part of a torque that fails, below which none is looked for: of parts that press without any."""
 
-TOO_MUCH = ("not_stable", "not_balanced", "beyond_first_order", "beyond_hertz", "contact_wraps")
+TOO_MUCH = ("not_stable", "not_balanced", "beyond_hertz", "contact_wraps")
 """Reasons for which a check is not known under a torque, and may be under less."""
 
 BY_RANGE = ("range_decides", "default_decides")

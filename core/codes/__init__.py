@@ -60,7 +60,6 @@ WAS = {
         "unbalance_force": "crank_balance",
     },
     "reasons": {
-        "beyond_first_order": "no_balance",
         "beyond_hertz": "no_pressure",
         "eccentricity_assumed": "eccentricity_missing",
         "contact_wraps": "hertz_impossible",

@@ -64,8 +64,6 @@ INVALID = {
 
 
 IMPOSSIBLE = {
-    "beyond_first_order": "The output would turn by more than a radian, of which first order says "
-    "nothing: the contacts are too soft or the position is a dead centre",
     "beyond_hertz": "The contact of satellite {satellite} and pin {pin} would be as wide as the "
     "pin: no law of contact reaches so far",
     "cannot_assemble": "Pins and holes press: pin {pin} does not fit into its hole of satellite "

@@ -129,7 +129,7 @@ Hertz's; RUB the largest force times its distance to the pitch point, and the ro
 that; ALONG forces of the ring on a disc along its crank, to the axis; INTERFERENCE the smallest
 possible worst approach without load."""
 
-SOLVED, NOT_SOLVED, NO_DRIVE, NOT_STABLE, TOO_WIDE, TOO_FAR = range(6)
+SOLVED, NOT_SOLVED, NO_DRIVE, NOT_STABLE, TOO_WIDE = range(5)
 """Status of a position."""
 
 FITS, BINDS, NOWHERE = 2, 1, 0
@@ -1315,17 +1315,14 @@ def lag_of(drive: Drive, q: Row) -> float:
 def judged(count: int, drive: Drive, work: Work, row: Row) -> int:
     """Status of a position, as `solve` left it: SOLVED, or why it cannot be."""
     gi, gf, w = drive.gi, drive.gf, work.w
-    exact = gi[0, EXACT] != 0
-    if abs(row[LAG]) > 1:
-        return NOT_STABLE if exact else TOO_FAR
-    if row[STIFFNESS] <= 0 or count < 0:
+    if abs(row[LAG]) > 1 or row[STIFFNESS] <= 0 or count < 0:
         return NOT_STABLE
     for g in range(len(gi)):
         for i in range(gi[g, START], gi[g, STOP]):
             if w[i, FORCE] > w[i, MOST]:
                 return TOO_WIDE
-    for g in range(len(gi)):
-        if gi[g, KIND] == LOBE and exact:  # past half a pitch of its lobes other pins hold a disc
+    for g in range(len(gi)):  # past half a pitch of its lobes other pins hold a disc
+        if gi[g, KIND] == LOBE and gi[g, EXACT] != 0:
             lag = gf[g, LATE] + moved(gi[g, OWN], work.q)
             if abs(lag) * (gf[g, LOBES] - 1) >= math.pi:
                 return NOT_STABLE

@@ -20,7 +20,6 @@ REFUSALS = {
     engine.NOT_STABLE: "not_stable",
     engine.NOT_SOLVED: "not_balanced",
     engine.TOO_WIDE: "beyond_hertz",
-    engine.TOO_FAR: "beyond_first_order",
 }
 """What a position is refused as that cannot be."""
 

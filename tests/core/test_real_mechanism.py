@@ -291,7 +291,7 @@ def test_two_pins_at_their_dead_centre() -> None:
     assert [notice.code for notice in found.notices] == ["large_rotation"]
     with pytest.raises(ImpossibleMechanism) as refusal:
         solved(replace(two, exact=False), 0.0, 30.0)
-    assert refusal.value.code in {"dead_centre", "beyond_first_order"}
+    assert refusal.value.code in {"dead_centre", "not_stable"}
 
 
 @pytest.mark.parametrize("exact", [False, True])
@@ -311,7 +311,7 @@ def test_one_pin(exact: bool) -> None:
     [
         ({"clearance": -0.0016}, 30.0, "no_room_in_hole"),
         ({"law": LinearLaw(1e3)}, 30.0, "not_stable"),
-        ({"law": LinearLaw(1e3), "exact": False}, 30.0, "beyond_first_order"),
+        ({"law": LinearLaw(1e3), "exact": False}, 30.0, "not_stable"),
         (
             {"law": HertzLaw(), "pin_material": STEEL, "hole_material": STEEL},
             5e4,

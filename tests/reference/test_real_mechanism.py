@@ -110,4 +110,4 @@ def test_one_pin_and_two_have_a_right_answer_or_a_refusal(pins: int, exact: bool
         for force, expected in zip(flat(found), known.force, strict=True):
             assert abs(force - expected) <= found.force_error
         answered += 1
-    assert answered >= 3 and codes <= {"dead_centre", "beyond_first_order", "not_stable"}
+    assert answered >= 3 and codes <= {"dead_centre", "not_stable"}
