@@ -30,10 +30,6 @@ from core.hertz import SLIDING as KNOWN_SLIDING
 from core.hertz import Body, ContactLimit, ElasticMaterial, HertzContact, force_factor, shakedown
 from core.numerics.inverse import edge
 from core.precision import ROUNDING
-from core.ring.sharing import MeshTurn
-
-FIRST_ORDER = 0.02
-"""Error of a pressure in first order, of the mesh: of the peak force up to 4 % were seen."""
 
 DEEP = 3.0
 """Depth of solid material below a contact over its half-width: there the pressure has fallen to a
@@ -293,14 +289,9 @@ class Pressed(NamedTuple):
     """Contact pressure of a mesh."""
 
     value: float  # largest, Pa
-    error: float  # relative, of number and model
+    error: float  # relative
     solved: bool  # whether forces are shared otherwise under other torques
     at: Mapping[str, Any]  # where it is reached
-
-
-def mesh_error(turn: MeshTurn) -> float:
-    """Relative error of what is proportional to the forces of a mesh, of number and model."""
-    return float(turn.accuracy.relative_error) + (0.0 if turn.mesh.exact else FIRST_ORDER)
 
 
 def _pressed(results: Results, *, static: bool) -> Pressed:
@@ -318,7 +309,7 @@ def _pressed(results: Results, *, static: bool) -> Pressed:
     value = turn.max_pressure
     pair, angle = turn.hardest_place
     at = {"satellite": pair.satellite, "pin": pair.pin, "crank_angle": angle}
-    return Pressed(value, mesh_error(turn), True, at)
+    return Pressed(value, turn.accuracy.relative_error, True, at)
 
 
 def _judged(kind: Kind, pressed: Pressed, limit: float, **more: Any) -> Check:

@@ -14,7 +14,6 @@ from core.checks.check import (
     asked_of,
     judged_by,
 )
-from core.checks.contacts import FIRST_ORDER, mesh_error
 from core.checks.teeth import not_cycloid, not_toothed, ring_alone
 from core.design.document import Design
 from core.design.results import Results
@@ -301,7 +300,7 @@ def ring_seat_pressure(kind: Kind, design: Design, results: Results) -> Check | 
     pair = turn.peak_pair
     return Measure(
         turn.peak_force / area,
-        error=mesh_error(turn),
+        error=turn.accuracy.relative_error,
         at={"satellite": pair.satellite, "pin": pair.pin, "crank_angle": turn.peak_crank_angle},
         reserve=lambda growth: growth,
         solved=True,
@@ -325,11 +324,9 @@ def ring_seat_pressure(kind: Kind, design: Design, results: Results) -> Check | 
 def ring_efficiency(kind: Kind, design: Design, results: Results) -> Check | Measure:
     """Its limit is used by the losses; not looked for where nobody asks."""
     loss = results.ring.loss
-    exact = design.gear.kind == "involute" or results.ring.working[0].mesh.exact
-    unsure = loss.loss_error + (0.0 if exact else FIRST_ORDER)
     return Measure(
         loss.efficiency,
-        error=loss.loss_ratio * loss.efficiency * unsure,
+        error=loss.loss_ratio * loss.efficiency * loss.loss_error,
         used=lambda limit: (1 - loss.efficiency) / (1 - limit),
     )
 
@@ -347,7 +344,8 @@ def ring_efficiency(kind: Kind, design: Design, results: Results) -> Check | Mea
     **_PV,
 )
 def ring_pv(kind: Kind, design: Design, results: Results) -> Check | Measure:
-    return Measure(results.ring.pv, error=mesh_error(results.ring.working[0]), solved=True)
+    error = results.ring.working[0].accuracy.relative_error
+    return Measure(results.ring.pv, error=error, solved=True)
 
 
 PLAY = (backlash, lost_motion)

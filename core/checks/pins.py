@@ -20,7 +20,6 @@ from core.checks.check import (
     judged_by,
     over_range,
 )
-from core.checks.contacts import FIRST_ORDER
 from core.checks.inputs import Paths, paths
 from core.checks.teeth import not_cycloid
 from core.design.document import Design
@@ -105,12 +104,11 @@ class BentPins:
     pin: DesignPin  # one of them
     at: Callable[[float], Mapping[str, Any]]  # where they bear most, by the section along them, m
     solved: bool  # whether their forces do not grow with the torque
-    model_error: float = 0.0  # relative, of these forces, besides that of the numbers
 
     @property
     def error(self) -> float:
         """Relative error of stresses, deflection and slope."""
-        return 4 * float(self.found.accuracy.relative_error) + self.model_error
+        return 4 * float(self.found.accuracy.relative_error)
 
     def judged(self, kind: Kind, value: float, limit: float, **more: Any) -> Check:
         """A stress or a safety against its limit: the torque has the reserve that it has."""
@@ -173,8 +171,8 @@ def _output(results: Results) -> BentPins:
 
 def _ring(results: Results) -> BentPins:
     """The pins of the ring, whose forces are solved."""
-    found, model_error = results.ring.pin_strength, 0.0 if results.ring.mesh.exact else FIRST_ORDER
-    return BentPins(found, results.ring.pin, lambda _: {"pin": found.pin}, True, model_error)
+    found = results.ring.pin_strength
+    return BentPins(found, results.ring.pin, lambda _: {"pin": found.pin}, True)
 
 
 def _tired_output(results: Results) -> BentPins:
