@@ -95,7 +95,7 @@ def reals(draw: st.DrawFn, exact: bool | None = None, powers: bool = False) -> R
 @st.composite
 def held(draw: st.DrawFn) -> RealMechanism:
     """Satellites that give, from stiff to soft, or given shares of the torque."""
-    real = draw(reals(exact=False))
+    real = draw(reals())
     kind = draw(st.sampled_from([CrankSupport, ElasticMesh, Shares]))
     if kind is CrankSupport:
         loose = draw(st.sampled_from([0.0, 1e-6, 2e-5]))

@@ -72,7 +72,7 @@ def _balanced(real: Any, satellites: list, torque: mpf, far: mpf) -> Exact:
     every = [pair for pairs in satellites for pair in pairs]
 
     def worst(lag: mpf) -> mpf:
-        return max(approach for _, approach, _ in _state(real, every, lag))
+        return max(approach for _, approach, *_ in _state(real, every, lag))
 
     # Play: around the lag at which the worst approach is least, as far as nothing touches.
     middle = mpf(0) if worst(mpf(0)) < SAME else _least(worst, -far, far)
@@ -89,23 +89,18 @@ def _balanced(real: Any, satellites: list, torque: mpf, far: mpf) -> Exact:
 def _loaded(real: Any, pairs: list, lag: mpf) -> tuple[list[mpf], mpf]:
     """Forces and torque of one satellite at a lag of the output."""
 
-    def forces(lag: mpf, back: mpf) -> tuple[list[mpf], mpf]:
-        state = _state(real, pairs, lag)
-        own = [law(approach - back) for law, approach, _ in state]
-        return own, mp.fsum(f * lever for f, (_, _, lever) in zip(own, state, strict=True))
+    def loaded(back: mpf) -> tuple[list[mpf], mpf, mpf]:
+        """Forces, and what they do to the output and to what gives."""
+        state = _state(real, pairs, lag, back)
+        own = [law(approach) for law, approach, _, _ in state]
+        return own, *(mp.fdot(own, [each[i] for each in state]) for i in (2, 3))
 
-    held = _held(real)
-    if hasattr(held, "radial_clearance"):
-        gives, none = 1 / mpf(held.stiffness), mpf(0)  # the crank's bearing goes back
-        most = max(none, *(approach for _, approach, _ in _state(real, pairs, lag)))
-        back = _root(lambda x: x - gives * mp.fsum(forces(lag, x)[0]), none, most)
-        return forces(lag, back)
-    if hasattr(held, "stiffness"):
-        gives = 1 / mpf(held.stiffness)  # the disc turns back in the ring's mesh
-        low, high = sorted((lag, lag - gives * forces(lag, mpf(0))[1]))
-        own = _root(lambda x: x + gives * forces(x, mpf(0))[1] - lag, low, high)
-        return forces(own, mpf(0))
-    return forces(lag, mpf(0))
+    held, back = _held(real), mpf(0)
+    if hasattr(held, "stiffness"):  # the disc moves back along its crank, or turns in the mesh
+        gives = 1 / mpf(held.stiffness)
+        low, high = sorted((back, gives * loaded(back)[2]))
+        back = _root(lambda x: x - gives * loaded(x)[2], low, high)
+    return loaded(back)[:2]
 
 
 def _root(f, low: mpf, high: mpf) -> mpf:
@@ -154,8 +149,8 @@ def _least(f, low: mpf, high: mpf) -> mpf:
 
 
 def _pairs(real: Any, crank_angle: mpf) -> list:
-    """Of each pair, satellite by satellite: the law of its force, pin and hole and how far their
-    centres may be apart; in first order lever and gap.
+    """Of each pair, satellite by satellite: the law of its force, pin, crank, hole from there and
+    how far the centres of pin and hole may be apart; in first order lever and gap.
     """
     m, d = real.mechanism, real.deviations
     ratio, start = mpf(m.ratio), mpf(m.initial_crank_angle)
@@ -188,12 +183,12 @@ def _pairs(real: Any, crank_angle: mpf) -> list:
             reach = mpf(real.eccentricity) + real.clearance + r_h - r_p
             law = _law(real, real.pin_radius + r_p, reach, mpf(bent[j]))
             if real.exact:
-                pairs[j].append((law, pin, e * crank + hole * mp.expj(eta), reach))
+                pairs[j].append((law, pin, (crank, e), hole * mp.expj(eta), reach))
                 continue
             # The difference of the nominal places and of the errors, along the crank.
             lever = -real.pin_circle_radius * (mp.conj(crank) * radial).imag
             off = mp.conj(crank) * (pin - hole - radial * mpc(0, eta * real.pin_circle_radius))
-            pairs[j].append((law, lever, off.real + (reach - e), None))
+            pairs[j].append((law, lever, off.real + (reach - e)))
     return pairs
 
 
@@ -247,18 +242,26 @@ def pin_give(pin) -> list[mpf]:
     return found
 
 
-def _state(real: Any, pairs: list, lag: mpf) -> list:
-    """Of each pair its law, its approach and its lever."""
+def _state(real: Any, pairs: list, lag: mpf, back: mpf | int = 0) -> list:
+    """Of each pair its law, its approach, and its levers on the output and on what gives, which has
+    the disc moved back along its crank or turned back about its centre.
+    """
     held = _held(real)
-    loose = mpf(held.radial_clearance) / 2 if hasattr(held, "radial_clearance") else mpf(0)
+    bearing = hasattr(held, "radial_clearance")
+    loose = mpf(held.radial_clearance) / 2 if bearing else mpf(0)
     if not real.exact:
-        return [(law, lever * lag - gap - loose, lever) for law, lever, gap, _ in pairs]
+        return [
+            (law, lever * lag - gap - loose - back * (arm := 1 if bearing else lever), lever, arm)
+            for law, lever, gap in pairs
+        ]
     found, turn = [], mp.expj(-lag)
-    for law, pin, hole, reach in pairs:
-        turned = pin * turn
-        d = turned - hole
+    for law, pin, (crank, e), hole, reach in pairs:
+        turned, own = pin * turn, hole if bearing else hole * mp.expj(-back)
+        d = turned - (e - back if bearing else e) * crank - own
         apart = abs(d)
-        found.append((law, apart - reach - loose, (mp.conj(d) * turned).imag / apart))
+        lever = (mp.conj(d) * turned).imag / apart
+        arm = -(mp.conj(d) * crank).real if bearing else (mp.conj(d) * own).imag
+        found.append((law, apart - reach - loose, lever, arm / apart))
     return found
 
 
