@@ -33,6 +33,7 @@ MAX_DESCRIBED = 1000
 """Most errors that pydantic is asked to describe, which costs more than to find them."""
 
 OF_REQUESTS = {
+    "always_exact": "is no longer asked: forces are solved in exact geometry alone; leave it out",
     "bool_type": "must be true or false",
     "dict_type": "must be an object",
     "discs_disagree": "must be {field}, or left out: holes and teeth are of the same discs",
@@ -168,6 +169,9 @@ _CODES = {
     "union_tag_not_found": "missing",
 }
 """Pydantic's parameters and codes where they differ from ours."""
+
+GONE: dict[int | str, str] = {"geometry": "always_exact"}
+"""Fields that requests no longer have, and the code that says why; for one release."""
 
 SAYING = ("dust", "several_materials", "unknown_material")
 """Codes of ours whose text names what a validator has said."""
@@ -344,7 +348,7 @@ def _item(error: ErrorDetails, place: tuple[int | str, ...]) -> FieldProblem:
         return wrong(pointer(path), context["code"], **context["params"])
     if kind.startswith("union_tag"):
         path.append(context["discriminator"].strip("'"))
-    code = _CODES.get(kind, kind)
+    code = GONE.get(path[-1], kind) if kind == "extra_forbidden" else _CODES.get(kind, kind)
     if code in _PARAMS:
         params = {"limit": context[_PARAMS[code]]}
     elif code == "literal_error":

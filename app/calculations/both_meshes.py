@@ -234,7 +234,6 @@ class RingInSeriesFields(RealDesignFields):
             disc_material=ring.disc_material,
             law=ring.law,
             deviations=self.ring_deviations,
-            exact=self.geometry == "exact",
         )
 
 

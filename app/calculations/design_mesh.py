@@ -39,7 +39,6 @@ def mesh_of(results: Results) -> Solved:
     each = design.pin_torque / design.mechanism.satellites
     solved.values |= {
         "geometry": RingGeometryOut.values(mesh.disc),
-        "method": "exact" if mesh.exact else "first_order",
         "torque_direction": "driving" if turn.turn.torque > 0 else "reverse",
         "ideal": at_output(RingIdealOut.of(mesh.disc, each), members),
         "over_turn": at_output(shown.values(turn), members),

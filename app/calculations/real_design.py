@@ -1,7 +1,7 @@
 """A mechanism, its load and its contact as the parts are made: what its calculations share."""
 
 from functools import cached_property
-from typing import Literal, Self
+from typing import Self
 
 from pydantic import Field, model_validator
 
@@ -51,8 +51,6 @@ class RealDesignFields(GivingFields, group="contact_law"):
     contact_law: ContactLawFields = Field(default_factory=ContactLawFields)
     pin: Maybe[BentPinFields] = None
     rollers: Maybe[RollersFields] = None
-    geometry: Literal["exact", "first_order"] = quantity("Geometry", default="exact")
-    """Exact, or first order in lag and deviations as in the papers."""
     lost_motion_torque_share: float = quantity(
         "Torque of the lost motion",
         group="load",
@@ -116,7 +114,6 @@ class RealDesignFields(GivingFields, group="contact_law"):
             law=self.contact_law.section(self),
             pin=pin,
             deviations=deviations,
-            exact=self.geometry == "exact",
             support=self.support,
             roller_play=play,
         )

@@ -113,7 +113,6 @@ OF_CYCLOIDS = (
     "contact_law",
     "deviations",
     "satellite_coupling",
-    "geometry",
     "lost_motion_torque_share",
     "chord_error_mm",
     "crank_angle_deg",
@@ -152,8 +151,6 @@ class RingMeshRequest(RequestModel, group="positions"):
     contact_law: MeshLawFields = Field(default_factory=MeshLawFields)
     deviations: RingDeviationsFields = Field(default_factory=RingDeviationsFields)
     satellite_coupling: MeshCouplingFields = Field(default_factory=MeshCouplingFields)
-    geometry: Literal["exact", "first_order"] = quantity("Geometry", default="exact")
-    """Exact, or first order in lag and deviations as in the papers."""
     lost_motion_torque_share: float = quantity(
         "Torque of the lost motion",
         group="load",
@@ -296,7 +293,6 @@ class RingMeshRequest(RequestModel, group="positions"):
             crank_angles=self.mechanism.crank_angles,
             law=ring.contact_law or self.contact_law.named() or HertzLaw(),
             deviations=self.deviations.section(),
-            exact=self.geometry == "exact",
             support=self.support,
         )
 

@@ -331,10 +331,9 @@ class DesignMeshOut(ResponseModel):
     factor.
     """
 
-    BESIDE = ("geometry", "method", "torque_direction", "ideal", "over_turn", "efficiency")
+    BESIDE = ("geometry", "torque_direction", "ideal", "over_turn", "efficiency")
 
     geometry: RingGeometryOut
-    method: Literal["exact", "first_order"] = result("Geometry of the forces.")
     torque_direction: Literal["driving", "reverse"] = result(
         "Direction of the torque: of both the one with the larger pressure."
     )

@@ -372,8 +372,9 @@ async def test_a_loose_coupling_is_solved_and_drives_with_what_it_is_driven(api)
     ):
         found = await refused(api, PATH, COUPLING | {section: values})
         assert found[:2] == (f"/{section}", "of_other_output")
-    found = await refused(api, "load-sharing", body | {"crank_support": {"stiffness_N_per_mm": 1e4},
-                                                       "geometry": "first_order"})  # fmt: skip
+    found = await refused(
+        api, "load-sharing", body | {"crank_support": {"stiffness_N_per_mm": 1e4}}
+    )
     assert found[:2] == ("/crank_support", "of_other_output")
 
 

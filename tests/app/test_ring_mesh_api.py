@@ -42,7 +42,11 @@ def rounded(**sections):
     return body
 
 
-@pytest.mark.parametrize("case", CASES, ids=lambda case: case["name"].split()[0])
+@pytest.mark.parametrize(
+    "case",
+    [case for case in CASES if "geometry" not in case["body"]],
+    ids=lambda case: case["name"].split()[0],
+)
 async def test_case(api, case):
     answer = await api.post(PATH, json=case["body"])
     assert answer.status_code == 200, answer.text
@@ -149,14 +153,14 @@ async def test_reverse_and_rotation(api):
     answer = (await api.post(PATH, json=body)).json()["positions"][0]
     assert max(answer["rotation_arcmin"]) < 0 > sum(answer["disc_torque_Nm"])
     gear = BASE["gear"] | {"modification": {"equidistant_mm": 0.02, "rotation_arcmin": 1.0}}
-    turned = changed(gear=gear, geometry="first_order", include=["positions", "ideal"])
+    turned = changed(gear=gear, include=["positions", "ideal"])
     plain = deepcopy(turned)
     del plain["gear"]["modification"]["rotation_arcmin"]
     more, less = [(await api.post(PATH, json=each)).json() for each in (turned, plain)]
     wider = more["ideal"]["backlash_arcmin"] - less["ideal"]["backlash_arcmin"]
     assert wider == pytest.approx(2, rel=EXACT)
     plays = [np.ptp(each["positions"][0]["play_arcmin"]) for each in (more, less)]
-    assert plays[0] - plays[1] == pytest.approx(2, rel=SEARCHED)
+    assert plays[0] - plays[1] == pytest.approx(2, rel=2e-3)  # as wide to squares of the gap
 
 
 @pytest.mark.parametrize(
@@ -419,7 +423,7 @@ async def test_tip_radii_stand_for_addenda(api):
             "less_than_equal",
         ),
         ({"crank_angle_deg": [0.0]}, "/crank_angle_deg", "of_another_kind"),
-        ({"geometry": "exact"}, "/geometry", "of_another_kind"),
+        ({"geometry": "exact"}, "/geometry", "always_exact"),
         ({"contact_law": {"kind": "hertz"}}, "/contact_law", "of_another_kind"),
         (
             {"deviations": {"eccentricity_mm": [0.0]}},

@@ -34,7 +34,6 @@ DESIGN: dict[str, Any] = {
         "modification": {"equidistant_mm": 0.015, "pin_circle_mm": -0.005},
     },
     "satellite_coupling": {"kind": "ring"},
-    "geometry": "first_order",
 }
 QUANTITIES = [
     "peak_force_N",

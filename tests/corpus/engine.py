@@ -29,9 +29,6 @@ GIVING = {
 
 CASES = (RING, *GIVING)
 
-FIRST_ORDER = {"crank support", "elastic mesh", "given shares", "tie ring"}
-"""Cases that are solved in first order, which `/load-sharing` and a study want to hear."""
-
 STUDIES = dict.fromkeys(GIVING, 5) | {IN_SERIES: 10}
 """Studies of each case."""
 
@@ -188,13 +185,11 @@ def with_deviations(r: Draw, body: Body, case: str) -> Body:
     return body | {"deviations": found}
 
 
-def sharing(r: Draw, body: Body, case: str) -> Body:
+def sharing(r: Draw, body: Body, _: str) -> Body:
     """Positions, turn and curves of a design."""
     angles = {"crank_angle_deg": [0.0, *(r.size(0, 360) for _ in range(3))]}
     asked = ["positions", "over_turn", "curves", "stiffness_curve", "pressure", "ideal"]
-    shown = {"samples": 13, "include": asked}
-    order = {"geometry": "first_order"} if case in FIRST_ORDER else {}
-    return body | angles | shown | order
+    return body | angles | {"samples": 13, "include": asked}
 
 
 def whole(r: Draw, body: Body, case: str) -> Body:
@@ -233,9 +228,8 @@ def study(r: Draw, case: str, kind: str, quantities: list[str]) -> Body:
         tolerances |= {"ring_pin_position_mm": 0.004, "equidistant_mm": 0.003}
         quantities = [*quantities, r.choice(("ring_peak_force_N", "ring_max_pressure_MPa"))]
     body["load"]["torque_direction"] = r.choice(DIRECTIONS[:2])
-    order = {"geometry": "first_order"} if case in FIRST_ORDER else {}
     asked = {"quantities": quantities, "samples": 24, "crank_angles": 12, "percentiles": [50.0]}
-    return body | {"tolerances": tolerances} | asked | {"seed": r.randrange(1000)} | order
+    return body | {"tolerances": tolerances} | asked | {"seed": r.randrange(1000)}
 
 
 def designs(case: str) -> list[tuple[str, Body]]:

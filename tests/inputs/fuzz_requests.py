@@ -346,7 +346,7 @@ def real_design(r: Draw) -> Body:
         law["reference_approach_mm"] = number("ContactLawFields", "reference_approach_mm", usual)
     body |= {"contact": contact, "contact_law": law}
     if r.chance(0.3):
-        body |= {"geometry": "first_order"} | giving(r, body["mechanism"])
+        body |= giving(r, body["mechanism"])
     return body
 
 

@@ -89,7 +89,7 @@ def mechanism(body: dict[str, Any]) -> tuple[RealMechanism, float]:
         hole_material=_material(contact.get("hole_material")),
         pin=pin,
         deviations=_deviations(body.get("deviations", {})),
-        exact=body.get("geometry", "exact") == "exact",
+        exact="geometry" not in body,
     )
     reverse = load.get("torque_direction") == "reverse"
     return real, load["output_torque_Nm"] * (-1 if reverse else 1)

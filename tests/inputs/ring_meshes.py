@@ -120,7 +120,7 @@ def of_request(body: dict[str, Any]) -> tuple[CycloidMesh, float, float]:
         pin_material=materials[0],
         disc_material=materials[1],
         deviations=RingDeviations(**deviations),
-        exact=body["geometry"] == "exact",
+        exact="geometry" not in body,
         support=Shares(tuple(shares)) if shares else RIGID_SUPPORT,
     )
     way = -1 if body["load"].get("torque_direction") == "reverse" else 1

@@ -61,7 +61,7 @@ def of_request(body: dict[str, Any]) -> tuple[MeshesInSeries, float, float]:
         pin_material=STEEL,
         hole_material=STEEL,
         deviations=Deviations(**errors),
-        exact=body["geometry"] == "exact",
+        exact="geometry" not in body,
     )
     return MeshesInSeries(ring, output), angle, torque
 

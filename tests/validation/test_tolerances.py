@@ -7,42 +7,9 @@ import pytest
 
 from core.drive.engine import LAG, PIN_FORCE
 from core.output.contact_force import reference_force
-from core.output.elasticity import LinearLaw
-from core.output.mechanism import Mechanism
-from core.output.real_mechanism import RealMechanism
 from core.output.turn import Turn
-from core.tolerance.draws import Spread, uniforms
-from core.tolerance.study import Evaluation, Study, ToleranceStudy, tolerance_study
-from core.tolerance.tolerances import Tolerances
-from tests.inputs.real_mechanisms import STEEL
-
-ARCMIN = math.pi / 10800
-REAL = RealMechanism(
-    mechanism=Mechanism.evenly_spaced(pins=6, satellites=2, ratio=20.0),
-    pin_circle_radius=0.040,
-    pin_radius=0.005,
-    eccentricity=0.002,
-    contact_length=0.012,
-    clearance=2e-5,
-    law=LinearLaw(1e8),
-    exact=False,
-    pin_material=STEEL,
-    hole_material=STEEL,
-)
-PHASE = math.radians(0.01)
-TOLERANCES = Tolerances(
-    pin_position=1e-5,
-    hole_position=2e-5,
-    pin_radius=Spread(3e-6, 7.5e-6),
-    hole_radius=Spread(0.0, 9e-6),
-    eccentricity=Spread(-5e-6, 5e-6),
-    disc_phase=Spread(-PHASE, PHASE),
-)
-ASKED = Evaluation(quantities=("peak_force", "transmission_error"), output_torque=200.0)
-
-
-def run(samples: int) -> ToleranceStudy:
-    return tolerance_study(Study(REAL, TOLERANCES, ASKED, samples=samples, seed=7))
+from core.tolerance.draws import uniforms
+from tests.inputs.tolerances import ARCMIN, run, study
 
 
 def test_words_of_the_streams() -> None:
@@ -66,12 +33,11 @@ def test_the_first_pieces() -> None:
 
 def test_the_whole_run() -> None:
     """It had the pieces that do not fit in it, pressed together: they are solved for it here."""
-    study = Study(REAL, TOLERANCES, ASKED, samples=4096, seed=7)
-    found = tolerance_study(study)
-    pieces, places = study.pieces(), [2 * math.pi * k / 60 for k in range(60)]
+    asked, found = study(4096), run(4096)
+    pieces, places = asked.pieces(), [2 * math.pi * k / 60 for k in range(60)]
     for i in np.flatnonzero(~found.fits):
         assert np.isnan(found.values[i]).all()
-        turn = Turn(study.piece(pieces, int(i)), 200.0)
+        turn = Turn(asked.piece(pieces, int(i)), 200.0)
         lags = turn.values(LAG, places).heights
         found.values[i] = turn.values(PIN_FORCE, places).heights.max(), np.ptp(lags)
     for percent, value, low, high in (

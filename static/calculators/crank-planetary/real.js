@@ -20,7 +20,6 @@ export function designOf({
   const { contact_law: law = {}, satellite_coupling: shared, lost_motion_torque_share: share } = besides;
   const { pin: { rotates, bolt, material: { tensile_strength_MPa, ...elastic } = {}, ...pin } = {}, rollers } =
     partsOf({ besides }, ["pin_strength", "rollers"]);
-  const geometry = shared || pin.support === "tie_ring" ? "first_order" : besides.geometry; // no other is to be had for these
   const material = typeof besides.pin?.material === "string" ? besides.pin.material : elastic;
   const sizes = { ...contact, eccentricity_mm: eccentricityOf(contact) };
   return {
@@ -31,7 +30,6 @@ export function designOf({
     ...(pin.support && { pin: { ...pin, ...(Object.keys(material).length > 0 && { material }) } }), // they bend where their strength is wanted
     ...(rollers && { rollers }),
     ...(shared && { satellite_coupling: { kind: "shares", ...shared } }),
-    ...(geometry && { geometry }),
     ...(share !== undefined && { lost_motion_torque_share: share }),
   };
 }

@@ -45,7 +45,6 @@ const REAL = {
   },
   "contact_law.reference_depth_mm": { ...rare, when: ["contact_law.kind", "hertz"] },
   "satellite_coupling.shares": rare,
-  geometry: rare,
   lost_motion_torque_share: rare,
 };
 
