@@ -274,11 +274,12 @@ class JudgedResponse(AssumingResponse):
 
     BESIDE = ("fixes",)
 
-    verdict: Outcome = Field(
+    verdict: Maybe[Outcome] = Field(
         description="`fail` where a check fails, else `incomplete` where one could not be made, or "
         "none is of what the load could break, else `marginal`, else `pass`; of a reducer with "
         "`parts`, of these, `incomplete` where one is open. Says nothing of what is "
-        "`not_considered`."
+        "`not_considered`. It is there, and all that belongs to it, unless `include` names other "
+        "sections alone."
     )
     governing: Maybe[str] = Field(
         description="The check that decides.", json_schema_extra={"enum": [*CHECKS]}
@@ -293,8 +294,8 @@ class JudgedResponse(AssumingResponse):
         "something is not known; of a reducer the least over `largest_torque_of`, as far as these "
         "are judged, and absent while the clearance is not known.",
     )
-    counts: dict[str, int] = Field(description=f"Checks by status: {', '.join(STATUSES)}.")
-    not_considered: list[str] = Field(
+    counts: Maybe[dict[str, int]] = Field(description=f"Checks by status: {', '.join(STATUSES)}.")
+    not_considered: Maybe[list[str]] = Field(
         description="What the verdict does not look at: "
         + "; ".join(f"`{code}`, {text}" for code, text in NOT_CONSIDERED.items())
         + "."

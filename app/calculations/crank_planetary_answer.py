@@ -83,10 +83,12 @@ class ColdYieldOut(ResponseModel):
 
 
 class CrankPlanetaryResponse(JudgedResponse):
-    """One section for each that was asked, and always the verdict."""
+    """One section for each that was asked, and the verdict."""
 
     model: ForcesUsed = forces_used()
-    parts: list[PartOut] = Field(description="The parts of the reducer, of which the verdict is.")
+    parts: Maybe[list[PartOut]] = Field(
+        description="The parts of the reducer, of which the verdict is."
+    )
     shares: Maybe[SharesOut] = result(
         "How the satellites share the torque, where one does not carry its part within 1 %."
     )

@@ -68,6 +68,7 @@ from app.units import to_si
 from core.arrays import FloatArray
 from core.checks.check import Verdict
 from core.checks.cold_yield import ColdYield, cold_yield
+from core.checks.crank_planetary import cannot_mesh
 from core.checks.reserve import crank_verdict
 from core.checks.shares import disc_shares
 from core.checks.usual_modification import (
@@ -151,6 +152,9 @@ INVOLUTE_NEEDS = (
 )
 """The same of the mesh of involute teeth."""
 
+JUDGED = frozenset(("checks", "largest_torque", "fixes", "combined"))
+"""Sections that rest on the verdict."""
+
 SEARCHED = frozenset(("fixes", "combined", "usual_fit", "usual_modification"))
 """Sections for which designs are tried."""
 
@@ -211,9 +215,10 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     include: Maybe[list[Section]] = Field(
         min_length=1,
         max_length=len(NEEDS),
-        description="Sections of the answer: what is not named is not computed. Where it is "
-        "absent: all but real_cyclogram, geometry, usual_fit, usual_modification, checks, "
-        "largest_torque, fixes and combined, as far as their input is given; members where others "
+        description="Sections of the answer: what is not named is not computed, nor the verdict "
+        "without checks, largest_torque, fixes or combined. Where it is absent: the verdict and "
+        "all but real_cyclogram, geometry, usual_fit, usual_modification, checks, largest_torque, "
+        "fixes and combined, as far as their input is given; members where others "
         "than the pins are the output; load_sharing where clearance, deviations, a contact law, "
         "satellites that give or pins that bend are. "
         "load_sharing and hertz with these are left out then where the forces cannot be solved. "
@@ -354,7 +359,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     def _unfit(self, section: Section) -> bool:
         """Whether a section rests on forces of parts that cannot be put together."""
         solved = section == "geometry" and self.results.solved
-        return (section in BY_FORCES or solved) and self.verdict.unforced
+        return (section in BY_FORCES or solved) and self.unforced
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse what exceeds the operator's limits in mechanism or load, and lists of deviations
@@ -384,6 +389,16 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     def verdict(self) -> Verdict:
         """The verdict of the design."""
         return crank_verdict(self.results, largest=self.asks_largest)
+
+    @cached_property
+    def unforced(self) -> bool:
+        """Whether no force is known, as parts cannot be put together."""
+        return cannot_mesh(self.results)
+
+    @property
+    def judges(self) -> bool:
+        """Whether the verdict is asked, or says why forces are left out."""
+        return self.include is None or not JUDGED.isdisjoint(self.include) or self.unforced
 
     @property
     def asks_largest(self) -> bool:
@@ -623,18 +638,19 @@ def _notices(body: CrankPlanetaryRequest) -> tuple[Notice, ...]:
 
 def solve(body: CrankPlanetaryRequest) -> Values:
     """Cyclogram, contact force, load sharing, Hertz stress, pins, efficiency, bearings, crankshaft,
-    geometry: the sections that are asked.
-
-    Verdict and warnings are there whichever sections are asked.
+    geometry: the sections that are asked; verdict and shares where something is judged.
     """
     asked, results = body.sections, body.results
     sections = present({name: answer(body) for name, answer in ANSWERS.items() if name in asked})
     warnings = [warning(each) for each in _notices(body)]
     if rooms := if_known(lambda: results.rooms):
         sections["fit"] = FitOut.values(rooms)
-    judged = _judged(body)
-    shares = disc_shares(results=results, found=body.verdict)
-    if shares and not body.verdict.unforced:
+    judged = _judged(body) if body.judges else {}
+    if (
+        judged
+        and not body.unforced
+        and (shares := disc_shares(results=results, found=body.verdict))
+    ):
         sections["shares"] = SharesOut.of(shares)
         warnings += shares_warnings(shares)
     if warnings:

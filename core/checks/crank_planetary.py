@@ -138,14 +138,23 @@ def _codes(given: frozenset[str], scope: tuple[str, ...]) -> tuple[str, ...]:
     return tuple(sorted(made, key=lambda code: len(needed[code])))
 
 
+def cannot_mesh(results: Results) -> bool:
+    """Tell whether pins in holes or teeth cannot be, so that no force is known."""
+    kinds = map(CRANK_CHECKS.__getitem__, crank_codes(results.design))
+    meshing = (kind.code for kind in kinds if kind.part in MESHES and kind.code != "pins_apart")
+    unasked = (
+        code for code in meshing if not (CRANK_CHECKS[code].loaded or CRANK_CHECKS[code].asks)
+    )
+    return cannot_be(crank_check(code, results) for code in unasked)
+
+
 def crank_checks(results: Results) -> Verdict:
     """All checks of a crank-planetary reducer, as far as they are in its scope: nothing that hangs
     on forces is checked where pins in holes or teeth cannot be.
     """
     design, codes = results.design, crank_codes(results.design)
     checks = [crank_check(code, results) for code in codes if not CRANK_CHECKS[code].loaded]
-    meshing = (each for each in checks if each.kind.part in MESHES and each.code != "pins_apart")
-    unforced = cannot_be(meshing)
+    unforced = cannot_mesh(results)
     checks += (
         CRANK_CHECKS[code].of(design, results, unforced=True)
         if unforced

@@ -103,18 +103,22 @@ async def test_what_is_not_asked_is_not_run(api, asked, not_run):
     finally:
         for each in patches:
             each.stop()
-    judged = {
-        "verdict",
-        "governing",
-        "parts",
-        "model",
-        "warnings",
-        "counts",
-        "fit",
-        "assumed",
-    }
     assert response.status_code == 200
-    assert set(response.json()) == set(asked) | judged | {"not_considered"}
+    assert set(response.json()) == set(asked) | {"model", "warnings", "fit", "assumed"}
+
+
+async def test_the_verdict_is_there_where_it_is_asked_or_says_why_forces_are_not(api):
+    async def answer(body, **asked):
+        return (await api.post("crank-planetary", json=body | asked)).json()
+
+    usual, checked = await answer(JOB), await answer(JOB, include=["checks"])
+    assert all(usual[name] == checked[name] for name in ("verdict", "governing", "parts"))
+    assert "verdict" not in await answer(JOB, include=["hertz"])
+    contact = {name: each for name, each in JOB["contact"].items() if name != "hole_radius_mm"}
+    pressed = JOB | {"contact": contact | {"hole_clearance_mm": -0.05}}
+    refused = await answer(pressed, include=["hertz"])
+    assert (refused["verdict"], refused["governing"]) == ("fail", "interference")
+    assert "hertz" not in refused
 
 
 @pytest.mark.parametrize("option", ["curves", "equal_sharing", "approximation"])
