@@ -187,8 +187,11 @@ MIDDLES = 12
 PLACE = 1e-10
 """Width to which a summit is narrowed, rad."""
 
-FLAT_WITHIN, FLAT = 1e-6, 1e-13
-"""Width within which one may be so flat, as a part of its height, that no more can be told."""
+FLAT = 1e-10
+"""How far one may fall to both ends of what is left, as a part of its height, to be found."""
+
+BESIDE = 0.02
+"""How far beside the best place the next is at least, as a part of what is left."""
 
 GOLDEN = (math.sqrt(5) - 1) / 2
 
@@ -1636,49 +1639,58 @@ def narrow(
     work: Work,
     row: Row,
 ) -> tuple[float, float, float, int]:
-    """Place and height of the largest value between two places, or of the least for the sign -1, by
-    golden section, which asks for no derivative; its error, by how much it changed while the width
-    was narrowed to its last sixteenth; and at how many places it looked: 0 where the place is one
-    that cannot be.
+    """Place and height of the largest value between two places, or of the least for the sign -1:
+    where the lines through the last places on either side meet, as most summits are where a pair
+    takes up or leaves, or by golden section where that does not close in; its error, by how far the
+    values fall to both ends of what is left; and at how many places it looked: 0 where the place is
+    one that cannot be.
     """
-    error, looks, left, play = 0.0, 0, True, kind in (LOW, HIGH, PLAY)
-    a, b = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-    at_a = at_b = 0.0
-    while looks < 2 or high - low > PLACE:
-        if looks >= 2:
-            if high - low < FLAT_WITHIN and abs(at_a - at_b) <= FLAT * abs(at_a):
-                break
-            if high - low < 16 * PLACE:
-                error = max(error, abs(at_a - at_b))
-            left = sign * at_a >= sign * at_b
-            if left:
-                high, b, at_b = b, a, at_a
-                a = high - GOLDEN * (high - low)
-            else:
-                low, a, at_a = a, b, at_b
-                b = low + GOLDEN * (high - low)
-        there, found = a if left else b, 0.0
+    play, looks, error = kind in (LOW, HIGH, PLAY), 0, math.inf
+    before, further = low - (high - low), high + (high - low)
+    best = there = low + (1 - GOLDEN) * (high - low)
+    top = at_low = at_high = at_before = at_further = -math.inf
+    width = wider = math.inf
+    while looks == 0 or (high - low > PLACE and error > FLAT * abs(top)):
+        found = 0.0
         if play:
             place(there, drive, work)
             straighten(work)
             placed(math.copysign(1.0, torque), drive, work, row)
-            found = row[kind]
+            found = sign * row[kind]
         for side in range(0 if play else (2 if kind == LOST else 1)):
             asked = torque if kind != LOST else share * torque * (1.0 - 2.0 * side)
             take_side(work.sides, side, work.q, False)
             if position(there, asked, looks > 0, False, drive, work, row) != SOLVED:
                 return there, 0.0, 0.0, 0
             take_side(work.sides, side, work.q, True)
-            found += row[LAG] if kind == LOST else row[kind]
-        if left:
-            at_a = found
-        else:
-            at_b = found
+            found += sign * (row[LAG] if kind == LOST else row[kind])
         looks += 1
-        left = False
-    if sign * at_a >= sign * at_b:
-        return a, at_a, error, looks
-    return b, at_b, error, looks
+        worse, at_worse = (best, top) if found > top else (there, found)
+        if found > top:
+            best, top = there, found
+        if worse < best:
+            before, at_before, low, at_low = low, at_low, worse, at_worse
+        elif worse > best:
+            further, at_further, high, at_high = high, at_high, worse, at_worse
+        error = top - min(at_low, at_high)
+        closes, wider, width = high - low <= wider / 2, width, high - low
+        there = best + (1 - GOLDEN) * ((high if high - best > best - low else low) - best)
+        highest = -math.inf
+        for right in range(2 if closes else 0):
+            a, at_a, b, at_b = before, at_before, low, at_low
+            c, at_c, d, at_d = best, top, high, at_high
+            if right:
+                a, at_a, b, at_b, c, at_c = low, at_low, best, top, high, at_high
+                d, at_d = further, at_further
+            rise, fall = (at_b - at_a) / (b - a), (at_c - at_d) / (d - c)
+            if rise > 0 and fall > 0 and math.isfinite(rise + fall):
+                off = (at_c - at_b + fall * (c - b)) / (rise + fall)
+                if 0 <= off <= c - b and at_b + rise * off > highest:
+                    there, highest = b + off, at_b + rise * off
+        if abs(there - best) < BESIDE * width:
+            there = best + math.copysign(BESIDE * width, high - best - (best - low))
+        there = min(max(there, low + BESIDE * width), high - BESIDE * width)
+    return best, sign * top, error, looks
 
 
 def free_there(drive: Drive, work: Work) -> bool:

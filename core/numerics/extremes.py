@@ -27,8 +27,8 @@ CLOSER = 24
 POINTS, ZOOMS = np.linspace(-1.0, 1.0, 17), 8
 """Places about the best one, and how often as many closer ones follow: to 6e-8 of the width."""
 
-ROUNDED = 1e-13
-"""Part of a height that may be rounding."""
+ROUNDED = 1e-9
+"""Part of a height by which a summit may be found too low."""
 
 LAST = len(POINTS) - 1
 
@@ -120,7 +120,7 @@ def hill(
 ) -> tuple[float, float, float]:
     """The largest value about a sample, between its neighbours.
 
-    Golden section finds it where there is one hill. Where it comes out below the sample, there is a
+    It is found where there is one hill. Where it comes out below the sample, there is a
     jump beside it, or a plateau narrower than the places are apart: then it is looked for about
     what is known to be highest, ever closer.
 
