@@ -630,7 +630,8 @@ def _notices(body: CrankPlanetaryRequest) -> tuple[Notice, ...]:
         found += (Notice("both_meshes"),)
     elif forces := results.forces_in_series:
         found += (Notice("meshes_apart", {"forces": forces, "limit": MOST_IN_SERIES}),)
-    found += notices_of(if_known(lambda: results.disc_of(results.hertz)))
+    if body.judges or "hertz" in body.sections:
+        found += notices_of(if_known(lambda: results.disc_of(results.hertz)))
     if "pin_strength" not in body.sections:  # which tells it itself
         found += results.size_notices
     return found

@@ -2,8 +2,7 @@
 
 Everything depends on the wave angle alone and repeats with its turn; with deviations of pins or
 holes it has no shorter period. Forces have kinks and play has cusps where pairs take over from each
-other, and extremes like to sit there: summits are narrowed by golden section, which asks for no
-derivative.
+other, and extremes like to sit there: summits are narrowed to where the lines from both sides meet.
 """
 
 import math

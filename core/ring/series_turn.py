@@ -14,7 +14,6 @@ import numpy as np
 from core.arrays import ComplexArray, FloatArray, check_finite, check_single
 from core.drive import engine
 from core.errors import InvalidInput, Notice, derived, poorly_known
-from core.numerics.extremes import LOOKED, zoom
 from core.output.contact_force import PairNumber
 from core.output.loaded_position import notices
 from core.output.over_turn import Extreme, OverTurn, Peak
@@ -243,27 +242,6 @@ class SeriesOverTurn(OverTurn):
     def pressed_without_load(self) -> bool:
         """Whether pairs press so anywhere, in either stage too."""
         return bool(self.turn.fine["pressed"].any())
-
-    @derived
-    def _stiffness(self) -> tuple[Extreme, Extreme]:
-        """Largest and least, about the best positions: where pairs take over the stiffness jumps,
-        and is what it is there for a moment only. What the coarse grid alone misses is the error.
-        """
-        turn, found = self.turn, []
-        step = turn.period / len(turn.fine["wave"])
-        for sign in (1, -1):
-
-            def values(places: FloatArray, sign: int = sign) -> FloatArray:
-                return sign * turn.values(engine.STIFFNESS, places.tolist()).heights
-
-            known = sign * np.concatenate([turn.fine["stiffness"], turn.again["stiffness"]])
-            places = np.concatenate([turn.fine["wave"], turn.again["wave"]])
-            best = known.argsort()[-LOOKED:]
-            _, heights, _ = zoom(values=values, places=places[best], width=step)
-            top = float(max(heights.max(), known.max()))
-            rough = float((sign * turn.coarse["stiffness"]).max())
-            found.append(Extreme(sign * top, top - rough))
-        return found[0], found[1]
 
     @derived
     def _pressed(self) -> Summit:
