@@ -187,7 +187,7 @@ MIDDLES = 12
 PLACE = 1e-10
 """Width to which a summit is narrowed, rad."""
 
-FLAT = 1e-10
+FLAT = 1e-13
 """How far one may fall to both ends of what is left, as a part of its height, to be found."""
 
 BESIDE = 0.02

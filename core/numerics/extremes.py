@@ -27,7 +27,7 @@ CLOSER = 24
 POINTS, ZOOMS = np.linspace(-1.0, 1.0, 17), 8
 """Places about the best one, and how often as many closer ones follow: to 6e-8 of the width."""
 
-ROUNDED = 1e-9
+ROUNDED = 1e-12
 """Part of a height by which a summit may be found too low."""
 
 LAST = len(POINTS) - 1
