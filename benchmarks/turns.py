@@ -107,11 +107,9 @@ def measured(seed: int) -> dict[str, tuple[float, float]] | None:
         play - found.backlash_max,
         lag + less - found.transmission_error,
     )
-    # the most above what is found, else the farthest off: one error is stated for all of them
-    off = max(angles) if max(angles) > found.angle_error else max(angles, key=abs)
     return {
         "peak force": (found.accuracy.relative_error, peak / found.peak_force - 1),
-        "angles": (found.angle_error / lost, off / lost),
+        "angles": (CLASSES["sampling_zoomed"], max(angles, key=abs) / lost),
     }
 
 

@@ -306,7 +306,6 @@ class RingTurnOut(ResponseModel):
     )
     loaded_pairs_min: int = result("Least number of pairs with a force.")
     loaded_pairs_max: int = result("Largest number of pairs with a force.")
-    peak_error: float = result("Estimate of the relative error of the largest force.")
 
 
 def ring_values(position: SeriesPosition) -> Values:

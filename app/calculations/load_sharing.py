@@ -306,21 +306,6 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
         )
 
 
-BOUNDS = frozenset(
-    f"{name}_error{unit}"
-    for name, unit in (
-        ("angle", "_arcmin"),
-        ("force", "_N"),
-        ("pair", ""),
-        ("play", "_arcmin"),
-        ("ripple", "_Nm"),
-        ("rotation", "_arcmin"),
-        ("stiffness", ""),
-    )
-)
-"""Errors of results, which have no worked step."""
-
-
 def solve(body: LoadSharingRequest) -> Values:
     """Forces, lag, play and stiffness of the output mechanism with clearance, deviations and
     elasticity, at crank angles and over the turn.
@@ -328,9 +313,9 @@ def solve(body: LoadSharingRequest) -> Values:
     solved, run_time_us = timed(body.solve_all)
     values = solved.answer(run_time_us)
     if "worked" in body.include:
-        steps = stated("over_turn", values.get("over_turn", {}), "solved", BOUNDS)
+        steps = stated("over_turn", values.get("over_turn", {}), "solved")
         for position in values.get("positions", ()):
-            steps += stated("positions", position, "solved", BOUNDS)
+            steps += stated("positions", position, "solved")
         values["worked"] = steps
     return values
 

@@ -71,9 +71,6 @@ class PositionOut(ResponseModel):
         "What the ring does, where both meshes are in series: all else is then of both, forces and "
         "pressures of the pins of the output."
     )
-    rotation_error_arcmin: float = result("Bound of the error of the rotation.")
-    play_error_arcmin: float = result("Bound of the error of the play.")
-    force_error_N: float = result("Bound of the error of each force.")
 
 
 class OverTurnOut(ResponseModel):
@@ -125,12 +122,6 @@ class OverTurnOut(ResponseModel):
         "What the ring does, where both meshes are in series: all else is then of both, forces and "
         "pressures of the pins of the output, over as many turns of the crank as a disc has lobes."
     )
-    angle_error_arcmin: float = result(
-        "Estimate of the error of backlash, lost motion and transmission errors."
-    )
-    stiffness_error: float = result("Estimate of the relative error of the stiffnesses.")
-    pair_error: float = result("Estimate of the error of the pairs' forces, over the peak.")
-    ripple_error_Nm: float = result("Estimate of the error of the ripple.")
 
 
 class RealCurvesOut(ResponseModel):

@@ -122,9 +122,6 @@ class MeshPositionOut(ResponseModel):
     loss_per_friction: float = result(
         "Loss over output for a friction coefficient of 1.", equation="ΣF·|R_p·S − r|·c/T"
     )
-    rotation_error_arcmin: float = result("Bound of the error of the rotation.")
-    play_error_arcmin: float = result("Bound of the error of the play.")
-    force_error_N: float = result("Bound of the error of each force.")
 
 
 class TeethTurnOut(ResponseModel):
@@ -152,8 +149,6 @@ class TeethTurnOut(ResponseModel):
     )
     radial_force_ratio_max: float = result("Largest of the same.")
     pressed_without_load: bool = result("Whether pairs press without load anywhere.")
-    angle_error_arcmin: float = result("Estimate of the error of the angles.")
-    ratio_error: float = result("Estimate of the error of the ratios of the forces.")
 
 
 class MeshTurnOut(TeethTurnOut):
@@ -177,8 +172,6 @@ class MeshTurnOut(TeethTurnOut):
         "Largest less least torque that turns the crank, without friction.",
         equation="T/u + ΣF·∂δ/∂φ",
     )
-    stiffness_error: float = result("Estimate of the relative error of the stiffnesses.")
-    ripple_error_Nm: float = result("Estimate of the error of the ripple.")
 
 
 class RingEfficiencyOut(ResponseModel):
@@ -199,7 +192,6 @@ class RingEfficiencyOut(ResponseModel):
         "their bores, else of the contact by π/4 of its Hertz pressure, for comparison only.",
         symbol="pv",
     )
-    loss_error: float = result("Estimate of the relative error of the loss.")
 
 
 class ProfileOut(ResponseModel):

@@ -21,7 +21,7 @@ from core.checks.check import (
     over_range,
 )
 from core.checks.inputs import paths
-from core.checks.teeth import not_toothed
+from core.checks.teeth import not_toothed, torque_error
 from core.design.document import Design, value_at
 from core.design.results import Results
 from core.design.ring import RingBody
@@ -174,7 +174,7 @@ def _in_disc(
     it: near enough nothing passes.
     """
     disc, pressure = results.disc_of(contact), contact.governing_pressure
-    error = (contact.conformal_error or 0.0) + 8 * contact.accuracy.relative_error
+    error = 8 * contact.accuracy.relative_error
     if disc is not None:
         error += disc.params.get("error", 0.0)
         if disc.code != "finite_disc" and pressure <= limit:
@@ -303,7 +303,7 @@ def _pressed(results: Results, *, static: bool) -> Pressed:
         factor = design.static_torque / design.pin_torque if static else design.load_factor
         load = results.ring.involute_load(factor)
         pressure = required(load.pressure_start, "off_involutes")
-        error = float(load.accuracy.relative_error) + results.ring.satellite_torque_error(factor)
+        error = float(load.accuracy.relative_error) + torque_error(results)
         return Pressed(pressure, error, results.solved, {})
     turn = results.ring.static if static else results.ring.loading
     value = turn.max_pressure

@@ -18,6 +18,7 @@ from core.checks.teeth import not_cycloid, not_toothed, ring_alone
 from core.design.document import Design
 from core.design.results import Results
 from core.errors import NotKnown, if_known
+from core.precision import CLASSES
 
 MOST_PLAY = 0.75
 """Clearance over the eccentricity above which a design is marginal: the play is a large part of
@@ -326,7 +327,7 @@ def ring_efficiency(kind: Kind, design: Design, results: Results) -> Check | Mea
     loss = results.ring.loss
     return Measure(
         loss.efficiency,
-        error=loss.loss_ratio * loss.efficiency * loss.loss_error,
+        error=loss.loss_ratio * loss.efficiency * CLASSES["sampling"],
         used=lambda limit: (1 - loss.efficiency) / (1 - limit),
     )
 

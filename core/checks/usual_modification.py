@@ -152,7 +152,7 @@ def _looked_at(mesh: CycloidMesh, torques: list[float]) -> _Piece:
         peak_force=max(float(each["force"].max()) for each in rows),
         max_pressure=pressure,
         backlash=max(float(play.max()), 0.0),
-        presses=bool((play < -rows[0]["play_error"]).any()),
+        presses=bool(rows[0]["pressed"].any()),
     )
 
 

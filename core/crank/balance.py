@@ -43,7 +43,7 @@ class Balance:
     # Reaction of each bearing, N: along the direction from which crank angles are counted, and i
     # times that ahead of it.
     reaction: tuple[complex, complex]
-    reaction_error: tuple[float, float]  # of both, by rounding, N
+    rounding: float  # of each, N
     # In the planes of both bearings; together they balance force and couple that are left.
     corrections: tuple[Correction, Correction]
 
@@ -131,18 +131,17 @@ def balance(
         [satellite_mass * eccentricity] * len(crank_angles)
         + [each.unbalance for each in counterweights]
     )
-    angles = np.array([*crank_angles, *(each.angle for each in counterweights)])
+    angles = (*crank_angles, *(each.angle for each in counterweights))
     places = (*satellite_positions, *(each.position for each in counterweights))
     held = carried(positions=places, bearings=bearing_positions)
-    off = carried_error(held, positions=places, bearings=bearing_positions)
-    turned = sizes * crank_error(angles)
-    unbalances: ComplexArray = sizes * np.exp(1j * angles)
+    lost = float(sizes.sum()) * rounding(
+        angles=angles, positions=places, bearings=bearing_positions
+    )
+    unbalances: ComplexArray = sizes * np.exp(1j * np.array(angles))
     needed = -(held * unbalances).sum(axis=1)
-    error = (off * sizes + np.abs(held) * turned).sum(axis=1)
     left = abs(complex(unbalances.sum()))
-    left = left if left > turned.sum() else 0.0
-    both = zip(needed.tolist(), error.tolist(), strict=True)
-    at_first, at_last = [each if abs(each) > lost else 0j for each, lost in both]
+    left = left if left > lost else 0.0
+    at_first, at_last = [each if abs(each) > lost else 0j for each in needed.tolist()]
     square = input_speed**2
     return Balance(
         unbalance=left,
@@ -150,7 +149,7 @@ def balance(
         couple=abs(at_last - at_first) / 2 * (last - first) * square,
         grade=left * input_speed / mass,
         reaction=(at_first * square, at_last * square),
-        reaction_error=(error[0] * square, error[1] * square),
+        rounding=lost * square,
         corrections=(
             Correction(abs(at_first), _turned(at_first)),
             Correction(abs(at_last), _turned(at_last)),
@@ -203,44 +202,26 @@ def carried(*, positions: tuple[float, ...], bearings: tuple[float, float]) -> F
     return np.array((last - places, places - first)) / (last - first)
 
 
-def carried_error(
-    held: FloatArray, *, positions: tuple[float, ...], bearings: tuple[float, float]
-) -> FloatArray:
-    """Error of that by rounding of places.
+def rounding(
+    *, angles: tuple[float, ...], positions: tuple[float, ...], bearings: tuple[float, float]
+) -> float:
+    """Part of a force on the shaft by which rounding of its place and direction moves reactions.
 
     Parameters
     ----------
-    held : array, shape (2, K)
-        What they carry.
+    angles : tuple of float
+        Directions of the forces, rad.
     positions : tuple of float
-        The places, m, shape (K,).
+        Their places, m.
     bearings : tuple of float
         Places of both bearings, m.
 
     Returns
     -------
-    array, shape (2, K)
+    float
     """
-    first, last = (abs(each) for each in bearings)
-    reach = np.array([[last], [first]]) + np.abs(positions) + np.abs(held) * (first + last)
-    found: FloatArray = ROUNDING * reach / (bearings[1] - bearings[0])
-    return found
-
-
-def crank_error(angles: FloatArray) -> FloatArray:
-    """Error of a unit in a direction by rounding.
-
-    Parameters
-    ----------
-    angles : array, shape (n,)
-        Directions, rad.
-
-    Returns
-    -------
-    array, shape (n,)
-    """
-    found: FloatArray = ROUNDING * (4 + 2 * np.abs(angles))
-    return found
+    far = max(map(abs, (*positions, *bearings))) / (bearings[1] - bearings[0])
+    return ROUNDING * (4 + 2 * max(map(abs, angles))) * (1 + 2 * far)
 
 
 def _turned(value: complex) -> float:

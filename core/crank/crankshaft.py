@@ -19,9 +19,8 @@ from core.crank.balance import (
     Counterweight,
     balance,
     carried,
-    carried_error,
     check_places,
-    crank_error,
+    rounding,
 )
 from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
 from core.crank.ring_mesh import RingMesh
@@ -159,8 +158,6 @@ def crankshaft(
         bearings=bearing_positions,
     )
     held = carried(positions=satellite_positions, bearings=bearing_positions)
-    arm_error = carried_error(held, positions=satellite_positions, bearings=bearing_positions)
-    arm_error = arm_error + np.abs(held) * crank_error(np.array(mechanism.crank_angles))
     spun = None
     if satellite_mass is not None and input_speed is not None:
         spun = balance(
@@ -187,8 +184,12 @@ def crankshaft(
         arm=eccentricity * mechanism.ratio,
         mesh=mesh,
         carried=held,
-        arm_error=arm_error,
-        still=_still(spun) if spun else STILL,
+        rounded=rounding(
+            angles=mechanism.crank_angles,
+            positions=satellite_positions,
+            bearings=bearing_positions,
+        ),
+        spun=spun,
         shares=uneven_shares(
             satellites=mechanism.satellites, distribution_factor=distribution_factor
         ),
@@ -229,13 +230,14 @@ def _reactions(
     arm: float,
     mesh: RingMesh,
     carried: FloatArray,
-    arm_error: FloatArray,
-    still: tuple[ComplexArray, FloatArray],
+    rounded: float,
+    spun: Balance | None,
     shares: FloatArray,
     exponents: list[float],
 ) -> _Reactions:
     """By the forces of the pins, of each choice of what the satellites share."""
-    rho, (unbalanced, still_error) = float(mesh.radial_force_ratio), still
+    rho = float(mesh.radial_force_ratio)
+    unbalanced, still = (np.array(spun.reaction), spun.rounding) if spun else (STILL, 0.0)
     most, equivalent, off = np.zeros(2), np.zeros(2), np.zeros(2)
     for turn, own in product(turns, shares[..., None]):
         parts = made_parts(turn=turn, arm=arm, radial_force_ratio=rho)
@@ -243,12 +245,11 @@ def _reactions(
         held = carried @ (load * _cranks(turn.crank_angles)[:, None]) + unbalanced[:, None]
         sizes = turn.error * np.abs(load)
         if not parts.solved:
-            sizes = sizes + mesh.error * np.abs(own * parts.ring.real)
-            sizes = sizes + mesh.ratio_error * np.abs(own * parts.ring.imag)
-        lost = np.abs(carried) @ sizes + arm_error @ np.abs(load)
+            sizes = sizes + mesh.error * max(1.0, abs(rho)) * np.abs(own * parts.ring.imag)
+        lost = np.abs(carried) @ sizes + rounded * np.abs(load).sum(axis=0) + still
         size = np.abs(held)
         for row, peak in enumerate(turn.largest(size).tolist()):
-            known = turn.missed(held[row]) + float(lost[row].max() + still_error[row])
+            known = turn.missed(held[row]) + float(lost[row].max())
             off[row] = max(off[row], known)
             if peak > off[row]:
                 mean = float(turn.mean(size[row] ** exponents[row]) ** (1 / exponents[row]))
@@ -256,13 +257,8 @@ def _reactions(
     return _Reactions(most, equivalent, off)
 
 
-STILL: tuple[ComplexArray, FloatArray] = (np.zeros(2, dtype=complex), np.zeros(2))
-"""Reactions to what is not balanced, N, and their error, of what does not turn."""
-
-
-def _still(spun: Balance) -> tuple[ComplexArray, FloatArray]:
-    """Reactions to what is not balanced, N, shape (2,), and their error."""
-    return np.array(spun.reaction), np.array(spun.reaction_error)
+STILL: ComplexArray = np.zeros(2, dtype=complex)
+"""Reactions to what is not balanced, N, of what does not turn."""
 
 
 def _cranks(angles: tuple[float, ...]) -> ComplexArray:
@@ -287,7 +283,7 @@ def reaction_curves(
     crank_angles: tuple[float, ...],
     satellite_positions: tuple[float, ...],
     bearing_positions: tuple[float, float],
-    unbalanced: ComplexArray = STILL[0],
+    unbalanced: ComplexArray = STILL,
 ) -> ReactionCurves:
     """Reactions of the crankshaft's bearings to given loads of the satellites' bearings.
 

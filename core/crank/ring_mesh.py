@@ -27,9 +27,8 @@ class RingMesh:
     """The ratio rho of the ring's force along the crank to that across it."""
 
     radial_force_ratio: Number  # rho
-    error: float = 0.0  # relative, of all, by rounding: large where an angle is small
+    error: float = 0.0  # of rho, over the larger one of it and 1: large where an angle is small
     notices: tuple[Notice, ...] = ()
-    ratio_error: float = 0.0  # of rho besides, of a mesh that is solved
 
     @property
     def operating_pressure_angle(self) -> Number:

@@ -67,7 +67,6 @@ class SatelliteBearings:
     reliability_percent: float  # at which lives are asked
     weibull_slope: Number | None  # of the distribution of lives
     load_accuracy: Accuracy  # of the loads, over those of the satellite that carries most
-    mean_error: float  # relative error of the equivalent loads
     # Of the ring, of satellites that carry nothing, and of what is hardly known.
     notices: tuple[Notice, ...]
 
@@ -129,7 +128,7 @@ class SatelliteBearings:
         """
         error = self.load_accuracy.relative_error
         if is_known(lambda: self.life):
-            error = max(error, EXPONENTS[self.kind] * self.mean_error)
+            error *= EXPONENTS[self.kind]
         return self.load_accuracy._replace(relative_error=error + 8 * ROUNDING)
 
 
@@ -303,7 +302,6 @@ def satellite_bearings(
         reliability_percent=reliability_percent,
         weibull_slope=weibull_slope,
         load_accuracy=loads.accuracy,
-        mean_error=loads.mean_error,
         notices=(*mesh.notices, *_idle(loads)),
     )
     for name in ("life", "system_life", "static_safety_factor"):
@@ -363,8 +361,7 @@ def _together(life: FloatArray, others: FloatArray, weibull_slope: Number) -> Nu
 @dataclass(frozen=True, slots=True)
 class _Loads:
     """Largest, least and equivalent load of each satellite, and the largest force of the ring on
-    it, N; the ratio of that along the crank to that across it; the relative error of the
-    equivalent loads.
+    it, N; the ratio of that along the crank to that across it.
     """
 
     most: FloatArray
@@ -372,7 +369,6 @@ class _Loads:
     mean: FloatArray
     ring: FloatArray
     ratio: Number
-    mean_error: float
     accuracy: Accuracy
 
 
@@ -420,7 +416,7 @@ def _made_loads(
     forces, errors, ratios = [], [], []
     for turn in turns:
         parts = made_parts(turn=turn, arm=arm, radial_force_ratio=float(mesh.radial_force_ratio))
-        given = mesh.error * max(1.0, abs(parts.ratio)) + mesh.ratio_error
+        given = mesh.error * max(1.0, abs(parts.ratio))
         held = parts.load - centrifugal
         forces.append((turn, held, parts.ring))
         missed = turn.missed(held) / np.abs(held).max()
@@ -453,7 +449,6 @@ def _loads(
         mean=np.where(carrying, mean, 0.0),
         ring=np.where(carrying, ring, 0.0),
         ratio=ratio,
-        mean_error=error,
         accuracy=Accuracy("sampling", error, evaluations),
     )
 

@@ -26,7 +26,7 @@ from core.ring.involute_load import root_stress as tooth_root
 from core.ring.loss import RingFriction, RingLoss, ring_loss
 from core.ring.series_teeth import TeethInSeries
 from core.ring.series_turn import SeriesOverTurn
-from core.ring.sharing import CycloidMesh, MeshTurn, mesh_over_turn
+from core.ring.sharing import NORMALS, CycloidMesh, MeshTurn, mesh_over_turn
 
 Calculated = TypeVar("Calculated")
 
@@ -68,7 +68,7 @@ class RingResults:
         if not (alone and (turns := if_known(lambda: self.working))):
             return force
         mean = turns[0].mean_radial_force_ratio
-        return replace(force, radial_force_ratio=mean.value, ratio_error=mean.error)
+        return replace(force, radial_force_ratio=mean, error=NORMALS)
 
     @derived
     def mesh(self) -> CycloidMesh:
@@ -131,14 +131,6 @@ class RingResults:
         torque = design.pin_torque * factor
         ways = WAYS[design.load.torque_direction]
         return max(float(abs(self.output.made(way * torque).couple).max()) for way in ways) / factor
-
-    def satellite_torque_error(self, factor: float) -> float:
-        """Estimate of the relative error of that torque."""
-        if not self.output.solved:
-            return 0.0
-        torque = self.design.pin_torque * factor
-        ways = WAYS[self.design.load.torque_direction]
-        return max(self.output.made(way * torque).error for way in ways)
 
     def loaded_teeth(self, factor: float) -> dict[str, Any]:
         """What involute teeth carry under so many times the torque, as arguments."""

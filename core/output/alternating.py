@@ -102,10 +102,6 @@ LARGER = {
     "stiffness_max",
     "loaded_pairs_max",
     "input_torque_ripple",
-    "angle_error",
-    "stiffness_error",
-    "pair_error",
-    "ripple_error",
 }
 """Numbers over the turn of which the larger one of both directions is the worse."""
 

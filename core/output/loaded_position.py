@@ -37,9 +37,6 @@ class LoadedPosition:
     interference: float | None
     stiffness: float  # dT/dtheta, N*m/rad
     contacts: tuple[HertzContact, ...]  # that are pressed most, one in each direction of the torque
-    rotation_error: float  # bound, rad
-    play_error: float  # bound, rad
-    force_error: float  # bound, of each force, N
     accuracy: Accuracy  # of the forces, over the largest
     notices: tuple[Notice, ...]
 
@@ -111,8 +108,7 @@ def loaded_position(
     own_lags = None
     if real.support.turning:
         own_lags = tuple(_behind(real, room).tolist())
-    error = float(room.force_error[0])
-    accuracy = Accuracy("newton_bracket", error / float(force.max()), room.steps)
+    accuracy = Accuracy("newton_bracket", float(room.error[0] / force.max()), room.steps)
     return LoadedPosition(
         crank_angle=crank_angle,
         rotation=direction * lag,
@@ -124,9 +120,6 @@ def loaded_position(
         interference=least_interference(real=real, psi=real.wave(crank_angle)) if pressed else None,
         stiffness=float(room.stiffness[0]),
         contacts=(contact,),
-        rotation_error=float(room.lag_error[0]),
-        play_error=float(room.play_error[0]),
-        force_error=error,
         accuracy=accuracy,
         notices=(
             *notices(real=real, lag=abs(lag), pressed=pressed, contact=contact),

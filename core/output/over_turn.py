@@ -6,13 +6,11 @@ other, and extremes like to sit there: summits are narrowed to where the lines f
 """
 
 import math
-from collections.abc import Callable
-from operator import itemgetter
 from typing import NamedTuple
 
 import numpy as np
 
-from core.arrays import FloatArray, check_finite, check_single
+from core.arrays import check_finite, check_single
 from core.drive.engine import HIGH, INPUT_TORQUE, LAG, LOST, PLAY, STIFFNESS
 from core.errors import Accuracy, InvalidInput, Notice, derived, poorly_known
 from core.hertz import HertzContact
@@ -22,7 +20,7 @@ from core.output.loaded_position import notices
 from core.output.real_mechanism import RealMechanism
 from core.output.summits import Grid, Summit, all_summits, highest, summits
 from core.output.turn import Rows, Turn
-from core.precision import AS_TYPED, ROUNDING, SAME
+from core.precision import AS_TYPED, SAME
 
 HALVINGS = 16
 """How often a step of the grid in which pairs take over from each other is halved."""
@@ -34,19 +32,6 @@ FLAT = 1e-7
 """How far the place of a smooth summit may be off by the rounding of its height, rad."""
 
 
-def _play_error(rows: Rows) -> FloatArray:
-    """What rounding does to the play: where pairs press it is 0, of which nothing is lost."""
-    return np.where(rows["pressed"], 0.0, 2 * rows["play_error"])
-
-
-ROUNDED: dict[str, Callable[[Rows], FloatArray]] = {
-    "backlash": _play_error,
-    "high": itemgetter("play_error"),
-    "lag": itemgetter("lag_error"),
-}
-"""What rounding does to a quantity at positions, of the angles."""
-
-
 class Peak(NamedTuple):
     """The largest force over the turn, and that of each pair."""
 
@@ -54,41 +39,8 @@ class Peak(NamedTuple):
     crank_angle: float  # first one >= 0 where it is, rad
     pair: int  # index of the pair that carries it there
     pair_force: list[float]  # largest force of each pair, N
-    pair_error: float  # estimate of their error, over the peak
     relative_error: float  # estimate of the error of the peak
     evaluations: int  # positions solved for it
-
-
-class Extreme(NamedTuple):
-    """A largest or least value over the turn, or the difference of both."""
-
-    value: float  # in the unit of what is looked at
-    error: float  # an estimate
-
-
-def by_rounding(*, heights: FloatArray, errors: FloatArray) -> float:
-    """By how much rounding moves the largest of some values at most: where they are known worst,
-    they need not be near it.
-
-    Parameters
-    ----------
-    heights, errors : array, shape (n,)
-        Values, and bounds of their errors.
-
-    Returns
-    -------
-    float
-
-    Examples
-    --------
-    The largest is known to 1e-9, and the value that is not known lies far below:
-
-    >>> off = by_rounding(heights=np.array([5.0, 3.0, 1.0]), errors=np.array([1e-9, 1.0, 1e-9]))
-    >>> round(off, 12)
-    1e-09
-    """
-    top = int(heights.argmax())
-    return max(float((heights + errors).max() - heights[top]), float(errors[top]))
 
 
 class OverTurn:
@@ -143,20 +95,14 @@ class OverTurn:
         off = min(0.0 if each > turn.period - FLAT else each for each in offs)
         places = sorted({psi for summit in found for psi in summit.alike})
         there = turn.poses([first + off, *places])["forces"]
-        most, roughly = (
-            turn.of_pairs(np.max([each.max(axis=0) for each in forces], axis=0))
-            for forces in (
-                (turn.fine["forces"], turn.again["forces"], there),
-                (turn.coarse["forces"],),
-            )
-        )
-        unsure = float(turn.fine["force_error"].max())
+        all_forces = turn.fine["forces"], turn.again["forces"], there
+        most = turn.of_pairs(np.max([each.max(axis=0) for each in all_forces], axis=0))
+        unsure = float(turn.fine["error"].max())
         return Peak(
             force=peak,
             crank_angle=off / (1 + 1 / self.real.mechanism.ratio),
             pair=int(there[0].argmax()),
             pair_force=most.tolist(),
-            pair_error=float((most - roughly).max()) / peak,
             relative_error=(abs(peak - rough) + missed + top.error + unsure) / peak,
             evaluations=len(fine.places) + len(again.places) + turn.evaluations - before,
         )
@@ -186,11 +132,6 @@ class OverTurn:
     def pair_force(self) -> tuple[tuple[float, ...], ...]:
         """Largest force of each pair, N, K x N."""
         return self.real.rows(self._peak.pair_force)
-
-    @property
-    def pair_error(self) -> float:
-        """Estimate of the error of the pairs' forces, over the peak."""
-        return self._peak.pair_error
 
     @derived
     def _contact(self) -> HertzContact:
@@ -260,78 +201,50 @@ class OverTurn:
         top, more = self._above(again, kind, top, sign)
         return top, missed + more
 
-    def _extreme(self, name: str, kind: int, sign: int = 1) -> Extreme:
+    def _extreme(self, name: str, kind: int, sign: int = 1) -> float:
         """Largest value over the turn, or least for the sign -1."""
-        top, missed = self._top(name, kind, sign)
-        jumps = kind == STIFFNESS  # on the high side of a jump nothing is missed
-        error = missed + (0.0 if jumps else top.error)
-        if name in ROUNDED:
-            fine = self._grid(self.turn.fine, name, sign)
-            error += by_rounding(heights=fine.heights, errors=ROUNDED[name](self.turn.fine))
-        return Extreme(sign * top.height, error)
+        return sign * self._top(name, kind, sign)[0].height
 
-    def _spread(self, name: str, kind: int) -> Extreme:
+    def _spread(self, name: str, kind: int) -> float:
         """Largest less least value over the turn."""
-        high, low = (self._extreme(name, kind, sign) for sign in (1, -1))
-        return Extreme(high.value - low.value, high.error + low.error)
+        return self._extreme(name, kind) - self._extreme(name, kind, -1)
 
     @derived
-    def _backlash(self) -> tuple[Extreme, Extreme]:
-        return self._extreme("backlash", PLAY), self._extreme("backlash", PLAY, -1)
-
-    @property
     def backlash_max(self) -> float:
         """Largest play of the unloaded output, rad; 0 where pairs press."""
-        return self._backlash[0].value
+        return self._extreme("backlash", PLAY)
 
-    @property
+    @derived
     def backlash_min(self) -> float:
         """Least play, rad."""
-        return self._backlash[1].value + 0.0
+        return self._extreme("backlash", PLAY, -1) + 0.0
 
-    def _by_values(self, kind: int, sign: int = 1) -> tuple[Extreme, Grid]:
-        """Largest value over the turn, or least for the sign -1, of what positions do not have;
-        and the even grid on which it is looked for.
-        """
+    def _by_values(self, kind: int, sign: int = 1) -> float:
+        """Largest value over the turn, or least for the sign -1, of what positions do not have."""
         turn, narrow = self.turn, self.turn.narrow(kind, sign)
         even, _ = turn.positions()
         found = turn.values(kind, even, turn.period)
         fine = Grid(found.places, sign * found.heights, found.period)
-        coarse = Grid(fine.places[::2], fine.heights[::2], fine.period)
-        top, missed = highest(coarse=coarse, fine=fine, narrow=narrow)
+        top = max(summits(grid=fine, narrow=narrow, top=True), key=lambda each: each.height)
         again = turn.values(kind, turn.again["wave"], turn.period)
         other = Grid(again.places, sign * again.heights, again.period)
-        top, more = self._above(other, kind, top, sign)
-        return Extreme(sign * top.height, missed + more + top.error), found
+        return sign * self._above(other, kind, top, sign)[0].height
 
     @derived
-    def _lost_motion(self) -> Extreme:
-        top, lost = self._by_values(LOST)
-        there = np.searchsorted(self.turn.fine["wave"], lost.places)
-        lags = 2 * self.turn.fine["lag_error"][there]  # as good as under all of the torque
-        rounding = by_rounding(heights=lost.heights, errors=lags)
-        return Extreme(top.value, top.error + rounding)
-
-    @property
     def lost_motion(self) -> float:
         """Largest difference of lags under a share of the torque both ways, rad."""
-        return self._lost_motion.value
+        return self._by_values(LOST)
 
     @derived
-    def lags(self) -> tuple[Extreme, Extreme]:
+    def lags(self) -> tuple[float, float]:
         """Largest and least lag under load, rad, counted as the torque turns."""
-        high, low = (self._extreme("lag", LAG, sign) for sign in (1, -1))
-        return high, low
-
-    @property
-    def _lag(self) -> Extreme:
-        high, low = self.lags
-        return Extreme(high.value - low.value, high.error + low.error)
+        return self._extreme("lag", LAG), self._extreme("lag", LAG, -1)
 
     @property
     def transmission_error(self) -> float:
         """Largest less least lag under load, rad."""
-        return self._lag.value
+        high, low = self.lags
+        return high - low
 
     @property
     def pressed_without_load(self) -> bool:
@@ -339,34 +252,19 @@ class OverTurn:
         return bool(self.turn.fine["pressed"].any())
 
     @derived
-    def _unloaded(self) -> Extreme:
-        if self.pressed_without_load:
-            return Extreme(0.0, 0.0)
-        return self._spread("high", HIGH)
-
-    @property
     def unloaded_transmission_error(self) -> float:
         """The same of the lag at which the first pair touches, rad."""
-        return self._unloaded.value
+        return 0.0 if self.pressed_without_load else self._spread("high", HIGH)
 
     @derived
-    def _stiffness(self) -> tuple[Extreme, Extreme]:
-        return self._extreme("stiffness", STIFFNESS), self._extreme("stiffness", STIFFNESS, -1)
-
-    @property
     def stiffness_max(self) -> float:
         """Largest torsional stiffness, N*m/rad."""
-        return self._stiffness[0].value
+        return self._extreme("stiffness", STIFFNESS)
 
-    @property
+    @derived
     def stiffness_min(self) -> float:
         """Least torsional stiffness, N*m/rad."""
-        return self._stiffness[1].value
-
-    @property
-    def stiffness_error(self) -> float:
-        """Estimate of the error of the stiffnesses, relative."""
-        return max(each.error / each.value for each in self._stiffness) + 8 * ROUNDING
+        return self._extreme("stiffness", STIFFNESS, -1)
 
     @derived
     def _loaded(self) -> tuple[int, int]:
@@ -386,7 +284,7 @@ class OverTurn:
             middle = (low + high) / 2
             between = turn.between(middle.tolist())
             carries = between["forces"] > 0
-            felt = between["forces"] > FELT * between["force_error"][:, None]
+            felt = between["forces"] > FELT * between["error"][:, None]
             least = min(least, int(carries.sum(axis=1).min()))
             most = max(most, int(felt.sum(axis=1).max()))
             low, high = np.concatenate((low, middle)), np.concatenate((middle, high))
@@ -406,27 +304,9 @@ class OverTurn:
         return self._loaded[1]
 
     @derived
-    def _ripple(self) -> Extreme:
-        return self._spread("input_torque", INPUT_TORQUE)
-
-    @property
     def input_torque_ripple(self) -> float:
         """Largest less least torque of the crank, without friction, N*m."""
-        return self._ripple.value
-
-    @property
-    def ripple_error(self) -> float:
-        """Estimate of its error, N*m."""
-        unsure = float(self.turn.fine["force_error"].max())
-        own = self.real.mechanism
-        pairs = own.pins * own.satellites
-        return self._ripple.error + 2 * unsure * pairs * self.real.eccentricity
-
-    @property
-    def angle_error(self) -> float:
-        """Estimate of the error of backlash, lost motion and transmission errors, rad."""
-        found = *self._backlash, self._lost_motion, self._lag, self._unloaded
-        return max(each.error for each in found)
+        return self._spread("input_torque", INPUT_TORQUE)
 
     @property
     def accuracy(self) -> Accuracy:

@@ -10,6 +10,7 @@ from core.arrays import FloatArray, check_single
 from core.errors import Accuracy, InvalidInput
 from core.output.mechanism import Members
 from core.output.stage import Stage
+from core.precision import EXACT
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,7 +86,7 @@ def real_curves(*, real: Stage, crank_angle: FloatArray, output_torque: float) -
     middle = np.where(np.isfinite(ends).all(axis=1), ends.mean(axis=1), 0.0)
     ends = np.where(there.jammed[:, None], middle[:, None], ends)
     force = there.forces[:, there.contacts(real.kind)].T
-    unsure = float(there.force_error.max() / force.max())
+    unsure = float(there.error.max() / force.max())
     return RealCurves(
         crank_angle=crank_angle,
         force=force,
@@ -159,13 +160,10 @@ def stiffness_curve(*, real: Stage, crank_angle: float, torques: Sequence[float]
             raise InvalidInput(f"torques[{index}]", torque, "not_zero")
         found.append(real.solved([psi], torque))
     lags = np.array([float(each.lag[0]) for each in found])
-    unsure = max(float(each.lag_error[0]) for each in found)
     return StiffnessCurve(
         crank_angle,
         tuple(torques),
         tuple((np.sign(torques) * lags).tolist()),
         tuple(float(each.stiffness[0]) for each in found),
-        Accuracy(
-            "newton_bracket", unsure / (abs(lags).max() or 1.0), sum(each.steps for each in found)
-        ),
+        Accuracy("newton_bracket", EXACT, sum(each.steps for each in found)),
     )

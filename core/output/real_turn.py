@@ -99,7 +99,7 @@ def over_all(*, turn: Turn, rows: Rows) -> CloseSamples:
     CloseSamples
     """
     force = rows["forces"]
-    error = float((off(turn=turn, rows=rows).max() + rows["force_error"].max()) / force.max())
+    error = float((off(turn=turn, rows=rows).max() + rows["error"].max()) / force.max())
     periods = np.arange(turn.repeats)
     wave = (rows["wave"] + turn.period * periods[:, None]).ravel()
     lag = math.copysign(1.0, turn.torque) * np.tile(rows["lag"], turn.repeats)
@@ -151,7 +151,7 @@ def refined(
     rows = turn.fine
     for _ in range(HALVINGS):
         wave = rows["wave"]
-        felt = np.maximum(near * rows["forces"].max(), FELT * rows["force_error"])
+        felt = np.maximum(near * rows["forces"].max(), FELT * rows["error"])
         rough = (off(turn=turn, rows=rows) > felt) | (besides(rows) > near)
         gaps = np.diff(wave, append=wave[0] + turn.period)
         between = (wave + gaps / 2)[rough | np.roll(rough, -1)]

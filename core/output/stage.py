@@ -24,13 +24,10 @@ REFUSALS = {
 """What a position is refused as that cannot be."""
 
 CLASS = 5 * engine.CLASS
-"""Error of forces and lags of positions over the largest: of the method, not of a call."""
+"""Error of the forces of positions over the largest: of the method, not of a call."""
 
 ROUNDED = 32 * ROUNDING
 """Part of a displacement that its sums may lose."""
-
-PLAY_CLASS = 1e-13
-"""Error of the ends of a play over them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -166,29 +163,12 @@ class Solved:
         return int(self.rows[:, engine.STEPS].sum())
 
     @property
-    def _radius(self) -> float:
-        """Radius of the circle of pins, m."""
-        return float(self.drive.gf[0, engine.CIRCLE])
-
-    @property
-    def lag_error(self) -> FloatArray:
-        """Error of the lags, rad: of the method, and by rounding of the torque of all forces, which
-        counts where parts press each other.
-        """
-        torque = self.forces.sum(axis=1) * self._radius
-        return np.asarray(CLASS * np.abs(self.lag) + ROUNDED * torque / self.stiffness)
-
-    @property
-    def play_error(self) -> FloatArray:
-        """Error of the ends of the play, rad."""
-        return np.asarray(PLAY_CLASS * np.abs(self.play).max(axis=1) + engine.LEAST_PLAY)
-
-    @property
-    def force_error(self) -> FloatArray:
+    def error(self) -> FloatArray:
         """Error of the forces, N: of the method, and by rounding of what moves, which counts under
         a torque of next to nothing.
         """
-        rounded = ROUNDED * self.stiffness * np.abs(self.lags).max(axis=1) / self._radius
+        radius = float(self.drive.gf[0, engine.CIRCLE])  # of the pins
+        rounded = ROUNDED * self.stiffness * np.abs(self.lags).max(axis=1) / radius
         return np.asarray(CLASS * self.forces.max(axis=1) + rounded)
 
 

@@ -327,7 +327,6 @@ def involute_loss(
         loss_per_friction=each,
         loss_ratio=lost,
         efficiency=1 / (1 + lost),
-        loss_error=float(pair.accuracy.relative_error),
         lost_torque=lost * output_torque * teeth.difference / teeth.satellite_teeth,
         input_speed=input_speed,
     )

@@ -65,7 +65,6 @@ class RingLoss:
     loss_per_friction: float  # loss over output for mu = 1
     loss_ratio: float  # loss over output, mean over the turn
     efficiency: float  # of the mesh alone
-    loss_error: float  # estimate of the error of both, over the loss
     lost_torque: float  # loss over the speed of the crank, N*m
     input_speed: float | None  # of the crank, rad/s, where it is known
     ideal_loss_ratio: float | None = None  # on many perfect pins, none of which reaches its pole
@@ -163,7 +162,6 @@ def ring_loss(
         "loss_per_friction": each,
         "loss_ratio": ratio,
         "efficiency": 1 / (1 + ratio),
-        "loss_error": turn.sliding_error / turn.sliding_loss if turn.sliding_loss else 0.0,
         "lost_torque": ratio * abs(turn.turn.torque) / disc.satellite_teeth,
         "input_speed": input_speed,
         "ideal_loss_ratio": ideal,

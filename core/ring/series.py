@@ -257,9 +257,6 @@ class SeriesPosition:
     # eccentricities what turns the crank, in exact geometry.
     across: tuple[float, ...]
     input_torque: float  # that turns the crank without friction, N*m
-    rotation_error: float  # bound, of the lags of output and discs, rad
-    play_error: float  # bound, rad
-    force_error: float  # bound, of each force, N
     accuracy: Accuracy  # of the forces, over the largest
     notices: tuple[Notice, ...]
 
@@ -340,11 +337,11 @@ def series_position(
     by_ring, by_pins = room.by_ring[0], room.on_discs(engine.PIN)[0]
     torques = tuple((by_ring[:, 2] + 0.0).tolist())
     on_cranks = by_ring + by_pins
-    presses, error = bool(room.pressed[0]), float(room.force_error[0])
+    presses = bool(room.pressed[0])
     play = sorted((way * room.play[0] + 0.0).tolist())
     contact = real.output.hardest(force.tolist())
     most = max(float(force.max()), float(on_teeth.max()))
-    accuracy = Accuracy("newton_bracket", error / most, room.steps)
+    accuracy = Accuracy("newton_bracket", float(room.error[0]) / most, room.steps)
     known = (
         *notices(
             real=real.output,
@@ -379,9 +376,6 @@ def series_position(
         crank_force=tuple(np.hypot(on_cranks[:, 0], on_cranks[:, 1]).tolist()),
         across=tuple(on_cranks[:, 1].tolist()),
         input_torque=float(row[engine.INPUT_TORQUE]),
-        rotation_error=float(room.lag_error[0]),
-        play_error=float(room.play_error[0]),
-        force_error=error,
         accuracy=accuracy,
         notices=tuple({each.code: each for each in known}.values()),
     )

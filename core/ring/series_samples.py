@@ -95,5 +95,5 @@ def teeth_samples(turn: SeriesTurn) -> CloseSamples:
     lag = math.copysign(1.0, turn.torque) * np.tile(rows["lag"], len(periods))
     flat = every.reshape(len(wave), -1).T
     inner = off_straight(wave=wave, values=flat).max() if len(wave) > 2 else 0.0
-    error = float((inner + rows["force_error"].max()) / force.max())
+    error = float((inner + rows["error"].max()) / force.max())
     return CloseSamples(wave, flat, lag, error, len(force))

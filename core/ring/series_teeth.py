@@ -3,10 +3,8 @@
 import numpy as np
 
 from core.arrays import FloatArray, IntArray
-from core.drive import engine
 from core.errors import Accuracy, derived
 from core.output.contact_force import PairNumber
-from core.output.over_turn import Extreme
 from core.output.real_turn import CloseSamples
 from core.output.summits import Summit
 from core.output.turn import Turn
@@ -82,9 +80,9 @@ class TeethInSeries(MeshTurn):
         return self.series.ring.loaded_pairs_max
 
     @property
-    def _hardest(self) -> Summit:
+    def _pressed(self) -> Summit:
         """The largest force over reduced radius over the turns."""
-        return self.series.top("mesh_pressure", engine.LOBE_PRESSED)[0]
+        return self.series.ring_pressed[0]
 
     @property
     def _period(self) -> float:
@@ -113,29 +111,17 @@ class TeethInSeries(MeshTurn):
         return forces.reshape(-1, self.mesh.disc.pins)
 
     @derived
-    def lags(self) -> tuple[Extreme, Extreme]:
+    def lags(self) -> tuple[float, float]:
         """Largest and least lag of the holes of a disc, counted as the torque turns, at the
-        positions that were solved; by how much it is beyond half of them is the error.
+        positions that were solved.
         """
-        turn, found = self.series.turn, []
-        rough = float(turn.fine["lag_error"].max())
-        for best in (np.max, np.min):
-            fine, again, coarse = (
-                float(best(each["own"])) for each in (turn.fine, turn.again, turn.coarse)
-            )
-            top = float(best([fine, again]))
-            found.append(Extreme(top, abs(top - coarse) + rough))
-        return found[0], found[1]
+        solved = [rows["own"] for rows in (self.turn.fine, self.turn.again)]
+        return max(float(own.max()) for own in solved), min(float(own.min()) for own in solved)
 
     @property
-    def _lag(self) -> Extreme:
-        """Largest less least lag of the output."""
-        return self.series._lag
-
-    @property
-    def angle_error(self) -> float:
-        """Estimate of the error of the lags, rad."""
-        return max(each.error for each in self.lags)
+    def transmission_error(self) -> float:
+        """Largest less least lag of the output, rad."""
+        return self.series.transmission_error
 
     @derived
     def discs(self) -> tuple[MeshTurn, ...]:
@@ -154,26 +140,11 @@ class TeethInSeries(MeshTurn):
         """Smallest possible worst approach without load of a disc by itself in the ring, m."""
         return max(each.interference for each in self.discs)
 
-    @derived
-    def _along(self) -> tuple[Extreme, Extreme]:
-        series = self.series
-        return series.by_values(engine.ALONG_MOST), series.by_values(engine.ALONG_LEAST, -1)
-
-    @derived
-    def hardest_rub(self) -> float:
-        """Largest product over the turn of force and distance to the pitch point, N*m."""
-        return self.series.by_values(engine.RUB).value
-
-    @derived
-    def hardest_pressed_rub(self) -> float:
-        """Largest product of Hertz pressure and that distance, Pa*m."""
-        return self.mesh.pressure(1.0) * self.series.by_values(engine.RUB_PRESSED).value
-
     @property
     def accuracy(self) -> Accuracy:
         """Of the largest force over reduced radius."""
-        top, missed = self.series.top("mesh_pressure", engine.LOBE_PRESSED)
+        top, missed = self.series.ring_pressed
         rows = self.series.turn.fine
-        unsure = float(rows["force_error"].max() / rows["mesh_force"].max())
+        unsure = float(rows["error"].max() / rows["mesh_force"].max())
         error = (missed + top.error) / top.height + unsure
         return Accuracy("sampling_zoomed", error, self.series.turn.evaluations)

@@ -16,7 +16,7 @@ from core.drive import engine
 from core.errors import InvalidInput, Notice, derived, poorly_known
 from core.output.contact_force import PairNumber
 from core.output.loaded_position import notices
-from core.output.over_turn import Extreme, OverTurn, Peak
+from core.output.over_turn import OverTurn, Peak
 from core.output.real_turn import refined
 from core.output.sampled_turn import off_straight
 from core.output.summits import Summit
@@ -158,7 +158,6 @@ class RingTurn:
     peak_crank_angle: float  # crank angle at which it occurs, rad, of all turns
     peak_pair: PairNumber  # satellite, and the pin that carries it there, from 1
     max_pressure: float  # largest Hertz pressure, Pa
-    peak_error: float  # estimate of the error of the force, relative
     loaded_pairs_min: int  # least number of pairs with a force, on the grid
     loaded_pairs_max: int  # largest number
 
@@ -177,19 +176,13 @@ class SeriesOverTurn(OverTurn):
         super().__init__(turn)
         self.series: MeshesInSeries = turn.real
         self.real = self.series.output
-        self.tops: dict[tuple[str, int], tuple[Summit, float]] = {}
 
-    def top(self, name: str, kind: int, sign: int = 1) -> tuple[Summit, float]:
-        """Where a value of the positions is largest, or least for the sign -1, and what of it may
-        be missed.
+    @derived
+    def ring_pressed(self) -> tuple[Summit, float]:
+        """Where the force over reduced radius is largest on the ring, and what of it may be
+        missed.
         """
-        if (name, sign) not in self.tops:
-            self.tops[name, sign] = self._top(name, kind, sign)
-        return self.tops[name, sign]
-
-    def by_values(self, kind: int, sign: int = 1) -> Extreme:
-        """Largest value, or least for the sign -1, of what positions do not have."""
-        return self._by_values(kind, sign)[0]
+        return self._top("mesh_pressure", engine.LOBE_PRESSED)
 
     @derived
     def _peak(self) -> Peak:
@@ -198,18 +191,14 @@ class SeriesOverTurn(OverTurn):
         top, missed = self._top("force", turn.force)
         place = min(each % turn.period for each in top.alike)
         there = turn.poses([place])["forces"]
-        coarse, fine, again = (each["forces"] for each in (turn.coarse, turn.fine, turn.again))
-        most, roughly = (
-            turn.of_pairs(np.max(each, axis=0))
-            for each in ([fine.max(axis=0), again.max(axis=0), there[0]], coarse)
-        )
-        unsure = float(turn.fine["force_error"].max())
+        fine, again = turn.fine["forces"], turn.again["forces"]
+        most = turn.of_pairs(np.max([fine.max(axis=0), again.max(axis=0), there[0]], axis=0))
+        unsure = float(turn.fine["error"].max())
         return Peak(
             force=top.height,
             crank_angle=place,
             pair=int(there[0].argmax()),
             pair_force=most.tolist(),
-            pair_error=float((most - roughly).max()) / top.height,
             relative_error=(missed + top.error + unsure) / top.height,
             evaluations=len(fine) + len(again) + turn.evaluations - before,
         )
@@ -218,17 +207,16 @@ class SeriesOverTurn(OverTurn):
     def ring(self) -> RingTurn:
         """What the ring does."""
         turn, series = self.turn, self.series
-        top, missed = self.top("mesh_force", engine.LOBE_FORCE)
+        top, _ = self._top("mesh_force", engine.LOBE_FORCE)
         place = min(each % turn.period for each in top.alike)
         pair = int(turn.poses([place])["teeth"].argmax())
         satellite, pin = divmod(pair, series.ring.disc.pins)
-        loaded, unsure = turn.fine["mesh_loaded"], float(turn.fine["force_error"].max())
+        loaded = turn.fine["mesh_loaded"]
         return RingTurn(
             peak_force=top.height,
             peak_crank_angle=place,
             peak_pair=PairNumber(satellite + 1, pin + 1),
             max_pressure=self.ring_pressure,
-            peak_error=(missed + top.error + unsure) / top.height,
             loaded_pairs_min=int(loaded.min()),
             loaded_pairs_max=int(loaded.max()),
         )
@@ -236,7 +224,7 @@ class SeriesOverTurn(OverTurn):
     @property
     def ring_pressure(self) -> float:
         """Largest Hertz pressure of its pairs, Pa."""
-        return self.series.ring.pressure(self.top("mesh_pressure", engine.LOBE_PRESSED)[0].height)
+        return self.series.ring.pressure(self.ring_pressed[0].height)
 
     @property
     def pressed_without_load(self) -> bool:
@@ -246,13 +234,6 @@ class SeriesOverTurn(OverTurn):
     @derived
     def _pressed(self) -> Summit:
         return self._top("pressure", self.turn.pressure)[0]
-
-    @property
-    def ripple_error(self) -> float:
-        """Estimate of its error, N*m."""
-        unsure = float(self.turn.fine["force_error"].max())
-        pairs = int(self.series.drive.cf.shape[1])
-        return self._ripple.error + 2 * unsure * pairs * self.real.eccentricity
 
     @property
     def notices(self) -> tuple[Notice, ...]:

@@ -30,12 +30,10 @@ from core.output.elasticity import (
     law_constants,
 )
 from core.output.mechanism import Mechanism
-from core.output.over_turn import Extreme, OverTurn
+from core.output.over_turn import OverTurn
 from core.output.real_turn import CloseSamples, close_samples
 from core.output.stage import Solved, Stage
-from core.output.summits import Summit, summits
 from core.output.turn import Turn
-from core.precision import ROUNDING
 from core.ring.drives import ring_drive
 from core.ring.profile import CycloidDisc, Modification
 
@@ -310,9 +308,6 @@ class MeshPosition:
     # that at which a disc slides on a pin that stands still.
     sliding_distance: float
     sliding_loss: float  # sum of force times that distance over the torque
-    rotation_error: float  # bound, rad
-    play_error: float  # bound, rad
-    force_error: float  # bound, of each force, N
     accuracy: Accuracy  # of the forces, over the largest
     notices: tuple[Notice, ...]
 
@@ -369,9 +364,9 @@ def mesh_position(*, mesh: CycloidMesh, crank_angle: float, output_torque: float
     force, far = room.forces[0, pairs], w[pairs, engine.SLIDE]
     along, across, torques = room.by_ring[0].T
     loaded = force > 0
-    pressed, error = bool(room.pressed[0]), float(room.force_error[0])
+    pressed = bool(room.pressed[0])
     ends = sorted((math.copysign(1.0, output_torque) * room.play[0] + 0.0).tolist())
-    accuracy = Accuracy("newton_bracket", error / float(force.max()), room.steps)
+    accuracy = Accuracy("newton_bracket", float(room.error[0] / force.max()), room.steps)
     own = room.lags[0] if mesh.support.given_shares else room.lags[0].repeat(len(along))
     return MeshPosition(
         crank_angle=crank_angle,
@@ -387,9 +382,6 @@ def mesh_position(*, mesh: CycloidMesh, crank_angle: float, output_torque: float
         max_pressure=mesh.pressure(float(room.rows[0, engine.LOBE_PRESSED])),
         sliding_distance=float(far[loaded].max()),
         sliding_loss=float((force * far).sum()) / abs(output_torque),
-        rotation_error=float(room.lag_error[0]),
-        play_error=float(room.play_error[0]),
-        force_error=error,
         accuracy=accuracy,
         notices=(*mesh.notices(pressed=pressed), *poorly_known(accuracy)),
     )
@@ -452,24 +444,15 @@ class MeshTurn(OverTurn):
         found: CycloidMesh = self.turn.real
         return found
 
-    @derived
-    def _hardest(self) -> Summit:
-        """The largest force over reduced radius over the turn."""
-        grid = self._grid(self.turn.fine, "pressure")
-        tops = summits(grid=grid, narrow=self.turn.narrow(self.turn.pressure))
-        top = max(tops, key=lambda summit: summit.height)
-        top, _ = self._above(self._grid(self.turn.again, "pressure"), self.turn.pressure, top)
-        return top
-
     @property
     def max_pressure(self) -> float:
         """Largest Hertz pressure over the turn, Pa."""
-        return self.mesh.pressure(self._hardest.height)
+        return self.mesh.pressure(self._pressed.height)
 
     @derived
     def hardest_place(self) -> tuple[PairNumber, float]:
         """The pair with that pressure, and the crank angle at which it has it, rad."""
-        place, turn = self._hardest.place, self.turn
+        place, turn = self._pressed.place, self.turn
         room = self.mesh.solved([place], turn.torque)
         pairs = room.contacts(engine.LOBE)
         pressed = room.forces[0, pairs] * room.work.w[pairs, engine.BENT]
@@ -535,18 +518,13 @@ class MeshTurn(OverTurn):
     def lag_max(self) -> float:
         """Largest lag, rad; negative in reverse."""
         high, low = self.lags
-        return high.value if self.turn.torque > 0 else -low.value
+        return high if self.turn.torque > 0 else -low
 
     @property
     def lag_min(self) -> float:
         """Least lag, rad."""
         high, low = self.lags
-        return low.value if self.turn.torque > 0 else -high.value
-
-    @derived
-    def _along(self) -> tuple[Extreme, Extreme]:
-        most, least = (engine.ALONG_MOST, 1), (engine.ALONG_LEAST, -1)
-        return self._by_values(*most)[0], self._by_values(*least)[0]
+        return low if self.turn.torque > 0 else -high
 
     @property
     def _across(self) -> float:
@@ -555,23 +533,17 @@ class MeshTurn(OverTurn):
         each = abs(self.turn.torque) / len(self.mesh.crank_angles)
         return each / (disc.eccentricity * disc.satellite_teeth)
 
-    @property
+    @derived
     def radial_force_ratio_max(self) -> float:
         """Largest force of a disc along its crank, to the axis, over that across the crank of one
         that carries its part.
         """
-        return self._along[0].value / self._across
+        return self._by_values(engine.ALONG_MOST) / self._across
 
-    @property
+    @derived
     def radial_force_ratio_min(self) -> float:
         """Least of the same."""
-        return self._along[1].value / self._across
-
-    @property
-    def ratio_error(self) -> float:
-        """Estimate of the error of both ratios."""
-        unsure = float(self.turn.fine["force_error"].max()) * self.mesh.disc.pins
-        return (max(each.error for each in self._along) + unsure) / self._across
+        return self._by_values(engine.ALONG_LEAST, -1) / self._across
 
     @property
     def samples(self) -> tuple[FloatArray, FloatArray]:
@@ -602,45 +574,33 @@ class MeshTurn(OverTurn):
         return force[there], angle, np.sqrt((1 - k) ** 2 + 4 * k * np.sin(angle / 2) ** 2)
 
     @property
-    def mean_radial_force_ratio(self) -> Extreme:
+    def mean_radial_force_ratio(self) -> float:
         """Mean over the turn of the forces of all discs along their cranks, over that of those
         across them, by the normals of perfect parts.
         """
         force, angle, slope = self._even_forces
         along = (force * (np.cos(angle) - self.mesh.disc.shortening_coefficient) / slope).sum(1)
         across = abs((force * np.sin(angle) / slope).sum(1).mean())
-        mean, half = float(along.mean() / across), float(along[::2].mean() / across)
-        return Extreme(mean, abs(mean - half) + NORMALS)
+        return float(along.mean() / across)
 
     @derived
-    def _sliding(self) -> Extreme:
-        (force, _, slope), disc = self._even_forces, self.mesh.disc
-        far = np.abs(disc.ring_pin_circle_radius * slope - disc.ring_pin_radius)
-        rub = (force * far).sum(axis=1) / abs(self.turn.torque)
-        mean = float(rub.mean())
-        return Extreme(mean, abs(mean - float(rub[::2].mean())) + 8 * ROUNDING * mean)
-
-    @property
     def sliding_loss(self) -> float:
         """Mean over the turn of the sum of force times distance to the pitch point, over the
         torque: the loss over the output for a friction coefficient of 1.
         """
-        return self._sliding.value
-
-    @property
-    def sliding_error(self) -> float:
-        """Estimate of its error."""
-        return self._sliding.error
+        (force, _, slope), disc = self._even_forces, self.mesh.disc
+        far = np.abs(disc.ring_pin_circle_radius * slope - disc.ring_pin_radius)
+        return float((force * far).sum(axis=1).mean()) / abs(self.turn.torque)
 
     @derived
     def hardest_rub(self) -> float:
         """Largest product over the turn of force and distance to the pitch point, N*m."""
-        return self._by_values(engine.RUB)[0].value
+        return self._by_values(engine.RUB)
 
     @derived
     def hardest_pressed_rub(self) -> float:
         """Largest product of Hertz pressure and that distance, Pa*m."""
-        return self.mesh.pressure(1.0) * self._by_values(engine.RUB_PRESSED)[0].value
+        return self.mesh.pressure(1.0) * self._by_values(engine.RUB_PRESSED)
 
     @property
     def notices(self) -> tuple[Notice, ...]:

@@ -117,7 +117,7 @@ async def test_over_all_turns(api):
     ring = turn["ring"]
     assert ring["peak_force_N"] > max(max(map(max, each["ring"]["force_N"])) for each in positions)
     assert answer["ideal"]["ratio"] == turn["peak_force_N"] / answer["ideal"]["peak_force_N"]
-    assert ring["peak_error"] < 1e-3 and answer["accuracy"]["relative_error"] < 1e-3
+    assert answer["accuracy"]["relative_error"] < 1e-3
     at_peak = changed(crank_angle_deg=[turn["peak_crank_angle_deg"], ring["peak_crank_angle_deg"]])
     one, other = (await answered(api, at_peak))["positions"]
     pair, tooth = turn["peak_pair"], ring["peak_pair"]

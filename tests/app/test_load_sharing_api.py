@@ -407,6 +407,6 @@ def test_what_is_largest_over_the_turn_is_so_within_its_error(case):
     else:
         arcmin = 60 * 180 / math.pi
         highest = arcmin * float(turn.values(LOST, places).heights.max())
-        most, error = arcmin * found.lost_motion, arcmin * found.angle_error
+        most, error = arcmin * found.lost_motion, arcmin * found.lost_motion * SEARCHED
     assert most + error >= max(highest, case["least"] * (1 - 1e-6))
     assert error < 4e-3 * most

@@ -25,7 +25,7 @@ from core.output.elasticity import RingInSeries, Shares
 from core.output.room import Deviations
 from core.precision import EXACT, SAME, SEARCHED
 from core.ring.profile import Modification
-from core.ring.sharing import mesh_position
+from core.ring.sharing import NORMALS, mesh_position
 from tests.inputs.checks import check_of, design_of, having
 
 ARCMIN = math.radians(1) / 60
@@ -97,8 +97,7 @@ def test_the_bearing_feels_the_mean_of_the_mesh(design: Design) -> None:
         for name in ("crank_along", "crank_across")
     )
     found = turn.mean_radial_force_ratio
-    assert abs(found.value - along / across) < found.error < 0.005
-    assert abs(found.value - along / across) > found.error / 10  # which is no more than needed
+    assert NORMALS / 10 < abs(found - along / across) < NORMALS  # which is no more than needed
 
 
 def pressed(force: float, angle: float) -> float:

@@ -25,6 +25,7 @@ from core.output.real_curves import real_curves
 from core.output.real_mechanism import RealMechanism
 from core.output.room import Deviations
 from core.precision import JUDGED, SAME, SEARCHED
+from tests.inputs.classes import force_error, lag_error
 from tests.inputs.real_mechanisms import (
     STEEL,
     crank_angles,
@@ -43,9 +44,10 @@ AHEAD = replace(TWO, deviations=Deviations(disc_phase=(0.0, 3e-4)))
 
 def same(found: RealMechanism, expected: RealMechanism, angle: float, torque: float) -> None:
     one, other = solved(found, angle, torque), solved(expected, angle, torque)
-    error = one.force_error + other.force_error
+    error = force_error(one) + force_error(other)
     assert flat(one) == pytest.approx(flat(other), rel=0, abs=error)
-    assert abs(one.rotation - other.rotation) <= one.rotation_error + other.rotation_error
+    near = lag_error(expected.pin_circle_radius, one, other)
+    assert abs(one.rotation - other.rotation) <= near
     assert one.stiffness == pytest.approx(other.stiffness, rel=SEARCHED)
 
 
@@ -79,7 +81,7 @@ def test_shares_as_they_are_give_the_rigid_result(
         replace(real, support=Shares(tuple(w / sum(shares) for w in shares))), angle, torque
     )
     # What the shares are known to, over the stiffness of the contacts, moves the forces too.
-    error = found.force_error + again.force_error
+    error = force_error(found) + force_error(again)
     near = 100 * error + 1e-12 * max(flat(found))
     assert flat(again) == pytest.approx(flat(found), rel=0, abs=near)
 
@@ -150,7 +152,7 @@ def test_the_stiffness_is_the_slope_of_the_torque(
     if max(slopes) > 1.01 * min(slopes):
         return  # a pair takes up
     slope = 2 * step * torque / (more.rotation - less.rotation)
-    unsure = (less.rotation_error + more.rotation_error) / abs(more.rotation - less.rotation)
+    unsure = lag_error(real.pin_circle_radius, less, more) / abs(more.rotation - less.rotation)
     assert found.stiffness == pytest.approx(slope, rel=1e-3 + unsure)
 
 

@@ -14,7 +14,7 @@ from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.real_mechanism import RealMechanism
 from core.output.room import Deviations
-from core.precision import EXACT
+from core.precision import EXACT, SEARCHED
 from core.ring.profile import CycloidDisc, Modification
 from core.ring.series import MeshesInSeries
 from core.ring.series_turn import SeriesTurn, series_over_turn
@@ -64,9 +64,9 @@ def test_of_one_disc_in_first_order_each_stage_has_its_own_peaks() -> None:
     assert turn.peak_force == pytest.approx(holes.peak_force, rel=near + 1e-12) and near < 1e-4
     assert turn.peak_pair == holes.peak_pair
     assert turn.ring.peak_force == pytest.approx(
-        teeth.peak_force, rel=turn.ring.peak_error + teeth.accuracy.relative_error
+        teeth.peak_force, rel=SEARCHED + teeth.accuracy.relative_error
     )
-    assert turn.ring.peak_pair == teeth.peak_pair and turn.ring.peak_error < 1e-4
+    assert turn.ring.peak_pair == teeth.peak_pair
     assert turn.ring.max_pressure == pytest.approx(teeth.max_pressure, rel=1e-4)
     for name in (
         "backlash_max",
@@ -107,16 +107,15 @@ def test_the_summits_against_a_dense_walk(exact: bool, torque: float) -> None:
         most = there.max()
         assert most * (1 - 1e-9) <= found <= most * (1 + near)
     assert play.min() * (1 - 1e-3) <= turn.backlash_min <= play.min() * (1 + 1e-9)
-    stiff, unsure = rows["stiffness"], turn.stiffness_error  # for moments, where it jumps
+    stiff, unsure = rows["stiffness"], 1e-9
     assert stiff.max() * (1 - unsure) <= turn.stiffness_max <= stiff.max() * (1 + rough)
     assert stiff.min() * (1 - rough) <= turn.stiffness_min <= stiff.min() * (1 + unsure)
-    assert unsure < 0.02
     for place, name, most in (
         (turn.peak_crank_angle, "force", turn.peak_force),
         (turn.ring.peak_crank_angle, "mesh_force", turn.ring.peak_force),
     ):
         assert walk.poses([place])[name][0] == pytest.approx(most, rel=EXACT)
-    assert turn.accuracy.relative_error < 1e-3 and turn.angle_error < 1e-6
+    assert turn.accuracy.relative_error < 1e-3
     for name in ("mesh_force", "lag"):  # after all turns, and not before
         one, whole, again = walk.poses([0.2, 0.2 + 2 * math.pi, 0.2 + walk.period])[name]
         assert again == pytest.approx(one, rel=EXACT) and whole != pytest.approx(one, rel=1e-3)

@@ -30,6 +30,7 @@ from core.output.mechanism import Mechanism
 from core.output.real_mechanism import RealMechanism
 from core.output.room import Deviations
 from core.precision import EXACT
+from tests.inputs.classes import force_error
 from tests.oracles import dissimilar, rims
 from tests.oracles.load_sharing import exact_position
 from tests.oracles.seeds import seeds
@@ -174,5 +175,5 @@ def test_forces_of_a_mechanism_are_those_of_false_position(exact: bool, bends: b
     expected = exact_position(real, 0.7, 15.0)
     forces = [force for row in found.force for force in row]
     for force, other in zip(forces, expected.force, strict=True):
-        assert abs(force - float(other)) <= found.force_error
+        assert abs(force - float(other)) <= force_error(found)
     assert found.loaded_pairs >= (1 if bends else 3)

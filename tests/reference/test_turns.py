@@ -58,10 +58,9 @@ def test_the_turn(pins: int, satellites: int, size: float) -> None:
     assert math.isclose(peak, found.peak_force, rel_tol=1e-4)
     assert math.isclose(lost, found.lost_motion, rel_tol=1e-3)
     assert peak <= found.peak_force * (1 + found.accuracy.relative_error + 1e-10)
-    assert lost <= found.lost_motion * (1 + 1e-10) + found.angle_error
+    assert lost <= found.lost_motion * (1 + 1e-8)
     play = largest(made.play, 2003)
     lag = largest(lambda psi: made.lag(psi, TORQUE)[0], 2003)
     less = largest(lambda psi: -made.lag(psi, TORQUE)[0], 2003)
-    assert abs(play - found.backlash_max) <= found.angle_error + 1e-10 * found.lost_motion
-    assert abs(lag + less - found.transmission_error) <= found.angle_error + 1e-10 * lag
-    assert found.angle_error < 1e-8 * found.lost_motion
+    assert abs(play - found.backlash_max) <= 1e-8 * found.lost_motion
+    assert abs(lag + less - found.transmission_error) <= 1e-8 * found.lost_motion + 1e-10 * lag

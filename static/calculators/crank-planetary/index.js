@@ -331,7 +331,6 @@ export default {
   /** Values of the answer that figures, their tables or the checks show, or that only place the others. */
   elsewhere: [
     "locus", "pairs", "driving_count", "dead_zones_deg", "curves", "ring_drawing", "pins", "crank_angle_deg", "source", "source_code", "life", "forces",
-    "angle_error_arcmin", "stiffness_error", "pair_error", "ripple_error_Nm",
   ],
 
   /** The drawing takes its forces from a figure's curves. */

@@ -1,0 +1,36 @@
+"""How well positions are known, of the output's pins, of a ring, or of both.
+
+Forces by what is stated of them; lags by the class of the method and by what rounding of the torque
+of all forces turns, which counts where parts press each other; play by its class.
+"""
+
+from typing import Any
+
+from tests.oracles.answers.load_sharing import LAG, PLAY, ROUNDED
+
+
+def _forces(found: Any) -> list[float]:
+    """All forces, N, those of a ring beside the output's too."""
+    parts = [found, *([found.ring] if hasattr(found, "ring") else [])]
+    return [force for part in parts for row in part.force for force in row]
+
+
+def force_error(found: Any) -> float:
+    """Of each force, N."""
+    return float(found.accuracy.relative_error) * max(_forces(found))
+
+
+def lag_error(radius: float, *found: Any) -> float:
+    """Of each lag, rad, by the radius of the circle of pins, m; of several positions the sum."""
+    error = 0.0
+    for each in found:
+        lags = each.rotation if isinstance(each.rotation, tuple) else (each.rotation,)
+        error += LAG * max(map(abs, lags))
+        error += ROUNDED * sum(_forces(each)) * radius / each.stiffness
+    return error
+
+
+def play_error(found: Any) -> float:
+    """Of both ends of the play, rad."""
+    part, least = PLAY
+    return part * max(map(abs, found.play)) + least
