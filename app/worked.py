@@ -1,7 +1,7 @@
 """Worked steps of an answer: the steps of core under the API's names, in its units."""
 
 import math
-from collections.abc import Collection, Iterable
+from collections.abc import Iterable
 from functools import cache
 from typing import Any
 
@@ -141,7 +141,7 @@ def worked(**sections: list[Step]) -> list[Values]:
     ]
 
 
-def stated(section: str, values: Values, method: str, aside: Collection[str] = ()) -> list[Values]:
+def stated(section: str, values: Values, method: str) -> list[Values]:
     """Steps of numbers that follow from each other by no formula.
 
     Parameters
@@ -152,8 +152,6 @@ def stated(section: str, values: Values, method: str, aside: Collection[str] = (
         Fields of the answer; those that are no numbers have no step.
     method : str
         How they were got, a key of `core.worked.words.NOTES`.
-    aside : collection of str
-        Fields that are none of its results.
 
     Returns
     -------
@@ -171,5 +169,5 @@ def stated(section: str, values: Values, method: str, aside: Collection[str] = (
             "method": method,
         }
         for name, value in values.items()
-        if isinstance(value, (int, float)) and not isinstance(value, bool) and name not in aside
+        if isinstance(value, (int, float)) and not isinstance(value, bool)
     ]

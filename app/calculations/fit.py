@@ -63,9 +63,6 @@ MAX_ARCS = 100_000
 DRAWN_ANGLES = 721
 """Crank angles of the figure's curves, besides the ends of what jams."""
 
-BOUNDS = frozenset({"room_error_mm", "angle_error_arcmin"})
-"""Errors of results, which have no worked step."""
-
 LEFT_OUT = ("bodies_rigid", "friction", "heat", "pin_bending", "shaft_bearings", "tilt")
 """What the model leaves out."""
 
@@ -256,7 +253,7 @@ def solve(body: FitRequest) -> Values:
     if notices:
         values["warnings"] = [*map(warning, notices)]
     if "worked" in body.include:
-        values["worked"] = stated("fit", values["fit"], "of_distances", BOUNDS)
+        values["worked"] = stated("fit", values["fit"], "of_distances")
     return values
 
 

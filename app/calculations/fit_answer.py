@@ -59,14 +59,12 @@ class WholeFitOut(FitOut):
         equation="min(R, √(r_in² + R²·sin²(π/N)))",
     )
     greatest_room_mm: Maybe[float] = result("Greatest room over the turn.")
-    room_error_mm: Maybe[float] = result("Bound of the error of each room.")
     least_room_arcmin: Maybe[float] = result(
         "Least angle that the unloaded output can turn, over the turn; below 0 by how much pairs "
         "miss each other, absent where a pin is in its hole at no lag.",
         symbol="θ₊ − θ₋",
     )
     greatest_room_arcmin: Maybe[float] = result("The greatest: the backlash.", symbol="θ₊ − θ₋")
-    angle_error_arcmin: Maybe[float] = result("Estimate of the error of both.")
     blocked_share: Maybe[float] = result("Share of the turn in which the parts jam.")
     misfit: Maybe[
         Literal[
@@ -91,12 +89,10 @@ class WholeFitOut(FitOut):
             limit = from_si("radius_mm", result.largest_hole_radius)
             return found | {"largest_hole_radius_mm": limit}
         found["greatest_room_mm"] = from_si("greatest_room_mm", result.greatest())
-        found["room_error_mm"] = from_si("room_error_mm", result.error)
         play = result.play()
         for name in ("least", "greatest"):
             if math.isfinite(angle := getattr(play, name)):
                 found[f"{name}_room_arcmin"] = from_si("room_arcmin", angle)
-                found["angle_error_arcmin"] = from_si("error_arcmin", play.error)
         if blocked := found.get("blocked_crank_deg"):
             turn = from_si("angle_deg", result.mechanism.crank_angle_per_wave)
             found["blocked_share"] = math.fsum(end - start for start, end in blocked) / turn

@@ -18,7 +18,7 @@ import numpy as np
 
 from core.arrays import ComplexArray, FloatArray, IntArray, check_finite
 from core.errors import ImpossibleMechanism, InvalidInput
-from core.numerics.extremes import CLOSER_BY, ZOOMS, zoom
+from core.numerics.extremes import zoom
 from core.output.mechanism import Mechanism
 from core.precision import AS_TYPED, ROUNDING
 
@@ -227,7 +227,6 @@ class Play(NamedTuple):
 
     least: float  # rad
     greatest: float  # rad
-    error: float  # estimate of the error of both, rad
 
 
 @dataclass(frozen=True, slots=True)
@@ -516,15 +515,6 @@ class Rooms:
         return 4 * ROUNDING * self.pin_circle_radius
 
     @property
-    def error(self) -> float:
-        """Bound of the error of rooms over the turn, m: the last places about an extreme are as
-        far apart, and a hole moves on a circle of the eccentricity.
-        """
-        last = 0.0 if self.even else self._step * CLOSER_BY**ZOOMS
-        elsewhere = ELSEWHERE if self.ring else 0.0
-        return float(self._steepest * last) + 4 * self._rounding + elsewhere
-
-    @property
     def closed(self) -> bool:
         """Whether a hole is no larger than its pin."""
         return bool((self._placed.gap <= 0).any())
@@ -781,9 +771,6 @@ class Rooms:
     def play(self) -> Play:
         """Least and greatest play of the unloaded output over the turn.
 
-        Their error is what more of room by that of the room would change: between two crank angles
-        the holes move by no more than that.
-
         Returns
         -------
         Play
@@ -801,8 +788,7 @@ class Rooms:
             low, high = self.windows(places)
             return np.maximum(high - low, NO_PLAY)
 
-        heights, ends, error = height(wave), [], 0.0
-        wider = replace(self, clearance=self.clearance + self.error)
+        heights, ends = height(wave), []
         after = np.diff(wave, append=wave[0] + period)
         before = np.roll(after, 1)
         for sign in (-1, 1):
@@ -811,17 +797,13 @@ class Rooms:
             tops = (up >= 0) & (down >= 0)
             # between places it rises no steeper than to them
             tops &= signed + np.maximum(up * after / before, down * before / after) >= signed.max()
-            place, found = float(wave[signed.argmax()]), float(heights[signed.argmax()])
+            found = float(heights[signed.argmax()])
             if found > NO_PLAY:
                 width = np.maximum(after, before)[tops]
-                narrowed, closer, _ = self._narrowed(height, wave[tops], width, sign)
-                if sign * closer > sign * found:
-                    place, found = narrowed, closer
-            if found > NO_PLAY:
-                low, high = wider.windows(np.array([place]))
-                error = max(error, float(high[0] - low[0]) - found)
+                _, closer, _ = self._narrowed(height, wave[tops], width, sign)
+                found = sign * max(sign * closer, sign * found)
             ends.append(found if found > NO_PLAY else -math.inf)
-        return Play(ends[0], ends[1], error)
+        return Play(ends[0], ends[1])
 
     def blocked(self) -> tuple[tuple[float, float], ...]:
         """Stretches of the crank's turn in which there is no room.

@@ -323,9 +323,8 @@ async def test_accuracy_is_stated(api):
     answer = (await api.post(PATH, json=SPIKED)).json()
     accuracy, fit = answer["accuracy"], answer["fit"]
     assert accuracy["method_code"] == "arcs_zoomed" and accuracy["evaluations"] == 720
-    assert fit["room_error_mm"] < 1e-8 and fit["angle_error_arcmin"] < 1e-3
     stated = accuracy["relative_error"] * fit["least_room_mm"]
-    assert 0 < stated < fit["room_error_mm"] / 1000
+    assert 0 < stated < 1e-11
     assert abs(fit["least_room_mm"] - 3.490658501803523e-06) <= stated
     answer = (await api.post(PATH, json=asked(4, 1, 20, 30, 2, 1.5, 0.5))).json()
     assert answer["accuracy"]["method_code"] == "closed_form"
@@ -369,7 +368,7 @@ async def test_worked_names_each_number(api):
     steps = {each["code"]: each["result"] for each in answer["worked"]}
     fit = answer["fit"]
     numbers = {key for key, value in fit.items() if isinstance(value, float)}
-    assert set(steps) == numbers - {"room_error_mm", "angle_error_arcmin"}
+    assert set(steps) == numbers
     assert all(steps[key] == fit[key] for key in steps)
 
 

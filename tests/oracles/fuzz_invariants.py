@@ -342,14 +342,14 @@ async def load_sharing(body: Body, answer: Body, ask: Ask) -> None:
         expect((way == "alternating") == ("torque_direction" in position), "which direction", way)
         largest, count = max(forces), sum(force > 0 for force in forces)
         expect(min(forces) >= 0 and position["loaded_pairs"] == count, "loaded", count)
-        room = count * position["force_error_N"] * radius
+        room = count * answer["accuracy"]["relative_error"] * largest * radius
         held = sum(position["satellite_torque_Nm"])
         signed = -torque if chosen == "reverse" else torque
         equal(held, signed, "torque", size=sum(forces) * radius + room / ROUNDING)
         expect(position["stiffness_Nm_per_arcmin"] > 0, "stiffness")
         if "play_arcmin" in position:
             low, high = position["play_arcmin"]
-            expect(low <= high + 2 * position["play_error_arcmin"], "play", low, high)
+            expect(low <= high + 1e-10, "play", low, high)
         else:
             expect("interference_mm" in position, "pressed")
         if turn:
@@ -366,9 +366,8 @@ async def fit(body: Body, answer: Body, ask: Ask) -> None:
     if own["state"] == "no_bound":
         expect("least_room_mm" not in own and "positions" not in answer, "bound", own)
         return
-    least, greatest, error = (
-        own[f"{name}_mm"] for name in ("least_room", "greatest_room", "room_error")
-    )
+    least, greatest = own["least_room_mm"], own["greatest_room_mm"]
+    error = 1e-9 * hole_of(body)
     nothing = 1e-8 * (body["contact"]["pin_radius_mm"] + body["contact"]["eccentricity_mm"])
     expect(least <= greatest + error, "extremes", least, greatest)
     if own["state"] == "fits":
