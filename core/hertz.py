@@ -450,7 +450,6 @@ class HertzContact(NamedTuple):
     conformal_half_angle_hole: Number | None  # and from the hole's axis, rad
     conformal_half_length: Number | None  # half of its length along the arc, m
     edge_tension: Number | None  # hoop tension in the hole's rim at its ends, Pa
-    conformal_error: Number | None  # relative error of these by their method: 0 for beta = 0
     # The pressure to be judged, Pa: the conformal one where it applies, else Hertz's; NaN where it
     # is not known, as the contact would wrap around more than half of the pin.
     governing: Number
@@ -595,8 +594,9 @@ def hertz(
         ),
         accuracy=Accuracy(
             method=method,
-            # rho has the difference of two radii that are known to rounding
-            relative_error=ROUNDING * (8 + (hole_radius + pin_radius) / difference),
+            # rho has the difference of two radii that are known to rounding; beta is in a factor
+            relative_error=ROUNDING * (8 + (hole_radius + pin_radius) / difference)
+            + where(wide["governing"] == max_pressure, 0.0, 2 * abs(constants[1]) * ERROR),
             evaluations=evaluations,
         ),
     )
@@ -634,7 +634,6 @@ _NARROW = dict.fromkeys(
         "conformal_half_angle_hole",
         "conformal_half_length",
         "edge_tension",
-        "conformal_error",
     )
 )
 
@@ -678,7 +677,6 @@ def _conformal(
         "conformal_half_angle_hole": eps * sqrt(pin_radius / hole_radius),
         "conformal_half_length": eps * radius,
         "edge_tension": tension * load / radius,
-        "conformal_error": 2 * abs(beta) * ERROR,
     }
     found = {name: known_where(applies, each) for name, each in found.items()}
     method = "integral_equation" if some(beta != 0) else "closed_form_newton"

@@ -447,9 +447,6 @@ class HertzResponse(AssumingResponse):
     edge_tension_MPa: Maybe[float] = result(
         "Hoop tension in the rim of the hole at the ends of that contact.", symbol="σ_t"
     )
-    conformal_error: Maybe[float] = result(
-        "Relative error of the conformal numbers by their method; 0 where both materials are alike."
-    )
     governing_pressure_MPa: Maybe[float] = Field(
         description="The pressure that is judged: the conformal one where it is given, else "
         "Hertz's; absent where the contact would wrap around more than half of the pin."

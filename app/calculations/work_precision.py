@@ -33,7 +33,7 @@ ONE_METHOD = {
     "crankshaft": "sampling",
     "cyclogram": "closed_form",
     "fit": "arcs_zoomed",
-    "hertz": "integral_equation",
+    "hertz": "closed_form_newton",
     "meshing_load": "graded_quadrature",
     "output-efficiency": "segments_tanh_sinh",
     "pin-strength": "sampling",
