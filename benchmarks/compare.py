@@ -30,6 +30,9 @@ CORPUS = ROOT / "tests" / "corpus" / "requests.json"
 
 LEFT_OUT = {
     *("run_time_us", "evaluations", "relative_error", "sampling_error", "angle_grid_error"),
+    *("angle_error_arcmin", "conformal_error", "force_error_N", "loss_error"),
+    *("pair_error", "peak_error", "play_error_arcmin", "ratio_error", "ripple_error_Nm"),
+    *("room_error_mm", "rotation_error_arcmin", "stiffness_error"),
 }
 """What a number cost and the errors that are stated for it, which are no part of it."""
 

@@ -18,7 +18,7 @@ from core.numerics.extremes import second_look
 from core.output.contact_force import PairNumber
 from core.output.loaded_position import notices
 from core.output.real_mechanism import RealMechanism
-from core.output.summits import Grid, Summit, all_summits, highest, summits
+from core.output.summits import Grid, Summit, all_summits, summits
 from core.output.turn import Rows, Turn
 from core.precision import AS_TYPED, SAME
 
@@ -189,21 +189,16 @@ class OverTurn:
             pressure *= math.sqrt(self._pressed.height / at_peak)
         return pressure
 
-    def _top(self, name: str, kind: int, sign: int = 1) -> tuple[Summit, float]:
-        """Where a value of the positions is largest over the turn, or least for the sign -1, and by
-        how much half of them or a second look say otherwise.
-        """
-        turn = self.turn
-        coarse, fine, again = (
-            self._grid(rows, name, sign) for rows in (turn.coarse, turn.fine, turn.again)
-        )
-        top, missed = highest(coarse=coarse, fine=fine, narrow=turn.narrow(kind, sign))
-        top, more = self._above(again, kind, top, sign)
-        return top, missed + more
+    def _highest(self, fine: Grid, again: Grid, kind: int, sign: int = 1) -> Summit:
+        """Where a value is largest over the turn, by a grid and a second look at other places."""
+        narrow = self.turn.narrow(kind, sign)
+        top = max(summits(grid=fine, narrow=narrow, top=True), key=lambda each: each.height)
+        return self._above(again, kind, top, sign)[0]
 
     def _extreme(self, name: str, kind: int, sign: int = 1) -> float:
-        """Largest value over the turn, or least for the sign -1."""
-        return sign * self._top(name, kind, sign)[0].height
+        """Largest value of the positions over the turn, or least for the sign -1."""
+        fine, again = (self._grid(rows, name, sign) for rows in (self.turn.fine, self.turn.again))
+        return sign * self._highest(fine, again, kind, sign).height
 
     def _spread(self, name: str, kind: int) -> float:
         """Largest less least value over the turn."""
@@ -221,14 +216,11 @@ class OverTurn:
 
     def _by_values(self, kind: int, sign: int = 1) -> float:
         """Largest value over the turn, or least for the sign -1, of what positions do not have."""
-        turn, narrow = self.turn, self.turn.narrow(kind, sign)
-        even, _ = turn.positions()
-        found = turn.values(kind, even, turn.period)
-        fine = Grid(found.places, sign * found.heights, found.period)
-        top = max(summits(grid=fine, narrow=narrow, top=True), key=lambda each: each.height)
-        again = turn.values(kind, turn.again["wave"], turn.period)
-        other = Grid(again.places, sign * again.heights, again.period)
-        return sign * self._above(other, kind, top, sign)[0].height
+        turn = self.turn
+        looked = turn.positions()[0], turn.again["wave"]
+        found = (turn.values(kind, places, turn.period) for places in looked)
+        fine, again = (Grid(each.places, sign * each.heights, each.period) for each in found)
+        return sign * self._highest(fine, again, kind, sign).height
 
     @derived
     def lost_motion(self) -> float:

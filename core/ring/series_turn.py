@@ -19,7 +19,7 @@ from core.output.loaded_position import notices
 from core.output.over_turn import OverTurn, Peak
 from core.output.real_turn import refined
 from core.output.sampled_turn import off_straight
-from core.output.summits import Summit
+from core.output.summits import Summit, highest
 from core.output.turn import LOOKED_AGAIN, POSITIONS, Rows, Turn
 from core.ring.series import MeshesInSeries
 
@@ -182,13 +182,25 @@ class SeriesOverTurn(OverTurn):
         """Where the force over reduced radius is largest on the ring, and what of it may be
         missed.
         """
-        return self._top("mesh_pressure", engine.LOBE_PRESSED)
+        return self._known("mesh_pressure", engine.LOBE_PRESSED)
+
+    def _known(self, name: str, kind: int) -> tuple[Summit, float]:
+        """Where a value of the positions is largest, and by how much half of them or a second look
+        say otherwise.
+        """
+        turn = self.turn
+        coarse, fine, again = (
+            self._grid(rows, name) for rows in (turn.coarse, turn.fine, turn.again)
+        )
+        top, missed = highest(coarse=coarse, fine=fine, narrow=turn.narrow(kind))
+        top, more = self._above(again, kind, top)
+        return top, missed + more
 
     @derived
     def _peak(self) -> Peak:
         turn = self.turn
         before = turn.evaluations
-        top, missed = self._top("force", turn.force)
+        top, missed = self._known("force", turn.force)
         place = min(each % turn.period for each in top.alike)
         there = turn.poses([place])["forces"]
         fine, again = turn.fine["forces"], turn.again["forces"]
@@ -207,7 +219,7 @@ class SeriesOverTurn(OverTurn):
     def ring(self) -> RingTurn:
         """What the ring does."""
         turn, series = self.turn, self.series
-        top, _ = self._top("mesh_force", engine.LOBE_FORCE)
+        top, _ = self._known("mesh_force", engine.LOBE_FORCE)
         place = min(each % turn.period for each in top.alike)
         pair = int(turn.poses([place])["teeth"].argmax())
         satellite, pin = divmod(pair, series.ring.disc.pins)
@@ -233,7 +245,7 @@ class SeriesOverTurn(OverTurn):
 
     @derived
     def _pressed(self) -> Summit:
-        return self._top("pressure", self.turn.pressure)[0]
+        return self._known("pressure", self.turn.pressure)[0]
 
     @property
     def notices(self) -> tuple[Notice, ...]:
