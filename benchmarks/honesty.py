@@ -2,13 +2,12 @@
 
 Half of the cases are practical, half extreme; the exact values are those of the decimals in the
 request (tests/oracles/answers). Writes docs/accuracy.md: for each calculation how often all numbers
-of an answer are as good as it states, by how much it overstates, and the largest errors. Run by
-`make accuracy`; the number of cases may be given: `python -m benchmarks.honesty 1000`, and which
-rows of the table are made anew: `--only pin-strength --only crankshaft`.
+of an answer are as good as it states, and the largest errors. Run by `make accuracy`; the number of
+cases may be given: `python -m benchmarks.honesty 1000`, and which rows of the table are made anew:
+`--only pin-strength --only crankshaft`.
 """
 
 import re
-import statistics
 import sys
 import time
 from collections import Counter
@@ -24,9 +23,6 @@ from tests.oracles.answers import CALCULATIONS
 from tests.oracles.answers.calculation import GIVEN, Calculation, pattern
 
 CASES = 10_000
-JUDGED_FROM = 10
-"""Practical cases from which on the median of their overstatement is judged."""
-
 REPORT = Path(__file__).parent.parent / "docs" / "accuracy.md"
 HEAD = """\
 # Are the stated errors true?
@@ -40,15 +36,12 @@ lengths magnify. Where exact values take long there are fewer cases. A case hold
 further off than its `relative_error` says, relative to what the calculation documents: its own
 size, that of its vector, the largest force, the pin circle, the range shown. From 1 on it says that
 nothing is known, and the answer warns of it (`hardly_known`): such cases, none of them practical,
-have a column of their own. Overstated: median of the stated error over the largest one measured in
-the answer (at least 2^-54). Pins state what their search may end below the largest, 4e-15, and
-twice the error of the peak force, which grows with the exponent; between two supports also what
-cancels in the deflection. No practical case states more than the class of its method
+have a column of their own. No practical case states more than the class of its method
 (`core/precision.py`).
 
 | calculation | cases | refused | nothing known | holds | practical | extreme | \
-overstated, practical | extreme | largest measured | largest stated |
-|---|---|---|---|---|---|---|---|---|---|---|
+largest measured | largest stated |
+|---|---|---|---|---|---|---|---|---|
 """
 
 
@@ -79,17 +72,9 @@ class Verdict:
         return [each for each in self.outcomes if not each.refused]
 
     @property
-    def overstated(self) -> list[float]:
-        """Medians of the practical and of the extreme half."""
-        return [
-            statistics.median(each.margin for each in self.half(extreme))
-            for extreme in (False, True)
-        ]
-
-    @property
     def honest(self) -> bool:
         """Whether every practical case is answered, every number checked, every statement true, and
-        of use where it is practical, and no practical one beyond what the method promises.
+        no practical one beyond what the method promises.
         """
         answered = not any(
             each.refused or each.stated >= NOTHING_KNOWN
@@ -98,23 +83,16 @@ class Verdict:
         )
         true = not any(each.false or each.unknown for each in self.answered)
         kept = not any(each.beyond for each in self.half(False))
-        few = len(self.half(False)) < JUDGED_FROM
-        return (
-            answered
-            and true
-            and kept
-            and (few or self.overstated[0] <= self.calculation.most_overstated)
-        )
+        return answered and true and kept
 
     def row(self) -> str:
         """Its row of the table."""
         cases, halves = self.answered, (self.half(False), self.half(True))
         holds = " | ".join(map(share, (cases, *halves)))
-        medians = " | ".join(f"{each:.0f}" for each in self.overstated)
         nothing = sum(each.stated >= NOTHING_KNOWN for each in cases)
         return (
             f"| {self.calculation.name} | {len(self.outcomes)} | {len(self.outcomes) - len(cases)} "
-            f"| {nothing} | {holds} | {medians} | {max(each.measured for each in cases):.1e} | "
+            f"| {nothing} | {holds} | {max(each.measured for each in cases):.1e} | "
             f"{max(each.stated for each in cases):.1e} |\n"
         )
 

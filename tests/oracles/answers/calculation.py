@@ -112,8 +112,6 @@ class Calculation:
         is known of them.
     one_in : int
         Of how many cases of a long run one is asked, where the exact values take long.
-    most_overstated : int
-        Largest median of the overstatement in practical cases for it to be of use.
     """
 
     name: str
@@ -123,7 +121,6 @@ class Calculation:
     part: tuple[str, ...] = ()
     unbounded: dict[str, str] | None = None
     one_in: int = 1
-    most_overstated: int = 100
 
     def not_checked(self, answer: Any, numbers: Numbers) -> set[str]:
         """Numbers of the answer that nothing is said of, as patterns."""

@@ -228,5 +228,4 @@ PIN_STRENGTH = Calculation(
         "/fatigue/cycles": CYCLES,
     },
     one_in=20,
-    most_overstated=200,  # twice the error of the peak force, whatever the exponent
 )
