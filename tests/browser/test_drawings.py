@@ -157,7 +157,8 @@ def test_of_a_loose_mechanism_all_shows_the_forces_that_are_solved(
         for length, force in zip(page.evaluate(ARROWS), forces, strict=True):
             assert length == pytest.approx(force * newton, abs=2e-3 * peak * newton + 0.02)
         driving = page.locator(".satellite .hole.driving")
-        expect(driving).to_have_count(sum(force > 0 for force in forces))
+        # at the peak another pair takes up: what it carries there is a matter of the last digit
+        expect(driving).to_have_count(sum(force > 1e-6 * peak for force in forces))
     assert len(watch.paths()) == asked
     expect(page.locator(".mechanism .scale")).to_contain_text("The forces are the real ones")
     # The figures: the real forces strong, the ideal ones thin, and no ideal figure besides.
