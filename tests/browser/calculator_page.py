@@ -5,7 +5,7 @@ from io import BytesIO
 from pathlib import Path
 
 import httpx
-from playwright.sync_api import Locator, Page, expect
+from playwright.sync_api import Locator, Page, Request, expect
 from pypdf import PdfReader
 
 CALCULATORS = {"crank-planetary", "rollers", "precession"}
@@ -31,6 +31,12 @@ def reopen(page: Page) -> None:
     page.goto(link)
     settled(page)
     assert address(page) == link
+
+
+def asks_results(request: Request) -> bool:
+    """Whether results are asked for: what mends a design is asked later, by the same path."""
+    body = request.post_data_json if request.url.endswith("/api/v1/crank-planetary") else None
+    return "checks" in (body or {}).get("include", [])
 
 
 def settled(page: Page, state: str = "fresh") -> None:

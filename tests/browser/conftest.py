@@ -9,6 +9,7 @@ from urllib.parse import urlsplit
 import pytest
 from playwright import sync_api
 
+from tests.browser.calculator_page import asks_results
 from tests.inputs import chromium
 from tests.running_service import Service
 
@@ -49,10 +50,17 @@ class Watch:
     """What a page asked for and complained about."""
 
     requests: list[str] = field(default_factory=list)
+    later: list[str] = field(default_factory=list)  # that follow results, whenever they come
     complaints: list[str] = field(default_factory=list)
 
+    def ask(self, request: sync_api.Request) -> None:
+        """Take note of a request."""
+        of_design = request.url.endswith("/api/v1/crank-planetary")
+        later = of_design and not asks_results(request)
+        (self.later if later else self.requests).append(request.url)
+
     def paths(self) -> list[str]:
-        """Paths of all requests, in order."""
+        """Paths of the requests but for those that follow results, in order."""
         return [urlsplit(url).path for url in self.requests]
 
     def calculations(self) -> list[str]:
@@ -106,7 +114,7 @@ def page(context: sync_api.BrowserContext, service: str, watch: Watch) -> Iterat
     context.add_init_script(WATCH_SCRIPT)
     page = context.new_page()
     page.set_default_timeout(60_000)
-    page.on("request", lambda request: watch.requests.append(request.url))
+    page.on("request", watch.ask)
     page.on("pageerror", lambda error: watch.complaints.append(f"{error} {error.stack}"))
     page.on(
         "console",
@@ -119,7 +127,7 @@ def page(context: sync_api.BrowserContext, service: str, watch: Watch) -> Iterat
     yield page
     foreign = [
         url
-        for url in watch.requests
+        for url in watch.requests + watch.later
         if urlsplit(url).scheme in ("http", "https") and not url.startswith(service)
     ]
     assert foreign == [], "requests to other hosts"

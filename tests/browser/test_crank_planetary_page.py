@@ -8,10 +8,10 @@ from typing import Any
 
 import httpx
 import pytest
-from playwright.sync_api import Error, Locator, Page, Request, Route, expect
+from playwright.sync_api import Error, Locator, Page, Route, expect
 
 from core.precision import JUDGED
-from tests.browser.calculator_page import address
+from tests.browser.calculator_page import address, asks_results
 
 ZYL = {
     "mechanism.pins": "6",
@@ -80,12 +80,6 @@ def result(page: Page, name: str) -> float:
 
 def peak_cell(page: Page) -> Locator:
     return page.locator(".summary .cell").first.locator(".figures")
-
-
-def asks_results(request: Request) -> bool:
-    """Whether results are asked for: what mends a design is asked later, by the same path."""
-    body = request.post_data_json if request.url.endswith("/api/v1/crank-planetary") else None
-    return "checks" in (body or {}).get("include", [])
 
 
 def asked_from(page: Page) -> list[dict[str, Any]]:

@@ -96,7 +96,10 @@ def numbers(body: Body, answer: Any) -> Numbers:
             own_numbers["static_safety_factor"] = typed(bearing["static_rating_N"]) / (
                 static * across * most
             )
-        exact |= {f"/satellites/{j}/{name}": value for name, value in own_numbers.items()}
+        sent = answer["satellites"][j]  # lives are of what carries something
+        exact |= {
+            f"/satellites/{j}/{name}": own_numbers[name] for name in own_numbers if name in sent
+        }
     if "weibull_slope" in bearing:
         slope = typed(bearing["weibull_slope"])
         exact["/system_life_h"] = mp.fsum(life**-slope for life in lives) ** (-1 / slope)
