@@ -28,6 +28,10 @@ from core.ring.sharing import CycloidMesh, RingDeviations
 MAX_FORCES_IN_SERIES = 25_000
 """Most forces of positions, and of curves, of both meshes: angles times pairs."""
 
+GIVES_AS_LONG, FLOATS_AS_LONG = 2, 16
+"""How many times as long a turn takes in series where bearings give or a tie ring joins the pins,
+twice as long where both do; and pieces of a study whose discs float in bearings with clearance."""
+
 MAX_TURN_IN_SERIES = 250_000
 """Most forces of both meshes over all turns: their angles times pairs."""
 
@@ -144,6 +148,13 @@ class RingInSeriesFields(RealDesignFields):
             more = {"expected": satellite + 1}
             raise field_error("mechanism/ring_teeth", "not_this_cycloid", **more)
         return self
+
+    @property
+    def times_as_long(self) -> int:
+        """How many times as long as of rigid satellites a position takes."""
+        if not self.in_series:
+            return super().times_as_long
+        return int(GIVES_AS_LONG ** (self.tied + self.support.gives))
 
     @property
     def pairs_in_series(self) -> int:

@@ -196,8 +196,8 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     The forces that are judged are those of `DesignFields`, but for perfect parts whose pins bend:
     these are solved too, with no clearance, unless `distribution_factor` above 1 states how uneven
     the sharing is. Of cycloid discs whose modification is known, as is the clearance of the pins,
-    both meshes are solved in series, where neither `satellite_coupling` nor `crank_support` says
-    otherwise.
+    both meshes are solved in series, where `satellite_coupling` does not say otherwise; on bearings
+    that are stated by `crank_support` they float.
     """
 
     mechanism: CyclogramFields
@@ -381,7 +381,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         given = super().parts()
         if "contact" not in given:
             given.pop("pin", None)
-        if "gear" in given and "crank_support" not in given:
+        if "gear" in given:
             given.setdefault("satellite_coupling", _UsualCoupling())
         return given
 

@@ -65,6 +65,7 @@ from core.output.elasticity import (
     PinSupport,
     SatelliteSupport,
     Shares,
+    Supports,
 )
 from core.output.mechanism import Mechanism, PinFit, pin_fit
 from core.output.room import Deviations
@@ -230,19 +231,10 @@ GIVING = ("crank_support", "satellite_coupling")
 
 
 class GivingFields(RequestModel):
-    """What the satellites give, in one way."""
+    """What the satellites give, on their cranks and in their mesh."""
 
     crank_support: Maybe[CrankSupportFields] = None
     satellite_coupling: Maybe[SatelliteCouplingFields] = None
-
-    @model_validator(mode="after")
-    def _gives_in_one_way(self) -> Self:
-        giving = self.giving
-        if len(giving) > 1:
-            raise field_error("satellite_coupling", "only_one", field="crank_support")
-        if self.tied and giving:
-            raise field_error("pin/support", "only_one", field=giving[0])
-        return self
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """Also the material of pins where it is not given: that of the contact."""
@@ -291,7 +283,10 @@ class GivingFields(RequestModel):
     @cached_property
     def support(self) -> SatelliteSupport:
         """What the satellites give."""
-        return next((self.given[name].section() for name in self.giving), RIGID_SUPPORT)
+        given = self.given
+        return Supports(
+            *(given[name].section() if name in given else RIGID_SUPPORT for name in GIVING)
+        )
 
     def refuse_other_shares(self, satellites: int) -> None:
         """Refuse shares that are not one for each satellite.
@@ -306,8 +301,9 @@ class GivingFields(RequestModel):
         Problem
             If they are not.
         """
-        if isinstance(self.support, Shares) and len(self.support.shares) != satellites:
-            counts = {"expected": satellites, "actual": len(self.support.shares)}
+        shares = self.support.given_shares
+        if shares and len(shares) != satellites:
+            counts = {"expected": satellites, "actual": len(shares)}
             raise refusal("/satellite_coupling/shares", "different_length", **counts)
 
 

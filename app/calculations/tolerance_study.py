@@ -10,7 +10,7 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 import numpy as np
 from pydantic import Field, PrivateAttr, model_validator
 
-from app.calculations.both_meshes import RingInSeriesFields, of_the_ring
+from app.calculations.both_meshes import FLOATS_AS_LONG, RingInSeriesFields, of_the_ring
 from app.calculations.design import OneWayLoadFields, RealContactFields
 from app.calculations.members_answer import factor_at_output
 from app.calculations.real_design import LEFT_OUT
@@ -257,7 +257,8 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
         each = self._solves(self.names)
         if "contributions" in self.include:
             each += (2 * len(self.spread.spreads()) + 2) * self._solves(self.names[:1])
-        return each * self.times_as_long
+        floats = self.in_series and self.support.loose > 0
+        return each * (FLOATS_AS_LONG if floats else self.times_as_long)
 
     def _solves(self, names: list[str]) -> float:
         fit = self.mechanism.ring_teeth or 0 if self.in_series else 0

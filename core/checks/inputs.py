@@ -103,10 +103,9 @@ RING_FORCES = paths(
     RING_GIVES,
     "load.output_torque",
     tuple(each for each in FORCE if each != "load.force_exponent"),
-    tuple(each for each in SHARING if each != "crank_support"),
+    SHARING,
 )
-"""Inputs of the forces on the ring's pins, in series with the output's pins: cranks do
-not give then."""
+"""Inputs of the forces on the ring's pins, in series with the output's pins."""
 
 RING_LOADED = paths(RING_FORCES, "contact.distribution_of", ON_STRESSES)
 """Inputs of these forces, with the factors on pressures."""

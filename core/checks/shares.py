@@ -12,7 +12,7 @@ from core.checks.crank_planetary import crank_check
 from core.design.document import changed
 from core.design.results import Results
 from core.errors import Notice, if_known
-from core.output.elasticity import Shares, pin_compliance
+from core.output.elasticity import pin_compliance
 from core.output.room import Deviations
 
 ShareModel = Literal["real", "factor", "given"]
@@ -122,13 +122,13 @@ def _by_forces(results: Results) -> Sharing | None:
         return None
     forces, torque = results.real_forces, design.pin_torque
     turn = results.made(forces.way * torque)
-    given = isinstance(design.support, Shares)
+    given = design.support.given_shares
     means = turn.mean(turn.couple)
     wave = design.built.wave_angle(forces.turn.peak_crank_angle)
     there = turn.at(wave=wave, values=turn.couple)
     shares, at_peak = means / means.sum(), there / there.sum()
     if given:
-        shares = at_peak = np.array(design.support.given_shares)
+        shares = at_peak = np.array(given)
     discs = tuple(
         DiscShare(j + 1, torque * share, share, peak)
         for j, (share, peak) in enumerate(zip(shares.tolist(), at_peak.tolist(), strict=True))
@@ -145,7 +145,7 @@ def _alike(results: Results) -> bool:
     gap = 2 * math.pi / len(angles)
     even = all(abs(b - a - gap) < EVEN_CRANKS for a, b in pairwise(angles))
     bends = design.pin and design.pin.satellite_positions
-    stated = isinstance(design.support, Shares) or _deviating(results)
+    stated = design.support.given_shares or _deviating(results)
     return even and not bends and not stated
 
 

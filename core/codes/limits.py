@@ -206,8 +206,8 @@ OF_RESULTS = {
     ),
     "both_meshes": limit(
         "The mesh with the ring and that with the pins are in series: each disc finds its place "
-        "between both, and forces, play and stiffness are those of both. Clearance and elasticity "
-        "of the bearings on the cranks are not in them.",
+        "between both, and forces, play and stiffness are those of both, on bearings of the "
+        "cranks that give where these are stated, else on rigid ones.",
         title="Both meshes in series",
         tests="Whether both meshes are solved together.",
         why="A disc turns in its ring until the pins take as much of it as the teeth give: neither "

@@ -36,6 +36,7 @@ from core.output.elasticity import (
     ContactLaw,
     RingInSeries,
     SatelliteSupport,
+    Supports,
 )
 from core.output.mechanism import Mechanism, Members, MemberSpeeds, felt
 from core.output.pin_beam import check_apart
@@ -135,8 +136,8 @@ class Design:
     deviations : Deviations or None
         Of this piece, where they are stated.
     crank_support, satellite_coupling : SatelliteSupport
-        What the satellites give, where that is stated, in one way. Or that both meshes are in
-        series.
+        What the satellites give, where that is stated, on their cranks and in their mesh. Or
+        that both meshes are in series.
 
     Raises
     ------
@@ -168,8 +169,6 @@ class Design:
     def __post_init__(self) -> None:
         self._check_peak()
         self._check_distribution()
-        if self.tied and self.support.gives:
-            raise InvalidInput("pin.support", self.pin.support, "only_one", field="support")
         self._check_places()
         self._check_rollers()
         self._check_thickness()
@@ -280,25 +279,24 @@ class Design:
     @property
     def support(self) -> SatelliteSupport:
         """What the satellites give by themselves."""
-        held = self.crank_support
-        return held if held.gives else self.satellite_coupling
+        return Supports(self.crank_support, self.satellite_coupling)
 
     @property
     def in_series(self) -> bool:
         """Whether both meshes are in series: that of cycloid discs with their ring, whose
-        modification is known, and that with the pins, whose clearance is; of satellites that
-        nothing else is stated of.
+        modification is known, and that with the pins, whose clearance is; of satellites of
+        which nothing else is stated but their bearings.
         """
         gear, contact = self.gear, self.contact
         if (
-            not isinstance(self.support, RingInSeries)
+            not isinstance(self.satellite_coupling, RingInSeries)
             or not gear
             or gear.kind != "cycloid"
             or gear.modification is None
         ):
             return False
         known = self.touching and is_known(lambda: self.known_clearance)
-        return known and not self.tied and contact.distribution_factor == 1
+        return known and contact.distribution_factor == 1
 
     @property
     def bolted(self) -> bool:

@@ -22,7 +22,7 @@ from core.errors import InvalidInput, Notice, NotKnown, derived, if_known, is_kn
 from core.hertz import Body, HertzContact, Spread, first_yield, force_factor, hertz, shakedown
 from core.output.contact_force import ContactForce, contact_force
 from core.output.edge_load import EdgeLoad, SlopingContacts
-from core.output.elasticity import RIGID_PINS, ContactLaw, Shares, contact_compliance, usual_law
+from core.output.elasticity import RIGID_PINS, ContactLaw, contact_compliance, usual_law
 from core.output.fit import FITS, Fit
 from core.output.loaded_position import loaded_position
 from core.output.mechanism import MemberLoads
@@ -221,7 +221,7 @@ class Results:
             clearance=design.play,
             deviations=design.output_deviations or Deviations(),
             roller_play=design.roller_play,
-            apart=isinstance(design.support, Shares),
+            apart=bool(design.support.given_shares),
         )
         turn = design.in_series and is_known(lambda: self.ring.mesh)
         return in_their_ring(rooms=held, ring=self.ring.mesh) if turn else held

@@ -15,7 +15,7 @@ from core.design.ring import RingBody
 from core.design.sections import DesignPin
 from core.errors import InvalidInput, NotKnown, derived, if_known, required
 from core.hertz import Body, first_yield
-from core.output.elasticity import RIGID_SUPPORT, Shares
+from core.output.elasticity import RIGID_SUPPORT
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
 from core.output.sampled_turn import WAYS, PinForces
@@ -83,7 +83,9 @@ class RingResults:
             raise NotKnown("every_second_pin")
         length = design.ring_length
         material = required(design.disc_material, "section_missing", "gear.disc_material")
-        shares = design.support if isinstance(design.support, Shares) else RIGID_SUPPORT
+        shares = RIGID_SUPPORT
+        if design.support.given_shares:
+            shares = design.satellite_coupling
         pairs = design.ring_pins * design.mechanism.satellites
         if pairs > MOST_RING_PAIRS:
             raise NotKnown("too_many_ring_pairs", pairs=pairs, limit=MOST_RING_PAIRS)

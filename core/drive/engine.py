@@ -8,6 +8,7 @@ place, the real axis outward, the imaginary one as the output turns; there the c
 
     PIN (circle in a circle)  s = eps + m(turn)*P - m(own)*H - shift*w + bend,  d = s - e_j*w,
                               approach = |d| - (e_j + gap)
+    JOURNAL (of a crank in its disc)  the same without pin and hole: approach = |shift| - gap
     LOBE (of a disc, on a pin of its ring)
         D = eps - (de + shift)*w + (exp(i*own) - 1)*P_0 + bend + R_m*(1 - exp(-i*s))
             - e*w*(1 - exp(-i*z_p*s)),  approach = gap - n.D  at the foot s of D on the path
@@ -32,8 +33,9 @@ Whole = Annotated[IntArray, "whole"]
 """Arrays of one, two and three axes, and one of integers of two: of what each function takes its
 annotations say all, by which it is compiled."""
 
-PIN, LOBE, FLANK = range(3)
-"""Kind of a group: circle in a circle, lobe of a disc on a pin, its second foot."""
+JOURNAL, PIN, LOBE, FLANK = range(4)
+"""Kind of a group: journal in its bearing, pin in its hole, which both are a circle in a circle;
+lobe of a disc on a pin, its second foot."""
 
 LINEAR, POWER, HERTZ, CONFORMAL = range(4)
 """Laws of contact: `law`."""
@@ -138,9 +140,13 @@ FITS, BINDS, NOWHERE = 2, 1, 0
 CLASS = 1e-11
 """Unbalance after the last step but one, over the largest force: the last one leaves its square."""
 
-STILL = 4 * 2.0**-52
+STILL = 128 * 2.0**-52
 """Step over the displacements that is rounding: under a torque of next to nothing no step is less.
 """
+
+LEAST_DAMP, LIGHT = 1e-3, 1e-2
+"""Stiffness, N/m, by which displacements are held that nothing else holds, and one that holds
+nothing else."""
 
 REACH = 5e-6
 """First step at most, m; later ones grow to `FURTHEST` of it."""
@@ -175,6 +181,16 @@ NO_LEVER = 1e-12
 
 FAR_LAG = 1e-2
 """Longest step of a lag, rad."""
+
+FAINT = 1e-12
+"""Stiffness over the largest by which discs that float are held."""
+
+NEXT_TO_NONE = 1e-1, 1e-3, 1e-5, 1e-7, 1e-9
+"""Approaches of a pin over the clearance of a bearing: discs that float are pushed by its force at
+each, one after the other, to the end of their play."""
+
+PRESSES = 1e-5
+"""Such an approach, under whose force parts press that carry next to none."""
 
 LEAST_PLAY = 1e-14
 """Lags that differ by no more are rounding, rad."""
@@ -349,7 +365,7 @@ def place(phi: float, drive: Drive, work: Work) -> None:
             w[i, SA] = s * cf[i, CB] + c * cf[i, SB]
             w[i, LAW_A], w[i, MOST], w[i, OPEN] = cf[i, A], cf[i, LIMIT], cf[i, GAP]
             w[i, BENT], w[i, FOOT] = cf[i, CURVED], 0.0
-            if gi[g, KIND] == PIN:
+            if gi[g, KIND] <= PIN:
                 w[i, LEVER] = -gf[g, CIRCLE] * w[i, SA]
             else:
                 place_lobe(i, g, drive, w)
@@ -528,7 +544,7 @@ def foot_of(i: int, g: int, drive: Drive, w: Table) -> None:
 
 def touch(i: int, g: int, q: Row, b: Table, drive: Drive, w: Table) -> None:
     """Approach of a contact at displacements."""
-    if drive.gi[g, KIND] == PIN:
+    if drive.gi[g, KIND] <= PIN:
         pin(i, g, q, b, drive, w)
     else:
         lobe(i, g, q, b, drive, w)
@@ -542,7 +558,7 @@ def slopes(i: int, g: int, drive: Drive, work: Work) -> tuple[float, float]:
     nx, ny, ca, sa, ux, uy = w[i, NX], w[i, NY], w[i, CA], -w[i, SA], w[i, UX], w[i, UY]
     hx, hy, ax, ay = w[i, HX], w[i, HY], w[i, AX], w[i, AY]
     px, py = -(ux * ca - uy * sa), -(ux * sa + uy * ca)  # along the crank
-    if kind == PIN:
+    if kind <= PIN:
         grad[i, 0], side[0] = nx * ay - ny * ax, -nx * ax - ny * ay
     else:
         grad[i, 0], side[0] = 0.0, 0.0
@@ -553,7 +569,7 @@ def slopes(i: int, g: int, drive: Drive, work: Work) -> tuple[float, float]:
     grad[i, 5], side[5] = ny * ux - nx * uy, nx * ux + ny * uy
     if drive.gi[g, EXACT] == 0:
         return 0.0, 0.0
-    if kind == PIN:
+    if kind <= PIN:
         return -(nx * ax + ny * ay), nx * hx + ny * hy
     return 0.0, -(nx * hx + ny * hy)
 
@@ -562,7 +578,7 @@ def press(i: int, g: int, f: float, k: float, drive: Drive, work: Work) -> None:
     """Add a contact with a force to the balance and its derivatives."""
     gi, w, grad, side = drive.gi, work.w, work.grad, work.side
     by_turn, by_own = slopes(i, g, drive, work)
-    bow, block, curved = f * w[i, BOW], drive.ci[i, BLOCK], gi[g, KIND] != PIN
+    bow, block, curved = f * w[i, BOW], drive.ci[i, BLOCK], gi[g, KIND] > PIN
     curved = curved and gi[g, EXACT] != 0
     for s in range(4):
         row = gi[g, TURN + s]
@@ -792,6 +808,16 @@ def left_over(damp: float, step: float, drive: Drive, work: Work) -> float:
     return rest / top if top > 0 else math.inf
 
 
+def settled(slope: float, work: Work) -> bool:
+    """True where the energy that a step would release moves no force by more than the class: a disc
+    that carries nothing may drift on.
+    """
+    top = stiff = 0.0
+    for i in range(len(work.w)):
+        top, stiff = max(top, work.w[i, FORCE]), max(stiff, work.w[i, STIFF])
+    return bool(-slope * stiff <= CLASS * top * CLASS * top)
+
+
 def length_of(drive: Drive, work: Work) -> float:
     """Length of the step, m."""
     step = 0.0
@@ -811,11 +837,26 @@ def far_off(drive: Drive, work: Work) -> float:
     return far
 
 
+def afloat(drive: Drive) -> float:
+    """How far discs float to either side in their bearings, m; 0 where they do not."""
+    for g in range(len(drive.gi)):
+        if drive.gi[g, KIND] == JOURNAL:
+            return float(drive.cf[drive.gi[g, START], GAP])
+    return 0.0
+
+
 def held(drive: Drive, work: Work) -> None:
-    """Hold discs without force where they are."""
+    """Hold discs without force where they are, and faintly those that float: what only just touches
+    one leaves it free all the same.
+    """
+    most = 0.0
     for i in range(len(work.q)):
+        most = max(most, work.hgg[i, i] / drive.weight[i])
         if work.hgg[i, i] == 0:
             work.hgg[i, i] = drive.weight[i]
+    if afloat(drive) > 0:
+        for i in range(1, len(work.q)):
+            work.hgg[i, i] += FAINT * most * drive.weight[i]
 
 
 def last_step(torque: float, drive: Drive, work: Work) -> None:
@@ -852,16 +893,17 @@ def solve(torque: float, drive: Drive, work: Work) -> int:
             cap = min(4 * cap, REACH * FURTHEST) if gone * step >= 0.99 * cap else cap
             gone, cuts = 0.0, 0
         if not direction(damp, drive, work):
-            damp = max(100 * damp, 1e-3)
+            damp = max(100 * damp, LEAST_DAMP)
             if damp > 1e14:
                 return -count
             continue
         slope, step = along_step(work), length_of(drive, work)
         near = step < REACH and left_over(damp, step, drive, work) <= CLASS
-        if near or (damp == 0 and step <= STILL * far_off(drive, work)):
+        still = step <= STILL * far_off(drive, work) or (step < REACH and settled(slope, work))
+        if near or (damp < LIGHT and still):
             last_step(torque, drive, work)
             return count
-        damp = damp * 0.01 if damp > 1e-2 else 0.0
+        damp = damp * 0.01 if damp > LIGHT else 0.0
         gone = min(1.0, cap / step) if step > 0 else 1.0
         go(gone, work)
     return -STEPS_MOST
@@ -1226,9 +1268,53 @@ def first_lag(way: float, low: float, high: float) -> float:
     return high if way > 0 else low
 
 
-def placed(way: float, drive: Drive, work: Work, row: Row) -> None:
+def straighten(work: Work) -> None:
+    """Pins without bending, contacts without force."""
+    for i in range(len(work.w)):
+        work.w[i, FORCE] = 0.0
+    for m in range(work.b.shape[0]):
+        for i in range(work.b.shape[1]):
+            work.b[m, i] = 0.0
+
+
+def pushing(approach: float, drive: Drive, work: Work) -> float:
+    """Force of the first pin at an approach, m: N."""
+    work.w[0, DELTA] = approach
+    return law(0, 0, 0.0, drive, work.w)[0]
+
+
+def adrift(
+    way: float, low: float, high: float, drive: Drive, work: Work
+) -> tuple[float, float, bool]:
+    """Least and largest lag of the output where discs float, under next to no torque, no less apart
+    than of discs in the middle of their bearings; whether parts press without load. The
+    displacements are left at the end that a torque closes.
+    """
+    gi, q, ends, most, wide = drive.gi, work.q, (low, high), 0.0, afloat(drive)
+    for side in (-way, way):
+        for i in range(len(q)):
+            q[i] = 0.0
+        for g in range(len(gi)):
+            if gi[g, KIND] == LOBE:
+                q[gi[g, OWN]] = work.play[gi[g, OWN], 1 if side > 0 else 0]
+        q[0] = first_lag(side, ends[0], ends[1])
+        straighten(work)
+        for part in NEXT_TO_NONE:
+            force = pushing(part * wide, drive, work)
+            solve(side * force * drive.gf[0, CIRCLE], drive, work)
+        for i in range(len(work.w)):
+            most = max(most, work.w[i, FORCE])
+        if side > 0:
+            high = max(q[0], ends[1])
+        else:
+            low = min(q[0], ends[0])
+    return low, high, most > pushing(PRESSES * wide, drive, work)
+
+
+def placed(way: float, whole: bool, drive: Drive, work: Work, row: Row) -> None:
     """Play of a position, of each disc in its ring and of the output, and whether a torque can be
-    carried; the displacements are left where the first contact of each stage touches.
+    carried; the displacements are left where the first contact of each stage touches. Discs that
+    float are in the middle of their bearings where not the whole of the play is asked.
     """
     gi, q, play = drive.gi, work.q, work.play
     for i in range(len(q)):
@@ -1243,7 +1329,7 @@ def placed(way: float, drive: Drive, work: Work, row: Row) -> None:
     driven = ringed
     for g in range(len(gi)):
         turn = gi[g, TURN]
-        if gi[g, KIND] != PIN or turn < 0:
+        if gi[g, KIND] != PIN:
             continue
         least, most, presses = pin_play(g, drive, work)
         pressed = pressed or presses
@@ -1261,6 +1347,9 @@ def placed(way: float, drive: Drive, work: Work, row: Row) -> None:
     pressed = pressed or low > high + LEAST_PLAY
     if pressed and mean and len(q) > 1:
         low, high = math.inf, -math.inf
+    if whole and carries and afloat(drive) > 0:
+        low, high, presses = adrift(way, low, high, drive, work)
+        pressed = pressed and presses
     if way < 0:
         low, high = -high, -low
     row[LOW], row[HIGH], row[PRESSED], row[PLAY] = (
@@ -1339,9 +1428,9 @@ def wrenches(drive: Drive, work: Work) -> None:
     gi, gf, w = drive.gi, drive.gf, work.w
     for g in range(len(gi)):
         x = y = torque = 0.0
-        way = -1.0 if gi[g, KIND] == PIN else 1.0
+        way = -1.0 if gi[g, KIND] <= PIN else 1.0
         c = s = 1.0
-        if gi[g, KIND] != PIN:
+        if gi[g, KIND] > PIN:
             own = gf[g, LATE] + moved(gi[g, OWN], work.q) if gi[g, EXACT] != 0 else 0.0
             c, s = math.cos(own), math.sin(own)
         for i in range(gi[g, START], gi[g, STOP]):
@@ -1350,7 +1439,7 @@ def wrenches(drive: Drive, work: Work) -> None:
                 continue
             ca, sa, nx, ny = w[i, CA], w[i, SA], w[i, NX], w[i, NY]
             along, across = nx * ca - ny * sa, nx * sa + ny * ca  # in the crank's frame
-            if gi[g, KIND] != PIN:
+            if gi[g, KIND] > PIN:
                 along, across = along * c + across * s, across * c - along * s
             x -= f * along
             y += f * across
@@ -1362,13 +1451,14 @@ def turning_lobe(i: int, g: int, drive: Drive, work: Work) -> float:
     """Derivative of a lobe's approach by the crank angle at held lags, in first order."""
     gf, cf, w, ca, sa = drive.gf, drive.cf, work.w, work.w[i, CA], -work.w[i, SA]
     e, k, slope = gf[g, BASE_E], gf[g, SHORT], w[i, SLOPE]
-    own = gf[g, LATE] + moved(drive.gi[g, OWN], work.q)
+    own, ta, tc = disc_at(g, work.q, drive)
+    ta += gf[g, OFF]
     tx, ty = sa, -ca  # derivative of the crank's direction
     px, py = gf[g, CIRCLE] - e * ca, -e * sa
-    dx = cf[i, EX] - gf[g, OFF] * ca - own * py
-    dy = cf[i, EY] - gf[g, OFF] * sa + own * px
+    dx = cf[i, EX] - ta * ca + tc * sa - own * py
+    dy = cf[i, EY] - ta * sa - tc * ca + own * px
     gx, gy, hx, hy = 1 - k * ca, -k * sa, -k * tx, -k * ty
-    mx, my = -gf[g, OFF] * tx + own * e * ty, -gf[g, OFF] * ty - own * e * tx
+    mx, my = -ta * tx - tc * ca + own * e * ty, -ta * ty - tc * sa - own * e * tx
     grown = (gx * hx + gy * hy) / slope
     over, turn = gx * dx + gy * dy, hx * dx + hy * dy + gx * mx + gy * my
     lever = gf[g, BASE_E] * (gf[g, LOBES] - 1) * (ca - w[i, SA] * grown / slope) / slope
@@ -1384,10 +1474,10 @@ def on_crank(torque: float, drive: Drive, work: Work) -> float:
     """
     gi, gf, w, total = drive.gi, drive.gf, work.w, 0.0
     exact, ratio = gi[0, EXACT] != 0, gf[0, RATIO]
-    series = gi[0, KIND] == PIN and gi[len(gi) - 1, KIND] != PIN
+    series = gi[0, KIND] == PIN and gi[len(gi) - 1, KIND] > PIN
     for g in range(len(gi)):
         pins = gi[g, KIND] == PIN
-        if pins and gi[g, TURN] < 0:  # a bearing on the crank itself
+        if gi[g, KIND] == JOURNAL:  # hands on what these press
             continue
         _, along, across = disc_at(g, work.q, drive)
         if exact:
@@ -1436,7 +1526,7 @@ def measure(torque: float, drive: Drive, work: Work, row: Row) -> None:
         at = PIN_FORCE if kind == PIN else LOBE_FORCE
         for i in range(gi[g, START], gi[g, STOP]):
             f = w[i, FORCE]
-            if f <= 0 or kind == FLANK:
+            if f <= 0 or kind in (FLANK, JOURNAL):
                 continue
             pressed = pressing(g, i, drive, w)
             row[at], row[at + 1] = max(row[at], f), max(row[at + 1], pressed)
@@ -1511,15 +1601,6 @@ def bend_on(part: float, work: Work) -> None:
             work.b[m, i] += part * (work.last[m, i] - work.older[m, i])
 
 
-def straighten(work: Work) -> None:
-    """Pins without bending, contacts without force."""
-    for i in range(len(work.w)):
-        work.w[i, FORCE] = 0.0
-    for m in range(work.b.shape[0]):
-        for i in range(work.b.shape[1]):
-            work.b[m, i] = 0.0
-
-
 def position(
     phi: float, torque: float, warm: bool, play: bool, drive: Drive, work: Work, row: Row
 ) -> int:
@@ -1529,19 +1610,19 @@ def position(
     place(phi, drive, work)
     way, q, kept = math.copysign(1.0, torque), work.q, work.kept
     row[STATUS] = SOLVED
-    for _ in range(2):
+    for again in range(2):
         if play or not warm:
             take(q, kept)
             take_bends(work.b, work.bends)
             straighten(work)
-            placed(way, drive, work, row)
+            placed(way, play or again > 0, drive, work, row)
             if warm:
                 take(kept, q)
                 take_bends(work.bends, work.b)
             if row[STATUS] != SOLVED:
                 return NO_DRIVE
         count = solve(torque, drive, work)
-        if count > 0 or not warm:
+        if count > 0:
             break
         warm = False
     row[STEPS], row[LAG] = abs(count), way * lag_of(drive, q)
@@ -1603,7 +1684,7 @@ def unloaded(
     straighten(work)
     for m in range(len(places)):
         place(places[m], drive, work)
-        placed(way, drive, work, rows[m])
+        placed(way, True, drive, work, rows[m])
         rows[m, INTERFERENCE] = -math.inf
         for body in range(len(work.q)):
             plays[m, body, 0], plays[m, body, 1] = work.play[body, 0], work.play[body, 1]
@@ -1655,7 +1736,7 @@ def narrow(
         if play:
             place(there, drive, work)
             straighten(work)
-            placed(math.copysign(1.0, torque), drive, work, row)
+            placed(math.copysign(1.0, torque), True, drive, work, row)
             found = sign * row[kind]
         for side in range(0 if play else (2 if kind == LOST else 1)):
             asked = torque if kind != LOST else share * torque * (1.0 - 2.0 * side)
@@ -1709,7 +1790,7 @@ def between(drive: Drive, work: Work, row: Row) -> None:
     gi, q = drive.gi, work.q
     q[0] = (row[LOW] + row[HIGH]) / 2
     for g in range(len(gi)):
-        if gi[g, KIND] != PIN or gi[g, TURN] < 0:
+        if gi[g, KIND] != PIN:
             continue
         if drive.share[gi[g, TURN]] < 1:  # each turns for itself
             low, high = slack(g, drive, work)
@@ -1730,7 +1811,9 @@ def goes_together(places: Row, drive: Drive, work: Work, row: Row) -> int:
         if free_there(drive, work):
             free = True
             continue
-        placed(1.0, drive, work, row)
+        placed(1.0, False, drive, work, row)
+        if row[PRESSED] > 0 and afloat(drive) > 0:
+            placed(1.0, True, drive, work, row)
         if row[PRESSED] > 0:
             blocked = True
         else:

@@ -15,7 +15,7 @@ FLOATS = engine.RATIO + 1, engine.WIDER + 1
 class Contacts(NamedTuple):
     """Contacts of one kind of all discs, of many pieces."""
 
-    kind: int  # PIN or LOBE of the engine
+    kind: int  # JOURNAL, PIN or LOBE of the engine
     law: int  # of the engine
     exact: bool  # geometry; else first order
     gf: FloatArray  # floats of the engine of each disc, shape (S, K, 16)
@@ -43,7 +43,9 @@ class Bending(NamedTuple):
 class Springs(NamedTuple):
     """What gives besides the contacts."""
 
-    bearing: float = 0.0  # of a disc on its crank, N/m; 0 where that is rigid
+    # Of a disc on its crank, N/m; 0 where that is rigid. Along the crank alone, but where there are
+    # lobes and pins: what acts across it is the ring's.
+    bearing: float = 0.0
     mesh: float = 0.0  # of a disc in its ring, N*m/rad; 0 where that is rigid
     bending: Bending | None = None  # of the output pins
 
@@ -68,7 +70,7 @@ class Pieces(NamedTuple):
     @property
     def sound(self) -> BoolArray:
         """Which pieces have pins, holes and cranks of a size, shape (S,)."""
-        gf, cf = self.gf, self.cf
+        gf, cf = self.gf[:, self.gi[:, engine.KIND] > engine.JOURNAL], self.cf
         least = np.minimum(gf[..., engine.ECC].min(axis=1), cf[..., engine.RAD].min(axis=1))
         wide = gf[..., engine.BASE_E].min(axis=1) + cf[..., engine.WIDER].min(axis=1)
         found: BoolArray = np.minimum(least, wide) > 0
@@ -97,6 +99,7 @@ def pieces_of(
     pins: Contacts | None = None,
     shares: tuple[float, ...] = (),
     springs: Springs = RIGID,
+    journals: Contacts | None = None,
     table: FloatArray,
 ) -> Pieces:
     """Drives of discs on output pins, of a ring on its discs, or of both in series.
@@ -112,6 +115,8 @@ def pieces_of(
         have one lag.
     springs : Springs
         Of bearings, meshes and pins.
+    journals : Contacts, optional
+        Of the cranks in their discs, which float there between lobes and pins.
     table : array
         Constants of the conformal law, see `engine.over_width`.
 
@@ -119,30 +124,34 @@ def pieces_of(
     -------
     Pieces
     """
-    kinds = [each for each in (pins, lobes) if each]
+    kinds = [each for each in (pins, journals, lobes) if each]
     discs = kinds[0].gf.shape[1]
     if lobes and lobes.straddle:
         kinds.append(lobes._replace(kind=engine.FLANK))
     count = bodies = discs if shares else 1
-    own, along = [-1] * discs, [-1] * discs
+    own, along, across = [-1] * discs, [-1] * discs, [-1] * discs
     turn = [*range(discs)] if shares else [0] * discs
     if not pins:
         own = turn
     elif lobes or springs.mesh:
         own = [*range(bodies, bodies + discs)]
         bodies += discs
-    if springs.bearing:
+    if springs.bearing or journals:
         along = [*range(bodies, bodies + discs)]
+        bodies += discs
+    if along[0] > 0 and lobes and pins:
+        across = [*range(bodies, bodies + discs)]
         bodies += discs
     ring, bodies = bodies, bodies + 3 * bool(springs.bending and springs.bending.end)
     gi: list[list[int]] = []
     contacts = 0
     for each in kinds:
-        pin = each.kind == engine.PIN
+        turns = turn if each.kind == engine.PIN else [-1] * discs
+        owns = own if each.kind != engine.JOURNAL else [-1] * discs
         of = len(gi) - discs if each.kind == engine.FLANK else -1
         for j in range(discs):
             stop = contacts + each.cf.shape[2]
-            moves = [turn[j] if pin else -1, own[j], along[j], -1]
+            moves = [turns[j], owns[j], along[j], across[j]]
             fixed = [each.kind, each.law, contacts, stop, *moves, int(each.exact)]
             gi.append([*fixed, of + j if of >= 0 else -1])
             contacts = stop
@@ -154,8 +163,9 @@ def pieces_of(
     for j in range(discs):
         if springs.mesh and not lobes:
             kgg[own[j], own[j]] = springs.mesh
-        if springs.bearing:
-            kgg[along[j], along[j]] = springs.bearing
+        for body in (along[j], across[j]):
+            if body >= 0 and not journals:
+                kgg[body, body] = springs.bearing
     share = np.zeros(bodies)
     share[:count] = shares or 1.0
     kgg, kbb, kbg = bent_springs(bending=springs.bending, pins=pins, kgg=kgg, ring=ring)

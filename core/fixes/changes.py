@@ -3,7 +3,6 @@
 from core.design.document import Design, changed, value_at
 from core.errors import required
 from core.fixes.fix import WHOLE
-from core.output.elasticity import Shares
 from core.tolerance.iso286 import fit_clearance
 
 RATING = "crankshaft.bearings.dynamic_rating"
@@ -90,5 +89,5 @@ def count_may_change(design: Design) -> bool:
     if cranks.output == "coupling":  # which has one
         return False
     listed = (cranks.crank_angles, cranks.crank_spacing, design.pin, design.crankshaft)
-    shares = isinstance(design.support, Shares)
+    shares = design.support.given_shares
     return not (shares or design.deviations or any(listed))

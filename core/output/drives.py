@@ -11,6 +11,11 @@ from core.drive.model import FLOATS, Contacts, Pieces, pieces_of
 from core.output.elasticity import law_kind, pair_law
 from core.output.room import Errors
 
+HARD_BEARING = 50.0
+"""Stiffness of a bearing between both meshes that is rigid and has clearance, over the modulus of
+the softer body of pins and holes times the length of their contact: a contact's is about one such.
+"""
+
 
 class Cranks(NamedTuple):
     """Deviations of the cranks and discs of pieces."""
@@ -105,7 +110,7 @@ def output_pins(*, output: Any, errors: Errors[FloatArray]) -> Contacts:
 
 def in_series(*, pins: Contacts, output: Any) -> Contacts:
     """Output pins in the holes of discs that turn in a ring, of whose phases their lags have all;
-    their phase counts from the crank.
+    their phase counts from the crank. Bearings whose clearance is no contact's let discs float.
 
     Parameters
     ----------
@@ -118,10 +123,38 @@ def in_series(*, pins: Contacts, output: Any) -> Contacts:
     -------
     Contacts
     """
-    gf, own = pins.gf.copy(), output.mechanism
+    gf, cf, own = pins.gf.copy(), pins.cf.copy(), output.mechanism
+    cf[..., engine.GAP] -= output.support.loose
     gf[..., engine.RATE], gf[..., engine.LATE] = 1 + 1 / own.ratio, 0.0
     gf[..., engine.PHASE] += own.initial_crank_angle
-    return pins._replace(gf=gf)
+    return pins._replace(gf=gf, cf=cf)
+
+
+def journals(*, pins: Contacts, output: Any) -> Contacts | None:
+    """Cranks in the bearings of discs that float there between output pins and a ring.
+
+    Parameters
+    ----------
+    pins : Contacts
+        As `in_series` gives them.
+    output : RealMechanism
+        The nominal design.
+
+    Returns
+    -------
+    Contacts or None
+        None without a clearance.
+    """
+    support = output.support
+    if not support.loose:
+        return None
+    gf, cf = pins.gf.copy(), np.zeros((*pins.gf.shape[:2], 1, FLOATS[1]))
+    gf[..., engine.ECC] = gf[..., engine.OFF] = 0.0
+    cf[..., [engine.CB, engine.RAD]], cf[..., engine.GAP] = 1.0, support.loose
+    soft = min(output.pin_material.youngs_modulus, output.hole_material.youngs_modulus)
+    hard = HARD_BEARING * soft * output.contact_length
+    cf[..., engine.A], cf[..., engine.LIMIT] = 1 / (support.bearing or hard), np.inf
+    return Contacts(engine.JOURNAL, engine.LINEAR, pins.exact, gf, cf)
 
 
 def output_pieces(*, output: Any, errors: Errors[FloatArray]) -> Pieces:

@@ -762,3 +762,46 @@ class RingInSeries(SatelliteSupport):
     """Each disc finds its place between the pins of its ring and those of the output, as both
     meshes give: of the one alone it is rigid.
     """
+
+
+@dataclass(frozen=True, slots=True)
+class Supports(SatelliteSupport):
+    """Bearings of the satellites on their cranks, and how they share the torque."""
+
+    crank: SatelliteSupport  # a `CrankSupport`, or rigid
+    coupling: SatelliteSupport  # an elastic mesh, shares, both meshes in series, or rigid
+
+    @property
+    def gives(self) -> bool:
+        """True where either does."""
+        return self.crank.gives or self.coupling.gives
+
+    @property
+    def turning(self) -> bool:
+        """True where the coupling lets them turn."""
+        return self.coupling.turning
+
+    @property
+    def bearing(self) -> float:
+        """Stiffness of one bearing, N/m; 0 where it is rigid."""
+        return self.crank.bearing
+
+    @property
+    def mesh(self) -> float:
+        """Torque over rotation of one mesh, N*m/rad; 0 where it is rigid."""
+        return self.coupling.mesh
+
+    @property
+    def loose(self) -> float:
+        """Half of the clearance of a bearing, m."""
+        return self.crank.loose
+
+    @property
+    def given_shares(self) -> tuple[float, ...]:
+        """Shares of the coupling."""
+        return self.coupling.given_shares
+
+    def check(self, satellites: int) -> None:
+        """Refuse what either cannot be."""
+        self.crank.check(satellites)
+        self.coupling.check(satellites)

@@ -26,7 +26,6 @@ from core.output.elasticity import (
     Law,
     Pins,
     SatelliteSupport,
-    Shares,
     check_law,
     law_constants,
     law_curve,
@@ -71,8 +70,6 @@ class RealMechanism(Stage):
             raise InvalidInput("eccentricity", self.eccentricity, "smaller_than", **than)
         check_law(self.law)
         self.support.check(self.mechanism.satellites)
-        if self.pin.tied and self.support.gives:
-            raise InvalidInput("support", self.support, "only_one", field="pin.support")
 
     @property
     def pins_alike(self) -> bool:
@@ -142,7 +139,7 @@ class RealMechanism(Stage):
             clearance=self.clearance,
             deviations=self.deviations,
             roller_play=self.roller_play,
-            apart=isinstance(self.support, Shares),
+            apart=bool(self.support.given_shares),
         )
 
     @property

@@ -66,7 +66,8 @@ def sampled(turn: Turn) -> SampledTurn:
     >>> round(float(abs(found.on_pins).max()), 1), bool(np.allclose(found.couple, 30.0))
     (957.1, True)
     """
-    return directed(real=turn.real, samples=close_samples(turn))
+    rows = refined(turn=turn)
+    return directed(turn=turn, rows=rows, samples=over_all(turn=turn, rows=rows))
 
 
 def close_samples(turn: Turn) -> CloseSamples:
@@ -187,26 +188,24 @@ def off(*, turn: Turn, rows: Rows) -> FloatArray:
     return found
 
 
-def directed(
-    *, real: RealMechanism, samples: CloseSamples, own: FloatArray | None = None
-) -> SampledTurn:
+def directed(*, turn: Turn, rows: Rows, samples: CloseSamples) -> SampledTurn:
     """Forces with their directions, over a turn of the wave.
 
     Parameters
     ----------
-    real : RealMechanism
-        The mechanism.
+    turn : Turn
+        The mechanism under the torque.
+    rows : dict of array
+        Positions of a period.
     samples : CloseSamples
-        Its forces.
-    own : array, shape (K, n), optional
-        Lags of the holes of each disc, rad, where it finds its own; else discs lag as they deviate
-        alone.
+        Forces of all periods, over angles of the wave.
 
     Returns
     -------
     SampledTurn
     """
     wave, force, lag, error, evaluations = samples
+    real = getattr(turn.real, "output", turn.real)
     pins, satellites = real.mechanism.pins, real.mechanism.satellites
     errors = real.deviations.rows(pins, satellites)
     cranks = np.array(real.mechanism.crank_angles) + np.array(errors.crank_phase)
@@ -214,11 +213,13 @@ def directed(
     radial = 1j * np.exp(2j * np.pi * np.arange(pins) / pins)[:, None]  # (N, 1)
     size = force.reshape(satellites, pins, -1)
     if real.exact:
-        hole, pin = _centres(real, crank, radial, lag, own)
+        own, off = (np.tile(rows[name], (turn.repeats, 1)).T for name in ("behind", "off"))
+        centre = (_eccentricities(real) + off[:, None]) * crank
+        hole, pin = _centres(real, centre, radial, lag, own)
         arm = hole - pin
         acts: ComplexArray = size * (arm / np.abs(arm))
         tangential = 1j * radial * np.exp(-1j * lag)
-        hole = hole - _eccentricities(real) * crank
+        hole = hole - centre
     else:
         acts, tangential, hole = size * crank, 1j * radial, real.pin_circle_radius * radial
     on_pins = np.conj(acts / tangential)
@@ -243,10 +244,10 @@ def _eccentricities(real: RealMechanism) -> FloatArray:
 
 def _centres(
     real: RealMechanism,
-    crank: ComplexArray,
+    centre: ComplexArray,
     radial: ComplexArray,
     lag: FloatArray,
-    own: FloatArray | None,
+    own: FloatArray,
 ) -> tuple[ComplexArray, ComplexArray]:
     """Centres of holes and pins, shape (K, N, n), in the frame of the output without a lag."""
     pins, satellites = real.mechanism.pins, real.mechanism.satellites
@@ -254,8 +255,6 @@ def _centres(
     radius = real.pin_circle_radius
     off_pin = np.array(errors.pin_radial) + 1j * np.array(errors.pin_tangential)
     off_hole = np.array(errors.hole_radial) + 1j * np.array(errors.hole_tangential)
-    turned = np.array(errors.disc_phase) + np.array(errors.crank_phase) / real.mechanism.ratio
-    ahead = turned[:, None, None] if own is None else -own[:, None]
     pin = radial * (radius + off_pin)[:, None] * np.exp(-1j * lag)
     hole = radial * (radius + off_hole.reshape(satellites, pins, 1))
-    return _eccentricities(real) * crank + np.exp(1j * ahead) * hole, pin
+    return centre + np.exp(-1j * own[:, None]) * hole, pin

@@ -3,11 +3,12 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from core.arrays import BoolArray, FloatArray
+from core.arrays import BoolArray, ComplexArray, FloatArray
 from core.drive import engine
 from core.drive.engine import Drive, Work
 from core.drive.model import Pieces, work_for
@@ -124,6 +125,20 @@ class Solved:
     def by_ring(self) -> FloatArray:
         """Forces of the ring on each disc."""
         return self.on_discs(engine.LOBE, engine.FLANK)
+
+    @property
+    def discs(self) -> tuple[FloatArray, ComplexArray]:
+        """Lag of each disc against the direction of the output, rad, and its shift on its crank,
+        along it and i times across it, m, shape (m, K).
+        """
+        drive, first = self.drive, self.drive.gi[:, engine.KIND] == self.drive.gi[0, engine.KIND]
+        gi, late = drive.gi[first], drive.gf[first, engine.LATE]
+        moves = np.pad(self.lags, ((0, 0), (0, 1)))  # the last one of what does not move
+        own, along, across, turn = (
+            moves[:, gi[:, each]] for each in (engine.OWN, engine.ALONG, engine.ACROSS, engine.TURN)
+        )
+        output = self.lags @ drive.share
+        return late + own + output[:, None] - turn, along + 1j * across
 
     @property
     def lag(self) -> FloatArray:
@@ -298,6 +313,35 @@ class Stage:
         room = Solved.of(self.drive, len(places))
         engine.unloaded(places, way, least, room.drive, room.work, room.rows, room.plays)
         return room.rows
+
+    @cached_property
+    def _free(self) -> dict[bytes, FloatArray]:
+        """Plays at places that were asked, which no torque changes."""
+        return {}
+
+    def free(self, places: Sequence[float], way: float) -> tuple[FloatArray, BoolArray]:
+        """Play at angles of the engine, each set of them looked at once.
+
+        Parameters
+        ----------
+        places : sequence of float
+            As `wave` gives them, rad.
+        way : float
+            Direction in which lags count: 1, or -1 in reverse.
+
+        Returns
+        -------
+        play : array, shape (m, 2)
+            Least and largest lag without load, rad.
+        pressed : array, shape (m,)
+            True where pairs press without load.
+        """
+        there = np.array(places, float)
+        if there.tobytes() not in self._free:
+            self._free[there.tobytes()] = self.unloaded(there)
+        rows = self._free[there.tobytes()]
+        play = rows[:, engine.LOW : engine.HIGH + 1]
+        return (play if way > 0 else -play[:, ::-1]), rows[:, engine.PRESSED] > 0
 
     def rows(self, values: Sequence[float]) -> tuple[tuple[float, ...], ...]:
         """Values of the pairs, satellite by satellite.

@@ -36,9 +36,10 @@ LEAST_AGAIN = 37
 OF_PLAY = engine.HIGH, engine.PLAY
 """Read-outs for which no position is solved."""
 
-Rows = dict[str, FloatArray]
+Rows = dict[str, Any]
 """Quantities at positions by their names, each shape (n,); the forces of all pairs, shape (n, K*N);
-and `wave`, the angles of the engine, rad."""
+of each disc how far it lags `behind`, and is `off` its place on its crank, as `Solved.discs`; and
+`wave`, the angles of the engine, rad."""
 
 
 class Turn:
@@ -89,7 +90,10 @@ class Turn:
     def poses(self, places: Sequence[float], *, play: bool = True) -> Rows:
         """Positions at angles of the engine, rad."""
         self.evaluations += len(places)
-        room = self.real.solved(places, self.torque, play=play)
+        room = self.real.solved(places, self.torque, play=False)
+        free, pressed = room.play, room.pressed
+        if play:
+            free, pressed = self.real.free(places, self.torque)
         found = {
             "forces": room.forces[:, room.contacts(self.real.kind)],
             "lag": room.lag,
@@ -97,13 +101,14 @@ class Turn:
             "force": room.rows[:, self.force],
             "pressure": room.rows[:, self.pressure],
             "loaded": room.rows[:, self.force + 2],
-            "low": room.play[:, 0],
-            "high": room.play[:, 1],
+            "low": free[:, 0],
+            "high": free[:, 1],
             "error": room.error,
             "input_torque": room.input_torque,
-            "pressed": room.pressed,
+            "pressed": pressed,
             "wave": np.array(places),
         }
+        found["behind"], found["off"] = room.discs
         return found | self.of_ring(room)
 
     def of_ring(self, room: Solved) -> Rows:

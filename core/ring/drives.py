@@ -8,7 +8,7 @@ from core.arrays import FloatArray
 from core.drive import engine
 from core.drive.model import Contacts, Pieces, pieces_of
 from core.output.conformal_law import NO_CURVE, NO_WRAP, table_of
-from core.output.drives import Cranks, blank, in_series, output_pins
+from core.output.drives import Cranks, blank, in_series, journals, output_pins
 from core.output.elasticity import pair_law
 from core.output.room import Errors
 
@@ -80,9 +80,11 @@ def series_pieces(*, series: Any, teeth: LobeErrors, errors: Errors[FloatArray])
     -------
     Pieces
     """
-    output, pins = series.output, output_pins(output=series.output, errors=errors)
+    output = series.output
+    pins = in_series(pins=output_pins(output=output, errors=errors), output=output)
     return pieces_of(
-        pins=in_series(pins=pins, output=output),
+        pins=pins,
+        journals=journals(pins=pins, output=output),
         lobes=_lobes(series.ring, teeth, Cranks(*errors[6:])),
         springs=output.springs,
         table=output.table,

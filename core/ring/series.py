@@ -108,7 +108,8 @@ class MeshesInSeries(Stage):
     """Cycloid discs between the pins of their ring and those of the output."""
 
     ring: CycloidMesh  # with the phases' deviations, without given shares
-    output: RealMechanism  # of the same discs, cranks and deviations of these; nothing else gives
+    # Of the same discs, cranks and deviations of these; its bearings and pins may give.
+    output: RealMechanism
 
     def __post_init__(self) -> None:
         ring, output = self.ring, self.output
@@ -116,7 +117,7 @@ class MeshesInSeries(Stage):
             if abs(one - other) > SAME * abs(other):
                 raise InvalidInput(name, one, "stages_differ", other=other)
         for support in (ring.support, output.support):
-            if support.gives:
+            if support.turning:
                 raise InvalidInput("support", support, "only_one", field="ring")
 
     def _twice(self) -> Iterator[tuple[str, float, float]]:
@@ -139,10 +140,6 @@ class MeshesInSeries(Stage):
     def mechanism(self) -> Mechanism:  # type: ignore[override] # not set
         """Pins and cranks of the output."""
         return self.output.mechanism
-
-    @property
-    def support(self) -> None:
-        """Nothing else gives."""
 
     @property
     def phases(self) -> list[float]:
@@ -254,7 +251,7 @@ class SeriesPosition:
     ring: RingPart  # what the ring does
     crank_force: tuple[float, ...]  # of ring and pins together on each crank, N, K values
     # Across each crank, against its turning, of ring and pins together, N, K values: times the
-    # eccentricities what turns the crank, in exact geometry.
+    # eccentricities what turns the crank, in exact geometry, of discs that do not float.
     across: tuple[float, ...]
     input_torque: float  # that turns the crank without friction, N*m
     accuracy: Accuracy  # of the forces, over the largest
@@ -295,7 +292,7 @@ def series_position(
     -----
     Of one disc in first order lags and plays of both stages add; of more they do not, since each
     disc hangs on both. Left out: friction, speed, tilting and edge load, deformation of discs, ring
-    and carrier, clearance and compliance of the crank's bearings, errors of single lobes.
+    and carrier, errors of single lobes.
 
     Examples
     --------

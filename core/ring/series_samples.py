@@ -57,12 +57,12 @@ def sampled_in_series(turn: SeriesTurn) -> SampledTurn:
     """
     output = turn.real.output
     rows = turn.close
-    samples, way = over_all(turn=turn, rows=rows), math.copysign(1.0, turn.torque)
+    samples = over_all(turn=turn, rows=rows)
     waves = samples.wave * output.mechanism.waves_per_turn
     found = directed(
-        real=output,
+        turn=turn,
+        rows=rows,
         samples=samples._replace(wave=waves + output.mechanism.initial_crank_angle),
-        own=way * np.tile(rows["own"], (turn.repeats, 1)).T,
     )
     return replace(
         found,

@@ -155,8 +155,6 @@ BEND = {"support": "fixed", "satellite_positions_mm": [9.0, 23.0], "span_mm": 34
          "different_length"),
         (changed(pin=BEND | {"satellite_positions_mm": [9, 40]}),
          "/pin/satellite_positions_mm/1", "smaller_than"),
-        (changed(crank_support=BEARINGS, satellite_coupling=MESH), "/satellite_coupling",
-         "only_one"),
         (changed(satellite_coupling={"kind": "elastic"}),
          "/satellite_coupling/stiffness_Nm_per_arcmin", "needed_beside"),
         (changed(satellite_coupling=MESH | {"shares": [0.5, 0.5]}),

@@ -95,8 +95,6 @@ async def test_the_whole_design_judges_both_ends(api):
 @pytest.mark.parametrize(
     ("path", "change", "pointer", "code"),
     [
-        ("load-sharing", {"crank_support": {"stiffness_N_per_mm": 1e5}}, "/pin/support",
-         "only_one"),
         ("load-sharing", {"pin": PIN | {"span_mm": 36.0}}, "/pin/satellite_positions_mm/1",
          "smaller_than"),
         ("load-sharing", {"mechanism": MECHANISM | {"pins": 51}}, "/mechanism/pins",

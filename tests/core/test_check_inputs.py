@@ -604,6 +604,11 @@ AS_MADE = {
     **{name: erring(DESIGNS[name], **OF_RING, **OF_CRANKS) for name in TEETH},
     "cranks that deviate": erring(LOOSE["all"], **OF_CRANKS),
     "teeth on elastic cranks": having(TOOTHED, crank_support=ELASTIC, hole_radius=0.00802),
+    "both meshes on elastic cranks": having(
+        SERIES,
+        crank_support=CrankSupport(2e8),
+        gear=replace(RINGED, pin_tensile_strength=1500e6, pin_steel=True),
+    ),
 }
 """Designs in which deviations are moved, or what gives on the cranks."""
 

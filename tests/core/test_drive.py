@@ -98,6 +98,7 @@ def floating(seed: int) -> engine.Drive:
         gi[j] = engine.PIN, engine.LINEAR, holes.start, holes.stop, 0, own, own + 1, own + 2, 1, -1
         gi[DISCS + j] = gi[j]
         gi[DISCS + j, [engine.START, engine.STOP]] = journal, journal + 1
+        gi[DISCS + j, engine.KIND] = engine.JOURNAL
         gi[DISCS + j, [engine.TURN, engine.OWN]] = -1
         gf[[j, DISCS + j], engine.PHASE] = j * math.pi
         gf[j, [engine.RATE, engine.ECC, engine.CIRCLE]] = 1.1, 2e-3, 0.04
