@@ -29,6 +29,9 @@ INLINED = {
 }
 """Functions that are called at each contact."""
 
+OPTIONS = {"nogil": True, "error_model": "numpy", "_nrt": False, "no_cfunc_wrapper": True}
+"""Of numba. The engine makes no arrays: what it is given is held by who calls it, not counted."""
+
 MADE = "compiling, once an installation: half a minute or more"
 
 UNUSABLE = "the cache of what is compiled is broken, or cannot be read or written"
@@ -90,6 +93,8 @@ def _cache_of(say: Say) -> Any:
             if found is None:
                 told(MADE)  # who is told may have waited until another process has made it
                 found = self._found(asked)
+            if found is None:
+                _take_in(self._py_func)
             return found
 
         def _found(self, asked: Any) -> Any:
@@ -110,33 +115,36 @@ def _cache_of(say: Say) -> Any:
     return Kept
 
 
-def dispatcher(*, plain: Any, say: Say, inlined: bool, called: bool) -> Any:
-    """A function that numba compiles. It makes no arrays: what it is given is held by who calls it,
-    not counted there.
-
-    Parameters
-    ----------
-    plain : function
-        As it is.
-    say : callable, optional
-        As `load` takes it.
-    inlined : bool
-        Whether it becomes a part of who calls it.
-    called : bool
-        Whether it is called from outside of what is compiled.
-
-    Returns
-    -------
-    dispatcher
+@functools.cache
+def _linked() -> type:
+    """Kind of a pipeline of numba's that makes no machine code: what it compiles becomes a part of
+    those functions that call it, and is optimised there.
     """
-    kept = _cache_of(say)
-    import numba
+    from numba.core.codegen import JITCodeLibrary
+    from numba.core.compiler import Compiler
 
-    options = {"nogil": True, "error_model": "numpy", "_nrt": False, "no_cfunc_wrapper": True}
-    ways = {"forceinline": inlined, "no_cpython_wrapper": not called}
-    found = numba.njit(**options, **ways)(plain)
-    found._cache = kept(plain)
-    return found
+    class Part(JITCodeLibrary):  # type: ignore[misc]
+        @property
+        def codegen(self) -> "Part":
+            return self
+
+        def set_env(self, *_: Any) -> None:
+            """Know no objects of Python: those who call a part have none either."""
+
+        def get_pointer_to_function(self, _: str) -> int:
+            return 0
+
+        def _optimize_final_module(self) -> None:
+            pass
+
+        def _finalize_final_module(self) -> None:
+            self._finalized = True
+
+    class Linked(Compiler):  # type: ignore[misc]
+        def __init__(self, typing: Any, target: Any, _: None, *rest: Any) -> None:
+            super().__init__(typing, target, Part(target.codegen(), "part"), *rest)
+
+    return Linked
 
 
 def load(say: Say = None) -> None:
@@ -152,21 +160,33 @@ def load(say: Say = None) -> None:
     ImportError
         If numba is not installed.
     """
-    for name in PLAIN:
-        _make(name, say)
+    import numba
+
+    kept = _cache_of(say)
+    made = {}
+    for name in CALLED:
+        made[name] = numba.njit(**OPTIONS)(PLAIN[name])
+        made[name]._cache = kept(PLAIN[name])
+        _compile(made[name])
+    vars(engine).update(PLAIN | made)
 
 
-def _make(name: str, say: Say) -> None:
-    """Compile a function of the engine after those that it calls."""
-    plain = PLAIN[name]
-    if vars(engine)[name] is not plain:
-        return
-    for called in plain.__code__.co_names:
-        if called in PLAIN:
-            _make(called, say)
-    found = dispatcher(plain=plain, say=say, inlined=name in INLINED, called=name in CALLED)
-    hints = get_type_hints(plain, include_extras=True)
+def _compile(found: Any) -> None:
+    """Compile a function as its annotations say."""
+    hints = get_type_hints(found.py_func, include_extras=True)
     gives = kind(hints.pop("return"))
     found.compile(gives(*(kind(each) for each in hints.values())))
     found.disable_compile()
-    setattr(engine, name, found)
+
+
+def _take_in(plain: Any) -> None:
+    """Compile what a function calls, and have it found there."""
+    import numba
+
+    for name in plain.__code__.co_names:
+        if name in PLAIN and vars(engine)[name] is PLAIN[name]:
+            _take_in(PLAIN[name])
+            options = OPTIONS | {"no_cpython_wrapper": True, "forceinline": name in INLINED}
+            part = numba.njit(**options, pipeline_class=_linked())(PLAIN[name])
+            _compile(part)
+            setattr(engine, name, part)

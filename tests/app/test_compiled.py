@@ -91,25 +91,29 @@ def small(x: float) -> float:
     return x + 1.0
 def large(x: float) -> float:
     return small(x) + 1.0
+def wide(x: float) -> float:
+    return small(x) + 2.0
 source = "{source}"
-for each in (small, large):
+for each in (small, large, wide):
     code = each.__code__.replace(co_filename=source)
     made = types.FunctionType(code, vars(engine), each.__name__)
     made.__annotations__, made.__module__ = each.__annotations__, engine.__name__
     setattr(engine, each.__name__, made)
-compiled.PLAIN = {{each: vars(engine)[each] for each in ("small", "large")}}
-compiled.CALLED = ("large",)
+compiled.PLAIN = {{each: vars(engine)[each] for each in ("small", "large", "wide")}}
+compiled.CALLED = "large", "wide"
 from app.compiled import load
 load()
-print(engine.large(1.0), *(len(engine.large.stats.cache_hits) for _ in "1"))
+read = [len(each.stats.cache_hits) for each in (engine.large, engine.wide)]
+print(engine.large(1.0) + engine.wide(1.0), sum(read), engine.small is compiled.PLAIN["small"])
 """
-"""Two functions in the place of the engine's, which are compiled in a moment."""
+"""Three functions in the place of the engine's, which are compiled in a moment: two are called, and
+one becomes a part of both."""
 
 
 @pytest.fixture
 def start(tmp_path):
-    """What a process says that reads or makes the cache of two small functions; how many of the
-    outer one were read.
+    """Messages of a process that reads or makes the cache of three small functions, and how many it
+    has read.
     """
     source, cache = tmp_path / "small.py", tmp_path / "cache"
     source.write_text("# where the functions are said to be\n")
@@ -118,8 +122,8 @@ def start(tmp_path):
     def started(place=cache):
         found = os.environ | {"NUMBA_CACHE_DIR": str(place)}
         done = ran(sys.executable, "-c", TINY.format(source=source), env=found)
-        value, read = done.stdout.split()
-        assert value == "3.0"
+        value, read, plain = done.stdout.split()
+        assert (value, plain) == ("7.0", "True")
         return done.stderr.splitlines(), int(read)
 
     started.cache, started.source = cache, source
@@ -142,7 +146,7 @@ def test_the_cache_is_made_once_and_mended_once_where_it_is_broken(start):
     for left, each in zip((40, 0), files(start.cache, "c"), strict=True):
         each.write_bytes(each.read_bytes()[:left])
     assert start() == mended
-    assert start() == ([], 1)
+    assert start() == ([], 2)
 
 
 def test_where_nothing_can_be_written_it_is_compiled_in_memory(start, tmp_path):
@@ -156,8 +160,8 @@ BODY = REQUESTS["load-sharing"]
 
 @pytest.fixture
 def broken(tmp_path):
-    """The cache of this installation with an index and a result that are cut, and a function that
-    is not there, where nothing can be written.
+    """Cache of this installation with an index and a result that are cut, and a function that is
+    not there, where nothing can be written.
     """
     beside = Path(engine.__file__).parent / "__pycache__"
     own, below = (
@@ -165,11 +169,11 @@ def broken(tmp_path):
         Place.get_suitable_cache_subpath(engine.__file__),
     )
     shutil.copytree(Path(own, below) if own else beside, tmp_path / below)
-    for name, ending in (("turned", "i"), ("excess", "c")):
+    for name, ending in (("unloaded", "i"), ("gaps", "c")):
         found = tmp_path.rglob(f"engine.{name}-*.nb{ending}")  # older ones may be beside it
         each = max(found, key=lambda file: file.stat().st_mtime)
         each.write_bytes(each.read_bytes()[:40])
-    for each in tmp_path.rglob("engine.moved-*.nb?"):
+    for each in tmp_path.rglob("engine.pieces-*.nb?"):
         each.unlink()
     if ran("mount", "--bind", "-o", "ro", tmp_path, tmp_path, check=False).returncode:
         pytest.skip("file systems can only be mounted as root")
